@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "client/face/face_mesh.h"
+#include "client/face/muscle.h"
+#include "common/action_unit.h"
+#include "common/result.h"
+
+namespace aucast::face {
+
+/// One thing that can be driven: a muscle, the jaw, a lid, the head, an eye. Its value is >= 0; an
+/// opposite movement is a channel of its own. Side comes from where it sits (sign of x), Both for a
+/// central one, never from its name.
+struct Channel {
+  std::string name;
+  Side side = Side::Both;
+  float activation_max = 2;  ///< muscles 2 (classic folders 4), jaw 4, lids, head and eyes 1
+};
+
+/// The jaw turns about the x axis through `hinge` by degrees_per_unit x activation x map "jaw".
+struct Jaw {
+  glm::vec3 hinge{0};
+  float degrees_per_unit = 1;
+  float forward_per_rad = 0;  ///< the condyle slides forward as the jaw opens
+};
+
+/// Upper and lower lid turn about the x axis through the eye's centre by map "lid_angle" (radians at
+/// full closure, signed) x closure. Raising is the negative way, up to raise_max of that angle.
+struct Lids {
+  float raise_max = 0.2F;
+};
+
+struct Eye {
+  std::string part;  ///< the mesh part that turns
+  glm::vec3 centre{0};
+  float yaw_deg = 28;    ///< gaze to the side at 100 %
+  float pitch_deg = 22;  ///< gaze up or down at 100 %
+};
+
+/// The head turns about `pivot` by map "head".
+struct HeadPose {
+  glm::vec3 pivot{0};
+  float turn_deg = 35;
+  float pitch_deg = 22;
+  float tilt_deg = 22;
+  float shift = 1;  ///< 57/58: mesh units at 100 %
+};
+
+/// What one AU does at full intensity: activations of channels on the subject's left and right.
+/// Indexed like Face::channels; central channels stand in both arrays with the same value.
+struct AuRecording {
+  int number = 0;
+  std::vector<float> activation;  ///< one per channel; a channel belongs to its own side
+  std::string note;
+};
+
+/// Everything that makes a face move. Immutable once loaded.
+/// Channel order: muscles as in the file, then jaw, left_lid_close, right_lid_close,
+/// left_lid_raise, right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left,
+/// head_turn_right, head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back;
+/// those that the face has no geometry for are left out.
+struct Face {
+  std::string name;
+  FaceMesh mesh;
+  std::vector<Channel> channels;
+  std::vector<Muscle> muscles;  ///< muscles[i] is driven by channels[i]
+  std::optional<Jaw> jaw;
+  std::optional<Lids> lids;
+  std::vector<Eye> eyes;  ///< left one first
+  std::optional<HeadPose> head;
+  std::map<int, AuRecording> recordings;
+  std::vector<std::string> remarks;  ///< said once to the user: duplicates dropped, AUs not playable
+  bool classic = false;              ///< from a folder in Waters' format
+
+  [[nodiscard]] std::optional<std::size_t> channel_index(std::string_view channel_name) const;
+};
+
+/// Reads a face folder: our format (face.toml inside) or Waters' classic one (faceline.dat inside).
+/// `data_folder` holds the AU table for classic folders. BadData with file:line:column, Unreadable
+/// when a file is missing.
+[[nodiscard]] Result<Face> load_face(const std::filesystem::path& folder,
+                                     const std::filesystem::path& data_folder);
+
+}  // namespace aucast::face

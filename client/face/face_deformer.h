@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "client/face/face.h"
+
+namespace aucast::face {
+
+/// A deformed face, ready to be drawn: positions and normals in the mesh's order, and where the eyes
+/// look.
+struct DeformedFace {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;      ///< unit length
+  std::vector<glm::vec3> eye_centres;  ///< as Face::eyes
+  std::vector<glm::vec3> eye_forward;  ///< unit length
+};
+
+/// Turns activations into positions. All muscles displace from the rest face and are summed, so
+/// that their order does not matter; then lids, jaw, eyes and head turn, in that order. What is
+/// linear in its activation is computed once, sparsely, when the deformer is made.
+/// The face must outlive the deformer. Thread: one deformer per thread.
+class FaceDeformer {
+ public:
+  explicit FaceDeformer(const Face& face);
+  ~FaceDeformer();
+  FaceDeformer(FaceDeformer&&) noexcept;
+  FaceDeformer& operator=(FaceDeformer&&) noexcept;
+
+  /// `activations`: one per channel, clamped to [0, activation_max]; not finite counts as 0. All
+  /// zero gives the rest face bit for bit. Nothing is allocated after the first call on an `out`.
+  void deform(std::span<const float> activations, DeformedFace& out);
+
+  /// Without normals and eyes, for numbers only.
+  void deform_positions(std::span<const float> activations, std::vector<glm::vec3>& out);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace aucast::face

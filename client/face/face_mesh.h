@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace aucast::face {
+
+/// How a part of the face takes light.
+enum class Material : std::uint8_t { Skin, Eye, Teeth, Mouth, Hair, Cloth, Brow };
+
+/// A named run of vertices and triangles: skin, left_eye, upper_teeth, ... `skin` comes first.
+struct MeshPart {
+  std::string name;
+  Material material = Material::Skin;
+  std::uint32_t vertex_begin = 0;
+  std::uint32_t vertex_count = 0;
+  std::uint32_t triangle_begin = 0;
+  std::uint32_t triangle_count = 0;
+};
+
+/// The neutral face: one vertex array over all parts, in the order of the face's file.
+/// Units and axes: contract.md section 0 (y up, z to the viewer, +x the subject's left, 1 = 1.4 cm).
+struct FaceMesh {
+  std::vector<glm::vec3> positions;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise from outside
+  std::vector<MeshPart> parts;
+  std::vector<glm::vec4> colours;  ///< linear RGB and alpha in [0,1], one per vertex
+  std::vector<float> occlusion;    ///< ambient light that gets there, [0,1]; 1 = all
+  std::vector<float> gloss;        ///< factor on the material's highlight; 1 = as it is
+  /// Named weights per vertex, all of size positions.size(): jaw, head, lid_angle, muscle, ... and
+  /// the masks that muscles name.
+  std::map<std::string, std::vector<float>> maps;
+};
+
+}  // namespace aucast::face

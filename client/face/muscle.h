@@ -1,0 +1,92 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace aucast::face {
+
+// Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
+// displacement(m, p, a) is the way that point `p` of the rest face goes at activation `a` (0..2;
+// classic folders 0..4); nothing outside the zone of influence; linear in `a` up to a cap.
+
+/// Pulls skin towards the attachment inside a cone. P' = P - (P - v1) min(a G, cap) A r with
+/// G = sec(zone) - 1, A = (cos th - cos zone) / (1 - cos zone), r = 1 up to falloff_start and
+/// cos(90 deg (D - Rs) / (Rf - Rs)) from there (Waters' released program; thesis eq. 3.1-3.4 read
+/// so that it is continuous).
+struct LinearMuscle {
+  glm::vec3 attachment{0};   ///< v1, the fixed end on bone
+  glm::vec3 insertion{0};    ///< v2, the end in the skin; must differ from the attachment
+  float zone_rad = 0.6F;     ///< half angle of the cone, in (0, pi/2)
+  float falloff_start = 0;   ///< Rs >= 0
+  float falloff_finish = 1;  ///< Rf > Rs
+  /// Largest fraction of the way to v1: 0.95 keeps our faces free of folds; nothing: uncapped, as
+  /// in Waters' program.
+  std::optional<float> cap = 0.95F;
+};
+
+/// Draws the mouth together in its plane and pushes it forward (thesis eq. 3.5-3.9, clean form:
+/// f g2 with a hole of radius semi_axes.y that keeps the midline, s = lx / 2).
+struct MouthSphincter {
+  glm::vec3 centre{0};
+  glm::vec2 semi_axes{2, 1};  ///< lx >= ly > 0
+  float depth = 3;            ///< only |z - cz| < depth moves
+  float protrusion = 10;      ///< Z of eq. 3.9: larger means less forward
+};
+
+/// Brings the lids' surroundings to the axis of the eye: y' = y (1 - (a/2) f) with
+/// f = 1 - sqrt((x/lx)^2 + (y/ly)^2) (thesis eq. 3.10-3.13, clean form).
+struct EyeSphincter {
+  glm::vec3 centre{0};
+  glm::vec2 semi_axes{2, 1};
+  float depth = 3;
+  float bulge = 30;            ///< Z: z grows by a f (1 - |y|/ly) / Z
+  float upper_share = 0.3F;    ///< of the motion above and below the axis: AU6 and 7 lift the
+  float lower_share = 0.7F;    ///< lower lid more
+};
+
+/// A broad parallel muscle such as the frontalis (thesis eq. 3.14-3.19, clean form): the strip of
+/// width `width` from the attachment line to the insertion line moves towards the attachment, most
+/// at `peak` of the way, fading to both sides.
+struct SheetMuscle {
+  glm::vec3 attachment{0};  ///< Ac, middle of the line on bone
+  glm::vec3 insertion{0};   ///< lc, middle of the line in the skin
+  float width = 2;
+  float peak = 0.7F;        ///< L / |lc - Ac| in (0, 1)
+  float depth = 3;          ///< distance from the sheet's plane that still moves
+};
+
+/// A pull without published geometry, for what FACS needs and the thesis lacks (mentalis, depressor
+/// labii, ...): `direction` is the displacement at the centre for activation 1, falling off as a
+/// Gaussian of the given radii.
+struct LocalPull {
+  glm::vec3 centre{0};
+  glm::vec3 direction{0};
+  glm::vec3 radii{1};  ///< distance along each axis at which exp(-1) is left
+};
+
+using MuscleShape = std::variant<LinearMuscle, MouthSphincter, EyeSphincter, SheetMuscle, LocalPull>;
+
+/// A muscle with its name, such as left_zygomaticus_major.
+struct Muscle {
+  std::string name;
+  MuscleShape shape;
+  std::string mask;  ///< a map of the mesh that multiplies the displacement; empty: none
+};
+
+/// Where `point` goes at `activation` >= 0, masks left out.
+[[nodiscard]] glm::vec3 displacement(const MuscleShape& shape, const glm::vec3& point,
+                                     float activation);
+
+/// Displacement per unit of activation for as long as the muscle is linear in it, and the
+/// activation from which it stays the same (infinite when it has no cap).
+struct LinearInfluence {
+  glm::vec3 per_unit{0};
+  float activation_cap = 0;
+};
+[[nodiscard]] LinearInfluence influence(const MuscleShape& shape, const glm::vec3& point);
+
+}  // namespace aucast::face

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "client/playback/keyframe_source.h"
+
+namespace aucast::playback {
+
+/// Keyframes that are all there already: a stream file, played without a server.
+class FileSource final : public KeyframeSource {
+ public:
+  explicit FileSource(std::vector<TimedAus> keyframes);
+
+  [[nodiscard]] std::optional<TimedAus> take() override;
+  [[nodiscard]] bool ready() const override;
+  bool wait_until(Instant until) override;
+  [[nodiscard]] SourceStatus status() const override;
+  void stop() override;
+
+ private:
+  std::vector<TimedAus> keyframes_;
+  std::size_t next_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace aucast::playback

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/action_unit.h"
+#include "common/time.h"
+
+namespace aucast::playback {
+
+/// One set of AUs with the time to reach it, on its way from the wire to the face.
+struct TimedAus {
+  AuFrame aus;
+  std::optional<Milliseconds> duration;  ///< the packet's own time, if it had one
+};
+
+/// Why a source has nothing more to give.
+enum class EndReason : std::uint8_t {
+  NotEnded,
+  EndOfStream,     ///< {-2} came, or the file is through
+  Stopped,         ///< stop() was called
+  ConnectionLost,
+  ProtocolError,
+  Unreachable,     ///< never connected, or silent past the time-out
+  Refused,         ///< the server's {error ...}
+};
+
+/// "end_of_stream", "stopped", ... as --stats writes it.
+[[nodiscard]] std::string_view name(EndReason reason);
+
+/// A snapshot of a source, for the controller, the statistics and the window.
+struct SourceStatus {
+  bool connected = false;
+  EndReason end = EndReason::NotEnded;  ///< set as soon as nothing more will arrive
+  std::string detail;                   ///< a sentence about the end, for the user
+  std::size_t receiver_fill = 0;
+  std::size_t playout_fill = 0;
+  Milliseconds keyframe_time{250};  ///< the server's default for untimed packets
+  bool negotiated = false;          ///< level 2
+  bool paused = false;
+  std::uint64_t packets_received = 0;
+  std::uint64_t bytes_received = 0;
+  std::uint64_t pauses_sent = 0;
+  std::uint64_t resumes_sent = 0;
+  double receive_seconds = 0;  ///< from connected to {-2} or the end
+};
+
+/// Where the playback controller gets keyframes from: a server or a file. A source may have a thread
+/// behind it, but presents a single-threaded API: all calls come from the player's thread.
+class KeyframeSource {
+ public:
+  KeyframeSource() = default;
+  virtual ~KeyframeSource() = default;
+  KeyframeSource(const KeyframeSource&) = delete;
+  KeyframeSource& operator=(const KeyframeSource&) = delete;
+
+  /// The next keyframe of the Playout buffer, if there is one now.
+  [[nodiscard]] virtual std::optional<TimedAus> take() = 0;
+  /// True when take() would give one, or nothing will ever come again.
+  [[nodiscard]] virtual bool ready() const = 0;
+  /// Waits until ready() or until `until`, whichever is first; returns ready().
+  virtual bool wait_until(Instant until) = 0;
+  [[nodiscard]] virtual SourceStatus status() const = 0;
+  /// The user leaves: -4 to a server. Returns at once; status().end becomes Stopped.
+  virtual void stop() = 0;
+};
+
+}  // namespace aucast::playback

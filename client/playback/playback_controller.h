@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "client/playback/keyframe_source.h"
+#include "common/time.h"
+
+namespace aucast::playback {
+
+/// Positions per keyframe: k/50, k = 1..50 (thesis 5.4.2).
+inline constexpr int kPositionsPerKeyframe = 50;
+
+enum class PlaybackState : std::uint8_t {
+  Buffering,  ///< nothing played yet, the first keyframe is awaited
+  Playing,
+  Stalled,    ///< both buffers ran empty before the end: the clock waits, the face holds
+  Paused,     ///< by the user
+  Ended,      ///< the last keyframe's position 50 is reached and the stream had ended
+  Stopped,    ///< the user left
+  Lost,       ///< everything received is played and the connection was lost before the end
+};
+
+[[nodiscard]] std::string_view name(PlaybackState state);
+
+/// A keyframe that has just begun: the face goes from where it is to `target` in `duration`.
+struct KeyframeBegun {
+  TimedAus target;
+  Milliseconds duration{0};  ///< the one in force: packet, --speed, server's default
+};
+
+/// Where playback stands. position is k in 0..50 of the current keyframe, mu = the exact fraction.
+struct PlaybackMoment {
+  std::uint64_t keyframe = 0;  ///< counts from 1; 0 before the first
+  int position = 0;            ///< whole positions reached, 0..50
+  double mu = 0;               ///< fraction in [0,1]
+};
+
+/// The playback controller of figure 5.15 on a given clock. The end frame of one keyframe is the
+/// start frame of the next, which begins exactly where the last one ended, so that nothing drifts:
+/// N keyframes take the sum of their times. After a stall the clock starts anew.
+/// Thread: the player's.
+class PlaybackController {
+ public:
+  /// `speed`: --speed; nothing: the server's default for untimed packets.
+  explicit PlaybackController(std::optional<Milliseconds> speed);
+
+  /// Moves to `now`. When a keyframe begins it is returned; call again with the same `now` until
+  /// nothing is returned, because short keyframes may be over already: first bring the face to the
+  /// end of the one before, then begin the returned one.
+  [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now, KeyframeSource& source);
+
+  [[nodiscard]] PlaybackState state() const;
+  [[nodiscard]] PlaybackMoment moment() const;
+  /// When position k+1 of the current keyframe is reached; nothing when the clock stands.
+  [[nodiscard]] std::optional<Instant> next_position_at() const;
+
+  void pause(Instant now);
+  void resume(Instant now);
+  void stop(Instant now);
+
+  [[nodiscard]] std::uint64_t keyframes_played() const;  ///< whole ones
+  [[nodiscard]] std::uint64_t stalls() const;
+  /// From position 0 of the first keyframe to the last position reached, on the given clock.
+  [[nodiscard]] Duration playback_time() const;
+  /// Sum of the times of the keyframes played.
+  [[nodiscard]] Milliseconds media_time() const;
+
+ private:
+  void finish_keyframe(Instant now, const KeyframeSource& source);
+
+  std::optional<Milliseconds> speed_;
+  PlaybackState state_ = PlaybackState::Buffering;
+  PlaybackMoment moment_;
+  Instant keyframe_begin_{};
+  Milliseconds duration_{0};
+  std::optional<Instant> first_begin_;
+  Instant last_position_at_{};
+  std::optional<Instant> paused_since_;
+  std::uint64_t keyframes_played_ = 0;
+  std::uint64_t stalls_ = 0;
+  Milliseconds media_time_{0};
+};
+
+}  // namespace aucast::playback

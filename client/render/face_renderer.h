@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+
+#include "client/view/image.h"
+#include "client/view/scene.h"
+#include "common/result.h"
+
+namespace aucast::render {
+
+/// Draws a face with OpenGL 3.3 core into whatever framebuffer is bound. The same for window and
+/// headless. Needs a current context for all its life.
+/// Thread: the one the context is current on.
+class FaceRenderer {
+ public:
+  /// Failed, with the compiler's words, when the shaders do not build.
+  [[nodiscard]] static Result<std::unique_ptr<FaceRenderer>> create();
+  ~FaceRenderer();
+  FaceRenderer(const FaceRenderer&) = delete;
+  FaceRenderer& operator=(const FaceRenderer&) = delete;
+
+  void load(const view::StaticMesh& mesh);
+  /// Clears and draws into the bound framebuffer; width and height in pixels.
+  void draw(const view::MovingMesh& mesh, const view::Camera& camera,
+            const view::Background& background, int width, int height);
+
+ private:
+  struct State;
+  explicit FaceRenderer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace aucast::render

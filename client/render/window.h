@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "client/view/scene.h"
+#include "common/result.h"
+
+namespace aucast::render {
+
+enum class Key : int { None, Quit, Space, Escape, F, S, R, Question };
+
+/// A plain GLFW window with an OpenGL 3.3 core context and 4 samples; the camera turns with the left
+/// mouse button, moves with the right one and zooms with the wheel.
+/// Thread: the main one.
+class Window {
+ public:
+  /// Failed, saying what to do, when there is no display or no OpenGL 3.3.
+  [[nodiscard]] static Result<std::unique_ptr<Window>> create(int width, int height,
+                                                              const std::string& title);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  [[nodiscard]] bool should_close() const;
+  void close();
+  /// Handles events that are there; waits at most `seconds_max` for one when it is above 0.
+  void poll(double seconds_max);
+  /// Keys pressed since the last call, in order; Key::None when there are no more.
+  [[nodiscard]] Key next_key();
+  void set_title(const std::string& title);
+  void toggle_full_screen();
+  void present();
+  /// True once after something happened that needs a new picture: resize, exposure, camera.
+  [[nodiscard]] bool take_redraw();
+  [[nodiscard]] view::Camera& camera();
+  void framebuffer_size(int& width, int& height) const;
+  /// Wakes poll() from any thread.
+  static void wake();
+
+ private:
+  struct State;
+  explicit Window(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace aucast::render

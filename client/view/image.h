@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/result.h"
+
+namespace aucast::view {
+
+/// An sRGB picture, 8 bits, RGBA, top row first.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;  ///< 4 * width * height
+};
+
+[[nodiscard]] Image make_image(int width, int height, std::uint32_t rgb = 0);
+
+/// Writes a PNG atomically. Failed when the place cannot be written.
+[[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path);
+[[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
+
+/// Copies `from` into `to` with its top left corner at (x, y), cut at the borders.
+void paste(Image& to, const Image& from, int x, int y);
+
+/// Pictures of one size in rows of `columns`, each with a line of text under it, on a plain ground.
+[[nodiscard]] Image contact_sheet(std::span<const Image> pictures,
+                                  std::span<const std::string> captions, int columns);
+
+/// Difference of two pictures of one size: share of pixels in which a channel differs by more than
+/// `tolerance`, and the largest difference.
+struct ImageDifference {
+  double share = 0;
+  int largest = 0;
+};
+[[nodiscard]] ImageDifference compare(const Image& a, const Image& b, int tolerance);
+
+}  // namespace aucast::view

@@ -1,0 +1,129 @@
+#include "common/action_unit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace aucast {
+namespace {
+
+constexpr std::pair<int, std::string_view> kFacsNames[] = {
+    {0, "Neutral Face"},
+    {1, "Inner Brow Raiser"},
+    {2, "Outer Brow Raiser"},
+    {4, "Brow Lowerer"},
+    {5, "Upper Lid Raiser"},
+    {6, "Cheek Raiser"},
+    {7, "Lid Tightener"},
+    {9, "Nose Wrinkler"},
+    {10, "Upper Lip Raiser"},
+    {11, "Nasolabial Furrow Deepener"},
+    {12, "Lip Corner Puller"},
+    {13, "Sharp Lip Puller"},
+    {14, "Dimpler"},
+    {15, "Lip Corner Depressor"},
+    {16, "Lower Lip Depressor"},
+    {17, "Chin Raiser"},
+    {18, "Lip Pucker"},
+    {19, "Tongue Show"},
+    {20, "Lip Stretcher"},
+    {21, "Neck Tightener"},
+    {22, "Lip Funneler"},
+    {23, "Lip Tightener"},
+    {24, "Lip Presser"},
+    {25, "Lips Part"},
+    {26, "Jaw Drop"},
+    {27, "Mouth Stretch"},
+    {28, "Lips Suck"},
+    {29, "Jaw Thrust"},
+    {30, "Jaw Sideways"},
+    {31, "Jaw Clencher"},
+    {32, "Bite"},
+    {33, "Blow"},
+    {34, "Puff"},
+    {35, "Cheek Suck"},
+    {36, "Tongue Bulge"},
+    {37, "Lip Wipe"},
+    {38, "Nostril Dilator"},
+    {39, "Nostril Compressor"},
+    {43, "Eye Closure"},
+    {45, "Blink"},
+    {46, "Wink"},
+    {51, "Head Turn Left"},
+    {52, "Head Turn Right"},
+    {53, "Head Up"},
+    {54, "Head Down"},
+    {55, "Head Tilt Left"},
+    {56, "Head Tilt Right"},
+    {57, "Head Forward"},
+    {58, "Head Back"},
+    {61, "Eyes Turn Left"},
+    {62, "Eyes Turn Right"},
+    {63, "Eyes Up"},
+    {64, "Eyes Down"},
+    {65, "Walleye"},
+    {66, "Cross-eye"},
+};
+
+std::uint8_t rounded_percent(float intensity) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(intensity, 0.0F, 1.0F) * 100.0F));
+}
+
+}  // namespace
+
+void apply_terms(AuFrame& frame, std::span<const AuTerm> terms) {
+  for (const AuTerm& term : terms) {
+    if (term.number == 0 || term.number > kAuNumberMax) continue;
+    const float intensity = static_cast<float>(term.percent) / 100.0F;
+    if (term.side != Side::Right) frame.left[term.number] = intensity;
+    if (term.side != Side::Left) frame.right[term.number] = intensity;
+  }
+}
+
+AuFrame frame_from_terms(std::span<const AuTerm> terms) {
+  AuFrame frame;
+  apply_terms(frame, terms);
+  return frame;
+}
+
+std::vector<AuTerm> canonical_terms(const AuFrame& frame) {
+  std::vector<AuTerm> terms;
+  for (int number = 1; number <= kAuNumberMax; ++number) {
+    const auto index = static_cast<std::size_t>(number);
+    const auto id = static_cast<std::uint8_t>(number);
+    const std::uint8_t left = rounded_percent(frame.left[index]);
+    const std::uint8_t right = rounded_percent(frame.right[index]);
+    if (left == right) {
+      if (left != 0) terms.push_back({id, Side::Both, left});
+      continue;
+    }
+    if (left != 0) terms.push_back({id, Side::Left, left});
+    if (right != 0) terms.push_back({id, Side::Right, right});
+  }
+  if (terms.empty()) terms.push_back({0, Side::Both, 100});
+  return terms;
+}
+
+std::optional<std::string_view> facs_name(int number) {
+  const auto* found = std::find_if(std::begin(kFacsNames), std::end(kFacsNames),
+                                   [number](const auto& entry) { return entry.first == number; });
+  if (found == std::end(kFacsNames)) return std::nullopt;
+  return found->second;
+}
+
+std::optional<std::uint8_t> percent_of_letter(char letter) {
+  switch (letter) {
+    case 'A': return std::uint8_t{10};
+    case 'B': return std::uint8_t{25};
+    case 'C': return std::uint8_t{50};
+    case 'D': return std::uint8_t{80};
+    case 'E': return std::uint8_t{100};
+    case 'x': return std::uint8_t{25};
+    case 'y': return std::uint8_t{60};
+    case 'z': return std::uint8_t{100};
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace aucast

@@ -1,0 +1,63 @@
+#include "common/text.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace aucast {
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string escaped(std::string_view bytes, std::size_t length_max) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::string text;
+  for (const char byte : bytes) {
+    if (text.size() >= length_max) return text + "...";
+    const auto code = static_cast<unsigned char>(byte);
+    if (code >= 0x20 && code < 0x7f && byte != '\\') {
+      text += byte;
+    } else {
+      text += {'\\', 'x', kHex[code >> 4U], kHex[code & 15U]};
+    }
+  }
+  return text;
+}
+
+std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& known) {
+  std::optional<std::string> best;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string at_place(std::string_view file, std::size_t line, std::size_t column,
+                     std::string_view text) {
+  std::string place(file);
+  if (line != 0) place += ":" + std::to_string(line);
+  if (line != 0 && column != 0) place += ":" + std::to_string(column);
+  return place + ": " + std::string(text);
+}
+
+}  // namespace aucast

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aucast {
+
+/// Bytes from outside made safe for a terminal or a log: printable ASCII as it is, everything else
+/// as \xNN, cut to `length_max` with "..." when longer.
+[[nodiscard]] std::string escaped(std::string_view bytes, std::size_t length_max = 60);
+
+/// The known word nearest to `word` by edits, when it is near enough to be meant; for "did you
+/// mean".
+[[nodiscard]] std::optional<std::string> nearest(std::string_view word,
+                                                 const std::vector<std::string>& known);
+
+/// "file:line:column: text"; line and column count from 1 and 0 leaves them out.
+[[nodiscard]] std::string at_place(std::string_view file, std::size_t line, std::size_t column,
+                                   std::string_view text);
+
+}  // namespace aucast

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "common/action_unit.h"
+#include "common/time.h"
+#include "protocol/packet.h"
+#include "protocol/server_session.h"
+
+namespace aucast::protocol {
+
+/// How the player wants to talk.
+struct ClientSessionOptions {
+  bool negotiate = true;  ///< false: never send a hello (--protocol classic)
+  HelloAsked hello;
+  /// Longest wait for the server's first packet after the connection stands.
+  Duration silence_max = std::chrono::seconds(10);
+};
+
+/// A keyframe has arrived, changes-only forms already resolved to the full face. The owner stores
+/// it and then calls answer_received() or answer_pause().
+struct DeliverKeyframe {
+  AuFrame aus;
+  std::optional<std::uint32_t> duration_ms;  ///< the packet's own
+  std::optional<std::uint64_t> place_ms;
+};
+/// The server has granted level 2.
+struct Granted {
+  HelloGranted hello;
+};
+/// {-2}: everything has been sent. The owner closes when it likes; nothing answers it.
+struct StreamEnded {};
+/// Drop this connection and everything that came over it, and connect once more with
+/// `negotiate = false`: the server took the hello for garbage.
+struct ReconnectClassic {};
+struct SessionFailed {
+  enum class Why : std::uint8_t {
+    Lost,           ///< closed or broken before {-2}
+    ProtocolError,  ///< bytes that are none of the protocol
+    Refused,        ///< the server's {error ...}
+    Silent,         ///< nothing at all within silence_max
+  };
+  Why why = Why::Lost;
+  std::string reason;  ///< a sentence; peer text escaped
+};
+using ClientEvent =
+    std::variant<SendBytes, DeliverKeyframe, Granted, StreamEnded, ReconnectClassic, SessionFailed>;
+
+[[nodiscard]] std::string_view name(SessionFailed::Why why);
+
+/// The player's side of one connection as a state machine. No socket and no clock. After
+/// StreamEnded, ReconnectClassic or SessionFailed nothing more comes out.
+/// Thread: none of its own; one session per connection.
+class ClientSession {
+ public:
+  explicit ClientSession(ClientSessionOptions options);
+  ~ClientSession();
+  ClientSession(ClientSession&&) noexcept;
+  ClientSession& operator=(ClientSession&&) noexcept;
+
+  [[nodiscard]] std::vector<ClientEvent> on_connected(Instant now);
+  [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view bytes, Instant now);
+  /// The server shut its side or the connection broke.
+  [[nodiscard]] std::vector<ClientEvent> on_closed(Instant now);
+  [[nodiscard]] std::vector<ClientEvent> on_time(Instant now);
+  [[nodiscard]] std::optional<Instant> deadline() const;
+
+  // What the owner says; each returns the bytes to send (empty: nothing to say now).
+  /// The oldest unanswered keyframe is stored: `1`.
+  [[nodiscard]] std::string answer_received();
+  /// No room: `-1`. In classic it stands in place of the answer to the unanswered keyframe; in
+  /// level 2 it is spontaneous and answers nothing.
+  [[nodiscard]] std::string pause();
+  /// Room again: `-3`; in classic it also answers the keyframe that was answered by `-1`.
+  [[nodiscard]] std::string resume();
+  /// The user leaves: `-4`, once.
+  [[nodiscard]] std::string stop();
+
+  [[nodiscard]] Level level() const;
+  /// Packets that may be on their way unanswered: room for so many must stay free. 1 in classic.
+  [[nodiscard]] int window() const;
+  [[nodiscard]] bool paused() const;
+  [[nodiscard]] std::size_t unanswered() const;
+  [[nodiscard]] std::uint64_t packets_received() const;  ///< keyframes
+  [[nodiscard]] std::uint64_t payload_bytes() const;     ///< their bytes as received
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace aucast::protocol

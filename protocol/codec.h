@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/result.h"
+#include "protocol/packet.h"
+
+namespace aucast::protocol {
+
+// === Encoding. Canonical output: no spaces, numbers ascending, equal sides joined, 100 omitted.
+
+/// {1,6,12,14}: what a level-1 peer reads. AUs whose larger side is below `percent_min` are left
+/// out, sides, intensities and timing are dropped; {0} when nothing is left. Not for changes-only
+/// keyframes.
+[[nodiscard]] std::string encode_classic(const Keyframe& keyframe, int percent_min);
+
+/// {1:30,R12:80;40@73400}: everything the keyframe holds, in canonical form.
+[[nodiscard]] std::string encode(const Keyframe& keyframe);
+[[nodiscard]] std::string encode(const End&);
+[[nodiscard]] std::string encode(const HelloAsked& hello);
+[[nodiscard]] std::string encode(const HelloGranted& hello);
+[[nodiscard]] std::string encode(const ErrorReply& error);
+[[nodiscard]] std::string encode(const StreamList& list);
+[[nodiscard]] std::string encode(const StreamsAsked&);
+[[nodiscard]] std::string encode(Code code);
+
+// === Text forms shared by stream files and command lines.
+
+/// Which liberties a text form takes beside those of the wire.
+enum class TermSyntax : std::uint8_t {
+  Wire,  ///< as in a packet: terms joined by ','
+  Text,  ///< stream files, command lines: '+' too, FACS letters without colon (1C+4B+L12D), blanks
+};
+
+/// A refused text: what is wrong, and the 0-based position of the byte where it stands.
+struct TextError {
+  std::size_t position = 0;
+  std::string reason;
+  friend bool operator==(const TextError&, const TextError&) = default;
+};
+
+/// Reads the inside of a packet, without braces: `1,6,12` or `L12:80,4C;40@120`. On success the
+/// keyframe is in `out` and nothing is returned.
+[[nodiscard]] std::optional<TextError> parse_keyframe(std::string_view text, TermSyntax syntax,
+                                                      Keyframe& out);
+
+/// An AU set from a command line: `1,6,12`, `12:80,R14:50`, `{4C+9}`. Usage error with the column.
+/// Timing and the changes-only form are refused.
+[[nodiscard]] Result<AuFrame> parse_au_set(std::string_view text);
+
+/// `1,6,R12:80`: canonical terms joined by commas, as `face-player rules` prints them.
+[[nodiscard]] std::string format_au_set(const AuFrame& frame);
+
+/// True for 1-64 letters, digits, '.', '_' or '-'.
+[[nodiscard]] bool is_stream_name(std::string_view name);
+
+}  // namespace aucast::protocol

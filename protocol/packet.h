@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/action_unit.h"
+
+namespace aucast::protocol {
+
+/// How much of the protocol both sides speak.
+enum class Level : std::uint8_t { Classic = 1, Negotiated = 2 };
+
+/// One keyframe as it stands in a packet or on a line of a stream file.
+struct Keyframe {
+  std::vector<AuTerm> terms;                 ///< as written; empty only in the changes-only form
+  bool changes_only = false;                 ///< {~...}: what is not named stays as it was
+  std::optional<std::uint32_t> duration_ms;  ///< time to reach it
+  std::optional<std::uint64_t> place_ms;     ///< place in the stream; only with duration_ms
+  friend bool operator==(const Keyframe&, const Keyframe&) = default;
+};
+
+/// {-2}: end of transmission.
+struct End {
+  friend bool operator==(const End&, const End&) = default;
+};
+
+/// The client's {hello ...}. Absent keys keep these values; unknown keys were ignored.
+struct HelloAsked {
+  int version = 2;
+  int window = 1;           ///< 0-256; 0 means no answers, live only
+  std::string stream;       ///< empty: the first one
+  std::string token;
+  bool delta = false;       ///< would take the changes-only form
+  std::uint64_t from_ms = 0;  ///< reserved
+  friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
+};
+
+/// The server's {hello ...}.
+struct HelloGranted {
+  int version = 2;
+  int window = 1;
+  bool delta = false;
+  std::string stream;
+  bool live = false;
+  std::optional<std::uint64_t> duration_ms;  ///< of the whole stream, if known
+  std::uint32_t keyframe_ms = 250;           ///< time of a packet without one of its own
+  friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
+};
+
+/// {error CODE TEXT}: 400, 401, 404, 503 or 505 and a sentence.
+struct ErrorReply {
+  int code = 400;
+  std::string text;
+  friend bool operator==(const ErrorReply&, const ErrorReply&) = default;
+};
+
+/// {streams NAME NAME ...}.
+struct StreamList {
+  std::vector<std::string> names;
+  friend bool operator==(const StreamList&, const StreamList&) = default;
+};
+
+/// {streams}, sent by a client instead of a hello.
+struct StreamsAsked {
+  friend bool operator==(const StreamsAsked&, const StreamsAsked&) = default;
+};
+
+/// The client's control codes; the values are what is written on the wire.
+enum class Code : std::int8_t { Received = 1, Pause = -1, Resume = -3, Stop = -4 };
+
+using ServerPacket = std::variant<Keyframe, End, HelloGranted, ErrorReply, StreamList>;
+using ClientPacket = std::variant<Code, HelloAsked, StreamsAsked>;
+
+}  // namespace aucast::protocol

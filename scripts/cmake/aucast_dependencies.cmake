@@ -1,0 +1,33 @@
+# Everything from the distribution, nothing downloaded. The names of the packages are in
+# scripts/packages.txt; scripts/install_deps.sh installs them.
+
+find_package(Threads REQUIRED)
+
+# Asio is header-only and ships neither a CMake package nor a .pc file.
+find_path(AUCAST_ASIO_INCLUDE_DIR asio.hpp REQUIRED)
+add_library(aucast_asio INTERFACE)
+target_include_directories(aucast_asio SYSTEM INTERFACE ${AUCAST_ASIO_INCLUDE_DIR})
+target_compile_definitions(aucast_asio INTERFACE ASIO_STANDALONE ASIO_NO_DEPRECATED)
+target_link_libraries(aucast_asio INTERFACE Threads::Threads)
+
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+if(AUCAST_BUILD_CLIENT)
+  find_package(glm REQUIRED)
+  find_package(tomlplusplus REQUIRED)
+endif()
+if(AUCAST_BUILD_CLIENT AND AUCAST_BUILD_RENDER)
+  find_package(PkgConfig REQUIRED)
+  find_package(glfw3 3.3 REQUIRED)
+  pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+endif()
+if(AUCAST_BUILD_CLIENT)
+  find_path(AUCAST_STB_INCLUDE_DIR stb/stb_image_write.h REQUIRED)
+  add_library(aucast_stb INTERFACE)
+  target_include_directories(aucast_stb SYSTEM INTERFACE ${AUCAST_STB_INCLUDE_DIR})
+endif()
+if(AUCAST_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+endif()

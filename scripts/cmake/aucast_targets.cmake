@@ -1,0 +1,40 @@
+# One way to make each kind of target.
+
+# aucast_library(NAME SOURCES a.cpp ... [LINK lib ...])
+#   A static library; headers are included by their path from the project's root.
+function(aucast_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${ARG_LINK} PRIVATE aucast_warnings)
+endfunction()
+
+# aucast_program(NAME SOURCES main.cpp [LINK lib ...])
+function(aucast_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} aucast_warnings)
+endfunction()
+
+# aucast_test(NAME SOURCES a_test.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT s])
+#   A GoogleTest program registered as one CTest entry per test case. LABELS defaults to unit;
+#   tests that need OpenGL carry gl, those that start the real programs carry integration.
+function(aucast_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 60)
+  endif()
+  if(AUCAST_SANITIZER STREQUAL "address")
+    math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 4")
+  elseif(AUCAST_SANITIZER STREQUAL "thread")
+    math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 15")
+  endif()
+  aucast_program(${name} SOURCES ${ARG_SOURCES} LINK ${ARG_LINK} aucast_test_support
+                 GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()

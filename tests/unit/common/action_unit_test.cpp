@@ -1,0 +1,75 @@
+#include "common/action_unit.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast {
+namespace {
+
+using Terms = std::vector<AuTerm>;
+
+TEST(AuFrame, LastOfARepeatedAuAndSideWins) {
+  const AuFrame frame = frame_from_terms(Terms{
+      {12, Side::Both, 80}, {12, Side::Left, 30}, {12, Side::Left, 50}, {4, Side::Right, 100}});
+  EXPECT_FLOAT_EQ(frame.left[12], 0.5F);
+  EXPECT_FLOAT_EQ(frame.right[12], 0.8F);
+  EXPECT_FLOAT_EQ(frame.left[4], 0.0F);
+  EXPECT_FLOAT_EQ(frame.right[4], 1.0F);
+}
+
+TEST(AuFrame, NeutralAddsNothingBesideOthers) {
+  EXPECT_EQ(frame_from_terms(Terms{{0, Side::Both, 100}, {6, Side::Both, 100}}),
+            frame_from_terms(Terms{{6, Side::Both, 100}}));
+}
+
+TEST(AuFrame, ChangesKeepWhatTheyDoNotName) {
+  AuFrame frame = frame_from_terms(Terms{{1, Side::Both, 100}, {12, Side::Both, 40}});
+  apply_terms(frame, Terms{{12, Side::Both, 0}, {6, Side::Left, 20}});
+  EXPECT_EQ(canonical_terms(frame), (Terms{{1, Side::Both, 100}, {6, Side::Left, 20}}));
+}
+
+TEST(CanonicalTerms, AscendJoinEqualSidesAndDropZeros) {
+  AuFrame frame;
+  frame.left[12] = frame.right[12] = 0.8F;
+  frame.left[4] = 0.25F;
+  frame.right[4] = 0.5F;
+  frame.right[1] = 0.004F;  // rounds to nothing
+  EXPECT_EQ(canonical_terms(frame),
+            (Terms{{4, Side::Left, 25}, {4, Side::Right, 50}, {12, Side::Both, 80}}));
+}
+
+TEST(CanonicalTerms, NothingLeftIsNeutral) {
+  EXPECT_EQ(canonical_terms(AuFrame{}), (Terms{{0, Side::Both, 100}}));
+}
+
+TEST(CanonicalTerms, KeepEveryWholePercent) {
+  for (int percent = 0; percent <= 100; ++percent) {
+    const Terms terms{{7, Side::Both, static_cast<std::uint8_t>(percent)}};
+    const Terms expected = percent == 0 ? Terms{{0, Side::Both, 100}} : terms;
+    EXPECT_EQ(canonical_terms(frame_from_terms(terms)), expected) << percent;
+  }
+}
+
+TEST(FacsName, KnowsTheThesisTableAndNothingElse) {
+  EXPECT_EQ(facs_name(12), "Lip Corner Puller");
+  EXPECT_EQ(facs_name(46), "Wink");
+  EXPECT_EQ(facs_name(66), "Cross-eye");
+  EXPECT_FALSE(facs_name(3).has_value());
+  EXPECT_FALSE(facs_name(99).has_value());
+  EXPECT_FALSE(facs_name(-1).has_value());
+}
+
+TEST(PercentOfLetter, FollowsTheContract) {
+  EXPECT_EQ(percent_of_letter('A'), 10);
+  EXPECT_EQ(percent_of_letter('B'), 25);
+  EXPECT_EQ(percent_of_letter('C'), 50);
+  EXPECT_EQ(percent_of_letter('D'), 80);
+  EXPECT_EQ(percent_of_letter('E'), 100);
+  EXPECT_EQ(percent_of_letter('x'), 25);
+  EXPECT_EQ(percent_of_letter('y'), 60);
+  EXPECT_EQ(percent_of_letter('z'), 100);
+  EXPECT_FALSE(percent_of_letter('a').has_value());
+  EXPECT_FALSE(percent_of_letter('X').has_value());
+}
+
+}  // namespace
+}  // namespace aucast
