@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "client/face/face_mesh.h"
+#include "common/result.h"
+
+namespace aucast::face {
+
+/// A face of a mesh file: three or four vertices, counter-clockwise from outside.
+struct Polygon {
+  std::array<std::uint32_t, 4> corners{};
+  std::uint8_t corner_count = 4;  ///< 3 or 4; with 3 the last corner means nothing
+};
+
+/// The limits of a mesh file. They are far above any face and keep a broken file from filling the
+/// memory.
+inline constexpr std::size_t kPlyVerticesMax = 1'000'000;
+inline constexpr std::size_t kPlyPolygonsMax = 2'000'000;
+inline constexpr std::size_t kPlyMapsMax = 100;
+inline constexpr std::size_t kPlyPartsMax = 64;
+
+/// Reads the bytes of a mesh.ply (data/faces/README.md). Quads become two triangles along the
+/// diagonal from their first corner; triangles are sorted by part, else in the file's order.
+/// `maps` holds what the file holds; `occlusion` and `gloss` are filled with 1 when it has none.
+/// BadData naming `file` and the header's line, or the vertex or polygon (both count from 0).
+[[nodiscard]] Result<FaceMesh> parse_ply(std::string_view bytes, std::string_view file);
+
+/// The bytes of a mesh.ply that parse_ply() reads back: colours to the nearest of 256 sRGB steps,
+/// all else bit for bit. `polygons` stand for mesh.triangles, which are not looked at. The mesh
+/// must be sound: every array of one entry per vertex (occlusion and gloss may be empty), parts
+/// covering the vertices in order.
+[[nodiscard]] std::string format_ply(const FaceMesh& mesh, std::span<const Polygon> polygons);
+
+/// The name of a material in files: skin, eye, teeth, mouth, hair, cloth, brow.
+[[nodiscard]] std::string_view name(Material material);
+
+}  // namespace aucast::face
