@@ -7,7 +7,10 @@
 
 namespace aucast::playback {
 
-/// Keyframes that are all there already: a stream file, played without a server.
+/// Keyframes that are all there already: a stream file, played without a server. Always ready, so
+/// nothing ever stalls; its status tells the end of the stream from the start, because nothing more
+/// will arrive. After stop() it gives nothing.
+/// Thread: the player's.
 class FileSource final : public KeyframeSource {
  public:
   explicit FileSource(std::vector<TimedAus> keyframes);

@@ -17,13 +17,13 @@ struct BufferOptions {
 
 /// The Receiver and the Playout buffer of the thesis (5.4.4.1-5.4.4.2, figures 5.12-5.15), first-in
 /// first-out, with the gaps of its figures closed: the end of the stream flushes what is below the
-/// threshold; a full receiver with an empty playout fills it whatever the threshold; the controller's
-/// refill tells the reader that there is room.
-/// Invariant: sizes never exceed the capacities; nothing is lost, doubled or reordered; keyframes
-/// leave in the order in which they came.
-/// Thread: none of its own; the owner guards it.
+/// threshold; a full receiver with an empty playout fills it whatever the threshold; the
+/// controller's refill tells the reader that there is room. Invariant: sizes never exceed the
+/// capacities; nothing is lost, doubled or reordered; keyframes leave in the order in which they
+/// came. Thread: none of its own; the owner guards it.
 class KeyframeBuffers {
  public:
+  /// The options must be in their ranges.
   explicit KeyframeBuffers(BufferOptions options);
 
   // === The AU reader's side.
@@ -31,15 +31,17 @@ class KeyframeBuffers {
   /// Cases A-D: what to tell the server after a packet.
   enum class Stored : bool { No, Yes };
   /// Stores a keyframe and, where the case says so, fills the Playout buffer: B (receiver full,
-  /// playout empty), C (room, playing), D (room, playout empty: fill when the threshold is reached).
-  /// No means case A: both are full; send -1, keep the keyframe and try again after room().
+  /// playout empty), C (room, playing), D (room, playout empty: fill when the threshold is
+  /// reached). No means case A: both are full; send -1, keep the keyframe and try again after
+  /// room().
   [[nodiscard]] Stored store(const TimedAus& keyframe);
   /// Free places of the receiver.
   [[nodiscard]] std::size_t room() const;
   /// The sender had to be held back although the threshold is not reached (a window needs more room
   /// than there is): start playing with what is there.
   void release();
-  /// {-2}, or nothing more will come for another reason.
+  /// {-2}, or nothing more will come for another reason: what is there is played to the end. Only
+  /// a keyframe that case A had kept back may still be stored.
   void end_of_stream();
 
   // === The playback controller's side.
@@ -56,6 +58,9 @@ class KeyframeBuffers {
 
  private:
   void fill_playout();
+  /// How many sets the receiver must hold before the Playout buffer is filled for the first time or
+  /// after a stall; at least 1.
+  [[nodiscard]] std::size_t threshold() const;
 
   BufferOptions options_;
   std::deque<TimedAus> receiver_;

@@ -20,12 +20,12 @@ struct TimedAus {
 /// Why a source has nothing more to give.
 enum class EndReason : std::uint8_t {
   NotEnded,
-  EndOfStream,     ///< {-2} came, or the file is through
-  Stopped,         ///< stop() was called
+  EndOfStream,  ///< {-2} came, or the file is through
+  Stopped,      ///< stop() was called
   ConnectionLost,
   ProtocolError,
-  Unreachable,     ///< never connected, or silent past the time-out
-  Refused,         ///< the server's {error ...}
+  Unreachable,  ///< never connected, or silent past the time-out
+  Refused,      ///< the server's {error ...}
 };
 
 /// "end_of_stream", "stopped", ... as --stats writes it.
@@ -40,7 +40,7 @@ struct SourceStatus {
   std::size_t playout_fill = 0;
   Milliseconds keyframe_time{250};  ///< the server's default for untimed packets
   bool negotiated = false;          ///< level 2
-  bool paused = false;
+  bool paused = false;              ///< by the user, or by -1 because the buffers are full
   std::uint64_t packets_received = 0;
   std::uint64_t bytes_received = 0;
   std::uint64_t pauses_sent = 0;
@@ -48,8 +48,8 @@ struct SourceStatus {
   double receive_seconds = 0;  ///< from connected to {-2} or the end
 };
 
-/// Where the playback controller gets keyframes from: a server or a file. A source may have a thread
-/// behind it, but presents a single-threaded API: all calls come from the player's thread.
+/// Where the playback controller gets keyframes from: a server or a file. A source may have a
+/// thread behind it, but presents a single-threaded API: all calls come from the player's thread.
 class KeyframeSource {
  public:
   KeyframeSource() = default;
@@ -64,7 +64,8 @@ class KeyframeSource {
   /// Waits until ready() or until `until`, whichever is first; returns ready().
   virtual bool wait_until(Instant until) = 0;
   [[nodiscard]] virtual SourceStatus status() const = 0;
-  /// The user leaves: -4 to a server. Returns at once; status().end becomes Stopped.
+  /// The user leaves: -4 to a server. Returns at once; status().end becomes Stopped unless the
+  /// stream had ended before, and nothing more is given.
   virtual void stop() = 0;
 };
 

@@ -15,11 +15,11 @@ inline constexpr int kPositionsPerKeyframe = 50;
 enum class PlaybackState : std::uint8_t {
   Buffering,  ///< nothing played yet, the first keyframe is awaited
   Playing,
-  Stalled,    ///< both buffers ran empty before the end: the clock waits, the face holds
-  Paused,     ///< by the user
-  Ended,      ///< the last keyframe's position 50 is reached and the stream had ended
-  Stopped,    ///< the user left
-  Lost,       ///< everything received is played and the connection was lost before the end
+  Stalled,  ///< both buffers ran empty before the end: the clock waits, the face holds
+  Paused,   ///< by the user
+  Ended,    ///< the last keyframe's position 50 is reached and the stream had ended
+  Stopped,  ///< the user left
+  Lost,     ///< everything received is played and the connection was lost before the end
 };
 
 [[nodiscard]] std::string_view name(PlaybackState state);
@@ -39,7 +39,9 @@ struct PlaybackMoment {
 
 /// The playback controller of figure 5.15 on a given clock. The end frame of one keyframe is the
 /// start frame of the next, which begins exactly where the last one ended, so that nothing drifts:
-/// N keyframes take the sum of their times. After a stall the clock starts anew.
+/// N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe of 0 ms
+/// is a jump: it is over as soon as it has begun.
+/// The moments handed in must not go back.
 /// Thread: the player's.
 class PlaybackController {
  public:
@@ -56,19 +58,30 @@ class PlaybackController {
   /// When position k+1 of the current keyframe is reached; nothing when the clock stands.
   [[nodiscard]] std::optional<Instant> next_position_at() const;
 
+  /// The user holds the face where it is at `now`; resume() goes on from that very fraction.
+  /// Without effect when paused already or over.
   void pause(Instant now);
+  /// Goes on where pause() held. Without effect when not paused.
   void resume(Instant now);
+  /// The user leaves: the last position reached at `now` stays. Without effect when it is over.
   void stop(Instant now);
 
   [[nodiscard]] std::uint64_t keyframes_played() const;  ///< whole ones
   [[nodiscard]] std::uint64_t stalls() const;
-  /// From position 0 of the first keyframe to the last position reached, on the given clock.
+  /// From position 0 of the first keyframe to the last position reached, on the given clock, stalls
+  /// and pauses included. Exact: the moment of the position, not that of the call that noticed it.
   [[nodiscard]] Duration playback_time() const;
   /// Sum of the times of the keyframes played.
   [[nodiscard]] Milliseconds media_time() const;
 
  private:
-  void finish_keyframe(Instant now, const KeyframeSource& source);
+  /// Sets moment_ and last_position_at_ for `now`, inside the current keyframe.
+  void move_to(Instant now);
+  /// The next keyframe, beginning at `begin`; or the state that its absence means.
+  [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant begin, Instant now,
+                                                        KeyframeSource& source);
+  void finish_keyframe();
+  [[nodiscard]] bool over() const;
 
   std::optional<Milliseconds> speed_;
   PlaybackState state_ = PlaybackState::Buffering;
@@ -77,7 +90,8 @@ class PlaybackController {
   Milliseconds duration_{0};
   std::optional<Instant> first_begin_;
   Instant last_position_at_{};
-  std::optional<Instant> paused_since_;
+  Instant paused_since_{};
+  PlaybackState paused_from_ = PlaybackState::Buffering;
   std::uint64_t keyframes_played_ = 0;
   std::uint64_t stalls_ = 0;
   Milliseconds media_time_{0};

@@ -1,0 +1,34 @@
+#include "client/playback/file_source.h"
+
+#include <utility>
+
+namespace aucast::playback {
+
+FileSource::FileSource(std::vector<TimedAus> keyframes) : keyframes_(std::move(keyframes)) {}
+
+std::optional<TimedAus> FileSource::take() {
+  if (stopped_ || next_ == keyframes_.size()) return std::nullopt;
+  return keyframes_[next_++];
+}
+
+bool FileSource::ready() const {
+  return true;
+}
+
+bool FileSource::wait_until(Instant /*until*/) {
+  return true;
+}
+
+SourceStatus FileSource::status() const {
+  SourceStatus status;
+  status.end = stopped_ ? EndReason::Stopped : EndReason::EndOfStream;
+  status.playout_fill = stopped_ ? 0 : keyframes_.size() - next_;
+  status.packets_received = keyframes_.size();
+  return status;
+}
+
+void FileSource::stop() {
+  stopped_ = true;
+}
+
+}  // namespace aucast::playback

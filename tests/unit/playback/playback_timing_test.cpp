@@ -1,0 +1,131 @@
+// What an hour of playing adds up to, on a manual clock with ticks as uneven as real ones.
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "client/playback/file_source.h"
+#include "client/playback/playback_controller.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/seeded.h"
+#include "tests/unit/playback/marked.h"
+#include "tests/unit/playback/scripted_source.h"
+
+namespace aucast::playback {
+namespace {
+
+using namespace std::chrono_literals;
+using aucast::test::ManualClock;
+using aucast::test::Seeded;
+using test::mark_of;
+using test::marked;
+using test::ScriptedSource;
+
+TEST(PlaybackTiming, AnHourOfKeyframesTakesAnHour) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  constexpr int kCount = 14'400;
+  FileSource source(std::vector<TimedAus>(kCount, marked(1)));
+  PlaybackController controller(250ms);
+  ManualClock clock;
+  const Instant begin = clock.now();
+  while (controller.state() != PlaybackState::Ended) {
+    while (controller.advance(clock.now(), source)) {
+    }
+    const Duration tick = seeded.chance(0.001) ? Duration(400ms) : Duration(16'667us);
+    clock.advance(tick + std::chrono::microseconds(seeded.integer(-9'000, 9'000)));
+  }
+  EXPECT_EQ(controller.keyframes_played(), 14'400U);
+  EXPECT_EQ(controller.media_time(), 1h);
+  EXPECT_EQ(controller.playback_time(), 1h) << "exact, not only to within a frame";
+  EXPECT_LE(clock.now() - begin, 1h + 900ms) << "the end was noticed at the next tick";
+  EXPECT_EQ(controller.stalls(), 0U);
+}
+
+TEST(PlaybackTiming, FollowingNextPositionMeetsEveryPositionOnce) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  std::vector<TimedAus> keyframes;
+  Milliseconds total{0};
+  for (int i = 0; i < 200; ++i) {
+    const Milliseconds duration(seeded.integer(1, 1000));
+    keyframes.push_back(marked(i + 1, duration));
+    total += duration;
+  }
+  FileSource source(keyframes);
+  PlaybackController controller(std::nullopt);
+  ManualClock clock;
+  const Instant begin = clock.now();
+  int positions = 0;
+  while (controller.advance(clock.now(), source)) {
+  }
+  while (const auto next = controller.next_position_at()) {
+    ASSERT_GT(*next, clock.now());
+    clock.advance(*next - clock.now());
+    const PlaybackMoment before = controller.moment();
+    int begun = 0;
+    while (controller.advance(clock.now(), source)) ++begun;
+    const PlaybackMoment now = controller.moment();
+    ++positions;
+    if (before.position == 49 && controller.state() == PlaybackState::Playing) {
+      ASSERT_EQ(begun, 1);
+      ASSERT_EQ(now.keyframe, before.keyframe + 1);
+      ASSERT_EQ(now.position, 0);
+    } else {
+      ASSERT_EQ(now.position, before.position + 1);
+      ASSERT_EQ(now.mu, now.position / 50.0);
+    }
+  }
+  EXPECT_EQ(positions, 200 * kPositionsPerKeyframe);
+  EXPECT_EQ(clock.now() - begin, total);
+  EXPECT_EQ(controller.playback_time(), total);
+}
+
+// The model: every keyframe begins at the end of the one before, or at the first tick after it had
+// come when it came late.
+TEST(PlaybackTiming, AgreesWithItsModelWhateverTheSourceDoes) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int round = 0; round < 100; ++round) {
+    ScriptedSource source;
+    PlaybackController controller(std::nullopt);
+    ManualClock clock;
+    const int count = seeded.integer(1, 60);
+    int arrived = 0;
+    int begun = 0;
+    std::uint64_t stalls = 0;
+    bool stalled = false;
+    Instant first_begin;
+    Instant current_end = clock.now();
+    Milliseconds media{0};
+    while (controller.state() != PlaybackState::Ended) {
+      while (arrived < count && seeded.chance(0.4)) {
+        source.keyframes.push_back(marked(++arrived, Milliseconds(seeded.integer(0, 80))));
+      }
+      if (arrived == count) source.now.end = EndReason::EndOfStream;
+      while (const auto keyframe = controller.advance(clock.now(), source)) {
+        ASSERT_EQ(mark_of(keyframe->target), ++begun);
+        const bool anew = begun == 1 || stalled;
+        const Instant begin = anew ? clock.now() : current_end;
+        if (begun == 1) first_begin = begin;
+        current_end = begin + keyframe->duration;
+        media += keyframe->duration;
+        stalled = false;
+      }
+      if (controller.state() == PlaybackState::Stalled && !stalled) {
+        stalled = true;
+        ++stalls;
+      }
+      clock.advance(std::chrono::milliseconds(seeded.integer(0, 50)));
+    }
+    EXPECT_EQ(begun, count);
+    EXPECT_EQ(controller.keyframes_played(), static_cast<std::uint64_t>(count));
+    EXPECT_EQ(controller.stalls(), stalls);
+    EXPECT_EQ(controller.playback_time(), current_end - first_begin);
+    EXPECT_EQ(controller.media_time(), media);
+  }
+}
+
+}  // namespace
+}  // namespace aucast::playback
