@@ -24,9 +24,9 @@ struct ShadedRange {
 /// What does not change while a face is shown. Spans borrow from the caller.
 struct StaticMesh {
   std::span<const std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise from outside
-  std::span<const glm::vec4> colours;  ///< linear RGB, alpha
-  std::span<const float> occlusion;    ///< ambient light that arrives, [0,1]
-  std::span<const float> gloss;        ///< factor on the highlight
+  std::span<const glm::vec4> colours;                       ///< linear RGB, alpha
+  std::span<const float> occlusion;                         ///< ambient light that arrives, [0,1]
+  std::span<const float> gloss;                             ///< factor on the highlight
   std::span<const ShadedRange> ranges;
 };
 

@@ -10,19 +10,24 @@ namespace aucast::view {
 
 /// A video file written by ffmpeg as a child process: .mp4 (H.264), .webm (VP9) or .gif by the
 /// name's ending. The file appears under its name when finish() succeeds; what was there before
-/// stays until then. Same pictures, same bytes.
+/// stays until then, and nothing is left behind otherwise. Same pictures, same bytes.
+/// H.264 and VP9 store colour for pairs of pixels: an odd width or height grows by one, repeating
+/// the last column or row. A GIF is at most 50 pictures a second; ffmpeg keeps all of its pictures
+/// in memory until the end to find one palette for them.
 class VideoEncoder {
  public:
   /// Failed with what to install when ffmpeg is missing, or when the place cannot be written; Usage
-  /// for an unknown ending, an odd size or fps outside 1-240.
-  [[nodiscard]] static Result<std::unique_ptr<VideoEncoder>> open(
-      const std::filesystem::path& path, int width, int height, int fps);
+  /// for an unknown ending, a side outside 1-8192 or fps outside 1-240.
+  [[nodiscard]] static Result<std::unique_ptr<VideoEncoder>> open(const std::filesystem::path& path,
+                                                                  int width, int height, int fps);
   ~VideoEncoder();
   VideoEncoder(const VideoEncoder&) = delete;
   VideoEncoder& operator=(const VideoEncoder&) = delete;
 
-  /// Failed, with ffmpeg's own last words, when it died.
+  /// The picture must have the size given to open(). Failed, with ffmpeg's own last words, when it
+  /// died; every later call then says the same.
   [[nodiscard]] Result<void> add(const Image& picture);
+  /// Waits until ffmpeg is done. Without any picture there is no file, which is not an error.
   [[nodiscard]] Result<void> finish();
 
  private:

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "client/view/scene.h"
+
+namespace aucast::view {
+
+/// What a renderer needs of a camera for a picture of one shape.
+struct CameraMatrices {
+  glm::mat4 view{1};        ///< world to camera, looking down -z
+  glm::mat4 projection{1};  ///< camera to OpenGL's clip space, depth -1 to 1
+  glm::vec3 eye{0};         ///< where the camera stands, world
+};
+
+/// Sizes below 1 count as 1. A picture narrower than 3:4 sees as much in width as one of 3:4, so
+/// that a face is never cut at its sides.
+[[nodiscard]] CameraMatrices camera_matrices(const Camera& camera, int width, int height);
+
+enum class CameraPreset : std::uint8_t { Front, ThreeQuarter, Profile };
+
+/// "front", "three-quarter", "profile"; nothing for another word.
+[[nodiscard]] std::optional<CameraPreset> camera_preset(std::string_view name);
+
+/// A portrait of the whole head at rest. The side views show the subject's right, where the key
+/// light comes from.
+[[nodiscard]] Camera portrait_camera(CameraPreset preset);
+
+/// Turns about the target by a drag in pixels of a picture of that height; half a turn is one
+/// height. The pitch stays within 80 degrees.
+void orbit(Camera& camera, double right_px, double down_px, int height);
+
+/// Moves the target so that what is under the pointer follows a drag in pixels.
+void pan(Camera& camera, double right_px, double down_px, int height);
+
+/// Comes closer by a tenth a step (negative: goes away), between a detail of an eye and a figure.
+void zoom(Camera& camera, double steps);
+
+}  // namespace aucast::view

@@ -1,0 +1,154 @@
+#include "client/view/child.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include "common/check.h"
+
+namespace aucast::view {
+namespace {
+
+constexpr std::size_t kLastWordsBytesMax = 2048;
+constexpr int kSendBufferBytes = 1 << 20;
+
+void close_quietly(int& descriptor) {
+  if (descriptor >= 0) ::close(descriptor);
+  descriptor = -1;
+}
+
+/// The child starts with no signal blocked and none ignored, whatever its parent does.
+void set_attributes(posix_spawnattr_t& attributes) {
+  sigset_t none;
+  sigset_t defaults;
+  sigemptyset(&none);
+  sigemptyset(&defaults);
+  for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) sigaddset(&defaults, number);
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setsigdefault(&attributes, &defaults);
+  ::posix_spawnattr_setpgroup(&attributes, 0);
+  ::posix_spawnattr_setflags(
+      &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+}
+
+int spawn(const std::vector<std::string>& arguments, int input, int errors, pid_t& pid) {
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  posix_spawnattr_t attributes;
+  set_attributes(attributes);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+  const int error_number =
+      ::posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::posix_spawnattr_destroy(&attributes);
+  return error_number;
+}
+
+Error cannot_start(const std::string& program, int error_number) {
+  return {ErrorKind::Failed,
+          program + " cannot be started: " + std::generic_category().message(error_number)};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& arguments,
+                                            bool& missing) {
+  missing = false;
+  std::array<int, 2> input{-1, -1};
+  std::array<int, 2> errors{-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.data()) != 0) {
+    return cannot_start(arguments[0], errno);
+  }
+  if (::pipe2(errors.data(), O_CLOEXEC) != 0) {
+    const int error_number = errno;
+    close_quietly(input[0]);
+    close_quietly(input[1]);
+    return cannot_start(arguments[0], error_number);
+  }
+  ::setsockopt(input[0], SOL_SOCKET, SO_SNDBUF, &kSendBufferBytes, sizeof(kSendBufferBytes));
+  pid_t pid = -1;
+  const int error_number = spawn(arguments, input[1], errors[1], pid);
+  close_quietly(input[1]);
+  close_quietly(errors[1]);
+  if (error_number != 0) {
+    close_quietly(input[0]);
+    close_quietly(errors[0]);
+    missing = error_number == ENOENT;
+    return cannot_start(arguments[0], error_number);
+  }
+  return std::unique_ptr<Child>(new Child(pid, input[0], errors[0]));
+}
+
+Child::~Child() {
+  if (!exit_code_.has_value()) {
+    ::kill(pid_, SIGKILL);
+    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+  close_quietly(input_);
+  close_quietly(errors_);
+}
+
+bool Child::read_errors() {
+  std::array<char, 4096> chunk{};
+  const ssize_t got = ::read(errors_, chunk.data(), chunk.size());
+  if (got < 0 && errno == EINTR) return true;
+  if (got <= 0) {
+    close_quietly(errors_);
+    return false;
+  }
+  last_words_.append(chunk.data(), static_cast<std::size_t>(got));
+  if (last_words_.size() > kLastWordsBytesMax) {
+    last_words_.erase(0, last_words_.size() - kLastWordsBytesMax);
+  }
+  return true;
+}
+
+bool Child::feed(std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    if (input_ < 0) return false;
+    // Its errors are read meanwhile: a child that waits for room on stderr would never read on.
+    std::array<pollfd, 2> waits{{{input_, POLLOUT, 0}, {errors_, POLLIN, 0}}};
+    if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) return false;
+    if (errors_ >= 0 && waits[1].revents != 0) read_errors();
+    if (waits[0].revents == 0) continue;
+    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent >= 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(sent));
+    } else if (errno != EINTR && errno != EAGAIN) {
+      return false;
+    }
+  }
+  return true;
+}
+
+int Child::wait() {
+  if (exit_code_.has_value()) return *exit_code_;
+  close_quietly(input_);
+  while (errors_ >= 0 && read_errors()) {
+  }
+  int status = 0;
+  pid_t waited = -1;
+  do {
+    waited = ::waitpid(pid_, &status, 0);
+  } while (waited < 0 && errno == EINTR);
+  AUCAST_CHECK(waited == pid_);
+  exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return *exit_code_;
+}
+
+}  // namespace aucast::view

@@ -1,0 +1,260 @@
+#include "client/view/video_encoder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "client/view/child.h"
+#include "common/check.h"
+#include "common/text.h"
+
+namespace aucast::view {
+namespace {
+
+constexpr int kSideMax = 8192;
+constexpr int kFpsMax = 240;
+constexpr int kGifFpsMax = 50;  ///< browsers slow down what asks for more
+constexpr std::size_t kWordsShown = 300;
+
+enum class Format : std::uint8_t { Mp4, Webm, Gif };
+
+std::optional<Format> format_of(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending == ".mp4") return Format::Mp4;
+  if (ending == ".webm") return Format::Webm;
+  if (ending == ".gif") return Format::Gif;
+  return std::nullopt;
+}
+
+Error unwritable(const std::filesystem::path& path, const std::string& why) {
+  return {ErrorKind::Failed, path.string() + ": cannot be written: " + why};
+}
+
+std::string system_reason(int error_number) {
+  return std::generic_category().message(error_number);
+}
+
+std::vector<std::string> format_arguments(Format format, int fps) {
+  // Said in full: without it players guess the colours from the size, and guess differently.
+  const std::string colours =
+      "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd,format=yuv420p";
+  const std::vector<std::string> tags{"-colorspace", "bt709", "-color_primaries", "bt709",
+                                      "-color_trc",  "bt709", "-color_range",     "tv"};
+  std::vector<std::string> arguments;
+  switch (format) {
+    case Format::Mp4:
+      arguments = {"-vf",  colours, "-c:v",      "libx264",    "-preset", "veryfast",
+                   "-crf", "18",    "-movflags", "+faststart", "-f",      "mp4"};
+      arguments.insert(arguments.end(), tags.begin(), tags.end());
+      break;
+    case Format::Webm:
+      arguments = {"-vf",     colours, "-c:v",      "libvpx-vp9", "-crf",      "24",
+                   "-b:v",    "0",     "-deadline", "good",       "-cpu-used", "4",
+                   "-row-mt", "1",     "-f",        "webm"};
+      arguments.insert(arguments.end(), tags.begin(), tags.end());
+      break;
+    case Format::Gif:
+      arguments = {"-filter_complex",
+                   "[0:v]fps=" + std::to_string(std::min(fps, kGifFpsMax)) +
+                       ",split[a][b];[a]palettegen=stats_mode=full[p];"
+                       "[b][p]paletteuse=dither=sierra2_4a",
+                   "-f", "gif"};
+      break;
+  }
+  return arguments;
+}
+
+std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, int fps,
+                                          const std::filesystem::path& file) {
+  std::vector<std::string> arguments{
+      "ffmpeg",       "-nostdin",
+      "-hide_banner", "-loglevel",
+      "error",        "-y",
+      "-f",           "rawvideo",
+      "-pix_fmt",     "rgba",
+      "-s",           std::to_string(width) + "x" + std::to_string(height),
+      "-r",           std::to_string(fps),
+      "-i",           "pipe:0",
+      "-an"};
+  for (std::string& argument : format_arguments(format, fps))
+    arguments.push_back(std::move(argument));
+  // "file:" keeps a name with a colon from being taken for a network address.
+  for (const std::string& argument :
+       {std::string("-fflags"), std::string("+bitexact"), std::string("-flags:v"),
+        std::string("+bitexact"), "file:" + file.string()}) {
+    arguments.push_back(argument);
+  }
+  return arguments;
+}
+
+/// The picture with its last column and row repeated up to the given size.
+std::vector<std::uint8_t> grown(const Image& picture, int width, int height) {
+  std::vector<std::uint8_t> bytes;
+  const std::size_t stride = static_cast<std::size_t>(picture.width) * 4;
+  bytes.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  for (int y = 0; y < height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(std::min(y, picture.height - 1)) * stride;
+    const auto begin = picture.rgba.begin() + static_cast<std::ptrdiff_t>(row);
+    const auto end = begin + static_cast<std::ptrdiff_t>(stride);
+    bytes.insert(bytes.end(), begin, end);
+    for (int x = picture.width; x < width; ++x) bytes.insert(bytes.end(), end - 4, end);
+  }
+  return bytes;
+}
+
+int even(int side) {
+  return side + side % 2;
+}
+
+Result<void> check_request(const std::filesystem::path& path, int width, int height, int fps) {
+  if (!format_of(path).has_value()) {
+    return Error{ErrorKind::Usage, path.string() +
+                                       ": not a kind of video that can be written: let its name "
+                                       "end in .mp4, .webm or .gif"};
+  }
+  if (width < 1 || height < 1 || width > kSideMax || height > kSideMax) {
+    return Error{ErrorKind::Usage, "a video of " + std::to_string(width) + "x" +
+                                       std::to_string(height) + " is not possible: 1x1 to " +
+                                       std::to_string(kSideMax) + "x" + std::to_string(kSideMax)};
+  }
+  if (fps < 1 || fps > kFpsMax) {
+    return Error{ErrorKind::Usage, std::to_string(fps) +
+                                       " pictures a second are not possible: 1 to " +
+                                       std::to_string(kFpsMax)};
+  }
+  return {};
+}
+
+/// The end of what ffmpeg wrote, its lines joined, safe to print.
+std::string one_line(std::string words) {
+  while (!words.empty() && words.back() == '\n') words.pop_back();
+  if (words.size() > kWordsShown) words.erase(0, words.size() - kWordsShown);
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  return escaped(words, 4 * kWordsShown);
+}
+
+/// Finds out now, not after the last picture, whether the place can be written.
+Result<void> create_empty(const std::filesystem::path& path,
+                          const std::filesystem::path& temporary) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return unwritable(path, "it is a folder");
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) return unwritable(path, system_reason(errno));
+  ::close(file);
+  return {};
+}
+
+}  // namespace
+
+struct VideoEncoder::State {
+  std::filesystem::path path;
+  std::filesystem::path temporary;
+  int width = 0;
+  int height = 0;
+  Format format = Format::Mp4;
+  std::unique_ptr<Child> ffmpeg;
+  std::size_t pictures = 0;
+  std::optional<Error> failure;
+
+  [[nodiscard]] Result<void> give_up();
+};
+
+/// Collects what ffmpeg had to say once it stopped reading.
+Result<void> VideoEncoder::State::give_up() {
+  const int code = ffmpeg->wait();
+  const std::string words = one_line(ffmpeg->last_words());
+  const std::string how = code >= 128 ? "was killed by signal " + std::to_string(code - 128)
+                                      : "ended with code " + std::to_string(code);
+  failure = Error{ErrorKind::Failed, path.string() + ": ffmpeg " + how +
+                                         (words.empty() ? " and said nothing" : ": " + words)};
+  ffmpeg.reset();
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  return *failure;
+}
+
+VideoEncoder::VideoEncoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+VideoEncoder::~VideoEncoder() {
+  if (state_->ffmpeg == nullptr) return;
+  state_->ffmpeg.reset();
+  std::error_code ignored;
+  std::filesystem::remove(state_->temporary, ignored);
+}
+
+Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::path& path,
+                                                         int width, int height, int fps) {
+  if (const auto checked = check_request(path, width, height, fps); !checked.has_value()) {
+    return checked.error();
+  }
+  auto state = std::make_unique<State>();
+  state->path = path;
+  state->temporary = path;
+  state->temporary += ".part-" + std::to_string(::getpid());
+  state->format = *format_of(path);
+  state->width = width;
+  state->height = height;
+  if (const auto created = create_empty(path, state->temporary); !created.has_value()) {
+    return created.error();
+  }
+  const bool pairs = state->format != Format::Gif;
+  bool missing = false;
+  auto ffmpeg = Child::start(ffmpeg_arguments(state->format, pairs ? even(width) : width,
+                                              pairs ? even(height) : height, fps, state->temporary),
+                             missing);
+  if (!ffmpeg.has_value()) {
+    std::error_code ignored;
+    std::filesystem::remove(state->temporary, ignored);
+    if (!missing) return ffmpeg.error();
+    return Error{ErrorKind::Failed, path.string() +
+                                        ": ffmpeg, which writes the video, is not installed: apt "
+                                        "install ffmpeg"};
+  }
+  state->ffmpeg = std::move(ffmpeg.value());
+  return std::unique_ptr<VideoEncoder>(new VideoEncoder(std::move(state)));
+}
+
+Result<void> VideoEncoder::add(const Image& picture) {
+  State& state = *state_;
+  if (state.failure.has_value()) return *state.failure;
+  AUCAST_CHECK(state.ffmpeg != nullptr);
+  AUCAST_CHECK(picture.width == state.width);
+  AUCAST_CHECK(picture.height == state.height);
+  const bool fits = state.format == Format::Gif ||
+                    (even(state.width) == state.width && even(state.height) == state.height);
+  const bool taken =
+      fits ? state.ffmpeg->feed(picture.rgba)
+           : state.ffmpeg->feed(grown(picture, even(state.width), even(state.height)));
+  if (!taken) return state.give_up();
+  ++state.pictures;
+  return {};
+}
+
+Result<void> VideoEncoder::finish() {
+  State& state = *state_;
+  if (state.failure.has_value()) return *state.failure;
+  AUCAST_CHECK(state.ffmpeg != nullptr);
+  std::error_code error;
+  if (state.pictures == 0) {
+    state.ffmpeg.reset();
+    std::filesystem::remove(state.temporary, error);
+    return {};
+  }
+  const int code = state.ffmpeg->wait();
+  if (code != 0) return state.give_up();
+  state.ffmpeg.reset();
+  std::filesystem::rename(state.temporary, state.path, error);
+  if (!error) return {};
+  state.failure = unwritable(state.path, error.message());
+  std::filesystem::remove(state.temporary, error);
+  return *state.failure;
+}
+
+}  // namespace aucast::view
