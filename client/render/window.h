@@ -11,9 +11,8 @@ namespace aucast::render {
 
 enum class Key : int { None, Quit, Space, Escape, F, S, R, Question };
 
-/// A plain GLFW window with an OpenGL 3.3 core context and 4 samples; the camera turns with the left
-/// mouse button, moves with the right one and zooms with the wheel.
-/// Thread: the main one.
+/// A plain GLFW window with an OpenGL 3.3 core context and 4 samples; the camera turns with the
+/// left mouse button, moves with the right one and zooms with the wheel. Thread: the main one.
 class Window {
  public:
   /// Failed, saying what to do, when there is no display or no OpenGL 3.3.

@@ -1,0 +1,211 @@
+#pragma once
+
+namespace aucast::render::shaders {
+
+// GLSL 3.30. Light and colours after face.md section 5: a soft key from the upper right of the
+// subject, a fill from the other side, two rims from behind, sky and ground through the baked
+// occlusion. All light is in linear space; the fragment shaders end with tone and gamma, so that
+// the framebuffer is plain 8 bits without sRGB conversion.
+
+inline constexpr const char* kVersion = "#version 330 core\n";
+/// Set before kLitFragment; one program each, so that no pixel pays for another material.
+inline constexpr const char* kAsSurface = "#define SURFACE\n";
+inline constexpr const char* kAsHair = "#define HAIR\n";
+inline constexpr const char* kAsEye = "#define EYE\n";
+
+/// What depends smoothly on the surface is worked out per vertex: sky, ground and fill.
+inline constexpr const char* kLitVertex = R"(
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec4 a_colour;
+layout(location = 3) in vec2 a_occlusion_gloss;
+
+uniform mat4 u_world_to_clip;
+uniform mat4 u_world_to_shadow;  // into [0,1] of the shadow map
+uniform vec3 u_fill_direction;
+
+out vec3 v_position;
+out vec3 v_normal;
+out vec4 v_colour;
+out vec3 v_ambient;
+out vec2 v_occlusion_gloss;
+out vec3 v_shadow;
+
+const vec3 kGround = vec3(0.29, 0.215, 0.18);
+const vec3 kSky = vec3(0.37, 0.385, 0.42);
+const vec3 kFill = vec3(0.28, 0.28, 0.31);
+const float kFillWrap = 0.35;
+const float kShadowLift = 0.05;  // along the normal, against a surface shading itself
+
+void main() {
+  float occlusion = a_occlusion_gloss.x;
+  // Light that bounces about in skin comes out red: less of the red is lost in the creases.
+  vec3 arriving = vec3(pow(max(occlusion, 1e-4), 0.75), occlusion, occlusion);
+  float fill = max(dot(a_normal, u_fill_direction) * (1.0 - kFillWrap) + kFillWrap, 0.0);
+  v_ambient = arriving * (mix(kGround, kSky, 0.5 + 0.5 * a_normal.y) + kFill * fill);
+  v_position = a_position;
+  v_normal = a_normal;
+  v_colour = a_colour;
+  v_occlusion_gloss = a_occlusion_gloss;
+  v_shadow = (u_world_to_shadow * vec4(a_position + a_normal * kShadowLift, 1.0)).xyz;
+  gl_Position = u_world_to_clip * vec4(a_position, 1.0);
+}
+)";
+
+/// Shared by all that ends on the screen.
+inline constexpr const char* kTone = R"(
+// A shoulder that keeps highlights from burning out, then gamma 2.0 (a square root, face.md 5).
+vec3 to_screen(vec3 light) {
+  light = max(light, vec3(0.0));
+  return sqrt(min(light / (1.0 + 0.14 * light), vec3(1.0)));
+}
+)";
+
+inline constexpr const char* kLitFragment = R"(
+in vec3 v_position;
+in vec3 v_normal;
+in vec4 v_colour;
+in vec3 v_ambient;
+in vec2 v_occlusion_gloss;
+in vec3 v_shadow;
+
+uniform vec3 u_eye;             // the camera
+uniform vec3 u_key_direction;   // unit vectors towards the lights
+uniform vec3 u_fill_direction;
+uniform vec3 u_rim_direction;
+uniform vec3 u_second_rim_direction;
+uniform float u_wrap;           // how far light creeps round into the shade; 1 is skin
+uniform float u_specular;
+uniform float u_power;          // of the broad highlight; the narrow one has four times that
+uniform sampler2DShadow u_shadow_map;
+uniform vec2 u_shadow_texel;
+uniform vec3 u_eyeball_centre;
+uniform vec3 u_eyeball_forward;
+
+out vec4 o_colour;
+
+const vec3 kKey = vec3(1.05, 0.97, 0.88);
+const vec3 kKeyWrap = vec3(0.35, 0.16, 0.10);
+const vec3 kShadowKept = vec3(0.30, 0.13, 0.10);  // shadows on skin go red, not grey
+
+// Nine bilinear comparisons weighted as a 5 x 5 tent would weigh 25 single ones.
+float key_arriving() {
+  vec2 size = 1.0 / u_shadow_texel;
+  vec2 texel = v_shadow.xy * size + 0.5;
+  vec2 base = floor(texel);
+  vec2 part = texel - base;
+  base = (base - 0.5) * u_shadow_texel;
+  vec3 wx = vec3(4.0 - 3.0 * part.x, 7.0, 1.0 + 3.0 * part.x);
+  vec3 wy = vec3(4.0 - 3.0 * part.y, 7.0, 1.0 + 3.0 * part.y);
+  vec3 x = vec3((3.0 - 2.0 * part.x) / wx.x - 2.0, (3.0 + part.x) / 7.0, part.x / wx.z + 2.0);
+  vec3 y = vec3((3.0 - 2.0 * part.y) / wy.x - 2.0, (3.0 + part.y) / 7.0, part.y / wy.z + 2.0);
+  x = x * u_shadow_texel.x + base.x;
+  y = y * u_shadow_texel.y + base.y;
+  float z = v_shadow.z;
+  vec3 sums = vec3(0.0);
+  sums += wy.x * vec3(texture(u_shadow_map, vec3(x.x, y.x, z)),
+                      texture(u_shadow_map, vec3(x.y, y.x, z)),
+                      texture(u_shadow_map, vec3(x.z, y.x, z)));
+  sums += wy.y * vec3(texture(u_shadow_map, vec3(x.x, y.y, z)),
+                      texture(u_shadow_map, vec3(x.y, y.y, z)),
+                      texture(u_shadow_map, vec3(x.z, y.y, z)));
+  sums += wy.z * vec3(texture(u_shadow_map, vec3(x.x, y.z, z)),
+                      texture(u_shadow_map, vec3(x.y, y.z, z)),
+                      texture(u_shadow_map, vec3(x.z, y.z, z)));
+  return dot(sums, wx) / 144.0;
+}
+
+float highlight(vec3 normal, vec3 light, vec3 view) {
+  return max(dot(normal, normalize(light + view)), 0.0);
+}
+
+void main() {
+  vec3 view = normalize(u_eye - v_position);
+  vec3 colour = v_colour.rgb;
+  float occlusion = v_occlusion_gloss.x;
+#ifdef EYE
+  vec3 from_centre = v_position - u_eyeball_centre;
+  vec3 normal = normalize(from_centre);
+#else
+  vec3 normal = normalize(v_normal);
+#ifdef HAIR
+  colour *= gl_FrontFacing ? 1.0 : 0.35;
+#else
+  normal = gl_FrontFacing ? normal : -normal;
+#endif
+#endif
+
+  vec3 wrap = kKeyWrap * u_wrap;
+  vec3 lit = clamp((dot(normal, u_key_direction) + wrap) / (1.0 + wrap), 0.0, 1.0);
+  float arriving = lit.r > 0.0 ? key_arriving() : 1.0;
+  vec3 through = mix(kShadowKept * u_wrap, vec3(1.0), arriving);
+  vec3 light = lit * through * kKey * (0.55 + 0.45 * occlusion) + v_ambient;
+  vec3 result = colour * light;
+
+#ifdef EYE
+  // The upper lid and its lashes shade the ball below them.
+  result *= mix(1.0, 0.45, smoothstep(0.05, 0.50, from_centre.y));
+  // Reflections of a window where a portrait painter puts them: true ones hide behind the lids as
+  // soon as the head turns, and the face dies.
+  vec3 side = normalize(vec3(view.z, 0.0, -view.x));
+  vec3 up = cross(view, side);
+  vec3 middle = u_eyeball_forward * 0.6 + view * 0.4;
+  vec3 first = normalize(middle - side * 0.16 + up * 0.22);
+  vec3 second = normalize(middle + side * 0.17 - up * 0.20);
+  result += vec3(1.0, 0.98, 0.95) * (2.2 * smoothstep(0.9905, 0.9945, dot(normal, first)) +
+                                     0.18 * smoothstep(0.993, 0.997, dot(normal, second)));
+#else
+  float broad = pow(highlight(normal, u_key_direction, view), u_power);
+  float narrow = broad * broad * broad * broad;
+  float specular = (0.65 * broad + 0.35 * narrow) * arriving * (0.4 + 0.6 * occlusion);
+  specular += 0.25 * pow(highlight(normal, u_fill_direction, view), u_power) * occlusion;
+  specular *= u_specular * v_occlusion_gloss.y;
+
+  float facing = 1.0 - max(dot(normal, view), 0.0);
+  float edge = facing * facing;
+  edge = edge * edge * sqrt(facing);
+  vec3 rim = vec3(0.75, 0.80, 0.95) *
+                 (0.75 * max(dot(normal, u_rim_direction) + 0.15, 0.0)) +
+             vec3(0.90, 0.75, 0.60) *
+                 (0.28 * max(dot(normal, u_second_rim_direction) + 0.15, 0.0));
+#ifdef HAIR
+  result += vec3(1.0, 0.80, 0.60) * specular + rim * (edge * occlusion * 0.35);
+#else
+  result += vec3(1.0, 0.98, 0.95) * specular +
+            rim * (edge * occlusion * (0.35 + 0.39 * length(colour)));
+#endif
+#endif
+  o_colour = vec4(to_screen(result), v_colour.a);
+}
+)";
+
+inline constexpr const char* kDepthVertex = R"(
+layout(location = 0) in vec3 a_position;
+uniform mat4 u_world_to_clip;
+void main() { gl_Position = u_world_to_clip * vec4(a_position, 1.0); }
+)";
+
+inline constexpr const char* kDepthFragment = "void main() {}\n";
+
+/// One triangle over the whole picture at the far plane.
+inline constexpr const char* kBackdropVertex = R"(
+out vec2 v_place;
+void main() {
+  v_place = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(v_place, 1.0, 1.0);
+}
+)";
+
+inline constexpr const char* kBackdropFragment = R"(
+in vec2 v_place;
+uniform vec3 u_centre;
+uniform vec3 u_edge;
+out vec4 o_colour;
+void main() {
+  vec2 from_light = vec2(v_place.x * 0.894, v_place.y - 0.1);
+  float light = clamp(1.0 - 0.55 * length(from_light), 0.0, 1.0);
+  o_colour = vec4(to_screen(mix(u_edge, u_centre, light)), 1.0);
+}
+)";
+
+}  // namespace aucast::render::shaders

@@ -1,0 +1,229 @@
+#include "client/render/window.h"
+
+// libepoxy must be first: GLFW would bring OpenGL headers of its own.
+#include <epoxy/gl.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <utility>
+
+#include "client/view/camera.h"
+#include "common/text.h"
+
+namespace aucast::render {
+namespace {
+
+constexpr int kSamples = 4;
+
+/// GLFW's last complaint; it has one per process, as there is one window.
+std::string& last_complaint() {
+  static std::string complaint;
+  return complaint;
+}
+
+void remember(int, const char* description) {
+  last_complaint() = escaped(description, 200);
+}
+
+std::string because() {
+  return last_complaint().empty() ? std::string() : " (" + last_complaint() + ")";
+}
+
+Error no_display() {
+  return {ErrorKind::Failed, "no display to open a window on" + because() +
+                                 ": use --headless, with --record FILE.mp4 or --frames DIR to see "
+                                 "the face"};
+}
+
+Error no_opengl() {
+  return {ErrorKind::Failed, "this display cannot do OpenGL 3.3" + because() +
+                                 ": apt install libgl1 libgl1-mesa-dri, or use --headless"};
+}
+
+/// The window first as wanted, then without multisampling, which some displays do not have.
+GLFWwindow* open_window(int width, int height, const std::string& title) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  for (const int samples : {kSamples, 0}) {
+    glfwWindowHint(GLFW_SAMPLES, samples);
+    GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (window != nullptr) return window;
+  }
+  return nullptr;
+}
+
+Key key_of(int code, int modifiers) {
+  const bool control = (modifiers & GLFW_MOD_CONTROL) != 0;
+  switch (code) {
+    case GLFW_KEY_Q:
+      return Key::Quit;
+    case GLFW_KEY_W:
+      return control ? Key::Quit : Key::None;
+    case GLFW_KEY_SPACE:
+      return Key::Space;
+    case GLFW_KEY_ESCAPE:
+      return Key::Escape;
+    case GLFW_KEY_F:
+      return Key::F;
+    case GLFW_KEY_S:
+      return Key::S;
+    case GLFW_KEY_R:
+      return Key::R;
+    default:
+      return Key::None;
+  }
+}
+
+}  // namespace
+
+struct Window::State {
+  GLFWwindow* window = nullptr;
+  view::Camera camera;
+  std::deque<Key> keys;
+  bool redraw = true;
+  double pointer_x = 0;
+  double pointer_y = 0;
+  /// Place and size before full screen.
+  std::array<int, 4> windowed{};
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (window != nullptr) glfwDestroyWindow(window);
+    glfwTerminate();
+  }
+
+  static State& of(GLFWwindow* window) {
+    return *static_cast<State*>(glfwGetWindowUserPointer(window));
+  }
+  void listen();
+  void drag(double x, double y);
+};
+
+void Window::State::listen() {
+  glfwSetWindowUserPointer(window, this);
+  glfwGetCursorPos(window, &pointer_x, &pointer_y);
+  glfwSetKeyCallback(window, [](GLFWwindow* self, int code, int, int action, int modifiers) {
+    const Key key = action == GLFW_PRESS ? key_of(code, modifiers) : Key::None;
+    if (key != Key::None) of(self).keys.push_back(key);
+  });
+  // The question mark's place depends on the keyboard: it is taken as a character.
+  glfwSetCharCallback(window, [](GLFWwindow* self, unsigned character) {
+    if (character == '?') of(self).keys.push_back(Key::Question);
+  });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* self) { of(self).redraw = true; });
+  glfwSetFramebufferSizeCallback(window,
+                                 [](GLFWwindow* self, int, int) { of(self).redraw = true; });
+  glfwSetCursorPosCallback(window,
+                           [](GLFWwindow* self, double x, double y) { of(self).drag(x, y); });
+  glfwSetScrollCallback(window, [](GLFWwindow* self, double, double steps) {
+    view::zoom(of(self).camera, steps);
+    of(self).redraw = true;
+  });
+}
+
+void Window::State::drag(double x, double y) {
+  const double right = x - std::exchange(pointer_x, x);
+  const double down = y - std::exchange(pointer_y, y);
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(window, &width, &height);
+  if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
+    view::orbit(camera, right, down, height);
+    redraw = true;
+  } else if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) {
+    view::pan(camera, right, down, height);
+    redraw = true;
+  }
+}
+
+Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Window::~Window() = default;
+
+Result<std::unique_ptr<Window>> Window::create(int width, int height, const std::string& title) {
+  last_complaint().clear();
+  glfwSetErrorCallback(remember);
+  if (glfwInit() != GLFW_TRUE) return no_display();
+  auto state = std::make_unique<State>();
+  state->window = open_window(width, height, title);
+  if (state->window == nullptr) return no_opengl();
+  glfwMakeContextCurrent(state->window);
+  if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 33) return no_opengl();
+  glfwSwapInterval(1);
+  state->listen();
+  return std::unique_ptr<Window>(new Window(std::move(state)));
+}
+
+bool Window::should_close() const {
+  return glfwWindowShouldClose(state_->window) == GLFW_TRUE;
+}
+
+void Window::close() {
+  glfwSetWindowShouldClose(state_->window, GLFW_TRUE);
+}
+
+void Window::poll(double seconds_max) {
+  if (seconds_max > 0) {
+    glfwWaitEventsTimeout(seconds_max);
+  } else {
+    glfwPollEvents();
+  }
+}
+
+Key Window::next_key() {
+  if (state_->keys.empty()) return Key::None;
+  const Key key = state_->keys.front();
+  state_->keys.pop_front();
+  return key;
+}
+
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(state_->window, title.c_str());
+}
+
+void Window::toggle_full_screen() {
+  GLFWwindow* window = state_->window;
+  auto& [x, y, width, height] = state_->windowed;
+  if (glfwGetWindowMonitor(window) != nullptr) {
+    glfwSetWindowMonitor(window, nullptr, x, y, width, height, GLFW_DONT_CARE);
+    return;
+  }
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+  if (mode == nullptr) return;
+  glfwGetWindowPos(window, &x, &y);
+  glfwGetWindowSize(window, &width, &height);
+  glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::present() {
+  glfwSwapBuffers(state_->window);
+}
+
+bool Window::take_redraw() {
+  return std::exchange(state_->redraw, false);
+}
+
+view::Camera& Window::camera() {
+  return state_->camera;
+}
+
+void Window::framebuffer_size(int& width, int& height) const {
+  glfwGetFramebufferSize(state_->window, &width, &height);
+  // A minimised window has no pixels, and a picture has at least one.
+  width = std::max(width, 1);
+  height = std::max(height, 1);
+}
+
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
+}  // namespace aucast::render
