@@ -1,0 +1,36 @@
+#pragma once
+
+#include "scripts/facegen/maths.h"
+
+namespace aucast::facegen {
+
+// The measures that several stages share. Units and axes: data/faces/README.md (1 unit = 1.4 cm, y
+// up, z to the viewer); the head is described for x >= 0, the subject's left, and mirrored.
+
+/// Larger than life (an eyeball measures 0.86), so that the corners of the eye lie on the ball and
+/// no caruncle has to be modelled.
+inline constexpr double kEyeRadius = 1.27;
+inline constexpr Vec3 kEyeCentre{2.18, 2.72, 6.18};
+
+/// Corners of the eye relative to kEyeCentre.x: towards the nose and towards the temple.
+inline constexpr double kInnerCanthus = -1.09;
+inline constexpr double kOuterCanthus = 1.16;
+
+/// Height of the lid margins relative to kEyeCentre.y at `dx` from kEyeCentre.x.
+[[nodiscard]] double upper_lid(double dx);
+[[nodiscard]] double lower_lid(double dx);
+
+/// x of the corner of the mouth.
+inline constexpr double kMouthCorner = 1.70;
+
+/// Height of the line where the lips touch, and of the borders of the red of the lips, at x >= 0.
+[[nodiscard]] double lip_contact(double x);
+[[nodiscard]] double upper_lip_border(double x);
+[[nodiscard]] double lower_lip_border(double x);
+
+/// The spine of the brow in the front plane (z = 0) from t = 0 at the nose to 1 at the temple, and
+/// half of its width there.
+[[nodiscard]] Vec3 brow_spine(double t);
+[[nodiscard]] double brow_half_width(double t);
+
+}  // namespace aucast::facegen

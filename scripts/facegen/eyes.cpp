@@ -1,0 +1,78 @@
+#include "scripts/facegen/eyes.h"
+
+#include "scripts/facegen/anatomy.h"
+#include "scripts/facegen/palette.h"
+
+namespace aucast::facegen {
+namespace {
+
+constexpr int kSectors = 48;
+constexpr double kIris = 0.56;
+constexpr double kPupilRadius = 0.23;
+
+/// Colour at `radius` from the eye's axis and `angle` about it.
+Vec3 eye_colour(double radius, int sector, double angle) {
+  if (radius < kPupilRadius) return kPupil;
+  if (radius < kIris) {
+    const double t = (radius - kPupilRadius) / (kIris - kPupilRadius);
+    const double streak = hash(sector * 13 + 7) * 0.5 + hash(sector / 2 * 31 + 3) * 0.5;
+    Vec3 c = mix(kIrisInner, kIrisOuter, smooth_step(0.1, 0.65, t + 0.25 * (streak - 0.5)));
+    // Light from above shines through to the lower half.
+    c *= (0.75 + 0.5 * streak) * (1.05 - 0.45 * std::sin(angle));
+    c = mix(c, kIrisEdge, smooth_step(0.72, 1.0, t));
+    return t < 0.08 ? c * 0.35 : c;
+  }
+  const Vec3 c = mix(kSclera, kScleraCorner, 0.45 * smooth_step(0.7, 1.1, radius));
+  return radius < kIris + 0.05 ? mix(kLimbus, c, 0.35) : c;
+}
+
+}  // namespace
+
+Part make_eye(int side) {
+  static constexpr std::array kFrontRings{0.10,
+                                          kPupilRadius - 0.015,
+                                          kPupilRadius + 0.015,
+                                          0.30,
+                                          0.38,
+                                          0.45,
+                                          0.49,
+                                          kIris - 0.01,
+                                          kIris + 0.03,
+                                          0.66,
+                                          0.76,
+                                          0.88,
+                                          1.02,
+                                          1.14,
+                                          1.23};
+  static constexpr std::array kBackDepths{0.0, -0.6, -1.0};
+  Part eye;
+  eye.name = side > 0 ? "left_eye" : "right_eye";
+  eye.material = face::Material::Eye;
+  const Vec3 centre{side * kEyeCentre.x, kEyeCentre.y, kEyeCentre.z};
+  const std::uint32_t pole = eye.add(centre + Vec3{0, 0, kEyeRadius}, kPupil);
+  std::vector<std::uint32_t> inner;
+  const auto add_ring = [&](double radius, double z) {
+    std::vector<std::uint32_t> ring;
+    for (int i = 0; i < kSectors; ++i) {
+      const double angle = 2 * kPi * i / kSectors;
+      const Vec3 offset{radius * std::cos(angle), radius * std::sin(angle), z};
+      ring.push_back(eye.add(centre + offset, eye_colour(radius, i, angle)));
+    }
+    if (inner.empty()) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        eye.add_triangle(pole, ring[i], ring[(i + 1) % ring.size()]);
+      }
+    } else {
+      eye.add_band(ring, inner, true);
+    }
+    inner = std::move(ring);
+  };
+  for (const double r : kFrontRings) {
+    add_ring(r, std::sqrt(kEyeRadius * kEyeRadius - r * r));
+  }
+  for (const double z : kBackDepths) add_ring(std::sqrt(kEyeRadius * kEyeRadius - z * z), z);
+  eye.fill(Map::Head, 1);
+  return eye;
+}
+
+}  // namespace aucast::facegen

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scripts/facegen/maths.h"
+
+namespace aucast::facegen {
+
+// Stage 2: the edge loops of the skin, for the half of the head with x >= 0. A grid of rows (crown
+// to neck) and columns (front midline to back midline) whose blocks for eye, mouth, ear and nostril
+// are cut out and filled by rings and spokes. The numbering depends on no floating-point result, so
+// groups, weights and recordings computed from it stay valid whatever the form is.
+
+enum class Patch : std::uint8_t { Grid, Eye, Mouth, Ear, Nostril, Cap };
+
+/// Rows 0 (ring of the cap) to 48 (base of the neck), columns 0 (front) to 32 (back).
+inline constexpr int kRows = 48;
+inline constexpr int kColumns = 32;
+
+/// Eye: 32 spokes, from the upper inner corner of the block over the top; spoke + 4 counts from the
+/// inner corner of the eye (0) over the upper lid (1-15) to the outer one (16) and back under it.
+inline constexpr int kEyeSpokes = 32;
+/// Share of the way from the lid margin (0) to the border of the block (1), ring by ring. 0.22 lies
+/// on the fold of the upper lid.
+inline constexpr std::array kEyeRings{1.0, 0.84, 0.68, 0.53, 0.41, 0.31, 0.22, 0.13, 0.06};
+inline constexpr int kLidMarginRing = 9;  ///< outer edge of the margin
+inline constexpr int kLidInnerRing = 10;  ///< inner edge, on the eyeball
+inline constexpr int kLidLastRing = 12;   ///< tucked in between lid and eyeball
+
+/// Mouth, half of it: 25 spokes, 0 the middle of the upper lip, 12 the corner, 24 the lower middle.
+inline constexpr int kMouthSpokes = 25;
+inline constexpr int kMouthCornerSpoke = 12;
+/// Share of the way from the red of the lips (0) to the border of the block (1), ring by ring.
+inline constexpr std::array kMouthRings{1.0, 0.82, 0.64, 0.46, 0.30, 0.15};
+inline constexpr int kLipBorderRing = 6;    ///< where the red begins
+inline constexpr int kLipContactRing = 10;  ///< where the lips touch
+inline constexpr int kLipLastRing = 13;     ///< inside the mouth; the mouth bag starts there
+
+inline constexpr int kEarSpokes = 32;
+inline constexpr int kEarRings = 12;
+
+struct HalfVertex {
+  Vec3 position{0};
+  Patch patch = Patch::Grid;
+  int ring = 0;             ///< of a polar patch, outermost first; 0 for the grid
+  int spoke = 0;            ///< of a polar patch
+  int row = 0;              ///< of the grid
+  int column = 0;           ///< of the grid
+  bool pinned = false;      ///< relaxation leaves it where it is
+  bool on_midline = false;  ///< x is 0 and the mirror image is the vertex itself
+};
+
+/// Counter-clockwise from outside.
+using Quad = std::array<std::uint32_t, 4>;
+
+struct HalfHead {
+  std::vector<HalfVertex> vertices;
+  std::vector<Quad> quads;
+};
+
+/// The loops at their start positions: pinned ones in their place, the rest roughly.
+[[nodiscard]] HalfHead lay_out_half_head();
+
+}  // namespace aucast::facegen

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace aucast::facegen {
+
+// Everything is computed in double precision and without fast-math, so that two compilers agree far
+// better than the 1e-4 that the test of the committed head allows.
+
+using Vec3 = glm::dvec3;
+
+inline constexpr double kPi = std::numbers::pi;
+
+[[nodiscard]] inline double radians(double degrees) {
+  return degrees * kPi / 180;
+}
+
+[[nodiscard]] inline double saturate(double x) {
+  return std::clamp(x, 0.0, 1.0);
+}
+
+[[nodiscard]] inline double mix(double a, double b, double t) {
+  return a + (b - a) * t;
+}
+[[nodiscard]] inline Vec3 mix(const Vec3& a, const Vec3& b, double t) {
+  return a + (b - a) * t;
+}
+
+/// 0 before `from`, 1 behind `to`, an S between them; `from` may be the larger one.
+[[nodiscard]] inline double smooth_step(double from, double to, double x) {
+  const double t = saturate((x - from) / (to - from));
+  return t * t * (3 - 2 * t);
+}
+
+/// 1 at 0, 1/e at `width`.
+[[nodiscard]] inline double bell(double x, double width) {
+  return std::exp(-(x / width) * (x / width));
+}
+
+/// The same over a vector that was already divided by its widths.
+[[nodiscard]] inline double bell(const Vec3& scaled) {
+  return std::exp(-glm::dot(scaled, scaled));
+}
+
+/// A power that stays finite for the tiny negative bases that rounding leaves at the ends of
+/// curves.
+[[nodiscard]] inline double power(double base, double exponent) {
+  return base < 1e-7 ? 0.0 : std::pow(base, exponent);
+}
+
+[[nodiscard]] inline Vec3 rotated_x(const Vec3& p, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {p.x, c * p.y - s * p.z, s * p.y + c * p.z};
+}
+
+[[nodiscard]] inline Vec3 rotated_y(const Vec3& p, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c * p.x + s * p.z, p.y, -s * p.x + c * p.z};
+}
+
+[[nodiscard]] inline Vec3 rotated_z(const Vec3& p, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+}
+
+/// One point of a curve through given values.
+template <typename T>
+struct Key {
+  double at = 0;
+  T value{};
+};
+
+/// Cubic Hermite through the keys (ascending `at`, at least two), with the slopes of the
+/// neighbours; constant beyond both ends.
+template <typename T>
+[[nodiscard]] T sample(std::span<const Key<T>> keys, double at) {
+  const std::size_t last = keys.size() - 1;
+  if (at <= keys[0].at) return keys[0].value;
+  if (at >= keys[last].at) return keys[last].value;
+  std::size_t i = 0;
+  while (at > keys[i + 1].at) ++i;
+  const auto slope = [&](std::size_t j) {
+    const std::size_t a = j == 0 ? 0 : j - 1;
+    const std::size_t b = j == last ? last : j + 1;
+    return (keys[b].value - keys[a].value) * (1 / (keys[b].at - keys[a].at));
+  };
+  const double h = keys[i + 1].at - keys[i].at;
+  const double t = (at - keys[i].at) / h;
+  const double t2 = t * t;
+  const double t3 = t2 * t;
+  return keys[i].value * (2 * t3 - 3 * t2 + 1) + slope(i) * (h * (t3 - 2 * t2 + t)) +
+         keys[i + 1].value * (3 * t2 - 2 * t3) + slope(i + 1) * (h * (t3 - t2));
+}
+
+/// A fixed pseudo-random number in [0, 1) for an integer.
+[[nodiscard]] inline double hash(std::int64_t n) {
+  auto x = static_cast<std::uint32_t>(n) * 747796405U + 2891336453U;
+  x = ((x >> ((x >> 28U) + 4U)) ^ x) * 277803737U;
+  x = (x >> 22U) ^ x;
+  return x / 4294967296.0;
+}
+
+/// Smooth noise in [0, 1) with features of size 1.
+[[nodiscard]] inline double value_noise(const Vec3& p) {
+  const Vec3 cell{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
+  const Vec3 f{smooth_step(0, 1, p.x - cell.x), smooth_step(0, 1, p.y - cell.y),
+               smooth_step(0, 1, p.z - cell.z)};
+  const auto corner = [&](int dx, int dy, int dz) {
+    return hash((static_cast<std::int64_t>(cell.x) + dx) * 73856 +
+                (static_cast<std::int64_t>(cell.y) + dy) * 19349663 +
+                (static_cast<std::int64_t>(cell.z) + dz) * 83492791);
+  };
+  const auto layer = [&](int dz) {
+    return mix(mix(corner(0, 0, dz), corner(1, 0, dz), f.x),
+               mix(corner(0, 1, dz), corner(1, 1, dz), f.x), f.y);
+  };
+  return mix(layer(0), layer(1), f.z);
+}
+
+}  // namespace aucast::facegen

@@ -1,0 +1,257 @@
+#include "scripts/facegen/mouth_inside.h"
+
+#include "scripts/facegen/palette.h"
+#include "scripts/facegen/weights.h"
+
+namespace aucast::facegen {
+namespace {
+
+constexpr std::size_t kTeethPerSide = 7;
+
+/// One jaw's arch of teeth. The lower one lies behind the upper, well inside the fold under the
+/// lip.
+struct Arch {
+  double up = 1;  ///< away from the bite: 1 for the upper jaw, -1 for the lower
+  double half_width = 0;
+  double length = 0;
+  double gum_y = 0;  ///< where crowns begin
+  std::array<double, kTeethPerSide> widths{};
+  std::array<double, kTeethPerSide> heights{};
+};
+
+constexpr Arch kUpperArch{
+    1, 2.05, 3.05, -1.72, {.60, .46, .52, .48, .48, .66, .62}, {.88, .79, .88, .73, .68, .62, .55}};
+constexpr Arch kLowerArch{-1,
+                          1.92,
+                          2.82,
+                          -3.30,
+                          {.38, .42, .48, .48, .48, .68, .62},
+                          {.84, .76, .84, .69, .65, .59, .53}};
+constexpr double kArchBack = 4.8;
+
+/// The arch as a polyline, to walk along it by length.
+class ArchCurve {
+ public:
+  explicit ArchCurve(const Arch& arch) : half_width_(arch.half_width), length_(arch.length) {
+    constexpr int kSteps = 600;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double angle = static_cast<double>(i) / kSteps * kPi / 2;
+      const Vec3 p = at_angle(angle);
+      const double way = i == 0 ? 0 : lengths_.back() + glm::length(p - points_.back());
+      points_.push_back(p);
+      lengths_.push_back(way);
+    }
+  }
+
+  [[nodiscard]] Vec3 at_angle(double angle) const {
+    return {half_width_ * std::sin(angle), 0, kArchBack + length_ * std::cos(angle)};
+  }
+
+  /// The point `way` from the middle.
+  [[nodiscard]] Vec3 at(double way) const {
+    if (way <= 0) return points_.front();
+    std::size_t i = 1;
+    while (i + 1 < points_.size() && lengths_[i] < way) ++i;
+    const double t = (way - lengths_[i - 1]) / (lengths_[i] - lengths_[i - 1]);
+    return mix(points_[i - 1], points_[i], saturate(t));
+  }
+
+ private:
+  double half_width_;
+  double length_;
+  std::vector<Vec3> points_;
+  std::vector<double> lengths_;
+};
+
+Vec3 tooth_colour(double to_tip, std::size_t tooth) {
+  const Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.5, to_tip)) *
+                 (1 - 0.06 * static_cast<double>(tooth));
+  return to_tip < 0.06 ? mix(c, kGum, 0.5) : c;
+}
+
+/// A crown of 7 x 7 vertices from `begin` along the arch, on the side of the sign of `side`.
+void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t tooth,
+               double begin, int side) {
+  constexpr int kSteps = 6;
+  const bool canine = tooth == 2;
+  double height = arch.heights[tooth];
+  if (arch.up > 0 && tooth == 1) height -= 0.05;
+  if (canine) height += 0.03;
+  std::vector<std::uint32_t> above;
+  for (int j = 0; j <= kSteps; ++j) {
+    const double v = static_cast<double>(j) / kSteps;  // gum to edge
+    std::vector<std::uint32_t> row;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double u = static_cast<double>(i) / kSteps;
+      const double across = std::abs(2 * u - 1);
+      const double tapered = 0.5 + (u - 0.5) * (1 - 0.10 * (1 - v));
+      const double width = arch.widths[tooth] + 0.012;
+      const Vec3 base = curve.at(begin - 0.006 + width * tapered);
+      const Vec3 out = glm::normalize(Vec3{base.x / 2.0, 0, (base.z - 4.9) / 3.0});
+      const double bulge = 0.13 * (1 - power(across, 3)) * (1 - 0.3 * v);
+      const double edge = -0.12 * power(across, 6) - 0.15 * power(v, 8);
+      Vec3 p = base + out * (bulge + edge - 0.04 * (arch.up > 0 ? -v : v));
+      double toward_bite = height * v - 0.07 * power(across, 4) * v * v;
+      if (canine) toward_bite -= 0.10 * across * v;
+      p.y = arch.gum_y - arch.up * toward_bite;
+      p.x *= side;
+      row.push_back(part.add(p, tooth_colour(v, tooth)));
+    }
+    if (j > 0) {
+      const bool left_to_right = (side > 0) == (arch.up > 0);
+      if (left_to_right) {
+        part.add_band(row, above, false);
+      } else {
+        part.add_band(above, row, false);
+      }
+    }
+    above = std::move(row);
+  }
+}
+
+/// The gum from behind the teeth over its ridge and down behind the crowns, to close the gaps.
+void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
+  constexpr int kSteps = 40;
+  static constexpr std::array kHeights{0.55, 0.28, 0.05, -0.06, -0.75};
+  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.06, -0.14};
+  std::vector<std::uint32_t> above;
+  for (std::size_t k = 0; k < kHeights.size(); ++k) {
+    std::vector<std::uint32_t> row;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double angle = -kPi / 2 + kPi * i / kSteps;
+      const Vec3 out{std::sin(angle), 0, std::cos(angle)};
+      Vec3 p = curve.at_angle(angle) + out * kOut[k];
+      p.y = arch.gum_y + arch.up * kHeights[k];
+      row.push_back(part.add(p, k + 1 < kHeights.size() ? kGum : kGumBack));
+    }
+    if (k > 0) {
+      if (arch.up > 0) {
+        part.add_band(row, above, false);
+      } else {
+        part.add_band(above, row, false);
+      }
+    }
+    above = std::move(row);
+  }
+}
+
+/// Light gets to the front teeth, not to the throat. Not baked: with the mouth shut all is black.
+void shade_by_depth(Part& part) {
+  for (Vertex& vertex : part.vertices) {
+    vertex.occlusion = mix(0.25, 0.85, smooth_step(5.2, 7.9, vertex.position.z));
+  }
+}
+
+}  // namespace
+
+Part make_teeth(Jawbone jawbone) {
+  const bool upper = jawbone == Jawbone::Upper;
+  const Arch& arch = upper ? kUpperArch : kLowerArch;
+  Part teeth;
+  teeth.name = upper ? "upper_teeth" : "lower_teeth";
+  teeth.material = face::Material::Teeth;
+  const ArchCurve curve(arch);
+  for (const int side : {-1, 1}) {
+    double begin = 0.01;
+    for (std::size_t tooth = 0; tooth < kTeethPerSide; ++tooth) {
+      add_tooth(teeth, arch, curve, tooth, begin, side);
+      begin += arch.widths[tooth];
+    }
+  }
+  add_gum(teeth, arch, curve);
+  shade_by_depth(teeth);
+  teeth.fill(Map::Head, 1);
+  teeth.fill(Map::Jaw, upper ? 0 : 1);
+  return teeth;
+}
+
+Part make_tongue() {
+  constexpr int kAround = 20;
+  constexpr int kAlong = 12;
+  Part tongue;
+  tongue.name = "tongue";
+  tongue.material = face::Material::Mouth;
+  std::vector<std::uint32_t> front;
+  for (int j = 0; j <= kAlong; ++j) {
+    const double b = kPi * j / kAlong;  // tip to root
+    const double z = 5.5 + 2.15 * std::cos(b);
+    const double width = 1.25 * power(std::sin(b), 0.7) * (1 - 0.18 * std::cos(b));
+    const double height = 0.42 * power(std::sin(b), 0.6);
+    std::vector<std::uint32_t> ring;
+    for (int i = 0; i < kAround; ++i) {
+      const double a = 2 * kPi * i / kAround;
+      const double x = width * std::cos(a);
+      double y = -3.05 + height * std::sin(a) - 0.10 * std::cos(b);
+      if (std::sin(a) > 0) y -= 0.12 * bell(x, 0.18) * std::sin(b);  // groove
+      y -= 0.0216 * (z - 5.5) * (z - 5.5);
+      ring.push_back(tongue.add({x, y, z}, kTongue));
+    }
+    if (j > 0) tongue.add_band(ring, front, true);
+    front = std::move(ring);
+  }
+  shade_by_depth(tongue);
+  tongue.fill(Map::Head, 1);
+  tongue.fill(Map::Jaw, 0.9);
+  return tongue;
+}
+
+Part make_mouth_bag(const Skin& skin) {
+  struct BagRing {
+    double back;      // share of the way to the throat
+    double widen;     // factor on x
+    double heighten;  // factor on y about the line of the mouth
+  };
+  static constexpr std::array<BagRing, 6> kRings{{{0, 1, 1},
+                                                  {.10, 1.03, 1.02},
+                                                  {.25, 1.15, 1.25},
+                                                  {.45, 1.15, 1.6},
+                                                  {.68, .95, 1.5},
+                                                  {.88, .5, .8}}};
+  constexpr double kThroatZ = 3.6;
+  constexpr double kMiddleY = -2.45;
+  std::vector<std::uint32_t> loop;
+  for (int s = 0; s < kMouthSpokes; ++s) {
+    loop.push_back(skin.find(Patch::Mouth, kLipLastRing, s, 1));
+  }
+  for (int s = kMouthSpokes - 2; s > 0; --s) {
+    loop.push_back(skin.find(Patch::Mouth, kLipLastRing, s, -1));
+  }
+  Part bag;
+  bag.name = "mouth_bag";
+  bag.material = face::Material::Mouth;
+  std::vector<std::uint32_t> front;
+  Vec3 last_middle{0};
+  for (std::size_t k = 0; k < kRings.size(); ++k) {
+    const BagRing& shape = kRings[k];
+    std::vector<std::uint32_t> ring;
+    last_middle = Vec3{0};
+    for (const std::uint32_t i : loop) {
+      const Vertex& lip = skin.part.vertices[i];
+      const Vec3 p{lip.position.x * shape.widen,
+                   kMiddleY + (lip.position.y - kMiddleY) * shape.heighten,
+                   mix(lip.position.z, kThroatZ, shape.back)};
+      const Vec3 colour = mix(kMouthFront, kMouthBack, smooth_step(0, 0.6, shape.back));
+      ring.push_back(bag.add(p, colour));
+      Vertex& vertex = bag.vertices.back();
+      vertex.maps = lip.maps;
+      vertex.occlusion = 0.7;
+      if (k > 0) {
+        vertex[Map::Muscle] *= std::max(0.0, 1 - 0.3 * static_cast<double>(k));
+        vertex[Map::Jaw] = mix(vertex[Map::Jaw], smooth_step(0.5, -0.8, p.y + 2.5), 0.5);
+      }
+      last_middle += p / static_cast<double>(loop.size());
+    }
+    if (k > 0) bag.add_band(ring, front, true);
+    front = std::move(ring);
+  }
+  const std::uint32_t end = bag.add({0, last_middle.y, kThroatZ}, kMouthBack * 0.67);
+  bag.vertices[end][Map::Jaw] = 0.3;
+  bag.vertices[end][Map::Head] = 1;
+  bag.vertices[end].occlusion = 0.7;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    bag.add_triangle(end, front[(i + 1) % front.size()], front[i]);
+  }
+  return bag;
+}
+
+}  // namespace aucast::facegen

@@ -1,0 +1,106 @@
+#include "scripts/facegen/paint.h"
+
+#include "scripts/facegen/anatomy.h"
+#include "scripts/facegen/palette.h"
+
+namespace aucast::facegen {
+namespace {
+
+/// How much blood shows: cheeks, tip and wings of the nose, chin, ears, and a little unevenness
+/// (any finer and the quads would show).
+double flush(const HalfVertex& v, const Vec3& mirrored_position) {
+  const Vec3& p = v.position;
+  double f = 0.10 * (value_noise(mirrored_position * 0.7) - 0.5);
+  if (p.z > 3) {
+    f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
+    f += 0.55 * bell(Vec3{p.x / 0.75, (p.y - 0.05) / 0.6, 0}) * smooth_step(8.4, 9.3, p.z);
+    f += 0.30 * bell(Vec3{(p.x - 0.95) / 0.4, (p.y + 0.25) / 0.4, 0});
+    f += 0.22 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
+  }
+  if (v.patch == Patch::Ear) f += 0.42 * smooth_step(0, 4, v.ring);
+  return saturate(f);
+}
+
+void paint_eye(Vertex& vertex, const HalfVertex& v) {
+  const bool upper = (v.spoke + 4) % kEyeSpokes <= 16;
+  // More than this below the eye looks tired.
+  Vec3 c = mix(vertex.colour, kLidSkin, (upper ? 0.30 : 0.12) * smooth_step(1, 5, v.ring));
+  if (v.ring >= kLidMarginRing) c = mix(c, kLidRim, v.ring == kLidMarginRing ? 0.55 : 0.35);
+  if (v.ring > kLidInnerRing) c = kLidInside;
+  if (v.ring >= kLidMarginRing && v.position.x < kEyeCentre.x + kInnerCanthus + 0.2) {
+    c = mix(c, kCaruncle, 0.8);
+  }
+  vertex.colour = c;
+  vertex.gloss = 1.2;
+}
+
+void paint_mouth(Vertex& vertex, const HalfVertex& v) {
+  if (v.ring < kLipBorderRing) return;
+  const bool border = v.ring == kLipBorderRing;
+  const double to_corner = saturate(v.position.x / kMouthCorner);
+  const double strength = (border ? 0.55 : 1.0) * (1 - 0.25 * to_corner * to_corner);
+  Vec3 c = mix(vertex.colour, kLip, strength) * (v.spoke < kMouthCornerSpoke ? 0.94 : 1.04);
+  if (v.ring >= kLipContactRing - 1) c = mix(c, kLipInside, 0.8);
+  if (v.ring > kLipContactRing) c = kLipInside * 0.95;
+  vertex.colour = c;
+  vertex.gloss = border ? 1.0 : 1.8;
+}
+
+void paint_nostril(Vertex& vertex, const HalfVertex& v) {
+  if (v.ring == 1) vertex.colour = mix(vertex.colour, kNostrilRim, 0.25);
+  if (v.ring < 2) return;
+  vertex.colour = mix(vertex.colour, kNostril, v.ring == 2 ? 0.42 : 0.92);
+  vertex.gloss = 0.2;
+}
+
+/// Nose and forehead shine a little more than the rest, neck and back of the head less.
+double shine(const Vec3& p) {
+  double s = 0.85;
+  if (p.z > 8) s += 0.5 * bell(Vec3{p.x / 1.2, (p.y - 0.2) / 1.2, 0});
+  if (p.z > 5) s += 0.25 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
+  return p.y < -5 || p.z < 0 ? 0.6 * s : s;
+}
+
+}  // namespace
+
+void paint_skin(Skin& skin) {
+  for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
+    Vertex& vertex = skin.part.vertices[i];
+    const HalfVertex& v = skin.half.vertices[skin.source[i]];
+    const Vec3& p = v.position;
+    Vec3 c = mix(kSkin, kFlush, flush(v, vertex.position));
+    if (p.z > 4) c = mix(c, kForeheadSkin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
+    vertex.colour = mix(c, kNeckSkin, 0.55 * smooth_step(-5, -7, p.y));
+    vertex.gloss = 1;
+    if (v.patch == Patch::Eye) paint_eye(vertex, v);
+    if (v.patch == Patch::Mouth) paint_mouth(vertex, v);
+    if (v.patch == Patch::Nostril) paint_nostril(vertex, v);
+    vertex.gloss *= shine(p);
+  }
+}
+
+void tint_scalp(Skin& skin, const Part& hair, std::size_t row_length) {
+  constexpr double kReach2 = 1.6;
+  for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
+    Vertex& vertex = skin.part.vertices[i];
+    if (vertex.position.y < -3.5) continue;
+    if (skin.half.vertices[skin.source[i]].patch == Patch::Ear) continue;
+    double nearest2 = kReach2;
+    std::size_t nearest = hair.vertices.size();
+    for (std::size_t j = 0; j < hair.vertices.size(); ++j) {
+      const Vec3 way = hair.vertices[j].position - vertex.position;
+      const double distance2 = glm::dot(way, way);
+      if (distance2 < nearest2) {
+        nearest2 = distance2;
+        nearest = j;
+      }
+    }
+    if (nearest == hair.vertices.size()) continue;
+    // The tint starts behind the hairline; at the line itself it would show the grid in steps.
+    const double along =
+        static_cast<double>(nearest % row_length) / static_cast<double>(row_length - 1);
+    vertex.colour = mix(vertex.colour, kHair * 1.1, 0.85 * smooth_step(0.03, 0.14, along));
+  }
+}
+
+}  // namespace aucast::facegen

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/face/ply.h"
+#include "scripts/facegen/maths.h"
+
+namespace aucast::facegen {
+
+/// The weights of a vertex that move it; their names in the file are in kMapNames.
+enum class Map : std::uint8_t {
+  Muscle,    ///< factor on all muscles
+  Jaw,       ///< share of the jaw's turn
+  Head,      ///< share of the head's turn
+  LidAngle,  ///< radians downwards at full closure
+  Smile,     ///< mask of the zygomatics: not the nose, hardly the lower lid
+  Forehead,  ///< mask of frontalis and corrugator: not below the brows
+  UpperLip,  ///< mask: what goes with the upper lip
+  LowerLip,  ///< mask: what goes with the lower lip
+  UpperRed,  ///< mask: the red of the upper lip
+  LowerRed,  ///< mask: the red of the lower lip
+  LowerLid,  ///< mask: the lower lid, a tenth of its share over its Muscle factor
+};
+inline constexpr std::array<std::string_view, 11> kMapNames{
+    "muscle",    "jaw",       "head",      "lid_angle", "smile",    "forehead",
+    "upper_lip", "lower_lip", "upper_red", "lower_red", "lower_lid"};
+
+using Maps = std::array<double, kMapNames.size()>;
+
+struct Vertex {
+  Vec3 position{0};
+  Vec3 colour{1};  ///< linear RGB
+  double alpha = 1;
+  double occlusion = 1;
+  double gloss = 1;
+  Maps maps{};
+
+  [[nodiscard]] double& operator[](Map map) { return maps[static_cast<std::size_t>(map)]; }
+  [[nodiscard]] double operator[](Map map) const { return maps[static_cast<std::size_t>(map)]; }
+};
+
+/// A named piece of the head with its own material.
+struct Part {
+  std::string name;
+  face::Material material = face::Material::Skin;
+  std::vector<Vertex> vertices;
+  std::vector<face::Polygon> polygons;
+
+  std::uint32_t add(const Vec3& position, const Vec3& colour = Vec3{1}, double alpha = 1);
+  void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  /// Quads lower[i], lower[i+1], upper[i+1], upper[i] between two rows of the same length: seen
+  /// from outside, `upper` lies to the left of the way along `lower`.
+  void add_band(const std::vector<std::uint32_t>& lower, const std::vector<std::uint32_t>& upper,
+                bool closed);
+  /// Turns every polygon over.
+  void flip();
+  /// Sets a map of every vertex.
+  void fill(Map map, double value);
+};
+
+/// Unit normals of a part's vertices, weighted by area.
+[[nodiscard]] std::vector<Vec3> normals_of(const Part& part);
+
+}  // namespace aucast::facegen

@@ -1,0 +1,194 @@
+#include "scripts/facegen/anatomy.h"
+#include "scripts/facegen/layout_builder.h"
+#include "scripts/facegen/sculpt.h"
+
+namespace aucast::facegen {
+namespace {
+
+using Ring = LayoutBuilder::Ring;
+
+/// Spoke counted from the inner corner of the eye.
+int from_canthus(int spoke) {
+  return (spoke + 4) % kEyeSpokes;
+}
+
+/// A spoke's place on the lid margin, in the front plane.
+Vec3 lid_margin(int spoke) {
+  const int k = from_canthus(spoke);
+  const bool upper = k < 16;
+  const double t = (upper ? k : 32 - k) / 16.0;
+  const double eased = mix(t, 0.5 - 0.5 * std::cos(kPi * t), 0.55);
+  const double dx = mix(kInnerCanthus, kOuterCanthus, eased);
+  return {kEyeCentre.x + dx, kEyeCentre.y + (upper ? upper_lid(dx) : lower_lid(dx)), 0};
+}
+
+/// Away from the opening: along the spoke at the corners, more and more upright between them.
+Vec3 out_of_lid(int spoke, const Vec3& border) {
+  const int k = from_canthus(spoke);
+  const Vec3 margin = lid_margin(spoke);
+  const double upright = 0.6 * bell((k % 16 - 8) / 8.0, 0.9);
+  const Vec3 along = glm::normalize(Vec3{border.x - margin.x, border.y - margin.y, 0});
+  return glm::normalize(
+      Vec3{along.x * (1 - upright), along.y * (1 - upright) + upright * (k < 16 ? 1 : -1), 0});
+}
+
+/// z of the front of a ball of radius `radius` about the eye's centre; far back beside it.
+double ball_z(const Vec3& p, double radius) {
+  const double dx = p.x - kEyeCentre.x;
+  const double dy = p.y - kEyeCentre.y;
+  const double q = radius * radius - dx * dx - dy * dy;
+  return q > 0 ? kEyeCentre.z + std::sqrt(q) : -9.0;
+}
+
+/// The rings of a lid's edge: its outer edge, its inner edge on the eyeball, and two tucked in
+/// behind it, so that no gap shows whatever the lid does.
+Vec3 lid_edge(int which, int spoke, const Vec3& border) {
+  const Vec3 margin = lid_margin(spoke);
+  const Vec3 out = out_of_lid(spoke, border);
+  const Vec3 outer = margin + out * 0.05;
+  const double outer_z = face_z(outer.x, outer.y);
+  // Near the corners the ball is far behind the skin; the edge does not follow it there.
+  const double inner_z = std::max(ball_z(margin, kEyeRadius + 0.02), outer_z - 0.17);
+  const auto tucked = [&](double way, double clearance, double depth) {
+    const Vec3 p = margin + out * way;
+    return Vec3{p.x, p.y, std::max(ball_z(p, kEyeRadius + clearance), inner_z - depth)};
+  };
+  switch (which) {
+    case 0:
+      return {outer.x, outer.y, outer_z};
+    case 1:
+      return {margin.x, margin.y, inner_z};
+    case 2:
+      return tucked(0.10, 0.01, 0.30);
+    default:
+      return tucked(0.30, 0.0, 0.7);
+  }
+}
+
+/// How far along the half mouth a spoke lies, 0 at the middle and 1 at the corner.
+double along_lip(int spoke) {
+  const double u = (spoke <= kMouthCornerSpoke ? spoke : 24 - spoke) / 12.0;
+  return 1 - power(1 - u, 1.2);
+}
+
+/// A spoke's place on the border of the red of the lips, in the front plane.
+Vec3 lip_border(int spoke) {
+  const double t = along_lip(spoke);
+  const double x = t * kMouthCorner;
+  const double y = spoke <= kMouthCornerSpoke ? upper_lip_border(x) : lower_lip_border(x);
+  return {x + (spoke == kMouthCornerSpoke ? 0.03 : 0.0), y, 0};
+}
+
+Vec3 lip_contact_point(int spoke) {
+  const double x = along_lip(spoke) * (kMouthCorner - 0.05);
+  return {x, lip_contact(x), 0};
+}
+
+/// Contact line, wet line and two rings inside the mouth.
+Vec3 inner_lip(int which, int spoke) {
+  const Vec3 c = lip_contact_point(spoke);
+  const double z = face_z(c.x, c.y);
+  const double up = spoke < kMouthCornerSpoke ? 1 : spoke > kMouthCornerSpoke ? -1 : 0;
+  const double t = along_lip(spoke);
+  const double fade = 1 - 0.75 * t * t;
+  switch (which) {
+    // The lips overlap by a trace here: if they only touched, rounding and the bend of the skin
+    // would show the teeth through a slit.
+    case 0:
+      return {c.x, c.y - up * 0.030 * fade, z - 0.05};
+    case 1:
+      return {c.x * 0.985, c.y, z - 0.22};
+    case 2:
+      return {c.x * 0.96, c.y + up * 0.28 * fade, z - 0.42 - 0.1 * t};
+    default:
+      return {c.x * 0.93, c.y + up * 0.75 * fade, z - 0.62 - 0.2 * t};
+  }
+}
+
+}  // namespace
+
+void add_eye_patch(LayoutBuilder& builder) {
+  const Ring border = builder.nodes(border_of(kEyeBlock));
+  Ring outer = border;
+  for (int ring = 1; ring <= kLidLastRing; ++ring) {
+    Ring inner;
+    for (int spoke = 0; spoke < kEyeSpokes; ++spoke) {
+      const Vec3& from = builder.position(border[static_cast<std::size_t>(spoke)]);
+      Vec3 p;
+      if (ring < kLidMarginRing) {
+        const Vec3 edge = lid_margin(spoke) + out_of_lid(spoke, from) * 0.05;
+        p = mix(edge, from, kEyeRings[static_cast<std::size_t>(ring)]);
+        p.z = face_z(p.x, p.y);
+      } else {
+        p = lid_edge(ring - kLidMarginRing, spoke, from);
+      }
+      inner.push_back(builder.add(p, Patch::Eye, ring, spoke));
+    }
+    builder.add_strip(outer, inner, true);
+    outer = std::move(inner);
+  }
+}
+
+void add_mouth_patch(LayoutBuilder& builder) {
+  static constexpr std::array kRedRings{0.0, 0.22, 0.48, 0.75};  // border to contact line
+  const Ring border = builder.nodes(border_of(kMouthBlock));
+  Ring outer = border;
+  for (int ring = 1; ring <= kLipLastRing; ++ring) {
+    Ring inner;
+    for (int spoke = 0; spoke < kMouthSpokes; ++spoke) {
+      Vec3 p;
+      if (ring < kLipBorderRing) {
+        p = mix(lip_border(spoke), builder.position(border[static_cast<std::size_t>(spoke)]),
+                kMouthRings[static_cast<std::size_t>(ring)]);
+        p.z = face_z(p.x, p.y);
+      } else if (ring < kLipContactRing) {
+        p = mix(lip_border(spoke), lip_contact_point(spoke),
+                kRedRings[static_cast<std::size_t>(ring - kLipBorderRing)]);
+        p.z = face_z(p.x, p.y);
+      } else {
+        p = inner_lip(ring - kLipContactRing, spoke);
+      }
+      if (spoke == 0 || spoke == kMouthSpokes - 1) p.x = 0;
+      inner.push_back(builder.add(p, Patch::Mouth, ring, spoke));
+    }
+    builder.add_strip(outer, inner, false);
+    outer = std::move(inner);
+  }
+}
+
+void add_nostril_patch(LayoutBuilder& builder) {
+  constexpr int kSpokes = 8;
+  const Vec3 centre = on_skin({0.45, -0.66, 8.86});
+  const Vec3 along{-0.10, 0.05, 0.26};
+  const Vec3 across{0.16, 0.04, 0.05};
+  const Ring border = builder.nodes(border_of(kNostrilBlock));
+  Ring outer = border;
+  for (int ring = 1; ring <= 4; ++ring) {
+    Ring inner;
+    for (int spoke = 0; spoke < kSpokes; ++spoke) {
+      const double angle = radians(135 - 45.0 * spoke);
+      const Vec3 offset = along * std::sin(angle) + across * std::cos(angle);
+      const Vec3& from = builder.position(border[static_cast<std::size_t>(spoke)]);
+      const auto place = [&]() -> Vec3 {
+        switch (ring) {
+          case 1:
+            return on_skin(mix(from, centre + offset, 0.55));
+          case 2:
+            return on_skin(centre + offset);
+          case 3:
+            return centre + offset * 0.92 + Vec3{0, 0.12, -0.03};
+          default:
+            return centre + offset * 0.75 + Vec3{0, 0.45, -0.12};
+        }
+      };
+      inner.push_back(builder.add(place(), Patch::Nostril, ring, spoke));
+    }
+    builder.add_strip(outer, inner, true);
+    outer = std::move(inner);
+  }
+  Vec3 middle{0};
+  for (const std::uint32_t i : outer) middle += builder.position(i) / static_cast<double>(kSpokes);
+  builder.add_lid(outer, builder.add(middle + Vec3{0, 0.1, 0}, Patch::Nostril, 5));
+}
+
+}  // namespace aucast::facegen

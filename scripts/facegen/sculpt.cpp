@@ -1,0 +1,214 @@
+#include "scripts/facegen/sculpt.h"
+
+#include <array>
+
+#include "scripts/facegen/anatomy.h"
+#include "scripts/facegen/distance.h"
+
+namespace aucast::facegen {
+
+double round_cone(const Vec3& p, const Vec3& a, const Vec3& b, double radius_a, double radius_b) {
+  // After Quilez' "round cone": the exact distance in the plane through the axis and the point.
+  const Vec3 axis = b - a;
+  const double length2 = glm::dot(axis, axis);
+  const double slope = radius_a - radius_b;
+  const double a2 = length2 - slope * slope;
+  const Vec3 from_a = p - a;
+  const double y = glm::dot(from_a, axis);
+  const double z = y - length2;
+  const Vec3 across = from_a * length2 - axis * y;
+  const double x2 = glm::dot(across, across);
+  const double y2 = y * y * length2;
+  const double z2 = z * z * length2;
+  const double sign = slope > 0 ? 1 : slope < 0 ? -1 : 0;
+  const double k = sign * slope * slope * x2;
+  if ((z > 0 ? 1 : -1) * a2 * z2 > k) return std::sqrt(x2 + z2) / length2 - radius_b;
+  if ((y > 0 ? 1 : -1) * a2 * y2 < k) return std::sqrt(x2 + y2) / length2 - radius_a;
+  return (std::sqrt(x2 * a2 / length2) + y * slope) / length2 - radius_a;
+}
+
+namespace {
+
+double cranium(const Vec3& p) {
+  double d = ellipsoid(p - Vec3{0, 4.75, 1.35}, {5.05, 5.75, 6.6});
+  d = melt(d, ellipsoid(p - Vec3{1.7, 5.6, 5.1}, {2.5, 2.3, 2.45}), 1.4);     // forehead
+  d = melt(d, ellipsoid(p - Vec3{0, 2.9, -1.0}, {4.1, 3.9, 3.9}), 1.8);       // back of the head
+  return melt(d, ellipsoid(p - Vec3{2.6, 3.2, 3.4}, {1.95, 2.8, 2.9}), 1.6);  // temple
+}
+
+/// Cheeks, jaw and chin. The wide seams matter: narrow ones give a bony, alien cheek.
+double face_mass(const Vec3& p) {
+  double d = ellipsoid(p - Vec3{0, 0.1, 3.5}, {4.0, 5.0, 4.35});
+  d = melt(d, ellipsoid(p - Vec3{0, -2.25, 5.9}, {2.35, 2.35, 2.6}), 1.6);   // muzzle
+  d = melt(d, ellipsoid(p - Vec3{2.1, -0.8, 5.6}, {1.75, 2.2, 1.95}), 1.6);  // cheek
+  d = melt(d, ellipsoid(rotated_y(p - Vec3{2.9, 0.95, 5.3}, 0.5), {1.45, 1.0, 1.35}), 1.5);
+  d = melt(d, round_cone(p, {3.6, 1.2, 4.6}, {4.0, 1.4, 1.8}, 0.55, 0.55), 1.6);  // zygomatic arch
+  d = melt(d, round_cone(p, {3.2, 1.0, 1.6}, {2.48, -2.15, 2.7}, 1.03, 0.85), 1.6);      // ramus
+  d = melt(d, round_cone(p, {2.48, -2.15, 2.7}, {0.58, -4.47, 6.85}, 0.84, 0.78), 1.6);  // mandible
+  d = melt(d, ellipsoid(p - Vec3{2.2, -1.5, 4.2}, {1.28, 1.9, 2.2}), 1.5);    // below the cheekbone
+  d = melt(d, ellipsoid(p - Vec3{0, -4.52, 7.25}, {0.95, 0.92, 1.02}), 1.0);  // chin
+  return melt(d, ellipsoid(p - Vec3{0, -4.0, 4.6}, {2.0, 1.2, 2.8}), 1.2);    // floor of the mouth
+}
+
+double with_brow_ridge(double d, const Vec3& p) {
+  d = melt(d, round_cone(p, {0.75, 3.95, 7.55}, {2.4, 4.25, 7.05}, 0.55, 0.55), 0.8);
+  d = melt(d, round_cone(p, {2.4, 4.25, 7.05}, {3.75, 3.55, 5.6}, 0.55, 0.5), 0.8);
+  return melt(d, ellipsoid(p - Vec3{0, 4.0, 7.4}, {0.9, 0.75, 0.85}), 0.8);
+}
+
+double neck(const Vec3& p) {
+  double d = round_cone(p, {0, -1.5, 0.4}, {0, -11.5, -0.6}, 2.5, 2.62);
+  d = melt(d, round_cone(p, {0, -2.5, -1.5}, {3.0, -12.6, -2.2}, 1.8, 2.0), 1.5);     // trapezius
+  d = melt(d, round_cone(p, {2.0, -13.2, -0.6}, {8.0, -14.6, -1.0}, 2.2, 2.0), 2.5);  // shoulder
+  d = melt(d, round_cone(p, {3.0, -1.0, -0.5}, {0.75, -10.8, 2.5}, 0.55, 0.42),
+           1.1);                                                            // sternomastoid
+  return melt(d, ellipsoid(p - Vec3{0, -7.6, 2.3}, {0.5, 1.1, 0.6}), 0.9);  // larynx
+}
+
+/// The hollow of the eye, then the lids as a shell over the eyeball.
+double with_orbit(double d, const Vec3& p) {
+  const Vec3 hollow = rotated_y(p - Vec3{2.25, 2.62, 8.15}, 0.32);
+  d = carve(d, ellipsoid(hollow, {1.45, 0.92, 1.3}), 0.8);
+  return melt(d, glm::length(p - kEyeCentre) - (kEyeRadius + 0.11), 0.35);
+}
+
+double with_nose(double d, const Vec3& p) {
+  double nose = round_cone(p, {0, 3.05, 7.36}, {0, 0.4, 8.9}, 0.50, 0.50);
+  nose = melt(nose, round_cone(p, {0.25, 2.2, 7.2}, {0.45, 0.1, 8.1}, 0.55, 0.62), 0.7);
+  nose = melt(nose, ellipsoid(p - Vec3{0, 0.08, 8.98}, {0.60, 0.52, 0.64}), 0.45);
+  nose = melt(nose, round_cone(p, {0, -0.30, 9.08}, {0, -0.66, 8.5}, 0.25, 0.25), 0.3);
+  d = melt(d, nose, 0.62);
+  const Vec3 wing = rotated_y(rotated_z(p - Vec3{0.735, -0.20, 8.42}, 0.28), 0.42);
+  return melt(d, ellipsoid(wing, {0.36, 0.44, 0.62}), 0.17);
+}
+
+/// Depth of the fold of the upper lid and of the groove under the eye.
+double lid_relief(const Vec3& p) {
+  const double x = std::abs(p.x) - kEyeCentre.x;
+  const double y = p.y - kEyeCentre.y;
+  const double window =
+      smooth_step(-1.35, -0.7, x) * (1 - smooth_step(0.9, 1.5, x)) * smooth_step(5.5, 6.3, p.z);
+  const double inside = std::clamp(x, kInnerCanthus + 0.1, kOuterCanthus - 0.1);
+  const double fold = upper_lid(inside) + 0.27 + 0.03 * x;
+  const double groove = lower_lid(inside) - 0.40;
+  return window * (0.12 * bell(y - fold, 0.10) + 0.018 * bell(y - groove, 0.16));
+}
+
+/// Depth of the groove round the wing of the nose: a polyline with a depth at each corner.
+double alar_groove(const Vec3& p) {
+  const double x = std::abs(p.x);
+  if (p.z <= 7.2 || x >= 1.9 || p.y >= 1.0 || p.y <= -1.4) return 0;
+  static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .010},
+                                              {.61, .22, .035},
+                                              {.82, .33, .055},
+                                              {1.01, .25, .075},
+                                              {1.135, .02, .085},
+                                              {1.155, -.28, .080},
+                                              {1.06, -.55, .050},
+                                              {.92, -.72, .010}}};
+  double nearest2 = 1e9;
+  double depth = 0;
+  for (std::size_t i = 0; i + 1 < kLine.size(); ++i) {
+    const glm::dvec2 a{kLine[i]};
+    const glm::dvec2 edge = glm::dvec2{kLine[i + 1]} - a;
+    const glm::dvec2 from_a = glm::dvec2{x, p.y} - a;
+    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
+    const glm::dvec2 off = from_a - edge * t;
+    if (glm::dot(off, off) < nearest2) {
+      nearest2 = glm::dot(off, off);
+      depth = mix(kLine[i].z, kLine[i + 1].z, t);
+    }
+  }
+  return depth * std::exp(-nearest2 / (0.115 * 0.115)) * smooth_step(7.2, 7.7, p.z);
+}
+
+/// Depth (negative: height) of everything about the lips.
+double mouth_relief(const Vec3& p) {
+  if (p.z <= 5.5 || p.y >= 0.2 || p.y <= -5) return 0;
+  const double x = std::abs(p.x);
+  const double y = p.y;
+  const double on_lip = std::min(x, kMouthCorner);
+  const double contact = lip_contact(on_lip);
+  const double upper_height = std::max(upper_lip_border(on_lip) - contact, 0.05);
+  const double lower_height = std::max(contact - lower_lip_border(on_lip), 0.05);
+  const double t = saturate(x / kMouthCorner);
+  const double fullness = power(1 - t * t, 0.6);
+  double depth = 0;
+  const double up = (y - contact) / upper_height;
+  if (up > -0.5) depth -= 0.25 * fullness * bell(up - 0.42, 0.60);
+  const double down = (contact - y) / lower_height;
+  if (down > -0.5) depth -= 0.30 * fullness * bell(down - 0.45, 0.55);
+  const double past_corner = smooth_step(kMouthCorner - 0.05, kMouthCorner + 0.25, x);
+  depth += 0.14 * bell(y - contact, 0.085) * (1 - past_corner);
+  depth += 0.055 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
+  const double above_lip = 1 - smooth_step(-1.1, -0.8, y);
+  depth += 0.045 * bell(x, 0.20) * smooth_step(-2.0, -1.6, y) * above_lip;  // philtrum
+  depth -= 0.022 * bell(x - 0.36, 0.15) * smooth_step(-2.05, -1.7, y) * above_lip;
+  depth += 0.16 * bell(y + 3.45, 0.35) * bell(x, 1.3);  // fold between lower lip and chin
+  return depth * smooth_step(5.5, 6.8, p.z);
+}
+
+}  // namespace
+
+double head_distance(const Vec3& p) {
+  // Everything below the cheekbones is narrowed by 5.5 %; it did more for the looks than any other
+  // single number.
+  const double narrowing = smooth_step(1.6, -4.2, p.y) * smooth_step(-10.5, -8.0, p.y);
+  const Vec3 q{soft_abs(p.x * (1 + 0.055 * narrowing), 0.10), p.y, p.z};
+  double d = melt(cranium(q), face_mass(q), 1.2);
+  d = with_brow_ridge(d, q);
+  d = melt(d, neck(q), 1.1);
+  d = with_orbit(d, q);
+  d += lid_relief(p);
+  d = with_nose(d, q);
+  return d + alar_groove(p) + mouth_relief(p);
+}
+
+double torso_distance(const Vec3& p) {
+  const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
+  double collar = round_cone(q, {0, -1.5, 0.4}, {0, -11.5, -0.6}, 2.75, 2.95);
+  collar = melt(collar, round_cone(q, {0, -2.5, -1.5}, {3.0, -12.6, -2.2}, 1.9, 2.2), 1.5);
+  double body = round_cone(q, {2.2, -13.6, -0.9}, {8.3, -14.6, -1.3}, 2.6, 2.2);
+  body = melt(body, ellipsoid(q - Vec3{0, -16.5, 0.2}, {7.5, 5.2, 4.4}), 2.0);
+  return melt(collar, body, 2.2);
+}
+
+Vec3 head_normal(const Vec3& p, double step) {
+  // Four corners of a tetrahedron give the gradient with four evaluations instead of six.
+  static constexpr std::array<Vec3, 4> kCorners{{{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}}};
+  Vec3 sum{0};
+  for (const Vec3& corner : kCorners) sum += corner * head_distance(p + corner * step);
+  return glm::normalize(sum);
+}
+
+Vec3 on_skin(Vec3 p, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    const double d = head_distance(p);
+    p -= head_normal(p) * (d * 0.9);
+    if (std::abs(d) < 1e-6) break;
+  }
+  return p;
+}
+
+double face_z(double x, double y) {
+  double z = 12;
+  for (int i = 0; i < 400 && z > -6; ++i) {
+    const double d = head_distance({x, y, z});
+    if (d < 1e-6) break;
+    z -= d * 0.6;
+  }
+  return z;
+}
+
+Vec3 leave(const Vec3& origin, const Vec3& direction, double (*distance)(const Vec3&)) {
+  const Vec3 unit = glm::normalize(direction);
+  double t = 16;
+  for (int i = 0; i < 400 && t > 0; ++i) {
+    const double d = distance(origin + unit * t);
+    if (d < 1e-6) break;
+    t -= d * 0.6;
+  }
+  return origin + unit * t;
+}
+
+}  // namespace aucast::facegen

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "scripts/facegen/maths.h"
+
+namespace aucast::facegen {
+
+// Stage 1: the form of the head as one signed distance, melted together from ellipsoids and rounded
+// bones and then engraved with the small relief of lids, nose and lips. No mesh yet.
+
+/// Distance from the skin: negative inside the head. Symmetric in x.
+[[nodiscard]] double head_distance(const Vec3& p);
+
+/// Distance from a torso in a shirt, for the shirt alone.
+[[nodiscard]] double torso_distance(const Vec3& p);
+
+/// Unit vector away from the head, by differences over `step`.
+[[nodiscard]] Vec3 head_normal(const Vec3& p, double step = 0.01);
+
+/// The nearest place on the skin, by at most `steps` steps along the gradient.
+[[nodiscard]] Vec3 on_skin(Vec3 p, int steps = 10);
+
+/// z of the face at (x, y), seen from the front.
+[[nodiscard]] double face_z(double x, double y);
+
+/// Where a ray from inside the body leaves it for good.
+[[nodiscard]] Vec3 leave(const Vec3& origin, const Vec3& direction,
+                         double (*distance)(const Vec3&));
+
+}  // namespace aucast::facegen

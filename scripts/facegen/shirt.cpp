@@ -1,0 +1,64 @@
+#include "scripts/facegen/shirt.h"
+
+#include "scripts/facegen/palette.h"
+#include "scripts/facegen/sculpt.h"
+
+namespace aucast::facegen {
+namespace {
+
+/// A ring round the body: how far down (0 neck, 1 chest) and how far off the torso.
+struct ShirtRing {
+  double down;
+  double off;
+};
+
+constexpr std::array<ShirtRing, 16> kRings{{// the collar, from inside over its roll
+                                            {0, -0.15},
+                                            {0, 0.12},
+                                            {0, 0.30},
+                                            {0.06, 0.36},
+                                            {0.12, 0.36},
+                                            {0.19, 0.33},
+                                            {0.22, 0.24},
+                                            // the body
+                                            {0.25, 0.20},
+                                            {0.32, 0.20},
+                                            {0.42, 0.20},
+                                            {0.52, 0.20},
+                                            {0.62, 0.20},
+                                            {0.72, 0.20},
+                                            {0.82, 0.20},
+                                            {0.91, 0.20},
+                                            {1.0, 0.20}}};
+constexpr std::size_t kCollarRings = 7;
+
+}  // namespace
+
+Part make_shirt() {
+  constexpr int kSectors = 96;
+  Part shirt;
+  shirt.name = "shirt";
+  shirt.material = face::Material::Cloth;
+  std::vector<std::uint32_t> above;
+  for (std::size_t k = 0; k < kRings.size(); ++k) {
+    const double elevation = mix(0.02, -0.95, kRings[k].down);
+    std::vector<std::uint32_t> ring;
+    for (int i = 0; i < kSectors; ++i) {
+      const double angle = 2 * kPi * i / kSectors;
+      const double front = std::cos(angle);
+      // The collar stands lower under the chin.
+      const Vec3 origin{0, -8.3 - 0.315 * (front * 0.5 + 0.5), -0.6};
+      const Vec3 direction{std::sin(angle) * std::cos(elevation),
+                           std::sin(elevation) - 0.10 * front * (1 - kRings[k].down),
+                           front * std::cos(elevation)};
+      Vec3 p = leave(origin, direction, torso_distance);
+      p += glm::normalize(Vec3{p.x - origin.x, 0.6, p.z - origin.z}) * kRings[k].off;
+      ring.push_back(shirt.add(p, k < kCollarRings ? kCollar : kCloth));
+    }
+    if (k > 0) shirt.add_band(ring, above, true);
+    above = std::move(ring);
+  }
+  return shirt;
+}
+
+}  // namespace aucast::facegen

@@ -1,0 +1,110 @@
+#include "scripts/facegen/weights.h"
+
+#include "scripts/facegen/anatomy.h"
+
+namespace aucast::facegen {
+namespace {
+
+/// The zygomatics' published reach takes the nose along; a smile must not.
+double smile_field(const Vec3& p) {
+  const double nose = smooth_step(-1.15, -0.35, p.y) * smooth_step(2.0, 1.05, std::abs(p.x));
+  return (1 - nose) * (1 - 0.8 * smooth_step(0.6, 1.8, p.y));
+}
+
+double forehead_field(const Vec3& p) {
+  return smooth_step(2.4, 3.9, p.y);
+}
+
+/// Share of the lower lip: across a band about the line of the mouth.
+double lower_lip_field(const Vec3& p) {
+  const double line = lip_contact(std::min(std::abs(p.x), kMouthCorner));
+  return smooth_step(0.30, -0.40, p.y - line);
+}
+
+/// Lids: elevation about the eye's centre of the inner edge of the margin, spoke by spoke.
+std::array<double, kEyeSpokes> margin_elevation(const HalfHead& half) {
+  std::array<double, kEyeSpokes> elevation{};
+  for (const HalfVertex& v : half.vertices) {
+    if (v.patch != Patch::Eye || v.ring != kLidInnerRing) continue;
+    const Vec3 from_eye = v.position - kEyeCentre;
+    elevation[static_cast<std::size_t>(v.spoke)] = std::atan2(from_eye.y, from_eye.z);
+  }
+  return elevation;
+}
+
+void weigh_lid(Vertex& vertex, const HalfVertex& v,
+               const std::array<double, kEyeSpokes>& elevation) {
+  const double from_margin =
+      v.ring >= kLidMarginRing ? 0.0 : kEyeRings[static_cast<std::size_t>(v.ring)];
+  const double share = 1 - smooth_step(0.02, 0.48, from_margin);
+  // Muscles round the eye hardly move the lids: they slide on the ball by their own channel.
+  vertex[Map::Muscle] = 1 - 0.9 * share;
+  const int k = (v.spoke + 4) % kEyeSpokes;
+  if (k % 16 == 0) return;  // the corners of the eye stay
+  const bool upper = k < 16;
+  // Undoes the factor above for the one muscle that is the lower lid's own.
+  if (!upper) {
+    const double middle = std::sin(kPi * (k - 16) / 16.0);
+    vertex[Map::LowerLid] = 0.1 * share * middle / vertex[Map::Muscle];
+  }
+  const double own = elevation[static_cast<std::size_t>(v.spoke)];
+  const double opposite = elevation[static_cast<std::size_t>((24 - v.spoke + 32) % kEyeSpokes)];
+  // Both margins meet 14 % above where the lower one rests, and press by a trace.
+  const double target = mix(own, opposite, upper ? 0.86 : 0.14) + (upper ? -0.012 : 0.004);
+  vertex[Map::LidAngle] = share * (own - target);
+}
+
+void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
+  const double blend = smooth_step(0, 4, v.ring);
+  const bool upper = v.spoke <= kMouthCornerSpoke;
+  const double to_corner = (upper ? v.spoke : 24 - v.spoke) / 12.0;
+  const double jaw = upper ? 0.40 * power(to_corner, 3.8) : 1 - 0.60 * power(to_corner, 4.2);
+  vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
+  const double lower = smooth_step(9.5, 14.5, v.spoke);
+  vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], lower, blend);
+  vertex[Map::UpperLip] = 1 - vertex[Map::LowerLip];
+  const double red = smooth_step(kLipBorderRing - 3, kLipBorderRing + 1, v.ring);
+  vertex[Map::UpperRed] = red * (1 - lower);
+  vertex[Map::LowerRed] = red * lower;
+}
+
+}  // namespace
+
+double jaw_field(const Vec3& p) {
+  const double line = mix(0.9, -2.35, saturate((p.z - 1.5) / 6.0));
+  const double below = smooth_step(-0.85, 1.25, line - p.y);
+  const double not_throat = smooth_step(0.9, 4.6, p.z + 0.35 * (p.y + 5.5));
+  return below * not_throat;
+}
+
+double head_field(const Vec3& p) {
+  // The plus matters: with the slope the other way the chin is squashed when the head turns.
+  return smooth_step(-9.3, -3.9, p.y + 0.45 * (p.z - 1));
+}
+
+void weigh_by_position(Vertex& vertex) {
+  const Vec3& p = vertex.position;
+  vertex[Map::Muscle] = 1;
+  vertex[Map::Jaw] = jaw_field(p);
+  vertex[Map::Head] = head_field(p);
+  vertex[Map::LidAngle] = 0;
+  vertex[Map::Smile] = smile_field(p);
+  vertex[Map::Forehead] = forehead_field(p);
+  vertex[Map::LowerLip] = lower_lip_field(p);
+  vertex[Map::UpperLip] = 1 - vertex[Map::LowerLip];
+  vertex[Map::UpperRed] = 0;
+  vertex[Map::LowerRed] = 0;
+}
+
+void weigh_skin(Skin& skin) {
+  const auto elevation = margin_elevation(skin.half);
+  for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
+    const HalfVertex& v = skin.half.vertices[skin.source[i]];
+    Vertex& vertex = skin.part.vertices[i];
+    weigh_by_position(vertex);
+    if (v.patch == Patch::Eye) weigh_lid(vertex, v, elevation);
+    if (v.patch == Patch::Mouth) weigh_mouth(vertex, v);
+  }
+}
+
+}  // namespace aucast::facegen
