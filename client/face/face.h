@@ -25,6 +25,9 @@ struct Channel {
   std::string name;
   Side side = Side::Both;
   float activation_max = 2;  ///< muscles 2 (classic folders 4), jaw 4, lids, head and eyes 1
+  /// Closing a lid: the largest demand counts whatever the mixer, or half-closed eyes would come of
+  /// a blink and a smile (contract section 0).
+  bool takes_largest = false;
 };
 
 /// The jaw turns about the x axis through `hinge` by degrees_per_unit x activation x map "jaw".
@@ -34,8 +37,8 @@ struct Jaw {
   float forward_per_rad = 0;  ///< the condyle slides forward as the jaw opens
 };
 
-/// Upper and lower lid turn about the x axis through the eye's centre by map "lid_angle" (radians at
-/// full closure, signed) x closure. Raising is the negative way, up to raise_max of that angle.
+/// Upper and lower lid turn about the x axis through the eye's centre by map "lid_angle" (radians
+/// at full closure, signed) x closure. Raising is the negative way, up to raise_max of that angle.
 struct Lids {
   float raise_max = 0.2F;
 };
@@ -79,8 +82,9 @@ struct Face {
   std::vector<Eye> eyes;  ///< left one first
   std::optional<HeadPose> head;
   std::map<int, AuRecording> recordings;
-  std::vector<std::string> remarks;  ///< said once to the user: duplicates dropped, AUs not playable
-  bool classic = false;              ///< from a folder in Waters' format
+  std::vector<std::string>
+      remarks;           ///< said once to the user: duplicates dropped, AUs not playable
+  bool classic = false;  ///< from a folder in Waters' format
 
   [[nodiscard]] std::optional<std::size_t> channel_index(std::string_view channel_name) const;
 };

@@ -33,7 +33,7 @@ struct LinearMuscle {
 struct MouthSphincter {
   glm::vec3 centre{0};
   glm::vec2 semi_axes{2, 1};  ///< lx >= ly > 0
-  float depth = 3;            ///< only |z - cz| < depth moves
+  float depth = 3;            ///< only |z - cz| < depth moves; fades over the last quarter
   float protrusion = 10;      ///< Z of eq. 3.9: larger means less forward
 };
 
@@ -42,33 +42,35 @@ struct MouthSphincter {
 struct EyeSphincter {
   glm::vec3 centre{0};
   glm::vec2 semi_axes{2, 1};
-  float depth = 3;
-  float bulge = 30;            ///< Z: z grows by a f (1 - |y|/ly) / Z
-  float upper_share = 0.3F;    ///< of the motion above and below the axis: AU6 and 7 lift the
-  float lower_share = 0.7F;    ///< lower lid more
+  float depth = 3;           ///< as for the mouth
+  float bulge = 30;          ///< Z: z grows by a f (1 - |y|/ly) / Z
+  float upper_share = 0.3F;  ///< of the motion above and below the axis: AU6 and 7 lift the
+  float lower_share = 0.7F;  ///< lower lid more
 };
 
 /// A broad parallel muscle such as the frontalis (thesis eq. 3.14-3.19, clean form): the strip of
 /// width `width` from the attachment line to the insertion line moves towards the attachment, most
-/// at `peak` of the way, fading to both sides.
+/// at `peak` of the way, fading to both sides. The strip lies across the viewer's direction.
 struct SheetMuscle {
   glm::vec3 attachment{0};  ///< Ac, middle of the line on bone
   glm::vec3 insertion{0};   ///< lc, middle of the line in the skin
   float width = 2;
-  float peak = 0.7F;        ///< L / |lc - Ac| in (0, 1)
-  float depth = 3;          ///< distance from the sheet's plane that still moves
+  float peak = 0.7F;  ///< L / |lc - Ac| in (0, 1)
+  float depth = 3;    ///< distance from the sheet's plane that still moves; fades likewise
 };
 
 /// A pull without published geometry, for what FACS needs and the thesis lacks (mentalis, depressor
 /// labii, ...): `direction` is the displacement at the centre for activation 1, falling off as a
-/// Gaussian of the given radii.
+/// Gaussian of the given radii and ending at three of them. Folds nothing up to activation 2 while
+/// |direction / radii| < 0.58.
 struct LocalPull {
   glm::vec3 centre{0};
   glm::vec3 direction{0};
   glm::vec3 radii{1};  ///< distance along each axis at which exp(-1) is left
 };
 
-using MuscleShape = std::variant<LinearMuscle, MouthSphincter, EyeSphincter, SheetMuscle, LocalPull>;
+using MuscleShape =
+    std::variant<LinearMuscle, MouthSphincter, EyeSphincter, SheetMuscle, LocalPull>;
 
 /// A muscle with its name, such as left_zygomaticus_major.
 struct Muscle {

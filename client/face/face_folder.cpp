@@ -1,0 +1,231 @@
+#include "client/face/face_folder.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "client/face/au_recordings.h"
+#include "client/face/muscle_file.h"
+#include "client/face/ply.h"
+#include "client/face/table_reader.h"
+#include "common/files.h"
+#include "common/text.h"
+
+namespace aucast::face {
+namespace {
+
+constexpr std::size_t kTomlBytesMax = std::size_t{4} << 20U;
+constexpr float kMuscleMax = 2;
+constexpr float kJawMax = 4;
+
+Result<TomlValue> read_toml(const std::filesystem::path& path) {
+  const auto bytes = read_file(path, kTomlBytesMax);
+  if (!bytes) return bytes.error();
+  return parse_toml(*bytes, path.string());
+}
+
+Jaw read_jaw(const TomlValue& table, Problems& problems) {
+  TableReader reader(table, problems);
+  Jaw jaw;
+  jaw.hinge = reader.point("hinge");
+  jaw.degrees_per_unit =
+      reader.number("degrees_per_unit", {.low = 0, .high = 90 / kJawMax, .low_open = true});
+  jaw.forward_per_rad = reader.number_or("forward_per_rad", 0, Bounds::between(-10, 10));
+  reader.finish();
+  return jaw;
+}
+
+Eye read_eye(const TomlValue& table, Problems& problems) {
+  TableReader reader(table, problems);
+  Eye eye;
+  eye.part = reader.text("part");
+  eye.centre = reader.point("centre");
+  eye.yaw_deg = reader.number_or("yaw_deg", eye.yaw_deg, Bounds::between(0, 90));
+  eye.pitch_deg = reader.number_or("pitch_deg", eye.pitch_deg, Bounds::between(0, 90));
+  reader.finish();
+  return eye;
+}
+
+HeadPose read_head(const TomlValue& table, Problems& problems) {
+  TableReader reader(table, problems);
+  HeadPose head;
+  head.pivot = reader.point("pivot");
+  head.turn_deg = reader.number_or("turn_deg", head.turn_deg, Bounds::between(0, 90));
+  head.pitch_deg = reader.number_or("pitch_deg", head.pitch_deg, Bounds::between(0, 90));
+  head.tilt_deg = reader.number_or("tilt_deg", head.tilt_deg, Bounds::between(0, 90));
+  head.shift = reader.number_or("shift", head.shift, Bounds::between(0, 10));
+  reader.finish();
+  return head;
+}
+
+void need_map(const FaceMesh& mesh, std::string_view map, Place place, Problems& problems) {
+  if (mesh.maps.contains(std::string(map))) return;
+  problems.add(place, "this needs the map '" + std::string(map) + "', which the mesh lacks");
+}
+
+/// Everything of face.toml but the other files.
+void read_movers(TableReader& reader, Face& face, Problems& problems) {
+  for (const TomlValue* table : reader.tables("eye")) {
+    const Eye eye = read_eye(*table, problems);
+    const auto is_part = [&](const MeshPart& part) { return part.name == eye.part; };
+    if (std::none_of(face.mesh.parts.begin(), face.mesh.parts.end(), is_part)) {
+      std::vector<std::string> known;
+      for (const MeshPart& part : face.mesh.parts) known.push_back(part.name);
+      TableReader(*table, problems)
+          .wrong("part", "'" + escaped(eye.part) + "' is no part of the mesh" +
+                             did_you_mean(eye.part, known));
+    }
+    for (const Eye& other : face.eyes) {
+      if (side_at(other.centre.x) == side_at(eye.centre.x)) {
+        problems.add(table->place, "there are two eyes on one side");
+      }
+    }
+    face.eyes.push_back(eye);
+  }
+  std::stable_sort(face.eyes.begin(), face.eyes.end(),
+                   [](const Eye& a, const Eye& b) { return a.centre.x > b.centre.x; });
+  if (const TomlValue* table = reader.table_if("jaw")) {
+    face.jaw = read_jaw(*table, problems);
+    need_map(face.mesh, "jaw", table->place, problems);
+  }
+  if (const TomlValue* table = reader.table_if("lids")) {
+    TableReader lids(*table, problems);
+    face.lids = Lids{lids.number_or("raise_max", Lids{}.raise_max, Bounds::between(0, 1))};
+    lids.finish();
+    need_map(face.mesh, "lid_angle", table->place, problems);
+    if (face.eyes.empty()) problems.add(table->place, "lids need an [[eye]] to turn about");
+  }
+  if (const TomlValue* table = reader.table_if("head")) {
+    face.head = read_head(*table, problems);
+    need_map(face.mesh, "head", table->place, problems);
+  }
+}
+
+std::string sided(Side side, std::string_view name) {
+  if (side == Side::Left) return "left_" + std::string(name);
+  if (side == Side::Right) return "right_" + std::string(name);
+  return std::string(name);
+}
+
+/// The channels in the order that face.h documents.
+std::vector<Channel> channels_of(const Face& face) {
+  std::vector<Channel> channels;
+  for (const Muscle& muscle : face.muscles) {
+    channels.push_back({muscle.name, side_at(x_of(muscle.shape)), kMuscleMax});
+  }
+  if (face.jaw) channels.push_back({"jaw", Side::Both, kJawMax});
+  const auto add_for_eyes = [&](std::string_view name) {
+    for (const Eye& eye : face.eyes) {
+      const Side side = side_at(eye.centre.x);
+      channels.push_back({sided(side, name), side, 1, name == "lid_close"});
+    }
+  };
+  if (face.lids) {
+    add_for_eyes("lid_close");
+    add_for_eyes("lid_raise");
+  }
+  for (const Eye& eye : face.eyes) {
+    const Side side = side_at(eye.centre.x);
+    for (const std::string_view name : {"gaze_left", "gaze_right", "gaze_up", "gaze_down"}) {
+      channels.push_back({sided(side, name), side, 1});
+    }
+  }
+  if (face.head) {
+    for (const std::string_view name :
+         {"head_turn_left", "head_turn_right", "head_up", "head_down", "head_tilt_left",
+          "head_tilt_right", "head_forward", "head_back"}) {
+      channels.push_back({std::string(name), Side::Both, 1});
+    }
+  }
+  return channels;
+}
+
+/// The names that an AU table may use, for "did you mean".
+std::vector<std::string> drive_names(const Face& face) {
+  std::set<std::string> names;
+  for (const Channel& channel : face.channels) {
+    names.insert(channel.name);
+    for (const std::string_view side : {"left_", "right_"}) {
+      if (channel.name.starts_with(side)) names.insert(channel.name.substr(side.size()));
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+Result<void> load_mesh(const std::filesystem::path& path, Face& face) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  auto mesh = parse_ply(*bytes, path.string());
+  if (!mesh) return mesh.error();
+  face.mesh = std::move(*mesh);
+  return {};
+}
+
+Result<void> load_muscles(const std::filesystem::path& path, Face& face) {
+  const auto document = read_toml(path);
+  if (!document) return document.error();
+  Problems problems(path.string());
+  TableReader reader(*document, problems);
+  face.muscles = read_muscles(reader, face.mesh, problems);
+  reader.finish();
+  return problems.result();
+}
+
+Result<void> load_aus(const std::filesystem::path& path, Face& face) {
+  const auto document = read_toml(path);
+  if (!document) return document.error();
+  Problems problems(path.string());
+  TableReader reader(*document, problems);
+  const auto finder = [&face](std::string_view name) { return channels_named(face, name); };
+  face.recordings = read_recordings(reader, face, finder, drive_names(face), problems);
+  reader.finish();
+  return problems.result();
+}
+
+/// A muscle may not take the name of another channel, such as jaw.
+Result<void> check_channel_names(const Face& face, const std::filesystem::path& path) {
+  std::set<std::string_view> names;
+  for (const Channel& channel : face.channels) {
+    if (names.insert(channel.name).second) continue;
+    return Error{ErrorKind::BadData, at_place(path.string(), 0, 0,
+                                              "the muscle name '" + channel.name +
+                                                  "' is taken: it is a channel of its own")};
+  }
+  return {};
+}
+
+}  // namespace
+
+Side side_at(float x) {
+  constexpr float kCentral = 0.05F;
+  if (x >= kCentral) return Side::Left;
+  return x <= -kCentral ? Side::Right : Side::Both;
+}
+
+Result<Face> load_face_folder(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "face.toml";
+  const auto document = read_toml(path);
+  if (!document) return document.error();
+  Problems problems(path.string());
+  TableReader reader(*document, problems);
+  static_cast<void>(reader.integer("format", 1, 1));
+  Face face;
+  face.name = reader.text("name");
+  const std::string mesh_file = reader.text("mesh");
+  const std::string muscles_file = reader.text("muscles");
+  const std::string aus_file = reader.text("aus");
+  if (auto result = problems.result(); !result) return result.error();
+  if (auto loaded = load_mesh(folder / mesh_file, face); !loaded) return loaded.error();
+  read_movers(reader, face, problems);
+  reader.finish();
+  if (auto result = problems.result(); !result) return result.error();
+  if (auto loaded = load_muscles(folder / muscles_file, face); !loaded) return loaded.error();
+  face.channels = channels_of(face);
+  if (auto result = check_channel_names(face, folder / muscles_file); !result) {
+    return result.error();
+  }
+  if (auto loaded = load_aus(folder / aus_file, face); !loaded) return loaded.error();
+  return face;
+}
+
+}  // namespace aucast::face

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "client/face/face.h"
+#include "common/result.h"
+
+namespace aucast::face {
+
+/// Reads a folder of our own format (face.toml inside; data/faces/README.md).
+[[nodiscard]] Result<Face> load_face_folder(const std::filesystem::path& folder);
+
+/// The side on which something at `x` sits: Both within 0.05 units of the middle.
+[[nodiscard]] Side side_at(float x);
+
+}  // namespace aucast::face

@@ -1,0 +1,323 @@
+#include "client/face/face_deformer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "tests/support/seeded.h"
+#include "tests/unit/face/small_face.h"
+
+namespace aucast::face {
+namespace {
+
+using aucast::test::Seeded;
+using test::only;
+
+constexpr float kTolerance = 2e-6F;
+
+class Deformer : public ::testing::Test {
+ protected:
+  std::vector<glm::vec3> positions(const std::vector<float>& activations) {
+    std::vector<glm::vec3> out;
+    deformer_.deform_positions(activations, out);
+    return out;
+  }
+  std::vector<glm::vec3> positions(std::string_view channel, float value) {
+    return positions(only(face_, channel, value));
+  }
+  /// The vertex of the rest face nearest to a point.
+  [[nodiscard]] std::size_t vertex_near(const glm::vec3& point) const {
+    const auto& rest = face_.mesh.positions;
+    const auto nearer = [&](const glm::vec3& a, const glm::vec3& b) {
+      return glm::distance(a, point) < glm::distance(b, point);
+    };
+    return static_cast<std::size_t>(std::min_element(rest.begin(), rest.end(), nearer) -
+                                    rest.begin());
+  }
+  std::vector<float> random_activations(Seeded& seeded) const {
+    std::vector<float> activations;
+    for (const Channel& channel : face_.channels) {
+      activations.push_back(static_cast<float>(seeded.real(0, channel.activation_max)));
+    }
+    return activations;
+  }
+
+  Face face_ = test::small_face();
+  FaceDeformer deformer_{face_};
+};
+
+TEST_F(Deformer, ZeroIsTheRestFaceBitForBit) {
+  DeformedFace out;
+  deformer_.deform(std::vector<float>(face_.channels.size(), 1.0F), out);
+  deformer_.deform(std::vector<float>(face_.channels.size(), 0.0F), out);
+  EXPECT_EQ(out.positions, face_.mesh.positions);
+}
+
+TEST_F(Deformer, NotFiniteAndNegativeCountAsZero) {
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+        -std::numeric_limits<float>::infinity(), -1.0F}) {
+    EXPECT_EQ(positions(std::vector<float>(face_.channels.size(), bad)), face_.mesh.positions);
+  }
+}
+
+TEST_F(Deformer, ActivationStopsAtTheChannelsMaximum) {
+  for (const Channel& channel : face_.channels) {
+    EXPECT_EQ(positions(channel.name, channel.activation_max),
+              positions(channel.name, 10 * channel.activation_max))
+        << channel.name;
+  }
+}
+
+TEST_F(Deformer, EveryChannelMovesSomethingAndOnlySomething) {
+  for (const Channel& channel : face_.channels) {
+    const auto moved = positions(channel.name, 1);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      if (moved[i] != face_.mesh.positions[i]) ++count;
+    }
+    EXPECT_GT(count, 0U) << channel.name;
+    EXPECT_LT(count, moved.size()) << channel.name;
+  }
+}
+
+TEST_F(Deformer, IsTheRestPlusTheSumOfTheMusclesDisplacements) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 20; ++run) {
+    std::vector<float> activations(face_.channels.size(), 0.0F);
+    for (std::size_t m = 0; m < face_.muscles.size(); ++m) {
+      if (seeded.chance(0.5)) activations[m] = static_cast<float>(seeded.real(0, 2));
+    }
+    const auto moved = positions(activations);
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const glm::vec3& rest = face_.mesh.positions[i];
+      glm::dvec3 expected(rest);
+      for (std::size_t m = 0; m < face_.muscles.size(); ++m) {
+        const std::string& mask = face_.muscles[m].mask;
+        const float factor =
+            face_.mesh.maps.at("muscle")[i] * (mask.empty() ? 1.0F : face_.mesh.maps.at(mask)[i]);
+        expected += glm::dvec3(factor * displacement(face_.muscles[m].shape, rest, activations[m]));
+      }
+      ASSERT_LT(glm::distance(glm::dvec3(moved[i]), expected), kTolerance) << "vertex " << i;
+    }
+  }
+}
+
+TEST_F(Deformer, TheOrderOfMusclesDoesNotMatter) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  std::vector<std::size_t> order(face_.muscles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::shuffle(order.begin(), order.end(), std::mt19937_64(seeded.seed()));
+  Face shuffled = face_;
+  std::vector<float> activations = random_activations(seeded);
+  std::vector<float> shuffled_activations = activations;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    shuffled.muscles[k] = face_.muscles[order[k]];
+    shuffled.channels[k] = face_.channels[order[k]];
+    shuffled_activations[k] = activations[order[k]];
+  }
+  const auto one = positions(activations);
+  std::vector<glm::vec3> other;
+  FaceDeformer(shuffled).deform_positions(shuffled_activations, other);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    ASSERT_LT(glm::distance(one[i], other[i]), 5e-6F) << "vertex " << i;
+  }
+}
+
+TEST_F(Deformer, LeftAndRightAreMirrorImages) {
+  const auto mirror_of = [&](std::size_t i) {
+    glm::vec3 point = face_.mesh.positions[i];
+    point.x = -point.x;
+    return vertex_near(point);
+  };
+  std::vector<std::size_t> mirror(face_.mesh.positions.size());
+  for (std::size_t i = 0; i < mirror.size(); ++i) mirror[i] = mirror_of(i);
+  const auto check = [&](const std::string& one, const std::string& other) {
+    const auto a = positions(one, 1);
+    const auto b = positions(other, 1);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      // x = 0 belongs to the left eye's lids and turns with neither here.
+      const glm::vec3& m = b[mirror[i]];
+      ASSERT_LT(glm::distance(a[i], glm::vec3(-m.x, m.y, m.z)), kTolerance)
+          << one << ", vertex " << i;
+    }
+  };
+  for (const Channel& channel : face_.channels) {
+    if (channel.side != Side::Left) continue;
+    std::string other = "right_" + channel.name.substr(5);
+    if (other.ends_with("gaze_left")) other = "right_gaze_right";
+    if (other.ends_with("gaze_right") && channel.name.ends_with("gaze_right")) {
+      other = "right_gaze_left";
+    }
+    check(channel.name, other);
+  }
+  check("head_turn_left", "head_turn_right");
+  check("head_tilt_left", "head_tilt_right");
+}
+
+TEST_F(Deformer, JawTurnsAboutItsHingeAndSlidesForward) {
+  const std::size_t chin = vertex_near({0, -7.5F, 7.6F});
+  ASSERT_EQ(face_.mesh.maps.at("jaw")[chin], 1.0F);
+  const glm::dvec3 rest(face_.mesh.positions[chin]);
+  const double angle = 4 * 5.5 * std::numbers::pi / 180;
+  const glm::dvec3 hinge(0, 0.9F, 1.5);
+  const glm::dvec3 arm = rest - hinge;
+  const glm::dvec3 expected(
+      rest.x, hinge.y + arm.y * std::cos(angle) - arm.z * std::sin(angle),
+      hinge.z + arm.y * std::sin(angle) + arm.z * std::cos(angle) + 0.35 * angle);
+  const glm::vec3 opened = positions("jaw", 4)[chin];
+  EXPECT_LT(glm::distance(glm::dvec3(opened), expected), 1e-5);
+  EXPECT_LT(opened.y, rest.y - 1);
+}
+
+TEST_F(Deformer, UpperLidsCloseDownwardsAndRaiseALittle) {
+  const std::size_t left = vertex_near({2.25F, 3.3F, 8});
+  const std::size_t right = vertex_near({-2.25F, 3.3F, 8});
+  ASSERT_GT(face_.mesh.maps.at("lid_angle")[left], 0);
+  const auto& rest = face_.mesh.positions;
+  const auto closed = positions("left_lid_close", 1);
+  EXPECT_LT(closed[left].y, rest[left].y - 0.5F);
+  EXPECT_EQ(closed[right], rest[right]);
+  EXPECT_FLOAT_EQ(glm::distance(closed[left], {rest[left].x, 2.7F, 6.2F}),
+                  glm::distance(rest[left], {rest[left].x, 2.7F, 6.2F}));
+  const auto raised = positions("left_lid_raise", 1);
+  EXPECT_GT(raised[left].y, rest[left].y);
+  EXPECT_LT(raised[left].y - rest[left].y, 0.3F * (rest[left].y - closed[left].y));
+}
+
+TEST_F(Deformer, HeadTurnsToTheSubjectsOwnLeftAndTiltsItsTopThere) {
+  const std::size_t nose = vertex_near({0, 0, 9});
+  const std::size_t top = vertex_near({0, 8.5F, 8});
+  const auto& rest = face_.mesh.positions;
+  EXPECT_GT(positions("head_turn_left", 1)[nose].x, 3);
+  EXPECT_LT(positions("head_turn_right", 1)[nose].x, -3);
+  EXPECT_GT(positions("head_up", 1)[nose].y, rest[nose].y + 1);
+  EXPECT_LT(positions("head_down", 1)[nose].y, rest[nose].y - 1);
+  EXPECT_GT(positions("head_tilt_left", 1)[top].x, 2);
+  EXPECT_LT(positions("head_tilt_right", 1)[top].x, -2);
+  EXPECT_FLOAT_EQ(positions("head_forward", 1)[nose].z, rest[nose].z + 1);
+  EXPECT_FLOAT_EQ(positions("head_back", 1)[nose].z, rest[nose].z - 1);
+}
+
+TEST_F(Deformer, HeadAtFullWeightMovesAsOneRigidBody) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  std::vector<float> activations(face_.channels.size(), 0.0F);
+  for (const auto* name : {"head_turn_left", "head_down", "head_tilt_right", "head_forward"}) {
+    activations[*face_.channel_index(name)] = 1;
+  }
+  const auto moved = positions(activations);
+  std::vector<std::size_t> rigid;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (face_.mesh.maps.at("head")[i] == 1.0F) rigid.push_back(i);
+  }
+  for (int run = 0; run < 500; ++run) {
+    const std::size_t a =
+        rigid[static_cast<std::size_t>(seeded.integer(0, static_cast<int>(rigid.size()) - 1))];
+    const std::size_t b =
+        rigid[static_cast<std::size_t>(seeded.integer(0, static_cast<int>(rigid.size()) - 1))];
+    ASSERT_NEAR(glm::distance(moved[a], moved[b]),
+                glm::distance(face_.mesh.positions[a], face_.mesh.positions[b]), 1e-5F);
+  }
+}
+
+TEST_F(Deformer, EyesLookWhereTheGazeAndTheHeadGo) {
+  DeformedFace out;
+  deformer_.deform(std::vector<float>(face_.channels.size(), 0.0F), out);
+  ASSERT_EQ(out.eye_centres.size(), 2U);
+  EXPECT_EQ(out.eye_centres[0], face_.eyes[0].centre);
+  EXPECT_EQ(out.eye_forward[1], glm::vec3(0, 0, 1));
+
+  deformer_.deform(only(face_, "left_gaze_left", 1), out);
+  const float yaw = 28 * std::numbers::pi_v<float> / 180;
+  EXPECT_LT(glm::distance(out.eye_forward[0], {std::sin(yaw), 0, std::cos(yaw)}), 1e-6F);
+  EXPECT_EQ(out.eye_forward[1], glm::vec3(0, 0, 1));
+
+  deformer_.deform(only(face_, "right_gaze_up", 1), out);
+  EXPECT_GT(out.eye_forward[1].y, 0.37F);
+
+  deformer_.deform(only(face_, "head_turn_left", 1), out);
+  const float turn = 35 * std::numbers::pi_v<float> / 180;
+  EXPECT_LT(glm::distance(out.eye_forward[0], {std::sin(turn), 0, std::cos(turn)}), 1e-6F);
+  EXPECT_GT(out.eye_centres[0].x, 5);
+}
+
+/// Normals computed from nothing, in double.
+std::vector<glm::vec3> plain_normals(const FaceMesh& mesh,
+                                     const std::vector<glm::vec3>& positions) {
+  std::vector<glm::dvec3> sums(positions.size(), glm::dvec3(0));
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3 normal = glm::cross(glm::dvec3(positions[b]) - glm::dvec3(positions[a]),
+                                         glm::dvec3(positions[c]) - glm::dvec3(positions[a]));
+    for (const std::uint32_t corner : {a, b, c}) sums[corner] += normal;
+  }
+  std::vector<glm::vec3> normals;
+  for (const glm::dvec3& sum : sums) normals.emplace_back(glm::normalize(sum));
+  return normals;
+}
+
+TEST_F(Deformer, NormalsBelongToTheDeformedFaceWhateverMoved) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  DeformedFace out;
+  for (int run = 0; run < 40; ++run) {
+    std::vector<float> activations(face_.channels.size(), 0.0F);
+    for (std::size_t c = 0; c < activations.size(); ++c) {
+      if (seeded.chance(0.15)) activations[c] = static_cast<float>(seeded.real(0, 1));
+    }
+    deformer_.deform(activations, out);
+    const auto expected = plain_normals(face_.mesh, out.positions);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      ASSERT_LT(glm::distance(out.normals[i], expected[i]), 1e-4F) << "vertex " << i;
+    }
+  }
+}
+
+TEST_F(Deformer, IsSmoothInTheActivation) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  const std::vector<float> activations = random_activations(seeded);
+  const auto before = positions(activations);
+  for (std::size_t c = 0; c < activations.size(); ++c) {
+    std::vector<float> changed = activations;
+    changed[c] *= 0.999F;
+    const auto after = positions(changed);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      ASSERT_LT(glm::distance(before[i], after[i]), 0.03F) << face_.channels[c].name;
+    }
+  }
+}
+
+TEST_F(Deformer, AllocatesNothingAfterTheFirstCall) {
+  DeformedFace out;
+  const std::vector<float> activations(face_.channels.size(), 1.0F);
+  deformer_.deform(activations, out);
+  const auto* const positions_before = out.positions.data();
+  const auto* const normals_before = out.normals.data();
+  deformer_.deform(activations, out);
+  EXPECT_EQ(out.positions.data(), positions_before);
+  EXPECT_EQ(out.normals.data(), normals_before);
+}
+
+TEST(DeformerOfABareFace, CopesWithoutTrianglesMapsAndMovers) {
+  Face face;
+  face.mesh.positions = {{1, 2, 3}, {-1, 2, 3}, {0, 0, 0}};
+  face.mesh.parts = {{"skin", Material::Skin, 0, 3, 0, 0}};
+  FaceDeformer deformer(face);
+  DeformedFace out;
+  deformer.deform({}, out);
+  EXPECT_EQ(out.positions, face.mesh.positions);
+  EXPECT_EQ(out.normals, std::vector<glm::vec3>(3, glm::vec3(0, 0, 1)));
+}
+
+}  // namespace
+}  // namespace aucast::face
