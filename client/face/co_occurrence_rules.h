@@ -31,12 +31,12 @@ enum class RuleKind : std::uint8_t {
 /// One rule as data. Which of the lists are used depends on the kind.
 struct Rule {
   RuleKind kind = RuleKind::Additive;
-  std::vector<int> sources;  ///< the AUs that decide: dominant, excluding, replaced ones
-  std::vector<int> targets;  ///< the AUs that change; substitution: the AU that appears
-  float cap = 1;             ///< Cap: the most that a target keeps while a source is present
-  bool keep_sources = false; ///< Substitution: the replaced AUs stay ("9 implies 11")
-  bool all_needed = false;   ///< MultipleDominance: all sources together (min), not any (max)
-  std::string source;        ///< where it comes from, for --explain
+  std::vector<int> sources;   ///< the AUs that decide: dominant, excluding, replaced ones
+  std::vector<int> targets;   ///< the AUs that change; substitution: the AU that appears
+  float cap = 1;              ///< Cap: the most that a target keeps while a source is present
+  bool keep_sources = false;  ///< Substitution: the replaced AUs stay ("9 implies 11")
+  bool all_needed = false;    ///< MultipleDominance: all sources together (min), not any (max)
+  std::string source;         ///< where it comes from, for --explain
 };
 
 /// A named set of rules.
@@ -49,7 +49,8 @@ struct RuleSet {
   std::vector<Rule> rules;
 };
 
-/// Reads a rules file (TOML). BadData with file:line:column, also for an AU that FACS does not name.
+/// Reads a rules file (TOML). BadData with file:line:column, also for an AU that FACS does not
+/// name.
 [[nodiscard]] Result<RuleSet> load_rules(const std::filesystem::path& file);
 
 /// What --rules names: facs, kumar2010 (data/rules/NAME.toml), none, or a path. Usage error for a

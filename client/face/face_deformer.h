@@ -12,8 +12,8 @@
 
 namespace aucast::face {
 
-/// A deformed face, ready to be drawn: positions and normals in the mesh's order, and where the eyes
-/// look.
+/// A deformed face, ready to be drawn: positions and normals in the mesh's order, and where the
+/// eyes look.
 struct DeformedFace {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;      ///< unit length

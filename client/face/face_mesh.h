@@ -25,7 +25,8 @@ struct MeshPart {
 };
 
 /// The neutral face: one vertex array over all parts, in the order of the face's file.
-/// Units and axes: contract.md section 0 (y up, z to the viewer, +x the subject's left, 1 = 1.4 cm).
+/// Units and axes: contract.md section 0 (y up, z to the viewer, +x the subject's left, 1 = 1.4
+/// cm).
 struct FaceMesh {
   std::vector<glm::vec3> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise from outside
