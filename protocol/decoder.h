@@ -49,13 +49,17 @@ class ServerPacketDecoder {
   /// True when a packet was begun and not finished.
   [[nodiscard]] bool mid_packet() const;
   [[nodiscard]] std::uint64_t bytes_seen() const;
+  /// Size of the packet that next() gave last, as it came: with its braces and blanks inside.
+  [[nodiscard]] std::size_t taken_bytes() const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-/// The same for what a client sends: control codes, and a hello or {streams} as very first bytes.
+/// The same for what a client sends: control codes, each complete at its digit, and a hello or
+/// {streams} before the first of them. Blanks before, between and after them are skipped.
+/// Invariant: at most kHelloBytesMax bytes are held back.
 class ClientPacketDecoder {
  public:
   ClientPacketDecoder();

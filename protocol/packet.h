@@ -30,10 +30,10 @@ struct End {
 /// The client's {hello ...}. Absent keys keep these values; unknown keys were ignored.
 struct HelloAsked {
   int version = 2;
-  int window = 1;           ///< 0-256; 0 means no answers, live only
-  std::string stream;       ///< empty: the first one
+  int window = 1;      ///< 0-256; 0 means no answers, live only
+  std::string stream;  ///< empty: the first one
   std::string token;
-  bool delta = false;       ///< would take the changes-only form
+  bool delta = false;         ///< would take the changes-only form
   std::uint64_t from_ms = 0;  ///< reserved
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };

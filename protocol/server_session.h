@@ -16,9 +16,9 @@ namespace aucast::protocol {
 
 /// A recorded stream, encoded once per level and shared by all clients. Immutable while served.
 struct ServedStream {
-  std::string name;                        ///< what a hello asks for; the file's stem
-  std::vector<std::string> classic;        ///< one packet per keyframe
-  std::vector<std::string> negotiated;     ///< the same keyframes, level 2
+  std::string name;                     ///< what a hello asks for; the file's stem
+  std::vector<std::string> classic;     ///< one packet per keyframe
+  std::vector<std::string> negotiated;  ///< the same keyframes, level 2
   std::optional<std::uint64_t> duration_ms;
 };
 
@@ -52,6 +52,9 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection>;
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
 /// windowed sending, pause, stop, end, drain. No socket and no clock: bytes and moments go in,
 /// events come out. After CloseConnection nothing more comes out.
+/// Output of one call: at most kEarlyAnswersMax + window packets. The owner must not read on while
+/// much of what it was told to send is still unsent, or a peer that answers without reading fills
+/// its memory.
 /// PROTOCOL.md section "Server" is the table it follows.
 /// Thread: none of its own; one session per connection.
 class ServerSession {

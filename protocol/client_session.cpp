@@ -1,0 +1,312 @@
+#include "protocol/client_session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/text.h"
+#include "protocol/codec.h"
+#include "protocol/decoder.h"
+#include "protocol/limits.h"
+
+namespace aucast::protocol {
+namespace {
+
+using Why = SessionFailed::Why;
+
+}  // namespace
+
+std::string_view name(SessionFailed::Why why) {
+  switch (why) {
+    case Why::Lost:
+      return "lost";
+    case Why::ProtocolError:
+      return "protocol error";
+    case Why::Refused:
+      return "refused";
+    case Why::Silent:
+      return "silent";
+  }
+  return "unknown";
+}
+
+struct ClientSession::State {
+  enum class Phase : std::uint8_t {
+    Idle,     ///< not connected yet
+    Waiting,  ///< nothing complete has come
+    Streaming,
+    Over,
+  };
+
+  ClientSessionOptions options;
+  ServerPacketDecoder decoder;
+  Phase phase = Phase::Idle;
+  Level level = Level::Classic;
+  int window = 1;
+  bool delta = false;
+  bool stopped = false;       ///< -4 was said
+  bool paused = false;        ///< -1 was said, -3 not yet
+  bool pause_wanted = false;  ///< -1 is to be said as soon as it may
+  std::size_t unanswered = 0;
+  std::uint64_t packets_received = 0;
+  std::uint64_t payload_bytes = 0;
+  AuFrame running;  ///< what a changes-only packet changes
+  std::optional<Instant> deadline;
+  std::vector<ClientEvent> events;
+
+  [[nodiscard]] std::vector<ClientEvent> take_events() { return std::exchange(events, {}); }
+  void finish(ClientEvent last);
+  void fail(Why why, std::string reason);
+  void handle(const Keyframe& keyframe);
+  void handle(const End&);
+  void handle(const HelloGranted& hello);
+  void handle(const ErrorReply& error);
+  void handle(const StreamList&);
+  [[nodiscard]] std::optional<std::string> objection(const HelloGranted& hello) const;
+  [[nodiscard]] std::size_t unanswered_max() const;
+  void lose();
+  [[nodiscard]] bool took_hello_for_garbage() const;
+};
+
+/// The last event of the session.
+void ClientSession::State::finish(ClientEvent last) {
+  phase = Phase::Over;
+  deadline.reset();
+  events.push_back(std::move(last));
+}
+
+void ClientSession::State::fail(Why why, std::string reason) {
+  if (stopped) {
+    finish(StreamEnded{});
+  } else {
+    finish(SessionFailed{why, std::move(reason)});
+  }
+}
+
+/// A classic server owes stop-and-wait. One that runs ahead is put up with as far as a level-2
+/// server may, so that bytes from a file work as a server too.
+std::size_t ClientSession::State::unanswered_max() const {
+  return static_cast<std::size_t>(level == Level::Classic ? kWindowMax : window);
+}
+
+void ClientSession::State::handle(const Keyframe& keyframe) {
+  const bool first = packets_received == 0;
+  phase = Phase::Streaming;
+  deadline.reset();
+  ++packets_received;
+  payload_bytes += decoder.taken_bytes();
+  if (keyframe.changes_only && (!delta || first)) {
+    fail(Why::ProtocolError, delta ? "the first packet of the server names only changes"
+                                   : "the server sent changes only, which was not agreed");
+    return;
+  }
+  if (keyframe.changes_only) {
+    apply_terms(running, keyframe.terms);
+  } else {
+    running = frame_from_terms(keyframe.terms);
+  }
+  if (stopped) return;
+  const bool answers = level == Level::Classic || window > 0;
+  if (answers && ++unanswered > unanswered_max()) {
+    fail(Why::ProtocolError, "the server sent more than " + std::to_string(unanswered_max()) +
+                                 " packets without waiting for an answer");
+    return;
+  }
+  events.emplace_back(DeliverKeyframe{running, keyframe.duration_ms, keyframe.place_ms});
+}
+
+void ClientSession::State::handle(const End&) {
+  finish(StreamEnded{});
+}
+
+std::optional<std::string> ClientSession::State::objection(const HelloGranted& hello) const {
+  if (!options.negotiate || phase != Phase::Waiting) {
+    return "the server sent a hello where none was due";
+  }
+  if (hello.version != kProtocolVersion) {
+    return "the server answered in version " + std::to_string(hello.version) + ", asked was " +
+           std::to_string(kProtocolVersion);
+  }
+  const int asked = options.hello.window;
+  const int least = std::min(asked, 1);
+  if (hello.window < least || hello.window > std::max(asked, 1)) {
+    return "the server granted a window of " + std::to_string(hello.window) + ", asked was " +
+           std::to_string(asked);
+  }
+  if (hello.delta && !options.hello.delta) {
+    return "the server granted changes only, which was not asked for";
+  }
+  return std::nullopt;
+}
+
+void ClientSession::State::handle(const HelloGranted& hello) {
+  if (const auto reason = objection(hello)) {
+    fail(Why::ProtocolError, *reason);
+    return;
+  }
+  phase = Phase::Streaming;
+  deadline.reset();
+  level = Level::Negotiated;
+  window = hello.window;
+  delta = hello.delta;
+  events.emplace_back(Granted{hello});
+  if (std::exchange(pause_wanted, false)) {
+    paused = true;
+    events.emplace_back(SendBytes{encode(Code::Pause)});
+  }
+}
+
+void ClientSession::State::handle(const ErrorReply& error) {
+  fail(Why::Refused, "the server refused: " + std::to_string(error.code) + ' ' +
+                         escaped(error.text, kHelloBytesMax));
+}
+
+void ClientSession::State::handle(const StreamList&) {
+  fail(Why::ProtocolError, "the server sent a list of streams that was not asked for");
+}
+
+/// A classic server closes on a hello: after its first packet, or with that packet lost in the
+/// reset that closing with unread bytes causes.
+bool ClientSession::State::took_hello_for_garbage() const {
+  return options.negotiate && level == Level::Classic && packets_received <= 1;
+}
+
+void ClientSession::State::lose() {
+  if (stopped) {
+    finish(StreamEnded{});
+  } else if (took_hello_for_garbage()) {
+    finish(ReconnectClassic{});
+  } else if (decoder.mid_packet()) {
+    fail(Why::Lost, "the connection ended within a packet");
+  } else {
+    fail(Why::Lost, "the connection ended before the end of the stream, {-2}");
+  }
+}
+
+ClientSession::ClientSession(ClientSessionOptions options) : state_(std::make_unique<State>()) {
+  state_->options = std::move(options);
+}
+
+ClientSession::~ClientSession() = default;
+ClientSession::ClientSession(ClientSession&&) noexcept = default;
+ClientSession& ClientSession::operator=(ClientSession&&) noexcept = default;
+
+std::vector<ClientEvent> ClientSession::on_connected(Instant now) {
+  if (state_->phase != State::Phase::Idle) return {};
+  state_->phase = State::Phase::Waiting;
+  state_->deadline = now + state_->options.silence_max;
+  if (state_->options.negotiate) {
+    state_->events.emplace_back(SendBytes{encode(state_->options.hello)});
+  }
+  return state_->take_events();
+}
+
+std::vector<ClientEvent> ClientSession::on_bytes(std::string_view bytes, Instant) {
+  using Phase = State::Phase;
+  const auto running = [this] {
+    return state_->phase == Phase::Waiting || state_->phase == Phase::Streaming;
+  };
+  // Packet by packet, so that no more than one is unpacked beyond what ends the session.
+  while (!bytes.empty() && running()) {
+    const std::size_t end = std::min(bytes.find('}'), bytes.size() - 1) + 1;
+    state_->decoder.feed(bytes.substr(0, end));
+    bytes.remove_prefix(end);
+    if (const auto packet = state_->decoder.next()) {
+      std::visit([this](const auto& kind) { state_->handle(kind); }, *packet);
+    }
+    if (running() && state_->decoder.error()) {
+      const DecodeError& error = *state_->decoder.error();
+      state_->fail(Why::ProtocolError, "the server sent what is not the protocol: " + error.reason +
+                                           " (" + std::string(name(error.fault)) + " at byte " +
+                                           std::to_string(error.position) + ")");
+    }
+  }
+  return state_->take_events();
+}
+
+std::vector<ClientEvent> ClientSession::on_closed(Instant) {
+  if (state_->phase == State::Phase::Waiting || state_->phase == State::Phase::Streaming) {
+    state_->lose();
+  }
+  return state_->take_events();
+}
+
+std::vector<ClientEvent> ClientSession::on_time(Instant now) {
+  if (state_->deadline && now >= *state_->deadline) {
+    const auto silence = std::chrono::duration_cast<Milliseconds>(state_->options.silence_max);
+    state_->fail(Why::Silent,
+                 "nothing came from the server within " + std::to_string(silence.count()) + " ms");
+  }
+  return state_->take_events();
+}
+
+std::optional<Instant> ClientSession::deadline() const {
+  return state_->deadline;
+}
+
+std::string ClientSession::answer_received() {
+  State& state = *state_;
+  if (state.phase != State::Phase::Streaming || state.stopped || state.unanswered == 0) return {};
+  --state.unanswered;
+  if (state.level == Level::Classic && std::exchange(state.pause_wanted, false)) {
+    state.paused = true;
+    return encode(Code::Pause);
+  }
+  return encode(Code::Received);
+}
+
+std::string ClientSession::pause() {
+  State& state = *state_;
+  if (state.phase == State::Phase::Over || state.stopped || state.paused) return {};
+  const bool classic = state.level == Level::Classic;
+  if (state.phase != State::Phase::Streaming || (classic && state.unanswered == 0)) {
+    state.pause_wanted = true;
+    return {};
+  }
+  if (classic) --state.unanswered;
+  state.pause_wanted = false;
+  state.paused = true;
+  return encode(Code::Pause);
+}
+
+std::string ClientSession::resume() {
+  State& state = *state_;
+  state.pause_wanted = false;
+  if (state.phase != State::Phase::Streaming || state.stopped || !state.paused) return {};
+  state.paused = false;
+  return encode(Code::Resume);
+}
+
+std::string ClientSession::stop() {
+  State& state = *state_;
+  const bool connected =
+      state.phase == State::Phase::Waiting || state.phase == State::Phase::Streaming;
+  if (!connected || std::exchange(state.stopped, true)) return {};
+  state.unanswered = 0;
+  return encode(Code::Stop);
+}
+
+Level ClientSession::level() const {
+  return state_->level;
+}
+
+int ClientSession::window() const {
+  return state_->window;
+}
+
+bool ClientSession::paused() const {
+  return state_->paused;
+}
+
+std::size_t ClientSession::unanswered() const {
+  return state_->unanswered;
+}
+
+std::uint64_t ClientSession::packets_received() const {
+  return state_->packets_received;
+}
+
+std::uint64_t ClientSession::payload_bytes() const {
+  return state_->payload_bytes;
+}
+
+}  // namespace aucast::protocol

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "protocol/codec.h"
+#include "protocol/decoder.h"
+#include "protocol/packet.h"
+
+namespace aucast::protocol {
+
+/// What is wrong with a byte where it stands.
+struct ByteFault {
+  DecodeFault fault = DecodeFault::IllegalByte;
+  std::string reason;    ///< a sentence, the byte escaped
+  std::size_t back = 0;  ///< how many bytes before the last one it stands (bad fields)
+};
+
+/// IllegalByte: "expected <what>, found '<byte>'".
+[[nodiscard]] ByteFault unexpected(const std::string& expected, char byte);
+
+/// True for space, CR and LF.
+[[nodiscard]] constexpr bool is_blank(char byte) {
+  return byte == ' ' || byte == '\r' || byte == '\n';
+}
+
+[[nodiscard]] constexpr bool is_digit(char byte) {
+  return byte >= '0' && byte <= '9';
+}
+
+/// Reads the inside of a keyframe byte by byte, so that a wrong byte is refused where it stands and
+/// not at the closing brace. One reader for the wire, for stream files and for command lines.
+/// Grammar: PROTOCOL.md, rule `inside`. After a fault the parser must not be used again.
+class KeyframeParser {
+ public:
+  explicit KeyframeParser(TermSyntax syntax) : syntax_(syntax) {}
+
+  /// Takes one byte; a fault when it cannot stand here.
+  [[nodiscard]] std::optional<ByteFault> accept(char byte);
+  /// Ends the keyframe; a fault when something is still missing. `end` is the byte that ended it
+  /// (0: the text is over), for the message.
+  [[nodiscard]] std::optional<ByteFault> finish(char end);
+  /// What was read; to be called once, after finish() found no fault.
+  [[nodiscard]] Keyframe take() { return std::move(keyframe_); }
+
+ private:
+  enum class State : std::uint8_t {
+    Begin,
+    TermOrTiming,  ///< after '~'
+    Term,          ///< after a separator
+    AuNumber,      ///< after a side, or within the number
+    AfterAu,
+    Percent,
+    AfterLevel,
+    Duration,
+    AfterDuration,
+    Place,
+    AfterPlace,
+  };
+
+  [[nodiscard]] std::optional<ByteFault> add_digit(char byte);
+  void end_number();
+  [[nodiscard]] bool take_mark(char byte);
+  [[nodiscard]] bool begin_term(char byte);
+  [[nodiscard]] bool join_term(char byte);
+  [[nodiscard]] bool is_blank_here(char byte) const;
+  [[nodiscard]] std::string expected(char byte) const;
+
+  TermSyntax syntax_;
+  State state_ = State::Begin;
+  Side side_ = Side::Both;
+  std::uint64_t number_ = 0;  ///< digits read so far; meaningful when digits_ > 0
+  int digits_ = 0;
+  Keyframe keyframe_;
+};
+
+}  // namespace aucast::protocol

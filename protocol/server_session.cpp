@@ -1,0 +1,399 @@
+#include "protocol/server_session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/check.h"
+#include "common/text.h"
+#include "protocol/codec.h"
+#include "protocol/decoder.h"
+#include "protocol/limits.h"
+
+namespace aucast::protocol {
+namespace {
+
+/// Bytes are decoded in portions, so that a flood of codes is noticed before it is all unpacked.
+constexpr std::size_t kPortionBytes = 4096;
+
+using Why = CloseConnection::Why;
+
+}  // namespace
+
+std::string_view name(CloseConnection::Why why) {
+  switch (why) {
+    case Why::Finished:
+      return "finished";
+    case Why::Stopped:
+      return "stopped";
+    case Why::PeerGone:
+      return "peer gone";
+    case Why::ProtocolError:
+      return "protocol error";
+    case Why::Refused:
+      return "refused";
+  }
+  return "unknown";
+}
+
+struct ServerSession::State {
+  enum class Phase : std::uint8_t {
+    Grace,  ///< waiting for a first byte
+    Hello,  ///< a '{' came first
+    Streaming,
+    Draining,  ///< the last byte is said; reading the peer's last words
+    Closed,
+  };
+
+  const ServerCatalogue* catalogue = nullptr;
+  const ServedStream* stream = nullptr;
+  ClientPacketDecoder decoder;
+  Phase phase = Phase::Grace;
+  Level level = Level::Classic;
+  std::optional<Instant> deadline;
+  Instant now;  ///< of the call that is being worked on
+
+  std::size_t window = 1;
+  std::size_t next_packet = 0;
+  std::size_t in_flight = 0;  ///< sent and not answered
+  std::size_t banked = 0;     ///< answers that came while there was nothing to answer
+  bool paused = false;
+  bool peer_ended = false;
+  std::uint64_t packets_sent = 0;
+  std::uint64_t payload_bytes = 0;
+
+  /// Answers that the running call may still bring to packets which it sent itself.
+  std::size_t early_left = 0;
+  std::size_t due = 0;  ///< packets in flight since before the running call
+
+  CloseConnection farewell;  ///< what the drain ends with
+  std::size_t drained_bytes = 0;
+  std::vector<ServerEvent> events;
+
+  void begin_call(Instant at);
+  [[nodiscard]] std::vector<ServerEvent> take_events() { return std::exchange(events, {}); }
+  void send(std::string_view bytes);
+  void close(Why why, std::string reason);
+  void say_last(std::string_view bytes, Why why, std::string reason);
+  void refuse(int code, const std::string& text);
+  void start_streaming();
+  void grant(const HelloAsked& asked);
+  void list_streams();
+  void read(std::string_view bytes);
+  void note_first_byte(std::string_view bytes);
+  void handle(const ClientPacket& packet);
+  void handle_code(Code code);
+  void take_answer();
+  void handle_fault(const DecodeError& fault);
+  [[nodiscard]] bool at_end() const;
+  void pump();
+  void settle_peer_end();
+};
+
+void ServerSession::State::begin_call(Instant at) {
+  now = at;
+  early_left = kEarlyAnswersMax - banked;
+  due = in_flight;
+}
+
+void ServerSession::State::send(std::string_view bytes) {
+  if (!events.empty()) {
+    if (auto* last = std::get_if<SendBytes>(&events.back())) {
+      last->bytes += bytes;
+      return;
+    }
+  }
+  events.emplace_back(SendBytes{std::string(bytes)});
+}
+
+void ServerSession::State::close(Why why, std::string reason) {
+  phase = Phase::Closed;
+  deadline.reset();
+  events.emplace_back(CloseConnection{why, std::move(reason)});
+}
+
+/// The closing of level 1: the last bytes, the end of sending, then the peer's last words.
+void ServerSession::State::say_last(std::string_view bytes, Why why, std::string reason) {
+  send(bytes);
+  events.emplace_back(ShutdownSending{});
+  if (peer_ended) {
+    close(why, std::move(reason));
+    return;
+  }
+  farewell = {why, std::move(reason)};
+  phase = Phase::Draining;
+  deadline = now + kDrainTimeMax;
+}
+
+void ServerSession::State::refuse(int code, const std::string& text) {
+  say_last(encode(ErrorReply{code, text}), Why::Refused, std::to_string(code) + ' ' + text);
+}
+
+void ServerSession::State::start_streaming() {
+  phase = Phase::Streaming;
+  deadline.reset();
+  pump();
+}
+
+void ServerSession::State::grant(const HelloAsked& asked) {
+  if (asked.version != kProtocolVersion) {
+    refuse(505, "version " + std::to_string(asked.version) + " is not spoken here, only " +
+                    std::to_string(kProtocolVersion));
+    return;
+  }
+  if (!asked.stream.empty()) {
+    const auto found =
+        std::find_if(catalogue->streams.begin(), catalogue->streams.end(),
+                     [&](const ServedStream& candidate) { return candidate.name == asked.stream; });
+    if (found == catalogue->streams.end()) {
+      refuse(404, "there is no stream '" + asked.stream + "' here");
+      return;
+    }
+    stream = &*found;
+  }
+  level = Level::Negotiated;
+  // A recorded stream has no clock of its own: without answers nothing would pace it.
+  window = static_cast<std::size_t>(std::clamp(asked.window, 1, kWindowMax));
+  HelloGranted granted;
+  granted.window = static_cast<int>(window);
+  granted.stream = stream->name;
+  granted.duration_ms = stream->duration_ms;
+  granted.keyframe_ms = catalogue->keyframe_ms;
+  send(encode(granted));
+  start_streaming();
+}
+
+void ServerSession::State::list_streams() {
+  StreamList list;
+  for (const ServedStream& served : catalogue->streams) list.names.push_back(served.name);
+  say_last(encode(list), Why::Finished, "the list of streams was asked for");
+}
+
+void ServerSession::State::read(std::string_view bytes) {
+  while (!bytes.empty() && phase != Phase::Closed) {
+    const std::string_view portion = bytes.substr(0, kPortionBytes);
+    bytes.remove_prefix(portion.size());
+    if (phase == Phase::Draining) {
+      drained_bytes += portion.size();
+      if (drained_bytes > kDrainBytesMax) close(farewell.why, farewell.reason);
+      continue;
+    }
+    note_first_byte(portion);
+    decoder.feed(portion);
+    while (const auto packet = decoder.next()) {
+      if (phase == Phase::Draining || phase == Phase::Closed) break;
+      handle(*packet);
+    }
+    if (decoder.error() && phase != Phase::Draining && phase != Phase::Closed) {
+      handle_fault(*decoder.error());
+    }
+  }
+}
+
+void ServerSession::State::note_first_byte(std::string_view bytes) {
+  if (phase != Phase::Grace || decoder.mid_packet()) return;
+  const std::size_t first = bytes.find_first_not_of(" \r\n");
+  if (first == std::string_view::npos || bytes[first] != '{') return;
+  phase = Phase::Hello;
+  deadline = now + kHelloTimeMax;
+}
+
+void ServerSession::State::handle(const ClientPacket& packet) {
+  if (const auto* code = std::get_if<Code>(&packet)) {
+    if (phase == Phase::Grace) start_streaming();
+    if (phase == Phase::Streaming) handle_code(*code);
+    return;
+  }
+  // After the grace the connection is classic already and stays so.
+  if (phase != Phase::Hello) return;
+  if (const auto* asked = std::get_if<HelloAsked>(&packet)) {
+    grant(*asked);
+  } else {
+    list_streams();
+  }
+}
+
+void ServerSession::State::handle_code(Code code) {
+  switch (code) {
+    case Code::Received:
+      take_answer();
+      break;
+    case Code::Pause:
+      if (paused) return;
+      paused = true;
+      if (level == Level::Classic) take_answer();
+      break;
+    case Code::Resume:
+      paused = false;
+      break;
+    case Code::Stop:
+      say_last(encode(End{}), Why::Stopped, "the client sent -4");
+      return;
+  }
+  if (phase == Phase::Streaming) pump();
+}
+
+void ServerSession::State::take_answer() {
+  if (due > 0) {
+    --due;
+  } else if (early_left == 0) {
+    close(Why::ProtocolError, "more than " + std::to_string(kEarlyAnswersMax) +
+                                  " answers came before the packets they answer");
+    return;
+  } else {
+    --early_left;
+  }
+  if (in_flight > 0) {
+    --in_flight;
+  } else {
+    ++banked;
+  }
+}
+
+void ServerSession::State::handle_fault(const DecodeError& fault) {
+  const std::string reason = fault.reason + " (" + std::string(name(fault.fault)) + " at byte " +
+                             std::to_string(fault.position) + ")";
+  if (phase == Phase::Hello) {
+    refuse(400, reason);
+  } else {
+    close(Why::ProtocolError, reason);
+  }
+}
+
+bool ServerSession::State::at_end() const {
+  const auto& packets = level == Level::Classic ? stream->classic : stream->negotiated;
+  return packets.empty() || (next_packet == packets.size() && !catalogue->loop);
+}
+
+/// Sends what may be sent now, and the end when everything has been answered.
+void ServerSession::State::pump() {
+  const auto& packets = level == Level::Classic ? stream->classic : stream->negotiated;
+  while (!paused && in_flight < window && !at_end()) {
+    if (next_packet == packets.size()) next_packet = 0;
+    const std::string& packet = packets[next_packet++];
+    send(packet);
+    ++packets_sent;
+    payload_bytes += packet.size();
+    ++in_flight;
+    if (banked > 0) {
+      --banked;
+      --in_flight;
+    }
+  }
+  if (!paused && in_flight == 0 && at_end()) {
+    say_last(encode(End{}), Why::Finished, "the stream was sent whole");
+  }
+}
+
+/// A peer that has shut its side can neither answer nor resume any more.
+void ServerSession::State::settle_peer_end() {
+  if (!peer_ended) return;
+  switch (phase) {
+    case Phase::Grace:
+      start_streaming();
+      break;
+    case Phase::Hello:
+      close(Why::PeerGone, "the client ended within its hello");
+      break;
+    case Phase::Draining:
+      close(farewell.why, farewell.reason);
+      break;
+    default:
+      break;
+  }
+  if (phase != Phase::Streaming) return;
+  close(Why::PeerGone, paused ? "the client ended while it was paused"
+                              : "the client ended before it had answered everything");
+}
+
+ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now)
+    : state_(std::make_unique<State>()) {
+  AUCAST_CHECK(!catalogue.streams.empty());
+  state_->catalogue = &catalogue;
+  state_->stream = &catalogue.streams.front();
+  const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
+  state_->deadline = now + std::clamp<Duration>(patience, kGraceMin, kGraceMax);
+}
+
+ServerSession::~ServerSession() = default;
+ServerSession::ServerSession(ServerSession&&) noexcept = default;
+ServerSession& ServerSession::operator=(ServerSession&&) noexcept = default;
+
+std::vector<ServerEvent> ServerSession::on_bytes(std::string_view bytes, Instant now) {
+  state_->begin_call(now);
+  state_->read(bytes);
+  return state_->take_events();
+}
+
+std::vector<ServerEvent> ServerSession::on_peer_end(Instant now) {
+  state_->begin_call(now);
+  state_->peer_ended = true;
+  state_->settle_peer_end();
+  return state_->take_events();
+}
+
+std::vector<ServerEvent> ServerSession::on_lost(Instant now) {
+  state_->begin_call(now);
+  if (state_->phase == State::Phase::Draining) {
+    state_->close(state_->farewell.why, state_->farewell.reason);
+  } else if (state_->phase != State::Phase::Closed) {
+    state_->close(Why::PeerGone, "the connection was lost");
+  }
+  return state_->take_events();
+}
+
+std::vector<ServerEvent> ServerSession::on_time(Instant now) {
+  state_->begin_call(now);
+  if (!state_->deadline || now < *state_->deadline) return {};
+  switch (state_->phase) {
+    case State::Phase::Grace:
+      state_->start_streaming();
+      break;
+    case State::Phase::Hello:
+      state_->refuse(400, "the hello was not complete within 5 seconds");
+      break;
+    case State::Phase::Draining:
+      state_->close(state_->farewell.why, state_->farewell.reason);
+      break;
+    default:
+      break;
+  }
+  return state_->take_events();
+}
+
+std::vector<ServerEvent> ServerSession::stop(Instant now) {
+  state_->begin_call(now);
+  if (state_->phase != State::Phase::Draining && state_->phase != State::Phase::Closed) {
+    state_->say_last(encode(End{}), Why::Stopped, "the server stops");
+  }
+  return state_->take_events();
+}
+
+std::optional<Instant> ServerSession::deadline() const {
+  return state_->deadline;
+}
+
+Level ServerSession::level() const {
+  return state_->level;
+}
+
+bool ServerSession::paused() const {
+  return state_->paused;
+}
+
+bool ServerSession::awaiting_answer() const {
+  return state_->phase == State::Phase::Streaming && state_->in_flight > 0 && !state_->paused;
+}
+
+std::string_view ServerSession::stream_name() const {
+  return state_->stream->name;
+}
+
+std::uint64_t ServerSession::packets_sent() const {
+  return state_->packets_sent;
+}
+
+std::uint64_t ServerSession::payload_bytes() const {
+  return state_->payload_bytes;
+}
+
+}  // namespace aucast::protocol

@@ -1,0 +1,244 @@
+#include "protocol/stream_file.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "common/text.h"
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+
+namespace aucast::protocol {
+namespace {
+
+constexpr std::string_view kBegin = "Beg_Stream";
+constexpr std::string_view kEnd = "End_Stream";
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr std::string_view kBlanks = " \t";
+
+/// A byte that no text file has: a control character other than a tab.
+bool is_control(char byte) {
+  const auto code = static_cast<unsigned char>(byte);
+  return (code < 0x20 && byte != '\t') || code == 0x7f;
+}
+
+/// The tag that a refused line was probably meant to be.
+std::optional<std::string> mistyped_tag(std::string_view content) {
+  if (content.size() > kBegin.size() + 3) return std::nullopt;
+  return nearest(content, {std::string(kBegin), std::string(kEnd)});
+}
+
+class StreamFileParser {
+ public:
+  StreamFileParser(std::string_view text, std::string_view file) : text_(text), file_(file) {}
+
+  Result<StreamFile> parse();
+
+ private:
+  enum class Place : std::uint8_t { Before, Inside, After };
+
+  void read_line(std::string_view line);
+  void read_tag(std::string_view content, std::size_t shift);
+  void read_packet(std::string_view content, std::size_t shift);
+  void read_outside(std::string_view content, std::size_t shift);
+  void check_and_store(std::string_view inside, std::size_t shift, Keyframe keyframe);
+  void finish();
+  /// `position`: of the byte in the line, from 0.
+  void refuse(std::size_t position, const std::string& reason);
+  /// A line of which nothing can be made: it hides whether there is a packet or a tag.
+  void refuse_line(std::size_t position, const std::string& reason);
+  [[nodiscard]] Error error() const;
+
+  std::string_view text_;
+  std::string_view file_;
+  StreamFile stream_;
+  Place place_ = Place::Before;
+  std::size_t line_number_ = 0;
+  std::size_t begin_line_ = 0;
+  bool packet_seen_ = false;   ///< between the tags, right or wrong
+  bool outside_said_ = false;  ///< of the running region outside the tags
+  std::uint64_t last_place_ms_ = 0;
+  std::vector<std::string> errors_;
+  std::size_t error_count_ = 0;
+};
+
+Result<StreamFile> StreamFileParser::parse() {
+  std::string_view rest = text_;
+  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+  while (!rest.empty()) {
+    ++line_number_;
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    read_line(line);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  finish();
+  if (error_count_ > 0) return error();
+  return std::move(stream_);
+}
+
+void StreamFileParser::read_line(std::string_view line) {
+  if (line.size() > kStreamLineBytesMax) {
+    refuse_line(kStreamLineBytesMax, "the line is longer than " +
+                                         std::to_string(kStreamLineBytesMax) +
+                                         " bytes; write one packet per line");
+    return;
+  }
+  const auto control = std::find_if(line.begin(), line.end(), is_control);
+  if (control != line.end()) {
+    refuse_line(static_cast<std::size_t>(control - line.begin()),
+                "this is not text: found the byte '" + escaped(std::string_view(&*control, 1)) +
+                    "'; a stream file is ASCII or UTF-8 text");
+    return;
+  }
+  std::string_view content = line.substr(0, line.find('#'));
+  const std::size_t shift = content.find_first_not_of(kBlanks);
+  if (shift == std::string_view::npos) return;
+  content = content.substr(shift, content.find_last_not_of(kBlanks) + 1 - shift);
+  if (content == kBegin || content == kEnd) {
+    read_tag(content, shift);
+  } else if (place_ == Place::Inside) {
+    read_packet(content, shift);
+  } else {
+    read_outside(content, shift);
+  }
+}
+
+void StreamFileParser::read_tag(std::string_view content, std::size_t shift) {
+  const bool begins = content == kBegin;
+  if (place_ == Place::After) {
+    refuse(shift, "found " + std::string(content) + " after End_Stream; a file holds one stream");
+  } else if (begins && place_ == Place::Before) {
+    place_ = Place::Inside;
+    begin_line_ = line_number_;
+    packet_seen_ = false;
+  } else if (begins) {
+    refuse(shift, "a second Beg_Stream; the stream began on line " + std::to_string(begin_line_));
+  } else {
+    if (place_ == Place::Before && !outside_said_) {
+      refuse(shift, "End_Stream without a Beg_Stream before it");
+    } else if (place_ == Place::Inside && !packet_seen_) {
+      refuse(shift,
+             "the stream is empty; write at least one packet between the tags, such as 1,6,12");
+    }
+    place_ = Place::After;
+    outside_said_ = false;
+  }
+}
+
+void StreamFileParser::read_packet(std::string_view content, std::size_t shift) {
+  packet_seen_ = true;
+  std::string_view inside = content;
+  if (content.front() == '{') {
+    const std::size_t close = content.find('}');
+    if (close == std::string_view::npos) {
+      refuse(shift + content.size(), "the closing brace is missing");
+      return;
+    }
+    if (close + 1 != content.size()) {
+      refuse(shift + close + 1, "text after the closing brace; write one packet per line");
+      return;
+    }
+    inside = content.substr(1, close - 1);
+    ++shift;
+  }
+  Keyframe keyframe;
+  if (const auto error = parse_keyframe(inside, TermSyntax::Text, keyframe)) {
+    const auto tag = mistyped_tag(content);
+    refuse(shift + error->position,
+           tag ? error->reason + "; did you mean " + *tag + "?" : error->reason);
+    return;
+  }
+  check_and_store(inside, shift, std::move(keyframe));
+}
+
+void StreamFileParser::check_and_store(std::string_view inside, std::size_t shift,
+                                       Keyframe keyframe) {
+  if (keyframe.changes_only) {
+    refuse(shift + inside.find('~'), "a stream file names whole sets; '~' is for the wire only");
+    return;
+  }
+  if (keyframe.place_ms) {
+    if (*keyframe.place_ms < last_place_ms_) {
+      refuse(shift + inside.find('@'), "the place goes backwards, to " +
+                                           std::to_string(*keyframe.place_ms) + " ms after " +
+                                           std::to_string(last_place_ms_) + " ms");
+      return;
+    }
+    last_place_ms_ = *keyframe.place_ms;
+  }
+  stream_.keyframes.push_back(std::move(keyframe));
+}
+
+/// Said once per region: a file without its tag is one mistake, not one per line.
+void StreamFileParser::read_outside(std::string_view content, std::size_t shift) {
+  if (std::exchange(outside_said_, true)) return;
+  if (place_ == Place::Before) {
+    refuse(shift, "expected Beg_Stream on a line of its own before the first packet, found '" +
+                      escaped(content) + "'");
+  } else {
+    refuse(shift, "text after End_Stream: '" + escaped(content) +
+                      "'; only blanks and comments may follow");
+  }
+}
+
+void StreamFileParser::finish() {
+  if (place_ == Place::After) return;
+  line_number_ = std::max<std::size_t>(line_number_, 1);
+  if (place_ == Place::Inside) {
+    refuse(0,
+           "the file ends without End_Stream; write it on a line of its own after the last packet");
+  } else if (!outside_said_) {
+    refuse(0, "there is no stream: Beg_Stream, packets and End_Stream are missing");
+  }
+}
+
+void StreamFileParser::refuse(std::size_t position, const std::string& reason) {
+  ++error_count_;
+  if (errors_.size() == kReportedErrorsMax) return;
+  errors_.push_back(at_place(file_, line_number_, position + 1, reason));
+}
+
+void StreamFileParser::refuse_line(std::size_t position, const std::string& reason) {
+  refuse(position, reason);
+  packet_seen_ = true;
+  outside_said_ = true;
+}
+
+Error StreamFileParser::error() const {
+  std::string message;
+  for (const std::string& line : errors_) message += (message.empty() ? "" : "\n") + line;
+  if (error_count_ > errors_.size()) {
+    message +=
+        '\n' + at_place(file_, 0, 0,
+                        "and " + std::to_string(error_count_ - errors_.size()) + " more errors");
+  }
+  return {ErrorKind::BadData, message};
+}
+
+}  // namespace
+
+Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file) {
+  return StreamFileParser(text, file).parse();
+}
+
+std::string format_stream_file(const StreamFile& stream) {
+  std::string text = std::string(kBegin) + '\n';
+  for (const Keyframe& keyframe : stream.keyframes) {
+    const std::string packet = encode(keyframe);
+    text.append(packet, 1, packet.size() - 2);
+    text += '\n';
+  }
+  return text.append(kEnd) + '\n';
+}
+
+std::uint64_t media_ms(const StreamFile& stream, std::uint32_t keyframe_ms) {
+  return std::accumulate(stream.keyframes.begin(), stream.keyframes.end(), std::uint64_t{0},
+                         [keyframe_ms](std::uint64_t sum, const Keyframe& keyframe) {
+                           return sum + keyframe.duration_ms.value_or(keyframe_ms);
+                         });
+}
+
+}  // namespace aucast::protocol
