@@ -114,10 +114,8 @@ TEST(StreamFile, AcceptsEqualPlaces) {
 TEST(StreamFile, HoldsALineToItsLimit) {
   const std::string longest = "1" + std::string(kStreamLineBytesMax - 1, ' ');
   EXPECT_EQ(read(in_tags(longest)), "{1}");
-  EXPECT_EQ(
-      read(in_tags(longest + " ")),
-      "f:2:65537: the line is longer than 65536 bytes; write one packet per line\n"
-      "f:3:1: the stream is empty; write at least one packet between the tags, such as 1,6,12");
+  EXPECT_EQ(read(in_tags(longest + " ")),
+            "f:2:65537: the line is longer than 65536 bytes; write one packet per line");
 }
 
 TEST(StreamFile, ReportsTheFirstErrorsAndCountsTheRest) {
