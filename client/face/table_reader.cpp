@@ -80,6 +80,10 @@ const TomlValue* TableReader::find(std::string_view key) {
 const TomlValue* TableReader::needed(std::string_view key, TomlValue::Kind kind) {
   const TomlValue* value = find(key);
   if (value == nullptr) {
+    // A misspelt key says more than a missing one.
+    for (const auto& entry : table_.entries) {
+      if (nearest(entry.key, {std::string(key)})) return unknown(entry), nullptr;
+    }
     problems_.add(table_.place, "'" + std::string(key) + "' is missing");
     return nullptr;
   }
@@ -213,9 +217,13 @@ const TomlValue* TableReader::value_if(std::string_view key) {
 void TableReader::finish() {
   for (const auto& entry : table_.entries) {
     if (std::find(asked_.begin(), asked_.end(), entry.key) != asked_.end()) continue;
-    problems_.add(entry.place,
-                  "unknown key '" + escaped(entry.key) + "'" + did_you_mean(entry.key, asked_));
+    unknown(entry);
   }
+}
+
+void TableReader::unknown(const TomlValue::Entry& entry) {
+  problems_.add(entry.place,
+                "unknown key '" + escaped(entry.key) + "'" + did_you_mean(entry.key, asked_));
 }
 
 std::string plain(double value) {

@@ -80,6 +80,7 @@ class TableReader {
 
  private:
   const TomlValue* find(std::string_view key);
+  void unknown(const TomlValue::Entry& entry);
   const TomlValue* needed(std::string_view key, TomlValue::Kind kind);
   float checked_number(const TomlValue& value, std::string_view key, const Bounds& bounds);
   std::vector<float> numbers(std::string_view key, std::size_t count, const Bounds& bounds);
