@@ -1,7 +1,7 @@
 #include "client/render/face_renderer.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -28,42 +28,45 @@ const glm::vec3 kRimDirection = glm::normalize(glm::vec3(0.65F, 0.45F, -0.75F));
 const glm::vec3 kSecondRimDirection = glm::normalize(glm::vec3(-0.80F, 0.30F, -0.60F));
 
 /// The key light's shadows cover a fixed box, so that they do not crawl while the head moves. A
-/// texel of 1/20 unit under a filter of five gives the soft edge of a large lamp.
-constexpr int kShadowSide = 512;
+/// texel of 0.07 units under a filter of three gives the soft edge of a large lamp.
+constexpr int kShadowSide = 384;
 constexpr glm::vec3 kShadowCentre{0, 0, 1};
 constexpr float kShadowReach = 13;
-constexpr float kShadowBias = 0.10F;
+constexpr float kShadowBias = 0.08F;
+constexpr float kShadowSlopeBias = 2.0F;
 
 constexpr GLuint kPositionSlot = 0;
 constexpr GLuint kNormalSlot = 1;
 constexpr GLuint kColourSlot = 2;
 constexpr GLuint kOcclusionGlossSlot = 3;
 
+enum class Faces : std::uint8_t { Both, Front, Back };
+
 /// How a kind of surface answers the light; values from face.md 5.
 struct Look {
   float wrap = 1;
   float specular = 0;
   float power = 20;
-  bool two_sided = true;
+  Faces faces = Faces::Both;
   bool casts_shadow = false;
 };
 
 Look look_of(Shading shading) {
   switch (shading) {
     case Shading::Skin:
-      return {1.0F, 0.19F, 20, false, true};
+      return {1.0F, 0.19F, 20, Faces::Front, true};
     case Shading::Eye:
-      return {0.25F, 0, 60, false, false};
+      return {0.25F, 0, 60, Faces::Front, false};
     case Shading::Teeth:
-      return {0.5F, 0.5F, 40, true, false};
+      return {0.5F, 0.5F, 40, Faces::Both, false};
     case Shading::Mouth:
-      return {0.7F, 0.4F, 24, true, false};
+      return {0.7F, 0.4F, 24, Faces::Both, false};
     case Shading::Hair:
-      return {0.35F, 0.20F, 14, true, true};
+      return {0.35F, 0.20F, 14, Faces::Both, true};
     case Shading::Cloth:
-      return {0.15F, 0.06F, 8, true, true};
+      return {0.15F, 0.06F, 8, Faces::Both, true};
     case Shading::Brow:
-      return {0.2F, 0.05F, 10, true, false};
+      return {0.2F, 0.05F, 10, Faces::Both, false};
   }
   return {};
 }
@@ -71,10 +74,38 @@ Look look_of(Shading shading) {
 /// A run of indices with one look.
 struct Draw {
   Shading shading = Shading::Skin;
+  Faces faces = Faces::Both;
   int eye = -1;
   std::size_t first_index = 0;
   GLsizei index_count = 0;
 };
+
+/// Outermost first, so that what lies beneath is never shaded: hair over skin over eyes and teeth.
+/// The inside of the hair, seen only from below, comes last.
+void order_solids(std::vector<Draw>& draws) {
+  const auto layer = [](const Draw& draw) {
+    switch (draw.shading) {
+      case Shading::Hair:
+        return draw.faces == Faces::Back ? 4 : 0;
+      case Shading::Cloth:
+        return 1;
+      case Shading::Skin:
+        return 2;
+      default:
+        return 3;
+    }
+  };
+  std::vector<Draw> insides;
+  for (Draw& draw : draws) {
+    if (draw.shading != Shading::Hair) continue;
+    draw.faces = Faces::Front;
+    insides.push_back(draw);
+    insides.back().faces = Faces::Back;
+  }
+  draws.insert(draws.end(), insides.begin(), insides.end());
+  std::stable_sort(draws.begin(), draws.end(),
+                   [&layer](const Draw& a, const Draw& b) { return layer(a) < layer(b); });
+}
 
 class LitProgram {
  public:
@@ -136,7 +167,7 @@ class LitProgram {
 
 Result<Program> build_lit(const char* name, const char* define) {
   namespace glsl = shaders;
-  return build_program(name, std::array{glsl::kVersion, glsl::kLitVertex},
+  return build_program(name, std::array{glsl::kVersion, define, glsl::kLitVertex},
                        std::array{glsl::kVersion, define, glsl::kTone, glsl::kLitFragment});
 }
 
@@ -256,11 +287,14 @@ void FaceRenderer::State::draw_shadow_map() {
   glUniformMatrix4fv(glGetUniformLocation(depth.id(), "u_world_to_clip"), 1, GL_FALSE,
                      glm::value_ptr(shadow.world_to_clip));
   glDisable(GL_CULL_FACE);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(kShadowSlopeBias, 0);
   for (const Draw& draw : solid) {
-    if (!look_of(draw.shading).casts_shadow) continue;
+    if (!look_of(draw.shading).casts_shadow || draw.faces == Faces::Back) continue;
     glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
   }
+  glDisable(GL_POLYGON_OFFSET_FILL);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer_before));
 }
 
@@ -287,10 +321,11 @@ void FaceRenderer::State::draw_runs(const std::vector<Draw>& draws, const view::
       AUCAST_CHECK(at < mesh.eye_centres.size() && at < mesh.eye_forward.size());
       program.set_eyeball(mesh.eye_centres[at], mesh.eye_forward[at]);
     }
-    if (look.two_sided) {
+    if (draw.faces == Faces::Both) {
       glDisable(GL_CULL_FACE);
     } else {
       glEnable(GL_CULL_FACE);
+      glCullFace(draw.faces == Faces::Front ? GL_BACK : GL_FRONT);
     }
     glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
@@ -351,11 +386,13 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
       }
       const std::size_t count = sorted.size() - first;
       if (count == 0) continue;
-      (blended ? state.translucent : state.solid)
-          .push_back({range.shading, range.shading == Shading::Eye ? range.eye : -1, 3 * first,
-                      static_cast<GLsizei>(3 * count)});
+      const Draw draw{range.shading, look_of(range.shading).faces,
+                      range.shading == Shading::Eye ? range.eye : -1, 3 * first,
+                      static_cast<GLsizei>(3 * count)};
+      (blended ? state.translucent : state.solid).push_back(draw);
     }
   }
+  order_solids(state.solid);
 
   glBindVertexArray(state.vertices.id());
   glBindBuffer(GL_ARRAY_BUFFER, state.colours.id());
@@ -381,7 +418,6 @@ void FaceRenderer::draw(const view::MovingMesh& mesh, const view::Camera& camera
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
-  glCullFace(GL_BACK);
   glFrontFace(GL_CCW);
   state.draw_shadow_map();
 
