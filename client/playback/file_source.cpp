@@ -28,7 +28,7 @@ SourceStatus FileSource::status() const {
 }
 
 void FileSource::stop() {
-  stopped_ = true;
+  stopped_ = next_ < keyframes_.size();
 }
 
 }  // namespace aucast::playback

@@ -64,8 +64,8 @@ class KeyframeSource {
   /// Waits until ready() or until `until`, whichever is first; returns ready().
   virtual bool wait_until(Instant until) = 0;
   [[nodiscard]] virtual SourceStatus status() const = 0;
-  /// The user leaves: -4 to a server. Returns at once; status().end becomes Stopped unless the
-  /// stream had ended before, and nothing more is given.
+  /// The user leaves: -4 to a server. Returns at once; nothing more is given, and status().end
+  /// becomes Stopped unless everything had been given already.
   virtual void stop() = 0;
 };
 

@@ -42,6 +42,13 @@ TEST(FileSource, GivesNothingAfterStop) {
   EXPECT_EQ(source.status().playout_fill, 0U);
 }
 
+TEST(FileSource, StopAfterTheLastKeyframeChangesNothing) {
+  FileSource source({marked(1)});
+  EXPECT_TRUE(source.take());
+  source.stop();
+  EXPECT_EQ(source.status().end, EndReason::EndOfStream);
+}
+
 TEST(FileSource, MayBeEmpty) {
   FileSource source({});
   EXPECT_TRUE(source.ready());
