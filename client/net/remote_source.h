@@ -4,19 +4,22 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
-#include "protocol/client_session.h"
+#include "common/time.h"
+#include "protocol/limits.h"
 
 namespace aucast::net {
 
 struct RemoteOptions {
   std::string host;
-  std::uint16_t port = 4650;
-  bool classic = false;     ///< --protocol classic
-  std::string stream;       ///< --stream; empty: the first
+  std::uint16_t port = protocol::kDefaultPort;
+  bool classic = false;  ///< --protocol classic
+  std::string stream;    ///< --stream; empty: the first
+  /// For finding and reaching the server, and then for its first packet.
   Duration connect_timeout = std::chrono::seconds(10);
   playback::BufferOptions buffers;
   /// Called on the network thread when something changed; may only unblock the player (mpv's
@@ -27,17 +30,21 @@ struct RemoteOptions {
 /// HOST, HOST:PORT, [V6]:PORT or [V6]. Usage error otherwise.
 struct Endpoint {
   std::string host;
-  std::uint16_t port = 4650;
+  std::uint16_t port = protocol::kDefaultPort;
 };
 [[nodiscard]] Result<Endpoint> parse_endpoint(std::string_view text);
 
-/// The AU reader: a thread that connects, decodes, stores into the two buffers and answers. What
-/// both threads touch is one guarded object (buffers and status); what the player asks of the network
+/// The keyframes of a server. A thread of its own connects, reads, lets an AuReader decide, and
+/// answers. What both threads touch is one guarded object; what the player asks of the network
 /// thread is posted to it.
+/// A failure shows in status(): Unreachable, ConnectionLost, ProtocolError or Refused, with a
+/// sentence for the user. What was received before is still given.
 class RemoteSource final : public playback::KeyframeSource {
  public:
   explicit RemoteSource(RemoteOptions options);  ///< starts connecting at once
-  ~RemoteSource() override;                      ///< stops, and joins the thread
+  /// Stops as stop() does and joins the thread: a second at most for the last words, and what is
+  /// left of the system's own look-up of a host name, which cannot be broken off.
+  ~RemoteSource() override;
 
   [[nodiscard]] std::optional<playback::TimedAus> take() override;
   [[nodiscard]] bool ready() const override;
@@ -45,15 +52,16 @@ class RemoteSource final : public playback::KeyframeSource {
   [[nodiscard]] playback::SourceStatus status() const override;
   void stop() override;
 
-  /// The user pauses or resumes the transmission.
+  /// The user pauses or resumes the transmission; what is buffered plays on. At once in level 2;
+  /// in classic -1 may only stand in place of an answer, so one more packet comes.
   void pause();
   void resume();
 
  private:
   struct Shared;
-  class Reader;
+  class Connection;
   std::unique_ptr<Shared> shared_;
-  std::unique_ptr<Reader> reader_;
+  std::unique_ptr<Connection> connection_;
 };
 
 }  // namespace aucast::net

@@ -1,0 +1,315 @@
+#include "client/net/au_reader.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "common/check.h"
+
+namespace aucast::net {
+namespace {
+
+using playback::EndReason;
+using playback::KeyframeBuffers;
+using playback::TimedAus;
+using protocol::SessionFailed;
+
+constexpr std::size_t kWindowAsked = 64;
+
+/// Keyframes that a classic server may send ahead of the answers while the user pauses.
+constexpr std::size_t kOwedMax = 128;
+
+protocol::ClientSessionOptions session_options(const AuReaderOptions& options, bool negotiate) {
+  protocol::ClientSessionOptions session;
+  session.negotiate = negotiate;
+  session.hello.window =
+      static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity));
+  session.hello.stream = options.stream;
+  session.silence_max = options.silence_max;
+  return session;
+}
+
+EndReason end_reason(SessionFailed::Why why) {
+  switch (why) {
+    case SessionFailed::Why::Lost:
+      return EndReason::ConnectionLost;
+    case SessionFailed::Why::ProtocolError:
+      return EndReason::ProtocolError;
+    case SessionFailed::Why::Refused:
+      return EndReason::Refused;
+    case SessionFailed::Why::Silent:
+      break;
+  }
+  return EndReason::Unreachable;
+}
+
+/// What the user can do about it.
+std::string_view remedy(SessionFailed::Why why) {
+  switch (why) {
+    case SessionFailed::Why::Lost:
+      return "; the server's log may say why";
+    case SessionFailed::Why::ProtocolError:
+      return "; is it an au-transmitter?";
+    case SessionFailed::Why::Refused:
+      return "";
+    case SessionFailed::Why::Silent:
+      break;
+  }
+  return "; is it an au-transmitter? --connect-timeout sets how long to wait";
+}
+
+}  // namespace
+
+AuReader::AuReader(AuReaderOptions options)
+    : options_(std::move(options)),
+      negotiate_(!options_.classic),
+      session_(session_options(options_, negotiate_)),
+      buffers_(options_.buffers) {}
+
+Reaction AuReader::connected(Instant now) {
+  connected_at_ = now;
+  status_.connected = true;
+  status_.receive_seconds = 0;
+  waiting_.clear();
+  Reaction reaction;
+  reaction.changed = true;
+  react(session_.on_connected(now), reaction, now);
+  return reaction;
+}
+
+Reaction AuReader::received(std::string_view bytes, Instant now) {
+  waiting_ += bytes;
+  Reaction reaction;
+  digest(reaction, now);
+  return reaction;
+}
+
+Reaction AuReader::closed(Instant now) {
+  Reaction reaction;
+  react(session_.on_closed(now), reaction, now);
+  return reaction;
+}
+
+Reaction AuReader::time(Instant now) {
+  Reaction reaction;
+  react(session_.on_time(now), reaction, now);
+  return reaction;
+}
+
+std::optional<Instant> AuReader::deadline() const {
+  if (status_.end != EndReason::NotEnded) return std::nullopt;
+  return session_.deadline();
+}
+
+void AuReader::unreachable(std::string reason) {
+  end(EndReason::Unreachable, std::move(reason));
+}
+
+Reaction AuReader::speak(Instant now) {
+  Reaction reaction;
+  answer(reaction.send);
+  reaction.changed = !reaction.send.empty();
+  digest(reaction, now);
+  return reaction;
+}
+
+std::string AuReader::farewell() {
+  return session_.stop();
+}
+
+bool AuReader::wants_bytes() const {
+  return waiting_.empty();
+}
+
+bool AuReader::digests() const {
+  return status_.end == EndReason::NotEnded && !kept_ && owed_ < kOwedMax;
+}
+
+/// Packet by packet, so that each is answered before the session counts the next as sent ahead.
+void AuReader::digest(Reaction& reaction, Instant now) {
+  std::size_t done = 0;
+  while (done < waiting_.size() && digests() && reaction.next == Reaction::Next::GoOn) {
+    const std::size_t brace = std::min(waiting_.find('}', done), waiting_.size() - 1);
+    const std::string_view packet(waiting_.data() + done, brace + 1 - done);
+    react(session_.on_bytes(packet, now), reaction, now);
+    done = brace + 1;
+  }
+  waiting_.erase(0, done);
+}
+
+void AuReader::react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction,
+                     Instant now) {
+  for (const protocol::ClientEvent& event : events) {
+    if (status_.end != EndReason::NotEnded) break;
+    status_.receive_seconds = std::chrono::duration<double>(now - connected_at_).count();
+    std::visit([&](const auto& what) { handle(what, reaction); }, event);
+  }
+}
+
+void AuReader::handle(const protocol::SendBytes& event, Reaction& reaction) {
+  reaction.send += event.bytes;
+}
+
+void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction) {
+  reaction.changed = true;
+  TimedAus keyframe{event.aus, std::nullopt};
+  if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
+
+  ++owed_;
+  if (!settled_ && negotiate_ && !negotiated() && !first_) {
+    first_ = keyframe;
+  } else {
+    settled_ = true;
+    if (first_) take_in(*std::exchange(first_, std::nullopt));
+    take_in(keyframe);
+  }
+  answer(reaction.send);
+}
+
+void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
+  reaction.changed = true;
+  status_.negotiated = true;
+  status_.keyframe_time = Milliseconds(event.hello.keyframe_ms);
+  answer(reaction.send);  // the user may have paused already
+}
+
+void AuReader::handle(const protocol::StreamEnded& /*event*/, Reaction& reaction) {
+  reaction.changed = true;
+  reaction.next = Reaction::Next::Close;
+  end(EndReason::EndOfStream, "the stream of " + options_.peer + " has ended");
+}
+
+void AuReader::handle(const protocol::ReconnectClassic& /*event*/, Reaction& reaction) {
+  reaction = {};
+  reaction.changed = true;
+  reaction.next = Reaction::Next::Reconnect;
+  first_.reset();
+  owed_ = 0;
+  status_.connected = false;
+  negotiate_ = false;
+  session_ = protocol::ClientSession(session_options(options_, negotiate_));
+}
+
+void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) {
+  reaction.changed = true;
+  reaction.next = Reaction::Next::Close;
+  end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));
+}
+
+void AuReader::take_in(const TimedAus& keyframe) {
+  AUCAST_CHECK(!kept_);
+  kept_ = keyframe;
+  store_kept();
+}
+
+void AuReader::store_kept() {
+  if (kept_ && buffers_.store(*kept_) == KeyframeBuffers::Stored::Yes) kept_.reset();
+}
+
+void AuReader::answer(std::string& send) {
+  if (status_.end != EndReason::NotEnded) return;
+  if (negotiated()) {
+    answer_negotiated(send);
+  } else {
+    answer_classic(send);
+  }
+}
+
+void AuReader::answer_classic(std::string& send) {
+  if (session_.paused()) {
+    if (user_paused_ || kept_) return;
+    say_resume(send);  // answers the keyframe that -1 had left open
+    --owed_;
+  }
+  while (owed_ > 0) {
+    if (user_paused_ || (kept_ && owed_ == 1)) {
+      say_pause(send);
+      return;
+    }
+    send += session_.answer_received();
+    --owed_;
+  }
+}
+
+void AuReader::answer_negotiated(std::string& send) {
+  if (buffers_.room() < wanted_room()) buffers_.release();
+  const bool hold = user_paused_ || kept_ || buffers_.room() < wanted_room();
+  // First the pause, then the answers: the other way round each answer would let one more packet
+  // go than there is room for.
+  if (hold && !session_.paused()) say_pause(send);
+  for (; owed_ > (kept_ ? 1 : 0); --owed_) send += session_.answer_received();
+  if (!hold && session_.paused()) say_resume(send);
+}
+
+void AuReader::say_pause(std::string& send) {
+  const std::string words = session_.pause();
+  if (!words.empty()) ++status_.pauses_sent;
+  send += words;
+}
+
+void AuReader::say_resume(std::string& send) {
+  const std::string words = session_.resume();
+  if (!words.empty()) ++status_.resumes_sent;
+  send += words;
+}
+
+bool AuReader::negotiated() const {
+  return session_.level() == protocol::Level::Negotiated;
+}
+
+std::size_t AuReader::wanted_room() const {
+  const auto window = static_cast<std::size_t>(std::max(session_.window(), 0));
+  return std::min(window, options_.buffers.receiver_capacity);
+}
+
+void AuReader::end(EndReason reason, std::string detail) {
+  if (status_.end != EndReason::NotEnded) return;
+  status_.end = reason;
+  status_.detail = std::move(detail);
+  status_.connected = false;
+  if (first_) take_in(*std::exchange(first_, std::nullopt));
+  buffers_.end_of_stream();
+}
+
+std::optional<TimedAus> AuReader::take() {
+  if (stopped_) return std::nullopt;
+  auto keyframe = buffers_.take();
+  store_kept();
+  return keyframe;
+}
+
+bool AuReader::ready() const {
+  return stopped_ || buffers_.has_next() || buffers_.finished();
+}
+
+bool AuReader::has_words() const {
+  if (status_.end != EndReason::NotEnded || !status_.connected) return false;
+  if (!waiting_.empty() && digests()) return true;
+  if (user_paused_) return !session_.paused() && (negotiated() || owed_ > 0);
+  if (kept_ || !session_.paused()) return owed_ > (kept_ ? 1 : 0);
+  return !negotiated() || buffers_.room() >= wanted_room();
+}
+
+void AuReader::set_paused(bool paused) {
+  user_paused_ = paused;
+}
+
+void AuReader::leave() {
+  if (stopped_ || buffers_.finished()) return;
+  stopped_ = true;
+  status_.connected = false;
+  status_.end = EndReason::Stopped;
+  status_.detail = "stopped by the user";
+}
+
+playback::SourceStatus AuReader::status() const {
+  playback::SourceStatus status = status_;
+  status.receiver_fill = buffers_.receiver_fill();
+  status.playout_fill = buffers_.playout_fill();
+  status.paused = user_paused_ || session_.paused();
+  status.packets_received = session_.packets_received();
+  status.bytes_received = session_.payload_bytes();
+  return status;
+}
+
+}  // namespace aucast::net

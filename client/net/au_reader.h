@@ -1,0 +1,120 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/playback/keyframe_buffers.h"
+#include "client/playback/keyframe_source.h"
+#include "common/time.h"
+#include "protocol/client_session.h"
+
+namespace aucast::net {
+
+struct AuReaderOptions {
+  std::string peer;                                 ///< HOST:PORT, as messages call the server
+  bool classic = false;                             ///< never send a hello
+  std::string stream;                               ///< empty: the server's first
+  Duration silence_max = std::chrono::seconds(10);  ///< for the first packet
+  playback::BufferOptions buffers;
+};
+
+/// What the connection has to do now, in this order.
+struct Reaction {
+  enum class Next : std::uint8_t {
+    GoOn,
+    Reconnect,  ///< drop this connection and make a new one, then connected() again
+    Close,      ///< nothing more will come
+  };
+  std::string send;
+  Next next = Next::GoOn;
+  bool changed = false;  ///< there is something new for the player
+};
+
+/// The AU Reader of the thesis (5.4.4.2) without its socket: what comes from the server goes into
+/// the Receiver and Playout buffers, and the server is told by cases A-D whether to go on. Knows no
+/// clock.
+/// Until a server that answered a hello in classic has sent a second packet or {-2}, its first one
+/// is answered but kept aside: should the server close, the stream begins once more on a new
+/// connection, and nothing may be played twice.
+/// Invariant: packets answered by `1` are in the buffers or kept aside; in level 2 at most as many
+/// packets are under way as the receiver has room for. A server that does not wait for answers is
+/// read no faster than the player makes room.
+/// Thread: none of its own; the owner guards it.
+class AuReader {
+ public:
+  explicit AuReader(AuReaderOptions options);
+
+  // === The connection's side.
+
+  [[nodiscard]] Reaction connected(Instant now);
+  [[nodiscard]] Reaction received(std::string_view bytes, Instant now);
+  /// The server shut its side or the connection broke.
+  [[nodiscard]] Reaction closed(Instant now);
+  [[nodiscard]] Reaction time(Instant now);
+  /// When time() wants to be called.
+  [[nodiscard]] std::optional<Instant> deadline() const;
+  /// No connection could be made; `reason` is a sentence for the user.
+  void unreachable(std::string reason);
+  /// After take() or set_paused(): what the server has to be told now, and what follows from bytes
+  /// that had to wait.
+  [[nodiscard]] Reaction speak(Instant now);
+  /// The user leaves: the last words, to be sent if the connection stands.
+  [[nodiscard]] std::string farewell();
+  /// False while bytes wait for room: more are for TCP to hold, at the sender's cost.
+  [[nodiscard]] bool wants_bytes() const;
+
+  // === The player's side.
+
+  [[nodiscard]] std::optional<playback::TimedAus> take();
+  /// True when take() would give one, or nothing will ever come again.
+  [[nodiscard]] bool ready() const;
+  /// True when speak() would do something.
+  [[nodiscard]] bool has_words() const;
+  void set_paused(bool paused);
+  /// The user leaves: nothing is given any more.
+  void leave();
+  [[nodiscard]] playback::SourceStatus status() const;
+
+ private:
+  void digest(Reaction& reaction, Instant now);
+  [[nodiscard]] bool digests() const;
+  void react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction, Instant now);
+  void handle(const protocol::SendBytes& event, Reaction& reaction);
+  void handle(const protocol::DeliverKeyframe& event, Reaction& reaction);
+  void handle(const protocol::Granted& event, Reaction& reaction);
+  void handle(const protocol::StreamEnded& event, Reaction& reaction);
+  void handle(const protocol::ReconnectClassic& event, Reaction& reaction);
+  void handle(const protocol::SessionFailed& event, Reaction& reaction);
+
+  void take_in(const playback::TimedAus& keyframe);
+  void store_kept();
+  void answer(std::string& send);
+  void answer_classic(std::string& send);
+  void answer_negotiated(std::string& send);
+  void say_pause(std::string& send);
+  void say_resume(std::string& send);
+  [[nodiscard]] bool negotiated() const;
+  [[nodiscard]] std::size_t wanted_room() const;
+  void end(playback::EndReason reason, std::string detail);
+
+  AuReaderOptions options_;
+  bool negotiate_;
+  protocol::ClientSession session_;
+  playback::KeyframeBuffers buffers_;
+  std::optional<playback::TimedAus> first_;  ///< kept aside until the server is known to go on
+  bool settled_ = false;                     ///< it is
+  std::optional<playback::TimedAus> kept_;   ///< case A: came when both buffers were full
+  std::string waiting_;                      ///< bytes for when kept_ has found room
+  std::size_t owed_ = 0;                     ///< keyframes not yet answered by `1` or -3
+  bool user_paused_ = false;
+  bool stopped_ = false;           ///< by leave()
+  playback::SourceStatus status_;  ///< without what can be asked from the others
+  Instant connected_at_{};
+};
+
+}  // namespace aucast::net

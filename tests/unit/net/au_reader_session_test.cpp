@@ -1,0 +1,158 @@
+// The reader against the real server's session, joined in memory: whatever the sizes, the portions
+// and the order of things, every keyframe comes through once and in order.
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "client/net/au_reader.h"
+#include "protocol/server_session.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/seeded.h"
+
+namespace aucast::net {
+namespace {
+
+using namespace std::chrono_literals;
+using aucast::test::ManualClock;
+using aucast::test::Seeded;
+using playback::EndReason;
+
+/// Keyframe n shows AU 1 + n % 99, so that a gap or a double is seen.
+int au_of(int keyframe) {
+  return 1 + keyframe % 99;
+}
+
+protocol::ServerCatalogue catalogue_of(int count) {
+  protocol::ServedStream stream;
+  stream.name = "numbers";
+  for (int i = 0; i < count; ++i) {
+    const std::string packet = "{" + std::to_string(au_of(i)) + "}";
+    stream.classic.push_back(packet);
+    stream.negotiated.push_back(packet);
+  }
+  protocol::ServerCatalogue catalogue;
+  catalogue.streams.push_back(std::move(stream));
+  return catalogue;
+}
+
+/// One direction of a connection: takes bytes in and gives them out in portions of any size.
+class Wire {
+ public:
+  void put(std::string_view bytes) { bytes_ += bytes; }
+  [[nodiscard]] bool empty() const { return bytes_.empty(); }
+  std::string get(Seeded& seeded) {
+    const auto size = static_cast<std::size_t>(seeded.integer(1, static_cast<int>(bytes_.size())));
+    const std::string portion = bytes_.substr(0, size);
+    bytes_.erase(0, size);
+    return portion;
+  }
+
+ private:
+  std::string bytes_;
+};
+
+class Loop {
+ public:
+  Loop(const protocol::ServerCatalogue& catalogue, const AuReaderOptions& options, Seeded& seeded)
+      : seeded_(seeded), server_(catalogue, 1ms, clock_.now()), reader_(options) {
+    carry_out(reader_.connected(clock_.now()));
+  }
+
+  /// Plays everything in a random order of events; the marks of the keyframes taken.
+  std::vector<int> play() {
+    std::vector<int> taken;
+    const double eager = seeded_.real(0.05, 0.95);
+    for (int step = 0; step < 200'000 && !over(); ++step) {
+      clock_.advance(std::chrono::microseconds(seeded_.integer(0, 2'000)));
+      serve_time();
+      if (!to_server_.empty() && seeded_.chance(0.5)) {
+        carry_out(server_.on_bytes(to_server_.get(seeded_), clock_.now()));
+      }
+      if (!to_reader_.empty() && reader_.wants_bytes() && seeded_.chance(0.5)) {
+        carry_out(reader_.received(to_reader_.get(seeded_), clock_.now()));
+      }
+      if (seeded_.chance(0.01)) reader_.set_paused(paused_ = !paused_);
+      if (paused_ && seeded_.chance(0.1)) reader_.set_paused(paused_ = false);
+      if (seeded_.chance(eager)) {
+        if (const auto keyframe = reader_.take()) taken.push_back(mark_of(*keyframe));
+      }
+      if (reader_.has_words()) carry_out(reader_.speak(clock_.now()));
+    }
+    return taken;
+  }
+
+  [[nodiscard]] playback::SourceStatus status() const { return reader_.status(); }
+
+ private:
+  static int mark_of(const playback::TimedAus& keyframe) {
+    const auto& left = keyframe.aus.left;
+    return static_cast<int>(std::find(left.begin(), left.end(), 1.0F) - left.begin());
+  }
+  [[nodiscard]] bool over() const {
+    const auto now = reader_.status();
+    return now.end != EndReason::NotEnded && now.receiver_fill + now.playout_fill == 0;
+  }
+  void serve_time() {
+    const auto server_due = server_.deadline();
+    if (server_due && *server_due <= clock_.now()) carry_out(server_.on_time(clock_.now()));
+    const auto reader_due = reader_.deadline();
+    if (reader_due && *reader_due <= clock_.now()) carry_out(reader_.time(clock_.now()));
+  }
+  void carry_out(const std::vector<protocol::ServerEvent>& events) {
+    for (const auto& event : events) {
+      if (const auto* send = std::get_if<protocol::SendBytes>(&event)) to_reader_.put(send->bytes);
+      if (const auto* close = std::get_if<protocol::CloseConnection>(&event)) {
+        EXPECT_EQ(close->why, protocol::CloseConnection::Why::Finished) << close->reason;
+      }
+    }
+  }
+  void carry_out(const Reaction& reaction) {
+    to_server_.put(reaction.send);
+    EXPECT_NE(reaction.next, Reaction::Next::Reconnect);
+  }
+
+  Seeded& seeded_;
+  ManualClock clock_;
+  protocol::ServerSession server_;
+  AuReader reader_;
+  Wire to_server_;
+  Wire to_reader_;
+  bool paused_ = false;
+};
+
+TEST(AuReaderSession, EverythingComesThroughOnceAndInOrder) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int round = 0; round < 150; ++round) {
+    const int receiver = seeded.chance(0.4) ? seeded.integer(1, 3) : seeded.integer(1, 150);
+    playback::BufferOptions buffers;
+    buffers.receiver_capacity = static_cast<std::size_t>(receiver);
+    buffers.playout_capacity = static_cast<std::size_t>(seeded.integer(1, receiver));
+    buffers.threshold_percent = seeded.chance(0.3) ? 100 : seeded.integer(1, 100);
+    const bool classic = seeded.chance(0.5);
+    const int count = seeded.integer(1, 400);
+    SCOPED_TRACE(::testing::Message()
+                 << "round " << round << " buffer " << receiver << " playout "
+                 << buffers.playout_capacity << " threshold " << buffers.threshold_percent
+                 << (classic ? " classic" : " level 2") << " count " << count);
+
+    const protocol::ServerCatalogue catalogue = catalogue_of(count);
+    Loop loop(catalogue, {"server:4650", classic, "", 10s, buffers}, seeded);
+    const std::vector<int> taken = loop.play();
+
+    ASSERT_EQ(loop.status().end, EndReason::EndOfStream) << loop.status().detail;
+    ASSERT_EQ(taken.size(), static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+      ASSERT_EQ(taken[static_cast<std::size_t>(i)], au_of(i)) << "keyframe " << i;
+    }
+    EXPECT_EQ(loop.status().packets_received, static_cast<std::uint64_t>(count));
+    EXPECT_EQ(loop.status().negotiated, !classic);
+  }
+}
+
+}  // namespace
+}  // namespace aucast::net

@@ -1,0 +1,238 @@
+// Servers that cannot be reached, fall silent, break off or talk nonsense: each ends with its
+// reason and a sentence that names the place, and what came before is still played.
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "client/net/remote_source.h"
+#include "tests/support/scripted_server.h"
+#include "tests/unit/net/remote_fixture.h"
+
+namespace aucast::net {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace aucast::test;
+using namespace test;
+using playback::EndReason;
+using playback::SourceStatus;
+using Aus = std::vector<int>;
+
+/// A port on which nobody listens: bound, so that nobody else takes it meanwhile.
+class DeafPort {
+ public:
+  DeafPort() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    auto* const generic = reinterpret_cast<sockaddr*>(&address);
+    EXPECT_EQ(::bind(socket_, generic, size), 0);
+    EXPECT_EQ(::getsockname(socket_, generic, &size), 0);
+    port_ = ntohs(address.sin_port);
+  }
+  ~DeafPort() { ::close(socket_); }
+  DeafPort(const DeafPort&) = delete;
+  DeafPort& operator=(const DeafPort&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+
+ private:
+  int socket_;
+  std::uint16_t port_ = 0;
+};
+
+bool holds(const SourceStatus& status, const std::string& text) {
+  return status.detail.find(text) != std::string::npos;
+}
+
+/// Plays the steps against a classic player; the keyframes and how it ended.
+SourceStatus status_after(std::vector<Step> steps, const Aus& expected) {
+  ScriptedServer server(std::move(steps));
+  RemoteSource source(options_for(server.port(), true));
+  EXPECT_EQ(take_all(source), expected);
+  EXPECT_EQ(server.finish(), "");
+  const SourceStatus status = source.status();
+  EXPECT_TRUE(holds(status, "127.0.0.1:" + std::to_string(server.port()))) << status.detail;
+  EXPECT_FALSE(status.connected);
+  return status;
+}
+
+TEST(RemoteSourceFailure, RefusedPort) {
+  const DeafPort deaf;
+  RemoteSource source(options_for(deaf.port()));
+  EXPECT_TRUE(source.wait_until(patience()));
+  EXPECT_FALSE(source.take());
+  const auto status = source.status();
+  EXPECT_EQ(status.end, EndReason::Unreachable);
+  EXPECT_TRUE(holds(
+      status, "cannot reach 127.0.0.1:" + std::to_string(deaf.port()) + ": Connection refused"))
+      << status.detail;
+  EXPECT_TRUE(holds(status, "is au-transmitter running there")) << status.detail;
+}
+
+TEST(RemoteSourceFailure, RefusedOnEveryAddressOfAName) {
+  const DeafPort deaf;
+  RemoteOptions options = options_for(deaf.port());
+  options.host = "localhost";
+  RemoteSource source(options);
+  EXPECT_TRUE(source.wait_until(patience()));
+  EXPECT_EQ(source.status().end, EndReason::Unreachable);
+  EXPECT_TRUE(holds(source.status(), "localhost:" + std::to_string(deaf.port())));
+}
+
+TEST(RemoteSourceFailure, UnknownHost) {
+  RemoteOptions options = options_for(4650);
+  options.host = "no-such-host.invalid";
+  RemoteSource source(options);
+  EXPECT_TRUE(source.wait_until(patience()));
+  const auto status = source.status();
+  EXPECT_EQ(status.end, EndReason::Unreachable);
+  EXPECT_TRUE(holds(status, "cannot reach no-such-host.invalid:4650: ")) << status.detail;
+}
+
+TEST(RemoteSourceFailure, Ipv6InItsBrackets) {
+  RemoteOptions options = options_for(1);
+  options.host = "::1";
+  RemoteSource source(options);
+  EXPECT_TRUE(source.wait_until(patience()));
+  EXPECT_EQ(source.status().end, EndReason::Unreachable);
+  EXPECT_TRUE(holds(source.status(), "cannot reach [::1]:1: ")) << source.status().detail;
+}
+
+TEST(RemoteSourceFailure, FindsTheServerBehindAName) {
+  ScriptedServer server({Accept{}, Send{"{-2}"}, ExpectEnd{}});
+  RemoteOptions options = options_for(server.port(), true);
+  options.host = "localhost";
+  RemoteSource source(options);
+  EXPECT_EQ(take_all(source), Aus{});
+  EXPECT_EQ(source.status().end, EndReason::EndOfStream) << source.status().detail;
+}
+
+TEST(RemoteSourceFailure, SilentServer) {
+  for (const bool classic : {true, false}) {
+    ScriptedServer server({Accept{}, ExpectEnd{}});
+    RemoteOptions options = options_for(server.port(), classic);
+    options.connect_timeout = 50ms;
+    RemoteSource source(options);
+    EXPECT_TRUE(source.wait_until(patience()));
+    EXPECT_EQ(source.status().end, EndReason::Unreachable);
+    EXPECT_TRUE(holds(source.status(), "nothing came from the server within 50 ms"))
+        << source.status().detail;
+    EXPECT_EQ(server.finish(), "");
+  }
+}
+
+// A listener whose queue is full answers nothing: what a firewall that drops looks like.
+TEST(RemoteSourceFailure, NoAnswerAtAll) {
+  const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  auto* const generic = reinterpret_cast<sockaddr*>(&address);
+  ASSERT_EQ(::bind(listener, generic, size), 0);
+  ASSERT_EQ(::listen(listener, 0), 0);
+  ASSERT_EQ(::getsockname(listener, generic, &size), 0);
+  const int filler = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  ASSERT_EQ(::connect(filler, generic, size), 0);
+
+  RemoteOptions options = options_for(ntohs(address.sin_port));
+  options.connect_timeout = 50ms;
+  RemoteSource source(options);
+  EXPECT_TRUE(source.wait_until(patience()));
+  EXPECT_EQ(source.status().end, EndReason::Unreachable);
+  EXPECT_TRUE(holds(source.status(), "no answer within 50 ms") ||
+              holds(source.status(), "nothing came from the server within 50 ms"))
+      << source.status().detail;
+  ::close(filler);
+  ::close(listener);
+}
+
+TEST(RemoteSourceFailure, ClosedMidPacket) {
+  const auto status = status_after(
+      {Accept{}, Send{"{1}"}, Expect{"1"}, Send{"{2}"}, Expect{"1"}, Send{"{4,1"}, Close{}},
+      {1, 2});
+  EXPECT_EQ(status.end, EndReason::ConnectionLost);
+  EXPECT_TRUE(holds(status, "within a packet")) << status.detail;
+}
+
+TEST(RemoteSourceFailure, ResetMidStream) {
+  const auto status =
+      status_after({Accept{}, Send{"{1}"}, Expect{"1"}, Send{"{2}"}, Expect{"1"}, Reset{}}, {1, 2});
+  EXPECT_EQ(status.end, EndReason::ConnectionLost);
+  EXPECT_EQ(status.packets_received, 2U);
+}
+
+TEST(RemoteSourceFailure, ClosedWithAPacketKeptBack) {
+  ScriptedServer server({Accept{}, Send{"{1}"}, Expect{"1"}, Send{"{2}"}, Expect{"1"}, Send{"{4}"},
+                         Expect{"-1"}, Close{}});
+  RemoteOptions options = options_for(server.port(), true);
+  options.buffers = {1, 1, 100};
+  RemoteSource source(options);
+  EXPECT_EQ(server.finish(), "");
+  EXPECT_EQ(take_all(source), (Aus{1, 2, 4}));
+  EXPECT_EQ(source.status().end, EndReason::ConnectionLost);
+}
+
+TEST(RemoteSourceFailure, Garbage) {
+  const auto status =
+      status_after({Accept{}, Send{"{1}"}, Expect{"1"}, Send{"HTTP/1.1 200 OK\r\n"}}, {1});
+  EXPECT_EQ(status.end, EndReason::ProtocolError);
+  EXPECT_TRUE(holds(status, "at byte 3")) << status.detail;
+  EXPECT_TRUE(holds(status, "is it an au-transmitter?")) << status.detail;
+}
+
+TEST(RemoteSourceFailure, GarbageIsEscaped) {
+  const auto status = status_after({Accept{}, Send{"{1}"}, Expect{"1"}, Send{"\x1b]0;boo\a"}}, {1});
+  EXPECT_EQ(status.end, EndReason::ProtocolError);
+  EXPECT_TRUE(holds(status, "\\x1b")) << status.detail;
+  EXPECT_FALSE(holds(status, "\x1b"));
+}
+
+TEST(RemoteSourceFailure, TenMegabytesWithoutABrace) {
+  const auto status = status_after({Accept{}, Send{std::string(10'000'000, '1')}}, {});
+  EXPECT_EQ(status.end, EndReason::ProtocolError);
+}
+
+TEST(RemoteSourceFailure, TenMegabytesInOnePacket) {
+  const auto status = status_after({Accept{}, Send{"{1" + std::string(10'000'000, ' ')}}, {});
+  EXPECT_EQ(status.end, EndReason::ProtocolError);
+}
+
+TEST(RemoteSourceFailure, AnAuAboveNinetyNine) {
+  const auto status = status_after({Accept{}, Send{"{1,100}"}}, {});
+  EXPECT_EQ(status.end, EndReason::ProtocolError);
+}
+
+TEST(RemoteSourceFailure, EndFirst) {
+  const auto status = status_after({Accept{}, Send{"{-2}"}, ExpectEnd{}}, {});
+  EXPECT_EQ(status.end, EndReason::EndOfStream);
+}
+
+TEST(RemoteSourceFailure, Refused) {
+  ScriptedServer server({Accept{}, ExpectHello{}, Send{"{error 404 no stream of that name}"},
+                         HalfClose{}, ExpectEnd{}});
+  RemoteSource source(options_for(server.port()));
+  EXPECT_EQ(take_all(source), Aus{});
+  EXPECT_EQ(source.status().end, EndReason::Refused);
+  EXPECT_TRUE(holds(source.status(), "404 no stream of that name")) << source.status().detail;
+  EXPECT_EQ(server.finish(), "");
+}
+
+TEST(RemoteSourceFailure, ClosesAtOnceTwice) {
+  ScriptedServer server({Accept{}, Close{}, Accept{}, Close{}});
+  RemoteSource source(options_for(server.port()));
+  EXPECT_EQ(take_all(source), Aus{});
+  EXPECT_EQ(source.status().end, EndReason::ConnectionLost) << source.status().detail;
+  EXPECT_EQ(server.finish(), "");
+}
+
+}  // namespace
+}  // namespace aucast::net
