@@ -16,6 +16,7 @@ constexpr std::pair<int, std::string_view> kFacsNames[] = {
     {5, "Upper Lid Raiser"},
     {6, "Cheek Raiser"},
     {7, "Lid Tightener"},
+    {8, "Lips Toward Each Other"},
     {9, "Nose Wrinkler"},
     {10, "Upper Lip Raiser"},
     {11, "Nasolabial Furrow Deepener"},
