@@ -28,7 +28,8 @@ enum class RuleKind : std::uint8_t {
 
 [[nodiscard]] std::string_view name(RuleKind kind);
 
-/// One rule as data. Which of the lists are used depends on the kind.
+/// One rule as data. Opposition, alternative, additive and different are among equals: they have
+/// `sources` only, of which an alternative prefers the first on a tie.
 struct Rule {
   RuleKind kind = RuleKind::Additive;
   std::vector<int> sources;   ///< the AUs that decide: dominant, excluding, replaced ones
