@@ -1,0 +1,88 @@
+#include "client/view/child.h"
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.h"
+
+namespace aucast::view {
+namespace {
+
+std::unique_ptr<Child> shell(const std::string& script) {
+  bool missing = false;
+  auto child = Child::start({"sh", "-c", script}, missing);
+  EXPECT_TRUE(child.has_value());
+  return std::move(child.value());
+}
+
+TEST(Child, TakesAllBytesAndTellsItsCode) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "out";
+  const std::vector<std::uint8_t> bytes(3'000'000, 'x');
+  const auto child = shell("cat > '" + file.string() + "'; echo done >&2; exit 7");
+  EXPECT_TRUE(child->feed(bytes));
+  EXPECT_EQ(child->wait(), 7);
+  EXPECT_EQ(child->wait(), 7);
+  EXPECT_EQ(child->last_words(), "done\n");
+  EXPECT_EQ(std::filesystem::file_size(file), bytes.size());
+}
+
+TEST(Child, SaysThatThereIsNoSuchProgram) {
+  bool missing = false;
+  const auto child = Child::start({"aucast-no-such-program"}, missing);
+  ASSERT_FALSE(child.has_value());
+  EXPECT_TRUE(missing);
+  EXPECT_EQ(child.error().kind, ErrorKind::Failed);
+  EXPECT_NE(child.error().message.find("aucast-no-such-program cannot be started"),
+            std::string::npos);
+}
+
+TEST(Child, NoticesWithoutASignalThatNobodyReads) {
+  const std::vector<std::uint8_t> bytes(8'000'000, 'x');
+  const auto child = shell("exec <&-; echo gone >&2; exit 3");
+  EXPECT_FALSE(child->feed(bytes));
+  EXPECT_FALSE(child->feed(bytes));
+  EXPECT_EQ(child->wait(), 3);
+  EXPECT_EQ(child->last_words(), "gone\n");
+}
+
+TEST(Child, ReadsErrorsMeanwhileAndKeepsTheLast) {
+  // More than a pipe holds: without being read the child would wait for ever, and so would we.
+  const std::vector<std::uint8_t> bytes(4'000'000, 'x');
+  const auto child =
+      shell("head -c 1000000 /dev/zero | tr '\\0' e >&2; cat > /dev/null; echo the last words >&2");
+  EXPECT_TRUE(child->feed(bytes));
+  EXPECT_EQ(child->wait(), 0);
+  EXPECT_LE(child->last_words().size(), 2048U);
+  EXPECT_TRUE(child->last_words().ends_with("ethe last words\n"));
+}
+
+TEST(Child, TellsTheSignalThatKilledIt) {
+  EXPECT_EQ(shell("kill -9 $$")->wait(), 128 + SIGKILL);
+}
+
+TEST(Child, IsOutOfReachOfCtrlC) {
+  // A terminal's interrupt goes to the group of processes of the program that runs in it.
+  const auto child = shell("test \"$(ps -o pgid= -p $$ | tr -d ' ')\" = $$");
+  EXPECT_EQ(child->wait(), 0);
+}
+
+TEST(Child, IsKilledAndReapedWithItsOwner) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "pid";
+  auto child = shell("echo $$ > '" + file.string() + ".new'; mv '" + file.string() + ".new' '" +
+                     file.string() + "'; read line; sleep 1000");
+  while (!std::filesystem::exists(file)) {
+  }
+  const pid_t pid = std::stoi(folder.read("pid"));
+  ASSERT_EQ(::kill(pid, 0), 0);
+  child.reset();
+  EXPECT_EQ(::kill(pid, 0), -1);
+}
+
+}  // namespace
+}  // namespace aucast::view
