@@ -54,6 +54,8 @@ class PlaybackController {
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now, KeyframeSource& source);
 
   [[nodiscard]] PlaybackState state() const;
+  /// True in Ended, Stopped and Lost: nothing moves any more.
+  [[nodiscard]] bool over() const;
   [[nodiscard]] PlaybackMoment moment() const;
   /// When position k+1 of the current keyframe is reached; nothing when the clock stands.
   [[nodiscard]] std::optional<Instant> next_position_at() const;
@@ -81,7 +83,6 @@ class PlaybackController {
   [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant begin, Instant now,
                                                         KeyframeSource& source);
   void finish_keyframe();
-  [[nodiscard]] bool over() const;
 
   std::optional<Milliseconds> speed_;
   PlaybackState state_ = PlaybackState::Buffering;

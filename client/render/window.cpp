@@ -203,6 +203,10 @@ void Window::toggle_full_screen() {
   glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+void Window::bind_framebuffer() {
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 void Window::present() {
   glfwSwapBuffers(state_->window);
 }

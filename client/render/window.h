@@ -30,6 +30,8 @@ class Window {
   [[nodiscard]] Key next_key();
   void set_title(const std::string& title);
   void toggle_full_screen();
+  /// Makes the window's own framebuffer the one that is drawn into again.
+  void bind_framebuffer();
   void present();
   /// True once after something happened that needs a new picture: resize, exposure, camera.
   [[nodiscard]] bool take_redraw();

@@ -1,0 +1,43 @@
+#include "client/playback/blinking.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast::playback {
+namespace {
+
+TEST(BlinkClosure, BlinksOnceInEveryIntervalAndStaysInRange) {
+  for (int interval = 0; interval < 50; ++interval) {
+    int closings = 0;
+    bool open = true;
+    for (int step = 0; step < 4000; ++step) {
+      const float closure = blink_closure(1, interval * 4.0 + step * 0.001);
+      ASSERT_GE(closure, 0.0F);
+      ASSERT_LE(closure, 1.0F);
+      if (open && closure == 1.0F) ++closings;
+      open = closure < 1.0F;
+    }
+    EXPECT_EQ(closings, 1) << interval;
+  }
+}
+
+TEST(BlinkClosure, IsContinuous) {
+  float before = blink_closure(3, 0);
+  for (int step = 1; step < 20000; ++step) {
+    const float closure = blink_closure(3, step * 0.001);
+    EXPECT_NEAR(closure, before, 0.011F);
+    before = closure;
+  }
+}
+
+TEST(BlinkClosure, DependsOnTheSeedAndNothingElse) {
+  int different = 0;
+  for (int step = 0; step < 4000; ++step) {
+    const double t = step * 0.001;
+    EXPECT_EQ(blink_closure(5, t), blink_closure(5, t));
+    if (blink_closure(5, t) != blink_closure(6, t)) ++different;
+  }
+  EXPECT_GT(different, 0);
+}
+
+}  // namespace
+}  // namespace aucast::playback
