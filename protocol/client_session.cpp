@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/decoder.h"
 #include "protocol/limits.h"
@@ -156,8 +155,8 @@ void ClientSession::State::handle(const HelloGranted& hello) {
 }
 
 void ClientSession::State::handle(const ErrorReply& error) {
-  fail(Why::Refused, "the server refused: " + std::to_string(error.code) + ' ' +
-                         escaped(error.text, kHelloBytesMax));
+  // The decoder lets nothing but printable text through.
+  fail(Why::Refused, "the server refused: " + std::to_string(error.code) + ' ' + error.text);
 }
 
 void ClientSession::State::handle(const StreamList&) {

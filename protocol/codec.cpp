@@ -56,6 +56,15 @@ void append_field(std::string& text, std::string_view key, const std::string& va
   text.append(" ").append(key).append("=").append(value);
 }
 
+/// A byte of an error's text as it may stand within braces. Unlike escaped() it leaves a backslash
+/// alone: the text often quotes what has been escaped before.
+std::string printable(char byte) {
+  if (byte == '{') return "(";
+  if (byte == '}') return ")";
+  if (byte == '\\') return "\\";
+  return escaped(std::string_view(&byte, 1));
+}
+
 }  // namespace
 
 std::string encode_classic(const Keyframe& keyframe, int percent_min) {
@@ -114,12 +123,14 @@ std::string encode(const HelloGranted& hello) {
 }
 
 std::string encode(const ErrorReply& error) {
-  const std::string head = "{error " + std::to_string(error.code) + ' ';
-  constexpr std::string_view kCut = "...";
-  std::string text = escaped(error.text, kHelloBytesMax - head.size() - kCut.size() - 5);
-  std::replace(text.begin(), text.end(), '{', '(');
-  std::replace(text.begin(), text.end(), '}', ')');
-  return head + text + '}';
+  std::string text = "{error " + std::to_string(error.code) + ' ';
+  constexpr std::string_view kCut = "...}";
+  for (const char byte : error.text) {
+    std::string piece = printable(byte);
+    if (text.size() + piece.size() + kCut.size() > kHelloBytesMax) return text.append(kCut);
+    text += piece;
+  }
+  return text + '}';
 }
 
 std::string encode(const StreamList& list) {

@@ -2,7 +2,6 @@
 #include <deque>
 #include <utility>
 
-#include "common/text.h"
 #include "protocol/decoder.h"
 #include "protocol/keyframe_parser.h"
 #include "protocol/limits.h"

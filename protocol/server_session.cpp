@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "common/check.h"
-#include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/decoder.h"
 #include "protocol/limits.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "protocol/packet.h"
 #include "tests/support/seeded.h"
 

@@ -1,0 +1,355 @@
+#include "protocol/server_session.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/limits.h"
+#include "tests/unit/protocol/session_text.h"
+
+namespace aucast::protocol {
+namespace {
+
+using namespace std::chrono_literals;
+using test::reason_of;
+using test::served;
+using test::text_of;
+
+const std::string kBye = "send {-2} | shutdown";
+
+/// A server of two short streams and a hand on its clock.
+class Server : public ::testing::Test {
+ protected:
+  Server() {
+    catalogue_.streams = {served("talk", {"{1:30}", "{2;40}", "{3}"}, {"{1}", "{2}", "{3}"}),
+                          served("smile", {"{6,12}"})};
+    catalogue_.streams[0].duration_ms = 540;
+    start();
+  }
+
+  void start(Duration round_trip = 0ms) {
+    now_ = Instant{} + 1h;
+    session_.emplace(catalogue_, round_trip, now_);
+  }
+
+  std::string get(std::string_view bytes) { return text_of(session_->on_bytes(bytes, now_)); }
+  std::string peer_end() { return text_of(session_->on_peer_end(now_)); }
+  std::string lost() { return text_of(session_->on_lost(now_)); }
+  std::string stop() { return text_of(session_->stop(now_)); }
+  std::string pass(Duration time) {
+    now_ += time;
+    return text_of(session_->on_time(now_));
+  }
+
+  ServerCatalogue catalogue_;
+  Instant now_;
+  std::optional<ServerSession> session_;
+};
+
+TEST_F(Server, WaitsItsGraceAndThenSpeaksClassic) {
+  EXPECT_EQ(session_->deadline(), now_ + 100ms);
+  EXPECT_EQ(pass(99ms), "");
+  EXPECT_FALSE(session_->awaiting_answer());
+  EXPECT_EQ(pass(1ms), "send {1}");
+  EXPECT_EQ(session_->level(), Level::Classic);
+  EXPECT_TRUE(session_->awaiting_answer());
+  EXPECT_FALSE(session_->deadline().has_value());
+}
+
+TEST_F(Server, ItsGraceIsThreeRoundTripsWithinBounds) {
+  start(50ms);
+  EXPECT_EQ(session_->deadline(), now_ + 150ms);
+  start(10ms);
+  EXPECT_EQ(session_->deadline(), now_ + 100ms);
+  start(1h);
+  EXPECT_EQ(session_->deadline(), now_ + 3s);
+  start(-1s);
+  EXPECT_EQ(session_->deadline(), now_ + 100ms);
+}
+
+TEST_F(Server, SendsOnePacketPerAnswerAndDrainsToThePeersEnd) {
+  EXPECT_EQ(pass(100ms), "send {1}");
+  EXPECT_EQ(get("1"), "send {2}");
+  EXPECT_EQ(get("\r\n1\n"), "send {3}");
+  EXPECT_EQ(session_->packets_sent(), 3U);
+  EXPECT_EQ(session_->payload_bytes(), 9U);
+  EXPECT_EQ(get("1"), kBye);
+  EXPECT_FALSE(session_->awaiting_answer());
+  EXPECT_EQ(get("last words"), "");
+  EXPECT_EQ(peer_end(), "close finished");
+  EXPECT_EQ(get("1"), "") << "nothing after the close";
+  EXPECT_EQ(lost(), "");
+  EXPECT_EQ(stop(), "");
+  EXPECT_EQ(pass(1h), "");
+}
+
+TEST_F(Server, ACodeEndsTheGraceAndAnswersTheFirstPacket) {
+  EXPECT_EQ(get("1"), "send {1}{2}");
+  EXPECT_TRUE(session_->awaiting_answer());
+}
+
+TEST_F(Server, BlanksNeitherEndNorExtendTheGrace) {
+  EXPECT_EQ(get("\r\n  "), "");
+  EXPECT_EQ(session_->deadline(), now_ + 100ms);
+  EXPECT_EQ(get("-"), "") << "half a code";
+  EXPECT_EQ(pass(100ms), "send {1}");
+  EXPECT_EQ(get("1"), "") << "the -1 is complete";
+  EXPECT_TRUE(session_->paused());
+}
+
+TEST_F(Server, UsesUpEarlyAnswersOfAHalfClosedClient) {
+  EXPECT_EQ(get("1111111"), "send {1}{2}{3}{-2} | shutdown");
+  EXPECT_EQ(peer_end(), "close finished");
+  start();
+  EXPECT_EQ(get("11"), "send {1}{2}{3}");
+  const auto events = session_->on_peer_end(now_);
+  EXPECT_EQ(text_of(events), "close peer gone");
+  EXPECT_EQ(reason_of(events), "the client ended before it had answered everything");
+}
+
+TEST_F(Server, SendsASilentHalfClosedClientItsFirstPacket) {
+  EXPECT_EQ(peer_end(), "send {1} | close peer gone");
+}
+
+TEST_F(Server, PausesInPlaceOfAnAnswerAndResumes) {
+  pass(100ms);
+  EXPECT_EQ(get("-1"), "");
+  EXPECT_TRUE(session_->paused());
+  EXPECT_FALSE(session_->awaiting_answer()) << "a paused client owes nothing";
+  EXPECT_EQ(get("-1"), "") << "paused already";
+  EXPECT_EQ(get("-3"), "send {2}");
+  EXPECT_FALSE(session_->paused());
+  EXPECT_EQ(get("-3"), "") << "not paused: no meaning";
+  EXPECT_EQ(get("1"), "send {3}");
+}
+
+TEST_F(Server, BanksAnAnswerThatComesWhilePaused) {
+  pass(100ms);
+  EXPECT_EQ(get("-11"), "");
+  EXPECT_EQ(get("-3"), "send {2}{3}");
+}
+
+TEST_F(Server, APausedClientGetsTheEndAfterItsResume) {
+  EXPECT_EQ(get("11-1"), "send {1}{2}{3}");
+  EXPECT_EQ(get("-3"), kBye);
+}
+
+TEST_F(Server, AClientThatEndsWhilePausedIsGone) {
+  EXPECT_EQ(get("-1"), "send {1}");
+  const auto events = session_->on_peer_end(now_);
+  EXPECT_EQ(text_of(events), "close peer gone");
+  EXPECT_EQ(reason_of(events), "the client ended while it was paused");
+}
+
+TEST_F(Server, StopsAtOnce) {
+  EXPECT_EQ(get("1-4"), "send {1}{2}{-2} | shutdown");
+  EXPECT_EQ(get("1"), "");
+  const auto events = session_->on_peer_end(now_);
+  EXPECT_EQ(text_of(events), "close stopped");
+  EXPECT_EQ(reason_of(events), "the client sent -4");
+  start();
+  EXPECT_EQ(get("-4"), "send {1}{-2} | shutdown") << "also as the first code";
+  start();
+  EXPECT_EQ(get("-1"), "send {1}");
+  EXPECT_EQ(get("-4"), kBye) << "also while paused";
+}
+
+TEST_F(Server, DrainsForTwoSecondsOr64KiBAtMost) {
+  EXPECT_EQ(get("111"), "send {1}{2}{3}{-2} | shutdown");
+  EXPECT_EQ(session_->deadline(), now_ + 2s);
+  EXPECT_EQ(pass(1999ms), "");
+  EXPECT_EQ(pass(1ms), "close finished");
+  start();
+  EXPECT_EQ(get("111"), "send {1}{2}{3}{-2} | shutdown");
+  EXPECT_EQ(get(std::string(kDrainBytesMax, 'x')), "") << "even garbage";
+  EXPECT_EQ(get("x"), "close finished");
+}
+
+TEST_F(Server, TheServersStopSaysTheEndToEverybody) {
+  EXPECT_EQ(stop(), kBye) << "in the grace";
+  EXPECT_EQ(stop(), "") << "once";
+  EXPECT_EQ(peer_end(), "close stopped");
+  start();
+  EXPECT_EQ(get("{hel"), "");
+  EXPECT_EQ(stop(), kBye) << "within the hello";
+  start();
+  EXPECT_EQ(get("-1"), "send {1}");
+  EXPECT_EQ(stop(), kBye) << "paused";
+}
+
+TEST_F(Server, ALostConnectionIsClosedWithoutAWord) {
+  pass(100ms);
+  const auto events = session_->on_lost(now_);
+  EXPECT_EQ(text_of(events), "close peer gone");
+  EXPECT_EQ(reason_of(events), "the connection was lost");
+  start();
+  EXPECT_NE(get("111"), "");
+  EXPECT_EQ(lost(), "close finished") << "everything had been said";
+}
+
+TEST_F(Server, RefusesWhatIsNoCode) {
+  const auto events = session_->on_bytes("GET / HTTP/1.1", now_);
+  EXPECT_EQ(text_of(events), "close protocol error");
+  EXPECT_EQ(reason_of(events),
+            "'G' is no control code; those are 1, -1, -3 and -4 (unknown code "
+            "at byte 0)");
+  start();
+  EXPECT_EQ(get("1x"), "send {1}{2} | close protocol error");
+}
+
+TEST_F(Server, BoundsEarlyAnswersInOneCallAndWhilePaused) {
+  catalogue_.loop = true;
+  start();
+  pass(100ms);
+  const std::string flood(kEarlyAnswersMax + 1, '1');
+  const auto sent = session_->on_bytes(flood, now_);
+  EXPECT_EQ(std::get<SendBytes>(sent.front()).bytes.size(), flood.size() * 3)
+      << "one answer was due";
+  EXPECT_EQ(sent.size(), 1U);
+  const auto events = session_->on_bytes(flood + "1", now_);
+  EXPECT_TRUE(text_of(events).ends_with("close protocol error"));
+  EXPECT_EQ(reason_of(events), "more than 4096 answers came before the packets they answer");
+
+  start();
+  EXPECT_EQ(get("-1"), "send {1}");
+  EXPECT_EQ(get(std::string(4000, '1')), "");
+  EXPECT_EQ(get(std::string(96, '1')), "");
+  EXPECT_EQ(get("1"), "close protocol error");
+}
+
+TEST_F(Server, LoopsWithoutAnEnd) {
+  catalogue_.loop = true;
+  start();
+  EXPECT_EQ(get("1111"), "send {1}{2}{3}{1}{2}");
+  EXPECT_EQ(session_->packets_sent(), 5U);
+}
+
+TEST_F(Server, GrantsAHelloAndFillsTheWindow) {
+  EXPECT_EQ(get("{hello v=2 window=2}"),
+            "send {hello v=2 window=2 stream=talk duration=540 keyframe=250}{1:30}{2;40}");
+  EXPECT_EQ(session_->level(), Level::Negotiated);
+  EXPECT_TRUE(session_->awaiting_answer());
+  EXPECT_FALSE(session_->deadline().has_value());
+  EXPECT_EQ(get("1"), "send {3}");
+  EXPECT_EQ(get("1"), "");
+  EXPECT_EQ(get("1"), kBye);
+}
+
+TEST_F(Server, GrantsNoMoreThanItHas) {
+  EXPECT_EQ(get("{hello window=999 stream=smile delta=1 token=x from=7}"),
+            "send {hello v=2 window=256 stream=smile keyframe=250}{6,12}");
+  EXPECT_EQ(session_->stream_name(), "smile");
+  start();
+  EXPECT_EQ(get("{hello window=0 stream=smile}"),
+            "send {hello v=2 window=1 stream=smile keyframe=250}{6,12}")
+      << "a recorded stream needs answers";
+  start();
+  EXPECT_EQ(get("{hello stream=smile}"),
+            "send {hello v=2 window=1 stream=smile keyframe=250}{6,12}");
+}
+
+TEST_F(Server, PauseAndResumeAnswerNothingInLevel2) {
+  EXPECT_NE(get("{hello window=2}"), "");
+  EXPECT_EQ(get("-1"), "");
+  EXPECT_EQ(get("11"), "") << "what was on its way is answered all the same";
+  EXPECT_FALSE(session_->awaiting_answer());
+  EXPECT_EQ(get("-3"), "send {3}");
+  EXPECT_EQ(get("-11"), "") << "the end waits for the resume";
+  EXPECT_EQ(get("-3"), kBye);
+}
+
+TEST_F(Server, AHelloBegunHasFiveSeconds) {
+  EXPECT_EQ(get("{hel"), "");
+  EXPECT_EQ(session_->deadline(), now_ + 5s);
+  EXPECT_EQ(pass(4999ms), "");
+  EXPECT_EQ(get("lo v=2"), "");
+  EXPECT_EQ(pass(1ms), "send {error 400 the hello was not complete within 5 seconds} | shutdown");
+  EXPECT_EQ(peer_end(), "close refused");
+}
+
+TEST_F(Server, AClientThatEndsWithinItsHelloIsGone) {
+  EXPECT_EQ(get("{hel"), "");
+  EXPECT_EQ(peer_end(), "close peer gone");
+}
+
+TEST_F(Server, AnswersABadHelloWithAnError) {
+  const std::pair<std::string, std::string> rows[] = {
+      {"{hello v=3}", "{error 505 version 3 is not spoken here, only 2}"},
+      {"{hello stream=none}", "{error 404 there is no stream 'none' here}"},
+      {"{hello window=x}",
+       "{error 400 window is a number of 0-999999, found 'x' (bad field at byte 14)}"},
+      {"{hallo}",
+       "{error 400 the word beginning 'ha' is none of the protocol's (unknown packet at byte 2)}"},
+      {"{hello\n}",
+       "{error 400 the word beginning 'hello\\x0a' is none of the protocol's "
+       "(unknown packet at byte 6)}"},
+      {"{hello v=2\n}",
+       "{error 400 expected printable text or ')', found '\\x0a' (illegal byte "
+       "at byte 10)}"},
+  };
+  for (const auto& [hello, error] : rows) {
+    start();
+    EXPECT_EQ(get(hello), "send " + error + " | shutdown");
+    const auto events = session_->on_peer_end(now_);
+    EXPECT_EQ(text_of(events), "close refused");
+    EXPECT_FALSE(reason_of(events).empty());
+  }
+  start();
+  EXPECT_TRUE(get("{hello " + std::string(600, 'x')).starts_with("send {error 400 no closing"));
+}
+
+TEST_F(Server, IgnoresALateHelloButNotALaterOne) {
+  pass(100ms);
+  EXPECT_EQ(get("{hello v=2 window=64}"), "");
+  EXPECT_EQ(session_->level(), Level::Classic);
+  EXPECT_EQ(get("1"), "send {2}");
+  EXPECT_EQ(get("{"), "close protocol error");
+  start();
+  pass(100ms);
+  EXPECT_EQ(get("{streams}1"), "send {2}") << "the same for the other question";
+  start();
+  pass(100ms);
+  EXPECT_EQ(get("{hello v=x}"), "close protocol error") << "not well-formed";
+}
+
+TEST_F(Server, ListsItsStreams) {
+  EXPECT_EQ(get("{streams}"), "send {streams talk smile} | shutdown");
+  EXPECT_EQ(peer_end(), "close finished");
+}
+
+TEST_F(Server, AHelloAfterTheGraceButBeforeTheTimerCounts) {
+  now_ += 1s;
+  EXPECT_TRUE(get("{hello}").starts_with("send {hello"));
+}
+
+TEST_F(Server, GivesTheSameForBytesCutAnywhere) {
+  const std::string bytes = " {hello v=2 window=2}1-1-311";
+  const std::string whole = get(bytes);
+  for (std::size_t cut = 1; cut < bytes.size(); ++cut) {
+    start();
+    std::string sent;
+    for (const std::string_view part :
+         {std::string_view(bytes).substr(0, cut), std::string_view(bytes).substr(cut)}) {
+      const std::string text = get(part);
+      if (!text.empty()) sent += sent.empty() ? text : text.substr(text.find(' ') + 1);
+    }
+    EXPECT_EQ(sent, whole) << "cut at " << cut;
+  }
+}
+
+TEST_F(Server, AnEmptyStreamEndsAtOnce) {
+  catalogue_.streams = {served("none", {})};
+  catalogue_.loop = true;
+  start();
+  EXPECT_EQ(get("1-4"), kBye);
+}
+
+TEST(CloseReason, HasANameForEach) {
+  using Why = CloseConnection::Why;
+  EXPECT_EQ(name(Why::Finished), "finished");
+  EXPECT_EQ(name(Why::Stopped), "stopped");
+  EXPECT_EQ(name(Why::PeerGone), "peer gone");
+  EXPECT_EQ(name(Why::ProtocolError), "protocol error");
+  EXPECT_EQ(name(Why::Refused), "refused");
+}
+
+}  // namespace
+}  // namespace aucast::protocol

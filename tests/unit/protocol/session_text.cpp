@@ -1,0 +1,81 @@
+#include "tests/unit/protocol/session_text.h"
+
+#include <utility>
+
+#include "protocol/codec.h"
+
+namespace aucast::test {
+
+using namespace protocol;
+
+namespace {
+
+std::string text_of_event(const SendBytes& send) {
+  return "send " + send.bytes;
+}
+std::string text_of_event(const ShutdownSending&) {
+  return "shutdown";
+}
+std::string text_of_event(const CloseConnection& close) {
+  return "close " + std::string(name(close.why));
+}
+std::string text_of_event(const DeliverKeyframe& keyframe) {
+  std::string text = "store {" + format_au_set(keyframe.aus);
+  if (keyframe.duration_ms) text += ";" + std::to_string(*keyframe.duration_ms);
+  if (keyframe.place_ms) text += "@" + std::to_string(*keyframe.place_ms);
+  return text + "}";
+}
+std::string text_of_event(const Granted& granted) {
+  return "granted window=" + std::to_string(granted.hello.window);
+}
+std::string text_of_event(const StreamEnded&) {
+  return "ended";
+}
+std::string text_of_event(const ReconnectClassic&) {
+  return "reconnect";
+}
+std::string text_of_event(const SessionFailed& failed) {
+  return "fail " + std::string(name(failed.why));
+}
+
+template <typename Event>
+std::string joined(const std::vector<Event>& events) {
+  std::string text;
+  for (const Event& event : events) {
+    if (!text.empty()) text += " | ";
+    text += std::visit([](const auto& kind) { return text_of_event(kind); }, event);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text_of(const std::vector<ServerEvent>& events) {
+  return joined(events);
+}
+
+std::string text_of(const std::vector<ClientEvent>& events) {
+  return joined(events);
+}
+
+std::string reason_of(const std::vector<ServerEvent>& events) {
+  for (const ServerEvent& event : events) {
+    if (const auto* close = std::get_if<CloseConnection>(&event)) return close->reason;
+  }
+  return {};
+}
+
+std::string reason_of(const std::vector<ClientEvent>& events) {
+  for (const ClientEvent& event : events) {
+    if (const auto* failed = std::get_if<SessionFailed>(&event)) return failed->reason;
+  }
+  return {};
+}
+
+ServedStream served(std::string name, std::vector<std::string> negotiated,
+                    std::vector<std::string> classic) {
+  if (classic.empty()) classic = negotiated;
+  return {std::move(name), std::move(classic), std::move(negotiated), std::nullopt};
+}
+
+}  // namespace aucast::test

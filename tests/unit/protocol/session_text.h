@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "protocol/client_session.h"
+#include "protocol/server_session.h"
+
+namespace aucast::test {
+
+/// Events as one line, in order: "send {1,6}", "shutdown", "close finished", joined by " | ".
+[[nodiscard]] std::string text_of(const std::vector<protocol::ServerEvent>& events);
+/// "send 1", "store {1:30;40}", "granted window=4", "ended", "reconnect", "fail lost".
+[[nodiscard]] std::string text_of(const std::vector<protocol::ClientEvent>& events);
+
+/// The reason of the close among the events; empty when there is none.
+[[nodiscard]] std::string reason_of(const std::vector<protocol::ServerEvent>& events);
+[[nodiscard]] std::string reason_of(const std::vector<protocol::ClientEvent>& events);
+
+/// A served stream of the given packets; a level-1 client gets `classic`, or the same when empty.
+[[nodiscard]] protocol::ServedStream served(std::string name, std::vector<std::string> negotiated,
+                                            std::vector<std::string> classic = {});
+
+}  // namespace aucast::test
