@@ -45,7 +45,8 @@ std::map<int, AuRecording> read_recordings(TableReader& document, const Face& fa
       for (const auto& [name, place, value] : drive_table->entries) {
         const std::vector<std::size_t> channels = finder(name);
         if (channels.empty()) {
-          if (unknown != nullptr) continue;
+          const bool known = std::find(names.begin(), names.end(), name) != names.end();
+          if (unknown != nullptr && known) continue;
           problems.add(place, "AU" + std::to_string(recording.number) + " drives '" +
                                   escaped(name) + "', which this face does not have" +
                                   did_you_mean(name, names));

@@ -17,8 +17,9 @@ using ChannelFinder = std::function<std::vector<std::size_t>(std::string_view na
 
 /// Reads the [[au]] tables of an AU file (data/faces/README.md) for the channels of `face`. A name
 /// that means fewer channels wins over one that means more: left_X beside X. What is wrong goes to
-/// the problems, also a name without a channel when `finder` finds none - unless the file is for
-/// many faces (`unknown` is given): then each AU that has nothing here is added there.
+/// the problems, also a name for which `finder` finds no channel, with the nearest of `names`. When
+/// the file is for many faces (`unknown` is given), names without a channel need only be in
+/// `names`, and each AU that has nothing to drive here is added to `unknown`.
 [[nodiscard]] std::map<int, AuRecording> read_recordings(TableReader& document, const Face& face,
                                                          const ChannelFinder& finder,
                                                          const std::vector<std::string>& names,

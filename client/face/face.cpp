@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "client/face/classic_folder.h"
 #include "client/face/face_folder.h"
 
 namespace aucast::face {
@@ -16,8 +17,10 @@ std::optional<std::size_t> Face::channel_index(std::string_view channel_name) co
 
 Result<Face> load_face(const std::filesystem::path& folder,
                        const std::filesystem::path& data_folder) {
-  static_cast<void>(data_folder);
-  return load_face_folder(folder);
+  std::error_code error;
+  const bool classic = !std::filesystem::exists(folder / "face.toml", error) &&
+                       std::filesystem::exists(folder / "faceline.dat", error);
+  return classic ? load_classic_folder(folder, data_folder) : load_face_folder(folder);
 }
 
 }  // namespace aucast::face

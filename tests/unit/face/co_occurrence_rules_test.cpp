@@ -107,7 +107,7 @@ const std::vector<BadRules> kBadRules = {
     {"format = 1\n", ":1:1: 'name' is missing"},
     {"format = 1\nname = \"x\"\nrules = []\n", ":3:1: unknown key 'rules'; did you mean rule?"},
     {"format = 1\nname = \"x\"\nrule = 3\n", ":3:8: rule must be written [[rule]]"},
-    {with("kind = \"domination\"\n"),
+    {with("kind = \"dominence\"\n"),
      ":4:8: kind 'dominence' is unknown; did you mean dominance?"},
     {with("sources = [1]\n"), ":3:1: 'kind' is missing"},
     {with("kind = \"dominance\"\nsources = [9]\ntargets = [3]\n"),

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "client/face/table_reader.h"
+
+namespace aucast::face {
+
+/// Reads the words and numbers of Waters' text files one after the other, over blanks and line
+/// ends. What is wrong goes to the problems with its place, and 0 comes back.
+/// The text and the problems must outlive it.
+class ClassicScanner {
+ public:
+  ClassicScanner(std::string_view text, Problems& problems) : text_(text), problems_(problems) {}
+
+  /// A whole number from `low` to `high`; `what` names it in messages, "the number of points".
+  std::size_t count(std::string_view what, std::size_t low, std::size_t high);
+  float number(std::string_view what, const Bounds& bounds = {});
+  /// A name of at most 64 printable characters.
+  std::string word(std::string_view what);
+  /// Nothing but blanks may be left.
+  void end();
+
+  [[nodiscard]] Place place() const { return token_place_; }  ///< of what was read last
+  void wrong(const std::string& text) { problems_.add(token_place_, text); }
+
+ private:
+  std::string_view next();
+  bool take(std::string_view what, std::string_view& token);
+
+  std::string_view text_;
+  Problems& problems_;
+  std::size_t position_ = 0;
+  Place here_{1, 1};
+  Place token_place_{1, 1};
+};
+
+}  // namespace aucast::face
