@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace aucast::fuzz {
+
+/// The fuzzer's bytes as text.
+[[nodiscard]] inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+/// Takes the input apart as a script: moves of one byte, some followed by a length and bytes.
+class Script {
+ public:
+  explicit Script(std::string_view input) : rest_(input) {}
+
+  [[nodiscard]] bool empty() const { return rest_.empty(); }
+
+  /// 0 when nothing is left.
+  [[nodiscard]] std::uint8_t byte() {
+    if (rest_.empty()) return 0;
+    const auto value = static_cast<std::uint8_t>(rest_.front());
+    rest_.remove_prefix(1);
+    return value;
+  }
+
+  /// Everything up to the next line feed, which is dropped: readable seeds are easy to write.
+  [[nodiscard]] std::string_view line() {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    const std::string_view text = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return text;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+}  // namespace aucast::fuzz

@@ -1,0 +1,84 @@
+// A hostile client: the input is a script of lines. '>' sends the rest of the line, 't' lets time
+// pass (10 ms a letter), 'e' ends the client's side, 'x' breaks the connection,
+// 's' stops the server; any other line is sent as it is.
+
+#include "common/check.h"
+#include "protocol/limits.h"
+#include "protocol/server_session.h"
+#include "tests/fuzz/fuzz_input.h"
+
+using namespace aucast;
+using namespace aucast::protocol;
+
+namespace {
+
+/// Follows the events and checks what must hold for any peer.
+class Watch {
+ public:
+  void take(const std::vector<ServerEvent>& events) {
+    for (const ServerEvent& event : events) {
+      AUCAST_CHECK(!closed_);
+      if (const auto* send = std::get_if<SendBytes>(&event)) {
+        AUCAST_CHECK(!shut_);
+        AUCAST_CHECK(!send->bytes.empty());
+      } else if (std::holds_alternative<ShutdownSending>(event)) {
+        AUCAST_CHECK(!shut_);
+        shut_ = true;
+      } else {
+        AUCAST_CHECK(!std::get<CloseConnection>(event).reason.empty());
+        closed_ = true;
+      }
+    }
+  }
+  [[nodiscard]] bool closed() const { return closed_; }
+  [[nodiscard]] bool shut() const { return shut_; }
+
+ private:
+  bool shut_ = false;
+  bool closed_ = false;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Script script(fuzz::text_of(data, size));
+  ServerCatalogue catalogue;
+  catalogue.streams = {{"a", {"{1}", "{2}", "{3}"}, {"{1:30}", "{2;40}", "{3}"}, 120},
+                       {"b", {"{0}"}, {"{0}"}, std::nullopt}};
+  catalogue.loop = (script.byte() & 1U) != 0;
+  Instant now{};
+  ServerSession session(catalogue, Milliseconds(script.byte()), now);
+  Watch watch;
+  while (!script.empty()) {
+    const std::string_view line = script.line();
+    const std::uint64_t sent_before = session.packets_sent();
+    switch (line.empty() ? '\n' : line.front()) {
+      case 't':
+        now += Milliseconds(10 * line.size());
+        watch.take(session.on_time(now));
+        break;
+      case 'e':
+        watch.take(session.on_peer_end(now));
+        break;
+      case 'x':
+        watch.take(session.on_lost(now));
+        break;
+      case 's':
+        watch.take(session.stop(now));
+        break;
+      case '>':
+        watch.take(session.on_bytes(line.substr(1), now));
+        break;
+      default:
+        watch.take(session.on_bytes(line, now));
+        break;
+    }
+    AUCAST_CHECK(session.packets_sent() - sent_before <= kEarlyAnswersMax + kWindowMax);
+    if (watch.closed()) AUCAST_CHECK(!session.deadline());
+    if (watch.shut()) AUCAST_CHECK(!session.awaiting_answer());
+  }
+  // Whatever has happened, a lost connection and enough time close it.
+  watch.take(session.on_lost(now));
+  AUCAST_CHECK(watch.closed());
+  return 0;
+}
