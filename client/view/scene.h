@@ -41,12 +41,12 @@ struct MovingMesh {
 /// A camera that looks at `target` from `distance`, turned by yaw (to the subject's left is
 /// positive) and pitch (up is positive). The long lens flatters (face.md 5).
 struct Camera {
-  glm::vec3 target{0.0F, 1.0F, 2.0F};
+  glm::vec3 target{0.0F, 0.6F, 2.0F};
   float distance = 60;
   float yaw_rad = 0;
   float pitch_rad = 0;
   /// Half the height of what is seen at the target, mesh units.
-  float half_height = 10.2F;
+  float half_height = 11.0F;
 };
 
 struct Background {

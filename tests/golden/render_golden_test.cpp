@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "client/render/face_renderer.h"
+#include "client/render/offscreen.h"
+#include "client/view/camera.h"
+#include "client/view/image.h"
+#include "common/files.h"
+#include "tests/golden/render_scene.h"
+
+namespace aucast {
+namespace {
+
+constexpr int kSide = 200;
+/// Another processor rounds differently: a pixel counts from a difference of 8 on, and one in a
+/// hundred may.
+constexpr int kTolerance = 8;
+constexpr double kShareMax = 0.01;
+
+/// One OpenGL context and renderer for a test.
+class RenderGolden : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = render::OffscreenContext::create();
+    ASSERT_TRUE(context.has_value()) << context.error().message;
+    context_ = std::move(context.value());
+    auto renderer = render::FaceRenderer::create();
+    ASSERT_TRUE(renderer.has_value()) << renderer.error().message;
+    renderer_ = std::move(renderer.value());
+  }
+
+  view::Image drawn(const view::MovingMesh& mesh, const view::Camera& camera, int width = kSide,
+                    int height = kSide, const view::Background& background = {}) {
+    auto target = render::OffscreenTarget::create(width, height);
+    EXPECT_TRUE(target.has_value()) << target.error().message;
+    (*target)->bind();
+    renderer_->draw(mesh, camera, background, width, height);
+    return (*target)->read();
+  }
+
+  render::FaceRenderer& renderer() { return *renderer_; }
+
+ private:
+  std::unique_ptr<render::OffscreenContext> context_;
+  std::unique_ptr<render::FaceRenderer> renderer_;
+};
+
+/// Writes the picture as the new baseline when scripts/update_golden.sh asks for it, else compares
+/// with the committed one. The picture is left beside the test programs when they differ.
+void expect_as_baseline(const view::Image& image, const std::string& name) {
+  const auto baseline = std::filesystem::path(AUCAST_GOLDEN_SOURCE) / "baselines" / (name + ".png");
+  if (std::getenv("AUCAST_UPDATE_GOLDEN") != nullptr) {
+    const auto written = view::write_png(image, baseline);
+    ASSERT_TRUE(written.has_value()) << written.error().message;
+    return;
+  }
+  const auto wanted = view::read_png(baseline);
+  ASSERT_TRUE(wanted.has_value()) << wanted.error().message
+                                  << "\nMake it with scripts/update_golden.sh and look at it.";
+  const auto difference = view::compare(image, *wanted, kTolerance);
+  if (difference.share <= kShareMax) return;
+  const auto result = std::filesystem::path(AUCAST_GOLDEN_RESULTS) / (name + ".png");
+  const auto written = view::write_png(image, result);
+  ADD_FAILURE() << name << ": " << 100 * difference.share << " % of the pixels differ, at most by "
+                << difference.largest << ". Compare " << baseline << " with "
+                << (written.has_value() ? result.string() : written.error().message)
+                << "; if the change is meant, run scripts/update_golden.sh.";
+}
+
+int brightness(const view::Image& image, int x, int y) {
+  const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                              static_cast<std::size_t>(x));
+  return image.rgba[at] + image.rgba[at + 1] + image.rgba[at + 2];
+}
+
+TEST_F(RenderGolden, SphereHeadLooksAsBefore) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  for (const auto& [name, preset] : std::vector<std::pair<std::string, view::CameraPreset>>{
+           {"render_spheres_front", view::CameraPreset::Front},
+           {"render_spheres_three_quarter", view::CameraPreset::ThreeQuarter}}) {
+    expect_as_baseline(drawn(head.moving_mesh(), view::portrait_camera(preset)), name);
+  }
+}
+
+TEST_F(RenderGolden, DrawsTheSameBytesTwice) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  const view::Image first = drawn(head.moving_mesh(), {});
+  const view::Image second = drawn(head.moving_mesh(), {});
+  EXPECT_TRUE(first.rgba == second.rgba);
+  // What was drawn in between leaves no trace.
+  view::Camera other;
+  other.yaw_rad = 1;
+  EXPECT_FALSE(drawn(head.moving_mesh(), other).rgba == first.rgba);
+  EXPECT_TRUE(drawn(head.moving_mesh(), {}).rgba == first.rgba);
+  auto again = render::FaceRenderer::create();
+  ASSERT_TRUE(again.has_value());
+  (*again)->load(head.static_mesh());
+  auto target = render::OffscreenTarget::create(kSide, kSide);
+  ASSERT_TRUE(target.has_value());
+  (*target)->bind();
+  (*again)->draw(head.moving_mesh(), {}, {}, kSide, kSide);
+  EXPECT_TRUE((*target)->read().rgba == first.rgba);
+}
+
+TEST_F(RenderGolden, GivesCompletePicturesOfAnySize) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  for (const auto& [width, height] :
+       std::vector<std::pair<int, int>>{{1, 1}, {3, 201}, {201, 3}, {333, 77}, {640, 480}}) {
+    const view::Image image = drawn(head.moving_mesh(), {}, width, height);
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
+    ASSERT_EQ(image.rgba.size(), 4U * static_cast<unsigned>(width * height));
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);
+  }
+}
+
+TEST_F(RenderGolden, ShowsTheTopAtTheTop) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  const view::Image image = drawn(head.moving_mesh(), {});
+  // Hair above, skin below it.
+  EXPECT_LT(brightness(image, kSide / 2, kSide / 8), brightness(image, kSide / 2, kSide / 3));
+}
+
+TEST_F(RenderGolden, PaintsTheBackgroundAsked) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  const view::Background white{glm::vec3(1.5F), glm::vec3(1.5F)};
+  const view::Image image = drawn(head.moving_mesh(), {}, kSide, kSide, white);
+  EXPECT_EQ(brightness(image, 1, 1), 3 * 255);
+  EXPECT_LT(brightness(image, kSide / 2, kSide / 2), 3 * 255);
+  const view::Image dark =
+      drawn(head.moving_mesh(), {}, kSide, kSide, {glm::vec3(0), glm::vec3(0)});
+  EXPECT_EQ(brightness(dark, 1, 1), 0);
+}
+
+TEST_F(RenderGolden, DrawsAnEmptyMeshAsBackground) {
+  renderer().load({});
+  const view::Image image = drawn({}, {});
+  EXPECT_GT(brightness(image, kSide / 2, kSide / 2), 0);
+}
+
+TEST_F(RenderGolden, SmoothsTheOutline) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  const view::Image image =
+      drawn(head.moving_mesh(), {}, kSide, kSide, {glm::vec3(0), glm::vec3(0)});
+  // Between the black ground and the skin stand pixels that are partly both.
+  const int row = kSide / 2;
+  int begin = 0;
+  while (begin < kSide && brightness(image, begin, row) == 0) ++begin;
+  ASSERT_LT(begin + 3, kSide);
+  EXPECT_LT(brightness(image, begin, row), brightness(image, begin + 2, row));
+}
+
+TEST_F(RenderGolden, LightsTheDefaultFace) {
+  const auto data = find_data_folder({});
+  ASSERT_TRUE(data.has_value()) << data.error().message;
+  auto scene = test::FaceScene::load(*data / "faces" / "default", *data);
+  ASSERT_TRUE(scene.has_value()) << scene.error().message;
+  renderer().load((*scene)->static_mesh());
+  const view::Image rest = drawn((*scene)->moving_mesh(), {}, 300, 300);
+  // Red over blue in the middle of the face: skin in warm light.
+  const std::size_t middle = 4U * (170U * 300U + 150U);
+  EXPECT_GT(rest.rgba[middle], rest.rgba[middle + 2] + 20);
+
+  AuFrame smile;
+  for (const int number : {6, 12, 25}) {
+    smile.left[static_cast<std::size_t>(number)] = 1;
+    smile.right[static_cast<std::size_t>(number)] = 1;
+  }
+  (*scene)->pose(smile);
+  const view::Image smiling = drawn((*scene)->moving_mesh(), {}, 300, 300);
+  EXPECT_GT(view::compare(rest, smiling, kTolerance).share, 0.01);
+  (*scene)->pose({});
+  EXPECT_TRUE(drawn((*scene)->moving_mesh(), {}, 300, 300).rgba == rest.rgba);
+}
+
+TEST(OffscreenTarget, RefusesSizesBeyondTheDriver) {
+  const auto context = render::OffscreenContext::create();
+  ASSERT_TRUE(context.has_value()) << context.error().message;
+  for (const auto& [width, height] :
+       std::vector<std::pair<int, int>>{{0, 10}, {10, 0}, {-1, 10}, {10, 1 << 20}}) {
+    const auto target = render::OffscreenTarget::create(width, height);
+    ASSERT_FALSE(target.has_value());
+    EXPECT_EQ(target.error().kind, ErrorKind::Failed);
+    EXPECT_NE(target.error().message.find("each side 1 to "), std::string::npos)
+        << target.error().message;
+  }
+}
+
+TEST(OffscreenContext, CanBeMadeAgain) {
+  for (int i = 0; i < 3; ++i) {
+    const auto context = render::OffscreenContext::create();
+    ASSERT_TRUE(context.has_value()) << context.error().message;
+    EXPECT_TRUE(render::FaceRenderer::create().has_value());
+  }
+}
+
+}  // namespace
+}  // namespace aucast
