@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/result.h"
+#include "protocol/server_session.h"
+#include "protocol/stream_file.h"
+
+namespace aucast::server {
+
+/// A stream file that was read and found right.
+struct Source {
+  std::filesystem::path path;
+  std::string name;  ///< the file's stem: what a hello asks for
+  protocol::StreamFile stream;
+};
+
+/// Reads all files whole. If any is wrong, the errors of all of them, one a line, in the order of
+/// the command line; their kind is that of the first. Names that are no stream names or come twice
+/// are usage errors.
+[[nodiscard]] Result<std::vector<Source>> load_sources(
+    const std::vector<std::filesystem::path>& paths);
+
+/// How the streams are served.
+struct CatalogueOptions {
+  std::uint32_t keyframe_ms = 250;
+  int classic_min = 20;  ///< percent; weaker AUs are left out for classic clients
+  bool loop = false;
+};
+
+/// Encodes every stream once per level, in the order given. Needs at least one source.
+[[nodiscard]] protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
+                                                       const CatalogueOptions& options);
+
+}  // namespace aucast::server

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <asio/ip/tcp.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "common/time.h"
+#include "protocol/server_session.h"
+#include "server/stats.h"
+
+namespace aucast::server {
+
+/// One client: a socket that carries out what a ServerSession decides.
+///
+///   reading --bytes--> session --events--> output --> socket
+///   timer: the session's deadline, --client-timeout, the end of lingering
+///
+/// When the session has closed the connection lingers: what was begun is written, the sending side
+/// is shut, what still comes is read and dropped, so that the peer gets every last word and no
+/// reset; at most kDrainBytesMax and kDrainTimeMax without progress.
+/// Bounded: while kOutputBytesMax wait for a peer that does not read, nothing is read from it
+/// either, so it can only ask for as much as one read and its banked answers are worth.
+/// Thread: that of the socket's executor. Lives until its last handler ran; the catalogue must
+/// outlive it.
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  using OnClosed = std::function<void(const ClientRecord&)>;
+
+  struct Settings {
+    std::uint64_t number = 0;        ///< of the client, for the log and the record
+    std::string peer;                ///< ADDR:PORT
+    Milliseconds client_timeout{0};  ///< longest wait for an answer that is owed; 0: for ever
+  };
+
+  /// `on_closed` is called once, when the socket is closed.
+  Connection(asio::ip::tcp::socket socket, const protocol::ServerCatalogue& catalogue,
+             Settings settings, OnClosed on_closed);
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  void start();
+  /// The server stops: {-2}, then the closing of level 1.
+  void stop();
+  /// Closes now, whatever is under way.
+  void abort();
+
+ private:
+  /// What waits for the socket before nothing more is read.
+  static constexpr std::size_t kOutputBytesMax = 65536;
+  static constexpr std::size_t kReadBytesMax = 1024;
+
+  void carry_out(std::vector<protocol::ServerEvent> events);
+  void queue(std::string bytes);
+  void session_closed(std::string_view end_reason, std::string_view reason, bool in_order);
+  void go_on();
+  void read();
+  void on_read(const std::error_code& error, std::size_t bytes);
+  void write();
+  void on_write(const std::error_code& error, std::size_t bytes);
+  void shut_sending();
+  void lost(const std::error_code& error);
+  void drop(std::size_t bytes);
+  void finish();
+
+  void arm_timer();
+  void on_timer();
+  [[nodiscard]] std::optional<Instant> answer_deadline();
+  void measure_sending();
+  [[nodiscard]] std::size_t output_bytes() const;
+  [[nodiscard]] bool output_done() const { return output_bytes() == 0; }
+
+  asio::ip::tcp::socket socket_;
+  asio::steady_timer timer_;
+  std::optional<Instant> armed_for_;
+  Settings settings_;
+  OnClosed on_closed_;
+  protocol::ServerSession session_;
+  ClientRecord record_;
+
+  std::array<char, kReadBytesMax> input_{};
+  std::string writing_;  ///< not touched while a write is under way
+  std::size_t written_ = 0;
+  std::string queued_;
+  bool reading_ = false;
+  bool peer_ended_ = false;
+  bool shut_wanted_ = false;
+  bool shut_done_ = false;
+  bool lingering_ = false;  ///< the session has closed
+  bool finished_ = false;
+  std::size_t dropped_bytes_ = 0;
+  Instant linger_until_{};
+  std::optional<Instant> owed_since_;
+  std::optional<Instant> sending_since_;
+  bool sending_measured_ = false;
+};
+
+}  // namespace aucast::server

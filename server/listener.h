@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "common/result.h"
+
+namespace aucast::server {
+
+/// ADDR:PORT, with brackets around an IPv6 address.
+[[nodiscard]] std::string endpoint_text(const asio::ip::tcp::endpoint& endpoint);
+
+/// Accepts connections at one address and hands them out. When the system is out of descriptors or
+/// memory it says so once, waits and goes on: running clients do not notice.
+/// Thread: that of the io_context, which must outlive it together with the callback's captures.
+class Listener {
+ public:
+  using OnSocket = std::function<void(asio::ip::tcp::socket, const asio::ip::tcp::endpoint& peer)>;
+
+  explicit Listener(asio::io_context& io);
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  /// Listens on `bind`, an address or a name (brackets allowed), and `port`, 0 for any free one.
+  /// Network error naming both, the cause and what to do.
+  [[nodiscard]] Result<void> open(const std::string& bind, std::uint16_t port);
+
+  /// Where it listens, with the real port; only after open().
+  [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return endpoint_; }
+
+  void start(OnSocket on_socket);
+  void stop();
+
+ private:
+  void accept();
+  void accept_later(const std::error_code& cause);
+
+  asio::ip::tcp::acceptor acceptor_;
+  asio::steady_timer pause_;
+  asio::ip::tcp::endpoint endpoint_;
+  asio::ip::tcp::endpoint peer_;  ///< of the connection being accepted
+  OnSocket on_socket_;
+  bool failing_ = false;  ///< the last accept failed and was reported
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,54 @@
+#include "server/stats.h"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace aucast::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double seconds(Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+Json json_of(const ClientRecord& record) {
+  return {{"client", record.number},
+          {"peer", record.peer},
+          {"level", record.level},
+          {"stream", record.stream},
+          {"packets", record.packets},
+          {"bytes", record.bytes},
+          {"bytes_total", record.bytes_total},
+          {"send_seconds", seconds(record.send_time)},
+          {"end_reason", record.end_reason}};
+}
+
+}  // namespace
+
+void Stats::add(ClientRecord record) {
+  ++clients_;
+  packets_ += record.packets;
+  bytes_ += record.bytes;
+  bytes_total_ += record.bytes_total;
+  send_time_ += record.send_time;
+  records_.push_back(std::move(record));
+  if (records_.size() > kRecordsMax) records_.pop_front();
+}
+
+std::string Stats::to_json() const {
+  Json clients = Json::array();
+  for (const ClientRecord& record : records_) clients.push_back(json_of(record));
+  const Json all = {{"program", "au-transmitter"},
+                    {"clients_total", clients_},
+                    {"packets", packets_},
+                    {"bytes", bytes_},
+                    {"bytes_total", bytes_total_},
+                    {"send_seconds", seconds(send_time_)},
+                    {"clients_omitted", clients_ - records_.size()},
+                    {"clients", std::move(clients)}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,99 @@
+#include "server/transmitter_app.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "common/files.h"
+#include "common/log.h"
+#include "common/result.h"
+#include "server/catalogue.h"
+#include "server/check_report.h"
+#include "server/stats.h"
+#include "server/transmitter.h"
+#include "server/transmitter_options.h"
+
+namespace aucast::server {
+namespace {
+
+/// Says on stderr what went wrong and returns the exit code. Lines of bad data begin with
+/// file:line:column, as editors and compilers have them.
+int report(const Error& error) {
+  const char* prefix = error.kind == ErrorKind::BadData ? "" : "au-transmitter: ";
+  std::fprintf(stderr, "%s%s\n", prefix, error.message.c_str());
+  return exit_code(error);
+}
+
+/// Prints to stdout now: whoever started us may wait for it behind a pipe.
+Result<void> print(const std::string& text) {
+  errno = 0;
+  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
+  return Error{ErrorKind::Failed,
+               "stdout: cannot be written: " + std::generic_category().message(errno)};
+}
+
+/// Tries the file before anything is served: at the end it would be too late to choose another.
+Result<void> try_stats_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  const bool special = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (special && !std::filesystem::is_directory(status)) {
+    if (::access(path.c_str(), W_OK) == 0) return {};
+    return Error{ErrorKind::Failed,
+                 path.string() + ": cannot be written: " + std::generic_category().message(errno)};
+  }
+  return write_file_atomically(path, Stats().to_json());
+}
+
+int check(const std::vector<Source>& sources, const protocol::ServerCatalogue& catalogue) {
+  for (std::size_t index = 0; index < sources.size(); ++index) {
+    const auto printed =
+        print(check_report(sources[index], catalogue.streams[index], catalogue.keyframe_ms));
+    if (!printed) return report(printed.error());
+  }
+  return 0;
+}
+
+int serve_until_signal(const TransmitterOptions& options,
+                       const protocol::ServerCatalogue& catalogue) {
+  Stats stats;
+  const auto served =
+      serve(options, catalogue, stats, [&options](const std::string& address) -> Result<void> {
+        if (!options.stats.empty()) {
+          if (auto tried = try_stats_file(options.stats); !tried) return tried;
+        }
+        return print("listening on " + address + "\n");
+      });
+  if (!served) return report(served.error());
+  if (!options.stats.empty()) {
+    const auto written = write_file_atomically(options.stats, stats.to_json());
+    if (!written) return report(written.error());
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_transmitter(std::vector<std::string> arguments) {
+  const auto command = read_command_line(std::move(arguments));
+  if (!command) return report(command.error());
+  if (!command->text.empty()) {
+    const auto printed = print(command->text);
+    return printed ? 0 : report(printed.error());
+  }
+  const TransmitterOptions& options = command->options;
+  if (auto log = set_up_log("au-transmitter", options.log_level); !log) return report(log.error());
+
+  const auto sources = load_sources(options.sources);
+  if (!sources) return report(sources.error());
+  const auto catalogue =
+      make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
+  if (options.check) return check(*sources, catalogue);
+  return serve_until_signal(options, catalogue);
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/result.h"
+#include "common/time.h"
+#include "protocol/limits.h"
+
+namespace aucast::server {
+
+/// Everything that au-transmitter's command line says.
+struct TransmitterOptions {
+  std::vector<std::filesystem::path> sources;   ///< stream files, at least one
+  std::string bind = "127.0.0.1";               ///< address or name of this host
+  std::uint16_t port = protocol::kDefaultPort;  ///< 0: any free one
+  std::uint32_t keyframe_ms = 250;              ///< 1 to kDurationMsMax; for untimed keyframes
+  bool loop = false;                            ///< start again at the end instead of {-2}
+  int classic_min = 20;                         ///< percent 0-100; classic clients get no less
+  Milliseconds client_timeout{0};               ///< longest wait for an answer; 0: for ever
+  std::filesystem::path stats;                  ///< empty: none
+  bool check = false;                           ///< check the sources and serve nothing
+  std::string log_level = "info";               ///< as common/log.h takes it
+  friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;
+};
+
+/// A command line that was understood: a text to print and be done with (--help, --version), or
+/// options to work by.
+struct CommandLine {
+  std::string text;  ///< empty: go on with `options`
+  TransmitterOptions options;
+};
+
+/// Reads the arguments (without the program's name). Usage error, one line, with the nearest known
+/// option for one that is not known.
+[[nodiscard]] Result<CommandLine> read_command_line(std::vector<std::string> arguments);
+
+/// Checks what the options say together and each range; read_command_line() has done so already.
+[[nodiscard]] Result<void> validate(const TransmitterOptions& options);
+
+/// What --help prints: one screen, with examples.
+[[nodiscard]] std::string help_text();
+
+/// What --version prints: version, protocol, licence.
+[[nodiscard]] std::string version_text();
+
+}  // namespace aucast::server

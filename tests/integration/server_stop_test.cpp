@@ -1,0 +1,99 @@
+// How au-transmitter ends.
+#include <gtest/gtest.h>
+
+#include "tests/integration/server_running.h"
+
+namespace aucast::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(ServerStop, WithoutClientsItJustEnds) {
+  RunningTransmitter server({stream_file("talk.txt")});
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST(ServerStop, EveryClientGetsTheEnd) {
+  RunningTransmitter server({stream_file("talk.txt")});
+  RawClient waiting = server.connect();
+  RawClient paused = server.connect();
+  EXPECT_FALSE(waiting.receive_until("}").empty());
+  EXPECT_FALSE(paused.receive_until("}").empty());
+  paused.send("-1");
+  EXPECT_TRUE(paused.silent(100ms));
+  std::string reply;
+  RawClient negotiated = say_hello(server, "{hello v=2 window=1}", reply);
+  EXPECT_TRUE(reply.starts_with("{hello "));
+  EXPECT_FALSE(negotiated.receive_until("}").empty());
+
+  server.process().signal(SIGTERM);
+  EXPECT_EQ(waiting.receive_all(), kEnd);
+  EXPECT_EQ(paused.receive_all(), kEnd);
+  EXPECT_EQ(negotiated.receive_all(), kEnd);
+  EXPECT_EQ(server.process().wait(kPatience), 0);
+  EXPECT_FALSE(waiting.broken() || paused.broken() || negotiated.broken());
+}
+
+TEST(ServerStop, InterruptIsTheSame) {
+  RunningTransmitter server({stream_file("talk.txt")});
+  RawClient client = server.connect();
+  EXPECT_FALSE(client.receive_until("}").empty());
+  server.process().signal(SIGINT);
+  EXPECT_EQ(client.receive_all(), kEnd);
+  EXPECT_EQ(server.process().wait(kPatience), 0);
+}
+
+TEST(ServerStop, PacketsUnderWayAreFinishedFirst) {
+  RunningTransmitter server({"--loop", stream_file("six_expressions.txt")});
+  RawClient client = server.connect();
+  client.send(std::string(2000, '1'));
+  EXPECT_EQ(client.receive(kSixPackets[0].size()), kSixPackets[0]);
+  server.process().signal(SIGTERM);
+  const std::string rest = client.receive_all();
+  ASSERT_TRUE(rest.ends_with("}" + kEnd)) << rest;
+  const std::string all = kSixPackets[0] + rest.substr(0, rest.size() - kEnd.size());
+  for (std::size_t at = 0, index = 0; at < all.size(); ++index) {
+    const std::string& packet = kSixPackets[index % kSixPackets.size()];
+    ASSERT_EQ(all.substr(at, packet.size()), packet) << "packet " << index;
+    at += packet.size();
+  }
+}
+
+TEST(ServerStop, ClientThatStaysCannotHoldTheExit) {
+  RunningTransmitter server({stream_file("talk.txt")});
+  RawClient client = server.connect();
+  EXPECT_FALSE(client.receive_until("}").empty());
+  EXPECT_EQ(server.terminate(), 0) << "the client has not closed";
+  EXPECT_EQ(client.receive_all(), kEnd);
+}
+
+TEST(ServerStop, SecondSignalEndsAtOnce) {
+  const std::string said = "SIGINT again: ending at once";
+  std::string log;
+  // Again when this test itself was held up until the server had ended anyway.
+  for (int attempt = 0; attempt < 10 && log.find(said) == std::string::npos; ++attempt) {
+    RunningTransmitter server({stream_file("talk.txt")});
+    RawClient client = server.connect();
+    EXPECT_FALSE(client.receive_until("}").empty());
+    server.process().signal(SIGTERM);
+    EXPECT_EQ(client.receive_until(kEnd), kEnd);
+    server.process().signal(SIGINT);
+    EXPECT_EQ(server.process().wait(kPatience), 0);
+    log = server.log();
+  }
+  EXPECT_NE(log.find(said), std::string::npos) << log;
+}
+
+TEST(ServerStop, NobodyIsAcceptedAnyMore) {
+  RunningTransmitter server({stream_file("talk.txt")});
+  RawClient client = server.connect();
+  EXPECT_FALSE(client.receive_until("}").empty());
+  server.process().signal(SIGTERM);
+  EXPECT_EQ(client.receive_until(kEnd), kEnd);
+  RawClient late = server.connect();
+  EXPECT_FALSE(late.ok());
+  EXPECT_EQ(server.process().wait(kPatience), 0);
+}
+
+}  // namespace
+}  // namespace aucast::test

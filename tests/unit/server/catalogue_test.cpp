@@ -1,0 +1,117 @@
+#include "server/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.h"
+
+namespace aucast::server {
+namespace {
+
+using test::TempFolder;
+
+constexpr const char* kTwo = "Beg_Stream\n1:10,12:80;40\n6,12\nEnd_Stream\n";
+
+Error error_of(const std::vector<std::filesystem::path>& paths) {
+  const auto sources = load_sources(paths);
+  if (sources) {
+    ADD_FAILURE() << "no error";
+    return {};
+  }
+  return sources.error();
+}
+
+bool has(const Error& error, const std::string& text) {
+  return error.message.find(text) != std::string::npos;
+}
+
+TEST(LoadSources, NamesStreamsByTheirStems) {
+  const TempFolder folder;
+  const auto sources = load_sources({folder.write("talk.txt", kTwo), folder.write("b-2.au", kTwo)});
+  ASSERT_TRUE(sources);
+  ASSERT_EQ(sources->size(), 2U);
+  EXPECT_EQ(sources->at(0).name, "talk");
+  EXPECT_EQ(sources->at(1).name, "b-2");
+  EXPECT_EQ(sources->at(0).stream.keyframes.size(), 2U);
+}
+
+TEST(LoadSources, MissingFileIsUnreadable) {
+  const TempFolder folder;
+  const Error error = error_of({folder.path() / "none.txt"});
+  EXPECT_EQ(error.kind, ErrorKind::Unreadable);
+  EXPECT_TRUE(has(error, "none.txt: cannot be read: No such file or directory"));
+}
+
+TEST(LoadSources, FolderIsUnreadable) {
+  const TempFolder folder;
+  EXPECT_EQ(error_of({folder.path()}).kind, ErrorKind::Unreadable);
+}
+
+TEST(LoadSources, WrongFileIsBadDataWithItsPlace) {
+  const TempFolder folder;
+  const auto file = folder.write("bad.txt", "Beg_Stream\n1,100\nEnd_Stream\n");
+  const Error error = error_of({file});
+  EXPECT_EQ(error.kind, ErrorKind::BadData);
+  EXPECT_TRUE(has(error, file.string() + ":2:")) << error.message;
+}
+
+TEST(LoadSources, AllErrorsOfAllFilesAreReported) {
+  const TempFolder folder;
+  const Error error = error_of({folder.write("good.txt", kTwo),
+                                folder.write("bad.txt", "Beg_Stream\n1x2\n100\nEnd_Stream\n"),
+                                folder.path() / "none.txt"});
+  EXPECT_EQ(error.kind, ErrorKind::BadData) << "the kind of the first one";
+  EXPECT_TRUE(has(error, "bad.txt:2:")) << error.message;
+  EXPECT_TRUE(has(error, "bad.txt:3:")) << error.message;
+  EXPECT_TRUE(has(error, "none.txt: cannot be read")) << error.message;
+}
+
+TEST(LoadSources, NameThatIsTakenIsRefusedWithTheRemedy) {
+  const TempFolder folder;
+  const auto first = folder.write("a/talk.txt", kTwo);
+  const Error error = error_of({first, folder.write("b/talk.txt", kTwo)});
+  EXPECT_EQ(error.kind, ErrorKind::Usage);
+  EXPECT_TRUE(has(error, "b/talk.txt: a stream named 'talk' comes from " + first.string()));
+  EXPECT_TRUE(has(error, "rename")) << error.message;
+}
+
+TEST(LoadSources, NameThatCannotBeAskedForIsRefusedWithTheRemedy) {
+  const TempFolder folder;
+  const Error error = error_of({folder.write("my talk\x01.txt", kTwo)});
+  EXPECT_EQ(error.kind, ErrorKind::Usage);
+  EXPECT_TRUE(has(error, "'my talk\\x01' cannot be a stream's name; rename")) << error.message;
+}
+
+TEST(MakeCatalogue, EncodesEveryStreamForBothLevels) {
+  const TempFolder folder;
+  const auto sources = load_sources({folder.write("talk.txt", kTwo)});
+  ASSERT_TRUE(sources);
+  const auto catalogue = make_catalogue(*sources, {100, 20, false});
+  EXPECT_EQ(catalogue.keyframe_ms, 100U);
+  EXPECT_FALSE(catalogue.loop);
+  ASSERT_EQ(catalogue.streams.size(), 1U);
+  const auto& stream = catalogue.streams[0];
+  EXPECT_EQ(stream.name, "talk");
+  EXPECT_EQ(stream.classic, (std::vector<std::string>{"{12}", "{6,12}"}));
+  EXPECT_EQ(stream.negotiated, (std::vector<std::string>{"{1:10,12:80;40}", "{6,12}"}));
+  EXPECT_EQ(stream.duration_ms, 140U);
+}
+
+TEST(MakeCatalogue, ClassicMinimumDecidesWhatClassicClientsGet) {
+  const TempFolder folder;
+  const auto sources = load_sources({folder.write("talk.txt", kTwo)});
+  ASSERT_TRUE(sources);
+  EXPECT_EQ(make_catalogue(*sources, {250, 10, false}).streams[0].classic[0], "{1,12}");
+  EXPECT_EQ(make_catalogue(*sources, {250, 81, false}).streams[0].classic[0], "{0}");
+}
+
+TEST(MakeCatalogue, EndlessStreamHasNoDuration) {
+  const TempFolder folder;
+  const auto sources = load_sources({folder.write("talk.txt", kTwo)});
+  ASSERT_TRUE(sources);
+  const auto catalogue = make_catalogue(*sources, {250, 20, true});
+  EXPECT_TRUE(catalogue.loop);
+  EXPECT_FALSE(catalogue.streams[0].duration_ms.has_value());
+}
+
+}  // namespace
+}  // namespace aucast::server

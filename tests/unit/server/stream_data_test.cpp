@@ -1,0 +1,106 @@
+// What data/streams promises in its README.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "common/files.h"
+#include "server/catalogue.h"
+
+namespace aucast::server {
+namespace {
+
+std::filesystem::path streams_folder() {
+  const auto data = find_data_folder({});
+  return data ? *data / "streams" : std::filesystem::path();
+}
+
+std::vector<Source> load(const std::string& name) {
+  auto sources = load_sources({streams_folder() / (name + ".txt")});
+  if (sources) return std::move(*sources);
+  ADD_FAILURE() << sources.error().message;
+  return {};
+}
+
+std::vector<std::string> classic_packets(const std::string& name) {
+  const auto sources = load(name);
+  if (sources.empty()) return {};
+  return make_catalogue(sources, {}).streams.front().classic;
+}
+
+const std::vector<std::string> kTableThreeTwo = {"{1,2,5,15,16,20,26}", "{1,2,4,5,15,20,26}",
+                                                 "{2,4,9,15,17}",       "{2,4,7,9,10,20,26}",
+                                                 "{1,6,12,14}",         "{1,4,15,23}"};
+
+TEST(StreamData, SixExpressionsAreThoseOfTheThesis) {
+  EXPECT_EQ(classic_packets("six_expressions"), kTableThreeTwo);
+  for (const auto& keyframe : load("six_expressions").front().stream.keyframes) {
+    EXPECT_FALSE(keyframe.duration_ms.has_value());
+  }
+}
+
+TEST(StreamData, SingleExpressionsHaveTheBytesOfTableFiveFive) {
+  const std::array<std::pair<const char*, std::size_t>, 6> rows = {{{"surprise", 19},
+                                                                    {"fear", 18},
+                                                                    {"disgust", 13},
+                                                                    {"anger", 18},
+                                                                    {"happiness", 11},
+                                                                    {"sadness", 11}}};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const auto packets = classic_packets(rows[row].first);
+    ASSERT_EQ(packets.size(), 1U) << rows[row].first;
+    EXPECT_EQ(packets[0], kTableThreeTwo[row]);
+    EXPECT_EQ(packets[0].size(), rows[row].second);
+  }
+}
+
+TEST(StreamData, PrototypesHaveIntensities) {
+  const auto sources = load("six_prototypes");
+  ASSERT_EQ(sources.size(), 1U);
+  EXPECT_EQ(make_catalogue(sources, {}).streams[0].negotiated,
+            (std::vector<std::string>{"{1:80,2:80,5:25,26:80}", "{1:80,2:50,4:50,5:80,20:50,25:50}",
+                                      "{9:80,16:50,26:25}", "{4:80,5:50,7:80,23:80}", "{6:80,12}",
+                                      "{1:80,4:50,11:25,15:25}"}));
+}
+
+TEST(StreamData, TalkIsLongTimedAndEndsNeutral) {
+  const auto sources = load("talk");
+  ASSERT_EQ(sources.size(), 1U);
+  const auto& keyframes = sources[0].stream.keyframes;
+  EXPECT_GE(keyframes.size(), 400U);
+  std::array<bool, kAuCount> used{};
+  for (const auto& keyframe : keyframes) {
+    ASSERT_TRUE(keyframe.duration_ms.has_value());
+    EXPECT_GE(*keyframe.duration_ms, 20U);
+    for (const AuTerm& term : keyframe.terms) used[term.number] = true;
+  }
+  for (const std::size_t number :
+       {1U, 2U, 4U, 5U, 6U, 12U, 25U, 26U, 45U, 51U, 52U, 54U, 55U, 61U, 62U, 63U}) {
+    EXPECT_TRUE(used[number]) << "AU " << number;
+  }
+  EXPECT_EQ(frame_from_terms(keyframes.back().terms), AuFrame());
+}
+
+TEST(StreamData, RandomStreamHasAHundredUntimedPackets) {
+  const auto sources = load("random");
+  ASSERT_EQ(sources.size(), 1U);
+  EXPECT_EQ(sources[0].stream.keyframes.size(), 100U);
+}
+
+TEST(StreamData, EveryBadFileIsRefusedWithItsPlace) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(streams_folder() / "bad")) {
+    SCOPED_TRACE(entry.path());
+    const auto sources = load_sources({entry.path()});
+    ASSERT_FALSE(sources);
+    EXPECT_EQ(sources.error().kind, ErrorKind::BadData);
+    EXPECT_TRUE(sources.error().message.starts_with(entry.path().string() + ":"))
+        << sources.error().message;
+    ++files;
+  }
+  EXPECT_GE(files, 16U);
+}
+
+}  // namespace
+}  // namespace aucast::server
