@@ -53,7 +53,7 @@ bool Bounds::contain(double value) const {
 std::string Bounds::text() const {
   constexpr double kNoLimit = 1e6;
   const std::string from = (low_open ? "above " : "from ") + plain(low);
-  if (high >= kNoLimit) return low_open ? from : "at least " + plain(low);
+  if (high >= kNoLimit && low > -kNoLimit) return low_open ? from : "at least " + plain(low);
   return from + (high_open ? " and below " : " to ") + plain(high);
 }
 

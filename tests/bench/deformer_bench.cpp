@@ -1,0 +1,244 @@
+// What a frame of a face costs, as ratios to the plain things beside it: (a) the published loop,
+// each muscle over all vertices, and (b) a copy of the same bytes. Usage: bench_deformer
+// [FACE_FOLDER DATA_FOLDER]; without arguments the default face beside the programs.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "client/face/face.h"
+#include "client/face/face_deformer.h"
+#include "common/files.h"
+
+namespace {
+
+using aucast::face::DeformedFace;
+using aucast::face::Face;
+using aucast::face::FaceDeformer;
+using aucast::face::FaceMesh;
+
+constexpr int kRounds = 15;
+
+/// Microseconds of one call: the best of some rounds of many calls.
+template <typename Call>
+double microseconds(Call call) {
+  using Clock = std::chrono::steady_clock;
+  int calls = 1;
+  double best = 1e30;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto begin = Clock::now();
+    for (int i = 0; i < calls; ++i) call();
+    const double taken = std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+    best = std::min(best, taken / calls);
+    calls = std::max(1, static_cast<int>(20'000 / std::max(best, 0.1)));
+  }
+  return best;
+}
+
+float map_at(const FaceMesh& mesh, const std::string& map, std::size_t vertex, float missing) {
+  const auto found = mesh.maps.find(map);
+  return found == mesh.maps.end() ? missing : found->second[vertex];
+}
+
+/// Turns (u, v) by `angle` with the library's sine and cosine.
+void turn(float& u, float& v, float angle, float u0, float v0) {
+  const float du = u - u0;
+  const float dv = v - v0;
+  u = u0 + du * std::cos(angle) + dv * std::sin(angle);
+  v = v0 + dv * std::cos(angle) - du * std::sin(angle);
+}
+
+/// The published way: for every muscle every vertex, then the jaw and the lids vertex by vertex,
+/// then all normals. What the maps say is looked up beforehand, so that only arithmetic is timed.
+class PlainFace {
+ public:
+  explicit PlainFace(const Face& face) : face_(face), masks_(face.muscles.size() + 3) {
+    const FaceMesh& mesh = face.mesh;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      for (std::size_t m = 0; m < face.muscles.size(); ++m) {
+        const std::string& mask = face.muscles[m].mask;
+        masks_[m].push_back(map_at(mesh, "muscle", i, 1) *
+                            (mask.empty() ? 1.0F : map_at(mesh, mask, i, 1)));
+      }
+      masks_[face.muscles.size()].push_back(map_at(mesh, "jaw", i, 0));
+      masks_[face.muscles.size() + 1].push_back(map_at(mesh, "lid_angle", i, 0));
+      masks_[face.muscles.size() + 2].push_back(map_at(mesh, "head", i, 0));
+    }
+  }
+
+  void deform(const std::vector<float>& activations, DeformedFace& out) const {
+    move_muscles(activations, out.positions);
+    move_lids_and_jaw(activations, out.positions);
+    turn_head(activations, out.positions);
+    normals(out);
+  }
+
+ private:
+  [[nodiscard]] float value(const std::vector<float>& activations, const char* channel) const {
+    const auto index = face_.channel_index(channel);
+    return index ? activations[*index] : 0.0F;
+  }
+
+  void move_muscles(const std::vector<float>& activations, std::vector<glm::vec3>& out) const {
+    out = face_.mesh.positions;
+    for (std::size_t m = 0; m < face_.muscles.size(); ++m) {
+      const auto* linear = std::get_if<aucast::face::LinearMuscle>(&face_.muscles[m].shape);
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const glm::vec3& rest = face_.mesh.positions[i];
+        const glm::vec3 way = linear != nullptr
+                                  ? pulled(*linear, rest, activations[m])
+                                  : displacement(face_.muscles[m].shape, rest, activations[m]);
+        out[i] += masks_[m][i] * way;
+      }
+    }
+  }
+
+  /// The published linear muscle, in single precision.
+  static glm::vec3 pulled(const aucast::face::LinearMuscle& muscle, const glm::vec3& point,
+                          float activation) {
+    const glm::vec3 axis = glm::normalize(muscle.insertion - muscle.attachment);
+    const glm::vec3 arm = point - muscle.attachment;
+    const float distance = glm::length(arm);
+    if (distance <= 0 || distance >= muscle.falloff_finish) return glm::vec3(0);
+    const float cos_zone = std::cos(muscle.zone_rad);
+    const float cos_angle = glm::dot(arm, axis) / distance;
+    if (cos_angle <= cos_zone) return glm::vec3(0);
+    const float gain = 1 / cos_zone - 1;
+    const float radial = distance < muscle.falloff_start
+                             ? 1.0F
+                             : std::cos((distance - muscle.falloff_start) /
+                                        (muscle.falloff_finish - muscle.falloff_start) *
+                                        std::numbers::pi_v<float> / 2);
+    const float pull = muscle.cap ? std::min(activation * gain, *muscle.cap) : activation * gain;
+    return -arm * (pull * (cos_angle - cos_zone) / (1 - cos_zone) * radial);
+  }
+
+  void move_lids_and_jaw(const std::vector<float>& activations, std::vector<glm::vec3>& out) const {
+    const float rad = std::numbers::pi_v<float> / 180;
+    const std::size_t jaw_row = face_.muscles.size();
+    for (const auto& eye : face_.eyes) {
+      const bool left = eye.centre.x > 0;
+      const float closure = value(activations, left ? "left_lid_close" : "right_lid_close") -
+                            (face_.lids ? face_.lids->raise_max : 0) *
+                                value(activations, left ? "left_lid_raise" : "right_lid_raise");
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const float angle = masks_[jaw_row + 1][i];
+        if (angle == 0 || (face_.mesh.positions[i].x >= 0) != left) continue;
+        turn(out[i].y, out[i].z, -angle * closure, eye.centre.y, eye.centre.z);
+      }
+    }
+    if (!face_.jaw) return;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const float angle =
+          rad * face_.jaw->degrees_per_unit * value(activations, "jaw") * masks_[jaw_row][i];
+      if (angle == 0) continue;
+      turn(out[i].y, out[i].z, -angle, face_.jaw->hinge.y, face_.jaw->hinge.z);
+      out[i].z += face_.jaw->forward_per_rad * angle;
+    }
+  }
+
+  void turn_head(const std::vector<float>& activations, std::vector<glm::vec3>& out) const {
+    if (!face_.head) return;
+    const float rad = std::numbers::pi_v<float> / 180;
+    const float angle = rad * face_.head->turn_deg * value(activations, "head_turn_left");
+    if (angle == 0) return;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      turn(out[i].x, out[i].z, angle * masks_[face_.muscles.size() + 2][i], face_.head->pivot.x,
+           face_.head->pivot.z);
+    }
+  }
+
+  void normals(DeformedFace& out) const {
+    out.normals.assign(out.positions.size(), glm::vec3(0));
+    for (const auto& [a, b, c] : face_.mesh.triangles) {
+      const glm::vec3 normal =
+          glm::cross(out.positions[b] - out.positions[a], out.positions[c] - out.positions[a]);
+      out.normals[a] += normal;
+      out.normals[b] += normal;
+      out.normals[c] += normal;
+    }
+    for (glm::vec3& normal : out.normals) {
+      const float length = glm::length(normal);
+      normal = length > 0 ? normal / length : glm::vec3(0, 0, 1);
+    }
+  }
+
+  const Face& face_;
+  std::vector<std::vector<float>> masks_;
+};
+
+float largest_difference(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+  float largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, glm::distance(a[i], b[i]));
+  return largest;
+}
+
+/// Times one set of activations. False when the two ways disagree.
+bool compare(const char* title, const Face& face, const std::vector<float>& activations) {
+  FaceDeformer deformer(face);
+  const PlainFace plain(face);
+  DeformedFace ours;
+  DeformedFace theirs;
+  deformer.deform(activations, ours);
+  plain.deform(activations, theirs);
+  const float apart = largest_difference(ours.positions, theirs.positions);
+  const float normals_apart = largest_difference(ours.normals, theirs.normals);
+  const double frame = microseconds([&] { deformer.deform(activations, ours); });
+  std::vector<glm::vec3> positions;
+  const double moved = microseconds([&] { deformer.deform_positions(activations, positions); });
+  const double loop = microseconds([&] { plain.deform(activations, theirs); });
+  const double copy = microseconds([&] {
+    std::memcpy(theirs.positions.data(), ours.positions.data(),
+                ours.positions.size() * sizeof(glm::vec3));
+    std::memcpy(theirs.normals.data(), ours.normals.data(),
+                ours.normals.size() * sizeof(glm::vec3));
+  });
+  std::printf(
+      "%-28s %8.1f us (positions %.1f)  loop %9.1f us  copy %6.1f us  "
+      "%5.1fx over the loop, %5.1fx a copy  apart %.1e, normals %.1e\n",
+      title, frame, moved, loop, copy, loop / frame, frame / copy, static_cast<double>(apart),
+      static_cast<double>(normals_apart));
+  return apart < 1e-4F && normals_apart < 2e-2F;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto data = aucast::find_data_folder(argc > 2 ? argv[2] : "");
+  if (!data) return std::fprintf(stderr, "%s\n", data.error().message.c_str()), 4;
+  const std::filesystem::path folder = argc > 1 ? argv[1] : (*data / "faces" / "default").string();
+  const auto face = aucast::face::load_face(folder, *data);
+  if (!face) return std::fprintf(stderr, "%s\n", face.error().message.c_str()), 3;
+  std::printf("%s: %zu vertices, %zu triangles, %zu muscles, %zu channels\n", face->name.c_str(),
+              face->mesh.positions.size(), face->mesh.triangles.size(), face->muscles.size(),
+              face->channels.size());
+
+  const std::vector<float> nothing(face->channels.size(), 0.0F);
+  std::vector<float> muscles = nothing;
+  std::fill_n(muscles.begin(), face->muscles.size(), 0.5F);
+  std::vector<float> expression = muscles;
+  for (const auto* name : {"jaw", "left_lid_close", "right_lid_close"}) {
+    if (const auto channel = face->channel_index(name)) expression[*channel] = 0.5F;
+  }
+  std::vector<float> everything = expression;
+  if (const auto channel = face->channel_index("head_turn_left")) everything[*channel] = 0.5F;
+  std::vector<float> smile = nothing;
+  if (const auto recording = face->recordings.find(12); recording != face->recordings.end()) {
+    smile = recording->second.activation;
+  }
+  bool agree = compare("rest", *face, nothing);
+  agree = compare("AU 12", *face, smile) && agree;
+  agree = compare("all muscles", *face, muscles) && agree;
+  agree = compare("all muscles, jaw, lids", *face, expression) && agree;
+  agree = compare("the same and the head", *face, everything) && agree;
+  if (!agree) std::fprintf(stderr, "the two ways disagree\n");
+  return agree ? 0 : 1;
+}
