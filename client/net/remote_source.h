@@ -22,8 +22,8 @@ struct RemoteOptions {
   /// For finding and reaching the server, and then for its first packet.
   Duration connect_timeout = std::chrono::seconds(10);
   playback::BufferOptions buffers;
-  /// Called on the network thread when something changed; may only unblock the player (mpv's
-  /// wakeup). May be empty.
+  /// Called on the network thread when something changed, to the end of the source's life; may only
+  /// unblock the player (mpv's wakeup). May be empty.
   std::function<void()> wakeup;
 };
 

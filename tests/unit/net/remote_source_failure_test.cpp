@@ -106,15 +106,6 @@ TEST(RemoteSourceFailure, Ipv6InItsBrackets) {
   EXPECT_TRUE(holds(source.status(), "cannot reach [::1]:1: ")) << source.status().detail;
 }
 
-TEST(RemoteSourceFailure, FindsTheServerBehindAName) {
-  ScriptedServer server({Accept{}, Send{"{-2}"}, ExpectEnd{}});
-  RemoteOptions options = options_for(server.port(), true);
-  options.host = "localhost";
-  RemoteSource source(options);
-  EXPECT_EQ(take_all(source), Aus{});
-  EXPECT_EQ(source.status().end, EndReason::EndOfStream) << source.status().detail;
-}
-
 TEST(RemoteSourceFailure, SilentServer) {
   for (const bool classic : {true, false}) {
     ScriptedServer server({Accept{}, ExpectEnd{}});

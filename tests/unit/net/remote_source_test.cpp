@@ -97,6 +97,15 @@ TEST(RemoteSource, AsksForTheStreamByName) {
   EXPECT_NE(server.received().find("stream=talk"), std::string::npos) << server.received();
 }
 
+TEST(RemoteSource, FindsTheServerBehindAName) {
+  ScriptedServer server({Accept{}, Send{"{-2}"}, ExpectEnd{}});
+  RemoteOptions options = options_for(server.port(), true);
+  options.host = "localhost";
+  RemoteSource source(options);
+  EXPECT_EQ(take_all(source), Aus{});
+  EXPECT_EQ(source.status().end, EndReason::EndOfStream) << source.status().detail;
+}
+
 TEST(RemoteSource, JoinsWhatTcpHasSplit) {
   ScriptedServer server({Accept{}, Send{"{1,", 1}, Send{"6}", 1}, Expect{"1"}, Send{" {2", 1},
                          Send{"}\r\n", 1}, Expect{"1"}, Send{"{-2}", 1}, ExpectEnd{}});
