@@ -18,7 +18,7 @@ double canthal_line(double t) {
 double upper_lid(double dx) {
   const double t = along_eye(dx);
   // The lid covers the top of the iris; with a higher arch the eye stares.
-  return canthal_line(t) + 0.49 * power(std::sin(kPi * power(t, 0.80)), 0.78);
+  return canthal_line(t) + 0.52 * power(std::sin(kPi * power(t, 0.80)), 0.78);
 }
 
 double lower_lid(double dx) {
@@ -50,7 +50,7 @@ Vec3 brow_spine(double t) {
 }
 
 double brow_half_width(double t) {
-  return 0.26 * (1 - 0.82 * power(t, 1.5)) * smooth_step(-0.10, 0.16, t);
+  return 0.30 * (1 - 0.80 * power(t, 1.5)) * smooth_step(-0.10, 0.16, t);
 }
 
 }  // namespace aucast::facegen

@@ -84,7 +84,7 @@ Part make_brow(int side) {
       p += head_normal(p, 0.05) * (0.015 + 0.075 * (1 - s * s) * ends);
       p.x *= side;
       const Vec3 colour = kBrow * (0.85 + 0.3 * hash(i * 7 + j * 131));
-      const double alpha = 0.93 * smooth_step(-0.02, 0.12, t) * (1 - smooth_step(0.95, 1.02, t)) *
+      const double alpha = 0.97 * smooth_step(-0.02, 0.12, t) * (1 - smooth_step(0.95, 1.02, t)) *
                            smooth_step(1.02, 0.55, std::abs(s));
       row.push_back(brow.add(p, colour, alpha));
       weigh_by_position(brow.vertices.back());

@@ -7,8 +7,8 @@ namespace aucast::facegen {
 namespace {
 
 constexpr int kSectors = 48;
-constexpr double kIris = 0.56;
-constexpr double kPupilRadius = 0.23;
+constexpr double kIris = 0.60;
+constexpr double kPupilRadius = 0.24;
 
 /// Colour at `radius` from the eye's axis and `angle` about it.
 Vec3 eye_colour(double radius, int sector, double angle) {

@@ -20,13 +20,13 @@ struct Arch {
 };
 
 constexpr Arch kUpperArch{
-    1, 2.05, 3.05, -1.72, {.60, .46, .52, .48, .48, .66, .62}, {.88, .79, .88, .73, .68, .62, .55}};
+    1, 2.05, 3.05, -1.72, {.60, .48, .52, .48, .48, .66, .62}, {.86, .81, .86, .78, .74, .68, .60}};
 constexpr Arch kLowerArch{-1,
                           1.92,
                           2.82,
                           -3.30,
-                          {.38, .42, .48, .48, .48, .68, .62},
-                          {.84, .76, .84, .69, .65, .59, .53}};
+                          {.40, .43, .48, .48, .48, .68, .62},
+                          {.80, .79, .82, .74, .70, .64, .58}};
 constexpr double kArchBack = 4.8;
 
 /// The arch as a polyline, to walk along it by length.
@@ -74,9 +74,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
                double begin, int side) {
   constexpr int kSteps = 6;
   const bool canine = tooth == 2;
-  double height = arch.heights[tooth];
-  if (arch.up > 0 && tooth == 1) height -= 0.05;
-  if (canine) height += 0.03;
+  const double height = arch.heights[tooth];
   std::vector<std::uint32_t> above;
   for (int j = 0; j <= kSteps; ++j) {
     const double v = static_cast<double>(j) / kSteps;  // gum to edge
@@ -89,10 +87,10 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const Vec3 base = curve.at(begin - 0.006 + width * tapered);
       const Vec3 out = glm::normalize(Vec3{base.x / 2.0, 0, (base.z - 4.9) / 3.0});
       const double bulge = 0.13 * (1 - power(across, 3)) * (1 - 0.3 * v);
-      const double edge = -0.12 * power(across, 6) - 0.15 * power(v, 8);
+      const double edge = -0.09 * power(across, 8) - 0.15 * power(v, 8);
       Vec3 p = base + out * (bulge + edge - 0.04 * (arch.up > 0 ? -v : v));
-      double toward_bite = height * v - 0.07 * power(across, 4) * v * v;
-      if (canine) toward_bite -= 0.10 * across * v;
+      double toward_bite = height * v - 0.06 * power(across, 4) * v * v;
+      if (canine) toward_bite -= 0.06 * across * v;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
       row.push_back(part.add(p, tooth_colour(v, tooth)));
@@ -138,7 +136,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// Light gets to the front teeth, not to the throat. Not baked: with the mouth shut all is black.
 void shade_by_depth(Part& part) {
   for (Vertex& vertex : part.vertices) {
-    vertex.occlusion = mix(0.25, 0.85, smooth_step(5.2, 7.9, vertex.position.z));
+    vertex.occlusion = mix(0.25, 1.0, smooth_step(5.0, 7.6, vertex.position.z));
   }
 }
 
@@ -235,6 +233,7 @@ Part make_mouth_bag(const Skin& skin) {
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
       vertex.occlusion = 0.7;
+      vertex.gloss = 0.15;
       if (k > 0) {
         vertex[Map::Muscle] *= std::max(0.0, 1 - 0.3 * static_cast<double>(k));
         vertex[Map::Jaw] = mix(vertex[Map::Jaw], smooth_step(0.5, -0.8, p.y + 2.5), 0.5);
@@ -248,6 +247,7 @@ Part make_mouth_bag(const Skin& skin) {
   bag.vertices[end][Map::Jaw] = 0.3;
   bag.vertices[end][Map::Head] = 1;
   bag.vertices[end].occlusion = 0.7;
+  bag.vertices[end].gloss = 0.15;
   for (std::size_t i = 0; i < front.size(); ++i) {
     bag.add_triangle(end, front[(i + 1) % front.size()], front[i]);
   }

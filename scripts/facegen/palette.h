@@ -24,7 +24,7 @@ inline constexpr Vec3 kGumBack{0.35, 0.20, 0.17};
 inline constexpr Vec3 kToothNeck{0.84, 0.79, 0.70};
 inline constexpr Vec3 kTooth{0.90, 0.87, 0.81};
 inline constexpr Vec3 kTongue{0.62, 0.27, 0.26};
-inline constexpr Vec3 kBrow{0.125, 0.075, 0.048};
+inline constexpr Vec3 kBrow{0.095, 0.055, 0.034};
 inline constexpr Vec3 kLash{0.045, 0.028, 0.022};
 inline constexpr Vec3 kHair{0.16, 0.09, 0.055};
 inline constexpr Vec3 kHairLight{0.36, 0.21, 0.12};

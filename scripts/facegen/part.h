@@ -13,21 +13,23 @@ namespace aucast::facegen {
 
 /// The weights of a vertex that move it; their names in the file are in kMapNames.
 enum class Map : std::uint8_t {
-  Muscle,    ///< factor on all muscles
-  Jaw,       ///< share of the jaw's turn
-  Head,      ///< share of the head's turn
-  LidAngle,  ///< radians downwards at full closure
-  Smile,     ///< mask of the zygomatics: not the nose, hardly the lower lid
-  Forehead,  ///< mask of frontalis and corrugator: not below the brows
-  UpperLip,  ///< mask: what goes with the upper lip
-  LowerLip,  ///< mask: what goes with the lower lip
-  UpperRed,  ///< mask: the red of the upper lip
-  LowerRed,  ///< mask: the red of the lower lip
-  LowerLid,  ///< mask: the lower lid, a tenth of its share over its Muscle factor
+  Muscle,      ///< factor on all muscles
+  Jaw,         ///< share of the jaw's turn
+  Head,        ///< share of the head's turn
+  LidAngle,    ///< radians downwards at full closure
+  Smile,       ///< mask of the zygomatics: not the nose, little near the cheekbone
+  Forehead,    ///< mask of frontalis and corrugator: not below the brows
+  UpperLip,    ///< mask: what goes with the upper lip
+  LowerLip,    ///< mask: what goes with the lower lip
+  UpperRed,    ///< mask: the red of the upper lip
+  LowerRed,    ///< mask: the red of the lower lip
+  LowerLid,    ///< mask: the lower lid, a tenth of its share over its Muscle factor
+  Nasolabial,  ///< mask: the furrow from the wing of the nose to beside the mouth
+  Glabella,    ///< mask: the two upright lines between the brows
 };
-inline constexpr std::array<std::string_view, 11> kMapNames{
-    "muscle",    "jaw",       "head",      "lid_angle", "smile",    "forehead",
-    "upper_lip", "lower_lip", "upper_red", "lower_red", "lower_lid"};
+inline constexpr std::array<std::string_view, 13> kMapNames{
+    "muscle",    "jaw",       "head",      "lid_angle", "smile",      "forehead", "upper_lip",
+    "lower_lip", "upper_red", "lower_red", "lower_lid", "nasolabial", "glabella"};
 
 using Maps = std::array<double, kMapNames.size()>;
 

@@ -73,11 +73,14 @@ double with_orbit(double d, const Vec3& p) {
 }
 
 double with_nose(double d, const Vec3& p) {
-  double nose = round_cone(p, {0, 3.05, 7.36}, {0, 0.4, 8.9}, 0.50, 0.50);
-  nose = melt(nose, round_cone(p, {0.25, 2.2, 7.2}, {0.45, 0.1, 8.1}, 0.55, 0.62), 0.7);
-  nose = melt(nose, ellipsoid(p - Vec3{0, 0.08, 8.98}, {0.60, 0.52, 0.64}), 0.45);
-  nose = melt(nose, round_cone(p, {0, -0.30, 9.08}, {0, -0.66, 8.5}, 0.25, 0.25), 0.3);
-  d = melt(d, nose, 0.62);
+  // The bridge melts widely into the cheeks, tip and wings closely; one seam for all makes a column
+  // of the bridge or a blob of the tip.
+  double bridge = round_cone(p, {0, 3.05, 7.38}, {0, 0.4, 8.86}, 0.46, 0.46);
+  bridge = melt(bridge, round_cone(p, {0.25, 2.2, 7.1}, {0.45, 0.1, 8.05}, 0.50, 0.60), 0.8);
+  d = melt(d, bridge, 0.85);
+  double tip = ellipsoid(p - Vec3{0, 0.08, 8.98}, {0.60, 0.52, 0.64});
+  tip = melt(tip, round_cone(p, {0, -0.30, 9.08}, {0, -0.66, 8.5}, 0.25, 0.25), 0.3);
+  d = melt(d, tip, 0.50);
   const Vec3 wing = rotated_y(rotated_z(p - Vec3{0.735, -0.20, 8.42}, 0.28), 0.42);
   return melt(d, ellipsoid(wing, {0.36, 0.44, 0.62}), 0.17);
 }

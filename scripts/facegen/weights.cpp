@@ -5,10 +5,15 @@
 namespace aucast::facegen {
 namespace {
 
-/// The zygomatics' published reach takes the nose along; a smile must not.
+/// The zygomatics' published reach takes the nose along, and a linear muscle moves the skin
+/// half-way to its attachment most. A smile should move the corner of the mouth most and the nose
+/// not at all.
 double smile_field(const Vec3& p) {
-  const double nose = smooth_step(-1.15, -0.35, p.y) * smooth_step(2.0, 1.05, std::abs(p.x));
-  return (1 - nose) * (1 - 0.8 * smooth_step(0.6, 1.8, p.y));
+  const double x = std::abs(p.x);
+  const double nose = smooth_step(-1.15, -0.35, p.y) * smooth_step(2.0, 1.05, x);
+  const double from_attachment = glm::length(Vec3{x, p.y, p.z} - Vec3{3.805, 0.868, 6.6});
+  const double outer = mix(0.25, 1.0, smooth_step(1.2, 3.4, from_attachment));
+  return (1 - nose) * outer * (1 - 0.8 * smooth_step(0.6, 1.8, p.y));
 }
 
 double forehead_field(const Vec3& p) {
@@ -19,6 +24,38 @@ double forehead_field(const Vec3& p) {
 double lower_lip_field(const Vec3& p) {
   const double line = lip_contact(std::min(std::abs(p.x), kMouthCorner));
   return smooth_step(0.30, -0.40, p.y - line);
+}
+
+/// What the levators leave alone: the tip and the ridge of the nose.
+double nose_tip_field(const Vec3& p) {
+  return smooth_step(-1.05, -0.55, p.y) * smooth_step(1.0, 0.45, std::abs(p.x)) *
+         smooth_step(6.0, 7.0, p.z);
+}
+
+/// 1 on the furrow from the wing of the nose to beside the corner of the mouth.
+double nasolabial_field(const Vec3& p) {
+  if (p.z < 5) return 0;
+  static constexpr std::array<Vec3, 5> kLine{{{1.18, 0.05, 0.4},
+                                              {1.42, -0.55, 1.0},
+                                              {1.78, -1.25, 1.0},
+                                              {2.10, -1.90, 0.8},
+                                              {2.28, -2.50, 0.0}}};  // x, y, depth
+  const double x = std::abs(p.x);
+  double best = 0;
+  for (std::size_t i = 0; i + 1 < kLine.size(); ++i) {
+    const glm::dvec2 a{kLine[i]};
+    const glm::dvec2 edge = glm::dvec2{kLine[i + 1]} - a;
+    const glm::dvec2 from_a = glm::dvec2{x, p.y} - a;
+    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
+    const double depth = mix(kLine[i].z, kLine[i + 1].z, t);
+    best = std::max(best, depth * bell(glm::length(from_a - edge * t), 0.26));
+  }
+  return best;
+}
+
+double glabella_field(const Vec3& p) {
+  if (p.z < 5) return 0;
+  return bell(std::abs(p.x) - 0.34, 0.17) * bell(p.y - 4.15, 0.55);
 }
 
 /// Lids: elevation about the eye's centre of the inner edge of the margin, spoke by spoke.
@@ -62,7 +99,7 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], lower, blend);
-  vertex[Map::UpperLip] = 1 - vertex[Map::LowerLip];
+  vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], 1 - lower, blend);
   const double red = smooth_step(kLipBorderRing - 3, kLipBorderRing + 1, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
   vertex[Map::LowerRed] = red * lower;
@@ -91,9 +128,11 @@ void weigh_by_position(Vertex& vertex) {
   vertex[Map::Smile] = smile_field(p);
   vertex[Map::Forehead] = forehead_field(p);
   vertex[Map::LowerLip] = lower_lip_field(p);
-  vertex[Map::UpperLip] = 1 - vertex[Map::LowerLip];
+  vertex[Map::UpperLip] = (1 - vertex[Map::LowerLip]) * (1 - 0.75 * nose_tip_field(p));
   vertex[Map::UpperRed] = 0;
   vertex[Map::LowerRed] = 0;
+  vertex[Map::Nasolabial] = nasolabial_field(p);
+  vertex[Map::Glabella] = glabella_field(p);
 }
 
 void weigh_skin(Skin& skin) {
