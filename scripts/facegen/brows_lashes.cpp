@@ -91,15 +91,13 @@ Part make_brow(int side) {
     }
     if (i > 0) {
       if (side > 0) {
-        brow.add_band(row, before, false);
-      } else {
         brow.add_band(before, row, false);
+      } else {
+        brow.add_band(row, before, false);
       }
     }
     before = std::move(row);
   }
-  if (side > 0) brow.flip();
-  if (side < 0) brow.flip();
   return brow;
 }
 

@@ -82,7 +82,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
     for (int i = 0; i <= kSteps; ++i) {
       const double u = static_cast<double>(i) / kSteps;
       const double across = std::abs(2 * u - 1);
-      const double tapered = 0.5 + (u - 0.5) * (1 - 0.10 * (1 - v));
+      const double tapered = 0.5 + (u - 0.5) * (1 - 0.05 * (1 - v));
       const double width = arch.widths[tooth] + 0.012;
       const Vec3 base = curve.at(begin - 0.006 + width * tapered);
       const Vec3 out = glm::normalize(Vec3{base.x / 2.0, 0, (base.z - 4.9) / 3.0});

@@ -28,13 +28,6 @@ void Part::add_band(const std::vector<std::uint32_t>& lower,
   }
 }
 
-void Part::flip() {
-  for (face::Polygon& polygon : polygons) {
-    std::swap(polygon.corners[0], polygon.corners[2]);
-    if (polygon.corner_count == 3) polygon.corners[3] = polygon.corners[2];
-  }
-}
-
 void Part::fill(Map map, double value) {
   for (Vertex& vertex : vertices) vertex[map] = value;
 }

@@ -59,8 +59,6 @@ struct Part {
   /// from outside, `upper` lies to the left of the way along `lower`.
   void add_band(const std::vector<std::uint32_t>& lower, const std::vector<std::uint32_t>& upper,
                 bool closed);
-  /// Turns every polygon over.
-  void flip();
   /// Sets a map of every vertex.
   void fill(Map map, double value);
 };

@@ -28,7 +28,7 @@ double lower_lip_field(const Vec3& p) {
 
 /// What the levators leave alone: the tip and the ridge of the nose.
 double nose_tip_field(const Vec3& p) {
-  return smooth_step(-1.05, -0.55, p.y) * smooth_step(1.0, 0.45, std::abs(p.x)) *
+  return smooth_step(-1.6, -0.4, p.y) * smooth_step(1.05, 0.3, std::abs(p.x)) *
          smooth_step(6.0, 7.0, p.z);
 }
 
@@ -128,7 +128,7 @@ void weigh_by_position(Vertex& vertex) {
   vertex[Map::Smile] = smile_field(p);
   vertex[Map::Forehead] = forehead_field(p);
   vertex[Map::LowerLip] = lower_lip_field(p);
-  vertex[Map::UpperLip] = (1 - vertex[Map::LowerLip]) * (1 - 0.75 * nose_tip_field(p));
+  vertex[Map::UpperLip] = (1 - vertex[Map::LowerLip]) * (1 - 0.65 * nose_tip_field(p));
   vertex[Map::UpperRed] = 0;
   vertex[Map::LowerRed] = 0;
   vertex[Map::Nasolabial] = nasolabial_field(p);

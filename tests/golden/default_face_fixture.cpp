@@ -1,0 +1,75 @@
+#include "tests/golden/default_face_fixture.h"
+
+namespace aucast::test {
+
+std::unique_ptr<face::Face> DefaultFace::face_;
+std::vector<facegen::HalfVertex> DefaultFace::layout_;
+std::vector<std::uint32_t> DefaultFace::mirror_;
+
+void DefaultFace::SetUpTestSuite() {
+  const auto data = find_data_folder({});
+  ASSERT_TRUE(data) << data.error().message;
+  auto loaded = face::load_face(*data / "faces/default", *data);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  face_ = std::make_unique<face::Face>(std::move(loaded).value());
+  // The skin holds the half head and then the mirrors of what is off the midline.
+  const std::vector<facegen::HalfVertex> half = facegen::lay_out_half_head().vertices;
+  layout_ = half;
+  mirror_.assign(half.size(), 0);
+  for (std::uint32_t i = 0; i < half.size(); ++i) {
+    if (half[i].on_midline) {
+      mirror_[i] = i;
+      continue;
+    }
+    mirror_[i] = static_cast<std::uint32_t>(layout_.size());
+    layout_.push_back(half[i]);
+    mirror_.push_back(i);
+  }
+  ASSERT_EQ(layout_.size(), part("skin").vertex_count);
+}
+
+void DefaultFace::TearDownTestSuite() {
+  face_.reset();
+}
+
+const face::MeshPart& DefaultFace::part(const std::string& name) {
+  for (const face::MeshPart& part : face_->mesh.parts) {
+    if (part.name == name) return part;
+  }
+  ADD_FAILURE() << "no part " << name;
+  return face_->mesh.parts.front();
+}
+
+std::uint32_t DefaultFace::skin_vertex(facegen::Patch patch, int ring, int spoke, int side) {
+  for (std::uint32_t i = 0; i < layout_.size(); ++i) {
+    const facegen::HalfVertex& v = layout_[i];
+    if (v.patch == patch && v.ring == ring && v.spoke == spoke) return side > 0 ? i : mirror_[i];
+  }
+  ADD_FAILURE() << "no vertex at ring " << ring << ", spoke " << spoke;
+  return 0;
+}
+
+std::vector<glm::vec3> DefaultFace::posed(std::initializer_list<AuTerm> terms) {
+  const AuFrame frame = frame_from_terms({terms.begin(), terms.size()});
+  std::vector<float> activations(face_->channels.size());
+  face::mix(*face_, frame, face::Mixer::Maximum, activations);
+  std::vector<glm::vec3> positions;
+  face::FaceDeformer(*face_).deform_positions(activations, positions);
+  return positions;
+}
+
+std::vector<glm::vec3> DefaultFace::posed(int number) {
+  return posed({AuTerm{static_cast<std::uint8_t>(number), Side::Both, 100}});
+}
+
+std::vector<glm::vec3> DefaultFace::driven(const std::string& channel, float activation) {
+  std::vector<float> activations(face_->channels.size(), 0.0F);
+  for (const std::string& name : {channel, "left_" + channel, "right_" + channel}) {
+    if (const auto index = face_->channel_index(name)) activations[*index] = activation;
+  }
+  std::vector<glm::vec3> positions;
+  face::FaceDeformer(*face_).deform_positions(activations, positions);
+  return positions;
+}
+
+}  // namespace aucast::test

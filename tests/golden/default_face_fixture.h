@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/face/face.h"
+#include "client/face/face_deformer.h"
+#include "client/face/muscle_mixer.h"
+#include "common/files.h"
+#include "scripts/facegen/layout.h"
+
+namespace aucast::test {
+
+/// The default face as the player loads it, and where each vertex of its skin lies in the layout.
+class DefaultFace : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite();
+  static void TearDownTestSuite();
+
+  [[nodiscard]] static const face::Face& face() { return *face_; }
+  [[nodiscard]] static const face::MeshPart& part(const std::string& name);
+
+  /// A vertex of the skin by its place in the layout; side 1 is the subject's left.
+  [[nodiscard]] static std::uint32_t skin_vertex(facegen::Patch patch, int ring, int spoke,
+                                                 int side = 1);
+  /// The layout of every vertex of the skin.
+  [[nodiscard]] static const std::vector<facegen::HalfVertex>& layout() { return layout_; }
+  /// The mirror image of every vertex of the skin.
+  [[nodiscard]] static const std::vector<std::uint32_t>& mirror() { return mirror_; }
+
+  /// Positions with the AUs at the given intensities.
+  [[nodiscard]] static std::vector<glm::vec3> posed(std::initializer_list<AuTerm> terms);
+  [[nodiscard]] static std::vector<glm::vec3> posed(int number);
+  /// Positions with single channels, both sides of a sided one.
+  [[nodiscard]] static std::vector<glm::vec3> driven(const std::string& channel, float activation);
+
+ private:
+  static std::unique_ptr<face::Face> face_;
+  static std::vector<facegen::HalfVertex> layout_;
+  static std::vector<std::uint32_t> mirror_;
+};
+
+}  // namespace aucast::test

@@ -1,0 +1,204 @@
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "scripts/facegen/anatomy.h"
+#include "tests/golden/default_face_fixture.h"
+
+// What face.md section 8 asks to be checked by number, on the head as the player loads it.
+
+namespace aucast::test {
+namespace {
+
+using facegen::Patch;
+
+class DefaultFaceMesh : public DefaultFace {
+ protected:
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+  [[nodiscard]] static std::map<Edge, int> directed_edges(const face::MeshPart& part) {
+    std::map<Edge, int> edges;
+    for (std::uint32_t t = 0; t < part.triangle_count; ++t) {
+      const auto& triangle = face().mesh.triangles[part.triangle_begin + t];
+      for (std::size_t k = 0; k < 3; ++k) ++edges[{triangle[k], triangle[(k + 1) % 3]}];
+    }
+    return edges;
+  }
+
+  /// Largest height of the opening between the lids: upper above lower margin, spoke by spoke.
+  [[nodiscard]] static float aperture(const std::vector<glm::vec3>& positions, int side) {
+    float largest = -1;
+    for (int k = 1; k < 16; ++k) {
+      const int upper = (k - 4 + facegen::kEyeSpokes) % facegen::kEyeSpokes;
+      const int lower = (32 - k - 4) % facegen::kEyeSpokes;
+      const auto height = [&](int spoke) {
+        return positions[skin_vertex(Patch::Eye, facegen::kLidInnerRing, spoke, side)].y;
+      };
+      largest = std::max(largest, height(upper) - height(lower));
+    }
+    return largest;
+  }
+
+  /// Least distance of the lids' vertices from the eyeball; negative when the ball pokes through.
+  [[nodiscard]] static double clearance(const std::vector<glm::vec3>& positions) {
+    double least = 1e9;
+    for (std::size_t i = 0; i < layout().size(); ++i) {
+      if (layout()[i].patch != Patch::Eye || layout()[i].ring > facegen::kLidInnerRing) continue;
+      const facegen::Vec3 p{positions[i]};
+      const facegen::Vec3 eye{p.x > 0 ? facegen::kEyeCentre.x : -facegen::kEyeCentre.x,
+                              facegen::kEyeCentre.y, facegen::kEyeCentre.z};
+      least = std::min(least, glm::length(p - eye) - facegen::kEyeRadius);
+    }
+    return least;
+  }
+};
+
+TEST_F(DefaultFaceMesh, IsFiniteAndWithinItsRanges) {
+  const face::FaceMesh& mesh = face().mesh;
+  for (const glm::vec3& p : mesh.positions) {
+    ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  }
+  for (const auto& [name, values] : mesh.maps) {
+    for (const float value : values) {
+      ASSERT_TRUE(std::isfinite(value)) << name;
+      if (name == "lid_angle") continue;
+      ASSERT_GE(value, 0) << name;
+      ASSERT_LE(value, 1) << name;
+    }
+  }
+  for (const float value : mesh.occlusion) ASSERT_TRUE(value >= 0 && value <= 1);
+  for (const float value : mesh.gloss) ASSERT_TRUE(value >= 0 && value <= 4);
+}
+
+TEST_F(DefaultFaceMesh, HasAllPartsWithTheSkinFirst) {
+  EXPECT_EQ(face().mesh.parts.front().name, "skin");
+  EXPECT_EQ(part("skin").vertex_count, 5294U);
+  for (const char* name : {"left_eye", "right_eye", "upper_teeth", "lower_teeth", "tongue",
+                           "mouth_bag", "left_brow", "right_brow", "lashes", "hair", "shirt"}) {
+    EXPECT_GT(part(name).triangle_count, 0U) << name;
+  }
+}
+
+TEST_F(DefaultFaceMesh, UsesEveryDirectedEdgeOnce) {
+  for (const face::MeshPart& piece : face().mesh.parts) {
+    for (const auto& [edge, count] : directed_edges(piece)) {
+      ASSERT_EQ(count, 1) << piece.name << " edge " << edge.first << "-" << edge.second;
+    }
+  }
+}
+
+TEST_F(DefaultFaceMesh, IsOpenOnlyAtEyesMouthAndNeck) {
+  const auto edges = directed_edges(part("skin"));
+  int open = 0;
+  for (const auto& [edge, count] : edges) open += edges.contains({edge.second, edge.first}) ? 0 : 1;
+  EXPECT_EQ(open, 2 * 32 + 48 + 64);
+}
+
+TEST_F(DefaultFaceMesh, HasNoTriangleWithoutArea) {
+  const face::FaceMesh& mesh = face().mesh;
+  const face::MeshPart& skin = part("skin");
+  for (std::uint32_t t = 0; t < skin.triangle_count; ++t) {
+    const auto& k = mesh.triangles[skin.triangle_begin + t];
+    const glm::vec3 normal = glm::cross(mesh.positions[k[1]] - mesh.positions[k[0]],
+                                        mesh.positions[k[2]] - mesh.positions[k[0]]);
+    EXPECT_GT(glm::length(normal), 1e-5F) << "triangle " << t;
+  }
+}
+
+TEST_F(DefaultFaceMesh, MirrorsExactly) {
+  const face::FaceMesh& mesh = face().mesh;
+  for (std::size_t i = 0; i < layout().size(); ++i) {
+    const glm::vec3& p = mesh.positions[i];
+    const glm::vec3& q = mesh.positions[mirror()[i]];
+    ASSERT_NEAR(p.x, -q.x, 1e-5) << i;
+    ASSERT_NEAR(p.y, q.y, 1e-5) << i;
+    ASSERT_NEAR(p.z, q.z, 1e-5) << i;
+    for (const auto& [name, values] : mesh.maps) {
+      ASSERT_NEAR(values[i], values[mirror()[i]], 1e-5) << name << " " << i;
+    }
+  }
+}
+
+TEST_F(DefaultFaceMesh, SealsTheLipsAtRest) {
+  for (int spoke = 0; spoke < facegen::kMouthCornerSpoke; ++spoke) {
+    const float upper =
+        face().mesh.positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)].y;
+    const float lower =
+        face().mesh.positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, 24 - spoke)].y;
+    EXPECT_LT(upper, lower) << "a slit at spoke " << spoke;
+  }
+}
+
+TEST_F(DefaultFaceMesh, PartsAndSealsTheLipsAlongTheWholeMouth) {
+  const auto gap = [](const std::vector<glm::vec3>& positions, int spoke) {
+    return positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)].y -
+           positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, 24 - spoke)].y;
+  };
+  const auto open = posed(25);
+  const auto dropped = posed(26);
+  for (int spoke = 0; spoke <= 9; ++spoke) {
+    EXPECT_GT(gap(open, spoke), 0.02F) << spoke;
+    EXPECT_GT(gap(dropped, spoke), gap(open, spoke)) << spoke;
+  }
+  EXPECT_GT(gap(posed(27), 0), 1.5F);
+}
+
+TEST_F(DefaultFaceMesh, KeepsTheCornerOfTheMouthTogetherAtFullStretch) {
+  const auto wide = driven("jaw", 4);
+  for (int spoke = 10; spoke < 14; ++spoke) {
+    for (int ring = facegen::kLipBorderRing; ring < facegen::kLipLastRing; ++ring) {
+      const auto length = [&](const std::vector<glm::vec3>& positions) {
+        return glm::length(positions[skin_vertex(Patch::Mouth, ring, spoke)] -
+                           positions[skin_vertex(Patch::Mouth, ring, spoke + 1)]);
+      };
+      EXPECT_LT(length(wide), 0.6F) << "ring " << ring << " spoke " << spoke;
+    }
+  }
+}
+
+TEST_F(DefaultFaceMesh, BindsTheMouthBagToTheLips) {
+  const face::MeshPart& bag = part("mouth_bag");
+  for (const int number : {0, 12, 15, 18, 22, 25, 27, 28}) {
+    const auto positions = posed(number);
+    for (int spoke = 0; spoke < facegen::kMouthSpokes; ++spoke) {
+      const glm::vec3 lip = positions[skin_vertex(Patch::Mouth, facegen::kLipLastRing, spoke)];
+      const glm::vec3 inside = positions[bag.vertex_begin + static_cast<std::uint32_t>(spoke)];
+      EXPECT_LT(glm::length(lip - inside), 1e-5F) << "AU" << number << " spoke " << spoke;
+    }
+  }
+}
+
+TEST_F(DefaultFaceMesh, OpensTheEyesByAFriendlyAmount) {
+  EXPECT_GT(aperture(face().mesh.positions, 1), 0.8F);
+  EXPECT_LT(aperture(face().mesh.positions, 1), 1.0F);
+}
+
+TEST_F(DefaultFaceMesh, ClosesTheLidsOnTheEyeballWithoutHoles) {
+  float before = 10;
+  for (const float closure : {0.0F, 0.25F, 0.5F, 0.75F, 1.0F}) {
+    const auto positions = driven("lid_close", closure);
+    EXPECT_GE(clearance(positions), -0.002) << "closure " << closure;
+    EXPECT_LT(aperture(positions, 1), before) << "closure " << closure;
+    EXPECT_NEAR(aperture(positions, 1), aperture(positions, -1), 1e-4);
+    before = aperture(positions, 1);
+  }
+  EXPECT_LE(before, 0.0F);
+  EXPECT_GT(before, -0.06F);
+}
+
+TEST_F(DefaultFaceMesh, RaisesTheLidsWithoutLeavingTheEyeball) {
+  const auto wide = driven("lid_raise", 1);
+  EXPECT_GE(clearance(wide), -0.002);
+  EXPECT_GT(aperture(wide, 1), aperture(face().mesh.positions, 1) + 0.1F);
+}
+
+TEST_F(DefaultFaceMesh, KeepsTheLidsOffTheEyeballInEveryRecording) {
+  for (const auto& [number, recording] : face().recordings) {
+    if (number >= 51 && number <= 58) continue;  // the head turns, the eyes with it
+    EXPECT_GE(clearance(posed(number)), -0.02) << "AU" << number;
+  }
+}
+
+}  // namespace
+}  // namespace aucast::test

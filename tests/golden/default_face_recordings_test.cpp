@@ -1,0 +1,276 @@
+#include <cmath>
+#include <string>
+
+#include "scripts/facegen/anatomy.h"
+#include "scripts/facegen/occlusion.h"
+#include "tests/golden/default_face_fixture.h"
+
+// The recordings move the face the way FACS describes, and never break it.
+
+namespace aucast::test {
+namespace {
+
+using facegen::Patch;
+
+class DefaultFaceRecordings : public DefaultFace {
+ protected:
+  [[nodiscard]] static std::uint32_t mouth_corner(int side = 1) {
+    return skin_vertex(Patch::Mouth, facegen::kLipBorderRing, facegen::kMouthCornerSpoke, side);
+  }
+  [[nodiscard]] static std::uint32_t upper_lip() {
+    return skin_vertex(Patch::Mouth, facegen::kLipBorderRing, 3);
+  }
+  [[nodiscard]] static std::uint32_t lower_lip() {
+    return skin_vertex(Patch::Mouth, facegen::kLipBorderRing, 21);
+  }
+  /// A vertex of the brow at t of the way from the nose to the temple.
+  [[nodiscard]] static std::uint32_t brow(double t, const std::string& name = "left_brow") {
+    constexpr std::uint32_t kAcross = 7;
+    return part(name).vertex_begin + static_cast<std::uint32_t>(std::lround(t * 40)) * kAcross + 3;
+  }
+  /// The way of a vertex from rest.
+  [[nodiscard]] static glm::vec3 way(std::uint32_t vertex,
+                                     const std::vector<glm::vec3>& positions) {
+    return positions[vertex] - face().mesh.positions[vertex];
+  }
+  [[nodiscard]] static glm::vec3 way(std::uint32_t vertex, int number) {
+    return way(vertex, posed(number));
+  }
+
+  /// Triangles of the outer skin that were turned over.
+  [[nodiscard]] static int turned_over(const std::vector<glm::vec3>& positions) {
+    const face::FaceMesh& mesh = face().mesh;
+    const face::MeshPart& skin = part("skin");
+    const auto inner = [](std::uint32_t v) {
+      const facegen::HalfVertex& at = layout()[v];
+      // What the lids tuck in and the lips hide may fold.
+      return (at.patch == Patch::Eye && at.ring > facegen::kLidInnerRing) ||
+             (at.patch == Patch::Mouth && at.ring > facegen::kLipContactRing) ||
+             at.patch == Patch::Nostril;
+    };
+    int count = 0;
+    for (std::uint32_t t = 0; t < skin.triangle_count; ++t) {
+      const auto& k = mesh.triangles[skin.triangle_begin + t];
+      if (inner(k[0]) || inner(k[1]) || inner(k[2])) continue;
+      const auto normal = [&](const std::vector<glm::vec3>& at) {
+        return glm::cross(at[k[1]] - at[k[0]], at[k[2]] - at[k[0]]);
+      };
+      const glm::vec3 rest = normal(mesh.positions);
+      const glm::vec3 now = normal(positions);
+      // Slivers turn over without being seen.
+      constexpr float kVisible = 0.004F;
+      if (glm::length(rest) < kVisible || glm::length(now) < kVisible) continue;
+      // The edge of the lips at the corner of the mouth swings out by up to 102 degrees when the
+      // jaw drops all the way; a fold goes far beyond.
+      constexpr float kCosine = -0.25F;
+      if (glm::dot(rest, now) < kCosine * glm::length(rest) * glm::length(now)) ++count;
+    }
+    return count;
+  }
+
+  /// Vertices of lips and skin with a tooth in front of them.
+  [[nodiscard]] static int behind_teeth(const std::vector<glm::vec3>& positions) {
+    facegen::Part teeth;
+    for (const char* name : {"upper_teeth", "lower_teeth"}) {
+      const face::MeshPart& piece = part(name);
+      const auto shift = static_cast<std::uint32_t>(teeth.vertices.size());
+      for (std::uint32_t i = 0; i < piece.vertex_count; ++i) {
+        teeth.add(facegen::Vec3{positions[piece.vertex_begin + i]});
+      }
+      for (std::uint32_t t = 0; t < piece.triangle_count; ++t) {
+        auto k = face().mesh.triangles[piece.triangle_begin + t];
+        for (std::uint32_t& corner : k) corner += shift - piece.vertex_begin;
+        teeth.add_triangle(k[0], k[1], k[2]);
+      }
+    }
+    const std::array<const facegen::Part*, 1> parts{&teeth};
+    const facegen::RayScene scene(parts);
+    int count = 0;
+    for (std::size_t i = 0; i < layout().size(); ++i) {
+      const facegen::HalfVertex& v = layout()[i];
+      if (v.patch != Patch::Mouth || v.ring >= facegen::kLipContactRing) continue;
+      if (scene.hit(facegen::Vec3{positions[i]}, {0, 0, 1}, 1e-3, 3)) ++count;
+    }
+    return count;
+  }
+
+  [[nodiscard]] static bool turns_head(int number) { return number >= 51 && number <= 58; }
+};
+
+TEST_F(DefaultFaceRecordings, HasTheMusclesOfTheThesisByName) {
+  std::vector<std::string> names{"orbicularis_oris", "jaw"};
+  for (const char* side : {"left_", "right_"}) {
+    for (const char* muscle :
+         {"zygomaticus_major", "depressor_anguli_oris", "frontalis_inner", "frontalis_major",
+          "frontalis_outer", "levator_labii", "levator_labii_alaeque_nasi", "corrugator",
+          "secondary_frontalis", "frontalis_sheet", "orbicularis_oculi"}) {
+      names.push_back(std::string{side} + muscle);
+    }
+  }
+  for (const std::string& name : names) EXPECT_TRUE(face().channel_index(name)) << name;
+}
+
+TEST_F(DefaultFaceRecordings, CoversTheActionUnitsOfTheThesisAndMore) {
+  for (const int number :
+       {0,  1,  2,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 20, 21, 22, 23, 24,
+        25, 26, 27, 28, 43, 45, 46, 51, 52, 53, 54, 55, 56, 57, 58, 61, 62, 63, 64, 65, 66}) {
+    EXPECT_TRUE(face().recordings.contains(number)) << "AU" << number;
+  }
+}
+
+TEST_F(DefaultFaceRecordings, MovesSomethingInEveryRecordingButNeutral) {
+  for (const auto& [number, recording] : face().recordings) {
+    const auto positions = posed(number);
+    float largest = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      ASSERT_TRUE(std::isfinite(positions[i].x + positions[i].y + positions[i].z)) << number;
+      largest = std::max(largest, glm::length(positions[i] - face().mesh.positions[i]));
+    }
+    if (number == 0) {
+      EXPECT_EQ(largest, 0);
+    } else {
+      EXPECT_GT(largest, 0.08F) << "AU" << number;
+    }
+  }
+}
+
+TEST_F(DefaultFaceRecordings, TurnsNoTriangleOverInASingleActionUnit) {
+  for (const auto& [number, recording] : face().recordings) {
+    if (turns_head(number)) continue;
+    EXPECT_EQ(turned_over(posed(number)), 0) << "AU" << number;
+  }
+}
+
+TEST_F(DefaultFaceRecordings, TurnsNoTriangleOverInTheSixExpressions) {
+  EXPECT_EQ(turned_over(posed({{1}, {2}, {5}, {15}, {16}, {20}, {26}})), 0) << "surprise";
+  EXPECT_EQ(turned_over(posed({{1}, {2}, {4}, {5}, {15}, {20}, {26}})), 0) << "fear";
+  EXPECT_EQ(turned_over(posed({{2}, {4}, {9}, {15}, {17}})), 0) << "disgust";
+  EXPECT_EQ(turned_over(posed({{2}, {4}, {7}, {9}, {10}, {20}, {26}})), 0) << "anger";
+  EXPECT_EQ(turned_over(posed({{1}, {6}, {12}, {14}})), 0) << "happiness";
+  EXPECT_EQ(turned_over(posed({{1}, {4}, {15}, {23}})), 0) << "sadness";
+}
+
+TEST_F(DefaultFaceRecordings, LetsNoToothThroughTheLips) {
+  for (const auto& [number, recording] : face().recordings) {
+    if (turns_head(number)) continue;
+    EXPECT_EQ(behind_teeth(posed(number)), 0) << "AU" << number;
+  }
+  EXPECT_EQ(behind_teeth(posed({{6}, {12}, {25}})), 0) << "open smile";
+  EXPECT_EQ(behind_teeth(posed({{9}, {15}, {16}})), 0) << "disgust";
+  EXPECT_EQ(behind_teeth(posed({{15}, {16}, {20}, {26}})), 0) << "mouth of surprise";
+}
+
+TEST_F(DefaultFaceRecordings, MovesTheBrowsAsFacsSays) {
+  EXPECT_GT(way(brow(0.1), 1).y, 0.4F);
+  EXPECT_GT(way(brow(0.1), 1).y, 2 * way(brow(0.8), 1).y);
+  EXPECT_GT(way(brow(0.7), 2).y, 0.35F);
+  EXPECT_GT(way(brow(0.7), 2).y, 2 * way(brow(0.05), 2).y);
+  EXPECT_LT(way(brow(0.1), 4).y, -0.3F);
+  EXPECT_LT(way(brow(0.1), 4).x, -0.08F) << "together";
+  EXPECT_LT(way(brow(0.5), 4).y, -0.15F);
+}
+
+TEST_F(DefaultFaceRecordings, KeepsTheBrowsAboveTheSkin) {
+  for (const int number : {1, 2, 4, 9}) {
+    const auto positions = posed(number);
+    for (const double t : {0.1, 0.4, 0.7}) {
+      const glm::vec3 over = positions[brow(t)];
+      float nearest = 10;
+      std::size_t at = 0;
+      for (std::size_t i = 0; i < layout().size(); ++i) {
+        const float distance = glm::length(positions[i] - over);
+        if (distance < nearest) {
+          nearest = distance;
+          at = i;
+        }
+      }
+      EXPECT_LT(nearest, 0.45F) << "AU" << number << " t " << t;
+      EXPECT_LT(positions[at].z - over.z, 0.2F) << "AU" << number << " t " << t;
+    }
+  }
+}
+
+TEST_F(DefaultFaceRecordings, MovesTheCornersOfTheMouthAsFacsSays) {
+  EXPECT_GT(way(mouth_corner(), 12).y, 0.25F);
+  EXPECT_GT(way(mouth_corner(), 12).x, 0.20F);
+  EXPECT_LT(way(mouth_corner(), 15).y, -0.2F);
+  EXPECT_GT(way(mouth_corner(), 20).x, 0.3F);
+  EXPECT_LT(std::abs(way(mouth_corner(), 20).y), 0.15F);
+  EXPECT_LT(way(mouth_corner(), 18).x, -0.25F);
+  EXPECT_LT(way(mouth_corner(), 14).z, -0.2F);
+  EXPECT_GT(way(mouth_corner(), 13).y, 0.3F);
+}
+
+TEST_F(DefaultFaceRecordings, MovesTheLipsAsFacsSays) {
+  EXPECT_GT(way(upper_lip(), 10).y, 0.15F);
+  EXPECT_LT(std::abs(way(lower_lip(), 10).y), 0.05F);
+  EXPECT_LT(way(lower_lip(), 16).y, -0.2F);
+  EXPECT_LT(std::abs(way(upper_lip(), 16).y), 0.05F);
+  EXPECT_GT(way(lower_lip(), 17).y, 0.2F);
+  EXPECT_GT(way(upper_lip(), 22).z, 0.15F);
+  EXPECT_LT(way(upper_lip(), 24).y, -0.1F) << "the red gets narrower";
+  EXPECT_GT(way(lower_lip(), 24).y, 0.1F);
+  EXPECT_LT(way(lower_lip(), 26).y, -0.3F);
+  EXPECT_LT(way(lower_lip(), 27).y, 1.6F * way(lower_lip(), 26).y);
+}
+
+TEST_F(DefaultFaceRecordings, GrowsEvenlyWithIntensity) {
+  for (const int number : {1, 2, 4, 12, 15, 16, 20, 26}) {
+    const std::uint32_t vertex = number < 5     ? brow(0.3)
+                                 : number == 26 ? lower_lip()
+                                                : mouth_corner();
+    float before = 0;
+    for (const std::uint8_t percent : std::initializer_list<std::uint8_t>{10, 25, 50, 80, 100}) {
+      const auto positions = posed({{static_cast<std::uint8_t>(number), Side::Both, percent}});
+      const float now = glm::length(way(vertex, positions));
+      EXPECT_GT(now, before) << "AU" << number << " at " << int{percent};
+      before = now;
+    }
+  }
+}
+
+TEST_F(DefaultFaceRecordings, MovesOnlyTheSideThatIsNamed) {
+  for (const int number : {12, 13, 14, 15, 20}) {
+    const auto positions = posed({{static_cast<std::uint8_t>(number), Side::Left, 100}});
+    EXPECT_GT(glm::length(way(mouth_corner(1), positions)), 0.2F) << "AU" << number;
+    EXPECT_LT(glm::length(way(mouth_corner(-1), positions)), 0.03F) << "AU" << number;
+  }
+  for (const int number : {1, 2, 4}) {
+    const auto positions = posed({{static_cast<std::uint8_t>(number), Side::Right, 100}});
+    EXPECT_GT(glm::length(way(brow(0.4, "right_brow"), positions)), 0.15F) << "AU" << number;
+    EXPECT_LT(glm::length(way(brow(0.4, "left_brow"), positions)), 0.05F) << "AU" << number;
+  }
+}
+
+TEST_F(DefaultFaceRecordings, MirrorsLeftAndRight) {
+  for (const auto& [number, recording] : face().recordings) {
+    if (turns_head(number) || number == 30 || number == 46 || (number >= 61 && number <= 62)) {
+      continue;
+    }
+    const auto positions = posed(number);
+    for (std::size_t i = 0; i < layout().size(); ++i) {
+      const glm::vec3& p = positions[i];
+      const glm::vec3& q = positions[mirror()[i]];
+      ASSERT_NEAR(p.x, -q.x, 1e-4) << "AU" << number << " vertex " << i;
+      ASSERT_NEAR(p.y, q.y, 1e-4) << "AU" << number << " vertex " << i;
+      ASSERT_NEAR(p.z, q.z, 1e-4) << "AU" << number << " vertex " << i;
+    }
+  }
+}
+
+TEST_F(DefaultFaceRecordings, LeavesShirtAndSkullAlone) {
+  const face::MeshPart& shirt = part("shirt");
+  for (const auto& [number, recording] : face().recordings) {
+    const auto positions = posed(number);
+    EXPECT_EQ(positions[shirt.vertex_begin], face().mesh.positions[shirt.vertex_begin]) << number;
+    if (turns_head(number)) continue;
+    for (std::size_t i = 0; i < layout().size(); ++i) {
+      if (face().mesh.positions[i].z > -1.0F) continue;
+      ASSERT_LT(glm::length(positions[i] - face().mesh.positions[i]), 0.01F)
+          << "AU" << number << " moves the back of the head";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace aucast::test
