@@ -86,7 +86,7 @@ std::vector<Change> substitution(const Rule& rule, const Values& before) {
   return changes;
 }
 
-/// The formulas of facs.md 2.1.
+/// The formulas of data/rules/README.md.
 std::vector<Change> changes_of(const Rule& rule, const Values& before) {
   switch (rule.kind) {
     case RuleKind::Opposition:
@@ -142,7 +142,7 @@ std::string told(const Rule& rule, const Values& before, std::span<const Change>
   return present + ": " + after;
 }
 
-/// The groups of facs.md 2.1, one after the other; 0 for rules that change nothing.
+/// The groups of data/rules/README.md, one after the other; 0 for rules that change nothing.
 int group_of(RuleKind kind) {
   switch (kind) {
     case RuleKind::Opposition:

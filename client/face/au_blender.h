@@ -15,7 +15,7 @@ struct RuleFired {
   std::string what;        ///< "51 100 % and 52 40 %: 51 60 %, 52 gone"
 };
 
-/// Applies the rules to intensities, each side by itself (contract section 0, facs.md 2.1).
+/// Applies the rules to intensities, each side by itself.
 /// Opposition x' = max(0, x-y), y' = max(0, y-x); alternative: the larger stays, on a tie the one
 /// listed first; exclusion y' = y clamp((2e - x)/e, 0, 1) with e = 0.2; cap y' = min(y, cap);
 /// substitution s = min(sources), target' = max(target, s), sources - s; dominance y' = y (1 - x);

@@ -45,7 +45,7 @@ struct RuleSet {
   std::string name;
   /// True: every rule reads the input (kumar2010). False: group by group in the order Opposition,
   /// Alternative, Exclusion, Cap, Substitution, Dominance; inside a group all read the values from
-  /// before it (facs.md 2.1).
+  /// before it.
   bool all_read_input = false;
   std::vector<Rule> rules;
 };

@@ -26,7 +26,7 @@ struct Channel {
   Side side = Side::Both;
   float activation_max = 2;  ///< muscles 2 (classic folders 4), jaw 4, lids, head and eyes 1
   /// Closing a lid: the largest demand counts whatever the mixer, or half-closed eyes would come of
-  /// a blink and a smile (contract section 0).
+  /// a blink and a smile.
   bool takes_largest = false;
 };
 

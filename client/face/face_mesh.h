@@ -25,7 +25,7 @@ struct MeshPart {
 };
 
 /// The neutral face: one vertex array over all parts, in the order of the face's file.
-/// Units and axes: contract.md section 0 (y up, z to the viewer, +x the subject's left, 1 = 1.4
+/// Units and axes: data/faces/README.md (y up, z to the viewer, +x the subject's left, 1 = 1.4
 /// cm).
 struct FaceMesh {
   std::vector<glm::vec3> positions;

@@ -25,7 +25,7 @@ double depth_fade(double distance, double depth) {
   return t * t * (3 - 2 * t);
 }
 
-/// Thesis eq. 3.1-3.4 in the form of Waters' released program (muscles.md 4.1 b).
+/// Thesis eq. 3.1-3.4 in the form of Waters' released program.
 LinearInfluence influence_of(const LinearMuscle& muscle, const glm::dvec3& point) {
   const glm::dvec3 attachment(muscle.attachment);
   const glm::dvec3 axis = glm::normalize(glm::dvec3(muscle.insertion) - attachment);
@@ -47,7 +47,7 @@ LinearInfluence influence_of(const LinearMuscle& muscle, const glm::dvec3& point
   return result;
 }
 
-/// Thesis eq. 3.5-3.9, clean form of muscles.md 4.5: K s f g2 towards the centre with s = lx / 2,
+/// Thesis eq. 3.5-3.9, clean form: K s f g2 towards the centre with s = lx / 2,
 /// and K f (1 - rho/lx) / Z forward.
 LinearInfluence influence_of(const MouthSphincter& muscle, const glm::dvec3& point) {
   const glm::dvec3 to_centre = glm::dvec3(muscle.centre) - point;
@@ -63,7 +63,7 @@ LinearInfluence influence_of(const MouthSphincter& muscle, const glm::dvec3& poi
           kUncapped};
 }
 
-/// Thesis eq. 3.10-3.13, clean form of muscles.md 4.6. The share belongs to the lids' way only: in
+/// Thesis eq. 3.10-3.13, clean form. The share belongs to the lids' way only: in
 /// z it would step on the axis.
 LinearInfluence influence_of(const EyeSphincter& muscle, const glm::dvec3& point) {
   const glm::dvec3 from_centre = point - glm::dvec3(muscle.centre);
@@ -76,7 +76,7 @@ LinearInfluence influence_of(const EyeSphincter& muscle, const glm::dvec3& point
   return {glm::vec3(fade * glm::dvec3(0, -0.5 * f * share * from_centre.y, bulge)), kUncapped};
 }
 
-/// Thesis eq. 3.14-3.19, clean form of muscles.md 4.7: K s D cos(pi w/W) towards the attachment
+/// Thesis eq. 3.14-3.19, clean form: K s D cos(pi w/W) towards the attachment
 /// with s = L / pi, so that nothing folds for K up to 2.
 LinearInfluence influence_of(const SheetMuscle& muscle, const glm::dvec3& point) {
   const glm::dvec3 span = glm::dvec3(muscle.insertion) - glm::dvec3(muscle.attachment);

@@ -126,7 +126,7 @@ TEST(Muscle, StaysFiniteAtItsOwnSpecialPoints) {
 }
 
 TEST(LinearMuscle, IsTheReleasedFormula) {
-  // At the insertion: 44 hundredths of a unit per unit of activation (muscles.md 4.4).
+  // At the insertion: 44 hundredths of a unit per unit of activation.
   const glm::vec3 moved = displacement(zygomatic(), zygomatic().insertion, 1);
   EXPECT_NEAR(glm::length(moved), 0.44F, 0.01F);
   EXPECT_GT(moved.x, 0);
