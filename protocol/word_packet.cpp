@@ -200,12 +200,12 @@ std::variant<HelloGranted, FieldFault> parse_hello_granted(std::string_view text
 std::variant<ErrorReply, FieldFault> parse_error_reply(std::string_view text) {
   const std::vector<Piece> pieces = pieces_after_word(text);
   const bool is_code =
-      !pieces.empty() && pieces.front().text.size() == 3 &&
+      !pieces.empty() && pieces.front().text.size() == 3 && pieces.front().text.front() != '0' &&
       std::all_of(pieces.front().text.begin(), pieces.front().text.end(), is_digit);
   if (!is_code) {
     const Piece found = pieces.empty() ? Piece{"", text.size() + 1} : pieces.front();
     return FieldFault{found.position,
-                      "an error has a code of three digits, found '" + escaped(found.text) + "'"};
+                      "an error has a code of 100-999, found '" + escaped(found.text) + "'"};
   }
   ErrorReply error{0, {}};
   for (const char byte : pieces.front().text) error.code = error.code * 10 + (byte - '0');

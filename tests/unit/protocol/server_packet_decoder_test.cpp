@@ -99,6 +99,7 @@ TEST(ServerPacketDecoder, NamesEachFaultAndItsPlace) {
       {"{error}", DecodeFault::BadField, 6},
       {"{error 40 x}", DecodeFault::BadField, 7},
       {"{error 4x4 x}", DecodeFault::BadField, 7},
+      {"{error 044 x}", DecodeFault::BadField, 7},
       {"{streams a/b}", DecodeFault::BadField, 9},
   };
   for (const Row& row : rows) {
@@ -113,7 +114,7 @@ TEST(ServerPacketDecoder, SaysWhyInASentenceWithPeerBytesEscaped) {
   EXPECT_EQ(error_of("{-3}").reason, "of the negative packets only {-2} exists");
   EXPECT_EQ(error_of("{hi").reason, "the word beginning 'hi' is none of the protocol's");
   EXPECT_EQ(error_of("{hello window=300}").reason, "window is a number of 0-256, found '300'");
-  EXPECT_EQ(error_of("{error no}").reason, "an error has a code of three digits, found 'no'");
+  EXPECT_EQ(error_of("{error no}").reason, "an error has a code of 100-999, found 'no'");
   EXPECT_EQ(error_of("{streams a/b}").reason, "'a/b' is no stream's name");
 }
 
