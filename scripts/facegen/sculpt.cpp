@@ -60,8 +60,8 @@ double neck(const Vec3& p) {
   double d = round_cone(p, {0, -1.5, 0.4}, {0, -11.5, -0.6}, 2.5, 2.62);
   d = melt(d, round_cone(p, {0, -2.5, -1.5}, {3.0, -12.6, -2.2}, 1.8, 2.0), 1.5);     // trapezius
   d = melt(d, round_cone(p, {2.0, -13.2, -0.6}, {8.0, -14.6, -1.0}, 2.2, 2.0), 2.5);  // shoulder
-  d = melt(d, round_cone(p, {3.0, -1.0, -0.5}, {0.75, -10.8, 2.5}, 0.55, 0.42),
-           1.1);                                                            // sternomastoid
+  d = melt(d, round_cone(p, {2.5, -1.5, -0.6}, {0.75, -10.8, 2.5}, 0.5, 0.42),
+           1.6);                                                            // sternomastoid
   return melt(d, ellipsoid(p - Vec3{0, -7.6, 2.3}, {0.5, 1.1, 0.6}), 0.9);  // larynx
 }
 
