@@ -16,7 +16,7 @@ using Pins = std::map<std::pair<int, int>, Vec3>;
 struct RowCurve {
   int row = 0;
   std::size_t point_count = 0;
-  std::array<PointKey, 10> points;  ///< over grid columns; only the first point_count count
+  std::array<PointKey, 11> points;  ///< over grid columns; only the first point_count count
 };
 
 /// Where the grid roughly runs. The points need only be within about a unit: all are projected onto
