@@ -198,8 +198,8 @@ void ServerSession::State::note_first_byte(std::string_view bytes) {
 
 void ServerSession::State::handle(const ClientPacket& packet) {
   if (const auto* code = std::get_if<Code>(&packet)) {
-    if (phase == Phase::Grace) start_streaming();
-    if (phase == Phase::Streaming) handle_code(*code);
+    if (phase == Phase::Grace && *code != Code::Stop) start_streaming();
+    if (phase == Phase::Grace || phase == Phase::Streaming) handle_code(*code);
     return;
   }
   // After the grace the connection is classic already and stays so.

@@ -50,9 +50,10 @@ class Fields {
     }
   }
 
-  /// A whole number of 0 to `max`; nothing when the key is absent or its value is refused. A
+  /// A whole number of `min` to `max`; nothing when the key is absent or its value is refused. A
   /// repeated key: the last wins.
-  std::optional<std::uint64_t> number(std::string_view key, std::uint64_t max) {
+  std::optional<std::uint64_t> number(std::string_view key, std::uint64_t max,
+                                      std::uint64_t min = 0) {
     const Field* field = find(key);
     if (field == nullptr) return std::nullopt;
     std::uint64_t value = 0;
@@ -61,9 +62,9 @@ class Fields {
       fits = fits && is_digit(byte);
       if (fits) value = value * 10 + static_cast<std::uint64_t>(byte - '0');
     }
-    if (fits && value <= max) return value;
-    refuse(field->position, std::string(key) + " is a number of 0-" + std::to_string(max) +
-                                ", found '" + escaped(field->value) + "'");
+    if (fits && value >= min && value <= max) return value;
+    refuse(field->position, std::string(key) + " is a number of " + std::to_string(min) + "-" +
+                                std::to_string(max) + ", found '" + escaped(field->value) + "'");
     return std::nullopt;
   }
 
@@ -192,7 +193,7 @@ std::variant<HelloGranted, FieldFault> parse_hello_granted(std::string_view text
   hello.live = fields.flag("live").value_or(false);
   hello.duration_ms = fields.number("duration", kPlaceMsMax);
   hello.keyframe_ms =
-      static_cast<std::uint32_t>(fields.number("keyframe", kDurationMsMax).value_or(250));
+      static_cast<std::uint32_t>(fields.number("keyframe", kDurationMsMax, 1).value_or(250));
   if (fields.fault()) return *fields.fault();
   return hello;
 }

@@ -81,7 +81,7 @@ ServerPacket random_server_packet(Seeded& seeded) {
       hello.live = seeded.chance(0.5);
       if (seeded.chance(0.5))
         hello.duration_ms = static_cast<std::uint64_t>(seeded.integer(0, 1 << 30));
-      hello.keyframe_ms = static_cast<std::uint32_t>(seeded.integer(0, kDurationMsMax));
+      hello.keyframe_ms = static_cast<std::uint32_t>(seeded.integer(1, kDurationMsMax));
       return hello;
     }
     case 2:
