@@ -49,6 +49,7 @@ struct Look {
   float power = 20;
   Faces faces = Faces::Both;
   bool casts_shadow = false;
+  float shadow_kept = 0;
 };
 
 Look look_of(Shading shading) {
@@ -58,7 +59,8 @@ Look look_of(Shading shading) {
     case Shading::Eye:
       return {0.25F, 0, 60, Faces::Front, false};
     case Shading::Teeth:
-      return {0.5F, 0.5F, 40, Faces::Both, false};
+      // Teeth behind a lip are lit through and from all sides; in true shadow they look grey.
+      return {0.8F, 0.5F, 40, Faces::Both, false, 0.5F};
     case Shading::Mouth:
       return {0.7F, 0.4F, 24, Faces::Both, false};
     case Shading::Hair:
@@ -119,6 +121,7 @@ class LitProgram {
     wrap_ = find("u_wrap");
     specular_ = find("u_specular");
     power_ = find("u_power");
+    shadow_kept_ = find("u_shadow_kept");
     eyeball_centre_ = find("u_eyeball_centre");
     eyeball_forward_ = find("u_eyeball_forward");
     glUseProgram(program_.id());
@@ -146,6 +149,7 @@ class LitProgram {
     glUniform1f(wrap_, look.wrap);
     glUniform1f(specular_, look.specular);
     glUniform1f(power_, look.power);
+    glUniform1f(shadow_kept_, look.shadow_kept);
   }
 
   void set_eyeball(const glm::vec3& centre, const glm::vec3& forward) {
@@ -161,6 +165,7 @@ class LitProgram {
   GLint wrap_ = -1;
   GLint specular_ = -1;
   GLint power_ = -1;
+  GLint shadow_kept_ = -1;
   GLint eyeball_centre_ = -1;
   GLint eyeball_forward_ = -1;
 };

@@ -90,6 +90,7 @@ uniform vec3 u_rim_direction;
 uniform vec3 u_second_rim_direction;
 uniform float u_wrap;          // how far light creeps round into the shade; 1 is skin
 uniform float u_power;
+uniform float u_shadow_kept;   // of the key in its shadow, at least
 uniform sampler2DShadow u_shadow_map;
 uniform vec2 u_shadow_texel;
 uniform vec3 u_eyeball_centre;
@@ -139,7 +140,7 @@ void main() {
   vec3 wrap = kKeyWrap * u_wrap;
   vec3 lit = clamp((dot(normal, u_key_direction) + wrap) / (1.0 + wrap), 0.0, 1.0);
   float arriving = key_arriving();
-  vec3 through = mix(kShadowKept * u_wrap, vec3(1.0), arriving);
+  vec3 through = mix(max(kShadowKept * u_wrap, vec3(u_shadow_kept)), vec3(1.0), arriving);
   vec3 light = lit * through * kKey * (0.55 + 0.45 * occlusion) + v_ambient;
   vec3 result = colour * light;
 
