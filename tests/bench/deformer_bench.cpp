@@ -91,10 +91,12 @@ class PlainFace {
     out = face_.mesh.positions;
     for (std::size_t m = 0; m < face_.muscles.size(); ++m) {
       const auto* linear = std::get_if<aucast::face::LinearMuscle>(&face_.muscles[m].shape);
+      const auto* local = std::get_if<aucast::face::LocalPull>(&face_.muscles[m].shape);
       for (std::size_t i = 0; i < out.size(); ++i) {
         const glm::vec3& rest = face_.mesh.positions[i];
-        const glm::vec3 way = linear != nullptr
-                                  ? pulled(*linear, rest, activations[m])
+        const glm::vec3 way = linear != nullptr ? pulled(*linear, rest, activations[m])
+                              : local != nullptr
+                                  ? pulled(*local, rest, activations[m])
                                   : displacement(face_.muscles[m].shape, rest, activations[m]);
         out[i] += masks_[m][i] * way;
       }
@@ -119,6 +121,16 @@ class PlainFace {
                                         std::numbers::pi_v<float> / 2);
     const float pull = muscle.cap ? std::min(activation * gain, *muscle.cap) : activation * gain;
     return -arm * (pull * (cos_angle - cos_zone) / (1 - cos_zone) * radial);
+  }
+
+  /// Our local pull, in single precision and with nothing computed outside its radii.
+  static glm::vec3 pulled(const aucast::face::LocalPull& muscle, const glm::vec3& point,
+                          float activation) {
+    const glm::vec3 scaled = (point - muscle.centre) / muscle.radii;
+    const float squared = glm::dot(scaled, scaled);
+    if (squared >= 9) return glm::vec3(0);
+    const float edge = std::exp(-9.0F);
+    return muscle.direction * (activation * (std::exp(-squared) - edge) / (1 - edge));
   }
 
   void move_lids_and_jaw(const std::vector<float>& activations, std::vector<glm::vec3>& out) const {
