@@ -3,6 +3,7 @@
 namespace aucast::test {
 
 std::unique_ptr<face::Face> DefaultFace::face_;
+std::unique_ptr<face::FaceDeformer> DefaultFace::deformer_;
 std::vector<facegen::HalfVertex> DefaultFace::layout_;
 std::vector<std::uint32_t> DefaultFace::mirror_;
 
@@ -12,6 +13,7 @@ void DefaultFace::SetUpTestSuite() {
   auto loaded = face::load_face(*data / "faces/default", *data);
   ASSERT_TRUE(loaded) << loaded.error().message;
   face_ = std::make_unique<face::Face>(std::move(loaded).value());
+  deformer_ = std::make_unique<face::FaceDeformer>(*face_);
   // The skin holds the half head and then the mirrors of what is off the midline.
   const std::vector<facegen::HalfVertex> half = facegen::lay_out_half_head().vertices;
   layout_ = half;
@@ -54,7 +56,7 @@ std::vector<glm::vec3> DefaultFace::posed(std::initializer_list<AuTerm> terms) {
   std::vector<float> activations(face_->channels.size());
   face::mix(*face_, frame, face::Mixer::Maximum, activations);
   std::vector<glm::vec3> positions;
-  face::FaceDeformer(*face_).deform_positions(activations, positions);
+  deformer_->deform_positions(activations, positions);
   return positions;
 }
 
@@ -68,7 +70,7 @@ std::vector<glm::vec3> DefaultFace::driven(const std::string& channel, float act
     if (const auto index = face_->channel_index(name)) activations[*index] = activation;
   }
   std::vector<glm::vec3> positions;
-  face::FaceDeformer(*face_).deform_positions(activations, positions);
+  deformer_->deform_positions(activations, positions);
   return positions;
 }
 

@@ -40,6 +40,7 @@ class DefaultFace : public ::testing::Test {
 
  private:
   static std::unique_ptr<face::Face> face_;
+  static std::unique_ptr<face::FaceDeformer> deformer_;
   static std::vector<facegen::HalfVertex> layout_;
   static std::vector<std::uint32_t> mirror_;
 };
