@@ -1,17 +1,21 @@
-#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "client/render/face_renderer.h"
+#include "client/render/gl_objects.h"
 #include "client/render/offscreen.h"
+#include "client/render/window.h"
 #include "client/view/camera.h"
 #include "client/view/image.h"
 #include "common/files.h"
 #include "tests/golden/render_scene.h"
+#include "tests/support/process.h"
 
 namespace aucast {
 namespace {
@@ -203,6 +207,40 @@ TEST(OffscreenContext, CanBeMadeAgain) {
     ASSERT_TRUE(context.has_value()) << context.error().message;
     EXPECT_TRUE(render::FaceRenderer::create().has_value());
   }
+}
+
+TEST(OffscreenContext, SaysWhatToInstallWithoutADriver) {
+  // The libraries read this variable once per process: hence a second one.
+  const auto result = test::run(
+      {test::program("test_render_golden"), "--gtest_filter=OffscreenContext.CanBeMadeAgain"},
+      {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent"});
+  EXPECT_EQ(result.exit_code, 1);
+  for (const char* words : {"no OpenGL 3.3 without a display (surfaceless: ", "; device: ",
+                            "apt install libgl1 libegl1 libgl1-mesa-dri"}) {
+    EXPECT_NE(result.out.find(words), std::string::npos) << words << " in " << result.out;
+  }
+}
+
+TEST(Window, SaysWhatToDoWithoutADisplay) {
+  ::unsetenv("DISPLAY");
+  const auto window = render::Window::create(100, 100, "test");
+  ASSERT_FALSE(window.has_value());
+  EXPECT_EQ(window.error().kind, ErrorKind::Failed);
+  EXPECT_NE(window.error().message.find("no display to open a window on"), std::string::npos);
+  EXPECT_NE(window.error().message.find("--headless"), std::string::npos);
+}
+
+TEST(BuildProgram, GivesTheCompilersWords) {
+  const auto context = render::OffscreenContext::create();
+  ASSERT_TRUE(context.has_value()) << context.error().message;
+  const std::array<const char*, 1> good{"#version 330 core\nvoid main() {}\n"};
+  const std::array<const char*, 1> bad{"#version 330 core\nvoid main() { nonsense; }\n"};
+  EXPECT_TRUE(render::build_program("plain", good, good).has_value());
+  const auto broken = render::build_program("plain", good, bad);
+  ASSERT_FALSE(broken.has_value());
+  EXPECT_EQ(broken.error().kind, ErrorKind::Failed);
+  EXPECT_NE(broken.error().message.find("\"plain\""), std::string::npos);
+  EXPECT_NE(broken.error().message.find("nonsense"), std::string::npos) << broken.error().message;
 }
 
 }  // namespace
