@@ -4,8 +4,8 @@
 
 namespace aucast::facegen {
 
-inline constexpr std::size_t kHairStrands = 176;   ///< flow lines round the head
-inline constexpr std::size_t kHairRowLength = 27;  ///< vertices along a flow line
+inline constexpr std::size_t kHairStrands = 288;   ///< flow lines round the head
+inline constexpr std::size_t kHairRowLength = 33;  ///< vertices along a flow line
 
 /// A short haircut with a side parting: a shell of flow lines from the hairline to the crown.
 [[nodiscard]] Part make_hair();
