@@ -1,0 +1,26 @@
+#include <algorithm>
+#include <limits>
+
+#include "client/app/picture_maker.h"
+
+namespace aucast::app {
+
+view::Camera camera_preset(std::string_view name, const face::Face& face) {
+  view::Camera camera;
+  if (face.classic) {
+    // Waters' mask has its own height and nothing around it.
+    float low = std::numeric_limits<float>::max();
+    float high = std::numeric_limits<float>::lowest();
+    for (const glm::vec3& p : face.mesh.positions) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+    camera.target.y = (low + high) / 2;
+    camera.half_height = std::max(0.1F, (high - low) * 0.55F);
+  }
+  if (name == "three-quarter") camera.yaw_rad = 0.6F;
+  if (name == "profile") camera.yaw_rad = 1.5708F;
+  return camera;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "client/face/face.h"
+#include "client/face/face_deformer.h"
+#include "client/view/scene.h"
+
+namespace aucast::app {
+
+/// A face as the renderer wants to see it. Borrows from the face, which must outlive it.
+class FaceScene {
+ public:
+  explicit FaceScene(const face::Face& face);
+
+  [[nodiscard]] view::StaticMesh still() const;
+  [[nodiscard]] static view::MovingMesh moving(const face::DeformedFace& deformed);
+
+ private:
+  const face::Face& face_;
+  std::vector<view::ShadedRange> ranges_;
+};
+
+}  // namespace aucast::app

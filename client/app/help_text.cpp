@@ -1,0 +1,119 @@
+#include "client/app/help_text.h"
+
+#include "protocol/limits.h"
+
+namespace aucast::app {
+namespace {
+
+constexpr std::string_view kWatch =
+    R"(face-player: receives a face as Action Units and draws it
+
+  face-player [OPTIONS] HOST[:PORT]              in a window (port 4650 unless given)
+  face-player --headless [OPTIONS] HOST[:PORT]   without a display; ends with the stream
+  face-player play FILE [OPTIONS]                a stream file, without a server
+  face-player pose [AUS] ...                     one still       (face-player pose --help)
+  face-player rules AUS ...                      AUs after rules (face-player rules --help)
+
+Receiving
+  --buffer N (100)  --playout N (30)  --threshold PERCENT (40)   Receiver and Playout buffer,
+                      sets, and how full the first must be before playing starts
+  --stream NAME       which of the server's streams; default: its first
+  --protocol auto|classic     classic never sends a hello
+  --connect-timeout S (10)    longest wait for a connection and for its first packet
+Animating
+  --speed MS          time of a keyframe that brings none of its own, 1-1000
+  --mixer maximum|average     --rules facs|kumar2010|none|FILE
+  --interpolation linear|cosine     --blink SEED   blinks now and then
+  --face DIR|NAME (default)         --data DIR     where faces, rules and streams are
+Pictures and numbers (these run on the film clock, like --fast)
+  --frames DIR        frame_000001.png ...: 50 a keyframe, or --fps N a second
+  --record FILE       .mp4, .webm or .gif, 30 pictures a second unless --fps N
+  --sheet FILE.png    the faces that the keyframes reach, on one page (the first 60)
+  --size WxH (800x600)     --stats FILE.json     --fast   do not wait for the clock
+Other
+  --exit-at-end       close the window when the stream ends
+  --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
+  --help  --version
+
+In the window: space pauses, s takes a picture, f full screen, r resets the view, q or Esc leaves;
+the left mouse button turns the face, the right one moves it, the wheel zooms.
+
+  face-player lecture.example.org
+  face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json
+  face-player play six_expressions.txt --headless --frames pictures --speed 500
+
+Exit codes: 0 done, 1 failed while running, 2 usage, 3 bad data, 4 unreadable file, 5 network.
+)";
+
+constexpr std::string_view kPlay =
+    R"(face-player play: plays a stream file without a server
+
+  face-player play FILE [OPTIONS]             in a window
+  face-player play FILE --headless [OPTIONS]  without a display
+
+  --speed MS          time of a keyframe that brings none of its own, 1-1000 (250)
+  --mixer maximum|average     --rules facs|kumar2010|none|FILE
+  --interpolation linear|cosine     --blink SEED   blinks now and then
+  --face DIR|NAME (default)         --data DIR     where faces, rules and streams are
+  --frames DIR        frame_000001.png ...: 50 a keyframe, or --fps N a second
+  --record FILE       .mp4, .webm or .gif, 30 pictures a second unless --fps N
+  --sheet FILE.png    the faces that the keyframes reach, on one page (the first 60)
+  --size WxH (800x600)     --stats FILE.json     --fast   do not wait for the clock
+  --exit-at-end       close the window when the stream ends
+  --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
+
+  face-player play talk.txt --headless --record talk.mp4
+  face-player play six_expressions.txt --speed 500
+)";
+
+constexpr std::string_view kPose =
+    R"(face-player pose: one still of a face, as picture, mesh or numbers
+
+  face-player pose [AUS] [OPTIONS]
+
+AUS as in a packet: 1,6,12 or 12:80,R14:50 or 4C+9D; L and R are the subject's own sides.
+Without --png and --obj the activations that drive the face are printed.
+
+  --expression NAME   a prototype: happiness, thesis-anger, ... (see --list)
+  --muscle NAME=VALUE sets a muscle or another channel after the mixer; may be repeated
+  --list              the channels with their ranges, the AUs and the expressions, and leave
+  --png FILE          the picture           --size WxH (800x600)
+  --camera front|three-quarter|profile      where it is seen from
+  --obj FILE          the deformed skin as Wavefront OBJ, vertices in the face's own order
+  --mixer maximum|average     --rules facs|kumar2010|none|FILE
+  --face DIR|NAME (default)   --data DIR    where faces, rules and streams are
+  --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
+
+  face-player pose 6,12 --png smile.png
+  face-player pose --expression sadness --camera three-quarter --png sad.png --size 1000x1250
+  face-player pose --muscle left_zygomaticus_major=1 --obj pull.obj
+)";
+
+constexpr std::string_view kRules =
+    R"(face-player rules: what the co-occurrence rules make of a set of AUs
+
+  face-player rules AUS [--rules facs|kumar2010|none|FILE] [--explain] [--data DIR]
+
+Prints the set after the rules, comma separated. --explain adds a line for each rule that changed
+something: on what, and where the rule comes from.
+  --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
+
+  face-player rules 51,52:40
+  face-player rules 1,2,5,15,16,20,26 --rules kumar2010 --explain
+)";
+
+}  // namespace
+
+std::string_view help_text(std::string_view command) {
+  if (command == "play") return kPlay;
+  if (command == "pose") return kPose;
+  if (command == "rules") return kRules;
+  return kWatch;
+}
+
+std::string version_text() {
+  return "face-player " AUCAST_VERSION " (protocol " + std::to_string(protocol::kProtocolVersion) +
+         "), MIT licence\n";
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "client/face/face.h"
+#include "client/view/image.h"
+#include "client/view/scene.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// The camera of --camera: front, three-quarter or profile.
+[[nodiscard]] view::Camera camera_preset(std::string_view name, const face::Face& face);
+
+/// Activations in, picture out, without a display. In a build without OpenGL create() fails and
+/// says so.
+/// The face must outlive it. Thread: the one that made it.
+class PictureMaker {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(const face::Face& face,
+                                                                    int width, int height,
+                                                                    const view::Camera& camera);
+  ~PictureMaker();
+  PictureMaker(const PictureMaker&) = delete;
+  PictureMaker& operator=(const PictureMaker&) = delete;
+
+  /// Same activations, same bytes.
+  [[nodiscard]] view::Image picture(std::span<const float> activations);
+
+ private:
+  struct State;
+  explicit PictureMaker(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace aucast::app

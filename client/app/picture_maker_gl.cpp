@@ -1,0 +1,53 @@
+#include "client/app/face_scene.h"
+#include "client/app/picture_maker.h"
+#include "client/render/face_renderer.h"
+#include "client/render/offscreen.h"
+
+namespace aucast::app {
+
+struct PictureMaker::State {
+  State(const face::Face& face, const view::Camera& from)
+      : camera(from), scene(face), deformer(face) {}
+
+  view::Camera camera;
+  FaceScene scene;
+  face::FaceDeformer deformer;
+  face::DeformedFace deformed;
+  // In the order of their making: what needs the context goes before it.
+  std::unique_ptr<render::OffscreenContext> context;
+  std::unique_ptr<render::OffscreenTarget> target;
+  std::unique_ptr<render::FaceRenderer> renderer;
+  int width = 0;
+  int height = 0;
+};
+
+PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PictureMaker::~PictureMaker() = default;
+
+Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& face, int width,
+                                                           int height, const view::Camera& camera) {
+  auto state = std::make_unique<State>(face, camera);
+  state->width = width;
+  state->height = height;
+  auto context = render::OffscreenContext::create();
+  if (!context) return context.error();
+  state->context = std::move(*context);
+  auto target = render::OffscreenTarget::create(width, height);
+  if (!target) return target.error();
+  state->target = std::move(*target);
+  auto renderer = render::FaceRenderer::create();
+  if (!renderer) return renderer.error();
+  state->renderer = std::move(*renderer);
+  state->renderer->load(state->scene.still());
+  return std::unique_ptr<PictureMaker>(new PictureMaker(std::move(state)));
+}
+
+view::Image PictureMaker::picture(std::span<const float> activations) {
+  State& s = *state_;
+  s.deformer.deform(activations, s.deformed);
+  s.target->bind();
+  s.renderer->draw(FaceScene::moving(s.deformed), s.camera, view::Background{}, s.width, s.height);
+  return s.target->read();
+}
+
+}  // namespace aucast::app

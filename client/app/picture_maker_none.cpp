@@ -1,0 +1,20 @@
+#include "client/app/picture_maker.h"
+
+namespace aucast::app {
+
+struct PictureMaker::State {};
+
+PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PictureMaker::~PictureMaker() = default;
+
+Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face&, int, int,
+                                                           const view::Camera&) {
+  return Error{ErrorKind::Failed,
+               "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no pictures"};
+}
+
+view::Image PictureMaker::picture(std::span<const float>) {
+  return {};
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,159 @@
+#include "client/app/player_app.h"
+
+#include <csignal>
+#include <cstdio>
+#include <memory>
+
+#include "client/app/assets.h"
+#include "client/app/clocked_run.h"
+#include "client/app/film.h"
+#include "client/app/player_options.h"
+#include "client/app/player_stats.h"
+#include "client/app/pose_command.h"
+#include "client/app/window_run.h"
+#include "client/net/remote_source.h"
+#include "client/playback/file_source.h"
+#include "common/files.h"
+#include "common/log.h"
+#include "protocol/stream_file.h"
+
+namespace aucast::app {
+namespace {
+
+volatile std::sig_atomic_t g_interrupted = 0;
+
+void on_signal(int) {
+  g_interrupted = 1;
+}
+
+/// SIGINT and SIGTERM end the playing in good order; a broken pipe is an error, not a death.
+void set_up_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // the second one ends the program at once
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = SIG_IGN;
+  action.sa_flags = 0;
+  ::sigaction(SIGPIPE, &action, nullptr);
+}
+
+Result<std::unique_ptr<playback::KeyframeSource>> open_file(const PlaybackOptions& options) {
+  auto text = read_file(options.file);
+  if (!text) return text.error();
+  auto stream = protocol::parse_stream_file(*text, options.file.string());
+  if (!stream) return stream.error();
+  std::vector<playback::TimedAus> keyframes;
+  for (const protocol::Keyframe& keyframe : stream->keyframes) {
+    playback::TimedAus timed{frame_from_terms(keyframe.terms), std::nullopt};
+    if (keyframe.duration_ms) timed.duration = Milliseconds(*keyframe.duration_ms);
+    keyframes.push_back(timed);
+  }
+  return std::unique_ptr<playback::KeyframeSource>(
+      std::make_unique<playback::FileSource>(std::move(keyframes)));
+}
+
+Result<std::unique_ptr<playback::KeyframeSource>> open_remote(const PlaybackOptions& options) {
+  auto endpoint = net::parse_endpoint(options.endpoint);
+  if (!endpoint) return endpoint.error();
+  net::RemoteOptions remote;
+  remote.host = endpoint->host;
+  remote.port = endpoint->port;
+  remote.classic = options.classic;
+  remote.stream = options.stream;
+  remote.connect_timeout = options.connect_timeout;
+  remote.buffers = options.buffers;
+  return std::unique_ptr<playback::KeyframeSource>(std::make_unique<net::RemoteSource>(remote));
+}
+
+/// What the end of a source means for the exit code.
+Result<void> outcome(const playback::SourceStatus& status) {
+  switch (status.end) {
+    case playback::EndReason::NotEnded:
+    case playback::EndReason::EndOfStream:
+    case playback::EndReason::Stopped:
+      return {};
+    case playback::EndReason::ConnectionLost:
+    case playback::EndReason::ProtocolError:
+    case playback::EndReason::Unreachable:
+    case playback::EndReason::Refused:
+      break;
+  }
+  return Error{ErrorKind::Network, status.detail};
+}
+
+Result<void> play(const PlayerOptions& options, PlayerStats& stats) {
+  std::unique_ptr<playback::KeyframeSource> source;
+  if (options.command == Command::Play) {
+    auto opened = open_file(options.playback);
+    if (!opened) return opened.error();
+    source = std::move(*opened);
+  }
+  auto assets = load_assets(options.face);
+  if (!assets) return assets.error();
+  if (!options.playback.endpoint.empty()) {
+    auto opened = open_remote(options.playback);
+    if (!opened) return opened.error();
+    source = std::move(*opened);
+  }
+  const auto stop = [] { return g_interrupted != 0; };
+  Result<void> done;
+  if (!options.headless) {
+    done = run_window(**assets, options, source.get(), stop, stats);
+  } else if (options.output.fast) {
+    done = run_film(**assets, options, *source, stop, stats);
+  } else {
+    run_clocked(**assets, options, *source, stop, stats);
+  }
+  if (source == nullptr) {
+    stats.end_reason = "stopped";
+    return done;
+  }
+  const playback::SourceStatus status = source->status();
+  stats.take(status);
+  if (!done) stats.end_reason = "failed";
+  return done ? outcome(status) : done;
+}
+
+/// Plays and writes --stats whatever came of it.
+Result<void> play_and_count(const PlayerOptions& options) {
+  PlayerStats stats;
+  Result<void> played = play(options, stats);
+  if (!played && stats.detail.empty()) stats.detail = played.error().message;
+  if (options.output.stats.empty()) return played;
+  auto written = write_file_atomically(options.output.stats, to_json(stats));
+  return played ? written : played;
+}
+
+Result<void> run(const PlayerOptions& options) {
+  if (auto log = set_up_log("face-player", options.log_level); !log) return log;
+  switch (options.command) {
+    case Command::Help:
+      std::fputs(options.text.c_str(), stdout);
+      return {};
+    case Command::Pose:
+      return run_pose(options);
+    case Command::Rules:
+      return run_rules(options);
+    case Command::Watch:
+    case Command::Play:
+      break;
+  }
+  set_up_signals();
+  return play_and_count(options);
+}
+
+}  // namespace
+
+int run_player(std::vector<std::string> arguments) {
+  auto options = parse_player_options(std::move(arguments));
+  Result<void> done = options ? run(*options) : Result<void>(options.error());
+  if (done && std::fflush(stdout) != 0) {
+    done = Error{ErrorKind::Failed, "standard output cannot be written"};
+  }
+  if (done) return 0;
+  std::fprintf(stderr, "face-player: %s\n", done.error().message.c_str());
+  return exit_code(done.error());
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,230 @@
+#include "client/app/player_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "client/app/help_text.h"
+#include "common/command_line.h"
+#include "common/text.h"
+
+namespace aucast::app {
+namespace {
+
+/// What the command line binds before it is turned into typed options.
+struct Raw {
+  int speed_ms = 0;
+  int fps = 0;
+  int buffer = 100;
+  int playout = 30;
+  double connect_timeout_s = 10;
+  std::string size = "800x600";
+  std::string protocol = "auto";
+  std::uint64_t blink_seed = 0;
+  std::vector<std::string> muscles;
+  int verbose = 0;
+  bool help = false;
+  bool version = false;
+};
+
+constexpr int kSizeMax = 8192;
+
+void add_common(CLI::App& cli, PlayerOptions& options, Raw& raw) {
+  cli.set_help_flag();  // ours: a page that fits the screen
+  cli.add_flag("-h,--help", raw.help);
+  cli.add_flag("--version", raw.version);
+  cli.add_option("--log-level", options.log_level);
+  cli.add_flag("-v,--verbose", raw.verbose);
+  cli.add_flag("-q,--quiet", options.quiet);
+  cli.add_option("--data", options.face.data);
+  cli.add_option("--rules", options.face.rules);
+}
+
+void add_face(CLI::App& cli, PlayerOptions& options, Raw& raw) {
+  static const std::map<std::string, face::Mixer> kMixers{{"maximum", face::Mixer::Maximum},
+                                                          {"average", face::Mixer::Average}};
+  cli.add_option("--face", options.face.face);
+  cli.add_option("--mixer", options.face.mixer)->transform(CLI::CheckedTransformer(kMixers));
+  cli.add_option("--size", raw.size);
+}
+
+void add_playback(CLI::App& cli, PlayerOptions& options, Raw& raw) {
+  using playback::Interpolation;
+  static const std::map<std::string, Interpolation> kInterpolations{
+      {"linear", Interpolation::Linear}, {"cosine", Interpolation::Cosine}};
+  cli.add_flag("--headless", options.headless);
+  cli.add_flag("--exit-at-end", options.exit_at_end);
+  cli.add_option("--speed", raw.speed_ms)->check(CLI::Range(1, 1000));
+  cli.add_option("--interpolation", options.playback.interpolation)
+      ->transform(CLI::CheckedTransformer(kInterpolations));
+  cli.add_option("--blink", raw.blink_seed);
+  cli.add_option("--frames", options.output.frames);
+  cli.add_option("--record", options.output.record);
+  cli.add_option("--sheet", options.output.sheet);
+  cli.add_option("--stats", options.output.stats);
+  cli.add_option("--fps", raw.fps)->check(CLI::Range(1, 240));
+  cli.add_flag("--fast", options.output.fast);
+}
+
+void add_network(CLI::App& cli, PlayerOptions& options, Raw& raw) {
+  cli.add_option("--buffer", raw.buffer)->check(CLI::Range(1, 10000));
+  cli.add_option("--playout", raw.playout)->check(CLI::Range(1, 10000));
+  cli.add_option("--threshold", options.playback.buffers.threshold_percent)
+      ->check(CLI::Range(1, 100));
+  cli.add_option("--stream", options.playback.stream);
+  cli.add_option("--protocol", raw.protocol)->check(CLI::IsMember({"auto", "classic"}));
+  cli.add_option("--connect-timeout", raw.connect_timeout_s)->check(CLI::Range(0.01, 86400.0));
+}
+
+void add_pose(CLI::App& cli, PlayerOptions& options, Raw& raw) {
+  cli.add_option("AUS", options.pose.aus);
+  cli.add_option("--muscle", raw.muscles)->take_all()->expected(1);
+  cli.add_option("--expression", options.pose.expression);
+  cli.add_option("--png", options.pose.png);
+  cli.add_option("--obj", options.pose.obj);
+  cli.add_option("--camera", options.pose.camera)
+      ->check(CLI::IsMember({"front", "three-quarter", "profile"}));
+  cli.add_flag("--list", options.pose.list);
+}
+
+Error usage(std::string text) {
+  return {ErrorKind::Usage, std::move(text) + " (try --help)"};
+}
+
+Result<void> read_size(const std::string& text, OutputOptions& output) {
+  const std::size_t cross = text.find('x');
+  const char* const end = text.data() + text.size();
+  if (cross != std::string::npos) {
+    const char* const middle = text.data() + cross;
+    const auto width = std::from_chars(text.data(), middle, output.width);
+    const auto height = std::from_chars(middle + 1, end, output.height);
+    const bool whole = width.ec == std::errc() && width.ptr == middle && height.ec == std::errc() &&
+                       height.ptr == end;
+    const bool in_range = output.width >= 1 && output.width <= kSizeMax && output.height >= 1 &&
+                          output.height <= kSizeMax;
+    if (whole && in_range) return {};
+  }
+  return usage("--size '" + escaped(text) + "' is not WIDTHxHEIGHT, each 1 to " +
+               std::to_string(kSizeMax) + ", such as 800x600");
+}
+
+Result<void> read_muscles(const std::vector<std::string>& texts, PoseOptions& pose) {
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    float value = 0;
+    const char* const end = text.data() + text.size();
+    const char* const begin = equals == std::string::npos ? end : text.data() + equals + 1;
+    const auto read = std::from_chars(begin, end, value);
+    if (begin == end || read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) {
+      return usage("--muscle '" + escaped(text) + "' is not NAME=VALUE, such as jaw=1.5");
+    }
+    pose.muscles.emplace_back(text.substr(0, equals), value);
+  }
+  return {};
+}
+
+Result<void> read_buffers(const CLI::App& cli, const Raw& raw, playback::BufferOptions& buffers) {
+  buffers.receiver_capacity = static_cast<std::size_t>(raw.buffer);
+  buffers.playout_capacity = static_cast<std::size_t>(std::min(raw.playout, raw.buffer));
+  if (raw.playout > raw.buffer && cli.count("--playout") > 0) {
+    return usage("--playout " + std::to_string(raw.playout) + " is larger than --buffer " +
+                 std::to_string(raw.buffer));
+  }
+  return {};
+}
+
+/// Turns what was bound into typed options and checks what one option alone cannot tell.
+Result<void> settle(const CLI::App& cli, const Raw& raw, PlayerOptions& options) {
+  if (options.quiet) options.log_level = "error";
+  if (raw.verbose == 1) options.log_level = "info";
+  if (raw.verbose > 1) options.log_level = "debug";
+  if (auto size = read_size(raw.size, options.output); !size) return size;
+  if (auto muscles = read_muscles(raw.muscles, options.pose); !muscles) return muscles;
+  if (raw.speed_ms != 0) options.playback.speed = Milliseconds(raw.speed_ms);
+  if (raw.fps != 0) options.output.fps = raw.fps;
+  if (options.command == Command::Watch || options.command == Command::Play) {
+    if (cli.count("--blink") > 0) options.playback.blink_seed = raw.blink_seed;
+    if (auto buffers = read_buffers(cli, raw, options.playback.buffers); !buffers) return buffers;
+    if (options.output.pictures()) options.output.fast = true;
+    if (options.output.fast) options.headless = true;
+  }
+  options.playback.classic = raw.protocol == "classic";
+  options.playback.connect_timeout =
+      std::chrono::duration_cast<Duration>(std::chrono::duration<double>(raw.connect_timeout_s));
+  return {};
+}
+
+Result<void> check_required(const PlayerOptions& options) {
+  switch (options.command) {
+    case Command::Watch:
+      if (options.headless && options.playback.endpoint.empty()) {
+        return usage("--headless needs HOST[:PORT], or play FILE");
+      }
+      break;
+    case Command::Play:
+      if (options.playback.file.empty()) return usage("play needs a stream FILE");
+      break;
+    case Command::Rules:
+      if (options.pose.aus.empty()) return usage("rules needs a set of AUs, such as 1,6,12");
+      break;
+    case Command::Pose:
+    case Command::Help:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
+  static const std::map<std::string, Command> kCommands{
+      {"play", Command::Play}, {"pose", Command::Pose}, {"rules", Command::Rules}};
+  PlayerOptions options;
+  Raw raw;
+  std::string page;
+  if (!arguments.empty()) {
+    if (const auto found = kCommands.find(arguments.front()); found != kCommands.end()) {
+      options.command = found->second;
+      page = found->first;
+      arguments.erase(arguments.begin());
+    }
+  }
+  CLI::App cli;
+  add_common(cli, options, raw);
+  switch (options.command) {
+    case Command::Watch:
+      add_face(cli, options, raw);
+      add_playback(cli, options, raw);
+      add_network(cli, options, raw);
+      cli.add_option("HOST", options.playback.endpoint);
+      break;
+    case Command::Play:
+      add_face(cli, options, raw);
+      add_playback(cli, options, raw);
+      add_network(cli, options, raw);  // accepted, so that both commands take the same options
+      cli.add_option("FILE", options.playback.file);
+      break;
+    case Command::Pose:
+      add_face(cli, options, raw);
+      add_pose(cli, options, raw);
+      break;
+    case Command::Rules:
+      cli.add_option("AUS", options.pose.aus);
+      cli.add_flag("--explain", options.pose.explain);
+      break;
+    case Command::Help:
+      break;
+  }
+  if (auto parsed = parse_command_line(cli, std::move(arguments)); !parsed) return parsed.error();
+  if (raw.help || raw.version) {
+    options.command = Command::Help;
+    options.text = raw.help ? std::string(help_text(page)) : version_text();
+    return options;
+  }
+  if (auto settled = settle(cli, raw, options); !settled) return settled.error();
+  if (auto complete = check_required(options); !complete) return complete.error();
+  return options;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "client/face/muscle_mixer.h"
+#include "client/playback/interpolator.h"
+#include "client/playback/keyframe_buffers.h"
+#include "common/result.h"
+#include "common/time.h"
+
+namespace aucast::app {
+
+enum class Command : std::uint8_t {
+  Watch,  ///< [HOST[:PORT]]: the window, or --headless
+  Play,   ///< play FILE
+  Pose,   ///< pose [AUS]
+  Rules,  ///< rules AUS
+  Help,   ///< print `text` and leave
+};
+
+/// What a face is made of and how AUs become a face: common to all commands.
+struct FaceOptions {
+  std::filesystem::path data;    ///< --data; empty: found as the contract says
+  std::string face = "default";  ///< --face: a folder, or a name in data/faces
+  std::string rules = "facs";    ///< --rules: facs, kumar2010, none or a file
+  face::Mixer mixer = face::Mixer::Maximum;
+};
+
+/// How keyframes are received and played.
+struct PlaybackOptions {
+  std::string endpoint;        ///< HOST[:PORT]; empty: none
+  std::filesystem::path file;  ///< play FILE
+  playback::BufferOptions buffers;
+  std::optional<Milliseconds> speed;
+  playback::Interpolation interpolation = playback::Interpolation::Linear;
+  bool classic = false;
+  std::string stream;
+  Duration connect_timeout = std::chrono::seconds(10);
+  std::optional<std::uint64_t> blink_seed;  ///< --blink: nothing: no blinking
+};
+
+/// Where pictures and numbers go.
+struct OutputOptions {
+  std::filesystem::path frames;  ///< --frames DIR
+  std::filesystem::path record;  ///< --record FILE
+  std::filesystem::path sheet;   ///< --sheet FILE.png
+  std::filesystem::path stats;   ///< --stats FILE.json
+  std::optional<int> fps;        ///< 1-240
+  int width = 800;
+  int height = 600;
+  bool fast = false;
+
+  [[nodiscard]] bool pictures() const {
+    return !frames.empty() || !record.empty() || !sheet.empty();
+  }
+};
+
+struct PoseOptions {
+  std::string aus;                                     ///< pose and rules: as in a packet
+  std::vector<std::pair<std::string, float>> muscles;  ///< --muscle NAME=VALUE, in order
+  std::string expression;
+  std::filesystem::path png;
+  std::filesystem::path obj;
+  std::string camera = "front";
+  bool list = false;     ///< --list: what can be named
+  bool explain = false;  ///< rules --explain
+};
+
+struct PlayerOptions {
+  Command command = Command::Watch;
+  FaceOptions face;
+  PlaybackOptions playback;
+  OutputOptions output;
+  PoseOptions pose;
+  bool headless = false;
+  bool exit_at_end = false;
+  bool quiet = false;
+  std::string log_level = "warning";
+  std::string text;  ///< Help: what to print
+};
+
+/// Reads the command line (without the program's name). Usage error of one line.
+[[nodiscard]] Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments);
+
+}  // namespace aucast::app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "client/playback/keyframe_source.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// What --stats writes: one JSON object, on every exit after the options were read.
+struct PlayerStats {
+  std::uint64_t packets_received = 0;
+  std::uint64_t bytes_received = 0;  ///< of the keyframes' packets
+  double receive_seconds = 0;        ///< from the connection to {-2} or the end
+  std::uint64_t keyframes_played = 0;
+  std::uint64_t frames_drawn = 0;
+  double draw_seconds = 0;  ///< spent deforming, drawing and writing pictures
+  std::uint64_t pauses_sent = 0;
+  std::uint64_t resumes_sent = 0;
+  std::uint64_t stalls = 0;
+  double playback_seconds = 0;  ///< measured on the steady clock
+  double media_seconds = 0;
+  double first_frame_ms = 0;          ///< from program start
+  bool negotiated = false;            ///< level 2
+  std::string end_reason = "failed";  ///< a name of EndReason, or failed for what went wrong here
+  std::string detail;
+
+  /// Takes over what a source counted.
+  void take(const playback::SourceStatus& status);
+};
+
+[[nodiscard]] std::string to_json(const PlayerStats& stats);
+
+}  // namespace aucast::app

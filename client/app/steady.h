@@ -1,0 +1,20 @@
+#pragma once
+
+#include "common/time.h"
+
+namespace aucast::app {
+
+// The player's only clock. Everything below app/ is given the time.
+
+[[nodiscard]] inline Instant steady_now() {
+  return std::chrono::steady_clock::now();
+}
+
+[[nodiscard]] inline double seconds(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+/// Milliseconds since the process was started, by the kernel's account of it.
+[[nodiscard]] double since_start_ms();
+
+}  // namespace aucast::app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+
+#include "client/app/assets.h"
+#include "client/app/player_options.h"
+#include "client/app/player_stats.h"
+#include "client/playback/keyframe_source.h"
+
+namespace aucast::app {
+
+/// Shows `source` in a window until the user leaves it (or, with --exit-at-end, the stream ends).
+/// `source` may be null: the face at rest. The title says how playback stands. In a build without
+/// OpenGL it fails and says so.
+[[nodiscard]] Result<void> run_window(const Assets& assets, const PlayerOptions& options,
+                                      playback::KeyframeSource* source,
+                                      const std::function<bool()>& stop, PlayerStats& stats);
+
+}  // namespace aucast::app

@@ -1,0 +1,12 @@
+#include "client/app/window_run.h"
+
+namespace aucast::app {
+
+Result<void> run_window(const Assets&, const PlayerOptions&, playback::KeyframeSource*,
+                        const std::function<bool()>&, PlayerStats&) {
+  return Error{ErrorKind::Failed,
+               "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no window; "
+               "use --headless"};
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,145 @@
+#include "client/app/player_options.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast::app {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+PlayerOptions accepted(Arguments arguments) {
+  auto options = parse_player_options(std::move(arguments));
+  EXPECT_TRUE(options.has_value()) << (options ? "" : options.error().message);
+  return options ? *options : PlayerOptions{};
+}
+
+std::string refused(Arguments arguments) {
+  const auto options = parse_player_options(std::move(arguments));
+  EXPECT_FALSE(options.has_value());
+  if (options) return "";
+  EXPECT_EQ(options.error().kind, ErrorKind::Usage);
+  EXPECT_EQ(options.error().message.find('\n'), std::string::npos);
+  return options.error().message;
+}
+
+TEST(PlayerOptions, DefaultsAreThoseOfTheContract) {
+  const PlayerOptions options = accepted({"host:1"});
+  EXPECT_EQ(options.command, Command::Watch);
+  EXPECT_EQ(options.playback.endpoint, "host:1");
+  EXPECT_FALSE(options.headless);
+  EXPECT_EQ(options.playback.buffers.receiver_capacity, 100U);
+  EXPECT_EQ(options.playback.buffers.playout_capacity, 30U);
+  EXPECT_EQ(options.playback.buffers.threshold_percent, 40);
+  EXPECT_FALSE(options.playback.speed.has_value());
+  EXPECT_EQ(options.face.mixer, face::Mixer::Maximum);
+  EXPECT_EQ(options.face.rules, "facs");
+  EXPECT_EQ(options.playback.interpolation, playback::Interpolation::Linear);
+  EXPECT_FALSE(options.playback.classic);
+  EXPECT_EQ(options.playback.connect_timeout, std::chrono::seconds(10));
+  EXPECT_EQ(options.output.width, 800);
+  EXPECT_EQ(options.output.height, 600);
+  EXPECT_FALSE(options.output.fast);
+  EXPECT_FALSE(options.playback.blink_seed.has_value());
+}
+
+TEST(PlayerOptions, ReadEverythingAWatcherMaySay) {
+  const PlayerOptions options =
+      accepted({"--headless", "h",           "--buffer", "50",       "--playout",
+                "5",          "--threshold", "100",      "--speed",  "1000",
+                "--mixer",    "average",     "--rules",  "none",     "--interpolation",
+                "cosine",     "--protocol",  "classic",  "--stream", "talk",
+                "--face",     "f",           "--data",   "d",        "--connect-timeout",
+                "2.5",        "--stats",     "s.json",   "--fps",    "25",
+                "--size",     "64x48",       "--blink",  "7"});
+  EXPECT_TRUE(options.headless);
+  EXPECT_EQ(options.playback.buffers.receiver_capacity, 50U);
+  EXPECT_EQ(options.playback.buffers.playout_capacity, 5U);
+  EXPECT_EQ(options.playback.buffers.threshold_percent, 100);
+  EXPECT_EQ(options.playback.speed, Milliseconds(1000));
+  EXPECT_EQ(options.face.mixer, face::Mixer::Average);
+  EXPECT_EQ(options.face.rules, "none");
+  EXPECT_EQ(options.playback.interpolation, playback::Interpolation::Cosine);
+  EXPECT_TRUE(options.playback.classic);
+  EXPECT_EQ(options.playback.stream, "talk");
+  EXPECT_EQ(options.face.face, "f");
+  EXPECT_EQ(options.face.data, "d");
+  EXPECT_EQ(options.playback.connect_timeout, std::chrono::milliseconds(2500));
+  EXPECT_EQ(options.output.stats, "s.json");
+  EXPECT_EQ(options.output.fps, 25);
+  EXPECT_EQ(options.output.width, 64);
+  EXPECT_EQ(options.output.height, 48);
+  EXPECT_EQ(options.playback.blink_seed, 7U);
+}
+
+TEST(PlayerOptions, PicturesRunOnTheFilmClock) {
+  for (const Arguments& output : {Arguments{"--frames", "d"}, Arguments{"--record", "f.mp4"},
+                                  Arguments{"--sheet", "s.png"}, Arguments{"--fast"}}) {
+    Arguments arguments{"play", "x.txt"};
+    arguments.insert(arguments.end(), output.begin(), output.end());
+    const PlayerOptions options = accepted(arguments);
+    EXPECT_TRUE(options.output.fast);
+    EXPECT_TRUE(options.headless);
+  }
+}
+
+TEST(PlayerOptions, ASmallBufferShrinksThePlayoutThatWasNotAskedFor) {
+  EXPECT_EQ(accepted({"h", "--buffer", "2"}).playback.buffers.playout_capacity, 2U);
+  EXPECT_NE(refused({"h", "--buffer", "2", "--playout", "3"}).find("larger than --buffer 2"),
+            std::string::npos);
+}
+
+TEST(PlayerOptions, KnowTheCommands) {
+  const PlayerOptions play = accepted({"play", "talk.txt", "--headless", "--buffer", "10"});
+  EXPECT_EQ(play.command, Command::Play);
+  EXPECT_EQ(play.playback.file, "talk.txt");
+
+  const PlayerOptions pose = accepted({"pose", "6,12", "--muscle", "jaw=1.5", "--muscle", "a=0",
+                                       "--png", "p.png", "--obj", "o.obj", "--camera", "profile"});
+  EXPECT_EQ(pose.command, Command::Pose);
+  EXPECT_EQ(pose.pose.aus, "6,12");
+  ASSERT_EQ(pose.pose.muscles.size(), 2U);
+  EXPECT_EQ(pose.pose.muscles[0], (std::pair<std::string, float>("jaw", 1.5F)));
+  EXPECT_EQ(pose.pose.camera, "profile");
+
+  const PlayerOptions rules = accepted({"rules", "51,52", "--rules", "kumar2010", "--explain"});
+  EXPECT_EQ(rules.command, Command::Rules);
+  EXPECT_TRUE(rules.pose.explain);
+  EXPECT_EQ(rules.face.rules, "kumar2010");
+}
+
+TEST(PlayerOptions, HelpAndVersionAreTexts) {
+  for (const Arguments& arguments : {Arguments{"--help"}, Arguments{"-h"}, Arguments{"--version"},
+                                     Arguments{"pose", "--help"}, Arguments{"rules", "--help"}}) {
+    const PlayerOptions options = accepted(arguments);
+    EXPECT_EQ(options.command, Command::Help);
+    EXPECT_FALSE(options.text.empty());
+  }
+}
+
+TEST(PlayerOptions, RefuseWithOneLine) {
+  EXPECT_NE(refused({"h", "--sped", "1"}).find("did you mean --speed?"), std::string::npos);
+  EXPECT_NE(refused({"h", "--speed", "0"}).find("--speed"), std::string::npos);
+  EXPECT_NE(refused({"h", "--speed", "1001"}).find("--speed"), std::string::npos);
+  EXPECT_NE(refused({"h", "--buffer", "0"}).find("--buffer"), std::string::npos);
+  EXPECT_NE(refused({"h", "--buffer", "10001"}).find("--buffer"), std::string::npos);
+  EXPECT_NE(refused({"h", "--threshold", "101"}).find("--threshold"), std::string::npos);
+  EXPECT_NE(refused({"h", "--mixer", "median"}).find("--mixer"), std::string::npos);
+  EXPECT_NE(refused({"h", "--protocol", "udp"}).find("--protocol"), std::string::npos);
+  EXPECT_NE(refused({"h", "--fps", "0"}).find("--fps"), std::string::npos);
+  EXPECT_NE(refused({"a", "b"}).find("unexpected argument 'b'"), std::string::npos);
+  EXPECT_NE(refused({"--headless"}).find("needs HOST"), std::string::npos);
+  EXPECT_NE(refused({"play"}).find("needs a stream FILE"), std::string::npos);
+  EXPECT_NE(refused({"rules"}).find("needs a set of AUs"), std::string::npos);
+}
+
+TEST(PlayerOptions, RefuseImpossibleSizesAndMuscles) {
+  for (const char* size : {"800", "x600", "800x", "0x600", "800x600x2", "99999x1", "axb", "-1x5"}) {
+    EXPECT_NE(refused({"pose", "0", "--size", size}).find("--size"), std::string::npos) << size;
+  }
+  for (const char* muscle : {"jaw", "jaw=", "jaw=x", "jaw=1x", "jaw=nan", "jaw=inf"}) {
+    EXPECT_NE(refused({"pose", "--muscle", muscle}).find("--muscle"), std::string::npos) << muscle;
+  }
+}
+
+}  // namespace
+}  // namespace aucast::app
