@@ -115,15 +115,24 @@ std::optional<std::string_view> facs_name(int number) {
 
 std::optional<std::uint8_t> percent_of_letter(char letter) {
   switch (letter) {
-    case 'A': return std::uint8_t{10};
-    case 'B': return std::uint8_t{25};
-    case 'C': return std::uint8_t{50};
-    case 'D': return std::uint8_t{80};
-    case 'E': return std::uint8_t{100};
-    case 'x': return std::uint8_t{25};
-    case 'y': return std::uint8_t{60};
-    case 'z': return std::uint8_t{100};
-    default: return std::nullopt;
+    case 'A':
+      return std::uint8_t{10};
+    case 'B':
+      return std::uint8_t{25};
+    case 'C':
+      return std::uint8_t{50};
+    case 'D':
+      return std::uint8_t{80};
+    case 'E':
+      return std::uint8_t{100};
+    case 'x':
+      return std::uint8_t{25};
+    case 'y':
+      return std::uint8_t{60};
+    case 'z':
+      return std::uint8_t{100};
+    default:
+      return std::nullopt;
   }
 }
 

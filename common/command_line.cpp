@@ -27,7 +27,8 @@ std::string unexpected(const CLI::App& app, const std::vector<std::string>& extr
   }
   const std::string name = option->substr(0, option->find('='));
   std::string message = "unknown option " + escaped(name);
-  if (const auto near = nearest(name, option_names(app))) message += "; did you mean " + *near + "?";
+  if (const auto near = nearest(name, option_names(app)))
+    message += "; did you mean " + *near + "?";
   return message;
 }
 

@@ -14,7 +14,9 @@
 namespace aucast {
 namespace {
 
-std::string reason(int error_number) { return std::generic_category().message(error_number); }
+std::string reason(int error_number) {
+  return std::generic_category().message(error_number);
+}
 
 Error unreadable(const std::filesystem::path& path, std::string_view why) {
   return {ErrorKind::Unreadable, path.string() + ": cannot be read: " + std::string(why)};
@@ -117,8 +119,8 @@ Result<std::filesystem::path> find_data_folder(const std::filesystem::path& chos
     if (std::filesystem::is_directory(place, error)) return place;
     tried += (tried.empty() ? "" : ", ") + place.string();
   }
-  return Error{ErrorKind::Unreadable, "no data folder (tried " + tried +
-                                          "): name it with --data DIR or AUCAST_DATA"};
+  return Error{ErrorKind::Unreadable,
+               "no data folder (tried " + tried + "): name it with --data DIR or AUCAST_DATA"};
 }
 
 }  // namespace aucast

@@ -28,7 +28,9 @@ struct Error {
   friend bool operator==(const Error&, const Error&) = default;
 };
 
-[[nodiscard]] inline int exit_code(const Error& error) { return static_cast<int>(error.kind); }
+[[nodiscard]] inline int exit_code(const Error& error) {
+  return static_cast<int>(error.kind);
+}
 
 /// A value or an Error, with the member names of C++23's std::expected (absent in GCC 12).
 /// Reading the side that is not there is a programmer's error and aborts.

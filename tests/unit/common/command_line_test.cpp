@@ -33,8 +33,7 @@ TEST_F(CommandLineTest, FillsTheVariables) {
 }
 
 TEST_F(CommandLineTest, NamesTheNearestOption) {
-  EXPECT_EQ(message({"--sped", "3"}),
-            "unknown option --sped; did you mean --speed? (try --help)");
+  EXPECT_EQ(message({"--sped", "3"}), "unknown option --sped; did you mean --speed? (try --help)");
   EXPECT_EQ(message({"--sped=3"}), "unknown option --sped; did you mean --speed? (try --help)");
   EXPECT_EQ(message({"--zzzzzzzzzzzz"}), "unknown option --zzzzzzzzzzzz (try --help)");
 }

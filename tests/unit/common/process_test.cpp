@@ -25,7 +25,9 @@ TEST(Process, ReadsLinesWhileItRuns) {
   EXPECT_EQ(process.wait(10s), 128 + SIGTERM);
 }
 
-TEST(Process, MissingProgramIs127) { EXPECT_EQ(run({"no-such-program"}).exit_code, 127); }
+TEST(Process, MissingProgramIs127) {
+  EXPECT_EQ(run({"no-such-program"}).exit_code, 127);
+}
 
 }  // namespace
 }  // namespace aucast::test

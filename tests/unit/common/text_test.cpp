@@ -11,7 +11,9 @@ TEST(Escaped, KeepsPrintableAndHidesTheRest) {
   EXPECT_EQ(escaped("\\"), "\\x5c");
 }
 
-TEST(Escaped, IsCut) { EXPECT_EQ(escaped(std::string(100, 'x'), 5), "xxxxx..."); }
+TEST(Escaped, IsCut) {
+  EXPECT_EQ(escaped(std::string(100, 'x'), 5), "xxxxx...");
+}
 
 TEST(Nearest, FindsTheTypoAndNothingFar) {
   const std::vector<std::string> known{"--speed", "--size", "--rules"};

@@ -1,0 +1,94 @@
+// Pictures and videos of the real face-player; needs OpenGL (in software will do).
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tests/integration/player_run.h"
+#include "tests/support/served.h"
+
+namespace aucast::test {
+namespace {
+
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(Pictures, TwoRunsAreByteIdenticalAndHaveFiftyAKeyframe) {
+  const TempFolder folder;
+  Served served({stream_file("six_expressions.txt")});
+  for (const char* name : {"one", "two"}) {
+    const PlayerRun run = run_player({"--headless", served.address(), "--fast", "--frames",
+                                      (folder.path() / name).string(), "--size", "64x48"});
+    ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+    EXPECT_EQ(run.stats["frames_drawn"], 300);
+  }
+  const auto names = names_in(folder.path() / "one");
+  ASSERT_EQ(names.size(), 300U);
+  EXPECT_EQ(names.front(), "frame_000001.png");
+  EXPECT_EQ(names.back(), "frame_000300.png");
+  for (const std::string& name : names) {
+    ASSERT_EQ(folder.read("one/" + name), folder.read("two/" + name)) << name;
+  }
+  EXPECT_NE(folder.read("one/frame_000001.png"), folder.read("one/frame_000050.png"));
+}
+
+TEST(Pictures, AtFpsTheyRunFromZeroToTheEnd) {
+  const TempFolder folder;
+  const PlayerRun run =
+      run_player({"play", stream_file("six_expressions.txt"), "--headless", "--frames",
+                  folder.path().string(), "--fps", "10", "--size", "32x32"});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(names_in(folder.path()).size(), 16U);  // 0.0, 0.1 ... 1.5 s
+}
+
+TEST(Pictures, VideoAndSheetAreWritten) {
+  const TempFolder folder;
+  const auto video = folder.path() / "six.mp4";
+  const PlayerRun run =
+      run_player({"play", stream_file("six_expressions.txt"), "--record", video.string(), "--sheet",
+                  (folder.path() / "six.png").string(), "--size", "64x64"});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(run.stats["frames_drawn"], 46 + 6);
+  EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{"six.mp4", "six.png"}));
+  const Finished probe = test::run({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                                    "stream=nb_read_frames", "-of", "csv=p=0", video.string()});
+  EXPECT_EQ(probe.out, "46\n") << probe.err;
+}
+
+TEST(Pictures, WithoutFfmpegTheMessageSaysWhatToInstall) {
+  const TempFolder folder;
+  const PlayerRun run = run_player({"play", stream_file("happiness.txt"), "--record",
+                                    (folder.path() / "x.mp4").string(), "--size", "64x64"},
+                                   {"PATH=" + folder.path().string()});
+  EXPECT_EQ(run.finished.exit_code, 1);
+  EXPECT_NE(run.finished.err.find("ffmpeg"), std::string::npos);
+  EXPECT_NE(run.finished.err.find("install"), std::string::npos);
+  EXPECT_TRUE(names_in(folder.path()).empty());
+}
+
+TEST(Pictures, AFolderThatCannotBeMade) {
+  const TempFolder folder;
+  const auto file = folder.write("file", "x");
+  const PlayerRun run = run_player({"play", stream_file("happiness.txt"), "--frames",
+                                    (file / "frames").string(), "--size", "64x64"});
+  EXPECT_EQ(run.finished.exit_code, 1);
+  EXPECT_NE(run.finished.err.find("cannot be written"), std::string::npos) << run.finished.err;
+}
+
+TEST(Pictures, APoseIsAPicture) {
+  const TempFolder folder;
+  const PlayerRun run = run_player(
+      {"pose", "6,12", "--png", (folder.path() / "smile.png").string(), "--size", "64x64"});
+  EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_TRUE(folder.read("smile.png").starts_with("\x89PNG"));
+}
+
+}  // namespace
+}  // namespace aucast::test

@@ -1,0 +1,125 @@
+// What face-player does with bad input: exit code, message, nothing lost.
+
+#include <gtest/gtest.h>
+
+#include "tests/integration/player_run.h"
+#include "tests/support/served.h"
+
+namespace aucast::test {
+namespace {
+
+void expect_failure(const PlayerRun& run, int exit_code, const std::vector<std::string>& words) {
+  EXPECT_EQ(run.finished.exit_code, exit_code) << run.finished.err;
+  for (const std::string& word : words) {
+    EXPECT_NE(run.finished.err.find(word), std::string::npos)
+        << "'" << word << "' is not in: " << run.finished.err;
+  }
+}
+
+TEST(PlayerInput, UsageErrorsExitTwoWithOneLine) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--hedless", "x"},
+                                                    {"--headless"},
+                                                    {"play"},
+                                                    {"--headless", "host:99999"},
+                                                    {"--headless", "host:"}}) {
+    const PlayerRun run = run_player(arguments);
+    expect_failure(run, 2, {"face-player: "});
+    EXPECT_EQ(std::count(run.finished.err.begin(), run.finished.err.end(), '\n'), 1);
+  }
+  expect_failure(run_player({"--hedless", "x"}), 2, {"did you mean --headless?"});
+}
+
+TEST(PlayerInput, HelpGoesToStdout) {
+  const Finished help = run({program("face-player"), "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.out.find("face-player play FILE"), std::string::npos);
+  EXPECT_EQ(help.err, "");
+}
+
+TEST(PlayerInput, UnknownHostAndRefusedPort) {
+  const PlayerRun unknown = run_player({"--headless", "no-such-host.invalid", "--fast"});
+  expect_failure(unknown, 5, {"no-such-host.invalid"});
+  EXPECT_EQ(unknown.stats["end_reason"], "unreachable");
+  const PlayerRun refused = run_player({"--headless", "127.0.0.1:1", "--fast"});
+  expect_failure(refused, 5, {"127.0.0.1", "1"});
+  EXPECT_EQ(refused.stats["end_reason"], "unreachable");
+}
+
+TEST(PlayerInput, StreamFiles) {
+  const TempFolder folder;
+  expect_failure(run_player({"play", (folder.path() / "none.txt").string(), "--fast"}), 4,
+                 {"none.txt", "No such file"});
+  expect_failure(run_player({"play", folder.path().string(), "--fast"}), 4, {"folder"});
+  const auto bad = folder.write("bad.txt", "Beg_Stream\n1,2\n1,100\nEnd_Stream\n");
+  const PlayerRun run = run_player({"play", bad.string(), "--fast"});
+  expect_failure(run, 3, {"bad.txt:3:5:"});
+  EXPECT_EQ(run.stats["end_reason"], "failed");
+}
+
+TEST(PlayerInput, AShippedStreamPlaysWithoutAServer) {
+  const PlayerRun run = run_player({"play", stream_file("talk.txt"), "--fast"});
+  EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_GT(run.stats["keyframes_played"].get<int>(), 300);
+  EXPECT_EQ(run.stats["end_reason"], "end_of_stream");
+}
+
+TEST(PlayerInput, FaceFolders) {
+  const TempFolder folder;
+  expect_failure(run_player({"pose", "12", "--face", (folder.path() / "none").string()}), 4,
+                 {"none"});
+  // Waters' format: three points and one triangle with a wrong index, then a point that is none.
+  folder.write("wrong/faceline.dat", "3\n0 0 0\n-1 0 0\n-1 1 0\n");
+  folder.write("wrong/index.dat", "1\n1000 1 2 7\n");
+  folder.write("wrong/muscle.dat", "0\n");
+  expect_failure(run_player({"pose", "12", "--face", (folder.path() / "wrong").string()}), 3,
+                 {"index.dat:2", "7"});
+  folder.write("nan/faceline.dat", "3\n0 0 0\n-1 nan 0\n-1 1 0\n");
+  folder.write("nan/index.dat", "1\n1000 1 2 3\n");
+  folder.write("nan/muscle.dat", "0\n");
+  expect_failure(run_player({"pose", "12", "--face", (folder.path() / "nan").string()}), 3,
+                 {"faceline.dat:3"});
+}
+
+TEST(PlayerInput, MusclesAndExpressions) {
+  expect_failure(run_player({"pose", "--muscle", "left_zygomaticus_mayor=1"}), 2,
+                 {"did you mean left_zygomaticus_major?"});
+  expect_failure(run_player({"pose", "--muscle", "jaw=4.5"}), 2, {"jaw", "outside"});
+  expect_failure(run_player({"pose", "--expression", "happynes"}), 2, {"happiness"});
+  expect_failure(run_player({"pose", "1,2x,300"}), 2, {"300"});
+}
+
+TEST(PlayerInput, Rules) {
+  const TempFolder folder;
+  expect_failure(run_player({"rules", "1", "--rules", "fasc"}), 2, {"facs"});
+  expect_failure(run_player({"rules", "1", "--rules", (folder.path() / "no.toml").string()}), 4,
+                 {"no.toml"});
+  const auto rules = folder.write("r.toml",
+                                  "format = 1\nname = \"r\"\n[[rule]]\nkind = \"dominance\"\n"
+                                  "sources = [77]\ntargets = [1]\nsource = \"x\"\n");
+  expect_failure(run_player({"rules", "1", "--rules", rules.string()}), 3, {"r.toml:", "77"});
+}
+
+TEST(PlayerInput, OutputsThatCannotBeWritten) {
+  const TempFolder folder;
+  const auto file = folder.write("file", "x");
+  const std::string inside = (file / "x").string();
+  expect_failure(run_player({"pose", "12", "--obj", inside + ".obj"}), 1, {"cannot be written"});
+  const Finished stats = run({program("face-player"), "play", stream_file("happiness.txt"),
+                              "--fast", "--stats", inside + ".json"});
+  EXPECT_EQ(stats.exit_code, 1);
+  EXPECT_NE(stats.err.find("cannot be written"), std::string::npos) << stats.err;
+}
+
+TEST(PlayerInput, RulesOfTheThesisTable) {
+  const auto after = [](const std::string& aus, const std::string& rules) {
+    const Finished done = run({program("face-player"), "rules", aus, "--rules", rules});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return done.out;
+  };
+  EXPECT_EQ(after("1,2,5,15,16,20,26", "kumar2010"), "2,5,11,15,26\n");
+  EXPECT_EQ(after("1,2,5,15,16,20,26", "facs"), "1,2,5,15,16,20,26\n");
+  EXPECT_EQ(after("51,52:40", "none"), "51,52:40\n");
+}
+
+}  // namespace
+}  // namespace aucast::test
