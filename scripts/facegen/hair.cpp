@@ -70,8 +70,9 @@ Cut cut_at(double s, double t, const Vec3& scalp) {
   Cut cut;
   const Vec3 line = hairline(s);
   const double width = 0.13 + 0.10 * smooth_step(5.5, 7.0, line.y) * smooth_step(3, 5, line.z);
-  // The hair starts flat, behind its visible edge, or a halo shows at the far temple.
-  cut.edge = (1 - power(1 - saturate((t - 0.045) / width), 2.1)) * smooth_step(0.04, 0.10, t);
+  // The hair lies flat where it is still translucent, or the background shows through at the
+  // far temple.
+  cut.edge = (1 - power(1 - saturate((t - 0.075) / width), 2.1)) * smooth_step(0.07, 0.13, t);
   cut.top = smooth_step(3.5, 8.0, scalp.y);
   const double from_parting = s - kParting;
   cut.parting = bell(from_parting, 0.20 + 0.25 * t) * (1 - smooth_step(0.45, 0.75, t)) * cut.top;
@@ -135,19 +136,19 @@ Part make_hair() {
   Part hair;
   hair.name = "hair";
   hair.material = face::Material::Hair;
-  std::vector<std::vector<std::uint32_t>> lines(kHairStrands);
+  std::vector<std::vector<std::uint32_t>> rows(kHairRowLength);
   for (std::size_t i = 0; i < kHairStrands; ++i) {
     const double s = static_cast<double>(i) / kHairStrands * 24 - 12;
     for (std::size_t j = 0; j < kHairRowLength; ++j) {
       const double t = static_cast<double>(j) / (kHairRowLength - 1);
-      lines[i].push_back(static_cast<std::uint32_t>(hair.vertices.size()));
+      rows[j].push_back(static_cast<std::uint32_t>(hair.vertices.size()));
       add_hair_vertex(hair, s, t);
       hair.vertices.back()[Map::Head] = head_field(hair.vertices.back().position);
     }
   }
-  for (std::size_t i = 0; i < kHairStrands; ++i) {
-    hair.add_band(lines[(i + 1) % kHairStrands], lines[i], false);
-  }
+  // From the crown to the hairline, so that the translucent fringe is drawn over the hair behind it
+  // and not the other way round.
+  for (std::size_t j = kHairRowLength - 1; j > 0; --j) hair.add_band(rows[j - 1], rows[j], true);
   return hair;
 }
 
