@@ -35,7 +35,9 @@ const std::vector<std::string> kTableThreeTwo = {"{1,2,5,15,16,20,26}", "{1,2,4,
 
 TEST(StreamData, SixExpressionsAreThoseOfTheThesis) {
   EXPECT_EQ(classic_packets("six_expressions"), kTableThreeTwo);
-  for (const auto& keyframe : load("six_expressions").front().stream.keyframes) {
+  const auto sources = load("six_expressions");
+  ASSERT_EQ(sources.size(), 1U);
+  for (const auto& keyframe : sources[0].stream.keyframes) {
     EXPECT_FALSE(keyframe.duration_ms.has_value());
   }
 }
