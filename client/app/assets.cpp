@@ -88,7 +88,7 @@ Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options) {
   if (!face) return face.error();
   auto expressions = load_expressions(*data / "expressions.toml");
   if (!expressions) return expressions.error();
-  for (const std::string& remark : face->remarks) spdlog::info("{}", remark);
+  for (const std::string& remark : face->remarks) spdlog::warn("{}", remark);
   auto assets = std::make_unique<Assets>();
   assets->data_folder = std::move(*data);
   assets->face = std::move(*face);
