@@ -155,7 +155,7 @@ Result<void> validate(const TransmitterOptions& options) {
 
 std::string help_text() {
   return R"(usage: au-transmitter [OPTIONS] SOURCE...
-Streams sets of FACS Action Units over TCP to face-player, or to a like of it.
+Streams sets of FACS Action Units over TCP to face-player and its like.
 
   SOURCE                 stream files; the first is what a classic client gets
   --bind ADDR            address to listen on (127.0.0.1: this host only)
