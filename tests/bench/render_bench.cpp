@@ -64,7 +64,7 @@ AuFrame moving(int frame) {
 Result<void> run(double seconds) {
   const auto data = find_data_folder({});
   if (!data.has_value()) return data.error();
-  auto scene = test::FaceScene::load(*data / "faces" / "default", *data);
+  auto scene = test::PosedFace::load(*data / "faces" / "default", *data);
   if (!scene.has_value()) return scene.error();
   auto context = render::OffscreenContext::create();
   if (!context.has_value()) return context.error();

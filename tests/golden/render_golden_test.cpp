@@ -168,7 +168,7 @@ TEST_F(RenderGolden, SmoothsTheOutline) {
 TEST_F(RenderGolden, LightsTheDefaultFace) {
   const auto data = find_data_folder({});
   ASSERT_TRUE(data.has_value()) << data.error().message;
-  auto scene = test::FaceScene::load(*data / "faces" / "default", *data);
+  auto scene = test::PosedFace::load(*data / "faces" / "default", *data);
   ASSERT_TRUE(scene.has_value()) << scene.error().message;
   renderer().load((*scene)->static_mesh());
   const view::Image rest = drawn((*scene)->moving_mesh(), {}, 300, 300);

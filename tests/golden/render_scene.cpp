@@ -14,40 +14,6 @@ namespace {
 constexpr int kRows = 24;
 constexpr int kColumns = 48;
 
-view::Shading shading_of(face::Material material) {
-  switch (material) {
-    case face::Material::Skin:
-      return view::Shading::Skin;
-    case face::Material::Eye:
-      return view::Shading::Eye;
-    case face::Material::Teeth:
-      return view::Shading::Teeth;
-    case face::Material::Mouth:
-      return view::Shading::Mouth;
-    case face::Material::Hair:
-      return view::Shading::Hair;
-    case face::Material::Cloth:
-      return view::Shading::Cloth;
-    case face::Material::Brow:
-      return view::Shading::Brow;
-  }
-  return view::Shading::Skin;
-}
-
-view::ShadedRange range_of(const face::Face& face, const face::MeshPart& part) {
-  view::ShadedRange range;
-  range.shading = shading_of(part.material);
-  range.triangle_begin = part.triangle_begin;
-  range.triangle_count = part.triangle_count;
-  for (std::size_t eye = 0; eye < face.eyes.size(); ++eye) {
-    if (face.eyes[eye].part == part.name) range.eye = static_cast<int>(eye);
-  }
-  for (std::uint32_t i = 0; i < part.vertex_count; ++i) {
-    range.translucent |= face.mesh.colours[part.vertex_begin + i].a < 1;
-  }
-  return range;
-}
-
 }  // namespace
 
 SphereHead::SphereHead() {
@@ -133,31 +99,32 @@ view::MovingMesh SphereHead::moving_mesh() const {
   return {positions_, normals_, eye_centres_, eye_forward_};
 }
 
-FaceScene::FaceScene(face::Face face)
-    : face_(std::move(face)), deformer_(face_), activations_(face_.channels.size()) {
-  for (const face::MeshPart& part : face_.mesh.parts) ranges_.push_back(range_of(face_, part));
+PosedFace::PosedFace(face::Face face)
+    : face_(std::move(face)),
+      scene_(face_),
+      deformer_(face_),
+      activations_(face_.channels.size()) {
   deformer_.deform(activations_, deformed_);
 }
 
-Result<std::unique_ptr<FaceScene>> FaceScene::load(const std::filesystem::path& folder,
+Result<std::unique_ptr<PosedFace>> PosedFace::load(const std::filesystem::path& folder,
                                                    const std::filesystem::path& data_folder) {
   auto face = face::load_face(folder, data_folder);
   if (!face.has_value()) return face.error();
-  return std::unique_ptr<FaceScene>(new FaceScene(std::move(face.value())));
+  return std::unique_ptr<PosedFace>(new PosedFace(std::move(face.value())));
 }
 
-void FaceScene::pose(const AuFrame& aus) {
+void PosedFace::pose(const AuFrame& aus) {
   face::mix(face_, aus, face::Mixer::Maximum, activations_);
   deformer_.deform(activations_, deformed_);
 }
 
-view::StaticMesh FaceScene::static_mesh() const {
-  return {face_.mesh.triangles, face_.mesh.colours, face_.mesh.occlusion, face_.mesh.gloss,
-          ranges_};
+view::StaticMesh PosedFace::static_mesh() const {
+  return scene_.still();
 }
 
-view::MovingMesh FaceScene::moving_mesh() const {
-  return {deformed_.positions, deformed_.normals, deformed_.eye_centres, deformed_.eye_forward};
+view::MovingMesh PosedFace::moving_mesh() const {
+  return app::FaceScene::moving(deformed_);
 }
 
 }  // namespace aucast::test

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "client/app/face_scene.h"
 #include "client/face/face.h"
 #include "client/face/face_deformer.h"
 #include "client/view/scene.h"
@@ -50,9 +51,9 @@ class SphereHead {
 };
 
 /// A face folder as the renderer sees it.
-class FaceScene {
+class PosedFace {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<FaceScene>> load(
+  [[nodiscard]] static Result<std::unique_ptr<PosedFace>> load(
       const std::filesystem::path& folder, const std::filesystem::path& data_folder);
 
   /// Deforms by the maximum mixer, without rules.
@@ -62,13 +63,13 @@ class FaceScene {
   [[nodiscard]] const face::Face& face() const { return face_; }
 
  private:
-  explicit FaceScene(face::Face face);
+  explicit PosedFace(face::Face face);
 
   face::Face face_;
+  app::FaceScene scene_;
   face::FaceDeformer deformer_;
   face::DeformedFace deformed_;
   std::vector<float> activations_;
-  std::vector<view::ShadedRange> ranges_;
 };
 
 }  // namespace aucast::test
