@@ -88,9 +88,11 @@ Result<Sinks> open_sinks(const OutputOptions& output) {
 /// One run: holds what a keyframe's drawing needs.
 class Film {
  public:
-  Film(const Assets& assets, const PlayerOptions& options, PlayerStats& stats)
+  Film(const Assets& assets, const PlayerOptions& options, const std::function<bool()>& stop,
+       PlayerStats& stats)
       : assets_(assets),
         options_(options),
+        stop_(stop),
         stats_(stats),
         pipeline_(assets.face, assets.rules, {options.face.mixer, options.playback.interpolation}),
         progress_(options.output.pictures() && !options.quiet),
@@ -109,7 +111,8 @@ class Film {
     return {};
   }
 
-  /// Draws one keyframe that begins at `begin_ms` of the film.
+  /// Draws one keyframe that begins at `begin_ms` of the film, or as much of it as there is time
+  /// for before the user stops.
   Result<void> keyframe(const playback::KeyframeBegun& begun, std::int64_t begin_ms) {
     pipeline_.begin_keyframe(begun.target.aus);
     const std::int64_t duration_ms = begun.duration.count();
@@ -142,7 +145,7 @@ class Film {
     if (sinks_.frames_fps) {
       return timed(begin_ms, duration_ms, *sinks_.frames_fps, sinks_.frames_next, add);
     }
-    for (int k = 1; k <= kPositionsPerKeyframe; ++k) {
+    for (int k = 1; k <= kPositionsPerKeyframe && !stop_(); ++k) {
       const double mu = static_cast<double>(k) / kPositionsPerKeyframe;
       const double at_ms = static_cast<double>(begin_ms) + mu * static_cast<double>(duration_ms);
       if (auto added = add(draw(mu, at_ms)); !added) return added;
@@ -155,7 +158,7 @@ class Film {
   Result<void> timed(std::int64_t begin_ms, std::int64_t duration_ms, int fps, std::int64_t& next,
                      const Add& add) {
     const std::int64_t end_ms = begin_ms + duration_ms;
-    for (; next * 1000 <= end_ms * fps; ++next) {
+    for (; next * 1000 <= end_ms * fps && !stop_(); ++next) {
       const double at_ms = static_cast<double>(next) * 1000.0 / fps;
       const double mu = duration_ms == 0 ? 1.0
                                          : (at_ms - static_cast<double>(begin_ms)) /
@@ -187,6 +190,7 @@ class Film {
 
   const Assets& assets_;
   const PlayerOptions& options_;
+  const std::function<bool()>& stop_;
   PlayerStats& stats_;
   pipeline::FacePipeline pipeline_;
   Progress progress_;
@@ -202,7 +206,7 @@ class Film {
 Result<void> run_film(const Assets& assets, const PlayerOptions& options,
                       playback::KeyframeSource& source, const std::function<bool()>& stop,
                       PlayerStats& stats) {
-  Film film(assets, options, stats);
+  Film film(assets, options, stop, stats);
   if (auto opened = film.open(); !opened) return opened;
   playback::PlaybackController controller(options.playback.speed);
   Instant film_now{};
