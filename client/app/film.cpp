@@ -6,6 +6,7 @@
 #include <cinttypes>
 #include <cstdio>
 #include <optional>
+#include <string>
 
 #include "client/app/picture_maker.h"
 #include "client/app/picture_sinks.h"
@@ -46,6 +47,18 @@ class Progress {
     shown_ = true;
     std::fprintf(stderr, "%s%" PRIu64 " pictures, %.1f s of the stream%s", terminal_ ? "\r" : "",
                  pictures, static_cast<double>(media_ms) / 1000.0, terminal_ ? " " : "\n");
+  }
+
+  /// The last line: how much there is and where it went.
+  void say_where(const OutputOptions& output, std::uint64_t pictures) {
+    if (!wanted_) return;
+    std::string places;
+    for (const auto& place : {output.frames, output.record, output.sheet}) {
+      if (!place.empty()) places += (places.empty() ? "" : ", ") + place.string();
+    }
+    std::fprintf(stderr, "%s%" PRIu64 " pictures drawn: %s\n", shown_ && terminal_ ? "\n" : "",
+                 pictures, places.c_str());
+    shown_ = false;
   }
 
  private:
@@ -135,7 +148,10 @@ class Film {
     if (sinks_.video) {
       if (auto finished = sinks_.video->finish(); !finished) return finished;
     }
-    if (sinks_.sheet) return sinks_.sheet->finish();
+    if (sinks_.sheet) {
+      if (auto finished = sinks_.sheet->finish(); !finished) return finished;
+    }
+    progress_.say_where(options_.output, stats_.frames_drawn);
     return {};
   }
 
