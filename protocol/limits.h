@@ -27,6 +27,10 @@ inline constexpr int kGraceRoundTrips = 3;                   ///< in between: so
 inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};  ///< for a hello begun with {
 inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};  ///< for last words after {-2}
 inline constexpr std::size_t kDrainBytesMax = 65536;
+/// At least so often a packet of the changes-only form is full.
+inline constexpr std::chrono::milliseconds kFullKeyframeEvery{10'000};
+/// Live: what may be under way to one client, as its window.
+inline constexpr std::chrono::milliseconds kLiveWindowTime{2000};
 inline constexpr std::size_t kReportedErrorsMax = 20;  ///< of one stream file
 
 }  // namespace aucast::protocol

@@ -14,6 +14,8 @@ namespace {
 /// Bytes are decoded in portions, so that a flood of codes is noticed before it is all unpacked.
 constexpr std::size_t kPortionBytes = 4096;
 
+constexpr const char* kFullHouse = "there are as many clients as may be";
+
 using Why = CloseConnection::Why;
 
 }  // namespace
@@ -57,8 +59,16 @@ struct ServerSession::State {
   std::size_t banked = 0;     ///< answers that came while there was nothing to answer
   bool paused = false;
   bool peer_ended = false;
+  bool full_house = false;  ///< no room for this client
+  bool delta = false;       ///< the changes-only form was granted
   std::uint64_t packets_sent = 0;
   std::uint64_t payload_bytes = 0;
+
+  // Live only.
+  bool held = false;                         ///< by hold()
+  bool full_next = true;                     ///< the next packet must not be changes only
+  std::optional<std::uint64_t> last_moment;  ///< the number of the last one sent
+  std::uint64_t packets_merged = 0;
 
   /// Answers that the running call may still bring to packets which it sent itself.
   std::size_t early_left = 0;
@@ -83,8 +93,14 @@ struct ServerSession::State {
   void handle_code(Code code);
   void take_answer();
   void handle_fault(const DecodeError& fault);
+  [[nodiscard]] const std::vector<std::string>& packets() const;
+  [[nodiscard]] std::size_t window_for(int asked) const;
   [[nodiscard]] bool at_end() const;
+  [[nodiscard]] bool may_send() const;
+  void send_keyframe(const std::string& packet);
   void pump();
+  void send_recorded();
+  void send_newest();
   void settle_peer_end();
 };
 
@@ -128,6 +144,10 @@ void ServerSession::State::refuse(int code, const std::string& text) {
 }
 
 void ServerSession::State::start_streaming() {
+  if (full_house) {
+    close(Why::Refused, kFullHouse);
+    return;
+  }
   phase = Phase::Streaming;
   deadline.reset();
   pump();
@@ -149,11 +169,17 @@ void ServerSession::State::grant(const HelloAsked& asked) {
     }
     stream = &*found;
   }
+  if (full_house) {
+    refuse(503, kFullHouse);
+    return;
+  }
   level = Level::Negotiated;
-  // A recorded stream has no clock of its own: without answers nothing would pace it.
-  window = static_cast<std::size_t>(std::clamp(asked.window, 1, kWindowMax));
+  window = window_for(asked.window);
+  delta = asked.delta && !stream->changes.empty();
   HelloGranted granted;
   granted.window = static_cast<int>(window);
+  granted.delta = delta;
+  granted.live = stream->clock != nullptr;
   granted.stream = stream->name;
   granted.duration_ms = stream->duration_ms;
   granted.keyframe_ms = catalogue->keyframe_ms;
@@ -222,6 +248,7 @@ void ServerSession::State::handle_code(Code code) {
       if (level == Level::Classic) take_answer();
       break;
     case Code::Resume:
+      full_next = full_next || paused;
       paused = false;
       break;
     case Code::Stop:
@@ -232,6 +259,7 @@ void ServerSession::State::handle_code(Code code) {
 }
 
 void ServerSession::State::take_answer() {
+  if (window == 0) return;  // nothing is to be answered
   if (due > 0) {
     --due;
   } else if (early_left == 0) {
@@ -258,29 +286,74 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
   }
 }
 
+const std::vector<std::string>& ServerSession::State::packets() const {
+  if (level == Level::Classic) return stream->classic;
+  return delta ? stream->changes : stream->negotiated;
+}
+
+std::size_t ServerSession::State::window_for(int asked) const {
+  const auto most = static_cast<std::size_t>(std::clamp(asked, 0, kWindowMax));
+  // A recorded stream has no clock of its own: without answers nothing would pace it.
+  if (stream->clock == nullptr) return std::max<std::size_t>(most, 1);
+  // What is under way grows old: no more of it than a bearable delay.
+  return std::min(most, std::max<std::size_t>(stream->clock->moments_in(kLiveWindowTime), 2));
+}
+
+bool ServerSession::State::may_send() const {
+  return !paused && !held && (window == 0 || in_flight < window);
+}
+
+/// Everything that this client is to get has been sent.
 bool ServerSession::State::at_end() const {
-  const auto& packets = level == Level::Classic ? stream->classic : stream->negotiated;
-  return packets.empty() || (next_packet == packets.size() && !catalogue->loop);
+  if (stream->clock == nullptr) {
+    return packets().empty() || (next_packet == packets().size() && !catalogue->loop);
+  }
+  if (!stream->clock->ended()) return false;
+  const auto& newest = stream->clock->newest();
+  return !last_moment || !newest || *last_moment == newest->number;
+}
+
+void ServerSession::State::send_keyframe(const std::string& packet) {
+  send(packet);
+  ++packets_sent;
+  payload_bytes += packet.size();
+  if (window == 0) return;
+  if (banked > 0) {
+    --banked;
+  } else {
+    ++in_flight;
+  }
 }
 
 /// Sends what may be sent now, and the end when everything has been answered.
 void ServerSession::State::pump() {
-  const auto& packets = level == Level::Classic ? stream->classic : stream->negotiated;
-  while (!paused && in_flight < window && !at_end()) {
-    if (next_packet == packets.size()) next_packet = 0;
-    const std::string& packet = packets[next_packet++];
-    send(packet);
-    ++packets_sent;
-    payload_bytes += packet.size();
-    ++in_flight;
-    if (banked > 0) {
-      --banked;
-      --in_flight;
-    }
+  if (stream->clock == nullptr) {
+    send_recorded();
+  } else {
+    send_newest();
   }
-  if (!paused && in_flight == 0 && at_end()) {
+  if (!paused && !held && in_flight == 0 && at_end()) {
     say_last(encode(End{}), Why::Finished, "the stream was sent whole");
   }
+}
+
+void ServerSession::State::send_recorded() {
+  while (may_send() && !at_end()) {
+    if (next_packet == packets().size()) next_packet = 0;
+    send_keyframe(packets()[next_packet++]);
+  }
+}
+
+void ServerSession::State::send_newest() {
+  const auto& newest = stream->clock->newest();
+  if (!newest || at_end() || !may_send()) return;
+  if (last_moment == newest->number) return;
+  const std::uint64_t merged = last_moment ? newest->number - *last_moment - 1 : 0;
+  const bool full = std::exchange(full_next, false) || merged > 0;
+  packets_merged += merged;
+  last_moment = newest->number;
+  const auto& encoded = delta && full ? stream->negotiated : packets();
+  send_keyframe(encoded[newest->keyframe]);
 }
 
 /// A peer that has shut its side can neither answer nor resume any more.
@@ -300,15 +373,19 @@ void ServerSession::State::settle_peer_end() {
       break;
   }
   if (phase != Phase::Streaming) return;
+  // Live, the next moment is still to come; whether it can be answered shows then.
+  if (stream->clock != nullptr && !paused && in_flight == 0) return;
   close(Why::PeerGone, paused ? "the client ended while it was paused"
                               : "the client ended before it had answered everything");
 }
 
-ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now)
+ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
+                             Admission admission)
     : state_(std::make_unique<State>()) {
   AUCAST_CHECK(!catalogue.streams.empty());
   state_->catalogue = &catalogue;
   state_->stream = &catalogue.streams.front();
+  state_->full_house = admission == Admission::Full;
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
   state_->deadline = now + std::clamp<Duration>(patience, kGraceMin, kGraceMax);
 }
@@ -359,6 +436,20 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
   return state_->take_events();
 }
 
+std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
+  if (!live()) return {};
+  state_->begin_call(now);
+  state_->pump();
+  state_->settle_peer_end();
+  return state_->take_events();
+}
+
+std::vector<ServerEvent> ServerSession::hold(bool held, Instant now) {
+  if (!live() || held == state_->held) return {};
+  state_->held = held;
+  return held ? std::vector<ServerEvent>() : on_moment(now);
+}
+
 std::vector<ServerEvent> ServerSession::stop(Instant now) {
   state_->begin_call(now);
   if (state_->phase != State::Phase::Draining && state_->phase != State::Phase::Closed) {
@@ -383,6 +474,10 @@ bool ServerSession::awaiting_answer() const {
   return state_->phase == State::Phase::Streaming && state_->in_flight > 0 && !state_->paused;
 }
 
+bool ServerSession::live() const {
+  return state_->phase == State::Phase::Streaming && state_->stream->clock != nullptr;
+}
+
 std::string_view ServerSession::stream_name() const {
   return state_->stream->name;
 }
@@ -393,6 +488,10 @@ std::uint64_t ServerSession::packets_sent() const {
 
 std::uint64_t ServerSession::payload_bytes() const {
   return state_->payload_bytes;
+}
+
+std::uint64_t ServerSession::packets_merged() const {
+  return state_->packets_merged;
 }
 
 }  // namespace aucast::protocol

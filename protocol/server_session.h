@@ -10,16 +10,23 @@
 #include <vector>
 
 #include "common/time.h"
+#include "protocol/live_clock.h"
 #include "protocol/packet.h"
 
 namespace aucast::protocol {
 
-/// A recorded stream, encoded once per level and shared by all clients. Immutable while served.
+/// A stream, encoded once per level and shared by all clients. Immutable while served.
 struct ServedStream {
   std::string name;                     ///< what a hello asks for; the file's stem
   std::vector<std::string> classic;     ///< one packet per keyframe
   std::vector<std::string> negotiated;  ///< the same keyframes, level 2
   std::optional<std::uint64_t> duration_ms;
+  /// The same for who asked for the changes-only form; empty: it is not granted.
+  std::vector<std::string> changes{};
+  std::vector<Milliseconds> times{};  ///< of each keyframe, untimed ones with their default
+  /// Live: what its sessions go by. Moved on by the owner, who then calls their on_moment();
+  /// nothing: a recorded stream, which everybody gets from its beginning.
+  const LiveClock* clock = nullptr;
 };
 
 /// What the sessions of one server have in common. Must outlive them.
@@ -49,8 +56,16 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection>;
 
 [[nodiscard]] std::string_view name(CloseConnection::Why why);
 
+/// Whether there is room for one more client.
+enum class Admission : std::uint8_t {
+  Welcome,
+  Full,  ///< {error 503 ...} to who says hello, a plain close to others
+};
+
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
-/// windowed sending, pause, stop, end, drain. No socket and no clock: bytes and moments go in,
+/// windowed sending, pause, stop, end, drain. Live, a client that may be sent something gets the
+/// newest moment; those between it and the last one sent are merged into it, which for states
+/// means left out. No socket and no clock: bytes and moments go in,
 /// events come out. After CloseConnection nothing more comes out.
 /// Output of one call: at most kEarlyAnswersMax + window packets. The owner must not read on while
 /// much of what it was told to send is still unsent, or a peer that answers without reading fills
@@ -60,7 +75,8 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection>;
 class ServerSession {
  public:
   /// `round_trip`: measured on the connection, zero if unknown; sets the grace for a first byte.
-  ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now);
+  ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
+                Admission admission = Admission::Welcome);
   ~ServerSession();
   ServerSession(ServerSession&&) noexcept;
   ServerSession& operator=(ServerSession&&) noexcept;
@@ -72,6 +88,11 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> on_lost(Instant now);
   /// Call when deadline() has come.
   [[nodiscard]] std::vector<ServerEvent> on_time(Instant now);
+  /// The clock of a live stream has moved on. Without effect on others.
+  [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
+  /// Live: the socket takes no more for now, so no keyframe is handed out; or it does again, and
+  /// the newest is.
+  [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of level 1.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
 
@@ -82,9 +103,13 @@ class ServerSession {
   [[nodiscard]] bool paused() const;
   /// True while an answer is awaited that the peer owes: what --client-timeout measures.
   [[nodiscard]] bool awaiting_answer() const;
+  /// True while keyframes of a live stream are sent.
+  [[nodiscard]] bool live() const;
   [[nodiscard]] std::string_view stream_name() const;
   [[nodiscard]] std::uint64_t packets_sent() const;   ///< keyframes handed out
   [[nodiscard]] std::uint64_t payload_bytes() const;  ///< their bytes, without hello and {-2}
+  /// Live keyframes that were left out because the client could not take them in time.
+  [[nodiscard]] std::uint64_t packets_merged() const;
 
  private:
   struct State;

@@ -1,12 +1,14 @@
 #include "server/catalogue.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "common/check.h"
 #include "common/files.h"
 #include "common/text.h"
+#include "protocol/changes.h"
 #include "protocol/codec.h"
 
 namespace aucast::server {
@@ -44,10 +46,16 @@ protocol::ServedStream served(const Source& source, const CatalogueOptions& opti
   for (const protocol::Keyframe& keyframe : source.stream.keyframes) {
     stream.classic.push_back(protocol::encode_classic(keyframe, options.classic_min));
     stream.negotiated.push_back(protocol::encode(keyframe));
+    stream.times.emplace_back(keyframe.duration_ms.value_or(options.keyframe_ms));
   }
+  stream.changes = protocol::encode_changes(source.stream.keyframes, options.keyframe_ms);
   // A stream that starts again has no length.
   if (!options.loop) stream.duration_ms = protocol::media_ms(source.stream, options.keyframe_ms);
   return stream;
+}
+
+Milliseconds time_of(const protocol::ServedStream& stream) {
+  return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds::zero());
 }
 
 }  // namespace
@@ -84,6 +92,30 @@ protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
   catalogue.loop = options.loop;
   for (const Source& source : sources) catalogue.streams.push_back(served(source, options));
   return catalogue;
+}
+
+Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
+  if (!catalogue.loop) return {};
+  for (const protocol::ServedStream& stream : catalogue.streams) {
+    if (time_of(stream) == Milliseconds::zero()) {
+      return Error{ErrorKind::BadData, "the stream '" + stream.name +
+                                           "' takes no time at all, so it cannot start again and "
+                                           "again live; give its keyframes a time, such as ;250"};
+    }
+  }
+  return {};
+}
+
+std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time) {
+  std::size_t most = 0;
+  for (const protocol::ServedStream& stream : catalogue.streams) {
+    std::size_t bytes = 0;
+    for (const std::string& packet : stream.negotiated) bytes += packet.size();
+    const auto all =
+        static_cast<std::size_t>(std::max<Milliseconds::rep>(time_of(stream).count(), 1));
+    most = std::max(most, (bytes * static_cast<std::size_t>(time.count()) + all - 1) / all);
+  }
+  return most;
 }
 
 }  // namespace aucast::server

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/result.h"
+#include "common/time.h"
 #include "protocol/server_session.h"
 #include "protocol/stream_file.h"
 
@@ -34,5 +35,12 @@ struct CatalogueOptions {
 /// Encodes every stream once per level, in the order given. Needs at least one source.
 [[nodiscard]] protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
                                                        const CatalogueOptions& options);
+
+/// Whether the streams can be sent live: one that starts again must take some time. Bad data
+/// otherwise.
+[[nodiscard]] Result<void> check_live(const protocol::ServerCatalogue& catalogue);
+
+/// How many bytes of the busiest stream's keyframes go out in `time`, rounded up.
+[[nodiscard]] std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time);
 
 }  // namespace aucast::server

@@ -36,6 +36,12 @@ void find_the_dead(tcp::socket& socket) {
   set(TCP_KEEPCNT, 3);
 }
 
+/// What lies in the system's buffers for a client that is slow cannot be replaced by what is newer.
+void limit_unsent(tcp::socket& socket, int bytes) {
+  if (bytes == 0) return;
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &bytes, sizeof(bytes));
+}
+
 /// The connection's smoothed round trip; zero when the system does not tell.
 Duration round_trip(tcp::socket& socket) {
   tcp_info info{};
@@ -56,7 +62,7 @@ Connection::Connection(tcp::socket socket, const protocol::ServerCatalogue& cata
       timer_(socket_.get_executor()),
       settings_(std::move(settings)),
       on_closed_(std::move(on_closed)),
-      session_(catalogue, round_trip(socket_), now()) {
+      session_(catalogue, round_trip(socket_), now(), settings_.admission) {
   record_.number = settings_.number;
   record_.peer = settings_.peer;
 }
@@ -66,7 +72,15 @@ void Connection::start() {
   std::error_code ignored;
   // Stop-and-wait would otherwise wait for the peer's delayed acknowledgement at every packet.
   socket_.set_option(tcp::no_delay(true), ignored);
+  socket_.non_blocking(true, ignored);
   find_the_dead(socket_);
+  limit_unsent(socket_, settings_.unsent_bytes_max);
+  go_on();
+}
+
+void Connection::on_moment() {
+  if (finished_ || lingering_) return;
+  carry_out(session_.on_moment(now()));
   go_on();
 }
 
@@ -102,11 +116,12 @@ void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
 }
 
 void Connection::queue(std::string bytes) {
-  if (queued_.empty()) {
-    queued_ = std::move(bytes);
-  } else {
-    queued_ += bytes;
+  if (output_.empty()) {
+    output_ = std::move(bytes);
+    return;
   }
+  output_.erase(0, std::exchange(written_, 0));
+  output_ += bytes;
 }
 
 void Connection::measure_sending() {
@@ -127,6 +142,7 @@ void Connection::session_closed(std::string_view end_reason, std::string_view re
   record_.stream = std::string(session_.stream_name());
   record_.packets = session_.packets_sent();
   record_.bytes = session_.payload_bytes();
+  record_.packets_merged = session_.packets_merged();
   record_.end_reason = std::string(end_reason);
   spdlog::log(in_order ? spdlog::level::info : spdlog::level::warn,
               "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)", record_.number,
@@ -138,6 +154,10 @@ void Connection::session_closed(std::string_view end_reason, std::string_view re
 void Connection::go_on() {
   if (finished_) return;
   write();
+  if (session_.live() && !finished_) {
+    carry_out(session_.hold(!output_done(), now()));
+    write();
+  }
   if (finished_) return;
   if (shut_wanted_ && output_done()) shut_sending();
   if (lingering_ && shut_done_ && peer_ended_) {
@@ -185,32 +205,42 @@ void Connection::drop(std::size_t bytes) {
   if (dropped_bytes_ > protocol::kDrainBytesMax) finish();
 }
 
+/// Writes at once what the socket takes: a completion for every packet would cost more than the
+/// packet.
 void Connection::write() {
-  if (!writing_.empty() || queued_.empty()) return;
-  writing_ = std::exchange(queued_, {});
-  written_ = 0;
-  on_write({}, 0);
+  while (!finished_ && !awaiting_write_ && !output_done()) {
+    std::error_code error;
+    const std::size_t bytes = socket_.write_some(
+        asio::buffer(output_.data() + written_, output_.size() - written_), error);
+    if (error == asio::error::would_block || error == asio::error::try_again) {
+      write_when_possible();
+    } else if (error) {
+      lost(error);
+    } else {
+      written_ += bytes;
+      record_.bytes_total += bytes;
+      stuck_since_.reset();
+      linger_until_ = now() + protocol::kDrainTimeMax;
+    }
+  }
+  if (output_done()) {
+    output_.clear();
+    written_ = 0;
+  }
 }
 
-void Connection::on_write(const std::error_code& error, std::size_t bytes) {
-  if (finished_) return;
-  if (error) {
-    lost(error);
-    return;
-  }
-  written_ += bytes;
-  record_.bytes_total += bytes;
-  if (bytes > 0) linger_until_ = now() + protocol::kDrainTimeMax;
-  if (written_ == writing_.size()) {
-    writing_.clear();
-    go_on();
-    return;
-  }
-  socket_.async_write_some(
-      asio::buffer(writing_.data() + written_, writing_.size() - written_),
-      [self = shared_from_this()](const std::error_code& failure, std::size_t sent) {
-        self->on_write(failure, sent);
-      });
+void Connection::write_when_possible() {
+  awaiting_write_ = true;
+  socket_.async_wait(tcp::socket::wait_write,
+                     [self = shared_from_this()](const std::error_code& error) {
+                       self->awaiting_write_ = false;
+                       if (self->finished_) return;
+                       if (error) {
+                         self->lost(error);
+                       } else {
+                         self->go_on();
+                       }
+                     });
 }
 
 void Connection::shut_sending() {
@@ -237,19 +267,24 @@ void Connection::finish() {
 }
 
 std::size_t Connection::output_bytes() const {
-  return writing_.size() - std::min(written_, writing_.size()) + queued_.size();
+  return output_.size() - written_;
 }
 
-/// When --client-timeout runs out. Anything the client says starts the wait anew; a paused one owes
-/// nothing.
-std::optional<Instant> Connection::answer_deadline() {
+/// When --client-timeout runs out: for an answer, which anything the client says puts off, or for
+/// the output, which any byte that goes out does. A paused client owes nothing.
+std::optional<Instant> Connection::patience_ends() {
   if (settings_.client_timeout.count() == 0) return std::nullopt;
-  if (!session_.awaiting_answer() || session_.paused()) {
-    owed_since_.reset();
-    return std::nullopt;
-  }
-  if (!owed_since_) owed_since_ = now();
-  return *owed_since_ + settings_.client_timeout;
+  const bool owes = session_.awaiting_answer() && !session_.paused();
+  const auto since = [](std::optional<Instant>& begin, bool waiting) {
+    if (!waiting) begin.reset();
+    if (waiting && !begin) begin = now();
+    return begin;
+  };
+  const auto owed = since(owed_since_, owes);
+  const auto stuck = since(stuck_since_, session_.live() && !output_done());
+  if (!owed && !stuck) return std::nullopt;
+  return std::min(owed.value_or(Instant::max()), stuck.value_or(Instant::max())) +
+         settings_.client_timeout;
 }
 
 void Connection::arm_timer() {
@@ -258,8 +293,8 @@ void Connection::arm_timer() {
     next = linger_until_;
   } else {
     next = session_.deadline();
-    const auto answer = answer_deadline();
-    if (answer && (!next || *answer < *next)) next = answer;
+    const auto patience = patience_ends();
+    if (patience && (!next || *patience < *next)) next = patience;
   }
   if (next == armed_for_) return;
   armed_for_ = next;
@@ -283,10 +318,10 @@ void Connection::on_timer() {
   } else if (const auto due = session_.deadline(); due && moment >= *due) {
     carry_out(session_.on_time(moment));
     if (lingering_ && shut_done_) finish();
-  } else if (const auto answer = answer_deadline(); answer && moment >= *answer) {
+  } else if (const auto patience = patience_ends(); patience && moment >= *patience) {
     session_closed("timed out",
-                   "no answer for " + std::to_string(settings_.client_timeout.count()) +
-                       " ms (--client-timeout)",
+                   std::string(output_done() ? "no answer for " : "nothing was taken for ") +
+                       std::to_string(settings_.client_timeout.count()) + " ms (--client-timeout)",
                    false);
   }
   go_on();

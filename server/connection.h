@@ -29,7 +29,8 @@ namespace aucast::server {
 /// is shut, what still comes is read and dropped, so that the peer gets every last word and no
 /// reset; at most kDrainBytesMax and kDrainTimeMax without progress.
 /// Bounded: while kOutputBytesMax wait for a peer that does not read, nothing is read from it
-/// either, so it can only ask for as much as one read and its banked answers are worth.
+/// either, so it can only ask for as much as one read and its banked answers are worth. Of a live
+/// stream the next keyframe is handed out when the socket has taken all before it.
 /// Thread: that of the socket's executor. Lives until its last handler ran; the catalogue must
 /// outlive it.
 class Connection : public std::enable_shared_from_this<Connection> {
@@ -37,9 +38,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
   using OnClosed = std::function<void(const ClientRecord&)>;
 
   struct Settings {
-    std::uint64_t number = 0;        ///< of the client, for the log and the record
-    std::string peer;                ///< ADDR:PORT
-    Milliseconds client_timeout{0};  ///< longest wait for an answer that is owed; 0: for ever
+    std::uint64_t number = 0;  ///< of the client, for the log and the record
+    std::string peer;          ///< ADDR:PORT
+    /// Longest wait for an answer that is owed, or for the socket to take anything; 0: for ever.
+    Milliseconds client_timeout{0};
+    protocol::Admission admission = protocol::Admission::Welcome;
+    int unsent_bytes_max = 0;  ///< that the system may hold back unsent; 0: as much as it likes
   };
 
   /// `on_closed` is called once, when the socket is closed.
@@ -49,6 +53,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection& operator=(const Connection&) = delete;
 
   void start();
+  /// The clock of a live stream has moved on.
+  void on_moment();
   /// The server stops: {-2}, then the closing of level 1.
   void stop();
   /// Closes now, whatever is under way.
@@ -66,7 +72,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void read();
   void on_read(const std::error_code& error, std::size_t bytes);
   void write();
-  void on_write(const std::error_code& error, std::size_t bytes);
+  void write_when_possible();
   void shut_sending();
   void lost(const std::error_code& error);
   void drop(std::size_t bytes);
@@ -74,7 +80,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   void arm_timer();
   void on_timer();
-  [[nodiscard]] std::optional<Instant> answer_deadline();
+  [[nodiscard]] std::optional<Instant> patience_ends();
   void measure_sending();
   [[nodiscard]] std::size_t output_bytes() const;
   [[nodiscard]] bool output_done() const { return output_bytes() == 0; }
@@ -88,10 +94,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   ClientRecord record_;
 
   std::array<char, kReadBytesMax> input_{};
-  std::string writing_;  ///< not touched while a write is under way
-  std::size_t written_ = 0;
-  std::string queued_;
+  std::string output_;
+  std::size_t written_ = 0;  ///< of output_
   bool reading_ = false;
+  bool awaiting_write_ = false;  ///< the socket takes no more for now
   bool peer_ended_ = false;
   bool shut_wanted_ = false;
   bool shut_done_ = false;
@@ -99,7 +105,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool finished_ = false;
   std::size_t dropped_bytes_ = 0;
   Instant linger_until_{};
-  std::optional<Instant> owed_since_;
+  std::optional<Instant> owed_since_;   ///< an answer
+  std::optional<Instant> stuck_since_;  ///< the output
   std::optional<Instant> sending_since_;
   bool sending_measured_ = false;
 };

@@ -19,6 +19,7 @@ Json json_of(const ClientRecord& record) {
           {"level", record.level},
           {"stream", record.stream},
           {"packets", record.packets},
+          {"packets_merged", record.packets_merged},
           {"bytes", record.bytes},
           {"bytes_total", record.bytes_total},
           {"send_seconds", seconds(record.send_time)},
@@ -30,6 +31,7 @@ Json json_of(const ClientRecord& record) {
 void Stats::add(ClientRecord record) {
   ++clients_;
   packets_ += record.packets;
+  packets_merged_ += record.packets_merged;
   bytes_ += record.bytes;
   bytes_total_ += record.bytes_total;
   send_time_ += record.send_time;
@@ -43,6 +45,7 @@ std::string Stats::to_json() const {
   const Json all = {{"program", "au-transmitter"},
                     {"clients_total", clients_},
                     {"packets", packets_},
+                    {"packets_merged", packets_merged_},
                     {"bytes", bytes_},
                     {"bytes_total", bytes_total_},
                     {"send_seconds", seconds(send_time_)},

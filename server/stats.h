@@ -22,6 +22,7 @@ struct ClientRecord {
   /// due, or until the connection ended without that. Zero when no keyframe went out.
   Duration send_time{0};
   std::string end_reason;
+  std::uint64_t packets_merged = 0;  ///< live keyframes left out because the client was slow
   friend bool operator==(const ClientRecord&, const ClientRecord&) = default;
 };
 
@@ -43,6 +44,7 @@ class Stats {
   std::deque<ClientRecord> records_;
   std::uint64_t clients_ = 0;
   std::uint64_t packets_ = 0;
+  std::uint64_t packets_merged_ = 0;
   std::uint64_t bytes_ = 0;
   std::uint64_t bytes_total_ = 0;
   Duration send_time_{0};

@@ -17,12 +17,12 @@ inline constexpr Milliseconds kStopTimeMax{1700};
 /// Called when connections can come, with ADDR:PORT; an error ends serve() before any is accepted.
 using OnReady = std::function<Result<void>(const std::string& address)>;
 
-/// Serves the catalogue to any number of clients until SIGTERM or SIGINT: then nobody is accepted
-/// any more, everybody gets {-2}, and it returns when the last is gone or kStopTimeMax is over. A
-/// second signal ends it at once. SIGPIPE is ignored from here on.
-/// Thread: one, the caller's.
+/// Serves the catalogue, recorded or live, to any number of clients until SIGTERM or SIGINT: then
+/// nobody is accepted any more, everybody gets {-2}, and it returns when the last is gone or
+/// kStopTimeMax is over. A second signal ends it at once. SIGPIPE is ignored from here on. Thread:
+/// one, the caller's.
 [[nodiscard]] Result<void> serve(const TransmitterOptions& options,
-                                 const protocol::ServerCatalogue& catalogue, Stats& stats,
+                                 protocol::ServerCatalogue catalogue, Stats& stats,
                                  const OnReady& on_ready);
 
 }  // namespace aucast::server

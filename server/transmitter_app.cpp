@@ -58,16 +58,16 @@ int check(const std::vector<Source>& sources, const protocol::ServerCatalogue& c
   return 0;
 }
 
-int serve_until_signal(const TransmitterOptions& options,
-                       const protocol::ServerCatalogue& catalogue) {
+int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalogue catalogue) {
   Stats stats;
-  const auto served =
-      serve(options, catalogue, stats, [&options](const std::string& address) -> Result<void> {
-        if (!options.stats.empty()) {
-          if (auto tried = try_stats_file(options.stats); !tried) return tried;
-        }
-        return print("listening on " + address + "\n");
-      });
+  const auto served = serve(options, std::move(catalogue), stats,
+                            [&options](const std::string& address) -> Result<void> {
+                              if (!options.stats.empty()) {
+                                if (auto tried = try_stats_file(options.stats); !tried)
+                                  return tried;
+                              }
+                              return print("listening on " + address + "\n");
+                            });
   if (!served) return report(served.error());
   if (!options.stats.empty()) {
     const auto written = write_file_atomically(options.stats, stats.to_json());
@@ -90,10 +90,13 @@ int run_transmitter(std::vector<std::string> arguments) {
 
   const auto sources = load_sources(options.sources);
   if (!sources) return report(sources.error());
-  const auto catalogue =
+  auto catalogue =
       make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
   if (options.check) return check(*sources, catalogue);
-  return serve_until_signal(options, catalogue);
+  if (options.live) {
+    if (auto can = check_live(catalogue); !can) return report(can.error());
+  }
+  return serve_until_signal(options, std::move(catalogue));
 }
 
 }  // namespace aucast::server

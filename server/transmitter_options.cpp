@@ -15,6 +15,9 @@ namespace {
 /// A day: longer waits for one answer are taken for a slip of the finger.
 constexpr double kClientTimeoutMax = 86'400;
 
+/// More than a process can have descriptors.
+constexpr std::int64_t kMaxClientsMost = 1'000'000;
+
 /// The words as they were typed. Numbers are read by ourselves, so that every message has one form.
 struct Typed {
   std::vector<std::string> sources;
@@ -23,11 +26,13 @@ struct Typed {
   std::string keyframe;
   std::string classic_min;
   std::string client_timeout;
+  std::string max_clients;
   std::string stats;
   std::string log_level;
   bool help = false;
   bool version = false;
   bool loop = false;
+  bool live = false;
   bool check = false;
   bool verbose = false;
   bool quiet = false;
@@ -49,7 +54,9 @@ void describe(CLI::App& app, Typed& typed) {
   app.add_option("--client-timeout", typed.client_timeout);
   app.add_option("--stats", typed.stats);
   app.add_option("--log-level", typed.log_level);
+  app.add_option("--max-clients", typed.max_clients);
   app.add_flag("--loop", typed.loop);
+  app.add_flag("--live", typed.live);
   app.add_flag("--check", typed.check);
   app.add_flag("-v,--verbose", typed.verbose);
   app.add_flag("-q,--quiet", typed.quiet);
@@ -103,11 +110,18 @@ Result<TransmitterOptions> options_of(const Typed& typed) {
   if (auto error = read_whole("--classic-min", typed.classic_min, 0, 100, classic_min)) {
     return *error;
   }
+  std::int64_t max_clients = 0;
+  if (auto error =
+          read_whole("--max-clients", typed.max_clients, 0, kMaxClientsMost, max_clients)) {
+    return *error;
+  }
   if (auto error = read_seconds(typed.client_timeout, options.client_timeout)) return *error;
   options.port = static_cast<std::uint16_t>(port);
   options.keyframe_ms = static_cast<std::uint32_t>(keyframe);
   options.classic_min = static_cast<int>(classic_min);
+  options.max_clients = static_cast<std::size_t>(max_clients);
   options.loop = typed.loop;
+  options.live = typed.live;
   options.check = typed.check;
   options.stats = typed.stats;
   if (typed.verbose && typed.quiet) return usage("-v and -q exclude each other");
@@ -162,8 +176,10 @@ Streams sets of FACS Action Units over TCP to face-player and its like.
   --port N               port, 0 for any free one (4650)
   --keyframe MS          time of a keyframe that names none (250)
   --loop                 start again at the end instead of ending
+  --live                 one clock for all: who comes late joins now
   --classic-min PERCENT  classic clients get no AU weaker than this (20)
-  --client-timeout S     close a client that owes an answer longer (0: never)
+  --client-timeout S     close who owes an answer or takes nothing so long (0: no)
+  --max-clients N        at a time; more are refused (0: as many as come)
   --stats FILE.json      on exit, write packets, bytes, seconds of every client
   --check                check the sources, print what they hold, serve nothing
   --log-level LEVEL      trace, debug, info, warning, error or off (info)
@@ -175,7 +191,8 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 
 examples:
   au-transmitter data/streams/six_expressions.txt
-  au-transmitter --bind 0.0.0.0 --loop --stats sent.json talk.txt surprise.txt
+  au-transmitter --bind 0.0.0.0 --live --loop talk.txt
+  au-transmitter --loop --stats sent.json talk.txt surprise.txt
   printf '1111111' | nc 127.0.0.1 4650     (a whole client, for six keyframes)
 )";
 }

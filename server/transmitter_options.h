@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -18,8 +19,10 @@ struct TransmitterOptions {
   std::uint16_t port = protocol::kDefaultPort;  ///< 0: any free one
   std::uint32_t keyframe_ms = 250;              ///< 1 to kDurationMsMax; for untimed keyframes
   bool loop = false;                            ///< start again at the end instead of {-2}
+  bool live = false;                            ///< one clock for all clients
   int classic_min = 20;                         ///< percent 0-100; classic clients get no less
   Milliseconds client_timeout{0};               ///< longest wait for an answer; 0: for ever
+  std::size_t max_clients = 0;                  ///< at a time; 0: as many as come
   std::filesystem::path stats;                  ///< empty: none
   bool check = false;                           ///< check the sources and serve nothing
   std::string log_level = "info";               ///< as common/log.h takes it

@@ -1,6 +1,10 @@
 // A hostile client: the input is a script of lines. '>' sends the rest of the line, 't' lets time
 // pass (10 ms a letter), 'e' ends the client's side, 'x' breaks the connection,
-// 's' stops the server; any other line is sent as it is.
+// 's' stops the server, 'h' holds a live one back (more letters) or lets it go on; any other line
+// is sent as it is.
+
+#include <optional>
+#include <vector>
 
 #include "common/check.h"
 #include "protocol/limits.h"
@@ -45,8 +49,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ServerCatalogue catalogue;
   catalogue.streams = {{"a", {"{1}", "{2}", "{3}"}, {"{1:30}", "{2;40}", "{3}"}, 120},
                        {"b", {"{0}"}, {"{0}"}, std::nullopt}};
-  catalogue.loop = (script.byte() & 1U) != 0;
+  const auto kind = script.byte();
+  catalogue.loop = (kind & 1U) != 0;
   Instant now{};
+  std::optional<LiveClock> clock;
+  if ((kind & 2U) != 0) {
+    catalogue.streams[0].changes = {"{1:30}", "{~2;40}", "{3}"};
+    clock.emplace(std::vector<Milliseconds>{Milliseconds(250), Milliseconds(40), Milliseconds(0)},
+                  catalogue.loop, now);
+    catalogue.streams[0].clock = &*clock;
+  }
   ServerSession session(catalogue, Milliseconds(script.byte()), now);
   Watch watch;
   while (!script.empty()) {
@@ -56,6 +68,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       case 't':
         now += Milliseconds(10 * line.size());
         watch.take(session.on_time(now));
+        while (clock && clock->advance(now)) watch.take(session.on_moment(now));
+        break;
+      case 'h':
+        watch.take(session.hold(line.size() > 1, now));
         break;
       case 'e':
         watch.take(session.on_peer_end(now));

@@ -1,4 +1,6 @@
 // au-transmitter to clients that say hello.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/integration/server_running.h"
@@ -28,7 +30,25 @@ TEST(ServerNegotiated, GrantsWhatItServes) {
   EXPECT_TRUE(has_field(hello, "stream=four")) << hello;
   EXPECT_TRUE(has_field(hello, "keyframe=100")) << hello;
   EXPECT_TRUE(has_field(hello, "duration=1240")) << hello;
+  EXPECT_TRUE(has_field(hello, "delta=1")) << hello;
+  EXPECT_FALSE(has_field(hello, "live=1")) << hello;
+}
+
+TEST(ServerNegotiated, ChangesOnlyAreServedToWhoAsks) {
+  RunningTransmitter server({stream_file("talk.txt")});
+  const std::string answers(1000, '1');  // more than it has keyframes
+  std::string hello;
+  RawClient whole = say_hello(server, "{hello window=256}" + answers, hello);
   EXPECT_FALSE(has_field(hello, "delta=1")) << hello;
+  RawClient changes = say_hello(server, "{hello window=256 delta=1}" + answers, hello);
+  EXPECT_TRUE(has_field(hello, "delta=1")) << hello;
+  const std::string all = whole.receive_until(kEnd);
+  const std::string less = changes.receive_until(kEnd);
+  EXPECT_EQ(all.find('~'), std::string::npos);
+  EXPECT_EQ(less.substr(0, less.find('}')), all.substr(0, all.find('}'))) << "the first is full";
+  EXPECT_TRUE(less.ends_with(kEnd));
+  EXPECT_LT(less.size(), all.size());
+  EXPECT_EQ(std::count(less.begin(), less.end(), '}'), std::count(all.begin(), all.end(), '}'));
 }
 
 TEST(ServerNegotiated, WindowIsFilledAndEveryAnswerLetsOneGo) {

@@ -112,7 +112,7 @@ TEST(ServerProgram, UsageErrorsAreOneLineAndCodeTwo) {
       {"--prot", "1", "a.txt"},
       {"--port", "99999", "a.txt"},
       {"--log-level", "loud", stream_file("happiness.txt")},
-      {"--live", stream_file("happiness.txt")}};
+      {"--max-clients", "many", stream_file("happiness.txt")}};
   for (const auto& arguments : wrong) {
     const Finished finished = transmit(arguments);
     EXPECT_EQ(finished.exit_code, 2);

@@ -137,6 +137,8 @@ TEST(ProtocolDocument, LimitsAreThoseOfTheHeader) {
       {"kHelloTimeMax", kHelloTimeMax.count()},
       {"kDrainTimeMax", kDrainTimeMax.count()},
       {"kDrainBytesMax", kDrainBytesMax},
+      {"kFullKeyframeEvery", kFullKeyframeEvery.count()},
+      {"kLiveWindowTime", kLiveWindowTime.count()},
       {"kReportedErrorsMax", kReportedErrorsMax},
   };
   std::map<std::string, std::int64_t> written;

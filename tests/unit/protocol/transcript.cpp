@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "common/text.h"
+#include "protocol/changes.h"
 #include "protocol/client_session.h"
 #include "protocol/codec.h"
 #include "protocol/server_session.h"
@@ -82,6 +83,7 @@ ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
     if (line.verb != "stream") continue;
     const std::vector<std::string> words = words_of(line.rest);
     ServedStream stream;
+    std::vector<Keyframe> keyframes;
     stream.name = words.front();
     for (std::size_t i = 1; i < words.size(); ++i) {
       Keyframe keyframe;
@@ -90,7 +92,10 @@ ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
                            keyframe);
       stream.classic.push_back(encode_classic(keyframe, 20));
       stream.negotiated.push_back(encode(keyframe));
+      stream.times.emplace_back(keyframe.duration_ms.value_or(catalogue.keyframe_ms));
+      keyframes.push_back(std::move(keyframe));
     }
+    stream.changes = encode_changes(keyframes, catalogue.keyframe_ms);
     catalogue.streams.push_back(std::move(stream));
   }
   if (catalogue.streams.empty()) catalogue.streams = {served("talk", {"{1}", "{2}", "{3}"})};
@@ -100,7 +105,14 @@ ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
 class ServerReplay {
  public:
   explicit ServerReplay(const std::vector<Line>& lines)
-      : lines_(lines), catalogue_(catalogue_of(lines)), session_(catalogue_, {}, now_) {}
+      : lines_(lines),
+        catalogue_(catalogue_of(lines)),
+        clock_(clock_of(lines)),
+        session_(catalogue_, {}, now_) {
+    if (!clock_) return;
+    clock_->advance(now_);
+    catalogue_.streams.front().clock = &*clock_;
+  }
 
   std::string run() {
     for (const Line& line : lines_) {
@@ -135,11 +147,29 @@ class ServerReplay {
     if (line.verb == "C end") take(session_.on_peer_end(now_));
     if (line.verb == "C breaks") take(session_.on_lost(now_));
     if (line.verb == "S stops") take(session_.stop(now_));
-    if (line.verb == "t") {
-      now_ += Milliseconds(number_of(line.rest));
-      take(session_.on_time(now_));
-    }
+    if (line.verb == "t") pass(Milliseconds(number_of(line.rest)));
     return {};
+  }
+
+  /// The live clock of the first stream, if there is to be one.
+  std::optional<LiveClock> clock_of(const std::vector<Line>& lines) {
+    for (const Line& line : lines) {
+      if (line.verb == "live") {
+        return LiveClock(catalogue_.streams.front().times, catalogue_.loop, now_);
+      }
+    }
+    return std::nullopt;
+  }
+
+  void pass(Milliseconds time) {
+    const Instant until = now_ + time;
+    while (clock_ && clock_->next_at() && *clock_->next_at() <= until) {
+      now_ = std::max(now_, *clock_->next_at());
+      take(session_.on_time(now_));
+      if (clock_->advance(now_)) take(session_.on_moment(now_));
+    }
+    now_ = until;
+    take(session_.on_time(now_));
   }
 
   static std::string expect(bool holds, const std::string& otherwise) {
@@ -174,6 +204,7 @@ class ServerReplay {
   const std::vector<Line>& lines_;
   ServerCatalogue catalogue_;
   Instant now_{};
+  std::optional<LiveClock> clock_;
   ServerSession session_;
   Said said_;
   bool shut_ = false;
@@ -293,9 +324,9 @@ class ClientReplay {
 /// Every verb that a transcript may use; a mistyped one must not pass for a comment.
 std::string unknown_verb(const std::vector<Line>& lines) {
   static const std::vector<std::string> kKnown = {
-      "stream", "loop",  "client",   "for",      "C>",       "S>",
-      "t",      "C end", "C breaks", "C stores", "C pauses", "C resumes",
-      "C ends", "C is",  "S end",    "S stops",  "S closes", "S is"};
+      "stream", "loop",  "live",     "client",   "for",      "C>",        "S>",
+      "t",      "C end", "C breaks", "C stores", "C pauses", "C resumes", "C ends",
+      "C is",   "S end", "S stops",  "S closes", "S is"};
   for (const Line& line : lines) {
     if (std::find(kKnown.begin(), kKnown.end(), line.verb) == kKnown.end()) {
       return at(line, "'" + line.verb + "' is none of the words of a transcript");

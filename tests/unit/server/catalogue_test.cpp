@@ -113,5 +113,42 @@ TEST(MakeCatalogue, EndlessStreamHasNoDuration) {
   EXPECT_FALSE(catalogue.streams[0].duration_ms.has_value());
 }
 
+TEST(MakeCatalogue, HasTheTimesAndTheChangesForWhoAsks) {
+  const TempFolder folder;
+  const auto sources = load_sources(
+      {folder.write("a.txt", "Beg_Stream\n1:10,12:80;40\n1:10,12:70\n14;0\nEnd_Stream\n")});
+  ASSERT_TRUE(sources);
+  const auto catalogue = make_catalogue(*sources, {300, 20, false});
+  const auto& stream = catalogue.streams.front();
+  EXPECT_EQ(stream.times,
+            (std::vector<Milliseconds>{Milliseconds(40), Milliseconds(300), Milliseconds(0)}));
+  EXPECT_EQ(stream.changes, (std::vector<std::string>{"{1:10,12:80;40}", "{~12:70}", "{14;0}"}));
+  EXPECT_EQ(stream.clock, nullptr);
+}
+
+TEST(CheckLive, RefusesOnlyALoopWithoutTime) {
+  const TempFolder folder;
+  const auto sources =
+      load_sources({folder.write("a.txt", kTwo),
+                    folder.write("still.txt", "Beg_Stream\n1;0\n2;0\nEnd_Stream\n")});
+  ASSERT_TRUE(sources);
+  EXPECT_TRUE(check_live(make_catalogue(*sources, {250, 20, false})));
+  const auto refused = check_live(make_catalogue(*sources, {250, 20, true}));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::BadData);
+  EXPECT_TRUE(has(refused.error(), "the stream 'still' takes no time at all"));
+}
+
+TEST(BytesIn, AreThoseOfTheBusiestStream) {
+  const TempFolder folder;
+  const auto sources =
+      load_sources({folder.write("a.txt", "Beg_Stream\n1;500\n2;500\nEnd_Stream\n"),
+                    folder.write("b.txt", "Beg_Stream\n1;100\nEnd_Stream\n")});
+  ASSERT_TRUE(sources);
+  const auto catalogue = make_catalogue(*sources, {250, 20, false});
+  EXPECT_EQ(bytes_in(catalogue, Milliseconds(1000)), 70U) << "{1;100} ten times";
+  EXPECT_EQ(bytes_in(catalogue, Milliseconds(10)), 1U);
+}
+
 }  // namespace
 }  // namespace aucast::server

@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 ClientRecord record(std::uint64_t number) {
-  return {number, "127.0.0.1:5000", 1, "talk", 6, 90, 94, 250ms, "finished"};
+  return {number, "127.0.0.1:5000", 1, "talk", 6, 90, 94, 250ms, "finished", 2};
 }
 
 TEST(Stats, EmptyRunIsAnObjectToo) {
@@ -30,11 +30,13 @@ TEST(Stats, CountsEveryClientAndAll) {
   second.bytes_total = 100;
   second.send_time = 1500ms;
   second.end_reason = "stopped";
+  second.packets_merged = 5;
   stats.add(second);
 
   const auto json = nlohmann::json::parse(stats.to_json());
   EXPECT_EQ(json.at("clients_total"), 2);
   EXPECT_EQ(json.at("packets"), 9);
+  EXPECT_EQ(json.at("packets_merged"), 7);
   EXPECT_EQ(json.at("bytes"), 130);
   EXPECT_EQ(json.at("bytes_total"), 194);
   EXPECT_DOUBLE_EQ(json.at("send_seconds").get<double>(), 1.75);
@@ -45,6 +47,7 @@ TEST(Stats, CountsEveryClientAndAll) {
   EXPECT_EQ(client.at("level"), 2);
   EXPECT_EQ(client.at("stream"), "talk");
   EXPECT_EQ(client.at("packets"), 3);
+  EXPECT_EQ(client.at("packets_merged"), 5);
   EXPECT_EQ(client.at("bytes"), 40);
   EXPECT_EQ(client.at("bytes_total"), 100);
   EXPECT_DOUBLE_EQ(client.at("send_seconds").get<double>(), 1.5);

@@ -39,9 +39,10 @@ TEST(TransmitterOptions, DefaultsAreThoseOfTheContract) {
 }
 
 TEST(TransmitterOptions, EveryOptionIsRead) {
-  const auto options = read({"--bind", "::1", "--port=0", "--keyframe", "40", "--loop",
-                             "--classic-min", "35", "a.txt", "--check", "--client-timeout", "2.5",
-                             "--stats", "out/s.json", "--log-level", "trace", "dir/b.txt"});
+  const auto options = read(
+      {"--bind",      "::1",   "--port=0", "--keyframe",       "40",  "--loop",   "--classic-min",
+       "35",          "a.txt", "--check",  "--client-timeout", "2.5", "--stats",  "out/s.json",
+       "--log-level", "trace", "--live",   "--max-clients",    "12",  "dir/b.txt"});
   TransmitterOptions expected;
   expected.sources = {"a.txt", "dir/b.txt"};
   expected.bind = "::1";
@@ -52,6 +53,8 @@ TEST(TransmitterOptions, EveryOptionIsRead) {
   expected.client_timeout = Milliseconds(2500);
   expected.stats = "out/s.json";
   expected.check = true;
+  expected.live = true;
+  expected.max_clients = 12;
   expected.log_level = "trace";
   EXPECT_EQ(options, expected);
 }
@@ -87,6 +90,8 @@ TEST(TransmitterOptions, BadNumbersAreNamedWithTheirRange) {
             "--keyframe '0' is not a whole number from 1 to 3600000 (try --help)");
   EXPECT_EQ(message({"--classic-min", "101", "a"}),
             "--classic-min '101' is not a whole number from 0 to 100 (try --help)");
+  EXPECT_EQ(message({"--max-clients", "-1", "a"}),
+            "--max-clients '-1' is not a whole number from 0 to 1000000 (try --help)");
   const std::string seconds = " is not a number of seconds from 0 (never) to 86400 (try --help)";
   EXPECT_EQ(message({"--client-timeout", "-2", "a"}), "--client-timeout '-2'" + seconds);
   EXPECT_EQ(message({"--client-timeout", "nan", "a"}), "--client-timeout 'nan'" + seconds);
@@ -148,15 +153,15 @@ TEST(TransmitterOptions, HelpIsOneScreenAndComplete) {
   const auto command = read_command_line({"--help"});
   ASSERT_TRUE(command);
   EXPECT_EQ(command->text, help_text());
-  for (const char* option :
-       {"SOURCE", "--bind", "--port", "--keyframe", "--loop", "--classic-min", "--client-timeout",
-        "--stats", "--check", "--log-level", "-v,", "-q,", "--version", "examples:"}) {
+  for (const char* option : {"SOURCE", "--bind", "--port", "--keyframe", "--loop", "--live",
+                             "--classic-min", "--client-timeout", "--max-clients", "--stats",
+                             "--check", "--log-level", "-v,", "-q,", "--version", "examples:"}) {
     EXPECT_NE(help_text().find(option), std::string::npos) << option;
   }
   std::istringstream lines(help_text());
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80U) << line;
-  EXPECT_LE(count, 25);
+  EXPECT_LE(count, 28);
 }
 
 TEST(TransmitterOptions, VersionNamesProtocolAndLicence) {

@@ -1,0 +1,65 @@
+#include "protocol/changes.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "common/check.h"
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+
+namespace aucast::protocol {
+namespace {
+
+std::uint8_t percent_of(float intensity) {
+  return static_cast<std::uint8_t>(std::lround(intensity * 100.0F));
+}
+
+}  // namespace
+
+Keyframe changes_between(const Keyframe& from, const Keyframe& to) {
+  AUCAST_CHECK(!from.changes_only && !to.changes_only);
+  const AuFrame before = frame_from_terms(from.terms);
+  const AuFrame after = frame_from_terms(to.terms);
+  Keyframe changes;
+  changes.changes_only = true;
+  changes.duration_ms = to.duration_ms;
+  changes.place_ms = to.place_ms;
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    const auto id = static_cast<std::uint8_t>(number);
+    const std::uint8_t left = percent_of(after.left[number]);
+    const std::uint8_t right = percent_of(after.right[number]);
+    const bool left_changed = left != percent_of(before.left[number]);
+    const bool right_changed = right != percent_of(before.right[number]);
+    // A side that stays may be named too: one term for both is shorter than one with its side.
+    if ((left_changed || right_changed) && left == right) {
+      changes.terms.push_back({id, Side::Both, left});
+    } else {
+      if (left_changed) changes.terms.push_back({id, Side::Left, left});
+      if (right_changed) changes.terms.push_back({id, Side::Right, right});
+    }
+  }
+  return changes;
+}
+
+std::vector<std::string> encode_changes(std::span<const Keyframe> keyframes,
+                                        std::uint32_t keyframe_ms) {
+  std::vector<std::string> packets;
+  packets.reserve(keyframes.size());
+  std::uint64_t since_full_ms = 0;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    if (i > 0) since_full_ms += keyframes[i - 1].duration_ms.value_or(keyframe_ms);
+    const std::uint64_t until_next_ms =
+        since_full_ms + keyframes[i].duration_ms.value_or(keyframe_ms);
+    std::string full = encode(keyframes[i]);
+    // Where the next keyframe would come too late for being the full one, this one is.
+    const bool due =
+        i == 0 || until_next_ms > static_cast<std::uint64_t>(kFullKeyframeEvery.count());
+    std::string changes = due ? full : encode(changes_between(keyframes[i - 1], keyframes[i]));
+    const bool shorter = changes.size() < full.size();
+    if (!shorter) since_full_ms = 0;
+    packets.push_back(shorter ? std::move(changes) : std::move(full));
+  }
+  return packets;
+}
+
+}  // namespace aucast::protocol

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/time.h"
+
+namespace aucast::protocol {
+
+/// What everybody is sent now: a keyframe of the stream. `number` counts the moments from 0 and
+/// goes on when the stream starts again, so that who has seen number n and now sees n + 2 has
+/// missed one.
+struct LiveMoment {
+  std::uint64_t number = 0;
+  std::size_t keyframe = 0;
+  friend bool operator==(const LiveMoment&, const LiveMoment&) = default;
+};
+
+/// The one clock of a stream that is sent live. A moment begins when the face is to set out for its
+/// keyframe and lasts as long as the keyframe's time; after the last one the stream has ended, or
+/// starts again. A clock that was not asked for long (the computer slept) leaves out what is more
+/// than kLiveLagMax past.
+/// Thread: none of its own.
+class LiveClock {
+ public:
+  /// Longest past that is still made up for.
+  static constexpr Milliseconds kLiveLagMax{1000};
+
+  /// `times`: of each keyframe, at least one, none negative; with `loop` their sum must not be 0.
+  LiveClock(std::vector<Milliseconds> times, bool loop, Instant begin);
+
+  /// Goes on to the next moment, or to the end, if it is due. Call until it returns false.
+  bool advance(Instant now);
+
+  /// Nothing before the first moment.
+  [[nodiscard]] const std::optional<LiveMoment>& newest() const { return newest_; }
+  /// The last keyframe's time is over, and it does not start again.
+  [[nodiscard]] bool ended() const { return ended_; }
+  /// When advance() has something to do; nothing after the end.
+  [[nodiscard]] std::optional<Instant> next_at() const;
+  /// How many moments fit in `time`, rounded up; at least 1.
+  [[nodiscard]] std::size_t moments_in(Milliseconds time) const;
+
+ private:
+  void step();
+
+  std::vector<Milliseconds> times_;
+  Milliseconds sum_{0};
+  bool loop_;
+  Instant next_at_;
+  std::size_t next_keyframe_ = 0;
+  std::optional<LiveMoment> newest_;
+  bool ended_ = false;
+};
+
+}  // namespace aucast::protocol

@@ -1,0 +1,55 @@
+#include "server/live_beat.h"
+
+#include <optional>
+#include <utility>
+
+#include "common/time.h"
+
+namespace aucast::server {
+namespace {
+
+Instant now() {
+  return std::chrono::steady_clock::now();
+}
+
+}  // namespace
+
+void LiveBeat::start(protocol::ServerCatalogue& catalogue, OnMoment on_moment) {
+  on_moment_ = std::move(on_moment);
+  const Instant begin = now();
+  clocks_.reserve(catalogue.streams.size());  // the streams point into it
+  for (protocol::ServedStream& stream : catalogue.streams) {
+    stream.clock = &clocks_.emplace_back(stream.times, catalogue.loop, begin);
+  }
+  beat();
+}
+
+void LiveBeat::stop() {
+  stopped_ = true;
+  timer_.cancel();
+}
+
+void LiveBeat::beat() {
+  const Instant moment = now();
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (protocol::LiveClock& clock : clocks_) moved = clock.advance(moment) || moved;
+    if (moved) on_moment_();
+  }
+  wait();
+}
+
+void LiveBeat::wait() {
+  std::optional<Instant> next;
+  for (const protocol::LiveClock& clock : clocks_) {
+    const auto at = clock.next_at();
+    if (at && (!next || *at < *next)) next = at;
+  }
+  if (!next || stopped_) return;
+  timer_.expires_at(*next);
+  timer_.async_wait([this](const std::error_code& error) {
+    if (!error && !stopped_) beat();
+  });
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "protocol/live_clock.h"
+#include "protocol/server_session.h"
+
+namespace aucast::server {
+
+/// Keeps the clocks of the live streams going and tells of each moment.
+/// Thread: that of the io_context, which must outlive it together with the callback's captures.
+class LiveBeat {
+ public:
+  using OnMoment = std::function<void()>;
+
+  explicit LiveBeat(asio::io_context& io) : timer_(io) {}
+  LiveBeat(const LiveBeat&) = delete;
+  LiveBeat& operator=(const LiveBeat&) = delete;
+
+  /// Begins all streams of `catalogue` now and gives them their clocks, which live as long as this
+  /// object. Once.
+  void start(protocol::ServerCatalogue& catalogue, OnMoment on_moment);
+  void stop();
+
+ private:
+  void beat();
+  void wait();
+
+  asio::steady_timer timer_;
+  std::vector<protocol::LiveClock> clocks_;
+  OnMoment on_moment_;
+  bool stopped_ = false;
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,112 @@
+#include "protocol/changes.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+#include "tests/support/seeded.h"
+
+namespace aucast::protocol {
+namespace {
+
+using test::Seeded;
+
+Keyframe keyframe(std::string_view text) {
+  Keyframe parsed;
+  const auto error = parse_keyframe(text, TermSyntax::Wire, parsed);
+  EXPECT_FALSE(error.has_value()) << text;
+  return parsed;
+}
+
+std::string changes(std::string_view from, std::string_view to) {
+  return encode(changes_between(keyframe(from), keyframe(to)));
+}
+
+std::vector<std::string> encoded(const std::vector<std::string>& texts) {
+  std::vector<Keyframe> keyframes;
+  for (const std::string& text : texts) keyframes.push_back(keyframe(text));
+  return encode_changes(keyframes, 250);
+}
+
+TEST(ChangesBetween, NamesWhatIsNewGoneAndOther) {
+  EXPECT_EQ(changes("1,6", "1,12"), "{~6:0,12}");
+  EXPECT_EQ(changes("1:30", "1:31"), "{~1:31}");
+  EXPECT_EQ(changes("1,6", "0"), "{~1:0,6:0}");
+  EXPECT_EQ(changes("0", "4"), "{~4}");
+}
+
+TEST(ChangesBetween, NamesNothingWhenNothingChanged) {
+  EXPECT_EQ(changes("1,6", "6,1"), "{~}");
+  EXPECT_EQ(changes("12", "L12,R12;40@80"), "{~;40@80}");
+}
+
+TEST(ChangesBetween, SpeaksOfOneSideWhereTheOtherStays) {
+  EXPECT_EQ(changes("12", "L12:40,R12"), "{~L12:40}");
+  EXPECT_EQ(changes("12", "R12"), "{~L12:0}");
+}
+
+TEST(ChangesBetween, NamesBothSidesInOneTermWhereTheyMeet) {
+  EXPECT_EQ(changes("L12:40,R12", "12"), "{~12}");
+  EXPECT_EQ(changes("L12:40", "0"), "{~12:0}");
+}
+
+TEST(ChangesBetween, KeepsTheTimingOfTheLaterOne) {
+  EXPECT_EQ(changes("1;100@100", "2;33@133"), "{~1:0,2;33@133}");
+  EXPECT_EQ(changes("1;100", "2"), "{~1:0,2}");
+}
+
+TEST(EncodeChanges, BeginsWithAFullOne) {
+  EXPECT_EQ(encoded({"1,6,12;40"}), std::vector<std::string>{"{1,6,12;40}"});
+  EXPECT_TRUE(encoded({}).empty());
+}
+
+TEST(EncodeChanges, TakesTheShorterForm) {
+  EXPECT_EQ(encoded({"1,6,12:50", "1,6,12:60", "14", "14"}),
+            (std::vector<std::string>{"{1,6,12:50}", "{~12:60}", "{14}", "{~}"}));
+}
+
+TEST(EncodeChanges, IsFullAtLeastEveryTenSeconds) {
+  std::vector<std::string> texts(100, "1,2,4,5");
+  const auto packets = encoded(texts);  // untimed: 250 ms each
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    EXPECT_EQ(packets[i], i % 40 == 0 ? "{1,2,4,5}" : "{~}") << i;
+  }
+  EXPECT_EQ(encoded({"1,2;3000", "1,2;10000", "1,2;10001", "1,2;1"}),
+            (std::vector<std::string>{"{1,2;3000}", "{1,2;10000}", "{1,2;10001}", "{1,2;1}"}));
+}
+
+TEST(EncodeChanges, GivesBackEveryStateInOrder) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 300; ++run) {
+    std::vector<Keyframe> keyframes(static_cast<std::size_t>(seeded.integer(1, 60)));
+    for (Keyframe& one : keyframes) {
+      for (int count = seeded.integer(0, 6); count >= 0; --count) {
+        one.terms.push_back({static_cast<std::uint8_t>(seeded.integer(0, 12)),
+                             static_cast<Side>(seeded.integer(0, 2)),
+                             static_cast<std::uint8_t>(seeded.integer(0, 100))});
+      }
+      if (seeded.chance(0.5)) one.duration_ms = seeded.integer(0, 3000);
+    }
+    const auto packets = encode_changes(keyframes, 250);
+    ASSERT_EQ(packets.size(), keyframes.size());
+    AuFrame running;
+    std::uint64_t since_full = 0;
+    for (std::size_t i = 0; i < packets.size(); ++i) {
+      const Keyframe read = keyframe(std::string_view(packets[i]).substr(1, packets[i].size() - 2));
+      if (!read.changes_only) {
+        running = {};
+        since_full = 0;
+      }
+      apply_terms(running, read.terms);
+      ASSERT_EQ(running, frame_from_terms(keyframes[i].terms)) << packets[i];
+      EXPECT_EQ(read.duration_ms, keyframes[i].duration_ms);
+      EXPECT_LE(packets[i].size(), encode(keyframes[i]).size());
+      EXPECT_LE(since_full, static_cast<std::uint64_t>(kFullKeyframeEvery.count()));
+      since_full += keyframes[i].duration_ms.value_or(250);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace aucast::protocol

@@ -1,0 +1,109 @@
+#include "protocol/live_clock.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/seeded.h"
+
+namespace aucast::protocol {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Seeded;
+
+const Instant kBegin = Instant{} + 1h;
+
+TEST(LiveClock, BeginsEachMomentWhenTheFaceSetsOut) {
+  LiveClock clock({100ms, 50ms, 200ms}, false, kBegin);
+  EXPECT_FALSE(clock.newest().has_value());
+  EXPECT_EQ(clock.next_at(), kBegin);
+  EXPECT_FALSE(clock.advance(kBegin - 1ms));
+  EXPECT_TRUE(clock.advance(kBegin));
+  EXPECT_EQ(clock.newest(), (LiveMoment{0, 0}));
+  EXPECT_FALSE(clock.advance(kBegin + 99ms));
+  EXPECT_TRUE(clock.advance(kBegin + 100ms));
+  EXPECT_EQ(clock.newest(), (LiveMoment{1, 1}));
+  EXPECT_EQ(clock.next_at(), kBegin + 150ms);
+}
+
+TEST(LiveClock, EndsAfterTheTimeOfTheLastKeyframe) {
+  LiveClock clock({100ms, 50ms}, false, kBegin);
+  while (clock.advance(kBegin + 149ms)) {
+  }
+  EXPECT_FALSE(clock.ended());
+  EXPECT_TRUE(clock.advance(kBegin + 150ms));
+  EXPECT_TRUE(clock.ended());
+  EXPECT_EQ(clock.newest(), (LiveMoment{1, 1}));
+  EXPECT_FALSE(clock.next_at().has_value());
+  EXPECT_FALSE(clock.advance(kBegin + 24h));
+}
+
+TEST(LiveClock, StartsAgainAndGoesOnCounting) {
+  LiveClock clock({100ms, 50ms}, true, kBegin);
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(clock.advance(kBegin + 300ms));
+  EXPECT_EQ(clock.newest(), (LiveMoment{4, 0}));
+  EXPECT_FALSE(clock.advance(kBegin + 300ms));
+  EXPECT_FALSE(clock.ended());
+}
+
+TEST(LiveClock, PassesThroughMomentsOfNoTime) {
+  LiveClock clock({0ms, 0ms, 10ms}, true, kBegin);
+  for (std::size_t keyframe : {0U, 1U, 2U}) {
+    EXPECT_TRUE(clock.advance(kBegin));
+    EXPECT_EQ(clock.newest()->keyframe, keyframe);
+  }
+  EXPECT_FALSE(clock.advance(kBegin));
+  LiveClock instant({0ms}, false, kBegin);
+  EXPECT_TRUE(instant.advance(kBegin));
+  EXPECT_TRUE(instant.advance(kBegin));
+  EXPECT_TRUE(instant.ended());
+}
+
+TEST(LiveClock, LeavesOutWhatIsLongPast) {
+  LiveClock clock({10ms}, true, kBegin);
+  EXPECT_TRUE(clock.advance(kBegin));
+  int steps = 0;
+  while (clock.advance(kBegin + 1h)) ++steps;
+  EXPECT_LE(steps, LiveClock::kLiveLagMax / 10ms + 2);
+  EXPECT_EQ(clock.newest()->number, 360'000U) << "the numbers tell that something was left out";
+  LiveClock short_one({10ms, 10ms}, false, kBegin);
+  EXPECT_TRUE(short_one.advance(kBegin + 1h));
+  EXPECT_TRUE(short_one.ended());
+  EXPECT_EQ(short_one.newest()->keyframe, 1U) << "the last state is kept";
+}
+
+TEST(LiveClock, NeverDriftsWhateverTheMomentsOfAsking) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  std::vector<Milliseconds> times;
+  Milliseconds sum{0};
+  for (int i = 0; i < 50; ++i) sum += times.emplace_back(seeded.integer(1, 400));
+  LiveClock clock(times, true, kBegin);
+  Instant now = kBegin;
+  for (int i = 0; i < 5000; ++i) {
+    now += Milliseconds(seeded.integer(0, 900));
+    while (clock.advance(now)) {
+    }
+    const auto& newest = *clock.newest();
+    Instant begin = kBegin + sum * (newest.number / times.size());
+    for (std::size_t k = 0; k < newest.keyframe; ++k) begin += times[k];
+    ASSERT_EQ(newest.keyframe, newest.number % times.size());
+    ASSERT_LE(begin, now);
+    ASSERT_GT(begin + times[newest.keyframe], now);
+  }
+}
+
+TEST(LiveClock, CountsTheMomentsOfATime) {
+  EXPECT_EQ(LiveClock({250ms}, false, kBegin).moments_in(2s), 8U);
+  EXPECT_EQ(LiveClock({100ms, 200ms}, false, kBegin).moments_in(2s), 14U);
+  EXPECT_EQ(LiveClock({1h}, false, kBegin).moments_in(2s), 1U);
+  EXPECT_EQ(LiveClock({0ms}, false, kBegin).moments_in(2s), 2000U);
+}
+
+TEST(LiveClockDeathTest, RefusesWhatCannotRun) {
+  EXPECT_DEATH(LiveClock({}, false, kBegin), "");
+  EXPECT_DEATH(LiveClock({-1ms}, false, kBegin), "");
+  EXPECT_DEATH(LiveClock({0ms, 0ms}, true, kBegin), "");
+}
+
+}  // namespace
+}  // namespace aucast::protocol
