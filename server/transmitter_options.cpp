@@ -178,7 +178,7 @@ Streams sets of FACS Action Units over TCP to face-player and its like.
   --loop                 start again at the end instead of ending
   --live                 one clock for all: who comes late joins now
   --classic-min PERCENT  classic clients get no AU weaker than this (20)
-  --client-timeout S     close who owes an answer or takes nothing longer (0: no)
+  --client-timeout S     close those that take or answer nothing so long (0: no)
   --max-clients N        at a time; more are refused (0: as many as come)
   --stats FILE.json      on exit, write packets, bytes, seconds of every client
   --check                check the sources, print what they hold, serve nothing
