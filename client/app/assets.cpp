@@ -1,5 +1,10 @@
 #include "client/app/assets.h"
 
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <system_error>
 
 #include <toml++/toml.h>
@@ -16,11 +21,62 @@ Error at(const std::filesystem::path& file, const toml::source_region& where, st
   return {ErrorKind::BadData, at_place(file.string(), where.begin.line, where.begin.column, text)};
 }
 
+/// How classic folders spell a muscle, by our name of it.
+using Spellings = std::map<std::string, std::vector<std::string>, std::less<>>;
+
+Result<Spellings> read_spellings(const toml::table& document, const std::filesystem::path& file) {
+  Spellings spellings;
+  const toml::table* table = document["muscle_names"].as_table();
+  if (table == nullptr) return spellings;
+  for (const auto& [key, node] : *table) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr || !list->is_homogeneous<std::string>()) {
+      return at(file, node.source(), "'" + std::string(key.str()) + "' is not a list of names");
+    }
+    for (const toml::node& spelling : *list) {
+      spellings[std::string(key.str())].push_back(spelling.value_or(std::string()));
+    }
+  }
+  return spellings;
+}
+
+/// muscles = { name = [left, right], ... }
+Result<std::vector<ExpressionMuscle>> read_muscles(const toml::node& node,
+                                                   const Spellings& spellings,
+                                                   const std::filesystem::path& file) {
+  std::vector<ExpressionMuscle> muscles;
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return at(file, node.source(), "'muscles' is not a table");
+  for (const auto& [key, value] : *table) {
+    const toml::array* pair = value.as_array();
+    const bool is_pair = pair != nullptr && pair->size() == 2;
+    const auto left = is_pair ? pair->get(0)->value<float>() : std::nullopt;
+    const auto right = is_pair ? pair->get(1)->value<float>() : std::nullopt;
+    if (!left || !right || !(*left >= 0) || !(*right >= 0)) {
+      return at(file, value.source(),
+                "'" + std::string(key.str()) + "' is not [left, right], each 0 or more");
+    }
+    ExpressionMuscle muscle{std::string(key.str()), {}, *left, *right};
+    if (const auto known = spellings.find(key.str()); known != spellings.end()) {
+      muscle.spellings = known->second;
+    }
+    muscles.push_back(std::move(muscle));
+  }
+  return muscles;
+}
+
 /// One [[expression]] table.
-Result<Expression> read_expression(const toml::table& table, const std::filesystem::path& file) {
+Result<Expression> read_expression(const toml::table& table, const Spellings& spellings,
+                                   const std::filesystem::path& file) {
   Expression expression;
-  std::string aus;
+  std::string aus = "0";
   for (const auto& [key, node] : table) {
+    if (key == "muscles") {
+      auto muscles = read_muscles(node, spellings, file);
+      if (!muscles) return muscles.error();
+      expression.muscles = std::move(*muscles);
+      continue;
+    }
     const auto text = node.value<std::string>();
     if (!text) return at(file, node.source(), "'" + std::string(key.str()) + "' is not a text");
     if (key == "name") {
@@ -33,10 +89,19 @@ Result<Expression> read_expression(const toml::table& table, const std::filesyst
       aus = *text;
     } else {
       return at(file, key.source(),
-                "unknown key '" + std::string(key.str()) + "'; known are name, label, aus, source");
+                "unknown key '" + std::string(key.str()) +
+                    "'; known are name, label, aus, muscles, source");
     }
   }
   if (expression.name.empty()) return at(file, table.source(), "an expression without name");
+  if (!protocol::is_stream_name(expression.name)) {
+    return at(file, table.source(),
+              "'" + escaped(expression.name) +
+                  "' is no name: at most 64 letters, digits, '.', '_' and '-'");
+  }
+  if (!table.contains("aus") && expression.muscles.empty()) {
+    return at(file, table.source(), "expression '" + expression.name + "' has no aus, no muscles");
+  }
   auto frame = protocol::parse_au_set(aus);
   if (!frame)
     return at(file, table.source(),
@@ -44,6 +109,20 @@ Result<Expression> read_expression(const toml::table& table, const std::filesyst
   expression.aus = *frame;
   if (expression.label.empty()) expression.label = expression.name;
   return expression;
+}
+
+/// Without left_, Right_, l_ and the like.
+std::string_view without_side(std::string_view name) {
+  for (const std::string_view side : {"left_", "right_", "Left_", "Right_", "L_", "R_"}) {
+    if (name.starts_with(side)) return name.substr(side.size());
+  }
+  return name;
+}
+
+bool is_muscle(const face::Channel& channel, const ExpressionMuscle& muscle) {
+  const std::string_view name = without_side(channel.name);
+  return name == muscle.name || std::find(muscle.spellings.begin(), muscle.spellings.end(), name) !=
+                                    muscle.spellings.end();
 }
 
 /// --face names a folder, or one of those in data/faces.
@@ -63,14 +142,20 @@ Result<std::vector<Expression>> load_expressions(const std::filesystem::path& fi
   std::vector<Expression> expressions;
   try {
     const toml::table table = toml::parse(*text, file.string());
+    const auto spellings = read_spellings(table, file);
+    if (!spellings) return spellings.error();
+    std::set<std::string> names;
     const toml::array* list = table["expression"].as_array();
     if (list == nullptr) {
       return at(file, table.source(), "no [[expression]] in it");
     }
     for (const toml::node& node : *list) {
       if (!node.is_table()) return at(file, node.source(), "expression is not a table");
-      auto expression = read_expression(*node.as_table(), file);
+      auto expression = read_expression(*node.as_table(), *spellings, file);
       if (!expression) return expression.error();
+      if (!names.insert(expression->name).second) {
+        return at(file, node.source(), "a second expression '" + expression->name + "'");
+      }
       expressions.push_back(std::move(*expression));
     }
   } catch (const toml::parse_error& error) {
@@ -97,10 +182,10 @@ Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options) {
   return assets;
 }
 
-Result<AuFrame> find_expression(const Assets& assets, const std::string& name) {
+Result<Expression> find_expression(const Assets& assets, const std::string& name) {
   std::vector<std::string> names;
   for (const Expression& expression : assets.expressions) {
-    if (expression.name == name) return expression.aus;
+    if (expression.name == name) return expression;
     names.push_back(expression.name);
   }
   std::string message = "no expression '" + escaped(name) + "'";
@@ -108,10 +193,32 @@ Result<AuFrame> find_expression(const Assets& assets, const std::string& name) {
   return Error{ErrorKind::Usage, message + " (face-player pose --list names them)"};
 }
 
+Result<void> apply_muscles(const face::Face& face, const Expression& expression,
+                           std::span<float> activations) {
+  for (const ExpressionMuscle& muscle : expression.muscles) {
+    bool found = false;
+    for (std::size_t i = 0; i < face.channels.size(); ++i) {
+      const face::Channel& channel = face.channels[i];
+      if (!is_muscle(channel, muscle)) continue;
+      found = true;
+      const float value = channel.side == Side::Left    ? muscle.left
+                          : channel.side == Side::Right ? muscle.right
+                                                        : std::max(muscle.left, muscle.right);
+      activations[i] = std::max(activations[i], std::min(value, channel.activation_max));
+    }
+    if (!found) {
+      return Error{ErrorKind::BadData, "expression '" + expression.name + "': face " + face.name +
+                                           " has no muscle '" + muscle.name + "'"};
+    }
+  }
+  return {};
+}
+
 std::string describe(const Assets& assets, const AuFrame& aus) {
   const std::string set = protocol::format_au_set(aus);
   for (const Expression& expression : assets.expressions) {
-    if (protocol::format_au_set(expression.aus) == set) return expression.label;
+    if (expression.muscles.empty() && protocol::format_au_set(expression.aus) == set)
+      return expression.label;
   }
   return set;
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,20 @@
 
 namespace aucast::app {
 
-/// A named set of AUs, such as a prototype of an emotion.
+/// A muscle that an expression sets by itself, without an AU: activations of the subject's sides.
+struct ExpressionMuscle {
+  std::string name;                    ///< without left_ or right_
+  std::vector<std::string> spellings;  ///< of the same muscle in classic folders
+  float left = 0;
+  float right = 0;
+};
+
+/// A named face, such as a prototype of an emotion: a set of AUs, or muscles, or both.
 struct Expression {
   std::string name;   ///< what --expression takes
   std::string label;  ///< for people
   AuFrame aus;
+  std::vector<ExpressionMuscle> muscles;
   std::string source;
 };
 
@@ -34,9 +44,15 @@ struct Assets {
 [[nodiscard]] Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options);
 
 /// The expression with this name; Usage error with the nearest one.
-[[nodiscard]] Result<AuFrame> find_expression(const Assets& assets, const std::string& name);
+[[nodiscard]] Result<Expression> find_expression(const Assets& assets, const std::string& name);
 
-/// The label of the expression that has exactly these AUs, else the AUs themselves: for captions.
+/// Sets an expression's muscles on top of `activations` (one per channel of the face): the larger
+/// value counts, cut to what the channel can do. BadData when the face has no such muscle.
+[[nodiscard]] Result<void> apply_muscles(const face::Face& face, const Expression& expression,
+                                         std::span<float> activations);
+
+/// The label of the first expression that is exactly these AUs, else the AUs themselves: for
+/// captions.
 [[nodiscard]] std::string describe(const Assets& assets, const AuFrame& aus);
 
 }  // namespace aucast::app

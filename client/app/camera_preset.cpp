@@ -23,4 +23,15 @@ view::Camera camera_preset(std::string_view name, const face::Face& face) {
   return camera;
 }
 
+view::Background backdrop(std::optional<std::uint32_t> rgb) {
+  if (!rgb) return {};
+  // The inverse of the renderer's tone curve (to_screen in render/shaders.h).
+  const auto linear = [rgb](unsigned shift) {
+    const float value = static_cast<float>((*rgb >> shift) & 255U) / 255.0F;
+    return value * value / (1.0F - 0.14F * value * value);
+  };
+  const glm::vec3 colour{linear(16), linear(8), linear(0)};
+  return {colour, colour};
+}
+
 }  // namespace aucast::app

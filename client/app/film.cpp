@@ -118,7 +118,8 @@ class Film {
     if (!sinks) return sinks.error();
     sinks_ = std::move(*sinks);
     auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
-                                      camera_preset("front", assets_.face));
+                                      camera_preset("front", assets_.face),
+                                      backdrop(options_.output.background));
     if (!maker) return maker.error();
     maker_ = std::move(*maker);
     return {};

@@ -13,6 +13,7 @@ constexpr std::string_view kWatch =
   face-player play FILE [OPTIONS]                a stream file, without a server
   face-player pose [AUS] ...                     one still       (face-player pose --help)
   face-player rules AUS ...                      AUs after rules (face-player rules --help)
+  face-player gallery DIR ...                    all pictures    (face-player gallery --help)
 
 Receiving
   --buffer N (100)  --playout N (30)  --threshold PERCENT (40)   Receiver and Playout buffer,
@@ -30,6 +31,7 @@ Pictures and numbers (these run on the film clock, like --fast)
   --record FILE       .mp4, .webm or .gif, 30 pictures a second unless --fps N
   --sheet FILE.png    the faces that the keyframes reach, on one page (the first 60)
   --size WxH (800x600)     --stats FILE.json     --fast   do not wait for the clock
+  --background RRGGBB a plain ground behind the face
 Other
   --exit-at-end       close the window when the stream ends
   --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
@@ -59,6 +61,7 @@ constexpr std::string_view kPlay =
   --record FILE       .mp4, .webm or .gif, 30 pictures a second unless --fps N
   --sheet FILE.png    the faces that the keyframes reach, on one page (the first 60)
   --size WxH (800x600)     --stats FILE.json     --fast   do not wait for the clock
+  --background RRGGBB a plain ground behind the face
   --exit-at-end       close the window when the stream ends
   --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
 
@@ -74,10 +77,10 @@ constexpr std::string_view kPose =
 AUS as in a packet: 1,6,12 or 12:80,R14:50 or 4C+9D; L and R are the subject's own sides.
 Without --png and --obj the activations that drive the face are printed.
 
-  --expression NAME   a prototype: happiness, thesis-anger, ... (see --list)
+  --expression NAME   a prototype: happiness, thesis-anger, waters-fear, ... (see --list)
   --muscle NAME=VALUE sets a muscle or another channel after the mixer; may be repeated
   --list              the channels with their ranges, the AUs and the expressions, and leave
-  --png FILE          the picture           --size WxH (800x600)
+  --png FILE          the picture           --size WxH (800x600)    --background RRGGBB
   --camera front|three-quarter|profile      where it is seen from
   --obj FILE          the deformed skin as Wavefront OBJ, vertices in the face's own order
   --mixer maximum|average     --rules facs|kumar2010|none|FILE
@@ -102,12 +105,37 @@ something: on what, and where the rule comes from.
   face-player rules 1,2,5,15,16,20,26 --rules kumar2010 --explain
 )";
 
+constexpr std::string_view kGallery =
+    R"(face-player gallery: every Action Unit and expression as pictures with a page
+
+  face-player gallery DIR [OPTIONS]
+
+Writes DIR/index.html, which opens from disk, DIR/manifest.csv with a line for each picture, and the
+pictures: Action Units A to E, both sides and each alone (au/), prototypes (prototypes/), pairs of
+basic expressions (combinations/), the thesis' appendices A and B (appendix_b/). The same options
+and face give the same bytes. DIR may be there; what an earlier run left in it stays.
+
+  --only SECTION[,..] aus, prototypes, combinations, appendix-a, appendix-b, sweeps, coverage
+  --sweep AUS|NAME    neutral, apex and back as frames, and as a video if ffmpeg is there: a set of
+                      AUs, an expression, or all of both; may be repeated
+  --size WxH (300x375)        --camera front|three-quarter|profile
+  --background RRGGBB         a plain ground behind the face
+  --mixer maximum|average     --rules facs|kumar2010|none|FILE   (appendix B shows all of them)
+  --face DIR|NAME (default)   --data DIR    where faces, rules and streams are
+  --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q no progress
+
+  face-player gallery pictures
+  face-player gallery stimuli --only aus --size 800x1000 --background 808080
+  face-player gallery sweeps --only sweeps --sweep 12 --sweep happiness
+)";
+
 }  // namespace
 
 std::string_view help_text(std::string_view command) {
   if (command == "play") return kPlay;
   if (command == "pose") return kPose;
   if (command == "rules") return kRules;
+  if (command == "gallery") return kGallery;
   return kWatch;
 }
 

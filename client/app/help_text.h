@@ -5,7 +5,8 @@
 
 namespace aucast::app {
 
-/// The page of --help for a command: "" (watching), play, pose or rules. Fits one screen.
+/// The page of --help for a command: "" (watching), play, pose, rules or
+/// gallery. Fits one screen.
 [[nodiscard]] std::string_view help_text(std::string_view command);
 
 /// "face-player 0.1.0 ..." with protocol version and licence.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -14,6 +16,9 @@ namespace aucast::app {
 /// The camera of --camera: front, three-quarter or profile.
 [[nodiscard]] view::Camera camera_preset(std::string_view name, const face::Face& face);
 
+/// The plain ground of --background (sRGB, 0xRRGGBB); nothing: the usual one, lit from behind.
+[[nodiscard]] view::Background backdrop(std::optional<std::uint32_t> rgb);
+
 /// Activations in, picture out, without a display. In a build without OpenGL create() fails and
 /// says so.
 /// The face must outlive it. Thread: the one that made it.
@@ -21,7 +26,8 @@ class PictureMaker {
  public:
   [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(const face::Face& face,
                                                                     int width, int height,
-                                                                    const view::Camera& camera);
+                                                                    const view::Camera& camera,
+                                                                    const view::Background& behind);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;

@@ -6,10 +6,11 @@
 namespace aucast::app {
 
 struct PictureMaker::State {
-  State(const face::Face& face, const view::Camera& from)
-      : camera(from), scene(face), deformer(face) {}
+  State(const face::Face& face, const view::Camera& from, const view::Background& behind)
+      : camera(from), background(behind), scene(face), deformer(face) {}
 
   view::Camera camera;
+  view::Background background;
   FaceScene scene;
   face::FaceDeformer deformer;
   face::DeformedFace deformed;
@@ -25,8 +26,9 @@ PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(stat
 PictureMaker::~PictureMaker() = default;
 
 Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& face, int width,
-                                                           int height, const view::Camera& camera) {
-  auto state = std::make_unique<State>(face, camera);
+                                                           int height, const view::Camera& camera,
+                                                           const view::Background& behind) {
+  auto state = std::make_unique<State>(face, camera, behind);
   state->width = width;
   state->height = height;
   auto context = render::OffscreenContext::create();
@@ -46,7 +48,7 @@ view::Image PictureMaker::picture(std::span<const float> activations) {
   State& s = *state_;
   s.deformer.deform(activations, s.deformed);
   s.target->bind();
-  s.renderer->draw(FaceScene::moving(s.deformed), s.camera, view::Background{}, s.width, s.height);
+  s.renderer->draw(FaceScene::moving(s.deformed), s.camera, s.background, s.width, s.height);
   return s.target->read();
 }
 

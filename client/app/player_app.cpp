@@ -7,6 +7,7 @@
 #include "client/app/assets.h"
 #include "client/app/clocked_run.h"
 #include "client/app/film.h"
+#include "client/app/gallery_command.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/app/pose_command.h"
@@ -135,6 +136,8 @@ Result<void> run(const PlayerOptions& options) {
       return run_pose(options);
     case Command::Rules:
       return run_rules(options);
+    case Command::Gallery:
+      return run_gallery(options);
     case Command::Watch:
     case Command::Play:
       break;

@@ -19,7 +19,8 @@ struct Raw {
   int buffer = 100;
   int playout = 30;
   double connect_timeout_s = 10;
-  std::string size = "800x600";
+  std::string size;  ///< empty: the command's own
+  std::string background;
   std::string protocol = "auto";
   std::uint64_t blink_seed = 0;
   std::vector<std::string> muscles;
@@ -47,6 +48,7 @@ void add_face(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("--face", options.face.face);
   cli.add_option("--mixer", options.face.mixer)->transform(CLI::CheckedTransformer(kMixers));
   cli.add_option("--size", raw.size);
+  cli.add_option("--background", raw.background);
 }
 
 void add_playback(CLI::App& cli, PlayerOptions& options, Raw& raw) {
@@ -77,14 +79,34 @@ void add_network(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("--connect-timeout", raw.connect_timeout_s)->check(CLI::Range(0.01, 86400.0));
 }
 
+void add_camera(CLI::App& cli, PlayerOptions& options) {
+  cli.add_option("--camera", options.pose.camera)
+      ->check(CLI::IsMember({"front", "three-quarter", "profile"}));
+}
+
+void add_gallery(CLI::App& cli, PlayerOptions& options) {
+  cli.add_option("DIR", options.gallery.folder);
+  cli.add_option("--only", options.gallery.only)
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(
+          {"aus", "prototypes", "combinations", "appendix-a", "appendix-b", "sweeps", "coverage"}));
+  cli.add_option("--sweep", options.gallery.sweeps)
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);
+  add_camera(cli, options);
+}
+
 void add_pose(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("AUS", options.pose.aus);
-  cli.add_option("--muscle", raw.muscles)->take_all()->expected(1);
+  cli.add_option("--muscle", raw.muscles)->take_all()->expected(1)->allow_extra_args(false);
   cli.add_option("--expression", options.pose.expression);
   cli.add_option("--png", options.pose.png);
   cli.add_option("--obj", options.pose.obj);
-  cli.add_option("--camera", options.pose.camera)
-      ->check(CLI::IsMember({"front", "three-quarter", "profile"}));
+  add_camera(cli, options);
   cli.add_flag("--list", options.pose.list);
 }
 
@@ -107,6 +129,18 @@ Result<void> read_size(const std::string& text, OutputOptions& output) {
   }
   return usage("--size '" + escaped(text) + "' is not WIDTHxHEIGHT, each 1 to " +
                std::to_string(kSizeMax) + ", such as 800x600");
+}
+
+Result<void> read_background(const std::string& text, OutputOptions& output) {
+  if (text.empty()) return {};
+  std::uint32_t rgb = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, rgb, 16);
+  if (text.size() != 6 || read.ec != std::errc() || read.ptr != end) {
+    return usage("--background '" + escaped(text) + "' is not RRGGBB, such as 808080");
+  }
+  output.background = rgb;
+  return {};
 }
 
 Result<void> read_muscles(const std::vector<std::string>& texts, PoseOptions& pose) {
@@ -139,7 +173,10 @@ Result<void> settle(const CLI::App& cli, const Raw& raw, PlayerOptions& options)
   if (options.quiet) options.log_level = "error";
   if (raw.verbose == 1) options.log_level = "info";
   if (raw.verbose > 1) options.log_level = "debug";
-  if (auto size = read_size(raw.size, options.output); !size) return size;
+  const std::string own_size = options.command == Command::Gallery ? "300x375" : "800x600";
+  auto size = read_size(raw.size.empty() ? own_size : raw.size, options.output);
+  if (!size) return size;
+  if (auto behind = read_background(raw.background, options.output); !behind) return behind;
   if (auto muscles = read_muscles(raw.muscles, options.pose); !muscles) return muscles;
   if (raw.speed_ms != 0) options.playback.speed = Milliseconds(raw.speed_ms);
   if (raw.fps != 0) options.output.fps = raw.fps;
@@ -168,6 +205,9 @@ Result<void> check_required(const PlayerOptions& options) {
     case Command::Rules:
       if (options.pose.aus.empty()) return usage("rules needs a set of AUs, such as 1,6,12");
       break;
+    case Command::Gallery:
+      if (options.gallery.folder.empty()) return usage("gallery needs a folder DIR to write to");
+      break;
     case Command::Pose:
     case Command::Help:
       break;
@@ -178,8 +218,10 @@ Result<void> check_required(const PlayerOptions& options) {
 }  // namespace
 
 Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
-  static const std::map<std::string, Command> kCommands{
-      {"play", Command::Play}, {"pose", Command::Pose}, {"rules", Command::Rules}};
+  static const std::map<std::string, Command> kCommands{{"play", Command::Play},
+                                                        {"pose", Command::Pose},
+                                                        {"rules", Command::Rules},
+                                                        {"gallery", Command::Gallery}};
   PlayerOptions options;
   Raw raw;
   std::string page;
@@ -212,6 +254,10 @@ Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
     case Command::Rules:
       cli.add_option("AUS", options.pose.aus);
       cli.add_flag("--explain", options.pose.explain);
+      break;
+    case Command::Gallery:
+      add_face(cli, options, raw);
+      add_gallery(cli, options);
       break;
     case Command::Help:
       break;

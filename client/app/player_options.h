@@ -16,11 +16,12 @@
 namespace aucast::app {
 
 enum class Command : std::uint8_t {
-  Watch,  ///< [HOST[:PORT]]: the window, or --headless
-  Play,   ///< play FILE
-  Pose,   ///< pose [AUS]
-  Rules,  ///< rules AUS
-  Help,   ///< print `text` and leave
+  Watch,    ///< [HOST[:PORT]]: the window, or --headless
+  Play,     ///< play FILE
+  Pose,     ///< pose [AUS]
+  Rules,    ///< rules AUS
+  Gallery,  ///< gallery DIR
+  Help,     ///< print `text` and leave
 };
 
 /// What a face is made of and how AUs become a face: common to all commands.
@@ -46,11 +47,12 @@ struct PlaybackOptions {
 
 /// Where pictures and numbers go.
 struct OutputOptions {
-  std::filesystem::path frames;  ///< --frames DIR
-  std::filesystem::path record;  ///< --record FILE
-  std::filesystem::path sheet;   ///< --sheet FILE.png
-  std::filesystem::path stats;   ///< --stats FILE.json
-  std::optional<int> fps;        ///< 1-240
+  std::filesystem::path frames;             ///< --frames DIR
+  std::filesystem::path record;             ///< --record FILE
+  std::filesystem::path sheet;              ///< --sheet FILE.png
+  std::filesystem::path stats;              ///< --stats FILE.json
+  std::optional<int> fps;                   ///< 1-240
+  std::optional<std::uint32_t> background;  ///< --background RRGGBB; nothing: the usual one
   int width = 800;
   int height = 600;
   bool fast = false;
@@ -71,12 +73,20 @@ struct PoseOptions {
   bool explain = false;  ///< rules --explain
 };
 
+/// What `gallery` makes; camera, size, mixer and rules are those of the other commands.
+struct GalleryOptions {
+  std::filesystem::path folder;     ///< gallery DIR
+  std::vector<std::string> only;    ///< --only: names of sections; empty: all
+  std::vector<std::string> sweeps;  ///< --sweep: AUs, names of expressions, or all
+};
+
 struct PlayerOptions {
   Command command = Command::Watch;
   FaceOptions face;
   PlaybackOptions playback;
   OutputOptions output;
   PoseOptions pose;
+  GalleryOptions gallery;
   bool headless = false;
   bool exit_at_end = false;
   bool quiet = false;

@@ -76,13 +76,8 @@ Result<void> set_channel(const face::Face& face, const std::string& name, float 
 }
 
 /// The AUs of the command line: the set, the expression, or both (the set wins where both speak).
-Result<AuFrame> requested_aus(const Assets& assets, const PoseOptions& pose) {
-  AuFrame frame;
-  if (!pose.expression.empty()) {
-    auto expression = find_expression(assets, pose.expression);
-    if (!expression) return expression;
-    frame = *expression;
-  }
+Result<AuFrame> requested_aus(const PoseOptions& pose, const Expression& expression) {
+  AuFrame frame = expression.aus;
   if (!pose.aus.empty()) {
     auto aus = protocol::parse_au_set(pose.aus);
     if (!aus) return aus;
@@ -106,7 +101,8 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options,
   }
   if (!pose.png.empty()) {
     auto maker = PictureMaker::create(assets.face, options.output.width, options.output.height,
-                                      camera_preset(pose.camera, assets.face));
+                                      camera_preset(pose.camera, assets.face),
+                                      backdrop(options.output.background));
     if (!maker) return maker.error();
     return view::write_png((*maker)->picture(activations), pose.png);
   }
@@ -123,10 +119,18 @@ Result<void> run_pose(const PlayerOptions& options) {
     print_list(**assets);
     return {};
   }
-  auto aus = requested_aus(**assets, options.pose);
+  Expression expression;
+  if (!options.pose.expression.empty()) {
+    auto found = find_expression(**assets, options.pose.expression);
+    if (!found) return found.error();
+    expression = std::move(*found);
+  }
+  auto aus = requested_aus(options.pose, expression);
   if (!aus) return aus.error();
   std::vector<float> activations((*assets)->face.channels.size());
   face::mix((*assets)->face, face::blend((*assets)->rules, *aus), options.face.mixer, activations);
+  auto applied = apply_muscles((*assets)->face, expression, activations);
+  if (!applied) return applied;
   for (const auto& [name, value] : options.pose.muscles) {
     if (auto set = set_channel((*assets)->face, name, value, activations); !set) return set;
   }

@@ -131,8 +131,8 @@ class WindowRun {
       return;
     }
     (*target)->bind();
-    renderer_->draw(FaceScene::moving(deformed_), window_->camera(), view::Background{}, width,
-                    height);
+    renderer_->draw(FaceScene::moving(deformed_), window_->camera(),
+                    backdrop(options_.output.background), width, height);
     const view::Image picture = (*target)->read();
     window_->bind_framebuffer();
     const std::string name = "face-player-" + std::to_string(++pictures_saved_) + ".png";
@@ -188,8 +188,8 @@ class WindowRun {
     window_->framebuffer_size(width, height);
     if (width == 0 || height == 0) return;  // minimised
     deformer_.deform(activations_, deformed_);
-    renderer_->draw(FaceScene::moving(deformed_), window_->camera(), view::Background{}, width,
-                    height);
+    renderer_->draw(FaceScene::moving(deformed_), window_->camera(),
+                    backdrop(options_.output.background), width, height);
     window_->present();
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
     stats_.draw_seconds += seconds(steady_now() - now);

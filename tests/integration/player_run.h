@@ -21,7 +21,8 @@ struct PlayerRun {
                                           std::vector<std::string> variables = {}) {
   const TempFolder folder;
   arguments.insert(arguments.begin(), program("face-player"));
-  const bool counts = arguments.size() > 1 && arguments[1] != "pose" && arguments[1] != "rules";
+  const bool counts = arguments.size() > 1 && arguments[1] != "pose" && arguments[1] != "rules" &&
+                      arguments[1] != "gallery";
   if (counts) {
     arguments.insert(arguments.end(), {"--stats", (folder.path() / "stats.json").string()});
   }

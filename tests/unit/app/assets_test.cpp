@@ -48,13 +48,78 @@ TEST(LoadExpressions, NamesThePlaceOfAMistake) {
   EXPECT_NE(message_of("[[expression]]\nname = 3\n").find("is not a text"), std::string::npos);
 }
 
+TEST(LoadExpressions, ReadsMusclesWithTheirSidesAndSpellings) {
+  const test::TempFolder folder;
+  const auto loaded = load_expressions(folder.write("e.toml", R"(
+[[expression]]
+name = "pull"
+muscles = { zygomaticus_major = [1.0, 0.5] }
+[muscle_names]
+zygomaticus_major = ["Zygomatic_Major"]
+)"));
+  ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
+  const Expression& pull = loaded->front();
+  ASSERT_EQ(pull.muscles.size(), 1U);
+  EXPECT_EQ(pull.muscles[0].left, 1.0F);
+  EXPECT_EQ(pull.muscles[0].right, 0.5F);
+  EXPECT_EQ(pull.muscles[0].spellings, (std::vector<std::string>{"Zygomatic_Major"}));
+  EXPECT_EQ(pull.aus, AuFrame{});
+}
+
+TEST(LoadExpressions, RefusesBadMusclesAndNames) {
+  const std::string begin = "[[expression]]\nname = \"a\"\n";
+  EXPECT_NE(message_of(begin).find("no aus, no muscles"), std::string::npos);
+  EXPECT_NE(message_of(begin + "muscles = 1\n").find("not a table"), std::string::npos);
+  for (const char* value : {"1.0", "[1.0]", "[1.0, -1.0]", "[1.0, \"x\"]", "[nan, 1.0]"}) {
+    EXPECT_NE(message_of(begin + "muscles = { m = " + value + " }\n").find("'m' is not [left"),
+              std::string::npos)
+        << value;
+  }
+  EXPECT_NE(message_of(begin + "aus = \"1\"\n[muscle_names]\nm = 1\n").find("list of names"),
+            std::string::npos);
+  EXPECT_NE(message_of(begin + "aus = \"1\"\n" + begin + "aus = \"2\"\n").find("a second"),
+            std::string::npos);
+  EXPECT_NE(message_of("[[expression]]\nname = \"a/b\"\naus = \"1\"\n").find("is no name"),
+            std::string::npos);
+}
+
+TEST(ApplyMuscles, TakesTheLargerAndCutsToTheRange) {
+  face::Face face;
+  face.name = "f";
+  face.channels = {{"left_pull", Side::Left, 2, false}, {"right_pull", Side::Right, 2, false}};
+  Expression expression;
+  expression.name = "e";
+  expression.muscles = {{"pull", {}, 3.0F, 0.5F}};
+  std::vector<float> activations{0, 1};
+  ASSERT_TRUE(apply_muscles(face, expression, activations).has_value());
+  EXPECT_EQ(activations, (std::vector<float>{2, 1}));
+  expression.muscles[0].name = "push";
+  const auto refused = apply_muscles(face, expression, activations);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().kind, ErrorKind::BadData);
+  EXPECT_NE(refused.error().message.find("no muscle 'push'"), std::string::npos);
+}
+
+TEST(ApplyMuscles, FindsTheSpellingsOfAClassicFolderBySide) {
+  face::Face face;
+  // Waters calls x < 0 left: the subject's right.
+  face.channels = {{"Left_Zygomatic_Major", Side::Right, 4, false},
+                   {"Right_Zygomatic_Major", Side::Left, 4, false}};
+  Expression expression;
+  expression.muscles = {{"zygomaticus_major", {"Zygomatic_Major"}, 1.0F, 1.1F}};
+  std::vector<float> activations{0, 0};
+  ASSERT_TRUE(apply_muscles(face, expression, activations).has_value());
+  EXPECT_EQ(activations, (std::vector<float>{1.1F, 1.0F}));
+}
+
 TEST(ShippedAssets, LoadAndNameTheirExpressions) {
   FaceOptions options;
   options.data = test::program("data");
   const auto assets = load_assets(options);
   ASSERT_TRUE(assets.has_value()) << assets.error().message;
-  EXPECT_EQ(protocol::format_au_set(*find_expression(**assets, "thesis-happiness")), "1,6,12,14");
-  EXPECT_EQ(describe(**assets, *find_expression(**assets, "thesis-fear")), "Fear");
+  EXPECT_EQ(protocol::format_au_set(find_expression(**assets, "thesis-happiness")->aus),
+            "1,6,12,14");
+  EXPECT_EQ(describe(**assets, find_expression(**assets, "thesis-fear")->aus), "Fear");
   EXPECT_EQ(describe(**assets, *protocol::parse_au_set("12:33")), "12:33");
   const auto typo = find_expression(**assets, "hapiness");
   ASSERT_FALSE(typo.has_value());

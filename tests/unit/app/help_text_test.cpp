@@ -8,7 +8,7 @@ namespace aucast::app {
 namespace {
 
 TEST(HelpText, FitsOneScreen) {
-  for (const char* command : {"", "play", "pose", "rules"}) {
+  for (const char* command : {"", "play", "pose", "rules", "gallery"}) {
     const std::string_view text = help_text(command);
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 50) << command;
     std::size_t begin = 0;
@@ -41,6 +41,7 @@ TEST(HelpText, NamesEveryOptionAndAnExample) {
                              "--fps",
                              "--size",
                              "--stats",
+                             "--background",
                              "--fast",
                              "--exit-at-end",
                              "--log-level",
@@ -52,8 +53,12 @@ TEST(HelpText, NamesEveryOptionAndAnExample) {
     EXPECT_NE(help_text("").find(option), std::string_view::npos) << option;
   }
   for (const char* option : {"--expression", "--muscle", "--list", "--png", "--obj", "--camera",
-                             "--mixer", "--rules", "--face", "--size", "--data"}) {
+                             "--mixer", "--rules", "--face", "--size", "--data", "--background"}) {
     EXPECT_NE(help_text("pose").find(option), std::string_view::npos) << option;
+  }
+  for (const char* option : {"--only", "--sweep", "--size", "--camera", "--background", "--mixer",
+                             "--rules", "--face", "--data", "face-player gallery pictures"}) {
+    EXPECT_NE(help_text("gallery").find(option), std::string_view::npos) << option;
   }
   EXPECT_NE(help_text("rules").find("--explain"), std::string_view::npos);
 }

@@ -42,6 +42,29 @@ TEST(PlayerOptions, DefaultsAreThoseOfTheContract) {
   EXPECT_FALSE(options.playback.blink_seed.has_value());
 }
 
+TEST(PlayerOptions, ReadWhatAGalleryNeeds) {
+  const PlayerOptions plain = accepted({"gallery", "d"});
+  EXPECT_EQ(plain.command, Command::Gallery);
+  EXPECT_EQ(plain.gallery.folder, "d");
+  EXPECT_EQ(plain.output.width, 300);
+  EXPECT_EQ(plain.output.height, 375);
+  EXPECT_FALSE(plain.output.background.has_value());
+  const PlayerOptions all = accepted({"gallery", "--only", "aus,prototypes", "--only", "sweeps",
+                                      "--sweep", "1,2", "--sweep", "fear", "d", "--camera",
+                                      "profile", "--background", "00ff7F", "--size", "48x60"});
+  EXPECT_EQ(all.gallery.only, (std::vector<std::string>{"aus", "prototypes", "sweeps"}));
+  EXPECT_EQ(all.gallery.sweeps, (std::vector<std::string>{"1,2", "fear"}));
+  EXPECT_EQ(all.output.background, 0x00FF7FU);
+  EXPECT_EQ(all.output.width, 48);
+  for (const char* wrong : {"red", "12345", "1234567", "-12345", "0x1234", " 12345"}) {
+    EXPECT_NE(refused({"gallery", "d", "--background", wrong}).find("--background"),
+              std::string::npos)
+        << wrong;
+  }
+  EXPECT_NE(refused({"gallery"}).find("needs a folder"), std::string::npos);
+  EXPECT_NE(refused({"gallery", "d", "--only", "noses"}).find("--only"), std::string::npos);
+}
+
 TEST(PlayerOptions, ReadEverythingAWatcherMaySay) {
   const PlayerOptions options =
       accepted({"--headless", "h",           "--buffer", "50",       "--playout",

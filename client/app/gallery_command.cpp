@@ -1,0 +1,240 @@
+#include "client/app/gallery_command.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+
+#include "client/app/assets.h"
+#include "client/app/gallery_manifest.h"
+#include "client/app/gallery_page.h"
+#include "client/app/gallery_plan.h"
+#include "client/app/picture_maker.h"
+#include "client/app/steady.h"
+#include "client/view/video_encoder.h"
+#include "common/files.h"
+
+namespace aucast::app {
+namespace {
+
+Result<GalleryRules> load_rules(const Assets& assets) {
+  GalleryRules rules;
+  rules.chosen = assets.rules;
+  const std::array<std::pair<const char*, face::RuleSet*>, 3> wanted{
+      {{"kumar2010", &rules.kumar2010}, {"facs", &rules.facs}, {"none", &rules.none}}};
+  for (const auto& [name, place] : wanted) {
+    auto found = face::find_rules(name, assets.data_folder);
+    if (!found) return found.error();
+    *place = std::move(*found);
+  }
+  return rules;
+}
+
+Result<void> make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && !std::filesystem::is_directory(folder, error) && !error) {
+    error = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0) {
+    error = std::error_code(errno, std::generic_category());
+  }
+  if (!error) return {};
+  return Error{ErrorKind::Failed, "gallery " + folder.string() + ": cannot be written: " +
+                                      error.message() + "; choose another folder"};
+}
+
+Result<void> make_folders(const std::filesystem::path& root, const GalleryPlan& plan) {
+  if (auto made = make_folder(root); !made) return made;
+  std::filesystem::path last;
+  for (const GalleryPicture& picture : plan.pictures) {
+    const std::filesystem::path folder = (root / picture.file).parent_path();
+    if (folder == last) continue;
+    if (auto made = make_folder(folder); !made) return made;
+    last = folder;
+  }
+  return {};
+}
+
+/// Videos are a bonus: without the program that makes them the frames are enough.
+bool ffmpeg_is_there() {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  std::string folder;
+  while (std::getline(folders, folder, ':')) {
+    if (::access((std::filesystem::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+/// How many pictures there are, on one line of a terminal; a plain line now and then elsewhere.
+class GalleryProgress {
+ public:
+  GalleryProgress(bool wanted, std::size_t whole)
+      : wanted_(wanted), terminal_(::isatty(STDERR_FILENO) == 1), whole_(whole) {}
+  ~GalleryProgress() {
+    if (shown_ && terminal_) std::fputc('\n', stderr);
+  }
+  GalleryProgress(const GalleryProgress&) = delete;
+  GalleryProgress& operator=(const GalleryProgress&) = delete;
+
+  void show(std::size_t done) {
+    if (!wanted_) return;
+    const Instant now = steady_now();
+    const auto pause = terminal_ ? Milliseconds(100) : Milliseconds(5000);
+    if (now - last_ < pause && !(terminal_ && done == whole_)) return;
+    last_ = now;
+    shown_ = true;
+    std::fprintf(stderr, "%s%zu of %zu pictures%s", terminal_ ? "\r" : "", done, whole_,
+                 terminal_ ? " " : "\n");
+  }
+
+ private:
+  bool wanted_;
+  bool terminal_;
+  std::size_t whole_;
+  bool shown_ = false;
+  Instant last_ = steady_now();
+};
+
+/// Draws a plan into its folder, one picture at a time.
+class GalleryWriter {
+ public:
+  GalleryWriter(const Assets& assets, const PlayerOptions& options, const GalleryPlan& plan)
+      : assets_(assets),
+        options_(options),
+        plan_(plan),
+        progress_(!options.quiet, plan.pictures.size()),
+        activations_(assets.face.channels.size()) {}
+
+  Result<void> write() {
+    auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
+                                      camera_preset(options_.pose.camera, assets_.face),
+                                      backdrop(options_.output.background));
+    if (!maker) return maker.error();
+    maker_ = std::move(*maker);
+    const std::size_t stills = plan_.sweeps.empty() ? plan_.pictures.size() : plan_.sweeps[0].begin;
+    for (std::size_t i = 0; i < stills; ++i) {
+      if (auto drawn = draw(i, nullptr); !drawn) return drawn;
+    }
+    const bool with_videos = ffmpeg_is_there();
+    if (!plan_.sweeps.empty() && !with_videos) {
+      std::fputs("face-player: no videos of the sweeps: install ffmpeg for them\n", stderr);
+    }
+    for (std::size_t i = 0; i < plan_.sweeps.size(); ++i) {
+      if (auto swept = sweep(i, with_videos); !swept) return swept;
+    }
+    return write_texts();
+  }
+
+ private:
+  Result<void> draw(std::size_t index, view::VideoEncoder* video) {
+    const GalleryPicture& picture = plan_.pictures[index];
+    face::mix(assets_.face, picture.shown, picture.mixer, activations_);
+    Expression muscles;
+    muscles.muscles = picture.muscles;
+    if (auto applied = apply_muscles(assets_.face, muscles, activations_); !applied) return applied;
+    if (picture.moment) {
+      const float strength = sweep_strength(picture.moment->time_ms);
+      for (float& activation : activations_) activation *= strength;
+    }
+    const view::Image image = maker_->picture(activations_);
+    auto written = view::write_png(image, options_.gallery.folder / picture.file);
+    if (!written) return written;
+    if (video != nullptr) {
+      if (auto added = video->add(image); !added) return added;
+    }
+    progress_.show(index + 1);
+    return {};
+  }
+
+  Result<void> sweep(std::size_t number, bool with_video) {
+    const GallerySweep& sweep = plan_.sweeps[number];
+    std::unique_ptr<view::VideoEncoder> video;
+    if (with_video) {
+      auto opened =
+          view::VideoEncoder::open(options_.gallery.folder / "sweeps" / (sweep.name + ".mp4"),
+                                   options_.output.width, options_.output.height, kSweepFps);
+      if (!opened) return opened.error();
+      video = std::move(*opened);
+    }
+    for (std::size_t i = sweep.begin; i < sweep.begin + sweep.count; ++i) {
+      if (auto drawn = draw(i, video.get()); !drawn) return drawn;
+    }
+    if (video == nullptr) return {};
+    videos_.push_back(number);
+    return video->finish();
+  }
+
+  Result<void> write_texts() {
+    GallerySetting setting;
+    setting.face = assets_.face.name;
+    setting.camera = options_.pose.camera;
+    setting.background = "default";
+    if (options_.output.background) {
+      std::array<char, 16> text{};
+      std::snprintf(text.data(), text.size(), "%06X", *options_.output.background);
+      setting.background = text.data();
+    }
+    setting.version = AUCAST_VERSION;
+    setting.width = options_.output.width;
+    setting.height = options_.output.height;
+    const auto& folder = options_.gallery.folder;
+    auto manifest =
+        write_file_atomically(folder / "manifest.csv", format_manifest(plan_, setting, videos_));
+    if (!manifest) return manifest;
+    return write_file_atomically(folder / "index.html", format_page(plan_, setting, videos_));
+  }
+
+  const Assets& assets_;
+  const PlayerOptions& options_;
+  const GalleryPlan& plan_;
+  GalleryProgress progress_;
+  std::unique_ptr<PictureMaker> maker_;
+  std::vector<float> activations_;
+  std::vector<std::size_t> videos_;
+};
+
+/// What there is now, and which AUs the face lacks.
+void print_summary(const std::filesystem::path& folder, const GalleryPlan& plan) {
+  std::size_t recorded = 0;
+  std::string missing;
+  for (const Coverage& row : plan.coverage) {
+    if (row.recorded) {
+      ++recorded;
+    } else {
+      missing += (missing.empty() ? "" : ", ") + std::to_string(row.number);
+    }
+  }
+  std::printf("%s: %zu pictures; %zu of %zu Action Units are recorded%s%s\n",
+              (folder / "index.html").c_str(), plan.pictures.size(), recorded, plan.coverage.size(),
+              missing.empty() ? "" : ", not ", missing.c_str());
+}
+
+}  // namespace
+
+Result<void> run_gallery(const PlayerOptions& options) {
+  auto assets = load_assets(options.face);
+  if (!assets) return assets.error();
+  auto rules = load_rules(**assets);
+  if (!rules) return rules.error();
+  const GalleryInput input{(*assets)->face,
+                           (*assets)->expressions,
+                           *rules,
+                           options.face.mixer,
+                           {options.gallery.only.begin(), options.gallery.only.end()},
+                           options.gallery.sweeps};
+  auto plan = plan_gallery(input);
+  if (!plan) return plan.error();
+  if (auto made = make_folders(options.gallery.folder, *plan); !made) return made;
+  auto written = GalleryWriter(**assets, options, *plan).write();
+  if (!written) return written;
+  print_summary(options.gallery.folder, *plan);
+  return {};
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/app/assets.h"
+#include "client/face/co_occurrence_rules.h"
+#include "client/face/face.h"
+#include "client/face/muscle_mixer.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// How a sweep goes from the neutral face to the apex and back. A phase begins at its time and ends
+/// where the next one begins.
+inline constexpr int kSweepFps = 25;
+inline constexpr int kOnsetMs = 0;
+inline constexpr int kApexMs = 600;
+inline constexpr int kOffsetMs = 1000;
+inline constexpr int kSweepEndMs = 1600;
+
+/// The share of the apex's activations at a time of a sweep: a cosine up, a hold, a cosine down.
+[[nodiscard]] float sweep_strength(int time_ms);
+
+/// Where a picture stands in a sweep.
+struct SweepMoment {
+  int frame = 1;
+  int time_ms = 0;
+};
+
+/// One PNG of the gallery: what it shows and how that came about.
+struct GalleryPicture {
+  std::string file;                  ///< below DIR, with '/'
+  std::vector<std::string> sources;  ///< names of the expressions in it; empty: single AUs
+  AuFrame aus;                       ///< asked for
+  AuFrame shown;                     ///< what the rules made of it
+  std::vector<ExpressionMuscle> muscles;
+  face::Mixer mixer = face::Mixer::Maximum;
+  std::string rules;
+  std::optional<SweepMoment> moment;
+};
+
+/// A place for a picture on the page.
+struct GalleryFigure {
+  std::optional<std::size_t> picture;  ///< index into GalleryPlan::pictures; nothing: an empty cell
+  std::string title;
+  std::string text;
+  std::size_t video = 0;  ///< 1 + index into GalleryPlan::sweeps; 0: none
+};
+
+struct GalleryRow {
+  std::string heading;
+  std::vector<GalleryFigure> figures;
+};
+
+/// Pictures that belong together: a table where there are columns, else figures one after another.
+struct GalleryBlock {
+  std::string heading;
+  std::vector<std::string> columns;
+  std::vector<GalleryRow> rows;
+};
+
+struct GallerySection {
+  std::string name;  ///< as --only takes it
+  std::string title;
+  std::string text;
+  std::vector<GalleryBlock> blocks;
+};
+
+/// The frames of one sweep stand together.
+struct GallerySweep {
+  std::string name;  ///< of its folder and its video below sweeps/
+  std::size_t begin = 0;
+  std::size_t count = 0;
+};
+
+/// One AU in the coverage table.
+struct Coverage {
+  int number = 0;
+  std::string name;
+  bool recorded = false;
+  bool sided = false;
+  std::vector<std::string> drives;
+  std::string note;
+};
+
+/// Everything that `gallery` makes, before a single picture is drawn.
+struct GalleryPlan {
+  std::vector<GalleryPicture> pictures;  ///< every file once, in the order of drawing
+  std::vector<GallerySection> sections;
+  std::vector<GallerySweep> sweeps;
+  std::vector<Coverage> coverage;
+};
+
+/// The rules that a gallery may need.
+struct GalleryRules {
+  face::RuleSet chosen;
+  face::RuleSet kumar2010;
+  face::RuleSet facs;
+  face::RuleSet none;
+};
+
+/// What a plan is made from. Borrows.
+struct GalleryInput {
+  const face::Face& face;
+  std::span<const Expression> expressions;
+  const GalleryRules& rules;
+  face::Mixer mixer = face::Mixer::Maximum;
+  std::set<std::string> only;       ///< sections; empty: all
+  std::vector<std::string> sweeps;  ///< AUs, names of expressions, or all
+};
+
+/// Lists the pictures. Usage error for a sweep that is neither a set of AUs nor an expression.
+[[nodiscard]] Result<GalleryPlan> plan_gallery(const GalleryInput& input);
+
+/// True when FACS scores this AU on each side by itself and the face can show that.
+[[nodiscard]] bool is_sided(const face::Face& face, int number);
+
+/// The AUs of the thesis' appendix C (tables 1 and 2) and those that the face has beside them.
+[[nodiscard]] std::vector<Coverage> coverage_of(const face::Face& face);
+
+/// Letters, digits, '.', '-' and '_' of an AU set as part of a file's name: au06_au12-80_auR14.
+[[nodiscard]] std::string file_stem(const AuFrame& aus);
+
+}  // namespace aucast::app

@@ -1,0 +1,104 @@
+#include "client/app/gallery_manifest.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/seeded.h"
+#include "tests/unit/app/gallery_fixture.h"
+
+namespace aucast::app {
+namespace {
+
+const GallerySetting kSetting{"small", "front", "808080", "1.2.3", 300, 375};
+
+/// Reads CSV as RFC 4180 has it.
+std::vector<std::vector<std::string>> read_csv(std::string_view text) {
+  std::vector<std::vector<std::string>> lines{{""}};
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    std::string& field = lines.back().back();
+    if (quoted) {
+      const bool doubled = c == '"' && i + 1 < text.size() && text[i + 1] == '"';
+      if (c == '"' && !doubled) {
+        quoted = false;
+      } else {
+        field += c;
+        if (doubled) ++i;
+      }
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == ',') {
+      lines.back().emplace_back();
+    } else if (c == '\r') {
+      continue;
+    } else if (c == '\n') {
+      lines.push_back({""});
+    } else {
+      field += c;
+    }
+  }
+  lines.pop_back();
+  return lines;
+}
+
+TEST(CsvField, QuotesOnlyWhatNeedsIt) {
+  EXPECT_EQ(csv_field(""), "");
+  EXPECT_EQ(csv_field("plain words"), "plain words");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("say \"so\""), "\"say \"\"so\"\"\"");
+  EXPECT_EQ(csv_field("two\r\nlines"), "\"two\r\nlines\"");
+}
+
+TEST(CsvField, IsReadBackWhateverIsInIt) {
+  test::Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  const std::string alphabet = "ab ,\"\n;";
+  for (int round = 0; round < 500; ++round) {
+    std::vector<std::string> fields(3);
+    std::string line;
+    for (std::string& field : fields) {
+      for (int n = seeded.integer(0, 6); n > 0; --n) {
+        field += alphabet[static_cast<std::size_t>(seeded.integer(0, 6))];
+      }
+      line += (&field == &fields.front() ? "" : ",") + csv_field(field);
+    }
+    const auto lines = read_csv(line + "\r\n");
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines.front(), fields);
+  }
+}
+
+TEST(Manifest, HasOneLineForEachPictureWithAllFields) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({"aus", "appendix-b", "sweeps"}, {"12"});
+  ASSERT_TRUE(plan.has_value());
+  const auto lines = read_csv(format_manifest(*plan, kSetting, {0}));
+  ASSERT_EQ(lines.size(), 1 + plan->pictures.size() + 1);
+  for (const auto& line : lines) EXPECT_EQ(line.size(), lines.front().size()) << line.front();
+}
+
+TEST(Manifest, SaysWhatAPictureShows) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({"aus", "appendix-b", "sweeps"}, {"12,26:30"});
+  ASSERT_TRUE(plan.has_value());
+  const std::string text = format_manifest(*plan, kSetting, {0});
+  for (const char* line :
+       {"au/au12_C_left.png,12,50,left,L12:50,,,small,maximum,facs,front,300,375,808080,1.2.3,,,,,,"
+        "\r\n",
+        "appendix_b/fear_average_none.png,12 26,100 100,both both,\"12,26\",thesis-fear,,small,"
+        "average,none,front,300,375,808080,1.2.3,,,,,,\r\n",
+        "prototypes/waters-fear.png,,,,,waters-fear,zygomaticus_major=1/0.5,small,,,front,300,375,"
+        "808080,1.2.3,,,,,,\r\n",
+        "sweeps/au12_au26-30/frame_000016.png,12 26,100 30,both both,\"12,26:30\",,,small,maximum,"
+        "facs,front,300,375,808080,1.2.3,16,600,0,600,1000,1600\r\n",
+        "sweeps/au12_au26-30.mp4,12 26,100 30,both "
+        "both,\"12,26:30\",,,small,maximum,facs,front,300,"
+        "375,808080,1.2.3,,,0,600,1000,1600\r\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  }
+}
+
+}  // namespace
+}  // namespace aucast::app
