@@ -45,6 +45,7 @@ table.coverage th { text-align: left; font-weight: 600; border-bottom: 2px solid
   padding: .4rem .8rem .4rem 0; }
 table.coverage td { border-bottom: 1px solid var(--line); padding: .35rem .8rem .35rem 0;
   vertical-align: top; }
+table.coverage td:nth-child(-n+4) { white-space: nowrap; }
 table.coverage td.drives { color: var(--soft); font-size: .8rem; }
 .mark { display: inline-block; padding: 0 .5rem; border-radius: 4px; white-space: nowrap;
   background: #e3eee6; color: #2f5b3f; }

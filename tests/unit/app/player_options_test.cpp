@@ -42,6 +42,12 @@ TEST(PlayerOptions, DefaultsAreThoseOfTheContract) {
   EXPECT_FALSE(options.playback.blink_seed.has_value());
 }
 
+TEST(PlayerOptions, ARepeatedOptionTakesOneWordEachTime) {
+  const PlayerOptions options = accepted({"pose", "--muscle", "jaw=1", "12"});
+  EXPECT_EQ(options.pose.muscles.size(), 1U);
+  EXPECT_EQ(options.pose.aus, "12");
+}
+
 TEST(PlayerOptions, ReadWhatAGalleryNeeds) {
   const PlayerOptions plain = accepted({"gallery", "d"});
   EXPECT_EQ(plain.command, Command::Gallery);
