@@ -33,7 +33,7 @@ LAYERS = {
 }
 
 # Folders whose code knows no socket, no clock, no OpenGL and no log.
-PURE = ("protocol", "client/playback", "client/face", "client/pipeline")
+PURE = ("protocol", "server/sources", "client/playback", "client/face", "client/pipeline")
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL|<thread>"
 )

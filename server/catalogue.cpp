@@ -6,27 +6,27 @@
 #include <utility>
 
 #include "common/check.h"
-#include "common/files.h"
 #include "common/text.h"
 #include "protocol/changes.h"
 #include "protocol/codec.h"
+#include "server/source_reader.h"
 
 namespace aucast::server {
 namespace {
 
-Result<Source> load_source(const std::filesystem::path& path) {
-  Source source{path, path.stem().string(), {}};
+Result<Source> load_source(const std::filesystem::path& path, const SourceOptions& options,
+                           std::uint32_t keyframe_ms) {
+  Source source{path, path.stem().string(), {}, std::nullopt};
   if (!protocol::is_stream_name(source.name)) {
     return Error{ErrorKind::Usage,
                  path.string() + ": '" + escaped(source.name) +
                      "' cannot be a stream's name; rename the file: 1 to 64 letters, digits, "
                      "'.', '_' or '-' before the extension"};
   }
-  const auto text = read_file(path);
-  if (!text) return text.error();
-  auto stream = protocol::parse_stream_file(*text, path.string());
-  if (!stream) return stream.error();
-  source.stream = std::move(*stream);
+  auto content = read_source(path, options, keyframe_ms);
+  if (!content) return content.error();
+  source.stream = std::move(content->stream);
+  source.found = std::move(content->found);
   return source;
 }
 
@@ -60,7 +60,8 @@ Milliseconds time_of(const protocol::ServedStream& stream) {
 
 }  // namespace
 
-Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths) {
+Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
+                                         const SourceOptions& options, std::uint32_t keyframe_ms) {
   std::vector<Source> sources;
   std::optional<Error> errors;
   const auto note = [&errors](const Error& error) {
@@ -71,7 +72,7 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
     }
   };
   for (const std::filesystem::path& path : paths) {
-    auto source = load_source(path);
+    auto source = load_source(path, options, keyframe_ms);
     if (!source) {
       note(source.error());
     } else if (const auto taken = taken_name(sources, *source)) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,21 +10,26 @@
 #include "common/time.h"
 #include "protocol/server_session.h"
 #include "protocol/stream_file.h"
+#include "server/source_options.h"
+#include "server/sources/recording.h"
 
 namespace aucast::server {
 
-/// A stream file that was read and found right.
+/// A stream file or a recording that was read and found right.
 struct Source {
   std::filesystem::path path;
   std::string name;  ///< the file's stem: what a hello asks for
   protocol::StreamFile stream;
+  std::optional<sources::Found> found;  ///< of a recording
 };
 
-/// Reads all files whole. If any is wrong, the errors of all of them, one a line, in the order of
+/// Reads all files whole; `keyframe_ms` is the time of an untimed keyframe when --rate is asked.
+/// If any is wrong, the errors of all of them, one a line, in the order of
 /// the command line; their kind is that of the first. Names that are no stream names or come twice
 /// are usage errors.
 [[nodiscard]] Result<std::vector<Source>> load_sources(
-    const std::vector<std::filesystem::path>& paths);
+    const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
+    std::uint32_t keyframe_ms = 250);
 
 /// How the streams are served.
 struct CatalogueOptions {

@@ -85,6 +85,7 @@ std::string check_report(const Source& source, const protocol::ServedStream& ser
       keyframes.begin(), keyframes.end(),
       [](const protocol::Keyframe& keyframe) { return !keyframe.duration_ms.has_value(); });
   std::string text = source.name + ": " + source.path.string() + "\n";
+  if (source.found) text += sources::found_lines(*source.found);
   text += formatted("  %-11s %zu, %td of them untimed\n", "packets", keyframes.size(), untimed);
   text += formatted("  %-11s %.3f s at %u ms an untimed keyframe\n", "duration",
                     static_cast<double>(protocol::media_ms(source.stream, keyframe_ms)) / 1000.0,

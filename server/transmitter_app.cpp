@@ -13,6 +13,7 @@
 #include "common/result.h"
 #include "server/catalogue.h"
 #include "server/check_report.h"
+#include "server/convert_command.h"
 #include "server/stats.h"
 #include "server/transmitter.h"
 #include "server/transmitter_options.h"
@@ -76,9 +77,30 @@ int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalo
   return 0;
 }
 
+/// What was decided about a recording is said aloud: a wrong scale looks like a weak face.
+void say_what_was_found(const std::vector<Source>& sources) {
+  for (const Source& source : sources) {
+    if (source.found) {
+      spdlog::info("{}: {}", source.path.string(), sources::found_sentence(*source.found));
+    }
+  }
+}
+
+int convert(std::vector<std::string> arguments) {
+  const auto converted = run_convert(std::move(arguments));
+  if (!converted) return report(converted.error());
+  if (const auto printed = print(converted->text); !printed) return report(printed.error());
+  std::fputs(converted->said.c_str(), stderr);
+  return 0;
+}
+
 }  // namespace
 
 int run_transmitter(std::vector<std::string> arguments) {
+  if (!arguments.empty() && arguments.front() == "convert") {
+    arguments.erase(arguments.begin());
+    return convert(std::move(arguments));
+  }
   const auto command = read_command_line(std::move(arguments));
   if (!command) return report(command.error());
   if (!command->text.empty()) {
@@ -88,11 +110,12 @@ int run_transmitter(std::vector<std::string> arguments) {
   const TransmitterOptions& options = command->options;
   if (auto log = set_up_log("au-transmitter", options.log_level); !log) return report(log.error());
 
-  const auto sources = load_sources(options.sources);
+  const auto sources = load_sources(options.sources, options.source, options.keyframe_ms);
   if (!sources) return report(sources.error());
   auto catalogue =
       make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
   if (options.check) return check(*sources, catalogue);
+  say_what_was_found(*sources);
   if (options.live) {
     if (auto can = check_live(catalogue); !can) return report(can.error());
   }

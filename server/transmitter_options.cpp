@@ -29,6 +29,7 @@ struct Typed {
   std::string max_clients;
   std::string stats;
   std::string log_level;
+  SourceWords source;
   bool help = false;
   bool version = false;
   bool loop = false;
@@ -55,6 +56,7 @@ void describe(CLI::App& app, Typed& typed) {
   app.add_option("--stats", typed.stats);
   app.add_option("--log-level", typed.log_level);
   app.add_option("--max-clients", typed.max_clients);
+  describe_source_options(app, typed.source);
   app.add_flag("--loop", typed.loop);
   app.add_flag("--live", typed.live);
   app.add_flag("--check", typed.check);
@@ -124,6 +126,9 @@ Result<TransmitterOptions> options_of(const Typed& typed) {
   options.live = typed.live;
   options.check = typed.check;
   options.stats = typed.stats;
+  auto source = read_source_options(typed.source);
+  if (!source) return source.error();
+  options.source = std::move(*source);
   if (typed.verbose && typed.quiet) return usage("-v and -q exclude each other");
   if (typed.verbose) options.log_level = "debug";
   if (typed.quiet) options.log_level = "error";
@@ -168,10 +173,10 @@ Result<void> validate(const TransmitterOptions& options) {
 }
 
 std::string help_text() {
-  return R"(usage: au-transmitter [OPTIONS] SOURCE...
+  return R"(usage: au-transmitter [OPTIONS] SOURCE...   or   au-transmitter convert --help
 Streams sets of FACS Action Units over TCP to face-player and its like.
 
-  SOURCE                 stream files; the first is what a classic client gets
+  SOURCE                 files or recordings; classic clients get the first
   --bind ADDR            address to listen on (127.0.0.1: this host only)
   --port N               port, 0 for any free one (4650)
   --keyframe MS          time of a keyframe that names none (250)
@@ -182,6 +187,8 @@ Streams sets of FACS Action Units over TCP to face-player and its like.
   --max-clients N        at a time; more are refused (0: as many as come)
   --stats FILE.json      on exit, write packets, bytes, seconds of every client
   --check                check the sources, print what they hold, serve nothing
+  --rate HZ, --fps N, --au-scale S, --face-id N, --min-confidence C
+                         how recordings are read: see convert --help
   --log-level LEVEL      trace, debug, info, warning, error or off (info)
   -v, --verbose          log level debug           -q, --quiet   log level error
   -h, --help             this text                 --version     and licence

@@ -9,12 +9,13 @@
 #include "common/result.h"
 #include "common/time.h"
 #include "protocol/limits.h"
+#include "server/source_options.h"
 
 namespace aucast::server {
 
 /// Everything that au-transmitter's command line says.
 struct TransmitterOptions {
-  std::vector<std::filesystem::path> sources;   ///< stream files, at least one
+  std::vector<std::filesystem::path> sources;   ///< stream files or recordings, at least one
   std::string bind = "127.0.0.1";               ///< address or name of this host
   std::uint16_t port = protocol::kDefaultPort;  ///< 0: any free one
   std::uint32_t keyframe_ms = 250;              ///< 1 to kDurationMsMax; for untimed keyframes
@@ -25,6 +26,7 @@ struct TransmitterOptions {
   std::size_t max_clients = 0;                  ///< at a time; 0: as many as come
   std::filesystem::path stats;                  ///< empty: none
   bool check = false;                           ///< check the sources and serve nothing
+  SourceOptions source;                         ///< how recordings are read
   std::string log_level = "info";               ///< as common/log.h takes it
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;
 };

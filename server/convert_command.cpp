@@ -1,0 +1,105 @@
+#include "server/convert_command.h"
+
+#include <charconv>
+#include <utility>
+
+#include "common/command_line.h"
+#include "common/files.h"
+#include "common/text.h"
+#include "protocol/limits.h"
+#include "protocol/stream_file.h"
+#include "server/source_reader.h"
+
+namespace aucast::server {
+namespace {
+
+Error usage(std::string message) {
+  return {ErrorKind::Usage, std::move(message) + " (try convert --help)"};
+}
+
+struct Typed {
+  std::vector<std::string> paths;
+  std::string keyframe;
+  SourceWords source;
+  bool help = false;
+};
+
+Result<ConvertOptions> options_of(const Typed& typed) {
+  ConvertOptions options;
+  if (typed.paths.size() != 2) {
+    return usage("convert takes two files, IN and OUT, and got " +
+                 std::to_string(typed.paths.size()));
+  }
+  for (const std::string& path : typed.paths) {
+    if (path.empty()) return usage("convert: a file's name is empty");
+  }
+  options.in = typed.paths[0];
+  options.out = typed.paths[1];
+  if (!typed.keyframe.empty()) {
+    const char* end = typed.keyframe.data() + typed.keyframe.size();
+    const auto [stopped, error] = std::from_chars(typed.keyframe.data(), end, options.keyframe_ms);
+    if (error != std::errc() || stopped != end || options.keyframe_ms < 1 ||
+        options.keyframe_ms > protocol::kDurationMsMax) {
+      return usage("--keyframe '" + escaped(typed.keyframe) + "' is not a whole number from 1 to " +
+                   std::to_string(protocol::kDurationMsMax));
+    }
+  }
+  auto source = read_source_options(typed.source);
+  if (!source) return source.error();
+  options.source = std::move(*source);
+  return options;
+}
+
+Result<Converted> convert(const ConvertOptions& options) {
+  const auto content = read_source(options.in, options.source, options.keyframe_ms);
+  if (!content) return content.error();
+  std::string text = protocol::format_stream_file(content->stream);
+  std::string said = options.in.string() + ": ";
+  if (content->found) said += sources::found_sentence(*content->found) + "; ";
+  said += std::to_string(content->stream.keyframes.size()) + " keyframes, " +
+          std::to_string(protocol::media_ms(content->stream, options.keyframe_ms)) + " ms\n";
+  if (options.out == "-") return Converted{std::move(text), std::move(said)};
+  if (auto written = write_file_atomically(options.out, text); !written) return written.error();
+  return Converted{{}, std::move(said)};
+}
+
+}  // namespace
+
+Result<Converted> run_convert(std::vector<std::string> arguments) {
+  CLI::App app;
+  Typed typed;
+  app.set_help_flag();
+  app.add_flag("-h,--help", typed.help);
+  app.add_option("FILE", typed.paths);
+  app.add_option("--keyframe", typed.keyframe);
+  describe_source_options(app, typed.source);
+  if (auto parsed = parse_command_line(app, std::move(arguments)); !parsed) return parsed.error();
+  if (typed.help) return Converted{convert_help_text(), {}};
+  const auto options = options_of(typed);
+  if (!options) return options.error();
+  return convert(*options);
+}
+
+std::string convert_help_text() {
+  return R"(usage: au-transmitter convert [OPTIONS] IN OUT
+Writes a recording of an AU recogniser, or a stream file, as a stream file.
+
+  IN                     a stream file, or a table of OpenFace 1 and 2, FACSvatar, Py-Feat,
+                         LibreFace or Live Link Face; found out by its columns
+  OUT                    the stream file to write; - for stdout
+  --rate HZ              so many keyframes a second, in straight lines between those there are
+  --fps N                pictures a second, for tables without times (Py-Feat) or with wrong ones
+  --au-scale S           full intensity in the table: 1, 5, 100 or auto (auto)
+  --face-id N            which face of several (the most frequent)
+  --min-confidence C     rows less sure are no data, 0 to 1 (0.5): the face holds for 0.5 s,
+                         then goes to neutral in 1 s
+  --keyframe MS          time of an untimed keyframe, for --rate (250)
+
+examples:
+  au-transmitter convert webcam.csv talk.txt
+  au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt
+  au-transmitter convert webcam.csv - | head
+)";
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/result.h"
+#include "server/source_options.h"
+
+namespace aucast::server {
+
+/// What `au-transmitter convert` is asked to do.
+struct ConvertOptions {
+  std::filesystem::path in;
+  std::filesystem::path out;  ///< "-": stdout
+  std::uint32_t keyframe_ms = 250;
+  SourceOptions source;
+};
+
+/// What a conversion leaves to say.
+struct Converted {
+  std::string text;  ///< for stdout: the help page, or the stream file when out is "-"
+  std::string said;  ///< for stderr: what was found and written; may be empty
+};
+
+/// `au-transmitter convert` from its arguments (without that word): reads a recording or a stream
+/// file and writes a stream file, whole or not at all. Nothing is lost but what a stream file
+/// cannot say: intensities are whole percent, times whole milliseconds.
+[[nodiscard]] Result<Converted> run_convert(std::vector<std::string> arguments);
+
+[[nodiscard]] std::string convert_help_text();
+
+}  // namespace aucast::server

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "common/command_line.h"
+#include "common/result.h"
+#include "server/sources/recording.h"
+
+namespace aucast::server {
+
+/// How sources are read, whatever is done with them then.
+struct SourceOptions {
+  sources::RecordingOptions recording;
+  std::optional<double>
+      rate;  ///< keyframes a second, kRateMin to sources::kRateMax; else as they are
+  friend bool operator==(const SourceOptions&, const SourceOptions&) = default;
+};
+
+/// Slower streams than one keyframe in ten seconds are no faces.
+inline constexpr double kRateMin = 0.1;
+
+/// The words of these options as they were typed.
+struct SourceWords {
+  std::string fps;
+  std::string au_scale;
+  std::string face;
+  std::string confidence;
+  std::string rate;
+};
+
+/// Binds --fps, --au-scale, --face-id, --min-confidence and --rate to `words`.
+void describe_source_options(CLI::App& app, SourceWords& words);
+
+/// Usage error, one line, for a word that is none of what its option takes.
+[[nodiscard]] Result<SourceOptions> read_source_options(const SourceWords& words);
+
+}  // namespace aucast::server

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "common/result.h"
+#include "protocol/stream_file.h"
+#include "server/source_options.h"
+#include "server/sources/recording.h"
+
+namespace aucast::server {
+
+/// What a file holds, whichever kind it is.
+struct SourceContent {
+  protocol::StreamFile stream;
+  std::optional<sources::Found> found;  ///< of a recording; nothing for a stream file
+};
+
+/// Reads a stream file or a recogniser's recording, told apart by what is in it, and brings it to
+/// options.rate. `keyframe_ms`: time of an untimed keyframe.
+[[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
+                                                const SourceOptions& options,
+                                                std::uint32_t keyframe_ms);
+
+}  // namespace aucast::server

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/result.h"
+
+namespace aucast::sources {
+
+inline constexpr std::size_t kCsvLineBytesMax = std::size_t{256} << 10U;
+inline constexpr std::size_t kCsvColumnsMax = 8192;
+
+/// Reads a table row by row; columns are found by name, never by position. Accepts LF, CRLF, a
+/// UTF-8 byte order mark, blanks around cells, quoted cells, and ',', ';' or tab between cells
+/// (whichever the first line has most of). Refers to the text, which must outlive it; holds one
+/// row at a time. What is wrong with a row or a number is collected, the first 20 of it.
+class CsvReader {
+ public:
+  enum class Next : std::uint8_t {
+    Row,             ///< a row with a cell for every column
+    RepeatedHeader,  ///< the first line once more: another recording was appended
+    Truncated,       ///< a last line without its end: its writer was stopped; it counts for nothing
+    Faulty,          ///< a line with too few or too many cells; noted in errors()
+    End,
+  };
+
+  /// Reads the first line. BadData when there is none, it is too long or names too many columns.
+  [[nodiscard]] static Result<CsvReader> open(std::string_view text, std::string_view file);
+
+  /// The names of the columns, trimmed.
+  [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+  /// The first column of that name; case matters, x_0 and X_0 are different things in OpenFace.
+  [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
+
+  /// Goes on to the next line that is not blank.
+  [[nodiscard]] Next next();
+  /// Back before the first row; errors stay.
+  void rewind();
+
+  /// The cell as text, trimmed, without quotes; empty when the table has no such column.
+  [[nodiscard]] std::string_view text(std::optional<std::size_t> column) const;
+  /// The cell as a number. Nothing when the table has no such column, and for what means "no data":
+  /// an empty cell, NaN, inf, NA, null, none. A decimal comma and thousands are understood in a
+  /// quoted cell, or where cells are separated by ';' or tab. Anything else is noted in errors().
+  [[nodiscard]] std::optional<double> number(std::optional<std::size_t> column);
+
+  /// Number of the present line, from 1.
+  [[nodiscard]] std::size_t line() const { return line_; }
+  /// Notes that something is wrong with a cell of this row.
+  void refuse(std::optional<std::size_t> column, const std::string& reason);
+  [[nodiscard]] bool has_errors() const { return error_count_ > 0; }
+  /// Everything noted, one "file:line:column: reason" a line.
+  [[nodiscard]] Error error() const;
+
+ private:
+  CsvReader(std::string_view text, std::string_view file) : text_(text), file_(file) {}
+
+  [[nodiscard]] Result<void> read_header();
+  [[nodiscard]] bool take_line();
+  void split();
+  void refuse_at(std::size_t byte, const std::string& reason);
+
+  std::string_view text_;
+  std::string_view file_;
+  std::size_t position_ = 0;    ///< of the next line
+  std::size_t rows_begin_ = 0;  ///< of the line after the header
+  std::size_t rows_line_ = 0;   ///< number of the header's line
+  std::size_t line_ = 0;
+  std::string_view content_;  ///< the present line
+  bool ended_ = false;        ///< the present line has its line feed
+  char separator_ = ',';
+  std::string_view header_;
+  std::vector<std::string> columns_;
+  std::vector<std::string_view> cells_;
+  std::vector<std::string> errors_;
+  std::size_t error_count_ = 0;
+};
+
+/// A number as recognisers and spreadsheets write it: 1.5, 1,5 and 1,234.5 (`commas`). Nothing
+/// when it is none or not finite.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text, bool commas);
+
+}  // namespace aucast::sources

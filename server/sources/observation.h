@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/action_unit.h"
+
+namespace aucast::sources {
+
+/// Degrees that 100 % of a head or gaze AU stands for (contract.md section 0, README.md here).
+inline constexpr double kYawDegrees = 35;
+inline constexpr double kPitchDegrees = 22;
+inline constexpr double kTiltDegrees = 22;
+inline constexpr double kGazeYawDegrees = 28;
+inline constexpr double kGazePitchDegrees = 22;
+inline constexpr double kRadPerDegree = 0.017453292519943295;
+
+/// What a recogniser that says only "present" is taken to mean: FACS intensity C.
+inline constexpr double kPresentIntensity = 0.5;
+
+/// One AU of one row. `native`: on the source's own scale, else an intensity.
+struct AuValue {
+  std::uint8_t number = 0;
+  Side side = Side::Both;
+  double value = 0;
+  bool native = true;
+};
+
+/// Where a head or a pair of eyes turns, in radians, by the subject's own left.
+struct Turn {
+  double left_rad = 0;
+  double up_rad = 0;
+  double tilt_left_rad = 0;  ///< the top of the head towards the left shoulder; heads only
+};
+
+/// What one row says of one face. Reused from row to row.
+struct Observation {
+  std::optional<double> seconds;     ///< on the source's clock
+  std::optional<double> frame;       ///< number of the picture, where there is one
+  std::optional<std::int64_t> face;  ///< where the format names faces
+  double confidence = 1;             ///< [0,1]
+  bool tracked = true;               ///< the source says that it saw the face
+  std::vector<AuValue> aus;          ///< what has no data is not in it
+
+  /// Empties it without giving its memory back.
+  void clear();
+  /// Adds 51-56: the direction with its intensity, the opposite with 0.
+  void add_head(const Turn& turn);
+  /// Adds 61-64. The eyes in the head, as FACS scores them, not the line of sight in the room.
+  void add_gaze(const Turn& turn);
+};
+
+/// A direction in camera space: x right in the image, y down, z away from the camera.
+struct CameraVector {
+  double x = 0;
+  double y = 0;
+  double z = -1;
+};
+
+/// Eyes in the head from the line of sight in camera space: the head's rotation is taken back.
+/// `pitch`, `yaw`, `roll` in radians as OpenFace has them, R = Rx Ry Rz.
+[[nodiscard]] Turn gaze_in_head(const CameraVector& sight, double pitch, double yaw, double roll);
+
+}  // namespace aucast::sources

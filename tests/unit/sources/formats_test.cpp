@@ -1,0 +1,189 @@
+// Every dialect by a tiny table of its own: which it is, what its numbers mean.
+#include <gtest/gtest.h>
+
+#include "protocol/codec.h"
+#include "server/sources/recording.h"
+#include "tests/unit/sources/tables.h"
+
+namespace aucast::sources {
+namespace {
+
+using namespace tables;
+
+const ArkitTable kCurves = {{{"eyeBlinkLeft", 45, Side::Left, 1},
+                             {"eyeBlinkRight", 45, Side::Right, 1},
+                             {"eyeLookInLeft", 62, Side::Left, 1},
+                             {"jawOpen", 26, Side::Both, 1},
+                             {"jawLeft", 30, Side::Left, 1},
+                             {"jawRight", 30, Side::Right, 1},
+                             {"mouthSmileLeft", 12, Side::Left, 1},
+                             {"mouthSmileRight", 12, Side::Right, 1},
+                             {"notThere", 1, Side::Both, 1}}};
+
+Recording read(const std::string& text, const RecordingOptions& options = {}) {
+  auto recording = read_recording(text, "f.csv", options, kCurves);
+  if (!recording) {
+    ADD_FAILURE() << recording.error().message;
+    return {};
+  }
+  return std::move(*recording);
+}
+
+std::string packet(const Recording& recording, std::size_t index) {
+  if (index >= recording.stream.keyframes.size()) return "no such keyframe";
+  return protocol::encode(recording.stream.keyframes[index]);
+}
+
+RecordingOptions at_fps(double fps) {
+  RecordingOptions options;
+  options.fps = fps;
+  return options;
+}
+
+TEST(OpenFace2, IntensitiesAreOfFiveAndPresenceCompletesThem) {
+  const auto recording = read(kOpenFace2Header + openface2_row(1, "0.000", "2.5,0,0,1,0,1.0,0") +
+                              openface2_row(2, "0.033", "0,5,4.99,1,1.00,0.0,1"));
+  EXPECT_EQ(recording.found.format, "OpenFace 2");
+  EXPECT_EQ(recording.found.scale, 5);
+  EXPECT_EQ(packet(recording, 0), "{1:50,28:50;33}");
+  EXPECT_EQ(packet(recording, 1), "{12,45;33}") << "AU12_c and AU45_c add nothing to _r";
+}
+
+TEST(OpenFace2, AQuietFaceKeepsTheScaleOfTheFormat) {
+  const auto recording = read(kOpenFace2Header + openface2_row(1, "0.000", "0.5,0,0,1,0,0,0") +
+                              openface2_row(2, "0.033", "0.25,0,0,1,0,0,0"));
+  EXPECT_EQ(recording.found.scale, 5);
+  EXPECT_EQ(packet(recording, 0), "{1:10;33}");
+}
+
+/// A row with turns: gaze_angle_x, gaze_angle_y, then pose_Rx, pose_Ry, pose_Rz.
+std::string turned(const std::string& gaze, const std::string& pose) {
+  const std::string header =
+      "frame,face_id,timestamp,success,gaze_angle_x,gaze_angle_y,pose_Rx,"
+      "pose_Ry,pose_Rz,AU01_r\n";
+  return packet(read(header + "1,0,0,1," + gaze + "," + pose + ",0\n2,0,0.04,1," + gaze + "," +
+                     pose + ",0\n"),
+                0);
+}
+
+TEST(OpenFace2, TurnsAreTheSubjectsOwn) {
+  // 17.5 degrees are half of the contract's 35; the eyes go with the head's turn.
+  EXPECT_EQ(turned("-0.305433,0", "0,0.305433,0"), "{52:50;40}") << "image left is subject's right";
+  EXPECT_EQ(turned("0.305433,0", "0,-0.305433,0"), "{51:50;40}");
+  EXPECT_EQ(turned("0,0.191986", "0.191986,0,0"), "{54:50;40}") << "a positive pitch is down";
+  EXPECT_EQ(turned("0,-0.191986", "-0.191986,0,0"), "{53:50;40}");
+  EXPECT_EQ(turned("0,0", "0,0,0.191986"), "{55:50;40}") << "clockwise in the image is left";
+  EXPECT_EQ(turned("0,0", "0,0,-0.191986"), "{56:50;40}");
+}
+
+TEST(OpenFace2, GazeIsTakenIntoTheHead) {
+  EXPECT_EQ(turned("0.244346,0", "0,0,0"), "{61:50;40}") << "image right is subject's left";
+  EXPECT_EQ(turned("-0.244346,0", "0,0,0"), "{62:50;40}");
+  EXPECT_EQ(turned("0,-0.191986", "0,0,0"), "{63:50;40}");
+  EXPECT_EQ(turned("0,0.191986", "0,0,0"), "{64:50;40}");
+  EXPECT_EQ(turned("0,0", "0,0.244346,0"), "{52:40,61:50;40}")
+      << "a head turned right whose eyes stay on the camera";
+}
+
+TEST(OpenFace1, BlanksAndGazeVectors) {
+  const auto recording = read(kOpenFace1);
+  EXPECT_EQ(recording.found.format, "OpenFace 1");
+  EXPECT_EQ(packet(recording, 0), "{1:50,28:50,61:20;40}");
+  EXPECT_EQ(packet(recording, 1), "{45;40}");
+}
+
+TEST(Facsvatar, ScaleIsFoundFromTheValues) {
+  const auto of_one = read(kFacsvatar);
+  EXPECT_EQ(of_one.found.format, "FACSvatar");
+  EXPECT_EQ(of_one.found.scale, 1);
+  EXPECT_EQ(packet(of_one, 1), "{1:86,45;33}");
+  std::string text = kFacsvatar;
+  text.replace(text.find("0.86"), 4, "4.30");
+  const auto of_five = read(text);
+  EXPECT_EQ(of_five.found.scale, 5);
+  EXPECT_EQ(packet(of_five, 1), "{1:86,45:20;33}");
+  text.replace(text.find("4.30"), 4, "86.0");
+  EXPECT_EQ(read(text).found.scale, 100);
+}
+
+TEST(PyFeat1, DegreesAndPictureNumbers) {
+  const auto recording = read(kPyFeat1, at_fps(30));
+  EXPECT_EQ(recording.found.format, "Py-Feat 1");
+  EXPECT_EQ(recording.found.scale, 1);
+  EXPECT_EQ(packet(recording, 0), "{1:25,52:50,53:50,56:50;100}");
+  EXPECT_EQ(packet(recording, 1), "{1:50,43:75,54;100}") << "three pictures of 30 a second";
+}
+
+TEST(PyFeat2, RadiansAndOtherSigns) {
+  const auto recording = read(kPyFeat2, at_fps(25));
+  EXPECT_EQ(recording.found.format, "Py-Feat 2");
+  EXPECT_EQ(packet(recording, 0), "{1:25,12:50,51:50,53:50,56:50,62:50,64:50;40}");
+  EXPECT_EQ(packet(recording, 1), "{1:50,12:25;40}");
+}
+
+TEST(LibreFace, MillisecondsAndPresences) {
+  const auto recording = read(kLibreFace);
+  EXPECT_EQ(recording.found.format, "LibreFace");
+  EXPECT_EQ(recording.found.scale, 5);
+  EXPECT_EQ(packet(recording, 0), "{1:50,7:50,12:10;40}");
+  EXPECT_EQ(packet(recording, 1), "{12;40}");
+}
+
+TEST(LiveLinkFace, CurvesByNameOverMidnight) {
+  const auto recording = read(kLiveLinkFace);
+  EXPECT_EQ(recording.found.format, "Live Link Face");
+  EXPECT_TRUE(recording.found.approximate);
+  // 0.1 rad right and 0.2 rad down of 28 and 22 degrees; two frames of 60 a second.
+  EXPECT_EQ(packet(recording, 0), "{L12:60,R12:50,26:40,R30:30,L45:25,R45:75,62:20,64:52;33}");
+  EXPECT_EQ(packet(recording, 1), "{26,L30:20,61:20,63:52;33}");
+}
+
+TEST(LiveLinkFace, WithoutEyeAnglesTheLookCurvesCount) {
+  const auto recording = read(
+      "Timecode,BlendShapeCount,EyeBlinkLeft,EyeLookInLeft,JawOpen,LeftEyeYaw,LeftEyePitch\n"
+      "01:00:00:00.000,61,0,0.5,0,0,0\n01:00:00:01.000,61,0,0,0,0,0\n");
+  EXPECT_EQ(packet(recording, 0), "{L62:50;17}");
+}
+
+TEST(LiveLinkFace, HeadTurnsLikeTheEyes) {
+  const auto recording = read(
+      "Timecode,BlendShapeCount,EyeBlinkLeft,JawOpen,HeadYaw,HeadPitch,HeadRoll\n"
+      "01:00:00:00.000,61,0,0,0.305433,0.191986,0\n01:00:00:01.000,61,0,0,0,0,0\n");
+  EXPECT_EQ(packet(recording, 0), "{52:50,54:50;17}");
+}
+
+TEST(LiveLinkFace, PacketsWithoutAFaceAreNoData) {
+  const auto recording = read(
+      "Timecode,BlendShapeCount,EyeBlinkLeft,JawOpen\n"
+      "01:00:00:00.000,61,0,0.5\n01:00:00:01.000,0,0,0\n");
+  EXPECT_EQ(recording.found.lost, 1U);
+  EXPECT_EQ(packet(recording, 1), "{26:50;17}") << "held";
+}
+
+TEST(LiveLinkFace, WrongTimecodesAreRefused) {
+  for (const char* timecode :
+       {"x", "1:2:3", "1:2:3:4:5", "24:00:00:00", "00:60:00:00", "0:0:0:-1"}) {
+    const auto recording = read_recording(
+        std::string("Timecode,BlendShapeCount,EyeBlinkLeft,JawOpen\n") + timecode + ",61,0,0\n",
+        "f.csv", {}, kCurves);
+    ASSERT_FALSE(recording) << timecode;
+    EXPECT_EQ(recording.error().message,
+              "f.csv:2:1: expected a timecode HH:MM:SS:FF.fff, such as 16:55:51:38.453");
+  }
+}
+
+TEST(ContentKind, IsFoundByTheFirstLine) {
+  EXPECT_EQ(content_kind(kOpenFace2Header), ContentKind::Recording);
+  for (const char* text : {kOpenFace1, kFacsvatar, kPyFeat1, kPyFeat2, kLibreFace}) {
+    EXPECT_EQ(content_kind(text), ContentKind::Recording) << text;
+  }
+  EXPECT_EQ(content_kind(kLiveLinkFace), ContentKind::LiveLinkFace);
+  EXPECT_EQ(content_kind("time,happiness,sadness\n1,2,3\n"), ContentKind::UnknownTable);
+  for (const char* text : {"", "Beg_Stream\n1,2\nEnd_Stream\n", "# talk, AUs, and more\nBeg_Stream",
+                           "1,2,3\n", "{1,6,12}\n", "1C+4B,5,6", "hello"}) {
+    EXPECT_EQ(content_kind(text), ContentKind::StreamFile) << text;
+  }
+}
+
+}  // namespace
+}  // namespace aucast::sources

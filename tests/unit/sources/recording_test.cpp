@@ -1,0 +1,252 @@
+#include "server/sources/recording.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/codec.h"
+#include "tests/support/seeded.h"
+#include "tests/unit/sources/tables.h"
+
+namespace aucast::sources {
+namespace {
+
+using tables::kOpenFace2Header;
+using tables::openface2_row;
+
+constexpr const char* kSmile = "0,5,0,0,0,0,0";
+constexpr const char* kNoData = ",,,,,,";
+
+std::string row(int frame, const std::string& seconds, const std::string& aus = kSmile) {
+  return openface2_row(frame, seconds, aus);
+}
+
+Recording read(const std::string& rows, const RecordingOptions& options = {}) {
+  auto recording = read_recording(kOpenFace2Header + rows, "f.csv", options);
+  if (!recording) {
+    ADD_FAILURE() << recording.error().message;
+    return {};
+  }
+  return std::move(*recording);
+}
+
+Error error_of(const std::string& text, const RecordingOptions& options = {}) {
+  const auto recording = read_recording(text, "f.csv", options);
+  if (!recording) return recording.error();
+  ADD_FAILURE() << "accepted";
+  return {};
+}
+
+std::string packet(const Recording& recording, std::size_t index) {
+  if (index >= recording.stream.keyframes.size()) return "no such keyframe";
+  return protocol::encode(recording.stream.keyframes[index]);
+}
+
+TEST(Recording, TheSourcesClockIsTheClock) {
+  std::string rows;
+  for (int frame = 0; frame < 301; ++frame) {
+    const int ms = frame * 1000 / 30;
+    const std::string fraction = std::to_string(1000 + ms % 1000).substr(1);
+    rows += row(frame + 1, std::to_string(ms / 1000) + "." + fraction);
+  }
+  const auto recording = read(rows);
+  EXPECT_EQ(recording.stream.keyframes.size(), 301U);
+  EXPECT_EQ(protocol::media_ms(recording.stream, 250), 10'033U) << "10 s and the first keyframe";
+}
+
+TEST(Recording, ScaleCanBeAsked) {
+  RecordingOptions options;
+  options.au_scale = 100;
+  const auto recording = read(row(1, "0", "50,0,0,0,0,0,0") + row(2, "0.1"), options);
+  EXPECT_EQ(packet(recording, 0), "{1:50;100}");
+  EXPECT_TRUE(recording.found.scale_asked);
+  EXPECT_NE(found_sentence(recording.found).find("AU scale 0-100 as asked, largest 50.00"),
+            std::string::npos);
+}
+
+TEST(Recording, PercentIsFoundAndValuesBeyondTheScaleAreFull) {
+  EXPECT_EQ(read(row(1, "0", "60,0,0,0,0,0,0") + row(2, "0.1")).found.scale, 100);
+  const auto recording = read(row(1, "0", "5.5,-1,0,0,0,0,0") + row(2, "0.1"));
+  EXPECT_EQ(recording.found.scale, 5);
+  EXPECT_EQ(packet(recording, 0), "{1;100}") << "clamped at both ends";
+}
+
+TEST(Recording, UnsureRowsHoldThenEase) {
+  std::string rows = row(1, "0.0");
+  for (int frame = 1; frame <= 20; ++frame) {
+    rows += openface2_row(frame + 1, std::to_string(frame / 10.0), "3,3,3,1,1,1,1", "0",
+                          frame % 2 == 0 ? "0.98,0" : "0.2,1");
+  }
+  const auto recording = read(rows);
+  EXPECT_EQ(recording.found.lost, 20U);
+  EXPECT_EQ(recording.found.gaps, 1U);
+  EXPECT_NEAR(recording.found.gap_seconds_max, 2, 1e-9);
+  EXPECT_EQ(packet(recording, 4), "{12;100}");
+  EXPECT_EQ(packet(recording, 10), "{12:50;100}");
+  EXPECT_EQ(packet(recording, 16), "{0;100}");
+  RecordingOptions options;
+  options.confidence_min = 0.1;
+  EXPECT_EQ(read(rows, options).found.lost, 10U);
+}
+
+TEST(Recording, EmptyCellsAndNanAreNoDataAndNotZero) {
+  const auto recording =
+      read(row(1, "0.0") + row(2, "0.1", kNoData) + row(3, "0.2", "nan,NaN,-nan,nan,nan,nan,nan"));
+  EXPECT_EQ(packet(recording, 1), "{12;100}");
+  EXPECT_EQ(packet(recording, 2), "{12;100}");
+  EXPECT_EQ(recording.found.lost, 0U) << "the head is still known";
+}
+
+TEST(Recording, MostFrequentFaceIsTakenUnlessAsked) {
+  const std::string rows =
+      openface2_row(1, "0", "5,0,0,0,0,0,0", "7") + openface2_row(1, "0", kSmile, "3") +
+      openface2_row(2, "0.1", kSmile, "3") + openface2_row(3, "0.2", "5,0,0,0,0,0,0", "7") +
+      openface2_row(3, "0.2", kSmile, "3");
+  const auto recording = read(rows);
+  ASSERT_EQ(recording.found.faces.size(), 2U);
+  EXPECT_EQ(recording.found.face, 3);
+  EXPECT_EQ(packet(recording, 0), "{12;100}");
+  RecordingOptions options;
+  options.face = 7;
+  EXPECT_EQ(packet(read(rows, options), 0), "{1;200}");
+  options.face = 4;
+  const Error error = error_of(kOpenFace2Header + rows, options);
+  EXPECT_EQ(error.kind, ErrorKind::Usage);
+  EXPECT_EQ(error.message, "f.csv: there is no face 4; the most frequent one is 3");
+}
+
+TEST(Recording, FacesWithoutNamesAreCountedWithinThePicture) {
+  RecordingOptions options;
+  options.fps = 10;
+  const std::string text =
+      "frame,FaceScore,AU12\n0,0.9,1\n0,0.9,0.5\n1,0.9,1\n2,0.9,1\n2,0.9,0.25\n";
+  const auto first = read_recording(text, "f.csv", options);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->found.faces.size(), 2U);
+  EXPECT_EQ(first->stream.keyframes.size(), 3U);
+  options.face = 1;
+  const auto second = read_recording(text, "f.csv", options);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(packet(*second, 0), "{12:50;200}");
+}
+
+TEST(Recording, TruncatedLastLineIsLeftOutAndSaid) {
+  const auto recording = read(row(1, "0") + row(2, "0.1") + "3,0,0.2,0.9");
+  EXPECT_EQ(recording.stream.keyframes.size(), 2U);
+  EXPECT_TRUE(recording.found.truncated);
+  EXPECT_NE(found_sentence(recording.found).find("the truncated last line left out"),
+            std::string::npos);
+}
+
+TEST(Recording, AppendedRecordingFollowsTheFirst) {
+  const auto recording =
+      read(row(1, "0") + row(2, "0.1") + kOpenFace2Header + row(1, "0") + row(2, "0.2"));
+  EXPECT_EQ(recording.found.headers, 1U);
+  EXPECT_EQ(recording.found.left_out, 0U);
+  ASSERT_EQ(recording.stream.keyframes.size(), 4U);
+  EXPECT_EQ(recording.stream.keyframes[2].duration_ms, 100U) << "one step later";
+  EXPECT_EQ(recording.stream.keyframes[3].duration_ms, 200U);
+}
+
+TEST(Recording, RepeatedHeaderWithinOneClockChangesNothing) {
+  const auto recording = read(row(1, "0") + kOpenFace2Header + row(2, "0.1"));
+  EXPECT_EQ(recording.stream.keyframes[1].duration_ms, 100U);
+}
+
+TEST(Recording, RowsThatAreNotLaterAreLeftOut) {
+  const auto recording = read(row(1, "0") + row(2, "0.1") + row(3, "0.05") + row(4, "0.1") +
+                              row(5, "") + row(6, "0.2"));
+  EXPECT_EQ(recording.found.left_out, 3U);
+  EXPECT_EQ(protocol::media_ms(recording.stream, 250), 300U);
+}
+
+TEST(Recording, BadCellsAreRefusedWithTheirPlaceButOnlyThoseThatAreRead) {
+  const Error error =
+      error_of(kOpenFace2Header + row(1, "0", "x,0,0,0,0,0,0") + row(2, "soon", "0,0,0,0,0,0,0"));
+  EXPECT_EQ(error.kind, ErrorKind::BadData);
+  EXPECT_EQ(error.message,
+            "f.csv:2:73: 'x' in AU01_r is not a number\n"
+            "f.csv:3:5: 'soon' in timestamp is not a number");
+  EXPECT_TRUE(read_recording("timestamp,x_0,note,AU01_r\n0,?,hello,1\n1,?,!,1\n", "f", {}));
+}
+
+TEST(Recording, ColumnsMissingInARowAreRefused) {
+  const Error error = error_of(std::string(kOpenFace2Header) + "1,0,0.0\n" + row(2, "0.1"));
+  EXPECT_EQ(error.message, "f.csv:2:1: the row has 3 cells, the header names 26");
+}
+
+TEST(Recording, DecimalCommas) {
+  const auto recording =
+      read_recording("timestamp;success;AU01_r\n0,0;1;2,5\n0,04;1;5,0\n", "f.csv", {});
+  ASSERT_TRUE(recording);
+  EXPECT_EQ(packet(*recording, 0), "{1:50;40}");
+  const Error error = error_of("timestamp,success,AU01_r\n0,0,1,2,5\n");
+  EXPECT_NE(error.message.find("the row has 5 cells, the header names 3; numbers with commas"),
+            std::string::npos)
+      << error.message;
+}
+
+TEST(Recording, MissingOrConstantTimesNeedAnOption) {
+  const Error none = error_of("frame,FaceScore,AU12\n0,1,1\n1,1,1\n");
+  EXPECT_EQ(none.kind, ErrorKind::Usage);
+  EXPECT_EQ(none.message,
+            "f.csv: Py-Feat 1 wrote no times here; say how many pictures a second there are, such "
+            "as --fps 30");
+  const std::string images = kOpenFace2Header + row(1, "0") + row(2, "0") + row(3, "0");
+  const Error constant = error_of(images);
+  EXPECT_EQ(constant.kind, ErrorKind::Usage);
+  EXPECT_NE(constant.message.find("all rows have the same time"), std::string::npos);
+  RecordingOptions options;
+  options.fps = 25;
+  const auto recording = read_recording(images, "f.csv", options);
+  ASSERT_TRUE(recording);
+  EXPECT_EQ(protocol::media_ms(recording->stream, 250), 120U);
+}
+
+TEST(Recording, WhatIsNoRecordingIsRefused) {
+  EXPECT_EQ(error_of(kOpenFace2Header).message, "f.csv:1:1: the recording has no rows");
+  EXPECT_TRUE(error_of("a,b,c\n1,2,3\n")
+                  .message.starts_with("f.csv:1:1: a table whose columns are of no recogniser"));
+  EXPECT_EQ(error_of("").kind, ErrorKind::BadData);
+  EXPECT_EQ(error_of(kOpenFace2Header + row(1, "0") + row(2, "1e6")).message,
+            "f.csv:3:1: the time jumps by more than a day");
+}
+
+TEST(Recording, ReportSaysWhatWasFound) {
+  const auto recording =
+      read(row(1, "0.5") + row(2, "0.6") + kOpenFace2Header + row(3, "3.0") + "4,0");
+  EXPECT_EQ(found_lines(recording.found),
+            "  format      OpenFace 2\n"
+            "  scale       0-5, largest 5.00\n"
+            "  people      1: face 0 in 3 rows (taken)\n"
+            "  rows        3, 0 of them no data, 0 left out (no later time)\n"
+            "  gaps        1 over 0.5 s, the longest 2.40 s\n"
+            "  appended    1 header lines in the middle\n"
+            "  truncated   the last line has no end and was left out\n");
+}
+
+TEST(Recording, AnyTextCutAnywhereIsAnErrorOrALegalStream) {
+  test::Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  const std::string whole = kOpenFace2Header + row(1, "0") + row(2, "0.1", kNoData) +
+                            kOpenFace2Header + row(1, "0") + row(2, "3.1");
+  for (int round = 0; round < 2000; ++round) {
+    std::string text = whole.substr(
+        0, static_cast<std::size_t>(seeded.integer(0, static_cast<int>(whole.size()))));
+    if (!text.empty() && seeded.chance(0.7)) {
+      const auto at =
+          static_cast<std::size_t>(seeded.integer(0, static_cast<int>(text.size()) - 1));
+      text[at] = static_cast<char>(seeded.integer(0, 255));
+    }
+    const auto recording = read_recording(text, "f.csv", {});
+    if (!recording) {
+      ASSERT_TRUE(recording.error().message.starts_with("f.csv")) << recording.error().message;
+      continue;
+    }
+    const std::string stream = protocol::format_stream_file(recording->stream);
+    const auto again = protocol::parse_stream_file(stream, "f.txt");
+    ASSERT_TRUE(again) << again.error().message;
+    ASSERT_EQ(protocol::format_stream_file(*again), stream);
+  }
+}
+
+}  // namespace
+}  // namespace aucast::sources

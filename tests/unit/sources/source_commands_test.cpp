@@ -1,0 +1,145 @@
+// The options that say how sources are read, and `convert`.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "server/catalogue.h"
+#include "server/check_report.h"
+#include "server/convert_command.h"
+#include "server/source_options.h"
+#include "tests/support/temp_folder.h"
+#include "tests/unit/sources/tables.h"
+
+namespace aucast::server {
+namespace {
+
+using test::TempFolder;
+
+std::string message(const SourceWords& words) {
+  const auto options = read_source_options(words);
+  if (options) return "accepted";
+  EXPECT_EQ(options.error().kind, ErrorKind::Usage);
+  return options.error().message;
+}
+
+TEST(SourceOptions, AreRead) {
+  const auto none = read_source_options({});
+  ASSERT_TRUE(none);
+  EXPECT_EQ(*none, SourceOptions());
+  const auto all = read_source_options({"29.97", "100", "-3", "0.8", "12.5"});
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->recording.fps, 29.97);
+  EXPECT_EQ(all->recording.au_scale, 100);
+  EXPECT_EQ(all->recording.face, -3);
+  EXPECT_EQ(all->recording.confidence_min, 0.8);
+  EXPECT_EQ(all->rate, 12.5);
+  EXPECT_FALSE(read_source_options({"", "auto", "", "", ""})->recording.au_scale);
+}
+
+TEST(SourceOptions, WrongWordsAreNamedWithTheirRange) {
+  const std::string fps =
+      " is not a number of pictures a second above 0, at most 1000 (try --help)";
+  EXPECT_EQ(message({"0", "", "", "", ""}), "--fps '0'" + fps);
+  EXPECT_EQ(message({"nan", "", "", "", ""}), "--fps 'nan'" + fps);
+  EXPECT_EQ(message({"30fps", "", "", "", ""}), "--fps '30fps'" + fps);
+  EXPECT_EQ(message({"", "7", "", "", ""}),
+            "--au-scale '7' is not one of 1, 5, 100 and auto (try --help)");
+  EXPECT_EQ(message({"", "", "a", "", ""}), "--face-id 'a' is not a whole number (try --help)");
+  EXPECT_EQ(message({"", "", "", "50", ""}),
+            "--min-confidence '50' is not a number from 0 to 1 (try --help)");
+  EXPECT_EQ(message({"", "", "", "", "0.01"}),
+            "--rate '0.01' is not a number of keyframes a second from 0.1 to 1000 (try --help)");
+}
+
+TEST(LoadSources, TellsRecordingsByTheirContentAndNotByTheirName) {
+  const TempFolder folder;
+  const auto sources = load_sources({folder.write("a.txt", sources::tables::kOpenFace1),
+                                     folder.write("b.csv", "Beg_Stream\n1,2\nEnd_Stream\n"),
+                                     folder.write("c", sources::tables::kLiveLinkFace)});
+  ASSERT_TRUE(sources) << sources.error().message;
+  EXPECT_TRUE(sources->at(0).found);
+  EXPECT_FALSE(sources->at(1).found);
+  ASSERT_TRUE(sources->at(2).found);
+  EXPECT_EQ(sources->at(2).found->format, "Live Link Face");
+  const auto catalogue = make_catalogue(*sources, {250, 20, false});
+  const std::string report = check_report(sources->at(0), catalogue.streams[0], 250);
+  EXPECT_NE(report.find("  format      OpenFace 1\n"), std::string::npos) << report;
+}
+
+TEST(LoadSources, UnknownTablesAreRefusedAsTables) {
+  const TempFolder folder;
+  const auto sources = load_sources({folder.write("a.csv", "time,joy,anger\n1,2,3\n")});
+  ASSERT_FALSE(sources);
+  EXPECT_EQ(sources.error().kind, ErrorKind::BadData);
+  EXPECT_NE(sources.error().message.find("a.csv:1:1: a table whose columns are of no recogniser"),
+            std::string::npos);
+}
+
+TEST(LoadSources, RateIsForStreamFilesToo) {
+  const TempFolder folder;
+  SourceOptions options;
+  options.rate = 20;
+  const auto sources =
+      load_sources({folder.write("a.txt", "Beg_Stream\n1\nEnd_Stream\n")}, options, 100);
+  ASSERT_TRUE(sources);
+  ASSERT_EQ(sources->at(0).stream.keyframes.size(), 2U);
+  EXPECT_EQ(sources->at(0).stream.keyframes[0].duration_ms, 50U);
+}
+
+TEST(Convert, WritesARecordingAsAStreamFile) {
+  const TempFolder folder;
+  const auto in = folder.write("in.csv", sources::tables::kOpenFace1);
+  const auto converted = run_convert({in.string(), (folder.path() / "out.txt").string()});
+  ASSERT_TRUE(converted) << converted.error().message;
+  EXPECT_EQ(folder.read("out.txt"), "Beg_Stream\n1:50,28:50,61:20;40\n45;40\nEnd_Stream\n");
+  EXPECT_EQ(converted->text, "");
+  EXPECT_EQ(converted->said,
+            in.string() + ": OpenFace 1, AU scale 0-5, largest 5.00; 2 keyframes, 80 ms\n");
+}
+
+TEST(Convert, KeepsAStreamFileWhole) {
+  const TempFolder folder;
+  const std::string text = "Beg_Stream\n1:30,L12:80,R12:70;40\n6,12\n0;1000@5000\nEnd_Stream\n";
+  const auto converted = run_convert({folder.write("in.txt", text).string(), "-"});
+  ASSERT_TRUE(converted);
+  EXPECT_EQ(converted->text, text);
+}
+
+TEST(Convert, ResamplesAndTakesTheSourcesOptions) {
+  const TempFolder folder;
+  const auto in = folder.write("in.csv", sources::tables::kPyFeat1).string();
+  EXPECT_EQ(run_convert({in, "-"}).error().kind, ErrorKind::Usage);
+  const auto converted = run_convert({"--fps", "30", "--rate=10", in, "-"});
+  ASSERT_TRUE(converted);
+  EXPECT_EQ(converted->text,
+            "Beg_Stream\n1:25,52:50,53:50,56:50;100\n1:50,43:75,54;100\nEnd_Stream\n");
+}
+
+TEST(Convert, WrongCommandLinesAreRefused) {
+  EXPECT_EQ(run_convert({"a"}).error().message,
+            "convert takes two files, IN and OUT, and got 1 (try convert --help)");
+  EXPECT_EQ(run_convert({"a", "b", "c"}).error().kind, ErrorKind::Usage);
+  EXPECT_EQ(run_convert({"a", ""}).error().message,
+            "convert: a file's name is empty (try convert --help)");
+  EXPECT_EQ(run_convert({"--keyframe", "0", "a", "b"}).error().message,
+            "--keyframe '0' is not a whole number from 1 to 3600000 (try convert --help)");
+  EXPECT_EQ(run_convert({"--rat", "3", "a", "b"}).error().message,
+            "unknown option --rat; did you mean --rate? (try --help)");
+  EXPECT_EQ(run_convert({"--fps", "x", "a", "b"}).error().kind, ErrorKind::Usage);
+  const TempFolder folder;
+  EXPECT_EQ(run_convert({(folder.path() / "none").string(), "-"}).error().kind,
+            ErrorKind::Unreadable);
+  const auto in = folder.write("in.csv", sources::tables::kOpenFace1).string();
+  EXPECT_EQ(run_convert({in, (folder.path() / "no" / "out").string()}).error().kind,
+            ErrorKind::Failed);
+}
+
+TEST(Convert, HelpFitsOneScreen) {
+  const auto help = run_convert({"--help"});
+  ASSERT_TRUE(help);
+  EXPECT_EQ(help->text, convert_help_text());
+  EXPECT_LE(std::count(help->text.begin(), help->text.end(), '\n'), 24);
+}
+
+}  // namespace
+}  // namespace aucast::server

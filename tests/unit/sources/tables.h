@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+
+/// Tiny tables of our own in every dialect.
+namespace aucast::sources::tables {
+
+inline constexpr const char* kOpenFace2Header =
+    "frame,face_id,timestamp,confidence,success,gaze_0_x,gaze_0_y,gaze_0_z,gaze_1_x,gaze_1_y,"
+    "gaze_1_z,gaze_angle_x,gaze_angle_y,pose_Tx,pose_Ty,pose_Tz,pose_Rx,pose_Ry,pose_Rz,AU01_r,"
+    "AU12_r,AU45_r,AU01_c,AU12_c,AU28_c,AU45_c\n";
+
+/// A row of it: looking straight into the camera.
+inline std::string openface2_row(int frame, const std::string& seconds, const std::string& aus,
+                                 const std::string& face = "0",
+                                 const std::string& sureness = "0.98,1") {
+  return std::to_string(frame) + "," + face + "," + seconds + "," + sureness +
+         ",0,0,-1,0,0,-1,0.000,0.000,8.6,25.9,257.9,0.000,0.000,0.000," + aus + "\n";
+}
+
+inline constexpr const char* kOpenFace1 =
+    "frame, timestamp, confidence, success, gaze_0_x, gaze_0_y, gaze_0_z, gaze_1_x, gaze_1_y, "
+    "gaze_1_z, pose_Tx, pose_Ty, pose_Tz, pose_Rx, pose_Ry, pose_Rz, x_0, X_0, AU01_r, AU45_r, "
+    "AU01_c, AU28_c\n"
+    "1, 0, 0.88, 1, 0.1, 0, -1, 0.1, 0, -1, 15, 43, 592, 0, 0, 0, 276.7, -27.7, 2.5, 0, 0, 1\n"
+    "2, 0.04, 0.88, 1, 0, 0, -1, 0, 0, -1, 15, 43, 592, 0, 0, 0, 276.7, -27.7, 0, 5, 0, 0\n";
+
+inline constexpr const char* kFacsvatar =
+    "frame,timestamp,confidence,success,gaze_angle_x,gaze_angle_y,pose_Rx,pose_Ry,pose_Rz,AU01_r,"
+    "AU45_r\n"
+    "0,0.0,0.95,1,0,0,0,0,0,0.25,0\n"
+    "1,0.033,0.95,1,0,0,0,0,0,0.86,1\n";
+
+inline constexpr const char* kPyFeat1 =
+    "frame,FaceRectX,FaceScore,x_0,Pitch,Roll,Yaw,AU01,AU43,anger,input\n"
+    "0,236.1,0.999,355.5,11,-11,17.5,0.25,0,0.1,001.mp4\n"
+    "3,236.1,0.999,355.5,-22,0,0,0.5,0.75,0.1,001.mp4\n";
+
+inline constexpr const char* kPyFeat2 =
+    "FaceRectX,FaceScore,Pitch,Roll,Yaw,X,Y,Z,AU01,AU12,Neutral,valence,arousal,gaze_pitch,"
+    "gaze_yaw,mesh_x_0,jawOpen,input,frame,approx_time,Identity\n"
+    "236,0.99,0.19198621771937624,0.19198621771937624,-0.3054326190990077,0,0,0,0.25,0.5,0.9,0,0,"
+    "-0.19198621771937624,0.24434609527920614,1,0.3,a.mp4,0,00:00,Person_0\n"
+    "236,0.99,0,0,0,0,0,0,0.5,0.25,0.9,0,0,0,0,1,0.3,a.mp4,1,00:00,Person_0\n";
+
+inline constexpr const char* kLibreFace =
+    "frame_idx,frame_time_in_ms,pitch,yaw,roll,lm_mp_0_x,au_1,au_7,au_12,au_1_intensity,"
+    "au_12_intensity,facial_expression\n"
+    "0,0.0,3,1,2,0.5,1,1,0,2.5,0.5,Neutral\n"
+    "1,40.0,3,1,2,0.5,0,0,1,0,5,Happiness\n";
+
+inline constexpr const char* kLiveLinkFace =
+    "Timecode,BlendShapeCount,EyeBlinkLeft,EyeLookInLeft,EyeBlinkRight,JawRight,JawLeft,JawOpen,"
+    "MouthSmileLeft,MouthSmileRight,HeadYaw,HeadPitch,HeadRoll,LeftEyeYaw,LeftEyePitch,LeftEyeRoll,"
+    "RightEyeYaw,RightEyePitch,RightEyeRoll\n"
+    "23:59:59:58.000,61,0.25,0.1,0.75,0.3,0,0.4,0.6,0.5,0,0,0,0.1,0.2,0,0.1,0.2,0\n"
+    "00:00:00:00.000,61,0,0,0,0,0.2,1.05,0,0,0,0,0,-0.1,-0.2,0,-0.1,-0.2,0\n";
+
+}  // namespace aucast::sources::tables
