@@ -23,6 +23,8 @@ view::Shading shading_of(face::Material material) {
       return view::Shading::Cloth;
     case face::Material::Brow:
       return view::Shading::Brow;
+    case face::Material::Crease:
+      return view::Shading::Crease;
   }
   AUCAST_CHECK(false);
   return view::Shading::Skin;
@@ -37,12 +39,14 @@ int eye_of(const face::Face& face, const std::string& part) {
 }  // namespace
 
 FaceScene::FaceScene(const face::Face& face) : face_(face) {
+  int creases = 0;
   for (const face::MeshPart& part : face.mesh.parts) {
     view::ShadedRange range;
     range.shading = shading_of(part.material);
     range.triangle_begin = part.triangle_begin;
     range.triangle_count = part.triangle_count;
     range.eye = eye_of(face, part.name);
+    if (part.material == face::Material::Crease) range.crease = creases++;
     const auto begin = face.mesh.colours.begin() + part.vertex_begin;
     range.translucent = std::any_of(begin, begin + part.vertex_count,
                                     [](const glm::vec4& colour) { return colour.a < 1.0F; });
@@ -56,7 +60,8 @@ view::StaticMesh FaceScene::still() const {
 }
 
 view::MovingMesh FaceScene::moving(const face::DeformedFace& deformed) {
-  return {deformed.positions, deformed.normals, deformed.eye_centres, deformed.eye_forward};
+  return {deformed.positions, deformed.normals, deformed.eye_centres, deformed.eye_forward,
+          deformed.creases};
 }
 
 }  // namespace aucast::app

@@ -70,8 +70,9 @@ struct AuRecording {
 /// Everything that makes a face move. Immutable once loaded.
 /// Channel order: muscles as in the file, then jaw, left_lid_close, right_lid_close,
 /// left_lid_raise, right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left,
-/// head_turn_right, head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back;
-/// those that the face has no geometry for are left out.
+/// head_turn_right, head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back,
+/// then the creases (parts of that material, by their names); those that the face has no geometry
+/// for are left out.
 struct Face {
   std::string name;
   FaceMesh mesh;

@@ -151,6 +151,7 @@ struct FaceDeformer::State {
   std::vector<LidField> lids;
   std::vector<EyeField> eyes;
   HeadField head;
+  std::vector<std::optional<std::size_t>> creases;  ///< channels of the mesh's creases
   NormalField normals;
 };
 
@@ -205,6 +206,9 @@ FaceDeformer::State::State(const Face& driven)
       field.head_share = map_at(head_map, part.vertex_begin, 0);
     }
     eyes.push_back(std::move(field));
+  }
+  for (const MeshPart& part : face.mesh.parts) {
+    if (part.material == Material::Crease) creases.push_back(channel(part.name));
   }
   if (face.head) {
     head.turn = {channel("head_turn_left"), channel("head_turn_right")};
@@ -359,6 +363,10 @@ void FaceDeformer::deform(std::span<const float> activations, DeformedFace& out)
   out.normals.resize(state_->vertex_count);
   state_->normals.compute(state_->moved, out.positions, out.normals);
   state_->look(out);
+  out.creases.resize(state_->creases.size());
+  for (std::size_t i = 0; i < out.creases.size(); ++i) {
+    out.creases[i] = state_->value(state_->creases[i]);
+  }
 }
 
 void FaceDeformer::deform_positions(std::span<const float> activations,

@@ -19,6 +19,7 @@ struct DeformedFace {
   std::vector<glm::vec3> normals;      ///< unit length
   std::vector<glm::vec3> eye_centres;  ///< as Face::eyes
   std::vector<glm::vec3> eye_forward;  ///< unit length
+  std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
 };
 
 /// Turns activations into positions. All muscles displace from the rest face and are summed, so

@@ -107,6 +107,15 @@ std::string sided(Side side, std::string_view name) {
   return std::string(name);
 }
 
+/// Where a part lies by the mean of its vertices.
+Side side_of(const MeshPart& part, const FaceMesh& mesh) {
+  float sum = 0;
+  for (std::uint32_t i = 0; i < part.vertex_count; ++i) {
+    sum += mesh.positions[part.vertex_begin + i].x;
+  }
+  return side_at(part.vertex_count > 0 ? sum / static_cast<float>(part.vertex_count) : 0);
+}
+
 /// The channels in the order that face.h documents.
 std::vector<Channel> channels_of(const Face& face) {
   std::vector<Channel> channels;
@@ -136,6 +145,10 @@ std::vector<Channel> channels_of(const Face& face) {
           "head_tilt_right", "head_forward", "head_back"}) {
       channels.push_back({std::string(name), Side::Both, 1});
     }
+  }
+  for (const MeshPart& part : face.mesh.parts) {
+    if (part.material != Material::Crease) continue;
+    channels.push_back({part.name, side_of(part, face.mesh), 1});
   }
   return channels;
 }

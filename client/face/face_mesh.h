@@ -12,7 +12,8 @@
 namespace aucast::face {
 
 /// How a part of the face takes light.
-enum class Material : std::uint8_t { Skin, Eye, Teeth, Mouth, Hair, Cloth, Brow };
+/// A crease is a line that an expression draws on the skin: invisible but for its channel.
+enum class Material : std::uint8_t { Skin, Eye, Teeth, Mouth, Hair, Cloth, Brow, Crease };
 
 /// A named run of vertices and triangles: skin, left_eye, upper_teeth, ... `skin` comes first.
 struct MeshPart {

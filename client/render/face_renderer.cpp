@@ -69,6 +69,8 @@ Look look_of(Shading shading) {
       return {0.15F, 0.06F, 8, Faces::Both, true};
     case Shading::Brow:
       return {0.2F, 0.05F, 10, Faces::Both, false};
+    case Shading::Crease:
+      return {};  // has a program of its own
   }
   return {};
 }
@@ -77,10 +79,15 @@ Look look_of(Shading shading) {
 struct Draw {
   Shading shading = Shading::Skin;
   Faces faces = Faces::Both;
-  int eye = -1;
+  int index = -1;  ///< of the eye or the crease
   std::size_t first_index = 0;
   GLsizei index_count = 0;
 };
+
+int index_of(const view::ShadedRange& range) {
+  if (range.shading == Shading::Crease) return range.crease;
+  return range.shading == Shading::Eye ? range.eye : -1;
+}
 
 /// Outermost first, so that what lies beneath is never shaded: hair over skin over eyes and teeth.
 /// The inside of the hair, seen only from below, comes last.
@@ -209,6 +216,7 @@ struct FaceRenderer::State {
   LitProgram surface;
   LitProgram hair;
   LitProgram eye;
+  Program crease;
   Program depth;
   Program backdrop;
   VertexArray vertices;
@@ -225,12 +233,14 @@ struct FaceRenderer::State {
   std::size_t vertex_count = 0;
   std::vector<Draw> solid;
   std::vector<Draw> translucent;
+  std::vector<Draw> creases;
 
-  State(Program surface_program, Program hair_program, Program eye_program, Program depth_program,
-        Program backdrop_program)
+  State(Program surface_program, Program hair_program, Program eye_program, Program crease_program,
+        Program depth_program, Program backdrop_program)
       : surface(std::move(surface_program)),
         hair(std::move(hair_program)),
         eye(std::move(eye_program)),
+        crease(std::move(crease_program)),
         depth(std::move(depth_program)),
         backdrop(std::move(backdrop_program)) {}
 
@@ -239,6 +249,8 @@ struct FaceRenderer::State {
   void draw_shadow_map();
   void draw_backdrop(const view::Background& background);
   void draw_runs(const std::vector<Draw>& draws, const view::MovingMesh& mesh);
+  void draw_creases(std::span<const float> strengths, const glm::mat4& world_to_clip,
+                    const glm::vec3& eye_place);
 };
 
 void FaceRenderer::State::set_up() {
@@ -321,8 +333,8 @@ void FaceRenderer::State::draw_runs(const std::vector<Draw>& draws, const view::
     const Look look = look_of(draw.shading);
     LitProgram& program = program_for(draw.shading);
     program.use(look);
-    if (draw.eye >= 0) {
-      const auto at = static_cast<std::size_t>(draw.eye);
+    if (draw.index >= 0) {
+      const auto at = static_cast<std::size_t>(draw.index);
       AUCAST_CHECK(at < mesh.eye_centres.size() && at < mesh.eye_forward.size());
       program.set_eyeball(mesh.eye_centres[at], mesh.eye_forward[at]);
     }
@@ -337,6 +349,28 @@ void FaceRenderer::State::draw_runs(const std::vector<Draw>& draws, const view::
   }
 }
 
+void FaceRenderer::State::draw_creases(std::span<const float> strengths,
+                                       const glm::mat4& world_to_clip, const glm::vec3& eye_place) {
+  const auto location = [this](const char* name) {
+    return glGetUniformLocation(crease.id(), name);
+  };
+  glUseProgram(crease.id());
+  glUniformMatrix4fv(location("u_world_to_clip"), 1, GL_FALSE, glm::value_ptr(world_to_clip));
+  glUniform3fv(location("u_eye"), 1, glm::value_ptr(eye_place));
+  const GLint strength = location("u_strength");
+  glBlendFuncSeparate(GL_DST_COLOR, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  glDepthMask(GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  for (const Draw& draw : creases) {
+    const auto at = static_cast<std::size_t>(draw.index);
+    if (draw.index < 0 || at >= strengths.size() || !(strengths[at] > 0)) continue;
+    glUniform1f(strength, strengths[at]);
+    glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+  }
+  glDepthMask(GL_TRUE);
+}
+
 FaceRenderer::FaceRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 FaceRenderer::~FaceRenderer() = default;
 
@@ -348,6 +382,9 @@ Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
   if (!hair.has_value()) return hair.error();
   auto eye = build_lit("eye", glsl::kAsEye);
   if (!eye.has_value()) return eye.error();
+  auto crease = build_program("crease", std::array{glsl::kVersion, glsl::kCreaseVertex},
+                              std::array{glsl::kVersion, glsl::kCreaseFragment});
+  if (!crease.has_value()) return crease.error();
   auto depth = build_program("shadow", std::array{glsl::kVersion, glsl::kDepthVertex},
                              std::array{glsl::kVersion, glsl::kDepthFragment});
   if (!depth.has_value()) return depth.error();
@@ -355,8 +392,8 @@ Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
                                 std::array{glsl::kVersion, glsl::kTone, glsl::kBackdropFragment});
   if (!backdrop.has_value()) return backdrop.error();
   auto state = std::make_unique<State>(std::move(surface.value()), std::move(hair.value()),
-                                       std::move(eye.value()), std::move(depth.value()),
-                                       std::move(backdrop.value()));
+                                       std::move(eye.value()), std::move(crease.value()),
+                                       std::move(depth.value()), std::move(backdrop.value()));
   state->set_up();
   return std::unique_ptr<FaceRenderer>(new FaceRenderer(std::move(state)));
 }
@@ -376,6 +413,7 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   sorted.reserve(mesh.triangles.size());
   state.solid.clear();
   state.translucent.clear();
+  state.creases.clear();
   const auto clear_corner = [&mesh](const std::array<std::uint32_t, 3>& triangle) {
     return mesh.colours[triangle[0]].a < 1 || mesh.colours[triangle[1]].a < 1 ||
            mesh.colours[triangle[2]].a < 1;
@@ -383,18 +421,19 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   for (const view::ShadedRange& range : mesh.ranges) {
     AUCAST_CHECK(range.triangle_begin <= mesh.triangles.size());
     AUCAST_CHECK(range.triangle_count <= mesh.triangles.size() - range.triangle_begin);
+    const bool crease = range.shading == Shading::Crease;
     for (const bool blended : {false, true}) {
       const std::size_t first = sorted.size();
       for (const auto& triangle :
            mesh.triangles.subspan(range.triangle_begin, range.triangle_count)) {
-        if ((range.translucent && clear_corner(triangle)) == blended) sorted.push_back(triangle);
+        const bool clear = !crease && range.translucent && clear_corner(triangle);
+        if (clear == blended) sorted.push_back(triangle);
       }
       const std::size_t count = sorted.size() - first;
       if (count == 0) continue;
-      const Draw draw{range.shading, look_of(range.shading).faces,
-                      range.shading == Shading::Eye ? range.eye : -1, 3 * first,
+      const Draw draw{range.shading, look_of(range.shading).faces, index_of(range), 3 * first,
                       static_cast<GLsizei>(3 * count)};
-      (blended ? state.translucent : state.solid).push_back(draw);
+      (crease ? state.creases : blended ? state.translucent : state.solid).push_back(draw);
     }
   }
   order_solids(state.solid);
@@ -440,6 +479,7 @@ void FaceRenderer::draw(const view::MovingMesh& mesh, const view::Camera& camera
   state.draw_backdrop(background);
 
   glEnable(GL_BLEND);
+  state.draw_creases(mesh.creases, world_to_clip, matrices.eye);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   glDepthMask(GL_FALSE);
   // Brows and lashes lie on the skin.

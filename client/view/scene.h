@@ -11,7 +11,7 @@
 namespace aucast::view {
 
 /// How a run of triangles takes light.
-enum class Shading : std::uint8_t { Skin, Eye, Teeth, Mouth, Hair, Cloth, Brow };
+enum class Shading : std::uint8_t { Skin, Eye, Teeth, Mouth, Hair, Cloth, Brow, Crease };
 
 struct ShadedRange {
   Shading shading = Shading::Skin;
@@ -19,6 +19,7 @@ struct ShadedRange {
   std::uint32_t triangle_count = 0;
   int eye = -1;              ///< for Eye: index into eye_centres
   bool translucent = false;  ///< some vertex has alpha below 1: drawn after the solid ones
+  int crease = -1;           ///< for Crease: index into creases
 };
 
 /// What does not change while a face is shown. Spans borrow from the caller.
@@ -36,6 +37,8 @@ struct MovingMesh {
   std::span<const glm::vec3> normals;
   std::span<const glm::vec3> eye_centres;
   std::span<const glm::vec3> eye_forward;
+  /// How deep the lines of each crease are, [0,1]; 0 is not drawn.
+  std::span<const float> creases = {};
 };
 
 /// A camera that looks at `target` from `distance`, turned by yaw (to the subject's left is

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "scripts/facegen/brows_lashes.h"
+#include "scripts/facegen/creases.h"
 #include "scripts/facegen/eyes.h"
 #include "scripts/facegen/hair.h"
 #include "scripts/facegen/mouth_inside.h"
@@ -40,6 +41,7 @@ std::vector<Part> make_head() {
   std::vector<Part> parts;
   Part bag = make_mouth_bag(skin);
   Part lashes = make_lashes(skin);
+  std::vector<Part> creases = make_creases(skin);
   parts.push_back(std::move(skin.part));
   parts.push_back(std::move(left_eye));
   parts.push_back(std::move(right_eye));
@@ -52,6 +54,7 @@ std::vector<Part> make_head() {
   parts.push_back(make_brow(1));
   parts.push_back(make_brow(-1));
   parts.push_back(std::move(lashes));
+  for (Part& crease : creases) parts.push_back(std::move(crease));
   return parts;
 }
 

@@ -35,6 +35,8 @@ inline constexpr Vec3 kIrisEdge{0.03, 0.035, 0.035};
 inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
 inline constexpr Vec3 kSclera{0.83, 0.80, 0.775};
 inline constexpr Vec3 kScleraCorner{0.80, 0.60, 0.55};
+/// What is left of the light in the deepest line.
+inline constexpr Vec3 kCrease{0.52, 0.36, 0.31};
 inline constexpr Vec3 kCloth{0.13, 0.17, 0.23};
 inline constexpr Vec3 kCollar{0.10, 0.135, 0.185};
 

@@ -94,6 +94,37 @@ class DefaultFaceRecordings : public DefaultFace {
     return count;
   }
 
+  /// Depth of every crease of the mesh, in order.
+  [[nodiscard]] static std::vector<float> lines(std::initializer_list<AuTerm> terms) {
+    std::vector<float> activations(face().channels.size());
+    face::mix(face(), frame_from_terms({terms.begin(), terms.size()}), face::Mixer::Maximum,
+              activations);
+    face::FaceDeformer deformer(face());
+    face::DeformedFace deformed;
+    deformer.deform(activations, deformed);
+    return deformed.creases;
+  }
+  /// The place of a crease among the creases.
+  [[nodiscard]] static std::size_t line(const std::string& name) {
+    std::size_t index = 0;
+    for (const face::MeshPart& piece : face().mesh.parts) {
+      if (piece.material != face::Material::Crease) continue;
+      if (piece.name == name) return index;
+      ++index;
+    }
+    ADD_FAILURE() << "no crease " << name;
+    return 0;
+  }
+  /// Distance to the nearest vertex of the skin.
+  [[nodiscard]] static float above_skin(const std::vector<glm::vec3>& positions,
+                                        const glm::vec3& p) {
+    float nearest = 1e9F;
+    for (std::size_t i = 0; i < layout().size(); ++i) {
+      nearest = std::min(nearest, glm::length(positions[i] - p));
+    }
+    return nearest;
+  }
+
   [[nodiscard]] static bool turns_head(int number) { return number >= 51 && number <= 58; }
 };
 
@@ -283,6 +314,51 @@ TEST_F(DefaultFaceRecordings, LeavesShirtAndSkullAlone) {
       if (face().mesh.positions[i].z > -1.0F) continue;
       ASSERT_LT(glm::length(positions[i] - face().mesh.positions[i]), 0.01F)
           << "AU" << number << " moves the back of the head";
+    }
+  }
+}
+
+// The lines that FACS coders look for.
+
+TEST_F(DefaultFaceRecordings, DrawsNoLineOnTheFaceAtRest) {
+  for (const float depth : lines({})) EXPECT_EQ(depth, 0);
+  for (const float depth : lines({{25}, {26}, {43}, {51}, {61}})) EXPECT_EQ(depth, 0);
+}
+
+TEST_F(DefaultFaceRecordings, DrawsTheLinesThatFacsNames) {
+  const std::vector<std::pair<int, std::string>> named{
+      {1, "forehead_inner"}, {2, "forehead_outer"}, {4, "glabella"},    {6, "crows_feet"},
+      {7, "lower_lid"},      {9, "nose_root"},      {10, "nasolabial"}, {11, "nasolabial"},
+      {12, "nasolabial"},    {14, "mouth_corner"},  {17, "chin"}};
+  for (const auto& [number, name] : named) {
+    float before = 0;
+    for (const std::uint8_t percent : std::initializer_list<std::uint8_t>{10, 25, 50, 80, 100}) {
+      const auto depths = lines({{static_cast<std::uint8_t>(number), Side::Both, percent}});
+      const float left = depths.at(line("left_crease_" + name));
+      EXPECT_GT(left, before) << "AU" << number << " at " << int{percent};
+      EXPECT_EQ(left, depths.at(line("right_crease_" + name))) << "AU" << number;
+      before = left;
+    }
+    EXPECT_GE(before, 0.8F) << "AU" << number;
+  }
+}
+
+TEST_F(DefaultFaceRecordings, DrawsLinesOnTheSideThatIsNamed) {
+  const auto depths = lines({{12, Side::Left, 100}});
+  EXPECT_GT(depths.at(line("left_crease_nasolabial")), 0.5F);
+  EXPECT_EQ(depths.at(line("right_crease_nasolabial")), 0);
+}
+
+TEST_F(DefaultFaceRecordings, KeepsTheLinesOnTheSkin) {
+  for (const auto& [number, recording] : face().recordings) {
+    if (turns_head(number)) continue;
+    const auto positions = posed(number);
+    for (const face::MeshPart& piece : face().mesh.parts) {
+      if (piece.material != face::Material::Crease) continue;
+      for (std::uint32_t i = 0; i < piece.vertex_count; i += 7) {
+        EXPECT_LT(above_skin(positions, positions[piece.vertex_begin + i]), 0.65F)
+            << "AU" << number << " " << piece.name;
+      }
     }
   }
 }

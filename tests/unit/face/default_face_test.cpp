@@ -58,7 +58,9 @@ TEST_F(DefaultFace, EveryChannelMovesTheFaceAndKeepsItFinite) {
   DeformedFace out;
   for (const Channel& channel : face_.channels) {
     deformer.deform(test::only(face_, channel.name, channel.activation_max), out);
-    EXPECT_NE(out.positions, face_.mesh.positions) << channel.name;
+    const bool draws_lines = std::any_of(out.creases.begin(), out.creases.end(),
+                                         [](float depth) { return depth > 0; });
+    EXPECT_NE(out.positions != face_.mesh.positions, draws_lines) << channel.name;
     for (std::size_t i = 0; i < out.positions.size(); ++i) {
       const glm::vec3& p = out.positions[i];
       ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))

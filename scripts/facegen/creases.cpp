@@ -1,0 +1,192 @@
+#include "scripts/facegen/creases.h"
+
+#include <limits>
+#include <span>
+#include <string>
+
+#include "scripts/facegen/anatomy.h"
+#include "scripts/facegen/palette.h"
+#include "scripts/facegen/sculpt.h"
+
+namespace aucast::facegen {
+namespace {
+
+/// A line in the front plane by points from one end to the other, at most six; the bulge lies to
+/// its left.
+struct Line {
+  std::vector<glm::dvec2> points;
+  double half_width = 0.2;
+  double depth = 1;          ///< darkening in the middle
+  double begin_taper = 0.3;  ///< share of the length over which it starts; 0: at once
+};
+
+struct Crease {
+  std::string_view name;
+  std::vector<Line> lines;
+};
+
+/// The lines of the left side.
+std::vector<Crease> creases() {
+  return {
+      // Right and left overlap in the middle, each fading where the other is whole.
+      {"crease_forehead_inner",
+       {{{{-0.5, 5.03}, {0.5, 4.98}, {1.2, 5.10}, {1.9, 5.34}}, 0.21, 0.85, 0.42},
+        {{{-0.5, 5.50}, {0.5, 5.45}, {1.3, 5.57}, {2.1, 5.83}}, 0.21, 1.0, 0.40},
+        {{{-0.5, 5.98}, {0.5, 5.93}, {1.2, 6.03}, {1.8, 6.22}}, 0.19, 0.7, 0.42}}},
+      {"crease_forehead_outer",
+       {{{{0.9, 5.20}, {1.6, 5.40}, {2.4, 5.43}, {3.2, 5.15}}, 0.21, 0.95, 0.3},
+        {{{0.8, 5.66}, {1.6, 5.88}, {2.4, 5.91}, {3.2, 5.62}}, 0.20, 1.0, 0.3},
+        {{{0.9, 6.14}, {1.6, 6.30}, {2.3, 6.32}, {2.9, 6.10}}, 0.18, 0.7, 0.3}}},
+      {"crease_glabella",
+       {{{{0.48, 3.55}, {0.36, 3.95}, {0.36, 4.40}, {0.46, 4.85}}, 0.19, 1.0, 0.3},
+        {{{0.10, 3.70}, {0.08, 4.00}, {0.10, 4.35}}, 0.12, 0.5, 0.4}}},
+      {"crease_crows_feet",
+       {{{{3.50, 2.98}, {3.80, 3.20}, {4.12, 3.52}}, 0.13, 1.0, 0.25},
+        {{{3.55, 2.72}, {3.86, 2.76}, {4.24, 2.86}}, 0.13, 1.0, 0.25},
+        {{{3.50, 2.46}, {3.80, 2.32}, {4.14, 2.20}}, 0.13, 0.9, 0.25}}},
+      {"crease_lower_lid",
+       {{{{1.20, 2.12}, {1.70, 1.80}, {2.30, 1.70}, {2.95, 1.86}, {3.45, 2.20}}, 0.17, 0.8, 0.3}}},
+      {"crease_nose_root",
+       {{{{0.06, 2.62}, {0.40, 2.52}, {0.72, 2.26}}, 0.14, 1.0, 0.35},
+        {{{0.06, 3.06}, {0.32, 3.04}, {0.62, 2.92}}, 0.13, 0.9, 0.35},
+        {{{0.30, 2.05}, {0.58, 1.92}, {0.84, 1.62}}, 0.13, 0.9, 0.3}}},
+      {"crease_nasolabial",
+       {{{{2.22, -2.45}, {2.12, -1.85}, {1.80, -1.20}, {1.44, -0.55}, {1.20, 0.02}},
+         0.30,
+         1.0,
+         0.35}}},
+      {"crease_mouth_corner",
+       {{{{2.02, -2.95}, {2.14, -2.60}, {2.12, -2.25}, {1.98, -1.95}}, 0.17, 1.0, 0.35}}},
+      {"crease_chin",
+       {{{{-0.45, -3.42}, {0.45, -3.40}, {1.00, -3.58}, {1.32, -3.95}}, 0.20, 0.9, 0.4},
+        {{{0.30, -4.10}, {0.42, -4.25}, {0.40, -4.45}}, 0.13, 0.35, 0.4},
+        {{{0.72, -4.30}, {0.82, -4.45}, {0.80, -4.65}}, 0.12, 0.3, 0.4},
+        {{{0.10, -4.55}, {0.18, -4.68}, {0.14, -4.86}}, 0.12, 0.3, 0.4}}},
+  };
+}
+
+/// One row across a line: where, how dark and how light; -1 is the side of the bulge.
+struct Across {
+  double at = 0;
+  double dark = 0;
+  double light = 0;
+};
+constexpr std::array<Across, 8> kAcross{{{-1.9, 0, 0},
+                                         {-1.1, 0.04, 1},
+                                         {-0.6, 0.30, 0.2},
+                                         {-0.22, 0.86, 0},
+                                         {0, 1, 0},
+                                         {0.35, 0.66, 0},
+                                         {0.9, 0.24, 0},
+                                         {1.7, 0, 0}}};
+constexpr int kAlong = 14;
+/// Above the skin: the skin between its vertices is flat, a ribbon is finer.
+constexpr double kLift = 0.012;
+
+struct OnSkin {
+  Vec3 position{0};
+  Vec3 normal{0, 0, 1};
+  Maps maps{};
+};
+
+/// Puts places of the front plane on the triangles of the skin, with their weights, so that a
+/// ribbon goes where the skin goes.
+class Draper {
+ public:
+  explicit Draper(const Skin& skin) : skin_(skin.part) {
+    for (const face::Polygon& polygon : skin_.polygons) {
+      for (std::size_t k = 2; k < polygon.corner_count; ++k) {
+        const std::array<std::uint32_t, 3> t{polygon.corners[0], polygon.corners[k - 1],
+                                             polygon.corners[k]};
+        // Only what looks to the front can be hit.
+        const Vec3 normal = glm::cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]));
+        if (normal.z > 0 && at(t[0]).z > 3) triangles_.push_back(t);
+      }
+    }
+  }
+
+  /// The foremost place of the skin at (x, y).
+  [[nodiscard]] OnSkin drape(const glm::dvec2& p) const {
+    OnSkin best;
+    best.position.z = -std::numeric_limits<double>::max();
+    for (const auto& t : triangles_) {
+      const glm::dvec2 a{at(t[0])};
+      const glm::dvec2 ab = glm::dvec2{at(t[1])} - a;
+      const glm::dvec2 ac = glm::dvec2{at(t[2])} - a;
+      const glm::dvec2 ap = p - a;
+      const double area = ab.x * ac.y - ab.y * ac.x;
+      const double v = (ap.x * ac.y - ap.y * ac.x) / area;
+      const double w = (ab.x * ap.y - ab.y * ap.x) / area;
+      constexpr double kSlack = -1e-9;
+      if (!(v >= kSlack && w >= kSlack && v + w <= 1 - kSlack)) continue;
+      const Vec3 hit = at(t[0]) * (1 - v - w) + at(t[1]) * v + at(t[2]) * w;
+      if (hit.z <= best.position.z) continue;
+      best.position = hit;
+      best.normal = glm::normalize(glm::cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])));
+      for (std::size_t m = 0; m < best.maps.size(); ++m) {
+        best.maps[m] = maps(t[0])[m] * (1 - v - w) + maps(t[1])[m] * v + maps(t[2])[m] * w;
+      }
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] const Vec3& at(std::uint32_t i) const { return skin_.vertices[i].position; }
+  [[nodiscard]] const Maps& maps(std::uint32_t i) const { return skin_.vertices[i].maps; }
+
+  const Part& skin_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+};
+
+glm::dvec2 along_line(const Line& line, double t) {
+  std::array<Key<glm::dvec2>, 6> keys;
+  const std::size_t count = line.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    keys[i] = {static_cast<double>(i) / static_cast<double>(count - 1), line.points[i]};
+  }
+  return sample<glm::dvec2>(std::span(keys).first(count), t);
+}
+
+void add_line(Part& part, const Line& line, const Draper& draper, int side) {
+  std::vector<std::uint32_t> before;
+  for (int i = 0; i <= kAlong; ++i) {
+    const double t = static_cast<double>(i) / kAlong;
+    const glm::dvec2 middle = along_line(line, t);
+    const glm::dvec2 way = glm::normalize(along_line(line, std::min(1.0, t + 0.02)) -
+                                          along_line(line, std::max(0.0, t - 0.02)));
+    const glm::dvec2 to_bulge{-way.y, way.x};
+    const double ends = smooth_step(0, line.begin_taper, t) * smooth_step(1, 0.6, t);
+    const double width = line.half_width * (0.55 + 0.45 * ends);
+    std::vector<std::uint32_t> row;
+    for (const Across& across : kAcross) {
+      const OnSkin on = draper.drape(middle - to_bulge * (across.at * width));
+      const Vec3 p = on.position + on.normal * kLift;
+      row.push_back(part.add({p.x * side, p.y, p.z}, kCrease, across.dark * line.depth * ends));
+      Vertex& vertex = part.vertices.back();
+      vertex.gloss = across.light * line.depth * ends;
+      vertex.maps = on.maps;
+    }
+    if (i > 0 && side > 0) part.add_band(before, row, false);
+    if (i > 0 && side < 0) part.add_band(row, before, false);
+    before = std::move(row);
+  }
+}
+
+}  // namespace
+
+std::vector<Part> make_creases(const Skin& skin) {
+  const Draper draper(skin);
+  std::vector<Part> parts;
+  for (const Crease& crease : creases()) {
+    for (const int side : {1, -1}) {
+      Part part;
+      part.name = std::string(side > 0 ? "left_" : "right_") + std::string(crease.name);
+      part.material = face::Material::Crease;
+      for (const Line& line : crease.lines) add_line(part, line, draper, side);
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
+}  // namespace aucast::facegen
