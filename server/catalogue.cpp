@@ -40,6 +40,14 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
                                      " already; leave one out or rename a file"};
 }
 
+/// Streams of plain AU sets are what the thesis measured: every packet stays as it is there.
+bool goes_beyond_classic(const protocol::StreamFile& stream) {
+  return std::any_of(stream.keyframes.begin(), stream.keyframes.end(),
+                     [](const protocol::Keyframe& keyframe) {
+                       return protocol::encode(keyframe) != protocol::encode_classic(keyframe, 0);
+                     });
+}
+
 protocol::ServedStream served(const Source& source, const CatalogueOptions& options) {
   protocol::ServedStream stream;
   stream.name = source.name;
@@ -48,7 +56,9 @@ protocol::ServedStream served(const Source& source, const CatalogueOptions& opti
     stream.negotiated.push_back(protocol::encode(keyframe));
     stream.times.emplace_back(keyframe.duration_ms.value_or(options.keyframe_ms));
   }
-  stream.changes = protocol::encode_changes(source.stream.keyframes, options.keyframe_ms);
+  if (goes_beyond_classic(source.stream)) {
+    stream.changes = protocol::encode_changes(source.stream.keyframes, options.keyframe_ms);
+  }
   // A stream that starts again has no length.
   if (!options.loop) stream.duration_ms = protocol::media_ms(source.stream, options.keyframe_ms);
   return stream;

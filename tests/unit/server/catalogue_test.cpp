@@ -126,6 +126,14 @@ TEST(MakeCatalogue, HasTheTimesAndTheChangesForWhoAsks) {
   EXPECT_EQ(stream.clock, nullptr);
 }
 
+TEST(MakeCatalogue, LeavesPlainSetsAsTheThesisHasThem) {
+  const TempFolder folder;
+  const auto sources =
+      load_sources({folder.write("a.txt", "Beg_Stream\n1,6,12,14\n6,12\nEnd_Stream\n")});
+  ASSERT_TRUE(sources);
+  EXPECT_TRUE(make_catalogue(*sources, {250, 20, false}).streams.front().changes.empty());
+}
+
 TEST(CheckLive, RefusesOnlyALoopWithoutTime) {
   const TempFolder folder;
   const auto sources =
