@@ -8,6 +8,11 @@ namespace aucast::playback {
 namespace {
 
 constexpr std::size_t kCapacityMax = 10'000;
+constexpr Milliseconds kLiveDelayMax{60'000};
+
+/// Live: what must be there to play without waiting for each packet.
+constexpr std::size_t kLiveKeyframesMin = 2;
+constexpr int kCatchUpPercent = 95;
 
 }  // namespace
 
@@ -16,9 +21,18 @@ KeyframeBuffers::KeyframeBuffers(BufferOptions options) : options_(options) {
   AUCAST_CHECK(options.playout_capacity >= 1);
   AUCAST_CHECK(options.playout_capacity <= options.receiver_capacity);
   AUCAST_CHECK(options.threshold_percent >= 1 && options.threshold_percent <= 100);
+  AUCAST_CHECK(options.live_delay >= Milliseconds::zero() && options.live_delay <= kLiveDelayMax);
+}
+
+void KeyframeBuffers::set_live(std::optional<Milliseconds> untimed) {
+  live_ = untimed;
 }
 
 KeyframeBuffers::Stored KeyframeBuffers::store(const TimedAus& keyframe) {
+  if (live_) {
+    store_live(keyframe);
+    return Stored::Yes;
+  }
   const bool full = room() == 0;
   const bool playing = !playout_.empty();
   if (full && playing) return Stored::No;  // case A
@@ -30,6 +44,38 @@ KeyframeBuffers::Stored KeyframeBuffers::store(const TimedAus& keyframe) {
   receiver_.push_back(keyframe);  // all but case A
   if (start) fill_playout();
   return Stored::Yes;
+}
+
+void KeyframeBuffers::store_live(const TimedAus& keyframe) {
+  receiver_.push_back(keyframe);
+  drop_oldest();
+  const bool delay_there =
+      receiver_.size() + playout_.size() >= kLiveKeyframesMin && buffered() >= options_.live_delay;
+  if (starved_ && !delay_there && !ended_) return;
+  starved_ = false;
+  if (playout_.empty()) fill_playout();
+}
+
+void KeyframeBuffers::drop_oldest() {
+  const auto count = [this] { return receiver_.size() + playout_.size(); };
+  const auto drop_one = [this] {
+    (playout_.empty() ? receiver_ : playout_).pop_front();
+    ++dropped_;
+  };
+  while (receiver_.size() > options_.receiver_capacity) drop_one();
+  if (buffered() <= options_.live_delay + kLiveLagMax) return;
+  while (count() > kLiveKeyframesMin && buffered() > options_.live_delay) drop_one();
+}
+
+Milliseconds KeyframeBuffers::time_of(const TimedAus& keyframe) const {
+  return keyframe.duration.value_or(live_.value_or(Milliseconds::zero()));
+}
+
+Milliseconds KeyframeBuffers::buffered() const {
+  Milliseconds sum{0};
+  for (const TimedAus& keyframe : playout_) sum += time_of(keyframe);
+  for (const TimedAus& keyframe : receiver_) sum += time_of(keyframe);
+  return sum;
 }
 
 std::size_t KeyframeBuffers::room() const {
@@ -46,10 +92,17 @@ void KeyframeBuffers::end_of_stream() {
 }
 
 std::optional<TimedAus> KeyframeBuffers::take() {
-  if (playout_.empty()) return std::nullopt;
-  const TimedAus keyframe = playout_.front();
+  if (playout_.empty()) {
+    starved_ = true;
+    return std::nullopt;
+  }
+  TimedAus keyframe = playout_.front();
   playout_.pop_front();
   if (playout_.empty()) fill_playout();
+  const Milliseconds time = time_of(keyframe);
+  if (live_ && buffered() > options_.live_delay + time) {
+    keyframe.duration = time * kCatchUpPercent / 100;
+  }
   return keyframe;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 
@@ -13,6 +14,7 @@ struct BufferOptions {
   std::size_t playout_capacity = 30;    ///< sets, 1-10,000, at most receiver_capacity
   int threshold_percent = 40;           ///< of the receiver buffer, 1-100; for the first fill and
                                         ///< after a stall
+  Milliseconds live_delay{300};         ///< live: held ready instead, 0-60,000
 };
 
 /// The Receiver and the Playout buffer of the thesis (5.4.4.1-5.4.4.2, figures 5.12-5.15), first-in
@@ -20,7 +22,11 @@ struct BufferOptions {
 /// threshold; a full receiver with an empty playout fills it whatever the threshold; the
 /// controller's refill tells the reader that there is room. Invariant: sizes never exceed the
 /// capacities; nothing is lost, doubled or reordered; keyframes leave in the order in which they
-/// came. Thread: none of its own; the owner guards it.
+/// came.
+/// A live stream is buffered by time: playing starts when two keyframes and `live_delay` are there,
+/// first and after a stall. Who has more plays 5 % faster, and who is kLiveLagMax behind drops the
+/// oldest: nothing is held back from a live stream, so there is no case A.
+/// Thread: none of its own; the owner guards it.
 class KeyframeBuffers {
  public:
   /// The options must be in their ranges.
@@ -35,13 +41,15 @@ class KeyframeBuffers {
   /// reached). No means case A: both are full; send -1, keep the keyframe and try again after
   /// room().
   [[nodiscard]] Stored store(const TimedAus& keyframe);
+  /// From now on the stream is live, with this time for a keyframe that has none of its own; or,
+  /// without one, it is recorded.
+  void set_live(std::optional<Milliseconds> untimed);
   /// Free places of the receiver.
   [[nodiscard]] std::size_t room() const;
-  /// The sender had to be held back although the threshold is not reached (a window needs more room
-  /// than there is): start playing with what is there.
+  /// Nothing will come for a while: start playing with what is there.
   void release();
   /// {-2}, or nothing more will come for another reason: what is there is played to the end. Only
-  /// a keyframe that case A had kept back may still be stored.
+  /// keyframes that case A had kept back may still be stored.
   void end_of_stream();
 
   // === The playback controller's side.
@@ -55,8 +63,17 @@ class KeyframeBuffers {
 
   [[nodiscard]] std::size_t receiver_fill() const { return receiver_.size(); }
   [[nodiscard]] std::size_t playout_fill() const { return playout_.size(); }
+  /// Live keyframes that were dropped to catch up.
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
  private:
+  /// Beyond `live_delay`: so much more and the oldest keyframes are dropped.
+  static constexpr Milliseconds kLiveLagMax{2000};
+
+  void store_live(const TimedAus& keyframe);
+  void drop_oldest();
+  [[nodiscard]] Milliseconds time_of(const TimedAus& keyframe) const;
+  [[nodiscard]] Milliseconds buffered() const;
   void fill_playout();
   /// How many sets the receiver must hold before the Playout buffer is filled for the first time or
   /// after a stall; at least 1.
@@ -66,6 +83,9 @@ class KeyframeBuffers {
   std::deque<TimedAus> receiver_;
   std::deque<TimedAus> playout_;
   bool ended_ = false;
+  std::optional<Milliseconds> live_;  ///< the time of an untimed keyframe
+  bool starved_ = true;               ///< live: the player found nothing, so a delay is built up
+  std::uint64_t dropped_ = 0;
 };
 
 }  // namespace aucast::playback

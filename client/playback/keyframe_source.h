@@ -38,9 +38,12 @@ struct SourceStatus {
   std::string detail;                   ///< a sentence about the end, for the user
   std::size_t receiver_fill = 0;
   std::size_t playout_fill = 0;
-  Milliseconds keyframe_time{250};  ///< the server's default for untimed packets
-  bool negotiated = false;          ///< level 2
-  bool paused = false;              ///< by the user, or by -1 because the buffers are full
+  Milliseconds keyframe_time{250};      ///< the server's default for untimed packets
+  bool negotiated = false;              ///< level 2
+  bool live = false;                    ///< the server has one clock for all
+  std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
+  std::uint64_t reconnects = 0;         ///< attempts after a loss (--reconnect)
+  bool paused = false;                  ///< by the user, or by -1 because the buffers are full
   std::uint64_t packets_received = 0;
   std::uint64_t bytes_received = 0;
   std::uint64_t pauses_sent = 0;

@@ -1,0 +1,189 @@
+// The two buffers while the stream is live.
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "client/playback/keyframe_buffers.h"
+#include "tests/support/seeded.h"
+#include "tests/unit/playback/marked.h"
+
+namespace aucast::playback {
+namespace {
+
+using namespace std::chrono_literals;
+using aucast::test::Seeded;
+using test::mark_of;
+using test::marked;
+
+/// Keyframe `mark` of a live stream, untimed unless `time` is given.
+TimedAus keyframe_of(int mark, std::optional<Milliseconds> time = std::nullopt) {
+  TimedAus made = marked(mark);
+  made.duration = time;
+  return made;
+}
+
+class LiveBuffers : public ::testing::Test {
+ protected:
+  LiveBuffers() { buffers_.set_live(250ms); }
+
+  void store(int mark, std::optional<Milliseconds> time = std::nullopt) {
+    EXPECT_EQ(buffers_.store(keyframe_of(mark, time)), KeyframeBuffers::Stored::Yes);
+  }
+  /// The mark of the next keyframe, 0 when there is none.
+  int take() {
+    const auto taken = buffers_.take();
+    last_time_ = taken ? taken->duration : std::nullopt;
+    return taken ? mark_of(*taken) : 0;
+  }
+
+  KeyframeBuffers buffers_{BufferOptions{}};
+  std::optional<Milliseconds> last_time_;
+};
+
+TEST_F(LiveBuffers, StartWithTwoKeyframesThatAreWorthTheDelay) {
+  store(1);
+  EXPECT_FALSE(buffers_.has_next());
+  store(2);
+  EXPECT_TRUE(buffers_.has_next()) << "500 ms, and not forty sets";
+}
+
+TEST_F(LiveBuffers, StartLaterWhereKeyframesAreShort) {
+  for (int mark = 1; mark <= 9; ++mark) store(mark, 33ms);
+  EXPECT_FALSE(buffers_.has_next()) << "297 ms";
+  store(10, 33ms);
+  EXPECT_TRUE(buffers_.has_next());
+}
+
+TEST_F(LiveBuffers, StartWithTwoWhereKeyframesAreLong) {
+  store(1, 2s);
+  EXPECT_FALSE(buffers_.has_next());
+  store(2, 2s);
+  EXPECT_TRUE(buffers_.has_next());
+}
+
+TEST_F(LiveBuffers, GoOnWithOneThatComesInTime) {
+  store(1);
+  store(2);
+  EXPECT_EQ(take(), 1);
+  EXPECT_EQ(take(), 2);
+  store(3);
+  EXPECT_EQ(take(), 3) << "the player had not yet asked for it";
+}
+
+TEST_F(LiveBuffers, BuildUpTheDelayAgainAfterAStall) {
+  store(1);
+  store(2);
+  take();
+  take();
+  EXPECT_EQ(take(), 0);
+  store(3);
+  EXPECT_EQ(take(), 0);
+  store(4);
+  EXPECT_EQ(take(), 3);
+}
+
+TEST_F(LiveBuffers, PlayWhatIsThereAtTheEnd) {
+  store(1);
+  EXPECT_EQ(take(), 0);
+  buffers_.end_of_stream();
+  EXPECT_EQ(take(), 1);
+  EXPECT_TRUE(buffers_.finished());
+}
+
+TEST_F(LiveBuffers, LeaveTheTimesAloneInSteadyPlay) {
+  store(1);
+  store(2);
+  for (int mark = 3; mark < 50; ++mark) {
+    EXPECT_EQ(take(), mark - 2);
+    EXPECT_FALSE(last_time_.has_value()) << mark;
+    store(mark);
+  }
+  EXPECT_EQ(buffers_.dropped(), 0U);
+}
+
+TEST_F(LiveBuffers, PlayFasterToCatchUp) {
+  for (int mark = 1; mark <= 5; ++mark) store(mark);
+  EXPECT_EQ(take(), 1);
+  EXPECT_EQ(last_time_, 237ms) << "5 % faster: 1000 ms are left";
+  store(6, 100ms);
+  take();
+  take();
+  EXPECT_EQ(take(), 4);
+  EXPECT_FALSE(last_time_.has_value()) << "350 ms are left, which is no more than a keyframe ahead";
+}
+
+TEST_F(LiveBuffers, DropTheOldestWhenFarBehind) {
+  for (int mark = 1; mark <= 9; ++mark) store(mark);  // 2250 ms
+  EXPECT_EQ(buffers_.dropped(), 0U);
+  store(10);
+  EXPECT_EQ(buffers_.dropped(), 8U);
+  EXPECT_EQ(take(), 9);
+  EXPECT_EQ(take(), 10);
+}
+
+TEST_F(LiveBuffers, KeepTwoHoweverLongTheyAre) {
+  for (int mark = 1; mark <= 4; ++mark) store(mark, 1h);
+  EXPECT_EQ(buffers_.dropped(), 2U);
+  EXPECT_EQ(take(), 3);
+  EXPECT_EQ(take(), 4);
+}
+
+TEST_F(LiveBuffers, NeverHoldMoreThanTheReceiver) {
+  buffers_ = KeyframeBuffers(BufferOptions{3, 1, 100});
+  buffers_.set_live(0ms);
+  for (int mark = 1; mark <= 100; ++mark) store(mark);
+  EXPECT_EQ(buffers_.receiver_fill() + buffers_.playout_fill(), 3U);
+  EXPECT_EQ(buffers_.dropped(), 97U);
+}
+
+TEST_F(LiveBuffers, GoBackToTheThresholdWhenRecorded) {
+  buffers_.set_live(std::nullopt);
+  store(1);
+  store(2);
+  EXPECT_FALSE(buffers_.has_next());
+}
+
+TEST(LiveBuffersProperty, GiveEachOnceInOrderOrCountItAsDropped) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 300; ++run) {
+    BufferOptions options;
+    options.receiver_capacity = static_cast<std::size_t>(seeded.integer(1, 120));
+    options.playout_capacity =
+        static_cast<std::size_t>(seeded.integer(1, static_cast<int>(options.receiver_capacity)));
+    options.live_delay = Milliseconds(seeded.integer(0, 1000));
+    KeyframeBuffers buffers(options);
+    buffers.set_live(Milliseconds(seeded.integer(1, 500)));
+    const double eager = seeded.real(0.2, 0.8);
+    int stored = 0;
+    std::uint64_t taken = 0;
+    int last = 0;
+    const auto take = [&] {
+      const auto next = buffers.take();
+      if (!next) return false;
+      EXPECT_GT(mark_of(*next), last);
+      last = mark_of(*next);
+      ++taken;
+      return true;
+    };
+    while (stored < 90) {
+      if (seeded.chance(eager)) {
+        take();
+      } else {
+        EXPECT_EQ(buffers.store(keyframe_of(++stored)), KeyframeBuffers::Stored::Yes);
+      }
+      EXPECT_LE(buffers.receiver_fill(), options.receiver_capacity);
+      EXPECT_LE(buffers.playout_fill(), options.playout_capacity);
+    }
+    buffers.end_of_stream();
+    while (take()) {
+    }
+    EXPECT_TRUE(buffers.finished());
+    EXPECT_EQ(last, 90) << "the newest is never dropped";
+    EXPECT_EQ(taken + buffers.dropped(), 90U);
+  }
+}
+
+}  // namespace
+}  // namespace aucast::playback
