@@ -18,9 +18,11 @@ constexpr std::string_view kWatch =
 Receiving
   --buffer N (100)  --playout N (30)  --threshold PERCENT (40)   Receiver and Playout buffer,
                       sets, and how full the first must be before playing starts
+  --live-delay MS (300)       of a live stream so much, and two sets, are there instead
   --stream NAME       which of the server's streams; default: its first
   --protocol auto|classic     classic never sends a hello
   --connect-timeout S (10)    longest wait for a connection and for its first packet
+  --reconnect         hold the face and try again after 1, 2, 4 ... 30 s when the server is lost
 Animating
   --speed MS          time of a keyframe that brings none of its own, 1-1000
   --mixer maximum|average     --rules facs|kumar2010|none|FILE

@@ -64,6 +64,8 @@ Result<std::unique_ptr<playback::KeyframeSource>> open_remote(const PlaybackOpti
   remote.stream = options.stream;
   remote.connect_timeout = options.connect_timeout;
   remote.buffers = options.buffers;
+  remote.speed = options.speed;
+  remote.reconnect = options.reconnect;
   return std::unique_ptr<playback::KeyframeSource>(std::make_unique<net::RemoteSource>(remote));
 }
 

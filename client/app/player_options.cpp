@@ -18,6 +18,7 @@ struct Raw {
   int fps = 0;
   int buffer = 100;
   int playout = 30;
+  int live_delay_ms = 300;
   double connect_timeout_s = 10;
   std::string size;  ///< empty: the command's own
   std::string background;
@@ -74,6 +75,8 @@ void add_network(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("--playout", raw.playout)->check(CLI::Range(1, 10000));
   cli.add_option("--threshold", options.playback.buffers.threshold_percent)
       ->check(CLI::Range(1, 100));
+  cli.add_option("--live-delay", raw.live_delay_ms)->check(CLI::Range(0, 60000));
+  cli.add_flag("--reconnect", options.playback.reconnect);
   cli.add_option("--stream", options.playback.stream);
   cli.add_option("--protocol", raw.protocol)->check(CLI::IsMember({"auto", "classic"}));
   cli.add_option("--connect-timeout", raw.connect_timeout_s)->check(CLI::Range(0.01, 86400.0));
@@ -159,6 +162,7 @@ Result<void> read_muscles(const std::vector<std::string>& texts, PoseOptions& po
 }
 
 Result<void> read_buffers(const CLI::App& cli, const Raw& raw, playback::BufferOptions& buffers) {
+  buffers.live_delay = Milliseconds(raw.live_delay_ms);
   buffers.receiver_capacity = static_cast<std::size_t>(raw.buffer);
   buffers.playout_capacity = static_cast<std::size_t>(std::min(raw.playout, raw.buffer));
   if (raw.playout > raw.buffer && cli.count("--playout") > 0) {

@@ -42,6 +42,7 @@ struct PlaybackOptions {
   bool classic = false;
   std::string stream;
   Duration connect_timeout = std::chrono::seconds(10);
+  bool reconnect = false;
   std::optional<std::uint64_t> blink_seed;  ///< --blink: nothing: no blinking
 };
 

@@ -13,6 +13,9 @@ void PlayerStats::take(const playback::SourceStatus& status) {
   pauses_sent = status.pauses_sent;
   resumes_sent = status.resumes_sent;
   negotiated = status.negotiated;
+  live = status.live;
+  keyframes_dropped = status.keyframes_dropped;
+  reconnects = status.reconnects;
   if (status.end != playback::EndReason::NotEnded) end_reason = name(status.end);
   detail = status.detail;
 }
@@ -37,6 +40,9 @@ std::string to_json(const PlayerStats& stats) {
   json["media_seconds"] = stats.media_seconds;
   json["first_frame_ms"] = stats.first_frame_ms;
   json["protocol_level"] = stats.negotiated ? 2 : 1;
+  json["live"] = stats.live;
+  json["keyframes_dropped"] = stats.keyframes_dropped;
+  json["reconnects"] = stats.reconnects;
   json["end_reason"] = stats.end_reason;
   json["detail"] = stats.detail;
   return json.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";

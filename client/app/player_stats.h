@@ -23,9 +23,12 @@ struct PlayerStats {
   std::uint64_t stalls = 0;
   double playback_seconds = 0;  ///< measured on the steady clock
   double media_seconds = 0;
-  double first_frame_ms = 0;          ///< from program start
-  bool negotiated = false;            ///< level 2
-  std::string end_reason = "failed";  ///< a name of EndReason, or failed for what went wrong here
+  double first_frame_ms = 0;  ///< from program start
+  bool negotiated = false;    ///< level 2
+  bool live = false;
+  std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
+  std::uint64_t reconnects = 0;         ///< attempts after a loss
+  std::string end_reason = "failed";    ///< a name of EndReason, or failed for what went wrong here
   std::string detail;
 
   /// Takes over what a source counted.

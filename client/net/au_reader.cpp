@@ -4,8 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "common/check.h"
-
 namespace aucast::net {
 namespace {
 
@@ -25,6 +23,7 @@ protocol::ClientSessionOptions session_options(const AuReaderOptions& options, b
   session.hello.window =
       static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity));
   session.hello.stream = options.stream;
+  session.hello.delta = true;
   session.silence_max = options.silence_max;
   return session;
 }
@@ -101,8 +100,37 @@ std::optional<Instant> AuReader::deadline() const {
   return session_.deadline();
 }
 
-void AuReader::unreachable(std::string reason) {
-  end(EndReason::Unreachable, std::move(reason));
+Reaction AuReader::unreachable(std::string reason) {
+  Reaction reaction;
+  reaction.changed = true;
+  if (!begin_again(reaction, reason)) {
+    reaction.next = Reaction::Next::Close;
+    end(EndReason::Unreachable, std::move(reason));
+  }
+  return reaction;
+}
+
+/// After a loss: what was received is played while the next attempt is waited for.
+bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
+  if (!options_.reconnect || status_.end != EndReason::NotEnded) return false;
+  if (first_) take_in(*std::exchange(first_, std::nullopt));
+  settled_ = false;
+  buffers_.release();
+  buffers_.set_live(std::nullopt);
+  packets_before_ += session_.packets_received();
+  bytes_before_ += session_.payload_bytes();
+  owed_ = 0;
+  negotiate_ = !options_.classic;
+  session_ = protocol::ClientSession(session_options(options_, negotiate_));
+  status_.connected = false;
+  status_.negotiated = false;
+  ++status_.reconnects;
+  reaction.send.clear();
+  reaction.next = Reaction::Next::ReconnectLater;
+  reaction.retry_after = back_off_.next();
+  status_.detail =
+      reason + "; trying again in " + std::to_string(reaction.retry_after.count() / 1000) + " s";
+  return true;
 }
 
 Reaction AuReader::speak(Instant now) {
@@ -122,7 +150,7 @@ bool AuReader::wants_bytes() const {
 }
 
 bool AuReader::digests() const {
-  return status_.end == EndReason::NotEnded && !kept_ && owed_ < kOwedMax;
+  return status_.end == EndReason::NotEnded && kept_.size() < kept_max() && owed_ < kOwedMax;
 }
 
 /// Packet by packet, so that each is answered before the session counts the next as sent ahead.
@@ -152,6 +180,7 @@ void AuReader::handle(const protocol::SendBytes& event, Reaction& reaction) {
 
 void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction) {
   reaction.changed = true;
+  back_off_.reset();
   TimedAus keyframe{event.aus, std::nullopt};
   if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
 
@@ -170,6 +199,9 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   reaction.changed = true;
   status_.negotiated = true;
   status_.keyframe_time = Milliseconds(event.hello.keyframe_ms);
+  status_.live = event.hello.live;
+  buffers_.set_live(status_.live ? std::optional(options_.speed.value_or(status_.keyframe_time))
+                                 : std::nullopt);
   answer(reaction.send);  // the user may have paused already
 }
 
@@ -192,18 +224,22 @@ void AuReader::handle(const protocol::ReconnectClassic& /*event*/, Reaction& rea
 
 void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) {
   reaction.changed = true;
+  const bool lost =
+      event.why == SessionFailed::Why::Lost || event.why == SessionFailed::Why::Silent;
+  if (lost && begin_again(reaction, options_.peer + ": " + event.reason)) return;
   reaction.next = Reaction::Next::Close;
   end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));
 }
 
 void AuReader::take_in(const TimedAus& keyframe) {
-  AUCAST_CHECK(!kept_);
-  kept_ = keyframe;
+  kept_.push_back(keyframe);
   store_kept();
 }
 
 void AuReader::store_kept() {
-  if (kept_ && buffers_.store(*kept_) == KeyframeBuffers::Stored::Yes) kept_.reset();
+  while (!kept_.empty() && buffers_.store(kept_.front()) == KeyframeBuffers::Stored::Yes) {
+    kept_.pop_front();
+  }
 }
 
 void AuReader::answer(std::string& send) {
@@ -217,12 +253,12 @@ void AuReader::answer(std::string& send) {
 
 void AuReader::answer_classic(std::string& send) {
   if (session_.paused()) {
-    if (user_paused_ || kept_) return;
+    if (user_paused_ || !kept_.empty()) return;
     say_resume(send);  // answers the keyframe that -1 had left open
     --owed_;
   }
   while (owed_ > 0) {
-    if (user_paused_ || (kept_ && owed_ == 1)) {
+    if (user_paused_ || (!kept_.empty() && owed_ == 1)) {
       say_pause(send);
       return;
     }
@@ -232,12 +268,11 @@ void AuReader::answer_classic(std::string& send) {
 }
 
 void AuReader::answer_negotiated(std::string& send) {
-  if (buffers_.room() < wanted_room()) buffers_.release();
-  const bool hold = user_paused_ || kept_ || buffers_.room() < wanted_room();
+  const bool hold = user_paused_ || !kept_.empty();
   // First the pause, then the answers: the other way round each answer would let one more packet
   // go than there is room for.
   if (hold && !session_.paused()) say_pause(send);
-  for (; owed_ > (kept_ ? 1 : 0); --owed_) send += session_.answer_received();
+  for (; owed_ > 0; --owed_) send += session_.answer_received();
   if (!hold && session_.paused()) say_resume(send);
 }
 
@@ -257,9 +292,10 @@ bool AuReader::negotiated() const {
   return session_.level() == protocol::Level::Negotiated;
 }
 
-std::size_t AuReader::wanted_room() const {
-  const auto window = static_cast<std::size_t>(std::max(session_.window(), 0));
-  return std::min(window, options_.buffers.receiver_capacity);
+/// In classic what comes behind the one kept is not looked at; in level 2 there is room for what
+/// may be under way when the server is told to pause.
+std::size_t AuReader::kept_max() const {
+  return negotiated() ? static_cast<std::size_t>(std::max(session_.window(), 1)) : 1;
 }
 
 void AuReader::end(EndReason reason, std::string detail) {
@@ -285,9 +321,10 @@ bool AuReader::ready() const {
 bool AuReader::has_words() const {
   if (status_.end != EndReason::NotEnded || !status_.connected) return false;
   if (!waiting_.empty() && digests()) return true;
-  if (user_paused_) return !session_.paused() && (negotiated() || owed_ > 0);
-  if (kept_ || !session_.paused()) return owed_ > (kept_ ? 1 : 0);
-  return !negotiated() || buffers_.room() >= wanted_room();
+  if (negotiated()) return owed_ > 0 || session_.paused() != (user_paused_ || !kept_.empty());
+  if (user_paused_) return !session_.paused() && owed_ > 0;
+  if (!kept_.empty() || !session_.paused()) return owed_ > (kept_.empty() ? 0 : 1);
+  return true;
 }
 
 void AuReader::set_paused(bool paused) {
@@ -307,8 +344,9 @@ playback::SourceStatus AuReader::status() const {
   status.receiver_fill = buffers_.receiver_fill();
   status.playout_fill = buffers_.playout_fill();
   status.paused = user_paused_ || session_.paused();
-  status.packets_received = session_.packets_received();
-  status.bytes_received = session_.payload_bytes();
+  status.packets_received = packets_before_ + session_.packets_received();
+  status.bytes_received = bytes_before_ + session_.payload_bytes();
+  status.keyframes_dropped = buffers_.dropped();
   return status;
 }
 

@@ -3,11 +3,13 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "client/net/back_off.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "common/time.h"
@@ -21,18 +23,22 @@ struct AuReaderOptions {
   std::string stream;                               ///< empty: the server's first
   Duration silence_max = std::chrono::seconds(10);  ///< for the first packet
   playback::BufferOptions buffers;
+  std::optional<Milliseconds> speed{};  ///< --speed: of keyframes without a time, for live streams
+  bool reconnect = false;               ///< try again when the connection is lost or cannot be made
 };
 
 /// What the connection has to do now, in this order.
 struct Reaction {
   enum class Next : std::uint8_t {
     GoOn,
-    Reconnect,  ///< drop this connection and make a new one, then connected() again
-    Close,      ///< nothing more will come
+    Reconnect,       ///< drop this connection and make a new one, then connected() again
+    ReconnectLater,  ///< the same after `retry_after`
+    Close,           ///< nothing more will come
   };
   std::string send;
   Next next = Next::GoOn;
   bool changed = false;  ///< there is something new for the player
+  Milliseconds retry_after{0};
 };
 
 /// The AU Reader of the thesis (5.4.4.2) without its socket: what comes from the server goes into
@@ -41,9 +47,10 @@ struct Reaction {
 /// Until a server that answered a hello in classic has sent a second packet or {-2}, its first one
 /// is answered but kept aside: should the server close, the stream begins once more on a new
 /// connection, and nothing may be played twice.
-/// Invariant: packets answered by `1` are in the buffers or kept aside; in level 2 at most as many
-/// packets are under way as the receiver has room for. A server that does not wait for answers is
-/// read no faster than the player makes room.
+/// Invariant: packets answered by `1` are in the buffers or kept aside; in level 2 what is under
+/// way when the buffers are full, at most the window, is kept aside too. A server that does not
+/// wait for answers is read no faster than the player makes room. With `reconnect` a loss is not
+/// the end: the face holds, and the stream of the next connection follows what had been received.
 /// Thread: none of its own; the owner guards it.
 class AuReader {
  public:
@@ -59,7 +66,7 @@ class AuReader {
   /// When time() wants to be called.
   [[nodiscard]] std::optional<Instant> deadline() const;
   /// No connection could be made; `reason` is a sentence for the user.
-  void unreachable(std::string reason);
+  Reaction unreachable(std::string reason);
   /// After take() or set_paused(): what the server has to be told now, and what follows from bytes
   /// that had to wait.
   [[nodiscard]] Reaction speak(Instant now);
@@ -99,7 +106,8 @@ class AuReader {
   void say_pause(std::string& send);
   void say_resume(std::string& send);
   [[nodiscard]] bool negotiated() const;
-  [[nodiscard]] std::size_t wanted_room() const;
+  [[nodiscard]] std::size_t kept_max() const;
+  [[nodiscard]] bool begin_again(Reaction& reaction, const std::string& reason);
   void end(playback::EndReason reason, std::string detail);
 
   AuReaderOptions options_;
@@ -108,13 +116,16 @@ class AuReader {
   playback::KeyframeBuffers buffers_;
   std::optional<playback::TimedAus> first_;  ///< kept aside until the server is known to go on
   bool settled_ = false;                     ///< it is
-  std::optional<playback::TimedAus> kept_;   ///< case A: came when both buffers were full
+  std::deque<playback::TimedAus> kept_;      ///< case A: came when both buffers were full
   std::string waiting_;                      ///< bytes for when kept_ has found room
   std::size_t owed_ = 0;                     ///< keyframes not yet answered by `1` or -3
   bool user_paused_ = false;
   bool stopped_ = false;           ///< by leave()
   playback::SourceStatus status_;  ///< without what can be asked from the others
   Instant connected_at_{};
+  BackOff back_off_;
+  std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
+  std::uint64_t bytes_before_ = 0;
 };
 
 }  // namespace aucast::net

@@ -42,8 +42,8 @@ std::string peer_name(const RemoteOptions& options) {
 }
 
 AuReaderOptions reader_options(const RemoteOptions& options) {
-  return {peer_name(options), options.classic, options.stream, options.connect_timeout,
-          options.buffers};
+  return {peer_name(options), options.classic, options.stream,   options.connect_timeout,
+          options.buffers,    options.speed,   options.reconnect};
 }
 
 /// "10 s", "250 ms".
@@ -110,6 +110,7 @@ class RemoteSource::Connection {
   void begin_farewell();
   void end_sending_when_written();
   void carry_out(const Reaction& reaction);
+  void reach_later(Milliseconds wait);
   void give_up(const std::string& cause, const std::string& remedy);
   void drop_socket();
   void close();
@@ -242,12 +243,21 @@ void RemoteSource::Connection::connected() {
 }
 
 void RemoteSource::Connection::give_up(const std::string& cause, const std::string& remedy) {
+  Reaction reaction;
   {
     const std::lock_guard lock(shared_.mutex);
-    shared_.reader.unreachable("cannot reach " + peer_ + ": " + cause + "; " + remedy);
+    reaction = shared_.reader.unreachable("cannot reach " + peer_ + ": " + cause + "; " + remedy);
   }
-  close();
-  tell_player();
+  carry_out(reaction);
+}
+
+void RemoteSource::Connection::reach_later(Milliseconds wait) {
+  drop_socket();
+  phase_ = Phase::Reaching;
+  reach_timer_.expires_after(wait);
+  reach_timer_.async_wait(for_this_socket([this](const ErrorCode& failure) {
+    if (!failure) reach();
+  }));
 }
 
 // === An open connection.
@@ -342,6 +352,9 @@ void RemoteSource::Connection::carry_out(const Reaction& reaction) {
     case Reaction::Next::Reconnect:
       drop_socket();
       reach();
+      break;
+    case Reaction::Next::ReconnectLater:
+      reach_later(reaction.retry_after);
       break;
     case Reaction::Next::Close:
       close();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,10 @@ struct RemoteOptions {
   /// For finding and reaching the server, and then for its first packet.
   Duration connect_timeout = std::chrono::seconds(10);
   playback::BufferOptions buffers;
+  std::optional<Milliseconds> speed{};  ///< --speed
+  /// --reconnect: a connection that is lost or cannot be made is tried again after 1, 2, 4 ... 30
+  /// s, until stop().
+  bool reconnect = false;
   /// Called on the network thread when something changed, to the end of the source's life; may only
   /// unblock the player (mpv's wakeup). May be empty.
   std::function<void()> wakeup;

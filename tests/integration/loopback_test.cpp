@@ -144,6 +144,40 @@ TEST(Loopback, InterruptSendsStopAndFinishesTheFiles) {
   EXPECT_GT(json["keyframes_played"].get<int>(), 0);
 }
 
+TEST(Loopback, ALiveStreamIsPlayedFromNowToItsEnd) {
+  const TempFolder folder;
+  std::string text = "Beg_Stream\n";
+  for (int n = 1; n <= 100; ++n) text += "1:" + std::to_string(n) + ",6,12;20\n";
+  const auto file = folder.write("count.txt", text + "End_Stream\n");
+  Served served({"--live", file.string()});
+  const PlayerRun run = run_player({"--headless", served.address()});
+  EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(run.stats["live"], true);
+  EXPECT_EQ(run.stats["end_reason"], "end_of_stream");
+  EXPECT_EQ(run.stats["packets_received"].get<int>(),
+            run.stats["keyframes_played"].get<int>() + run.stats["keyframes_dropped"].get<int>());
+  EXPECT_EQ(run.stats["pauses_sent"], 0);
+}
+
+TEST(Loopback, ReconnectOutlivesAServer) {
+  const TempFolder folder;
+  auto first = std::make_unique<Served>(
+      std::vector<std::string>{"--live", "--loop", stream_file("talk.txt")});
+  const std::string address = first->address();
+  Process player({program("face-player"), "--headless", "--reconnect", address, "--stats",
+                  (folder.path() / "stats.json").string()});
+  ASSERT_FALSE(player.wait(1000ms).has_value()) << player.err();
+  first->process().signal(SIGKILL);
+  ASSERT_TRUE(first->process().wait(20s).has_value());
+  Process second({program("au-transmitter"), "--port", address.substr(address.rfind(':') + 1),
+                  stream_file("happiness.txt")});
+  ASSERT_TRUE(second.read_line(20s).has_value()) << second.err();
+  EXPECT_EQ(player.wait(40s), 0) << player.err();
+  const auto json = nlohmann::json::parse(folder.read("stats.json"));
+  EXPECT_EQ(json["end_reason"], "end_of_stream");
+  EXPECT_GE(json["reconnects"].get<int>(), 1);
+}
+
 TEST(Loopback, AServerThatIsKilledIsAConnectionLost) {
   Served served({stream_file("six_expressions.txt"), "--loop"});
   const TempFolder folder;

@@ -28,6 +28,8 @@ TEST(HelpText, NamesEveryOptionAndAnExample) {
                              "--stream",
                              "--protocol",
                              "--connect-timeout",
+                             "--live-delay",
+                             "--reconnect",
                              "--speed",
                              "--mixer",
                              "--rules",

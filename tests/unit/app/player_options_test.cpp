@@ -170,5 +170,19 @@ TEST(PlayerOptions, RefuseImpossibleSizesAndMuscles) {
   }
 }
 
+TEST(PlayerOptions, LiveDelayAndReconnect) {
+  const auto plain = parse_player_options({"host"});
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->playback.buffers.live_delay, std::chrono::milliseconds(300));
+  EXPECT_FALSE(plain->playback.reconnect);
+  const auto given = parse_player_options({"host", "--live-delay", "0", "--reconnect"});
+  ASSERT_TRUE(given);
+  EXPECT_EQ(given->playback.buffers.live_delay, std::chrono::milliseconds(0));
+  EXPECT_TRUE(given->playback.reconnect);
+  const auto late = parse_player_options({"host", "--live-delay", "60001"});
+  ASSERT_FALSE(late);
+  EXPECT_NE(late.error().message.find("--live-delay"), std::string::npos) << late.error().message;
+}
+
 }  // namespace
 }  // namespace aucast::app

@@ -30,6 +30,9 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   status.bytes_received = 57;
   status.pauses_sent = 2;
   status.resumes_sent = 1;
+  status.live = true;
+  status.keyframes_dropped = 4;
+  status.reconnects = 5;
   PlayerStats stats;
   stats.take(status);
   const auto json = nlohmann::json::parse(to_json(stats));
@@ -37,6 +40,9 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   EXPECT_EQ(json["bytes_received"], 57);
   EXPECT_EQ(json["pauses_sent"], 2);
   EXPECT_EQ(json["resumes_sent"], 1);
+  EXPECT_EQ(json["live"], true);
+  EXPECT_EQ(json["keyframes_dropped"], 4);
+  EXPECT_EQ(json["reconnects"], 5);
   EXPECT_EQ(json["end_reason"], "unreachable");
   EXPECT_EQ(json["fps"], 0.0);
 }

@@ -264,31 +264,45 @@ TEST(AuReader, BearsSuchAServerWhileTheUserPauses) {
   EXPECT_EQ(reading.reader.status().packets_received, 600U);
 }
 
-// === Room for a window, in level 2.
+// === Full buffers, in level 2.
 
-TEST(AuReader, PausesBeforeItAnswersWhenTheWindowNeedsTheRoom) {
-  Reading reading({4, 2, 40});
-  reading.feed(kGrantFour);
-  EXPECT_EQ(reading.feed("{1}"), "1") << "released below the threshold: there is room again";
-  EXPECT_EQ(reading.feed("{2}"), "-11");
-  EXPECT_EQ(reading.feed("{4}{5}"), "11") << "still under way when the server heard of it";
+TEST(AuReader, PausesBeforeItAnswersWhenBothBuffersAreFullAndKeepsWhatIsUnderWay) {
+  Reading reading({2, 1, 100});
+  reading.feed("{hello v=2 window=2}");
+  EXPECT_EQ(reading.feed("{1}{2}"), "11");
+  EXPECT_EQ(reading.feed("{4}"), "1") << "case B: a full receiver fills the playout";
+  EXPECT_EQ(reading.feed("{5}"), "-11") << "case A";
+  EXPECT_EQ(reading.feed("{6}"), "1") << "still under way when the server heard of it";
   EXPECT_EQ(reading.take(), 1);
-  EXPECT_EQ(reading.speak(), "(nothing to say)") << "three of four places are not enough";
+  EXPECT_EQ(reading.speak(), "(nothing to say)") << "another one is kept aside";
   EXPECT_EQ(reading.take(), 2);
-  EXPECT_EQ(reading.take(), 4);
   EXPECT_EQ(reading.speak(), "-3");
+  EXPECT_EQ(reading.take_all(), (Aus{4, 5, 6}));
   EXPECT_EQ(reading.reader.status().pauses_sent, 1U);
   EXPECT_EQ(reading.reader.status().resumes_sent, 1U);
 }
 
-TEST(AuReader, ReleasesThePlayoutWhenTheWindowLeavesNoThreshold) {
-  Reading reading({100, 30, 40});
+TEST(AuReader, TakesNoMoreThanTheWindowFromAServerThatIgnoresThePause) {
+  Reading reading({1, 1, 100});
+  reading.feed("{hello v=2 window=1}");
+  for (int i = 0; i < 20; ++i) reading.feed("{7}");
+  EXPECT_EQ(reading.reader.status().packets_received, 3U) << "playout, receiver, kept aside";
+  EXPECT_FALSE(reading.reader.wants_bytes()) << "the rest is for TCP to hold";
+  int taken = 0;
+  while (reading.take() != 0) {
+    ++taken;
+    reading.speak();
+  }
+  EXPECT_EQ(taken, 20);
+}
+
+TEST(AuReader, KeepsTheThresholdWhateverTheWindow) {
+  Reading reading({64, 30, 40});
   reading.feed("{hello v=2 window=64}");
-  for (int i = 0; i < 36; ++i) EXPECT_EQ(reading.feed("{9}"), "1");
+  for (int i = 0; i < 26; ++i) EXPECT_EQ(reading.feed("{9}"), "1");
   EXPECT_FALSE(reading.reader.ready());
   EXPECT_EQ(reading.feed("{9}"), "1");
-  EXPECT_TRUE(reading.reader.ready());
-  EXPECT_EQ(reading.reader.status().playout_fill, 30U);
+  EXPECT_TRUE(reading.reader.ready()) << "40 of 100 of the receiver were there";
   EXPECT_EQ(reading.reader.status().pauses_sent, 0U);
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+
+#include "common/time.h"
+
+namespace aucast::net {
+
+/// How long to wait before the next attempt to connect: 1, 2, 4 ... 30 s, and 30 s from then on.
+class BackOff {
+ public:
+  static constexpr Milliseconds kFirst{1'000};
+  static constexpr Milliseconds kMost{30'000};
+
+  /// The wait before the next attempt; each is twice the one before.
+  [[nodiscard]] Milliseconds next() {
+    const Milliseconds wait = wait_;
+    wait_ = std::min(wait_ * 2, kMost);
+    return wait;
+  }
+  /// An attempt has led to something.
+  void reset() { wait_ = kFirst; }
+
+ private:
+  Milliseconds wait_ = kFirst;
+};
+
+}  // namespace aucast::net

@@ -1,0 +1,158 @@
+// The reader with a live stream, and with connections that are lost.
+
+#include <gtest/gtest.h>
+
+#include "client/net/au_reader.h"
+#include "tests/support/manual_clock.h"
+
+namespace aucast::net {
+namespace {
+
+using namespace std::chrono_literals;
+using aucast::test::ManualClock;
+using playback::EndReason;
+using Next = Reaction::Next;
+
+const std::string kLive = "{hello v=2 window=4 delta=1 live=1 keyframe=200}";
+
+class LiveReading : public ::testing::Test {
+ protected:
+  void start(AuReaderOptions options) {
+    options.peer = "server:4650";
+    reader_.emplace(std::move(options));
+    said_ = reader_->connected(clock_.now()).send;
+  }
+  std::string feed(std::string_view bytes) {
+    clock_.advance(1ms);
+    last_ = reader_->received(bytes, clock_.now());
+    return last_.send;
+  }
+  Reaction close() { return last_ = reader_->closed(clock_.now()); }
+  [[nodiscard]] playback::SourceStatus status() const { return reader_->status(); }
+
+  ManualClock clock_;
+  std::optional<AuReader> reader_;
+  std::string said_;
+  Reaction last_;
+};
+
+TEST_F(LiveReading, AsksForChangesOnlyAndResolvesThem) {
+  start({});
+  EXPECT_EQ(said_, "{hello v=2 window=64 delta=1}");
+  EXPECT_EQ(feed(kLive + "{1,6;200}{~6:0;200}"), "11");
+  EXPECT_TRUE(status().live);
+  EXPECT_EQ(reader_->take()->aus, frame_from_terms(std::vector<AuTerm>{{1}, {6}}));
+  EXPECT_EQ(reader_->take()->aus, frame_from_terms(std::vector<AuTerm>{{1}}));
+}
+
+TEST_F(LiveReading, PlaysAfterTheDelayAndNotTheThreshold) {
+  start({});
+  feed(kLive + "{1}");
+  EXPECT_FALSE(reader_->ready());
+  feed("{2}");
+  EXPECT_TRUE(reader_->ready()) << "2 x 200 ms";
+}
+
+TEST_F(LiveReading, TakesTheSpeedForUntimedKeyframes) {
+  AuReaderOptions options;
+  options.speed = 100ms;
+  start(options);
+  feed(kLive + "{1}{2}");
+  EXPECT_FALSE(reader_->ready());
+  feed("{4}");
+  EXPECT_TRUE(reader_->ready()) << "3 x 100 ms";
+}
+
+TEST_F(LiveReading, NeverPausesALiveStreamForRoom) {
+  AuReaderOptions options;
+  options.buffers = {4, 1, 100};
+  start(options);
+  feed(kLive);
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(feed("{1}"), "1");
+  EXPECT_EQ(status().pauses_sent, 0U);
+  EXPECT_GE(status().keyframes_dropped, 40U);
+}
+
+TEST_F(LiveReading, IsAStreamWithAThresholdWhenNotLive) {
+  start({});
+  feed("{hello v=2 window=4}{1}{2}{4}");
+  EXPECT_FALSE(status().live);
+  EXPECT_FALSE(reader_->ready());
+}
+
+class Reconnecting : public LiveReading {
+ protected:
+  Reconnecting() {
+    AuReaderOptions options;
+    options.reconnect = true;
+    start(options);
+  }
+};
+
+TEST_F(Reconnecting, HoldsAndTriesAgainAfterALoss) {
+  feed("{hello v=2 window=4 keyframe=200}{1}{2}");
+  EXPECT_EQ(close().next, Next::ReconnectLater);
+  EXPECT_EQ(last_.retry_after, 1s);
+  EXPECT_EQ(status().end, EndReason::NotEnded);
+  EXPECT_FALSE(status().connected);
+  EXPECT_NE(status().detail.find("trying again in 1 s"), std::string::npos) << status().detail;
+  EXPECT_EQ(reader_->take()->aus.left[1], 1.0F) << "what was there plays, below the threshold too";
+  EXPECT_EQ(reader_->take()->aus.left[2], 1.0F);
+  EXPECT_FALSE(reader_->ready()) << "the face holds";
+
+  EXPECT_EQ(reader_->connected(clock_.now()).send, said_) << "level 2 is tried anew";
+  EXPECT_EQ(feed("{hello v=2 window=4 keyframe=200}{4}{-2}"), "1");
+  EXPECT_EQ(reader_->take()->aus.left[4], 1.0F);
+  EXPECT_EQ(status().end, EndReason::EndOfStream);
+  EXPECT_EQ(status().packets_received, 3U);
+  EXPECT_EQ(status().reconnects, 1U);
+}
+
+TEST_F(Reconnecting, WaitsLongerEachTimeUntilSomethingComes) {
+  for (const auto wait : {1s, 2s, 4s}) {
+    const Reaction reaction = reader_->unreachable("cannot reach server:4650");
+    EXPECT_EQ(reaction.next, Next::ReconnectLater);
+    EXPECT_EQ(reaction.retry_after, wait);
+  }
+  static_cast<void>(reader_->connected(clock_.now()));
+  feed("{hello v=2 window=4}{1}");
+  EXPECT_EQ(close().retry_after, 1s);
+}
+
+TEST_F(Reconnecting, TriesAgainAfterSilence) {
+  clock_.advance(10s);
+  EXPECT_EQ(reader_->time(clock_.now()).next, Next::ReconnectLater);
+}
+
+TEST_F(Reconnecting, DropsTheHalfPacketThatWasUnderWay) {
+  feed("{hello v=2 window=4}{1}{2,");
+  close();
+  static_cast<void>(reader_->connected(clock_.now()));
+  feed("{hello v=2 window=4}{4}{-2}");
+  EXPECT_EQ(reader_->take()->aus.left[1], 1.0F);
+  EXPECT_EQ(reader_->take()->aus.left[4], 1.0F);
+  EXPECT_EQ(status().end, EndReason::EndOfStream);
+}
+
+TEST_F(Reconnecting, EndsWithTheStreamOrWithWhatNoRetryMends) {
+  feed("{error 404 there is no stream 'x' here}");
+  EXPECT_EQ(last_.next, Next::Close);
+  EXPECT_EQ(status().end, EndReason::Refused);
+  Reconnecting::start([] {
+    AuReaderOptions options;
+    options.reconnect = true;
+    return options;
+  }());
+  feed("garbage");
+  EXPECT_EQ(status().end, EndReason::ProtocolError);
+}
+
+TEST_F(Reconnecting, StopsTryingWhenTheUserLeaves) {
+  feed("{hello v=2 window=4}{1}");
+  reader_->leave();
+  EXPECT_EQ(reader_->unreachable("gone").next, Next::Close);
+  EXPECT_EQ(status().end, EndReason::Stopped);
+}
+
+}  // namespace
+}  // namespace aucast::net
