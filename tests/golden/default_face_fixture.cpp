@@ -1,5 +1,7 @@
 #include "tests/golden/default_face_fixture.h"
 
+#include <cstdlib>
+
 namespace aucast::test {
 
 std::unique_ptr<face::Face> DefaultFace::face_;
@@ -10,7 +12,9 @@ std::vector<std::uint32_t> DefaultFace::mirror_;
 void DefaultFace::SetUpTestSuite() {
   const auto data = find_data_folder({});
   ASSERT_TRUE(data) << data.error().message;
-  auto loaded = face::load_face(*data / "faces/default", *data);
+  const char* const shipped = std::getenv("AUCAST_SHIPPED_FACE");
+  const std::string folder = shipped == nullptr ? "default" : shipped;
+  auto loaded = face::load_face(*data / "faces" / folder, *data);
   ASSERT_TRUE(loaded) << loaded.error().message;
   face_ = std::make_unique<face::Face>(std::move(loaded).value());
   deformer_ = std::make_unique<face::FaceDeformer>(*face_);

@@ -15,7 +15,8 @@
 
 namespace aucast::test {
 
-/// The default face as the player loads it, and where each vertex of its skin lies in the layout.
+/// The default face, or the shipped one that AUCAST_SHIPPED_FACE names, as the player loads it, and
+/// where each vertex of its skin lies in the layout.
 class DefaultFace : public ::testing::Test {
  protected:
   static void SetUpTestSuite();

@@ -5,6 +5,7 @@
 
 #include "common/files.h"
 #include "scripts/facegen/head.h"
+#include "scripts/facegen/identity.h"
 
 namespace aucast {
 namespace {
@@ -25,22 +26,26 @@ class CommittedHead : public ::testing::Test {
     auto committed = face::parse_ply(*bytes, "mesh.ply");
     ASSERT_TRUE(committed) << committed.error().message;
     committed_ = std::move(committed).value();
-    auto made = face::parse_ply(facegen::head_file(facegen::make_head()), "made");
+    head_ = facegen::make_head();
+    auto made = face::parse_ply(facegen::head_file(head_), "made");
     ASSERT_TRUE(made) << made.error().message;
     made_ = std::move(made).value();
   }
   static void TearDownTestSuite() {
     committed_ = {};
     made_ = {};
+    head_.clear();
   }
 
   static face::FaceMesh committed_;
   static face::FaceMesh made_;
+  static std::vector<facegen::Part> head_;
   static std::size_t committed_bytes_;
 };
 
 face::FaceMesh CommittedHead::committed_;
 face::FaceMesh CommittedHead::made_;
+std::vector<facegen::Part> CommittedHead::head_;
 std::size_t CommittedHead::committed_bytes_ = 0;
 
 constexpr const char* kRemedy =
@@ -104,6 +109,29 @@ TEST_F(CommittedHead, HasTheSameColoursToOneStep) {
     }
   }
   EXPECT_LE(largest, kStep) << kRemedy;
+}
+
+TEST_F(CommittedHead, IsWhatTheOtherIdentityWasMadeFrom) {
+  const auto data = find_data_folder({});
+  ASSERT_TRUE(data) << data.error().message;
+  const auto bytes = read_file(*data / "faces/marek/mesh.ply");
+  ASSERT_TRUE(bytes) << bytes.error().message;
+  const auto committed = face::parse_ply(*bytes, "mesh.ply");
+  ASSERT_TRUE(committed) << committed.error().message;
+  std::vector<facegen::Part> head = head_;
+  const auto identity = facegen::identity_named("marek");
+  ASSERT_TRUE(identity);
+  facegen::apply(*identity, head);
+  EXPECT_TRUE(committed->triangles == made_.triangles);
+  std::size_t i = 0;
+  for (const facegen::Part& part : head) {
+    for (const facegen::Vertex& vertex : part.vertices) {
+      ASSERT_LT(glm::distance(glm::vec3{vertex.position}, committed->positions.at(i++)),
+                2 * kTolerance)
+          << "build/release/bin/facegen data/faces/marek marek";
+    }
+  }
+  EXPECT_FALSE(facegen::identity_named("nobody"));
 }
 
 TEST_F(CommittedHead, StaysSmall) {
