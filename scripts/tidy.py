@@ -28,6 +28,7 @@ LAYERS = {
     "client/net": {"common", "protocol", "client/playback", "client/net"},
     "client/view": {"common", "client/view"},
     "client/render": {"common", "client/view", "client/render"},
+    "client/gui": {"common", "client/playback", "client/face", "client/gui"},
     "client/app": {"common", "protocol", "client"},
     "scripts/facegen": {"common", "client/face", "client/view", "scripts/facegen"},
 }

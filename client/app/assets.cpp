@@ -169,13 +169,15 @@ Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options) {
   if (!data) return data.error();
   auto rules = face::find_rules(options.rules, *data);
   if (!rules) return rules.error();
-  auto face = face::load_face(face_folder(options, *data), *data);
+  std::filesystem::path folder = face_folder(options, *data);
+  auto face = face::load_face(folder, *data);
   if (!face) return face.error();
   auto expressions = load_expressions(*data / "expressions.toml");
   if (!expressions) return expressions.error();
   for (const std::string& remark : face->remarks) spdlog::warn("{}", remark);
   auto assets = std::make_unique<Assets>();
   assets->data_folder = std::move(*data);
+  assets->face_folder = std::move(folder);
   assets->face = std::move(*face);
   assets->rules = std::move(*rules);
   assets->expressions = std::move(*expressions);

@@ -33,6 +33,7 @@ struct Expression {
 /// What the files say, read once at the start.
 struct Assets {
   std::filesystem::path data_folder;
+  std::filesystem::path face_folder;
   face::Face face;
   face::RuleSet rules;
   std::vector<Expression> expressions;

@@ -39,8 +39,9 @@ Other
   --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
   --help  --version
 
-In the window: space pauses, s takes a picture, f full screen, r resets the view, q or Esc leaves;
-the left mouse button turns the face, the right one moves it, the wheel zooms.
+In the window (1280x800 without --size): Tab hides the panel, ? lists all keys and what the mouse
+does; space pauses, s takes a picture, f full screen, q or Esc leaves. The panel connects to other
+servers, shows buffers and Action Units, and edits expressions.
 
   face-player lecture.example.org
   face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json

@@ -102,7 +102,7 @@ Result<void> play(const PlayerOptions& options, PlayerStats& stats) {
   const auto stop = [] { return g_interrupted != 0; };
   Result<void> done;
   if (!options.headless) {
-    done = run_window(**assets, options, source.get(), stop, stats);
+    done = run_window(**assets, options, source, stop, stats);
   } else if (options.output.fast) {
     done = run_film(**assets, options, *source, stop, stats);
   } else {

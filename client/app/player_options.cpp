@@ -180,6 +180,7 @@ Result<void> settle(const CLI::App& cli, const Raw& raw, PlayerOptions& options)
   const std::string own_size = options.command == Command::Gallery ? "300x375" : "800x600";
   auto size = read_size(raw.size.empty() ? own_size : raw.size, options.output);
   if (!size) return size;
+  options.output.size_given = !raw.size.empty();
   if (auto behind = read_background(raw.background, options.output); !behind) return behind;
   if (auto muscles = read_muscles(raw.muscles, options.pose); !muscles) return muscles;
   if (raw.speed_ms != 0) options.playback.speed = Milliseconds(raw.speed_ms);

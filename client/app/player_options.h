@@ -56,6 +56,7 @@ struct OutputOptions {
   std::optional<std::uint32_t> background;  ///< --background RRGGBB; nothing: the usual one
   int width = 800;
   int height = 600;
+  bool size_given = false;  ///< --size was; else the window takes a size of its own
   bool fast = false;
 
   [[nodiscard]] bool pictures() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "client/app/assets.h"
 #include "client/app/player_options.h"
@@ -10,10 +11,10 @@
 namespace aucast::app {
 
 /// Shows `source` in a window until the user leaves it (or, with --exit-at-end, the stream ends).
-/// `source` may be null: the face at rest. The title says how playback stands. In a build without
-/// OpenGL it fails and says so.
+/// `source` may be null: the face at rest; afterwards it is what was played last, because the user
+/// may connect elsewhere. In a build without OpenGL it fails and says so.
 [[nodiscard]] Result<void> run_window(const Assets& assets, const PlayerOptions& options,
-                                      playback::KeyframeSource* source,
+                                      std::unique_ptr<playback::KeyframeSource>& source,
                                       const std::function<bool()>& stop, PlayerStats& stats);
 
 }  // namespace aucast::app

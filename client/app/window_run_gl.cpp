@@ -1,3 +1,7 @@
+#include "client/app/window_run.h"
+
+#include <epoxy/gl.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -7,10 +11,9 @@
 #include "client/app/face_scene.h"
 #include "client/app/picture_maker.h"
 #include "client/app/steady.h"
-#include "client/app/window_run.h"
-#include "client/pipeline/face_pipeline.h"
-#include "client/playback/blinking.h"
-#include "client/playback/playback_controller.h"
+#include "client/app/window_overlay.h"
+#include "client/app/window_session.h"
+#include "client/face/face_deformer.h"
 #include "client/render/face_renderer.h"
 #include "client/render/offscreen.h"
 #include "client/render/window.h"
@@ -19,104 +22,153 @@
 namespace aucast::app {
 namespace {
 
-using playback::PlaybackState;
+/// ImGui needs some frames after an input until everything is where it belongs.
+constexpr int kFramesAfterInput = 3;
+constexpr int kFramesPerPace = 20;
+/// The pictures' size is too small for a face beside the panels.
+constexpr int kWindowWidth = 1280;
+constexpr int kWindowHeight = 800;
+
+view::Background background_of(gui::Ground ground, const PlayerOptions& options) {
+  const auto plain = [](float level) {
+    return view::Background{glm::vec3(level), glm::vec3(level)};
+  };
+  switch (ground) {
+    case gui::Ground::Studio:
+      break;
+    case gui::Ground::Black:
+      return plain(0);
+    case gui::Ground::Grey:
+      return plain(0.21F);
+    case gui::Ground::White:
+      return plain(1);
+  }
+  return backdrop(options.output.background);
+}
+
+/// Lines and points leave the backdrop out: they stand on black.
+GLenum polygon_mode(gui::Surface surface) {
+  switch (surface) {
+    case gui::Surface::Solid:
+      break;
+    case gui::Surface::Wireframe:
+      return GL_LINE;
+    case gui::Surface::Vertices:
+      return GL_POINT;
+  }
+  return GL_FILL;
+}
+
+const char* name_of(gui::View view) {
+  switch (view) {
+    case gui::View::Front:
+      return "front";
+    case gui::View::ThreeQuarter:
+      return "three-quarter";
+    case gui::View::Profile:
+      return "profile";
+  }
+  return "front";
+}
 
 /// The window with everything that a frame of it needs. tick() is the table of contents.
 class WindowRun {
  public:
-  WindowRun(const Assets& assets, const PlayerOptions& options, playback::KeyframeSource* source,
-            PlayerStats& stats)
-      : assets_(assets),
-        options_(options),
-        source_(source),
+  WindowRun(const Assets& assets, const PlayerOptions& options,
+            std::unique_ptr<playback::KeyframeSource> source, PlayerStats& stats)
+      : options_(options),
         stats_(stats),
-        scene_(assets.face),
-        deformer_(assets.face),
-        pipeline_(assets.face, assets.rules, {options.face.mixer, options.playback.interpolation}),
-        controller_(options.playback.speed) {}
+        session_(assets, options, std::move(source), stats),
+        scene_(session_.face()),
+        deformer_(session_.face()) {}
 
   Result<void> open() {
-    auto window = render::Window::create(options_.output.width, options_.output.height, "AUcast");
+    const OutputOptions& output = options_.output;
+    auto window =
+        render::Window::create(output.size_given ? output.width : kWindowWidth,
+                               output.size_given ? output.height : kWindowHeight, "AUcast");
     if (!window) return window.error();
     window_ = std::move(*window);
-    window_->camera() = camera_preset("front", assets_.face);
+    look_from(gui::View::Front);
     auto renderer = render::FaceRenderer::create();
     if (!renderer) return renderer.error();
     renderer_ = std::move(*renderer);
     renderer_->load(scene_.still());
+    overlay_ = std::make_unique<WindowOverlay>(*window_);
     return {};
   }
 
   void tick(bool stopped_from_outside) {
-    const Instant now = steady_now();
-    window_->poll(seconds_to_wait(now));
+    window_->poll(waits_for_frames() ? 0 : seconds(session_.rest(steady_now())));
     handle_keys();
-    if (stopped_from_outside) window_->close();
-    advance_playback(steady_now());
-    show_state();
-    draw(steady_now());
+    handle_closing(stopped_from_outside);
+    session_.advance(steady_now());
+    show_title();
+    draw();
+    for (const gui::GuiCommand& command : commands_) carry_out(command);
+    commands_.clear();
   }
 
   [[nodiscard]] bool done() const {
-    return window_->should_close() ||
-           (options_.exit_at_end && source_ != nullptr && controller_.over());
+    return leaving_ || session_.leaving() || (options_.exit_at_end && session_.over());
   }
 
-  void finish() {
-    if (source_ != nullptr && !controller_.over()) {
-      source_->stop();
-      controller_.stop(steady_now());
-    }
-    stats_.keyframes_played = controller_.keyframes_played();
-    stats_.stalls = controller_.stalls();
-    stats_.media_seconds = seconds(controller_.media_time());
+  [[nodiscard]] std::unique_ptr<playback::KeyframeSource> finish() {
+    return session_.finish(steady_now());
   }
 
  private:
-  /// Nothing moves: wait for an event. Something plays: the display's pace is enough.
-  [[nodiscard]] double seconds_to_wait(Instant now) const {
-    if (const auto next = controller_.next_position_at()) {
-      return std::clamp(seconds(*next - now), 0.0, 0.02);
-    }
-    if (options_.playback.blink_seed) return 0.02;
-    return source_ != nullptr && !controller_.over() ? 0.05 : 0.25;
-  }
+  [[nodiscard]] bool waits_for_frames() const { return frames_due_ > 0; }
 
   void handle_keys() {
     using render::Key;
     for (Key key = window_->next_key(); key != Key::None; key = window_->next_key()) {
+      frames_due_ = kFramesAfterInput;
       switch (key) {
         case Key::Quit:
         case Key::Escape:
-          window_->close();
+          session_.ask_to_leave();
           break;
         case Key::Space:
-          toggle_pause();
+          session_.toggle_pause(steady_now());
           break;
         case Key::F:
           window_->toggle_full_screen();
           break;
         case Key::R:
-          window_->camera() = camera_preset("front", assets_.face);
-          dirty_ = true;
+          look_from(gui::View::Front);
           break;
         case Key::S:
           save_picture();
           break;
+        case Key::Tab:
+          overlay_->gui().toggle_panel();
+          break;
         case Key::Question:
+          overlay_->gui().toggle_keys();
+          break;
         case Key::None:
           break;
       }
     }
   }
 
-  void toggle_pause() {
-    const Instant now = steady_now();
-    if (controller_.state() == PlaybackState::Paused) {
-      controller_.resume(now);
-    } else {
-      controller_.pause(now);
-    }
+  void handle_closing(bool stopped_from_outside) {
+    leaving_ |= stopped_from_outside;
+    if (!window_->should_close()) return;
+    window_->keep_open();
+    session_.ask_to_leave();
+  }
+
+  void carry_out(const gui::GuiCommand& command) {
+    frames_due_ = kFramesAfterInput;
+    if (const auto* look = std::get_if<gui::LookFrom>(&command)) look_from(look->view);
+    session_.apply(command, steady_now());
+  }
+
+  void look_from(gui::View view) {
+    window_->camera() = camera_preset(name_of(view), session_.face());
+    frames_due_ = kFramesAfterInput;
   }
 
   /// The picture is drawn into a framebuffer of its own, so that it does not depend on what lies
@@ -125,14 +177,14 @@ class WindowRun {
     int width = 0;
     int height = 0;
     window_->framebuffer_size(width, height);
+    width = overlay_->free_width(width);
     auto target = render::OffscreenTarget::create(width, height);
     if (!target) {
       spdlog::error("{}", target.error().message);
       return;
     }
     (*target)->bind();
-    renderer_->draw(FaceScene::moving(deformed_), window_->camera(),
-                    backdrop(options_.output.background), width, height);
+    draw_face(width, height);
     const view::Image picture = (*target)->read();
     window_->bind_framebuffer();
     const std::string name = "face-player-" + std::to_string(++pictures_saved_) + ".png";
@@ -143,85 +195,100 @@ class WindowRun {
     }
   }
 
-  void advance_playback(Instant now) {
-    if (source_ == nullptr) return;
-    const std::uint64_t played = controller_.keyframes_played();
-    while (const auto begun = controller_.advance(now, *source_)) {
-      static_cast<void>(pipeline_.at(1.0));
-      pipeline_.begin_keyframe(begun->target.aus);
-      if (!first_begin_) first_begin_ = now;
-    }
-    if (controller_.keyframes_played() != played) {
-      stats_.playback_seconds = seconds(now - *first_begin_);
-    }
-  }
-
-  void show_state() {
-    std::string title = "AUcast";
-    if (source_ != nullptr) {
-      const auto status = source_->status();
-      title += " - " + std::string(playback::name(controller_.state()));
-      if (!status.detail.empty()) title += ": " + status.detail;
-    }
+  void show_title() {
+    std::string title = session_.title();
     if (title == title_) return;
-    title_ = title;
-    window_->set_title(title);
+    title_ = std::move(title);
+    window_->set_title(title_);
   }
 
-  void draw(Instant now) {
-    std::vector<float> activations = pipeline_.at(controller_.moment().mu);
-    if (options_.playback.blink_seed) {
-      const float closure =
-          playback::blink_closure(*options_.playback.blink_seed, since_start_ms() / 1000.0);
-      for (const char* lid : {"left_lid_close", "right_lid_close"}) {
-        if (const auto index = assets_.face.channel_index(lid)) {
-          activations[*index] = std::max(activations[*index], closure);
-        }
-      }
-    }
-    const bool redraw = window_->take_redraw() || dirty_;
-    if (!redraw && activations == activations_) return;
-    dirty_ = false;
-    activations_ = std::move(activations);
+  /// Draws when something is different from what is shown.
+  void draw() {
+    const std::vector<float>& activations = session_.activations(steady_now());
+    gui::GuiModel model = session_.model();
+    const bool moved = activations != shown_activations_;
+    if (window_->take_redraw() || model != shown_model_) frames_due_ = kFramesAfterInput;
+    if (!moved && frames_due_ == 0) return;
+    frames_due_ = std::max(0, frames_due_ - 1);
     int width = 0;
     int height = 0;
     window_->framebuffer_size(width, height);
-    if (width == 0 || height == 0) return;  // minimised
-    deformer_.deform(activations_, deformed_);
-    renderer_->draw(FaceScene::moving(deformed_), window_->camera(),
-                    backdrop(options_.output.background), width, height);
+    const Instant begin = steady_now();
+    if (moved) {
+      shown_activations_ = activations;
+      deformer_.deform(shown_activations_, deformed_);
+    }
+    const Instant deformed = steady_now();
+    draw_face(overlay_->free_width(width), height);
+    overlay_->draw(model, commands_);
+    shown_model_ = std::move(model);
     window_->present();
+    const Instant end = steady_now();
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
-    stats_.draw_seconds += seconds(steady_now() - now);
+    stats_.draw_seconds += seconds(end - begin);
+    if (moved) measure_pace(deformed - begin, end - deformed, end);
   }
 
-  const Assets& assets_;
+  void draw_face(int width, int height) {
+    const gui::RenderingSettings& settings = session_.rendering();
+    glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(settings.surface));
+    renderer_->draw(FaceScene::moving(deformed_), window_->camera(),
+                    background_of(settings.ground, options_), width, height);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  }
+
+  /// Only frames in which the face moved count, or showing the pace would be a reason to draw.
+  void measure_pace(Duration deforming, Duration drawing, Instant end) {
+    deform_time_ += deforming;
+    draw_time_ += drawing;
+    if (++pace_frames_ < kFramesPerPace) return;
+    const double frames = pace_frames_;
+    const double time = seconds(end - pace_begin_);
+    std::array<char, 100> text{};
+    std::snprintf(text.data(), text.size(), "%.0f pictures a second; deform %.1f ms, draw %.1f ms",
+                  frames / time, seconds(deform_time_) * 1000 / frames,
+                  seconds(draw_time_) * 1000 / frames);
+    session_.set_pace(text.data());
+    pace_frames_ = 0;
+    pace_begin_ = end;
+    deform_time_ = {};
+    draw_time_ = {};
+  }
+
   const PlayerOptions& options_;
-  playback::KeyframeSource* source_;
   PlayerStats& stats_;
+  WindowSession session_;
   FaceScene scene_;
   face::FaceDeformer deformer_;
   face::DeformedFace deformed_;
-  pipeline::FacePipeline pipeline_;
-  playback::PlaybackController controller_;
   std::unique_ptr<render::Window> window_;
   std::unique_ptr<render::FaceRenderer> renderer_;
-  std::vector<float> activations_;
-  std::optional<Instant> first_begin_;
+  std::unique_ptr<WindowOverlay> overlay_;
+  std::vector<float> shown_activations_;
+  gui::GuiModel shown_model_;
+  gui::GuiCommands commands_;
   std::string title_;
+  int frames_due_ = kFramesAfterInput;
   int pictures_saved_ = 0;
-  bool dirty_ = true;
+  bool leaving_ = false;
+  int pace_frames_ = 0;
+  Instant pace_begin_{steady_now()};
+  Duration deform_time_{};
+  Duration draw_time_{};
 };
 
 }  // namespace
 
 Result<void> run_window(const Assets& assets, const PlayerOptions& options,
-                        playback::KeyframeSource* source, const std::function<bool()>& stop,
-                        PlayerStats& stats) {
-  WindowRun run(assets, options, source, stats);
-  if (auto opened = run.open(); !opened) return opened;
+                        std::unique_ptr<playback::KeyframeSource>& source,
+                        const std::function<bool()>& stop, PlayerStats& stats) {
+  WindowRun run(assets, options, std::move(source), stats);
+  if (auto opened = run.open(); !opened) {
+    source = run.finish();
+    return opened;
+  }
   while (!run.done()) run.tick(stop());
-  run.finish();
+  source = run.finish();
   return {};
 }
 

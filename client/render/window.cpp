@@ -75,6 +75,8 @@ Key key_of(int code, int modifiers) {
       return Key::S;
     case GLFW_KEY_R:
       return Key::R;
+    case GLFW_KEY_TAB:
+      return Key::Tab;
     default:
       return Key::None;
   }
@@ -87,6 +89,8 @@ struct Window::State {
   view::Camera camera;
   std::deque<Key> keys;
   bool redraw = true;
+  bool pointer_taken = false;
+  bool keys_taken = false;
   double pointer_x = 0;
   double pointer_y = 0;
   /// Place and size before full screen.
@@ -111,36 +115,42 @@ void Window::State::listen() {
   glfwSetWindowUserPointer(window, this);
   glfwGetCursorPos(window, &pointer_x, &pointer_y);
   glfwSetKeyCallback(window, [](GLFWwindow* self, int code, int, int action, int modifiers) {
-    const Key key = action == GLFW_PRESS ? key_of(code, modifiers) : Key::None;
+    of(self).redraw = true;
+    const bool meant = action == GLFW_PRESS && !of(self).keys_taken;
+    const Key key = meant ? key_of(code, modifiers) : Key::None;
     if (key != Key::None) of(self).keys.push_back(key);
   });
   // The question mark's place depends on the keyboard: it is taken as a character.
   glfwSetCharCallback(window, [](GLFWwindow* self, unsigned character) {
-    if (character == '?') of(self).keys.push_back(Key::Question);
+    of(self).redraw = true;
+    if (character == '?' && !of(self).keys_taken) of(self).keys.push_back(Key::Question);
   });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* self) { of(self).redraw = true; });
   glfwSetFramebufferSizeCallback(window,
                                  [](GLFWwindow* self, int, int) { of(self).redraw = true; });
   glfwSetCursorPosCallback(window,
                            [](GLFWwindow* self, double x, double y) { of(self).drag(x, y); });
+  glfwSetMouseButtonCallback(window,
+                             [](GLFWwindow* self, int, int, int) { of(self).redraw = true; });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* self, int) { of(self).redraw = true; });
   glfwSetScrollCallback(window, [](GLFWwindow* self, double, double steps) {
-    view::zoom(of(self).camera, steps);
     of(self).redraw = true;
+    if (!of(self).pointer_taken) view::zoom(of(self).camera, steps);
   });
 }
 
 void Window::State::drag(double x, double y) {
   const double right = x - std::exchange(pointer_x, x);
   const double down = y - std::exchange(pointer_y, y);
+  redraw = true;
+  if (pointer_taken) return;
   int width = 0;
   int height = 0;
   glfwGetWindowSize(window, &width, &height);
   if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
     view::orbit(camera, right, down, height);
-    redraw = true;
   } else if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) {
     view::pan(camera, right, down, height);
-    redraw = true;
   }
 }
 
@@ -167,6 +177,10 @@ bool Window::should_close() const {
 
 void Window::close() {
   glfwSetWindowShouldClose(state_->window, GLFW_TRUE);
+}
+
+void Window::keep_open() {
+  glfwSetWindowShouldClose(state_->window, GLFW_FALSE);
 }
 
 void Window::poll(double seconds_max) {
@@ -224,6 +238,22 @@ void Window::framebuffer_size(int& width, int& height) const {
   // A minimised window has no pixels, and a picture has at least one.
   width = std::max(width, 1);
   height = std::max(height, 1);
+}
+
+void Window::set_taken(bool pointer, bool keys) {
+  state_->pointer_taken = pointer;
+  state_->keys_taken = keys;
+}
+
+float Window::scale() const {
+  float x = 1;
+  float y = 1;
+  glfwGetWindowContentScale(state_->window, &x, &y);
+  return std::clamp(x, 0.5F, 4.0F);
+}
+
+GLFWwindow* Window::native() {
+  return state_->window;
 }
 
 void Window::wake() {

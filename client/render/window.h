@@ -7,9 +7,11 @@
 #include "client/view/scene.h"
 #include "common/result.h"
 
+struct GLFWwindow;
+
 namespace aucast::render {
 
-enum class Key : int { None, Quit, Space, Escape, F, S, R, Question };
+enum class Key : int { None, Quit, Space, Escape, F, S, R, Question, Tab };
 
 /// A plain GLFW window with an OpenGL 3.3 core context and 4 samples; the camera turns with the
 /// left mouse button, moves with the right one and zooms with the wheel. Thread: the main one.
@@ -24,6 +26,8 @@ class Window {
 
   [[nodiscard]] bool should_close() const;
   void close();
+  /// Takes the user's wish to close back.
+  void keep_open();
   /// Handles events that are there; waits at most `seconds_max` for one when it is above 0.
   void poll(double seconds_max);
   /// Keys pressed since the last call, in order; Key::None when there are no more.
@@ -33,10 +37,16 @@ class Window {
   /// Makes the window's own framebuffer the one that is drawn into again.
   void bind_framebuffer();
   void present();
-  /// True once after something happened that needs a new picture: resize, exposure, camera.
+  /// What lies over the face takes the pointer (the camera stands still), or the keys.
+  void set_taken(bool pointer, bool keys);
+  /// True once after something happened that may need a new picture: any input, resize, exposure.
   [[nodiscard]] bool take_redraw();
   [[nodiscard]] view::Camera& camera();
   void framebuffer_size(int& width, int& height) const;
+  /// How large things should be drawn: 1 at 96 dots an inch.
+  [[nodiscard]] float scale() const;
+  /// For what draws over the face; stays the window's.
+  [[nodiscard]] GLFWwindow* native();
   /// Wakes poll() from any thread.
   static void wake();
 

@@ -22,6 +22,8 @@ if(AUCAST_BUILD_CLIENT AND AUCAST_BUILD_RENDER)
   find_package(PkgConfig REQUIRED)
   find_package(glfw3 3.3 REQUIRED)
   pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+  # libimgui.a needs libstb, which is why the order of its .pc file must stay.
+  pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 endif()
 if(AUCAST_BUILD_CLIENT)
   find_path(AUCAST_STB_INCLUDE_DIR stb/stb_image_write.h REQUIRED)

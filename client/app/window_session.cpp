@@ -1,0 +1,417 @@
+#include "client/app/window_session.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <variant>
+
+#include "client/app/steady.h"
+#include "client/face/au_blender.h"
+#include "client/gui/channel_groups.h"
+#include "client/gui/user_face.h"
+#include "client/gui/view_text.h"
+#include "client/net/remote_source.h"
+#include "client/playback/blinking.h"
+#include "common/log.h"
+#include "protocol/codec.h"
+
+namespace aucast::app {
+namespace {
+
+using playback::PlaybackState;
+
+constexpr Milliseconds kLevelEvery{250};
+constexpr Milliseconds kLevelsKept{30'000};
+constexpr std::uint64_t kBlinkSeed = 1;
+/// Buffers and bytes change without anything moving: so often they are looked at.
+constexpr Milliseconds kLookEvery{50};
+constexpr Milliseconds kRest{250};
+constexpr Milliseconds kFrameMax{20};
+
+gui::RemoteSettings settings_of(const PlaybackOptions& options) {
+  gui::RemoteSettings settings;
+  if (const auto endpoint = net::parse_endpoint(options.endpoint)) {
+    settings.address = endpoint->host;
+    settings.port = endpoint->port;
+  }
+  settings.buffer = static_cast<int>(options.buffers.receiver_capacity);
+  settings.playout = static_cast<int>(options.buffers.playout_capacity);
+  settings.threshold_percent = options.buffers.threshold_percent;
+  if (options.speed) settings.speed_ms = static_cast<int>(options.speed->count());
+  return settings;
+}
+
+}  // namespace
+
+WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
+                             std::unique_ptr<playback::KeyframeSource> source, PlayerStats& stats)
+    : assets_(assets),
+      options_(options),
+      stats_(stats),
+      face_(assets.face),
+      rules_(assets.rules),
+      animation_{options.face.mixer, options.face.rules, options.playback.interpolation},
+      remote_settings_(settings_of(options.playback)),
+      buffers_(options.playback.buffers),
+      source_(std::move(source)),
+      controller_(options.playback.speed),
+      editor_(face_),
+      held_(face_.channels.size()),
+      activations_(face_.channels.size()),
+      face_now_(face_.channels.size()) {
+  pipeline_.emplace(face_, rules_,
+                    pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
+  rendering_.blinking = options.playback.blink_seed.has_value();
+}
+
+WindowSession::~WindowSession() = default;
+
+// === Playing.
+
+void WindowSession::begin_keyframe(const AuFrame& aus) {
+  static_cast<void>(pipeline_->at(1.0));
+  pipeline_->begin_keyframe(aus);
+  std::vector<face::RuleFired> fired;
+  const AuFrame blended = face::blend(rules_, aus, &fired);
+  aus_ = gui::au_rows(aus, blended, fired);
+}
+
+void WindowSession::advance(Instant now) {
+  if (source_ == nullptr) return;
+  const std::uint64_t played = controller_.keyframes_played();
+  while (const auto begun = controller_.advance(now, *source_)) {
+    begin_keyframe(begun->target.aus);
+    if (!first_begin_) first_begin_ = now;
+  }
+  if (controller_.keyframes_played() != played) {
+    stats_.playback_seconds = seconds(now - *first_begin_);
+  }
+  remember_level(now);
+}
+
+void WindowSession::remember_level(Instant now) {
+  if (!running() || (!levels_.empty() && now - levels_.back().at < kLevelEvery)) return;
+  const playback::SourceStatus status = source_->status();
+  const float fill = static_cast<float>(status.receiver_fill) /
+                     static_cast<float>(std::max<std::size_t>(buffers_.receiver_capacity, 1));
+  levels_.push_back({now, fill, status.bytes_received});
+  while (now - levels_.front().at > kLevelsKept) levels_.erase(levels_.begin());
+}
+
+void WindowSession::toggle_pause(Instant now) {
+  if (controller_.state() == PlaybackState::Paused) {
+    carry_out(gui::Resume{}, now);
+  } else {
+    carry_out(gui::Pause{}, now);
+  }
+}
+
+const std::vector<float>& WindowSession::activations(Instant now) {
+  if (shown_ == Shown::Editor) {
+    if (transition_ && transition_->over(now)) transition_.reset();
+    face_now_ = transition_ ? transition_->at(now) : editor_.activations();
+  } else if (controller_.moment().keyframe > 0) {
+    face_now_ = pipeline_->at(controller_.moment().mu);
+  } else {
+    face_now_ = held_;
+  }
+  activations_ = face_now_;
+  add_blinking(now);
+  return activations_;
+}
+
+void WindowSession::add_blinking(Instant now) {
+  if (!rendering_.blinking) return;
+  const double at = std::chrono::duration<double>(now.time_since_epoch()).count();
+  const float closure =
+      playback::blink_closure(options_.playback.blink_seed.value_or(kBlinkSeed), at);
+  for (const char* lid : {"left_lid_close", "right_lid_close"}) {
+    if (const auto index = face_.channel_index(lid)) {
+      activations_[*index] = std::max(activations_[*index], closure);
+    }
+  }
+}
+
+Duration WindowSession::rest(Instant now) const {
+  Duration rest = running() ? kLookEvery : kRest;
+  if (rendering_.blinking) rest = kFrameMax;
+  const auto at_most = [&](std::optional<Instant> next) {
+    if (next) rest = std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
+  };
+  if (shown_ == Shown::Playback) {
+    at_most(controller_.next_position_at());
+  } else if (transition_) {
+    at_most(transition_->next_frame_at(now));
+  }
+  return rest;
+}
+
+std::unique_ptr<playback::KeyframeSource> WindowSession::finish(Instant now) {
+  if (running()) {
+    source_->stop();
+    controller_.stop(now);
+  }
+  stats_.keyframes_played = controller_.keyframes_played();
+  stats_.stalls = controller_.stalls();
+  stats_.media_seconds = seconds(controller_.media_time());
+  return std::move(source_);
+}
+
+// === What the panels ask for.
+
+void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
+  std::visit([&](const auto& one) { carry_out(one, now); }, command);
+}
+
+void WindowSession::carry_out(const gui::Connect& command, Instant now) {
+  if (gui::problem(command.settings)) return;
+  carry_out(gui::Stop{}, now);
+  static_cast<void>(activations(now));
+  held_ = face_now_;
+  retired_.clear();
+  if (source_) retired_.push_back(std::move(source_));
+  remote_settings_ = command.settings;
+  buffers_.receiver_capacity = static_cast<std::size_t>(remote_settings_.buffer);
+  buffers_.playout_capacity = static_cast<std::size_t>(remote_settings_.playout);
+  buffers_.threshold_percent = remote_settings_.threshold_percent;
+  net::RemoteOptions remote;
+  remote.host = remote_settings_.address;
+  remote.port = static_cast<std::uint16_t>(remote_settings_.port);
+  remote.classic = options_.playback.classic;
+  remote.stream = options_.playback.stream;
+  remote.connect_timeout = options_.playback.connect_timeout;
+  remote.buffers = buffers_;
+  source_ = std::make_unique<net::RemoteSource>(std::move(remote));
+
+  shown_ = Shown::Playback;
+  transition_.reset();
+  std::optional<Milliseconds> speed;
+  if (remote_settings_.speed_ms > 0) speed = Milliseconds(remote_settings_.speed_ms);
+  controller_ = playback::PlaybackController(speed);
+  pipeline_.emplace(face_, rules_,
+                    pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
+  first_begin_.reset();
+  aus_.clear();
+  levels_.clear();
+}
+
+void WindowSession::carry_out(const gui::Pause&, Instant now) {
+  if (!running()) return;
+  controller_.pause(now);
+  if (auto* remote = dynamic_cast<net::RemoteSource*>(source_.get())) remote->pause();
+}
+
+void WindowSession::carry_out(const gui::Resume&, Instant now) {
+  if (!running()) return;
+  controller_.resume(now);
+  shown_ = Shown::Playback;
+  if (auto* remote = dynamic_cast<net::RemoteSource*>(source_.get())) remote->resume();
+}
+
+void WindowSession::carry_out(const gui::Stop&, Instant now) {
+  if (!running()) return;
+  source_->stop();
+  controller_.stop(now);
+}
+
+void WindowSession::carry_out(const gui::ChangeAnimation& command, Instant) {
+  if (command.settings.rules != animation_.rules) {
+    auto rules = face::find_rules(command.settings.rules, assets_.data_folder);
+    if (!rules) {
+      spdlog::error("{}", rules.error().message);
+      return;
+    }
+    rules_ = std::move(*rules);
+  }
+  animation_ = command.settings;
+  pipeline_->set_options({animation_.mixer, animation_.interpolation});
+  // A face that stands is made anew, so that the change is seen at once.
+  if (over() && controller_.moment().mu >= 1) begin_keyframe(pipeline_->received());
+}
+
+void WindowSession::carry_out(const gui::ShowExpression& command, Instant now) {
+  if (command.index >= assets_.expressions.size()) return;
+  std::vector<float> target(face_.channels.size());
+  face::mix(face_, face::blend(rules_, assets_.expressions[command.index].aus), animation_.mixer,
+            target);
+  static_cast<void>(activations(now));
+  std::vector<float> start = face_now_;
+  edit(now);
+  editor_.take(target);
+  transition_.emplace(std::move(start), std::move(target), transition_settings_, now);
+}
+
+void WindowSession::carry_out(const gui::ChangeTransition& command, Instant) {
+  transition_settings_ = command.settings;
+}
+
+/// The expression panel takes the face; what plays waits.
+void WindowSession::edit(Instant now) {
+  carry_out(gui::Pause{}, now);
+  shown_ = Shown::Editor;
+  transition_.reset();
+}
+
+void WindowSession::carry_out(const gui::SetChannel& command, Instant now) {
+  if (command.channel < 0 || static_cast<std::size_t>(command.channel) >= face_.channels.size()) {
+    return;
+  }
+  edit(now);
+  editor_.set(static_cast<std::size_t>(command.channel), command.value, command.continued);
+}
+
+void WindowSession::carry_out(const gui::SetLinked& command, Instant) {
+  editor_.set_linked(command.linked);
+}
+
+void WindowSession::carry_out(const gui::LoadAu& command, Instant now) {
+  edit(now);
+  editor_.load(command.number);
+}
+
+void WindowSession::carry_out(const gui::SaveAu& command, Instant) {
+  const Result<std::string> saved = save(command.number);
+  save_failed_ = !saved;
+  saved_to_ = saved ? *saved : saved.error().message;
+}
+
+/// Returns a sentence about where it went.
+Result<std::string> WindowSession::save(int number) {
+  auto faces = gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"));
+  if (!faces) return faces.error();
+  auto folder = gui::writable_face(assets_.face_folder, *faces);
+  if (!folder) return folder.error();
+  const std::vector<float>& activations = editor_.activations();
+  auto file = gui::save_au(*folder, number, gui::drive_of(face_, activations));
+  if (!file) return file.error();
+  face::AuRecording& recording = face_.recordings[number];
+  recording.number = number;
+  recording.activation = activations;
+  editor_.saved(number);
+  return "AU" + std::to_string(number) + " saved in " + file->string() + "; use it with --face " +
+         folder->string();
+}
+
+void WindowSession::carry_out(const gui::RevertAu&, Instant now) {
+  edit(now);
+  editor_.revert();
+}
+
+void WindowSession::carry_out(const gui::NeutralFace&, Instant now) {
+  edit(now);
+  editor_.neutral();
+}
+
+void WindowSession::carry_out(const gui::Undo&, Instant now) {
+  edit(now);
+  editor_.undo();
+}
+
+void WindowSession::carry_out(const gui::Redo&, Instant now) {
+  edit(now);
+  editor_.redo();
+}
+
+void WindowSession::carry_out(const gui::ChangeRendering& command, Instant) {
+  rendering_ = command.settings;
+}
+
+void WindowSession::carry_out(const gui::Leave& command, Instant) {
+  asks_to_leave_ = false;
+  leaving_ = command.really;
+}
+
+void WindowSession::ask_to_leave() {
+  // Asking twice is an answer.
+  leaving_ = asks_to_leave_ || !editor_.unsaved();
+  asks_to_leave_ = !leaving_;
+}
+
+// === What the panels show.
+
+std::string WindowSession::title() const {
+  std::string title = "AUcast";
+  if (source_ == nullptr) return title;
+  const playback::SourceStatus status = source_->status();
+  title += " - " + std::string(playback::name(controller_.state()));
+  if (!status.detail.empty()) title += ": " + status.detail;
+  return title;
+}
+
+std::string WindowSession::traffic(const playback::SourceStatus& status) const {
+  std::string text = std::to_string(status.packets_received) + " packets, " +
+                     gui::bytes_text(static_cast<double>(status.bytes_received));
+  // The rate of the last two seconds.
+  if (running() && levels_.size() > 1) {
+    const Level& last = levels_.back();
+    const Level& first = levels_[levels_.size() - std::min<std::size_t>(levels_.size(), 9)];
+    const double time = seconds(last.at - first.at);
+    const auto bytes = static_cast<double>(last.bytes - first.bytes);
+    if (time > 0) text += ", " + gui::bytes_text(bytes / time) + "/s";
+  }
+  return text + (status.negotiated ? ", level 2" : ", classic");
+}
+
+gui::RemoteView WindowSession::remote_view() const {
+  gui::RemoteView view;
+  view.state = "no connection";
+  view.receiver.capacity = buffers_.receiver_capacity;
+  view.receiver.threshold_percent = buffers_.threshold_percent;
+  view.playout.capacity = buffers_.playout_capacity;
+  if (source_ == nullptr) return view;
+  const playback::SourceStatus status = source_->status();
+  const PlaybackState state = controller_.state();
+  view.activity = gui::activity_of(state, status);
+  view.state = gui::state_in_words(state, status, buffers_);
+  view.detail = status.detail;
+  view.stale = state == PlaybackState::Lost && shown_ == Shown::Playback;
+  view.local = dynamic_cast<const net::RemoteSource*>(source_.get()) == nullptr;
+  view.receiver.fill = status.receiver_fill;
+  view.playout.fill = status.playout_fill;
+  if (!view.local) {
+    for (const Level& level : levels_) view.receiver_history.push_back(level.fill);
+    if (status.connected || status.packets_received > 0) view.traffic = traffic(status);
+  }
+  const std::uint64_t keyframe = controller_.moment().keyframe;
+  if (keyframe > 0) view.keyframe = "keyframe " + std::to_string(keyframe);
+  view.aus = aus_;
+  return view;
+}
+
+gui::EditorView WindowSession::editor_view() const {
+  gui::EditorView view;
+  view.active = shown_ == Shown::Editor;
+  view.groups = gui::channel_groups(face_, editor_.activations());
+  view.linked = editor_.linked();
+  view.au = editor_.au().value_or(-1);
+  view.unsaved = editor_.unsaved();
+  view.can_undo = editor_.can_undo();
+  view.can_redo = editor_.can_redo();
+  view.saved_to = saved_to_;
+  view.save_failed = save_failed_;
+  return view;
+}
+
+gui::GuiModel WindowSession::model() const {
+  gui::GuiModel model;
+  model.remote_settings = remote_settings_;
+  model.remote = remote_view();
+  model.animation = animation_;
+  model.editor = editor_view();
+  for (const auto& [number, recording] : face_.recordings) {
+    if (number == 0) continue;
+    const auto name = facs_name(number);
+    model.known_aus.push_back({number, name ? std::string(*name) : recording.note});
+  }
+  for (const Expression& expression : assets_.expressions) {
+    model.expressions.push_back({expression.label, protocol::format_au_set(expression.aus),
+                                 expression.name.starts_with("thesis-")});
+  }
+  model.transition = transition_settings_;
+  model.rendering.settings = rendering_;
+  model.rendering.pace = pace_;
+  model.asks_to_leave = asks_to_leave_;
+  return model;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/app/assets.h"
+#include "client/app/player_options.h"
+#include "client/app/player_stats.h"
+#include "client/face/face.h"
+#include "client/gui/expression_editor.h"
+#include "client/gui/gui_commands.h"
+#include "client/gui/gui_model.h"
+#include "client/gui/transition.h"
+#include "client/pipeline/face_pipeline.h"
+#include "client/playback/keyframe_source.h"
+#include "client/playback/playback_controller.h"
+
+namespace aucast::app {
+
+/// What happens in the window, without the window: plays a source, carries out what the panels ask
+/// for, says what they show and which face it is. Time is handed in.
+/// The assets and options must outlive it. Thread: the player's.
+class WindowSession {
+ public:
+  /// `source` may be null: the face at rest.
+  WindowSession(const Assets& assets, const PlayerOptions& options,
+                std::unique_ptr<playback::KeyframeSource> source, PlayerStats& stats);
+  ~WindowSession();
+  WindowSession(const WindowSession&) = delete;
+  WindowSession& operator=(const WindowSession&) = delete;
+
+  /// The face with the edits of the expression panel; its mesh never changes.
+  [[nodiscard]] const face::Face& face() const { return face_; }
+
+  /// Moves playback to `now`.
+  void advance(Instant now);
+  /// Carries out what a panel asked for. LookFrom is the camera's owner's.
+  void apply(const gui::GuiCommand& command, Instant now);
+  void toggle_pause(Instant now);
+
+  /// The face of this moment; one activation per channel. Overwritten by the next call.
+  [[nodiscard]] const std::vector<float>& activations(Instant now);
+  [[nodiscard]] gui::GuiModel model() const;
+  /// "AUcast - playing", for the title of the window.
+  [[nodiscard]] std::string title() const;
+  /// Longest time for which nothing changes by itself.
+  [[nodiscard]] Duration rest(Instant now) const;
+
+  /// Playing has come to its end; false while nothing was ever opened.
+  [[nodiscard]] bool over() const { return source_ != nullptr && controller_.over(); }
+  /// The user wants to leave: at once, unless there are changes to be asked about.
+  void ask_to_leave();
+  [[nodiscard]] bool leaving() const { return leaving_; }
+  [[nodiscard]] const gui::RenderingSettings& rendering() const { return rendering_; }
+  /// The pace of drawing, for the panel.
+  void set_pace(std::string pace) { pace_ = std::move(pace); }
+
+  /// Stops what plays, completes the statistics and hands out the last source.
+  [[nodiscard]] std::unique_ptr<playback::KeyframeSource> finish(Instant now);
+
+ private:
+  /// Whose face is shown.
+  enum class Shown : std::uint8_t { Playback, Editor };
+
+  void carry_out(const gui::Connect& command, Instant now);
+  void carry_out(const gui::Pause&, Instant now);
+  void carry_out(const gui::Resume&, Instant now);
+  void carry_out(const gui::Stop&, Instant now);
+  void carry_out(const gui::ChangeAnimation& command, Instant now);
+  void carry_out(const gui::ShowExpression& command, Instant now);
+  void carry_out(const gui::ChangeTransition& command, Instant now);
+  void carry_out(const gui::SetChannel& command, Instant now);
+  void carry_out(const gui::SetLinked& command, Instant now);
+  void carry_out(const gui::LoadAu& command, Instant now);
+  void carry_out(const gui::SaveAu& command, Instant now);
+  void carry_out(const gui::RevertAu&, Instant now);
+  void carry_out(const gui::NeutralFace&, Instant now);
+  void carry_out(const gui::Undo&, Instant now);
+  void carry_out(const gui::Redo&, Instant now);
+  void carry_out(const gui::ChangeRendering& command, Instant now);
+  void carry_out(const gui::LookFrom&, Instant) {}
+  void carry_out(const gui::Leave& command, Instant now);
+
+  void edit(Instant now);
+  void begin_keyframe(const AuFrame& aus);
+  void remember_level(Instant now);
+  void add_blinking(Instant now);
+  [[nodiscard]] Result<std::string> save(int number);
+  [[nodiscard]] gui::RemoteView remote_view() const;
+  [[nodiscard]] gui::EditorView editor_view() const;
+  [[nodiscard]] std::string traffic(const playback::SourceStatus& status) const;
+  [[nodiscard]] bool running() const { return source_ != nullptr && !controller_.over(); }
+
+  const Assets& assets_;
+  const PlayerOptions& options_;
+  PlayerStats& stats_;
+  face::Face face_;
+  face::RuleSet rules_;  ///< of animation_.rules; the pipeline reads it
+  gui::AnimationSettings animation_;
+  gui::RemoteSettings remote_settings_;
+  playback::BufferOptions buffers_;
+
+  std::unique_ptr<playback::KeyframeSource> source_;
+  std::vector<std::unique_ptr<playback::KeyframeSource>> retired_;  ///< saying their last words
+  playback::PlaybackController controller_;
+  std::optional<pipeline::FacePipeline> pipeline_;  ///< always there; made anew for a new source
+  std::optional<Instant> first_begin_;
+  std::vector<gui::AuRow> aus_;
+
+  Shown shown_ = Shown::Playback;
+  gui::ExpressionEditor editor_;
+  std::optional<gui::Transition> transition_;
+  gui::TransitionSettings transition_settings_;
+  std::string saved_to_;
+  bool save_failed_ = false;
+
+  gui::RenderingSettings rendering_;
+  std::string pace_;
+  std::vector<float> held_;         ///< the face before the first keyframe of a new source
+  std::vector<float> activations_;  ///< as shown, blinking included
+  std::vector<float> face_now_;     ///< as shown, blinking left out
+
+  struct Level {
+    Instant at;
+    float fill = 0;
+    std::uint64_t bytes = 0;
+  };
+  std::vector<Level> levels_;  ///< of the last half minute
+  bool asks_to_leave_ = false;
+  bool leaving_ = false;
+};
+
+}  // namespace aucast::app

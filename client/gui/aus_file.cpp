@@ -1,0 +1,156 @@
+#include "client/gui/aus_file.h"
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "client/face/au_recordings.h"
+#include "client/face/toml_document.h"
+#include "common/text.h"
+
+namespace aucast::gui {
+namespace {
+
+using face::TomlValue;
+
+const TomlValue::Entry* entry_of(const TomlValue& table, std::string_view key) {
+  for (const TomlValue::Entry& entry : table.entries) {
+    if (entry.key == key) return &entry;
+  }
+  return nullptr;
+}
+
+/// A number as TOML wants a real one, no longer than it takes to read the same back.
+std::string number_text(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  std::string number(text.data(), end);
+  if (number.find_first_of(".e") == std::string::npos) number += ".0";
+  return number;
+}
+
+std::string drive_text(const Drive& drive) {
+  if (drive.empty()) return "{}";
+  std::string text = "{ ";
+  for (const auto& [name, value] : drive) {
+    if (text.size() > 2) text += ", ";
+    text += name + " = " + number_text(value);
+  }
+  return text + " }";
+}
+
+/// Columns count characters; in UTF-8 those are the bytes that continue none.
+std::optional<std::size_t> byte_at(std::string_view text, face::Place place) {
+  std::size_t at = 0;
+  for (std::size_t line = 1; line < place.line; ++line) {
+    at = text.find('\n', at);
+    if (at == std::string_view::npos) return std::nullopt;
+    ++at;
+  }
+  const auto continues = [&](std::size_t i) {
+    return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
+  };
+  for (std::size_t column = 1; column < place.column && at < text.size(); ++column) {
+    ++at;
+    while (continues(at)) ++at;
+  }
+  return at;
+}
+
+/// One past the brace that closes the one at `open`, on the same line.
+std::optional<std::size_t> end_of_braces(std::string_view text, std::size_t open) {
+  if (open >= text.size() || text[open] != '{') return std::nullopt;
+  char quote = 0;
+  int depth = 0;
+  for (std::size_t i = open; i < text.size() && text[i] != '\n'; ++i) {
+    const char c = text[i];
+    if (quote != 0) {
+      if (c == '\\' && quote == '"') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '{') {
+      ++depth;
+    } else if (c == '}' && --depth == 0) {
+      return i + 1;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The [[au]] table of a number; null when there is none.
+const TomlValue* table_of(const TomlValue& document, int number) {
+  const TomlValue::Entry* aus = entry_of(document, "au");
+  if (aus == nullptr) return nullptr;
+  for (const TomlValue& table : aus->value.items) {
+    const TomlValue::Entry* entry = entry_of(table, "number");
+    if (entry != nullptr && entry->value.kind == TomlValue::Kind::Integer &&
+        entry->value.integer == number) {
+      return &table;
+    }
+  }
+  return nullptr;
+}
+
+std::string with_new_au(std::string_view text, int number, const Drive& drive) {
+  std::string result(text);
+  if (!result.empty() && result.back() != '\n') result += '\n';
+  result +=
+      "\n[[au]]\nnumber = " + std::to_string(number) + "\ndrive = " + drive_text(drive) + "\n";
+  if (const auto name = facs_name(number)) result += "note = \"" + std::string(*name) + "\"\n";
+  return result;
+}
+
+}  // namespace
+
+Drive drive_of(const face::Face& face, const std::vector<float>& activations) {
+  constexpr std::string_view kLeft = "left_";
+  constexpr std::string_view kRight = "right_";
+  Drive drive;
+  for (std::size_t i = 0; i < face.channels.size(); ++i) {
+    const std::string& name = face.channels[i].name;
+    const bool left = name.starts_with(kLeft);
+    const bool right = name.starts_with(kRight);
+    std::optional<std::size_t> partner;
+    std::string common;
+    if (left || right) {
+      common = name.substr(left ? kLeft.size() : kRight.size());
+      partner = face.channel_index(std::string(left ? kRight : kLeft) + common);
+    }
+    const bool joined =
+        partner && !face.channel_index(common) && activations[i] == activations[*partner];
+    if (joined && right && *partner < i) continue;  // written with its left one
+    if (joined && left && *partner < i) continue;
+    if (activations[i] > 0) drive.emplace_back(joined ? common : name, activations[i]);
+  }
+  return drive;
+}
+
+Result<std::string> with_au(std::string_view text, std::string_view file, int number,
+                            const Drive& drive) {
+  auto document = face::parse_toml(text, file);
+  if (!document) return document.error();
+  const TomlValue* table = table_of(*document, number);
+  if (table == nullptr) return with_new_au(text, number, drive);
+  const TomlValue::Entry* old = entry_of(*table, "drive");
+  if (old == nullptr) {
+    return Error{ErrorKind::BadData,
+                 at_place(file, table->place.line, table->place.column,
+                          "AU" + std::to_string(number) + " has no drive to be replaced")};
+  }
+  const auto begin = byte_at(text, old->value.place);
+  const auto end = begin ? end_of_braces(text, *begin) : std::nullopt;
+  if (!end) {
+    return Error{ErrorKind::BadData,
+                 at_place(file, old->place.line, old->place.column,
+                          "the drive of AU" + std::to_string(number) +
+                              " is not written as { ... } on one line; write it so, then save "
+                              "again")};
+  }
+  std::string result(text.substr(0, *begin));
+  result += drive_text(drive);
+  result += text.substr(*end);
+  return result;
+}
+
+}  // namespace aucast::gui

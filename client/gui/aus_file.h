@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "client/face/face.h"
+#include "common/result.h"
+
+namespace aucast::gui {
+
+// Changing one AU in the text of an aus.toml (data/faces/README.md) so that everything else, also
+// comments and order, stays byte for byte. Pure.
+
+/// One `name = activation` of a drive table.
+using Drive = std::vector<std::pair<std::string, float>>;
+
+/// What an aus.toml would say for these activations, one per channel: left and right alike under
+/// one name where the face has no channel of that very name, zeros left out, in the face's order.
+[[nodiscard]] Drive drive_of(const face::Face& face, const std::vector<float>& activations);
+
+/// `text` with the drive of AU `number` replaced, or with a new [[au]] at its end when it has none.
+/// BadData "file:line:column: ..." when the text is no such file, or spreads that drive over
+/// several lines, which is not rewritten so that no comment is lost.
+[[nodiscard]] Result<std::string> with_au(std::string_view text, std::string_view file, int number,
+                                          const Drive& drive);
+
+}  // namespace aucast::gui

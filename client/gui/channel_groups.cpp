@@ -1,0 +1,90 @@
+#include "client/gui/channel_groups.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "client/gui/expression_editor.h"
+
+namespace aucast::gui {
+namespace {
+
+/// A word in a channel's name and the region that it stands for; the first that is found counts.
+struct Clue {
+  std::string_view word;
+  std::string_view region;
+};
+
+constexpr std::string_view kBrow = "Forehead and brows";
+constexpr std::string_view kEyes = "Eyes and cheeks";
+constexpr std::string_view kNose = "Nose";
+constexpr std::string_view kMouth = "Mouth";
+constexpr std::string_view kJaw = "Jaw, chin and neck";
+constexpr std::string_view kHead = "Head";
+constexpr std::string_view kOther = "Other";
+constexpr std::array kRegions = {kBrow, kEyes, kNose, kMouth, kJaw, kHead, kOther};
+
+constexpr std::array<Clue, 33> kClues = {{
+    {"head_", kHead},    {"lid", kEyes},         {"gaze", kEyes},       {"oculi", kEyes},
+    {"cheek", kEyes},    {"frontalis", kBrow},   {"brow", kBrow},       {"corrugat", kBrow},
+    {"procerus", kBrow}, {"glabella", kBrow},    {"supercili", kBrow},  {"alaeque_nasi", kNose},
+    {"nasalis", kNose},  {"nostril", kNose},     {"nasolabial", kNose}, {"nasi", kNose},
+    {"jaw", kJaw},       {"mentalis", kJaw},     {"platysma", kJaw},    {"masseter", kJaw},
+    {"chin", kJaw},      {"zygomatic", kMouth},  {"anguli", kMouth},    {"angular", kMouth},
+    {"labi", kMouth},    {"oris", kMouth},       {"lip", kMouth},       {"corner", kMouth},
+    {"risor", kMouth},   {"buccinator", kMouth}, {"incisiv", kMouth},   {"mouth", kMouth},
+    {"tongue", kMouth},
+}};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+std::string_view region_of(const std::string& name) {
+  const std::string plain = lower(name);
+  for (const Clue& clue : kClues) {
+    if (plain.find(clue.word) != std::string::npos) return clue.region;
+  }
+  return kOther;
+}
+
+std::string for_people(std::string name, bool paired) {
+  if (paired) name.erase(0, name.find('_') + 1);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+}  // namespace
+
+std::vector<ChannelGroup> channel_groups(const face::Face& face,
+                                         const std::vector<float>& activations) {
+  std::vector<ChannelGroup> groups;
+  for (const std::string_view region : kRegions) {
+    ChannelGroup group{region, {}};
+    for (std::size_t i = 0; i < face.channels.size(); ++i) {
+      const face::Channel& channel = face.channels[i];
+      if (region_of(channel.name) != region) continue;
+      const auto partner = partner_of(face, i);
+      const bool is_left = !partner || channel.name.starts_with("left_");
+      if (!is_left) continue;  // it stands on its partner's line
+      ChannelRow row;
+      row.name = for_people(channel.name, partner.has_value());
+      row.maximum = channel.activation_max;
+      row.left = static_cast<int>(i);
+      row.left_value = activations[i];
+      if (partner) {
+        row.right = static_cast<int>(*partner);
+        row.right_value = activations[*partner];
+      }
+      group.rows.push_back(std::move(row));
+    }
+    if (!group.rows.empty()) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+}  // namespace aucast::gui

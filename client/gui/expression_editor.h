@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "client/face/face.h"
+
+namespace aucast::gui {
+
+/// The expression editor of thesis 5.4.3 without its widgets: the activations of every channel, the
+/// AU they are meant for, and every step so that it can be taken back. Loading another AU is a step
+/// like any other, so that unsaved changes are never lost.
+/// The face must outlive it; its recordings may change meanwhile, its channels may not.
+class ExpressionEditor {
+ public:
+  explicit ExpressionEditor(const face::Face& face);
+
+  /// One per channel of the face.
+  [[nodiscard]] const std::vector<float>& activations() const { return now_.activations; }
+  /// The AU being edited; nothing: a free expression.
+  [[nodiscard]] std::optional<int> au() const { return now_.au; }
+  /// There is something that save would change: edits since the AU was loaded or saved.
+  [[nodiscard]] bool unsaved() const { return now_.activations != now_.stored; }
+  [[nodiscard]] bool can_undo() const { return !past_.empty(); }
+  [[nodiscard]] bool can_redo() const { return !future_.empty(); }
+  [[nodiscard]] bool linked() const { return linked_; }
+
+  /// With `linked`, setting a channel sets its partner on the other side too.
+  void set_linked(bool linked) { linked_ = linked; }
+  /// Sets a channel, clamped to its range. `continued`: this belongs to the step before, as the
+  /// many values of one drag do.
+  void set(std::size_t channel, float activation, bool continued);
+  /// Begins to edit an AU: its recording, or the neutral face for one that has none.
+  void load(int au);
+  /// Takes a whole face over as a free expression.
+  void take(const std::vector<float>& activations);
+  /// All channels to 0; the AU stays.
+  void neutral();
+  /// Back to what was loaded or saved last.
+  void revert();
+  /// What is shown has been saved as `au`.
+  void saved(int au);
+  void undo();
+  void redo();
+
+ private:
+  struct State {
+    std::vector<float> activations;
+    std::vector<float> stored;  ///< what the file has
+    std::optional<int> au;
+  };
+
+  void step(State next);
+
+  const face::Face& face_;
+  State now_;
+  std::vector<State> past_;
+  std::vector<State> future_;
+  bool linked_ = true;
+};
+
+/// The channel that is the mirror image of this one by its name, left_X and right_X.
+[[nodiscard]] std::optional<std::size_t> partner_of(const face::Face& face, std::size_t channel);
+
+}  // namespace aucast::gui

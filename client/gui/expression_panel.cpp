@@ -1,0 +1,169 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "client/gui/panels.h"
+#include "common/action_unit.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr std::array kInterpolations = {"Linear", "Cosine"};
+constexpr float kStep = 0.05F;
+
+void expression_buttons(const GuiModel& model, bool of_thesis, GuiCommands& commands) {
+  constexpr int kColumns = 3;
+  int place = 0;
+  for (std::size_t i = 0; i < model.expressions.size(); ++i) {
+    const ExpressionButton& button = model.expressions[i];
+    if (button.of_thesis != of_thesis) continue;
+    ImGui::PushID(static_cast<int>(i));
+    if (wide_button(button.label.c_str(), place++ % kColumns, kColumns, true)) {
+      commands.push_back(ShowExpression{i});
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.aus.c_str());
+    ImGui::PopID();
+  }
+}
+
+void expressions(const Look& look, const GuiModel& model, GuiCommands& commands) {
+  heading(look, "Expressions");
+  expression_buttons(model, false, commands);
+  quiet_text("As the thesis sends them");
+  expression_buttons(model, true, commands);
+  TransitionSettings settings = model.transition;
+  label(look, "In between");
+  int kind = settings.cosine ? 1 : 0;
+  bool changed = choice("way", kInterpolations, kind);
+  settings.cosine = kind == 1;
+  label(look, "Frames, ms each");
+  std::array numbers = {settings.frames, settings.frame_ms};
+  if (ImGui::InputInt2("##frames", numbers.data())) {
+    settings.frames = std::clamp(numbers[0], 1, 500);
+    settings.frame_ms = std::clamp(numbers[1], 1, 1000);
+    changed = true;
+  }
+  if (changed) commands.push_back(ChangeTransition{settings});
+}
+
+std::string title_of(const AuEntry& entry) {
+  return std::to_string(entry.number) + "  " + entry.name;
+}
+
+/// The list of all numbers; true when one was chosen.
+bool au_combo(const char* id, const GuiModel& model, const char* none, int& number) {
+  std::string shown = none;
+  for (const AuEntry& entry : model.known_aus) {
+    if (entry.number == number) shown = title_of(entry);
+  }
+  if (number >= 0 && shown == none) shown = std::to_string(number) + "  (new)";
+  if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) return false;
+  bool chosen = false;
+  for (const AuEntry& entry : model.known_aus) {
+    if (ImGui::Selectable(title_of(entry).c_str(), entry.number == number)) {
+      number = entry.number;
+      chosen = true;
+    }
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+void au_buttons(const Look& look, const GuiModel& model, ExpressionForm& form,
+                GuiCommands& commands) {
+  const EditorView& editor = model.editor;
+  heading(look, editor.unsaved ? "Action Unit  (not saved)" : "Action Unit");
+  label(look, "Edit");
+  int number = editor.au;
+  if (au_combo("##edit", model, "choose one", number)) {
+    form.save_as = -1;
+    commands.push_back(LoadAu{number});
+  }
+  if (wide_button("Undo", 0, 4, editor.can_undo)) commands.push_back(Undo{});
+  if (wide_button("Redo", 1, 4, editor.can_redo)) commands.push_back(Redo{});
+  if (wide_button("Revert", 2, 4, editor.unsaved)) commands.push_back(RevertAu{});
+  if (wide_button("Neutral", 3, 4, true)) commands.push_back(NeutralFace{});
+  label(look, "Save as AU");
+  int target = std::max(0, form.save_as >= 0 ? form.save_as : editor.au);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SetNextItemWidth((width - gap) / 2);
+  if (ImGui::InputInt("##as", &target, 1, 10)) form.save_as = std::clamp(target, 1, kAuNumberMax);
+  target = form.save_as >= 0 ? form.save_as : editor.au;
+  ImGui::SameLine();
+  ImGui::BeginDisabled(target < 1);
+  if (ImGui::Button("Save", ImVec2((width - gap) / 2, 0))) commands.push_back(SaveAu{target});
+  ImGui::EndDisabled();
+  if (!editor.saved_to.empty()) {
+    const Tone tone = editor.save_failed ? Tone::Bad : Tone::Quiet;
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tone));
+    ImGui::TextWrapped("%s", editor.saved_to.c_str());
+    ImGui::PopStyleColor();
+  }
+}
+
+/// A value with its steps: dragged, typed (control and click) or stepped.
+void channel_slider(const char* id, int channel, float value, float maximum, float width,
+                    GuiCommands& commands) {
+  ImGui::PushID(id);
+  ImGui::SetNextItemWidth(width);
+  float wanted = value;
+  if (ImGui::SliderFloat("##value", &wanted, 0, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
+    // The press is the beginning of a step, what follows while it is held belongs to it.
+    const bool continued = !ImGui::IsItemActivated() && ImGui::IsMouseDown(0) &&
+                           ImGui::GetIO().MouseDownDuration[0] > 0;
+    commands.push_back(SetChannel{channel, wanted, continued});
+  }
+  if (ImGui::IsItemHovered() && ImGui::GetIO().KeyCtrl && ImGui::GetIO().MouseWheel != 0) {
+    const float step = ImGui::GetIO().MouseWheel > 0 ? kStep : -kStep;
+    commands.push_back(SetChannel{channel, value + step, false});
+  }
+  ImGui::PopID();
+}
+
+void channel_row(const Look& look, const ChannelRow& row, bool linked, GuiCommands& commands) {
+  ImGui::PushID(row.left);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(row.name.c_str());
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 176 * look.scale);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  if (row.right < 0) {
+    channel_slider("centre", row.left, row.left_value, row.maximum, width, commands);
+  } else if (linked && row.left_value == row.right_value) {
+    channel_slider("both", row.left, row.left_value, row.maximum, width, commands);
+  } else {
+    // As one sees them: the subject's right is at the viewer's left.
+    const float half = (width - gap) / 2;
+    channel_slider("right", row.right, row.right_value, row.maximum, half, commands);
+    ImGui::SameLine(0, gap);
+    channel_slider("left", row.left, row.left_value, row.maximum, half, commands);
+  }
+  ImGui::PopID();
+}
+
+void muscles(const Look& look, const GuiModel& model, GuiCommands& commands) {
+  heading(look, "Muscles");
+  bool linked = model.editor.linked;
+  if (ImGui::Checkbox("left and right together", &linked)) commands.push_back(SetLinked{linked});
+  for (const ChannelGroup& group : model.editor.groups) {
+    const std::string name(group.name);
+    ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
+    const bool open = ImGui::CollapsingHeader(name.c_str());
+    ImGui::PopStyleColor();
+    if (!open) continue;
+    for (const ChannelRow& row : group.rows) channel_row(look, row, linked, commands);
+  }
+}
+
+}  // namespace
+
+void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
+                      GuiCommands& commands) {
+  expressions(look, model, commands);
+  au_buttons(look, model, form, commands);
+  muscles(look, model, commands);
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,278 @@
+#include "client/gui/gui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr float kFontSize = 15;
+constexpr float kPanelWidth = 380;
+
+struct FontFiles {
+  const char* regular;
+  const char* bold;
+};
+/// Debian's fonts-inter and fonts-dejavu-core.
+constexpr std::array<FontFiles, 2> kFonts = {{
+    {"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
+     "/usr/share/fonts/opentype/inter/Inter-SemiBold.otf"},
+    {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+     "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"},
+}};
+
+/// Loads the first pair that is there; else ImGui's own font, which has one weight. Returns the
+/// bold one.
+ImFont* load_fonts(float scale) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  ImFontConfig config;
+  config.OversampleH = 3;
+  config.OversampleV = 2;
+  for (const FontFiles& files : kFonts) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(files.regular, ignored)) continue;
+    if (!std::filesystem::exists(files.bold, ignored)) continue;
+    const float size = kFontSize * scale;
+    ImFont* regular = atlas.AddFontFromFileTTF(files.regular, size, &config);
+    ImFont* bold = atlas.AddFontFromFileTTF(files.bold, size, &config);
+    if (regular != nullptr && bold != nullptr) return bold;
+  }
+  config.SizePixels = 13 * scale;
+  return atlas.AddFontDefault(&config);
+}
+
+void set_style(float scale) {
+  ImGui::StyleColorsDark();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowRounding = 0;
+  style.FrameRounding = 4;
+  style.GrabRounding = 3;
+  style.PopupRounding = 4;
+  style.TabRounding = 4;
+  style.ScrollbarRounding = 4;
+  style.WindowBorderSize = 0;
+  style.WindowPadding = ImVec2(16, 14);
+  style.FramePadding = ImVec2(8, 5);
+  style.ItemSpacing = ImVec2(8, 6);
+  style.ItemInnerSpacing = ImVec2(6, 4);
+  style.CellPadding = ImVec2(4, 3);
+  style.ScrollbarSize = 11;
+  style.GrabMinSize = 9;
+  style.ScaleAllSizes(scale);
+  ImVec4* colours = style.Colors;
+  colours[ImGuiCol_Text] = ImVec4(0.88F, 0.90F, 0.92F, 1);
+  colours[ImGuiCol_TextDisabled] = ImVec4(0.48F, 0.51F, 0.55F, 1);
+  colours[ImGuiCol_WindowBg] = ImVec4(0.095F, 0.105F, 0.12F, 1);
+  colours[ImGuiCol_PopupBg] = ImVec4(0.13F, 0.14F, 0.16F, 0.98F);
+  colours[ImGuiCol_Border] = ImVec4(0.26F, 0.28F, 0.31F, 0.6F);
+  colours[ImGuiCol_FrameBg] = ImVec4(0.16F, 0.175F, 0.20F, 1);
+  colours[ImGuiCol_FrameBgHovered] = ImVec4(0.20F, 0.22F, 0.25F, 1);
+  colours[ImGuiCol_FrameBgActive] = ImVec4(0.23F, 0.25F, 0.29F, 1);
+  colours[ImGuiCol_Button] = ImVec4(0.19F, 0.21F, 0.24F, 1);
+  colours[ImGuiCol_ButtonHovered] = ImVec4(0.25F, 0.28F, 0.32F, 1);
+  colours[ImGuiCol_ButtonActive] = ImVec4(0.30F, 0.34F, 0.39F, 1);
+  colours[ImGuiCol_SliderGrab] = ImVec4(0.43F, 0.66F, 0.78F, 1);
+  colours[ImGuiCol_SliderGrabActive] = ImVec4(0.54F, 0.76F, 0.87F, 1);
+  colours[ImGuiCol_CheckMark] = ImVec4(0.48F, 0.72F, 0.84F, 1);
+  colours[ImGuiCol_Header] = ImVec4(0.23F, 0.35F, 0.42F, 1);
+  colours[ImGuiCol_HeaderHovered] = ImVec4(0.26F, 0.39F, 0.47F, 1);
+  colours[ImGuiCol_HeaderActive] = ImVec4(0.29F, 0.44F, 0.53F, 1);
+  colours[ImGuiCol_Tab] = ImVec4(0.13F, 0.145F, 0.165F, 1);
+  colours[ImGuiCol_TabHovered] = ImVec4(0.26F, 0.39F, 0.47F, 1);
+  colours[ImGuiCol_TabActive] = ImVec4(0.23F, 0.35F, 0.42F, 1);
+  colours[ImGuiCol_TableHeaderBg] = ImVec4(0.13F, 0.145F, 0.165F, 1);
+  colours[ImGuiCol_TableRowBgAlt] = ImVec4(1, 1, 1, 0.02F);
+  colours[ImGuiCol_PlotLines] = ImVec4(0.43F, 0.66F, 0.78F, 1);
+  colours[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.5F);
+}
+
+Tone tone_of(const RemoteView& remote) {
+  if (remote.stale || !remote.detail.empty()) return Tone::Bad;
+  switch (remote.activity) {
+    case Activity::Playing:
+      return Tone::Good;
+    case Activity::Connecting:
+    case Activity::Paused:
+      return Tone::Waiting;
+    case Activity::Idle:
+    case Activity::Over:
+      break;
+  }
+  return Tone::Quiet;
+}
+
+/// The line that is always there: how playing stands.
+void state_line(const Look& look, const GuiModel& model) {
+  const RemoteView& remote = model.remote;
+  const float radius = 4.5F * look.scale;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float middle = at.y + ImGui::GetTextLineHeight() / 2;
+  ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(at.x + radius, middle), radius,
+                                              colour_of(tone_of(remote)), 24);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + 3.4F * radius, at.y));
+  ImGui::PushFont(look.bold);
+  ImGui::TextUnformatted(remote.state.c_str());
+  ImGui::PopFont();
+  if (!remote.keyframe.empty()) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", remote.keyframe.c_str());
+  }
+  if (model.editor.active) quiet_text("The face shows the expression panel.");
+  if (remote.stale) quiet_text("The face is the last one received.");
+  if (!remote.detail.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Bad));
+    ImGui::TextWrapped("%s", remote.detail.c_str());
+    ImGui::PopStyleColor();
+  }
+}
+
+struct KeyHelp {
+  const char* key;
+  const char* meaning;
+};
+constexpr std::array<KeyHelp, 10> kKeys = {{
+    {"Space", "pause and resume"},
+    {"Tab", "hide and show the panel"},
+    {"f", "full screen"},
+    {"s", "save a picture"},
+    {"r", "reset the view"},
+    {"?", "this list"},
+    {"q, Esc", "leave"},
+    {"left drag", "turn the face"},
+    {"right drag", "move the face"},
+    {"wheel", "zoom"},
+}};
+
+void key_list(const Look& look, bool& shown) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                      ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoSavedSettings;
+  if (ImGui::Begin("Keys", &shown, kFlags)) {
+    for (const KeyHelp& line : kKeys) {
+      ImGui::TextUnformatted(line.key);
+      ImGui::SameLine(120 * look.scale);
+      ImGui::TextDisabled("%s", line.meaning);
+    }
+  }
+  ImGui::End();
+}
+
+void leave_question(GuiCommands& commands) {
+  const char* const title = "Leave without saving?";
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  ImGui::TextUnformatted("The expression has changes that are not saved.");
+  ImGui::Spacing();
+  if (ImGui::Button("Stay")) {
+    commands.push_back(Leave{false});
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("Leave without saving")) {
+    commands.push_back(Leave{true});
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+struct Gui::State {
+  Look look;
+  RemoteForm remote;
+  ExpressionForm expression;
+  bool panel = true;
+  bool keys = false;
+
+  [[nodiscard]] float panel_width() const {
+    return std::min(kPanelWidth * look.scale, ImGui::GetIO().DisplaySize.x);
+  }
+  void side_panel(const GuiModel& model, GuiCommands& commands);
+};
+
+void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float width = panel_width();
+  ImGui::SetNextWindowPos(ImVec2(size.x - width, 0));
+  ImGui::SetNextWindowSize(ImVec2(width, size.y));
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (ImGui::Begin("panel", nullptr, kFlags)) {
+    state_line(look, model);
+    ImGui::Spacing();
+    if (ImGui::BeginTabBar("tabs")) {
+      const auto tab = [](const char* name, const auto& contents) {
+        if (!ImGui::BeginTabItem(name)) return;
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+        if (ImGui::BeginChild("contents")) contents();
+        ImGui::EndChild();
+        ImGui::PopStyleVar();
+        ImGui::EndTabItem();
+      };
+      tab("Play", [&] { remote_panel(look, model, remote, commands); });
+      tab("Expression", [&] { expression_panel(look, model, expression, commands); });
+      tab("View", [&] { rendering_panel(look, model, commands); });
+      ImGui::EndTabBar();
+    }
+  }
+  ImGui::End();
+}
+
+Gui::Gui(float scale) : state_(std::make_unique<State>()) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().LogFilename = nullptr;
+  state_->look.scale = scale;
+  state_->look.bold = load_fonts(scale);
+  set_style(scale);
+}
+
+Gui::~Gui() {
+  ImGui::DestroyContext();
+}
+
+void Gui::draw(const GuiModel& model, GuiCommands& commands) {
+  ImGui::NewFrame();
+  if (state_->panel) state_->side_panel(model, commands);
+  if (state_->keys) key_list(state_->look, state_->keys);
+  if (model.asks_to_leave) leave_question(commands);
+  ImGui::Render();
+}
+
+void Gui::toggle_panel() {
+  state_->panel = !state_->panel;
+}
+
+void Gui::toggle_keys() {
+  state_->keys = !state_->keys;
+}
+
+bool Gui::panel_shown() const {
+  return state_->panel;
+}
+
+float Gui::covered_width() const {
+  return state_->panel ? state_->panel_width() : 0;
+}
+
+bool Gui::wants_keys() const {
+  return ImGui::GetIO().WantTextInput;
+}
+
+bool Gui::wants_pointer() const {
+  return ImGui::GetIO().WantCaptureMouse;
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "client/gui/gui_commands.h"
+#include "client/gui/gui_model.h"
+
+namespace aucast::gui {
+
+/// The panels over the face, drawn with Dear ImGui. Owns the ImGui context, its font and its style.
+/// Platform and renderer are the caller's (ImGui's backends), so that the same panels are drawn in
+/// a window and in tests without one.
+/// Thread: the player's; one at a time.
+class Gui {
+ public:
+  /// `scale` of the screen: 1 is 96 dots an inch. A font is looked for where Debian keeps it.
+  explicit Gui(float scale);
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  /// One frame, after the backends have begun theirs; what is to be drawn is then ImGui's draw
+  /// data. What the user asked for goes to the end of `commands`.
+  void draw(const GuiModel& model, GuiCommands& commands);
+
+  void toggle_panel();
+  void toggle_keys();
+  [[nodiscard]] bool panel_shown() const;
+  /// Width of what the panel hides at the right of the window, in its units; 0 when it is hidden.
+  [[nodiscard]] float covered_width() const;
+  /// A text is being typed: keys are not for the player.
+  [[nodiscard]] bool wants_keys() const;
+  /// The pointer is over a panel, or drags something of it.
+  [[nodiscard]] bool wants_pointer() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace aucast::gui

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/face/muscle_mixer.h"
+#include "client/gui/remote_settings.h"
+#include "client/playback/interpolator.h"
+
+namespace aucast::gui {
+
+// What the panels show: plain data, made anew for every frame. A panel is a function from this to
+// the commands of gui_commands.h and keeps nothing but what belongs to the widgets themselves.
+
+/// Whether something plays, and what may be asked for now.
+enum class Activity : std::uint8_t {
+  Idle,        ///< nothing was ever opened
+  Connecting,  ///< the server has not answered yet
+  Playing,     ///< also buffering and stalled
+  Paused,
+  Over,  ///< ended, stopped or lost: the last face stays
+};
+
+/// One buffer as a bar.
+struct BufferLevel {
+  std::size_t fill = 0;
+  std::size_t capacity = 1;
+  int threshold_percent = 0;  ///< where the mark stands; 0: no mark
+  friend bool operator==(const BufferLevel&, const BufferLevel&) = default;
+};
+
+/// One AU of the keyframe shown, before and after the rules.
+struct AuRow {
+  std::string label;         ///< "12", "L14"
+  std::string name;          ///< FACS name; empty for a number without one
+  int received_percent = 0;  ///< 0: not received, a rule made it
+  int shown_percent = 0;     ///< 0: a rule took it away
+  std::string why;           ///< the rule that changed it; empty when none did
+  friend bool operator==(const AuRow&, const AuRow&) = default;
+};
+
+struct RemoteView {
+  Activity activity = Activity::Idle;
+  std::string state;   ///< in words: "buffering 42 %"
+  std::string detail;  ///< why it ended, a sentence; empty unless it went wrong
+  bool stale = false;  ///< the face shown is the last of a lost connection
+  bool local = false;  ///< a stream file: no buffers, no bytes
+  BufferLevel receiver;
+  BufferLevel playout;
+  std::vector<float> receiver_history;  ///< fill in [0,1] over the last half minute, oldest first
+  std::string traffic;                  ///< "6 packets, 93 B, 1.2 kB/s"
+  std::string keyframe;                 ///< "keyframe 3"; empty before the first
+  std::vector<AuRow> aus;
+  friend bool operator==(const RemoteView&, const RemoteView&) = default;
+};
+
+/// How AUs become a face; may change while it plays.
+struct AnimationSettings {
+  face::Mixer mixer = face::Mixer::Maximum;
+  std::string rules = "facs";  ///< what --rules takes
+  playback::Interpolation interpolation = playback::Interpolation::Linear;
+  friend bool operator==(const AnimationSettings&, const AnimationSettings&) = default;
+};
+
+/// A line of the expression editor: one channel, or a left and a right one under one name.
+struct ChannelRow {
+  std::string name;  ///< for people: "zygomaticus major"
+  float maximum = 2;
+  int left = -1;  ///< the channel's index; a central one stands here; -1: there is none
+  int right = -1;
+  float left_value = 0;
+  float right_value = 0;
+  friend bool operator==(const ChannelRow&, const ChannelRow&) = default;
+};
+
+struct ChannelGroup {
+  std::string_view name;
+  std::vector<ChannelRow> rows;
+  friend bool operator==(const ChannelGroup&, const ChannelGroup&) = default;
+};
+
+struct EditorView {
+  bool active = false;  ///< the face shows what the editor says
+  std::vector<ChannelGroup> groups;
+  bool linked = true;
+  int au = -1;  ///< the AU being edited; -1: none
+  bool unsaved = false;
+  bool can_undo = false;
+  bool can_redo = false;
+  std::string saved_to;  ///< where the last saving went, or why it failed
+  bool save_failed = false;
+  friend bool operator==(const EditorView&, const EditorView&) = default;
+};
+
+/// An AU as the list of the editor has it.
+struct AuEntry {
+  int number = 0;
+  std::string name;  ///< FACS name
+  friend bool operator==(const AuEntry&, const AuEntry&) = default;
+};
+
+/// An expression as a button.
+struct ExpressionButton {
+  std::string label;
+  std::string aus;
+  bool of_thesis = false;  ///< listed apart from the others
+  friend bool operator==(const ExpressionButton&, const ExpressionButton&) = default;
+};
+
+/// How an expression is reached from the face as it is.
+struct TransitionSettings {
+  int frames = 50;   ///< 1-500 in-between frames
+  int frame_ms = 5;  ///< 1-1000
+  bool cosine = false;
+  friend bool operator==(const TransitionSettings&, const TransitionSettings&) = default;
+};
+
+enum class Surface : std::uint8_t { Solid, Wireframe, Vertices };
+enum class Ground : std::uint8_t { Studio, Black, Grey, White };
+enum class View : std::uint8_t { Front, ThreeQuarter, Profile };
+
+struct RenderingSettings {
+  Surface surface = Surface::Solid;
+  Ground ground = Ground::Studio;
+  bool blinking = false;
+  friend bool operator==(const RenderingSettings&, const RenderingSettings&) = default;
+};
+
+struct RenderingView {
+  RenderingSettings settings;
+  std::string pace;  ///< "24 pictures/s, deform 0.8 ms, draw 31 ms"
+  friend bool operator==(const RenderingView&, const RenderingView&) = default;
+};
+
+struct GuiModel {
+  RemoteSettings remote_settings;  ///< those in force; the form begins with them
+  RemoteView remote;
+  AnimationSettings animation;
+  EditorView editor;
+  std::vector<AuEntry> known_aus;
+  std::vector<ExpressionButton> expressions;
+  TransitionSettings transition;
+  RenderingView rendering;
+  bool asks_to_leave = false;  ///< there are unsaved changes and the user wants to go
+  friend bool operator==(const GuiModel&, const GuiModel&) = default;
+};
+
+}  // namespace aucast::gui

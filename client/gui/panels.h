@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include "client/gui/gui_commands.h"
+#include "client/gui/gui_model.h"
+#include "client/gui/widgets.h"
+
+namespace aucast::gui {
+
+// Each panel is a function from the model to commands, inside an open ImGui window. What belongs to
+// its widgets alone (half-typed text, a list's selection) is handed in.
+
+/// What is being typed into the remote player's form.
+struct RemoteForm {
+  RemoteSettings settings;
+  std::array<char, 256> address{};
+  bool filled = false;  ///< taken over from the model
+};
+
+void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands);
+
+/// What is chosen in the expression panel.
+struct ExpressionForm {
+  int save_as = -1;  ///< number for "save as"; -1: the AU being edited
+};
+
+void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
+                      GuiCommands& commands);
+
+void rendering_panel(const Look& look, const GuiModel& model, GuiCommands& commands);
+
+}  // namespace aucast::gui

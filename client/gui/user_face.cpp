@@ -1,0 +1,95 @@
+#include "client/gui/user_face.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "client/face/toml_document.h"
+#include "common/files.h"
+
+namespace aucast::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error failed(const std::string& what, const fs::path& where, const std::error_code& cause) {
+  return {ErrorKind::Failed, what + " " + where.string() + ": " + cause.message()};
+}
+
+bool lies_in(const fs::path& inner, const fs::path& outer) {
+  const fs::path a = fs::weakly_canonical(inner);
+  const fs::path b = fs::weakly_canonical(outer);
+  const auto [end_a, end_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  return end_b == b.end();
+}
+
+/// The file name that face.toml gives for its AUs.
+Result<fs::path> aus_file_of(const fs::path& face_folder) {
+  const fs::path description = face_folder / "face.toml";
+  std::error_code ignored;
+  if (!fs::exists(description, ignored)) {
+    return Error{ErrorKind::Failed,
+                 face_folder.string() +
+                     " is a classic face: its Action Units come from a table for all such faces "
+                     "and cannot be saved with it"};
+  }
+  auto text = read_file(description);
+  if (!text) return text.error();
+  auto document = face::parse_toml(*text, description.string());
+  if (!document) return document.error();
+  for (const face::TomlValue::Entry& entry : document->entries) {
+    if (entry.key == "aus") return face_folder / entry.value.text;
+  }
+  return Error{ErrorKind::BadData, description.string() + ": names no file of AUs"};
+}
+
+}  // namespace
+
+Result<fs::path> user_faces_folder(const char* xdg_data_home, const char* home) {
+  fs::path base;
+  if (xdg_data_home != nullptr && fs::path(xdg_data_home).is_absolute()) {
+    base = xdg_data_home;
+  } else if (home != nullptr && fs::path(home).is_absolute()) {
+    base = fs::path(home) / ".local" / "share";
+  } else {
+    return Error{ErrorKind::Failed,
+                 "no place for your own faces: set HOME or XDG_DATA_HOME to a folder"};
+  }
+  return base / "aucast" / "faces";
+}
+
+Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user_faces) {
+  const fs::path from = face_folder.has_filename() ? face_folder : face_folder.parent_path();
+  try {
+    if (lies_in(from, user_faces)) return from;
+    const fs::path copy = user_faces / fs::weakly_canonical(from).filename();
+    if (fs::exists(copy)) return copy;
+    const fs::path unfinished = copy.string() + ".unfinished";
+    fs::create_directories(user_faces);
+    fs::remove_all(unfinished);
+    fs::copy(from, unfinished, fs::copy_options::recursive);
+    // Shipped files may be read-only; a copy is there to be changed.
+    for (const auto& entry : fs::recursive_directory_iterator(unfinished)) {
+      fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);
+    }
+    fs::rename(unfinished, copy);
+    return copy;
+  } catch (const fs::filesystem_error& error) {
+    return failed("this face cannot be copied to", user_faces, error.code());
+  }
+}
+
+Result<fs::path> save_au(const fs::path& face_folder, int number, const Drive& drive) {
+  auto file = aus_file_of(face_folder);
+  if (!file) return file.error();
+  auto before = read_file(*file);
+  if (!before) return before.error();
+  auto after = with_au(*before, file->string(), number, drive);
+  if (!after) return after.error();
+  if (*after == *before) return file;
+  const fs::path previous = file->string() + "~";
+  if (auto kept = write_file_atomically(previous, *before); !kept) return kept.error();
+  if (auto written = write_file_atomically(*file, *after); !written) return written.error();
+  return file;
+}
+
+}  // namespace aucast::gui

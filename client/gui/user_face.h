@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "client/gui/aus_file.h"
+#include "common/result.h"
+
+namespace aucast::gui {
+
+// Where edited faces live: copies in the user's own data folder, so that the shipped ones stay as
+// they are.
+
+/// $XDG_DATA_HOME/aucast/faces, or ~/.local/share/aucast/faces; the arguments are the values of
+/// XDG_DATA_HOME and HOME, null when unset. A relative XDG_DATA_HOME counts as unset, as its
+/// specification wants. Failed when there is neither.
+[[nodiscard]] Result<std::filesystem::path> user_faces_folder(const char* xdg_data_home,
+                                                              const char* home);
+
+/// The folder to write to for the face in `face_folder`: itself when it lies in `user_faces`, else
+/// user_faces/NAME, copied now unless it is there. A copy appears whole or not at all.
+[[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
+                                                          const std::filesystem::path& user_faces);
+
+/// Saves one AU in the AU file of a face of our own format and returns that file. The version
+/// before stays beside it with a ~ at its end. What was there is untouched when this fails.
+[[nodiscard]] Result<std::filesystem::path> save_au(const std::filesystem::path& face_folder,
+                                                    int number, const Drive& drive);
+
+}  // namespace aucast::gui

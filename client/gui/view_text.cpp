@@ -1,0 +1,116 @@
+#include "client/gui/view_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace aucast::gui {
+namespace {
+
+using playback::EndReason;
+using playback::PlaybackState;
+
+bool awaits_connection(PlaybackState state, const playback::SourceStatus& status) {
+  return state == PlaybackState::Buffering && !status.connected &&
+         status.end == EndReason::NotEnded;
+}
+
+int percent(float intensity) {
+  return static_cast<int>(std::lround(intensity * 100));
+}
+
+bool names(const std::vector<int>& numbers, int number) {
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
+/// The rules that have to do with an AU on a side, each kind once: "dominance, cap".
+std::string reasons(int number, Side side, const std::vector<face::RuleFired>& fired) {
+  std::string text;
+  for (const face::RuleFired& one : fired) {
+    const bool on_this_side = side == Side::Both || one.side == Side::Both || one.side == side;
+    const bool about_it = names(one.rule->sources, number) || names(one.rule->targets, number);
+    if (!on_this_side || !about_it) continue;
+    const std::string kind(face::name(one.rule->kind));
+    if (text.find(kind) != std::string::npos) continue;
+    if (!text.empty()) text += ", ";
+    text += kind;
+  }
+  return text;
+}
+
+AuRow row_of(int number, Side side, float received, float shown,
+             const std::vector<face::RuleFired>& fired) {
+  AuRow row;
+  row.label = (side == Side::Left ? "L" : side == Side::Right ? "R" : "") + std::to_string(number);
+  row.name = facs_name(number).value_or("");
+  row.received_percent = percent(received);
+  row.shown_percent = percent(shown);
+  if (row.received_percent != row.shown_percent) row.why = reasons(number, side, fired);
+  return row;
+}
+
+}  // namespace
+
+Activity activity_of(PlaybackState state, const playback::SourceStatus& status) {
+  switch (state) {
+    case PlaybackState::Buffering:
+      return awaits_connection(state, status) ? Activity::Connecting : Activity::Playing;
+    case PlaybackState::Playing:
+    case PlaybackState::Stalled:
+      return Activity::Playing;
+    case PlaybackState::Paused:
+      return Activity::Paused;
+    case PlaybackState::Ended:
+    case PlaybackState::Stopped:
+    case PlaybackState::Lost:
+      return Activity::Over;
+  }
+  return Activity::Over;
+}
+
+std::string state_in_words(PlaybackState state, const playback::SourceStatus& status,
+                           const playback::BufferOptions& buffers) {
+  if (awaits_connection(state, status)) return "connecting";
+  if (state == PlaybackState::Buffering) {
+    const std::size_t threshold = std::max<std::size_t>(
+        1, buffers.receiver_capacity * static_cast<std::size_t>(buffers.threshold_percent) / 100);
+    const std::size_t there = std::min(threshold, status.receiver_fill + status.playout_fill);
+    return "buffering " + std::to_string(there * 100 / threshold) + " %";
+  }
+  return std::string(playback::name(state));
+}
+
+std::string bytes_text(double bytes) {
+  constexpr std::array kUnits = {"B", "kB", "MB", "GB"};
+  std::size_t unit = 0;
+  while (bytes >= 999.95 && unit + 1 < kUnits.size()) {
+    bytes /= 1000;
+    ++unit;
+  }
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", bytes, kUnits[unit]);
+  return text.data();
+}
+
+std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,
+                           const std::vector<face::RuleFired>& fired) {
+  std::vector<AuRow> rows;
+  for (std::size_t i = 1; i < kAuCount; ++i) {
+    const int number = static_cast<int>(i);
+    const bool alike = received.left[i] == received.right[i] && blended.left[i] == blended.right[i];
+    if (alike) {
+      AuRow row = row_of(number, Side::Both, received.left[i], blended.left[i], fired);
+      if (row.received_percent + row.shown_percent > 0) rows.push_back(std::move(row));
+      continue;
+    }
+    AuRow left = row_of(number, Side::Left, received.left[i], blended.left[i], fired);
+    if (left.received_percent + left.shown_percent > 0) rows.push_back(std::move(left));
+    AuRow right = row_of(number, Side::Right, received.right[i], blended.right[i], fired);
+    if (right.received_percent + right.shown_percent > 0) rows.push_back(std::move(right));
+  }
+  return rows;
+}
+
+}  // namespace aucast::gui

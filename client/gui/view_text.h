@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "client/face/au_blender.h"
+#include "client/gui/gui_model.h"
+#include "client/playback/keyframe_buffers.h"
+#include "client/playback/keyframe_source.h"
+#include "client/playback/playback_controller.h"
+
+namespace aucast::gui {
+
+// From the player's numbers to what people read. Pure.
+
+[[nodiscard]] Activity activity_of(playback::PlaybackState state,
+                                   const playback::SourceStatus& status);
+
+/// "connecting", "buffering 42 %", "playing", "paused", "stalled", "ended", "stopped", "lost"; the
+/// percentage is of what must be there before playing begins.
+[[nodiscard]] std::string state_in_words(playback::PlaybackState state,
+                                         const playback::SourceStatus& status,
+                                         const playback::BufferOptions& buffers);
+
+/// "0 B", "999 B", "1.2 kB", "3.4 MB".
+[[nodiscard]] std::string bytes_text(double bytes);
+
+/// The AUs of a keyframe before and after the rules, ascending, a side by itself where both differ.
+/// `fired` are the rules that changed something; their Rule objects must still be there.
+[[nodiscard]] std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,
+                                         const std::vector<face::RuleFired>& fired);
+
+}  // namespace aucast::gui

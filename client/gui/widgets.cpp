@@ -1,0 +1,125 @@
+#include "client/gui/widgets.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace aucast::gui {
+namespace {
+
+constexpr float kLabelWidth = 112;
+
+ImVec4 accent() {
+  return ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
+}
+
+}  // namespace
+
+unsigned colour_of(Tone tone) {
+  switch (tone) {
+    case Tone::Quiet:
+      return IM_COL32(140, 147, 158, 255);
+    case Tone::Good:
+      return IM_COL32(104, 190, 140, 255);
+    case Tone::Waiting:
+      return IM_COL32(226, 182, 92, 255);
+    case Tone::Bad:
+      return IM_COL32(235, 116, 104, 255);
+  }
+  return IM_COL32_WHITE;
+}
+
+void heading(const Look& look, const char* text) {
+  ImGui::Dummy(ImVec2(0, 5 * look.scale));
+  ImGui::PushFont(look.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+  ImGui::Dummy(ImVec2(0, 0));
+}
+
+void label(const Look& look, const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelWidth * look.scale);
+  ImGui::SetNextItemWidth(-1);
+}
+
+void quiet_text(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Quiet));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+bool wide_button(const char* text, int share, int shares, bool enabled, bool important) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
+  const auto count = static_cast<float>(shares);
+  const float each = (width - gap * (count - 1)) / count;
+  if (share > 0) ImGui::SameLine();
+  if (important) {
+    ImGui::PushStyleColor(ImGuiCol_Button, accent());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.06F, 0.08F, 0.10F, 1));
+  }
+  ImGui::BeginDisabled(!enabled);
+  const bool pressed = ImGui::Button(text, ImVec2(each, 0));
+  ImGui::EndDisabled();
+  if (important) ImGui::PopStyleColor(2);
+  return pressed;
+}
+
+void buffer_bar(const Look& look, const char* name, const BufferLevel& level) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(name);
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelWidth * look.scale);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight());
+  const ImVec2 to(from.x + size.x, from.y + size.y);
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+  const auto capacity = static_cast<float>(std::max<std::size_t>(level.capacity, 1));
+  const float share = std::min(1.0F, static_cast<float>(level.fill) / capacity);
+  if (share > 0) {
+    ImVec4 colour = accent();
+    colour.w = 0.55F;
+    list->AddRectFilled(from, ImVec2(from.x + size.x * share, to.y), ImGui::GetColorU32(colour),
+                        rounding);
+  }
+  if (level.threshold_percent > 0) {
+    const float x = from.x + size.x * static_cast<float>(level.threshold_percent) / 100.0F;
+    const float half = look.scale;
+    list->AddRectFilled(ImVec2(x - half, from.y), ImVec2(x + half, to.y), colour_of(Tone::Waiting));
+  }
+  const std::string text = std::to_string(level.fill) + " / " + std::to_string(level.capacity);
+  const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+  list->AddText(ImVec2(to.x - extent.x - 8 * look.scale, from.y + (size.y - extent.y) / 2),
+                ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  ImGui::Dummy(size);
+}
+
+bool choice_of(const char* id, const char* const* words, int count, int& chosen) {
+  ImGui::PushID(id);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float each = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(count - 1)) /
+                     static_cast<float>(count);
+  bool changed = false;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(gap / 2, ImGui::GetStyle().FramePadding.y));
+  for (int i = 0; i < count; ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    const bool on = i == chosen;
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+    if (ImGui::Button(words[i], ImVec2(each, 0)) && !on) {
+      chosen = i;
+      changed = true;
+    }
+    if (on) ImGui::PopStyleColor();
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+  return changed;
+}
+
+}  // namespace aucast::gui

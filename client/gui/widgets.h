@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "client/gui/gui_model.h"
+
+struct ImFont;
+
+namespace aucast::gui {
+
+// Small things that several panels draw. All of them inside an open ImGui window.
+
+/// What panels need to know beside the model.
+struct Look {
+  float scale = 1;  ///< of the screen: 1 is 96 dots an inch
+  ImFont* bold = nullptr;
+};
+
+enum class Tone : std::uint8_t { Quiet, Good, Waiting, Bad };
+
+/// Colours by what they mean, 0xAABBGGRR as ImGui packs them.
+[[nodiscard]] unsigned colour_of(Tone tone);
+
+/// A heading with room above it.
+void heading(const Look& look, const char* text);
+/// A label at the left; what comes next stands at the panel's column for values and fills the rest.
+void label(const Look& look, const char* text);
+void quiet_text(const std::string& text);
+/// A button that fills its share of the line: `share` of `shares`, drawn as disabled unless
+/// `enabled`.
+[[nodiscard]] bool wide_button(const char* text, int share, int shares, bool enabled,
+                               bool important = false);
+/// A buffer as a bar with its fill and the mark of its threshold.
+void buffer_bar(const Look& look, const char* name, const BufferLevel& level);
+/// A choice among a few words on one line; true when it changed `chosen`.
+template <std::size_t N>
+[[nodiscard]] bool choice(const char* id, const std::array<const char*, N>& words, int& chosen);
+[[nodiscard]] bool choice_of(const char* id, const char* const* words, int count, int& chosen);
+
+template <std::size_t N>
+bool choice(const char* id, const std::array<const char*, N>& words, int& chosen) {
+  return choice_of(id, words.data(), static_cast<int>(N), chosen);
+}
+
+}  // namespace aucast::gui

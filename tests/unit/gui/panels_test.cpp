@@ -1,0 +1,183 @@
+#include <epoxy/gl.h>
+
+#include <backends/imgui_impl_opengl3.h>
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <memory>
+#include <variant>
+
+#include "client/gui/gui.h"
+#include "client/render/offscreen.h"
+#include "client/view/image.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr int kWidth = 800;
+constexpr int kHeight = 640;
+
+GuiModel playing_model() {
+  GuiModel model;
+  model.remote.activity = Activity::Playing;
+  model.remote.state = "playing";
+  model.remote.keyframe = "keyframe 3";
+  model.remote.receiver = {42, 100, 40};
+  model.remote.playout = {12, 30, 0};
+  model.remote.receiver_history = {0, 0.2F, 0.42F};
+  model.remote.traffic = "6 packets, 93 B";
+  model.remote.aus = {{"51", "Head Turn Left", 100, 60, "opposition"}};
+  model.editor.groups = {{"Mouth", {{"zygomaticus major", 2, 0, 1, 0.5F, 0.5F}}}};
+  model.known_aus = {{12, "Lip Corner Puller"}};
+  model.expressions = {{"Happiness", "6,12"}, {"Anger", "4,5,7,23"}};
+  return model;
+}
+
+/// Draws the panels without a window and moves a mouse over them.
+class Panels : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = render::OffscreenContext::create();
+    ASSERT_TRUE(context) << context.error().message;
+    context_ = std::move(*context);
+    start();
+  }
+  void TearDown() override { end(); }
+
+  void start() {
+    auto target = render::OffscreenTarget::create(kWidth, kHeight);
+    ASSERT_TRUE(target) << target.error().message;
+    target_ = std::move(*target);
+    gui_ = std::make_unique<Gui>(1.0F);
+    ASSERT_TRUE(ImGui_ImplOpenGL3_Init("#version 330 core"));
+  }
+  void end() {
+    if (gui_) ImGui_ImplOpenGL3_Shutdown();
+    gui_.reset();
+    target_.reset();
+  }
+
+  GuiCommands frame() {
+    target_->bind();
+    glViewport(0, 0, kWidth, kHeight);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(kWidth, kHeight);
+    io.DeltaTime = 1.0F / 60;
+    ImGui_ImplOpenGL3_NewFrame();
+    GuiCommands commands;
+    gui_->draw(model_, commands);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    return commands;
+  }
+  view::Image picture() {
+    for (int i = 0; i < 3; ++i) static_cast<void>(frame());
+    return target_->read();
+  }
+  /// Presses and releases the left button there; everything that was asked for meanwhile.
+  GuiCommands click(float x, float y) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = ImVec2(x, y);
+    GuiCommands all;
+    for (const bool down : {false, false, true, true, false, false}) {
+      io.MouseDown[0] = down;
+      for (GuiCommand& command : frame()) all.push_back(std::move(command));
+    }
+    return all;
+  }
+  /// Clicks down a column of the panel until something is asked for.
+  template <typename Command>
+  std::optional<Command> find_by_clicking(float x, float from_y, float to_y) {
+    for (float y = from_y; y < to_y; y += 12) {
+      for (const GuiCommand& command : click(x, y)) {
+        if (const auto* found = std::get_if<Command>(&command)) return *found;
+      }
+    }
+    return std::nullopt;
+  }
+
+  GuiModel model_ = playing_model();
+  std::unique_ptr<render::OffscreenContext> context_;
+  std::unique_ptr<render::OffscreenTarget> target_;
+  std::unique_ptr<Gui> gui_;
+};
+
+std::size_t bright_pixels(const view::Image& picture, int from_x, int to_x) {
+  std::size_t count = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = from_x; x < to_x; ++x) {
+      const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                           static_cast<std::size_t>(x));
+      count += picture.rgba[at] > 150 ? 1U : 0U;
+    }
+  }
+  return count;
+}
+
+TEST_F(Panels, TheSameModelGivesTheSamePicture) {
+  const view::Image first = picture();
+  end();
+  start();
+  const view::Image second = picture();
+  EXPECT_EQ(first.rgba, second.rgba);
+}
+
+TEST_F(Panels, ThePanelLeavesTheFaceFreeAndCanBeHidden) {
+  const view::Image shown = picture();
+  const int edge = kWidth - static_cast<int>(gui_->covered_width());
+  EXPECT_GT(edge, kWidth / 2 - 1);
+  EXPECT_EQ(bright_pixels(shown, 0, edge), 0U);
+  EXPECT_GT(bright_pixels(shown, edge, kWidth), 2000U);
+  gui_->toggle_panel();
+  EXPECT_EQ(gui_->covered_width(), 0);
+  EXPECT_EQ(bright_pixels(picture(), 0, kWidth), 0U);
+}
+
+TEST_F(Panels, WhatPlaysCanBePausedAndStopped) {
+  EXPECT_TRUE(find_by_clicking<Pause>(500, 100, 260).has_value());
+  EXPECT_TRUE(find_by_clicking<Stop>(700, 100, 260).has_value());
+  model_.remote.activity = Activity::Paused;
+  EXPECT_TRUE(find_by_clicking<Resume>(500, 100, 260).has_value());
+}
+
+TEST_F(Panels, ConnectTakesTheForm) {
+  model_.remote.activity = Activity::Idle;
+  model_.remote_settings.address = "lecture.example.org";
+  model_.remote_settings.port = 4777;
+  const auto connect = find_by_clicking<Connect>(600, 100, 260);
+  ASSERT_TRUE(connect.has_value());
+  EXPECT_EQ(connect->settings, model_.remote_settings);
+}
+
+TEST_F(Panels, AFormThatIsWrongConnectsNowhere) {
+  model_.remote.activity = Activity::Idle;
+  model_.remote_settings.address.clear();
+  EXPECT_FALSE(find_by_clicking<Connect>(600, 100, 260).has_value());
+}
+
+TEST_F(Panels, TheMixerIsChanged) {
+  const auto change = find_by_clicking<ChangeAnimation>(720, 300, kHeight);
+  ASSERT_TRUE(change.has_value());
+  EXPECT_EQ(change->settings.mixer, face::Mixer::Average);
+}
+
+TEST_F(Panels, NothingIsAskedForByLooking) {
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(frame().empty());
+}
+
+TEST_F(Panels, ExpressionsAreButtonsOfTheirTab) {
+  static_cast<void>(click(530, 54));  // the tab
+  const auto show = find_by_clicking<ShowExpression>(450, 80, 200);
+  ASSERT_TRUE(show.has_value());
+  EXPECT_EQ(show->index, 0U);
+}
+
+TEST_F(Panels, LeavingWithUnsavedChangesIsAQuestion) {
+  const view::Image before = picture();
+  model_.asks_to_leave = true;
+  EXPECT_NE(picture().rgba, before.rgba);
+}
+
+}  // namespace
+}  // namespace aucast::gui

@@ -1,0 +1,94 @@
+#include "client/gui/view_text.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast::gui {
+namespace {
+
+using playback::EndReason;
+using playback::PlaybackState;
+using playback::SourceStatus;
+
+SourceStatus connected(std::size_t receiver = 0, std::size_t playout = 0) {
+  SourceStatus status;
+  status.connected = true;
+  status.receiver_fill = receiver;
+  status.playout_fill = playout;
+  return status;
+}
+
+AuFrame frame(std::initializer_list<AuTerm> terms) {
+  return frame_from_terms({terms.begin(), terms.size()});
+}
+
+TEST(ViewText, TheStateIsSaidInWords) {
+  const playback::BufferOptions buffers;  // 40 of 100
+  EXPECT_EQ(state_in_words(PlaybackState::Buffering, {}, buffers), "connecting");
+  EXPECT_EQ(state_in_words(PlaybackState::Buffering, connected(), buffers), "buffering 0 %");
+  EXPECT_EQ(state_in_words(PlaybackState::Buffering, connected(17), buffers), "buffering 42 %");
+  EXPECT_EQ(state_in_words(PlaybackState::Buffering, connected(70, 30), buffers),
+            "buffering 100 %");
+  EXPECT_EQ(state_in_words(PlaybackState::Playing, connected(), buffers), "playing");
+  EXPECT_EQ(state_in_words(PlaybackState::Lost, {}, buffers), "lost");
+}
+
+TEST(ViewText, AThresholdOfLessThanOneSetIsOne) {
+  EXPECT_EQ(state_in_words(PlaybackState::Buffering, connected(1), {10, 5, 1}), "buffering 100 %");
+}
+
+TEST(ViewText, ConnectingEndsWithTheConnectionOrItsFailure) {
+  EXPECT_EQ(activity_of(PlaybackState::Buffering, {}), Activity::Connecting);
+  EXPECT_EQ(activity_of(PlaybackState::Buffering, connected()), Activity::Playing);
+  SourceStatus failed;
+  failed.end = EndReason::Unreachable;
+  EXPECT_EQ(activity_of(PlaybackState::Buffering, failed), Activity::Playing);
+  EXPECT_EQ(activity_of(PlaybackState::Stalled, connected()), Activity::Playing);
+  EXPECT_EQ(activity_of(PlaybackState::Paused, connected()), Activity::Paused);
+  for (const PlaybackState over :
+       {PlaybackState::Ended, PlaybackState::Stopped, PlaybackState::Lost}) {
+    EXPECT_EQ(activity_of(over, connected()), Activity::Over);
+  }
+}
+
+TEST(ViewText, BytesGetTheUnitThatFits) {
+  EXPECT_EQ(bytes_text(0), "0 B");
+  EXPECT_EQ(bytes_text(999), "999 B");
+  EXPECT_EQ(bytes_text(1234), "1.2 kB");
+  EXPECT_EQ(bytes_text(3.4e6), "3.4 MB");
+  EXPECT_EQ(bytes_text(999'999), "1.0 MB");
+  EXPECT_EQ(bytes_text(5e12), "5000.0 GB");
+}
+
+TEST(ViewText, UnchangedAusHaveNoReason) {
+  const AuFrame both = frame({{12, Side::Both, 80}, {1, Side::Both, 100}});
+  EXPECT_EQ(au_rows(both, both, {}), (std::vector<AuRow>{{"1", "Inner Brow Raiser", 100, 100, ""},
+                                                         {"12", "Lip Corner Puller", 80, 80, ""}}));
+  EXPECT_TRUE(au_rows({}, {}, {}).empty());
+}
+
+TEST(ViewText, SidesThatDifferHaveRowsOfTheirOwn) {
+  const AuFrame aus = frame({{12, Side::Left, 80}, {14, Side::Left, 10}, {14, Side::Right, 20}});
+  const auto rows = au_rows(aus, aus, {});
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].label, "L12");
+  EXPECT_EQ(rows[1].label, "L14");
+  EXPECT_EQ(rows[2].label, "R14");
+  EXPECT_EQ(rows[2].shown_percent, 20);
+}
+
+TEST(ViewText, AChangedAuNamesTheRule) {
+  face::RuleSet rules;
+  rules.rules.push_back({face::RuleKind::Opposition, {51, 52}, {}, 1, false, false, ""});
+  const AuFrame received =
+      frame({{51, Side::Both, 100}, {52, Side::Both, 40}, {1, Side::Both, 50}});
+  std::vector<face::RuleFired> fired;
+  const AuFrame blended = face::blend(rules, received, &fired);
+  const auto rows = au_rows(received, blended, fired);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].why, "");
+  EXPECT_EQ(rows[1], (AuRow{"51", std::string(*facs_name(51)), 100, 60, "opposition"}));
+  EXPECT_EQ(rows[2], (AuRow{"52", std::string(*facs_name(52)), 40, 0, "opposition"}));
+}
+
+}  // namespace
+}  // namespace aucast::gui

@@ -1,0 +1,307 @@
+#include "client/app/window_session.h"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "common/files.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/temp_folder.h"
+#include "tests/unit/playback/scripted_source.h"
+
+namespace aucast::app {
+namespace {
+
+using gui::Activity;
+using playback::EndReason;
+using playback::test::ScriptedSource;
+
+AuFrame frame(std::initializer_list<AuTerm> terms) {
+  return frame_from_terms({terms.begin(), terms.size()});
+}
+
+/// The default face, driven by a source that the test fills by hand.
+class WindowSessionTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    auto loaded = load_assets({});
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    assets_ = std::move(*loaded);
+  }
+  static void TearDownTestSuite() { assets_.reset(); }
+
+  void SetUp() override { options_.playback.endpoint = "127.0.0.1:4650"; }
+
+  /// Opens a source that has these keyframes of 100 ms.
+  void open(const std::vector<AuFrame>& keyframes) {
+    auto source = std::make_unique<ScriptedSource>();
+    source_ = source.get();
+    source_->now.connected = true;
+    for (const AuFrame& aus : keyframes) source_->keyframes.push_back({aus, Milliseconds(100)});
+    session_.emplace(*assets_, options_, std::move(source), stats_);
+  }
+  void open_nothing() { session_.emplace(*assets_, options_, nullptr, stats_); }
+
+  void go_on(Milliseconds time) {
+    clock_.advance(time);
+    session_->advance(clock_.now());
+  }
+  void ask(const gui::GuiCommand& command) { session_->apply(command, clock_.now()); }
+  [[nodiscard]] float shown(const char* channel) {
+    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
+  }
+  [[nodiscard]] static int channel(const char* name) {
+    return static_cast<int>(*assets_->face.channel_index(name));
+  }
+  [[nodiscard]] gui::GuiModel model() const { return session_->model(); }
+
+  static std::unique_ptr<Assets> assets_;
+  PlayerOptions options_;
+  PlayerStats stats_;
+  ScriptedSource* source_ = nullptr;
+  test::ManualClock clock_;
+  std::optional<WindowSession> session_;
+};
+
+std::unique_ptr<Assets> WindowSessionTest::assets_;
+
+TEST_F(WindowSessionTest, WithoutASourceTheFaceRests) {
+  open_nothing();
+  EXPECT_EQ(model().remote.activity, Activity::Idle);
+  EXPECT_EQ(model().remote.state, "no connection");
+  EXPECT_EQ(session_->title(), "AUcast");
+  EXPECT_FALSE(session_->over());
+  EXPECT_GE(session_->rest(clock_.now()), Milliseconds(250));
+  EXPECT_EQ(session_->activations(clock_.now()), std::vector<float>(assets_->face.channels.size()));
+}
+
+TEST_F(WindowSessionTest, PlaysAndShowsWhatCameAndWhatTheRulesMadeOfIt) {
+  open({frame({{51, Side::Both, 100}, {52, Side::Both, 40}})});
+  go_on(Milliseconds(0));
+  ASSERT_EQ(model().remote.aus.size(), 2U);
+  EXPECT_EQ(model().remote.aus[0].received_percent, 100);
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 60);
+  EXPECT_EQ(model().remote.aus[0].why, "opposition");
+  EXPECT_EQ(model().remote.keyframe, "keyframe 1");
+  EXPECT_LE(session_->rest(clock_.now()), Milliseconds(2));
+  go_on(Milliseconds(100));
+  EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
+}
+
+TEST_F(WindowSessionTest, PauseHoldsTheFaceAndResumeGoesOn) {
+  open({frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(50));
+  const float half = shown("jaw");
+  EXPECT_GT(half, 0);
+  ask(gui::Pause{});
+  go_on(Milliseconds(5000));
+  EXPECT_EQ(shown("jaw"), half);
+  EXPECT_EQ(model().remote.activity, Activity::Paused);
+  session_->toggle_pause(clock_.now());
+  go_on(Milliseconds(50));
+  EXPECT_FLOAT_EQ(shown("jaw"), 2 * half);
+}
+
+TEST_F(WindowSessionTest, StopKeepsTheFace) {
+  open({frame({{26, Side::Both, 100}}), frame({})});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(50));
+  const float half = shown("jaw");
+  ask(gui::Stop{});
+  go_on(Milliseconds(1000));
+  EXPECT_EQ(shown("jaw"), half);
+  EXPECT_TRUE(session_->over());
+  EXPECT_EQ(model().remote.activity, Activity::Over);
+  EXPECT_EQ(source_->now.end, EndReason::Stopped);
+}
+
+TEST_F(WindowSessionTest, ALostConnectionKeepsTheLastFaceAndSaysSo) {
+  open({frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  source_->now.end = EndReason::ConnectionLost;
+  source_->now.detail = "the server has gone";
+  go_on(Milliseconds(100));
+  go_on(Milliseconds(100));
+  EXPECT_GT(shown("jaw"), 0);
+  EXPECT_TRUE(model().remote.stale);
+  EXPECT_EQ(model().remote.state, "lost");
+  EXPECT_EQ(model().remote.detail, "the server has gone");
+}
+
+TEST_F(WindowSessionTest, MixerRulesAndInterpolationChangeDuringPlay) {
+  const AuFrame opposed = frame({{51, Side::Both, 100}, {52, Side::Both, 40}});
+  open({opposed, opposed});
+  go_on(Milliseconds(0));
+  gui::AnimationSettings settings = model().animation;
+  EXPECT_EQ(settings.rules, "facs");
+  settings.rules = "none";
+  settings.mixer = face::Mixer::Average;
+  settings.interpolation = playback::Interpolation::Cosine;
+  ask(gui::ChangeAnimation{settings});
+  EXPECT_EQ(model().animation, settings);
+  go_on(Milliseconds(100));
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 100);
+  go_on(Milliseconds(100));
+  EXPECT_FLOAT_EQ(shown("head_turn_right"), 0.4F);
+}
+
+TEST_F(WindowSessionTest, OtherRulesAreSeenOnAFaceThatStands) {
+  open({frame({{51, Side::Both, 100}, {52, Side::Both, 40}})});
+  go_on(Milliseconds(0));
+  source_->now.end = EndReason::EndOfStream;
+  go_on(Milliseconds(100));
+  go_on(Milliseconds(0));
+  ASSERT_TRUE(session_->over());
+  EXPECT_EQ(shown("head_turn_right"), 0);
+  gui::AnimationSettings settings = model().animation;
+  settings.rules = "none";
+  ask(gui::ChangeAnimation{settings});
+  EXPECT_FLOAT_EQ(shown("head_turn_right"), 0.4F);
+}
+
+TEST_F(WindowSessionTest, RulesThatAreNotThereChangeNothing) {
+  open_nothing();
+  gui::AnimationSettings settings = model().animation;
+  settings.rules = "no such rules";
+  ask(gui::ChangeAnimation{settings});
+  EXPECT_EQ(model().animation.rules, "facs");
+}
+
+TEST_F(WindowSessionTest, AnExpressionIsReachedFromTheFaceAsItIs) {
+  open_nothing();
+  const auto buttons = model().expressions;
+  const auto happy = std::find_if(buttons.begin(), buttons.end(),
+                                  [](const auto& one) { return one.label == "Happiness"; });
+  ASSERT_NE(happy, buttons.end());
+  ask(gui::SetChannel{channel("jaw"), 2, false});
+  ask(gui::ShowExpression{static_cast<std::size_t>(happy - buttons.begin())});
+  EXPECT_EQ(shown("jaw"), 2);
+  clock_.advance(Milliseconds(125));
+  EXPECT_FLOAT_EQ(shown("jaw"), 1);
+  clock_.advance(Milliseconds(125));
+  EXPECT_EQ(shown("jaw"), 0);
+  EXPECT_GT(shown("left_zygomaticus_major"), 0.5F);
+  EXPECT_TRUE(model().editor.active);
+}
+
+TEST_F(WindowSessionTest, EditingHoldsWhatPlaysAndResumeGivesTheFaceBack) {
+  open({frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(50));
+  const float half = shown("jaw");
+  ask(gui::SetChannel{channel("jaw"), 4, false});
+  EXPECT_EQ(shown("jaw"), 4);
+  EXPECT_EQ(model().remote.activity, Activity::Paused);
+  ask(gui::Resume{});
+  EXPECT_EQ(shown("jaw"), half);
+  EXPECT_FALSE(model().editor.active);
+}
+
+TEST_F(WindowSessionTest, ChannelsThatAreNotThereAreIgnored) {
+  open_nothing();
+  ask(gui::SetChannel{-1, 1, false});
+  ask(gui::SetChannel{100'000, 1, false});
+  ask(gui::ShowExpression{100'000});
+  EXPECT_FALSE(model().editor.active);
+}
+
+TEST_F(WindowSessionTest, AnEditedAuIsSavedInTheUsersFolderAndPlayed) {
+  const test::TempFolder home;
+  ASSERT_EQ(::setenv("XDG_DATA_HOME", home.path().c_str(), 1), 0);
+  open({frame({{12, Side::Both, 100}})});
+  ask(gui::LoadAu{12});
+  EXPECT_EQ(model().editor.au, 12);
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  EXPECT_TRUE(model().editor.unsaved);
+  ask(gui::SaveAu{12});
+  EXPECT_FALSE(model().editor.save_failed) << model().editor.saved_to;
+  EXPECT_FALSE(model().editor.unsaved);
+  const std::filesystem::path copy = home.path() / "aucast" / "faces" / "default";
+  EXPECT_NE(model().editor.saved_to.find(copy.string()), std::string::npos);
+  const auto face = face::load_face(copy, assets_->data_folder);
+  ASSERT_TRUE(face) << face.error().message;
+  EXPECT_EQ(face->recordings.at(12).activation[*face->channel_index("jaw")], 3.5F);
+  ask(gui::Resume{});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(100));
+  EXPECT_FLOAT_EQ(shown("jaw"), 3.5F);
+  ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0);
+}
+
+TEST_F(WindowSessionTest, ASavingThatFailsIsSaidAndLosesNothing) {
+  const test::TempFolder home;
+  const auto file = home.write("not a folder", "");
+  ASSERT_EQ(::setenv("XDG_DATA_HOME", file.c_str(), 1), 0);
+  open_nothing();
+  ask(gui::LoadAu{12});
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::SaveAu{12});
+  EXPECT_TRUE(model().editor.save_failed);
+  EXPECT_NE(model().editor.saved_to.find("cannot be copied"), std::string::npos);
+  EXPECT_TRUE(model().editor.unsaved);
+  EXPECT_EQ(shown("jaw"), 3.5F);
+  ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0);
+}
+
+TEST_F(WindowSessionTest, LeavingAsksWhenSomethingIsNotSaved) {
+  open_nothing();
+  ask(gui::SetChannel{channel("jaw"), 1, false});
+  session_->ask_to_leave();
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_TRUE(model().asks_to_leave);
+  ask(gui::Leave{false});
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(model().asks_to_leave);
+  ask(gui::Undo{});
+  session_->ask_to_leave();
+  EXPECT_TRUE(session_->leaving());
+}
+
+TEST_F(WindowSessionTest, BlinkingClosesTheLidsNowAndThen) {
+  open_nothing();
+  gui::RenderingSettings settings;
+  settings.blinking = true;
+  ask(gui::ChangeRendering{settings});
+  float largest = 0;
+  for (int i = 0; i < 250; ++i) {
+    clock_.advance(Milliseconds(20));
+    largest = std::max(largest, shown("left_lid_close"));
+  }
+  EXPECT_EQ(largest, 1);
+  EXPECT_LE(session_->rest(clock_.now()), Milliseconds(20));
+}
+
+TEST_F(WindowSessionTest, ConnectNeedsAFormThatIsRight) {
+  open_nothing();
+  ask(gui::Connect{{"", 4650, 100, 30, 40, 0}});
+  EXPECT_EQ(model().remote.activity, Activity::Idle);
+}
+
+TEST_F(WindowSessionTest, ConnectReplacesWhatPlayedAndHoldsTheFace) {
+  open({frame({{26, Side::Both, 100}}), frame({})});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(50));
+  const float half = shown("jaw");
+  // Nothing listens on this port of this host.
+  ask(gui::Connect{{"127.0.0.1", 1, 50, 20, 30, 0}});
+  EXPECT_EQ(shown("jaw"), half);
+  EXPECT_EQ(model().remote.receiver.capacity, 50U);
+  EXPECT_EQ(model().remote.receiver.threshold_percent, 30);
+  EXPECT_TRUE(model().remote.keyframe.empty());
+  const auto last = session_->finish(clock_.now());
+  ASSERT_NE(last, nullptr);
+}
+
+TEST_F(WindowSessionTest, FinishCompletesTheStatistics) {
+  open({frame({{26, Side::Both, 100}}), frame({})});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(100));
+  const auto source = session_->finish(clock_.now());
+  EXPECT_EQ(source.get(), source_);
+  EXPECT_EQ(stats_.keyframes_played, 1U);
+  EXPECT_DOUBLE_EQ(stats_.media_seconds, 0.1);
+}
+
+}  // namespace
+}  // namespace aucast::app
