@@ -180,13 +180,15 @@ void WindowSession::carry_out(const gui::Connect& command, Instant now) {
   remote.classic = options_.playback.classic;
   remote.stream = options_.playback.stream;
   remote.connect_timeout = options_.playback.connect_timeout;
+  std::optional<Milliseconds> speed;
+  if (remote_settings_.speed_ms > 0) speed = Milliseconds(remote_settings_.speed_ms);
+  remote.speed = speed;
+  remote.reconnect = options_.playback.reconnect;
   remote.buffers = buffers_;
   source_ = std::make_unique<net::RemoteSource>(std::move(remote));
 
   shown_ = Shown::Playback;
   transition_.reset();
-  std::optional<Milliseconds> speed;
-  if (remote_settings_.speed_ms > 0) speed = Milliseconds(remote_settings_.speed_ms);
   controller_ = playback::PlaybackController(speed);
   pipeline_.emplace(face_, rules_,
                     pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
