@@ -28,6 +28,11 @@ constexpr Milliseconds kLookEvery{50};
 constexpr Milliseconds kRest{250};
 constexpr Milliseconds kFrameMax{20};
 
+bool went_wrong(playback::EndReason end) {
+  using playback::EndReason;
+  return end != EndReason::NotEnded && end != EndReason::EndOfStream && end != EndReason::Stopped;
+}
+
 gui::RemoteSettings settings_of(const PlaybackOptions& options) {
   gui::RemoteSettings settings;
   if (const auto endpoint = net::parse_endpoint(options.endpoint)) {
@@ -365,7 +370,7 @@ gui::RemoteView WindowSession::remote_view() const {
   const PlaybackState state = controller_.state();
   view.activity = gui::activity_of(state, status);
   view.state = gui::state_in_words(state, status, buffers_);
-  view.detail = status.detail;
+  if (went_wrong(status.end)) view.detail = status.detail;
   view.stale = state == PlaybackState::Lost && shown_ == Shown::Playback;
   view.local = dynamic_cast<const net::RemoteSource*>(source_.get()) == nullptr;
   view.receiver.fill = status.receiver_fill;
@@ -406,8 +411,12 @@ gui::GuiModel WindowSession::model() const {
     model.known_aus.push_back({number, name ? std::string(*name) : recording.note});
   }
   for (const Expression& expression : assets_.expressions) {
-    model.expressions.push_back({expression.label, protocol::format_au_set(expression.aus),
-                                 expression.name.starts_with("thesis-")});
+    const auto same = [&](const gui::ExpressionButton& one) {
+      return one.label == expression.label;
+    };
+    const bool main = std::none_of(model.expressions.begin(), model.expressions.end(), same);
+    model.expressions.push_back(
+        {main ? expression.label : expression.name, protocol::format_au_set(expression.aus), main});
   }
   model.transition = transition_settings_;
   model.rendering.settings = rendering_;

@@ -12,12 +12,13 @@ namespace {
 constexpr std::array kInterpolations = {"Linear", "Cosine"};
 constexpr float kStep = 0.05F;
 
-void expression_buttons(const GuiModel& model, bool of_thesis, GuiCommands& commands) {
+/// The first of each kind as a button.
+void main_expressions(const GuiModel& model, GuiCommands& commands) {
   constexpr int kColumns = 3;
   int place = 0;
   for (std::size_t i = 0; i < model.expressions.size(); ++i) {
     const ExpressionButton& button = model.expressions[i];
-    if (button.of_thesis != of_thesis) continue;
+    if (!button.main) continue;
     ImGui::PushID(static_cast<int>(i));
     if (wide_button(button.label.c_str(), place++ % kColumns, kColumns, true)) {
       commands.push_back(ShowExpression{i});
@@ -27,11 +28,22 @@ void expression_buttons(const GuiModel& model, bool of_thesis, GuiCommands& comm
   }
 }
 
+void more_expressions(const Look& look, const GuiModel& model, GuiCommands& commands) {
+  label(look, "More");
+  if (!ImGui::BeginCombo("##more", "choose one", ImGuiComboFlags_HeightLarge)) return;
+  for (std::size_t i = 0; i < model.expressions.size(); ++i) {
+    const ExpressionButton& button = model.expressions[i];
+    if (button.main) continue;
+    if (ImGui::Selectable(button.label.c_str())) commands.push_back(ShowExpression{i});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.aus.c_str());
+  }
+  ImGui::EndCombo();
+}
+
 void expressions(const Look& look, const GuiModel& model, GuiCommands& commands) {
   heading(look, "Expressions");
-  expression_buttons(model, false, commands);
-  quiet_text("As the thesis sends them");
-  expression_buttons(model, true, commands);
+  main_expressions(model, commands);
+  more_expressions(look, model, commands);
   TransitionSettings settings = model.transition;
   label(look, "In between");
   int kind = settings.cosine ? 1 : 0;

@@ -71,6 +71,8 @@ void set_style(float scale) {
   colours[ImGuiCol_WindowBg] = ImVec4(0.095F, 0.105F, 0.12F, 1);
   colours[ImGuiCol_PopupBg] = ImVec4(0.13F, 0.14F, 0.16F, 0.98F);
   colours[ImGuiCol_Border] = ImVec4(0.26F, 0.28F, 0.31F, 0.6F);
+  colours[ImGuiCol_TitleBg] = ImVec4(0.13F, 0.145F, 0.165F, 1);
+  colours[ImGuiCol_TitleBgActive] = ImVec4(0.16F, 0.175F, 0.20F, 1);
   colours[ImGuiCol_FrameBg] = ImVec4(0.16F, 0.175F, 0.20F, 1);
   colours[ImGuiCol_FrameBgHovered] = ImVec4(0.20F, 0.22F, 0.25F, 1);
   colours[ImGuiCol_FrameBgActive] = ImVec4(0.23F, 0.25F, 0.29F, 1);
@@ -119,11 +121,12 @@ void state_line(const Look& look, const GuiModel& model) {
   ImGui::PushFont(look.bold);
   ImGui::TextUnformatted(remote.state.c_str());
   ImGui::PopFont();
-  if (!remote.keyframe.empty()) {
+  // On the same line, so that nothing below moves when a face is edited.
+  const std::string beside = model.editor.active ? "shown: the expression panel" : remote.keyframe;
+  if (!beside.empty()) {
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", remote.keyframe.c_str());
+    ImGui::TextDisabled("%s", beside.c_str());
   }
-  if (model.editor.active) quiet_text("The face shows the expression panel.");
   if (remote.stale) quiet_text("The face is the last one received.");
   if (!remote.detail.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Bad));

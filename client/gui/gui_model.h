@@ -105,7 +105,7 @@ struct AuEntry {
 struct ExpressionButton {
   std::string label;
   std::string aus;
-  bool of_thesis = false;  ///< listed apart from the others
+  bool main = true;  ///< the first of its kind; the others are in a list
   friend bool operator==(const ExpressionButton&, const ExpressionButton&) = default;
 };
 

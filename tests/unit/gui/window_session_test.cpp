@@ -1,6 +1,8 @@
 #include "client/app/window_session.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -114,6 +116,8 @@ TEST_F(WindowSessionTest, StopKeepsTheFace) {
   EXPECT_TRUE(session_->over());
   EXPECT_EQ(model().remote.activity, Activity::Over);
   EXPECT_EQ(source_->now.end, EndReason::Stopped);
+  source_->now.detail = "stopped by the user";
+  EXPECT_EQ(model().remote.detail, "") << "nothing went wrong";
 }
 
 TEST_F(WindowSessionTest, ALostConnectionKeepsTheLastFaceAndSaysSo) {
@@ -183,6 +187,18 @@ TEST_F(WindowSessionTest, AnExpressionIsReachedFromTheFaceAsItIs) {
   EXPECT_EQ(shown("jaw"), 0);
   EXPECT_GT(shown("left_zygomaticus_major"), 0.5F);
   EXPECT_TRUE(model().editor.active);
+}
+
+TEST_F(WindowSessionTest, EveryKindOfExpressionHasOneButton) {
+  open_nothing();
+  const auto all = model().expressions;
+  EXPECT_EQ(all.size(), assets_->expressions.size());
+  std::set<std::string> labels;
+  for (const gui::ExpressionButton& one : all) {
+    EXPECT_TRUE(labels.insert(one.label).second) << one.label << " is there twice";
+  }
+  EXPECT_TRUE(all.front().main);
+  EXPECT_FALSE(std::all_of(all.begin(), all.end(), [](const auto& one) { return one.main; }));
 }
 
 TEST_F(WindowSessionTest, EditingHoldsWhatPlaysAndResumeGivesTheFaceBack) {
