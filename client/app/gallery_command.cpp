@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
-#include <system_error>
 
 #include "client/app/assets.h"
 #include "client/app/gallery_manifest.h"
 #include "client/app/gallery_page.h"
 #include "client/app/gallery_plan.h"
 #include "client/app/picture_maker.h"
+#include "client/app/picture_sinks.h"
 #include "client/app/steady.h"
 #include "client/view/video_encoder.h"
 #include "common/files.h"
@@ -34,27 +34,13 @@ Result<GalleryRules> load_rules(const Assets& assets) {
   return rules;
 }
 
-Result<void> make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error && !std::filesystem::is_directory(folder, error) && !error) {
-    error = std::make_error_code(std::errc::not_a_directory);
-  }
-  if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0) {
-    error = std::error_code(errno, std::generic_category());
-  }
-  if (!error) return {};
-  return Error{ErrorKind::Failed, "gallery " + folder.string() + ": cannot be written: " +
-                                      error.message() + "; choose another folder"};
-}
-
 Result<void> make_folders(const std::filesystem::path& root, const GalleryPlan& plan) {
-  if (auto made = make_folder(root); !made) return made;
+  if (auto made = make_output_folder("gallery", root); !made) return made;
   std::filesystem::path last;
   for (const GalleryPicture& picture : plan.pictures) {
     const std::filesystem::path folder = (root / picture.file).parent_path();
     if (folder == last) continue;
-    if (auto made = make_folder(folder); !made) return made;
+    if (auto made = make_output_folder("gallery", folder); !made) return made;
     last = folder;
   }
   return {};

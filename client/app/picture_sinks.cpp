@@ -20,7 +20,7 @@ int columns_for(std::size_t pictures) {
 
 }  // namespace
 
-Result<FrameFolder> FrameFolder::open(const std::filesystem::path& folder) {
+Result<void> make_output_folder(std::string_view asked_by, const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error && !std::filesystem::is_directory(folder, error) && !error) {
@@ -29,10 +29,14 @@ Result<FrameFolder> FrameFolder::open(const std::filesystem::path& folder) {
   if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0) {
     error = std::error_code(errno, std::generic_category());
   }
-  if (error) {
-    return Error{ErrorKind::Failed, "--frames " + folder.string() + ": cannot be written: " +
-                                        error.message() + "; choose another folder"};
-  }
+  if (!error) return {};
+  return Error{ErrorKind::Failed, std::string(asked_by) + " " + folder.string() +
+                                      ": cannot be written: " + error.message() +
+                                      "; choose another folder"};
+}
+
+Result<FrameFolder> FrameFolder::open(const std::filesystem::path& folder) {
+  if (auto made = make_output_folder("--frames", folder); !made) return made.error();
   return FrameFolder(folder);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "client/view/image.h"
@@ -11,6 +12,11 @@
 #include "common/result.h"
 
 namespace aucast::app {
+
+/// Makes `folder`, with what is missing above it. Failed, with the reason and `asked_by` (the
+/// option or command that named it), when it is not there afterwards or cannot be written.
+[[nodiscard]] Result<void> make_output_folder(std::string_view asked_by,
+                                              const std::filesystem::path& folder);
 
 /// Pictures as frame_000001.png ... in a folder, which is made when it is missing.
 class FrameFolder {
