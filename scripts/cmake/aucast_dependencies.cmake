@@ -10,6 +10,7 @@ target_include_directories(aucast_asio SYSTEM INTERFACE ${AUCAST_ASIO_INCLUDE_DI
 target_compile_definitions(aucast_asio INTERFACE ASIO_STANDALONE ASIO_NO_DEPRECATED)
 target_link_libraries(aucast_asio INTERFACE Threads::Threads)
 
+find_package(OpenSSL 3.0 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "tests/support/temp_folder.h"
+
+struct x509_st;
+struct evp_pkey_st;
+
+namespace aucast::test {
+
+/// Files of a certificate and its key.
+struct Certificate {
+  std::string file;
+  std::string key;
+};
+
+/// A certificate authority of its own, made for the test and gone with it.
+class Authority {
+ public:
+  explicit Authority(const std::string& name = "authority");
+  ~Authority();
+  Authority(const Authority&) = delete;
+  Authority& operator=(const Authority&) = delete;
+
+  /// The authority's own certificate: what is believed.
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// A certificate for `names`, in OpenSSL's form (DNS:localhost,IP:127.0.0.1), valid from so many
+  /// days from now on, for `days` days.
+  [[nodiscard]] Certificate issue(const std::string& name, const std::string& names,
+                                  int from_days = -1, int days = 30);
+
+ private:
+  TempFolder folder_;
+  std::shared_ptr<evp_pkey_st> key_;
+  std::shared_ptr<x509_st> certificate_;
+  std::string file_;
+  long serial_ = 1;
+};
+
+}  // namespace aucast::test

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "common/result.h"
+
+struct ssl_ctx_st;
+
+namespace aucast::tls {
+
+/// PEM files. Which are needed depends on the side.
+struct Files {
+  std::filesystem::path certificate;  ///< our own, with those of its authorities after it
+  std::filesystem::path key;          ///< of the certificate
+  std::filesystem::path authorities;  ///< whom the peer's certificate must come from
+  friend bool operator==(const Files&, const Files&) = default;
+};
+
+/// What all TLS connections of one side have in common: TLS 1.2 or later, our certificate, whose
+/// certificates are believed. Cheap to copy; connections keep the one they began with, so that a
+/// new one can take its place any time.
+class Context {
+ public:
+  /// Needs certificate and key. With `authorities` clients must show a certificate of theirs.
+  /// Unreadable or BadData naming the file and the cause.
+  [[nodiscard]] static Result<Context> for_server(const Files& files);
+  /// Without `authorities` the system's are believed. Certificate and key are for servers that want
+  /// to know who comes.
+  [[nodiscard]] static Result<Context> for_client(const Files& files);
+
+ private:
+  friend class Channel;
+  explicit Context(std::shared_ptr<ssl_ctx_st> context, bool server)
+      : context_(std::move(context)), server_(server) {}
+
+  std::shared_ptr<ssl_ctx_st> context_;
+  bool server_;
+};
+
+}  // namespace aucast::tls
