@@ -1,0 +1,179 @@
+#include "client/playback/local_playback.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "client/playback/playback_controller.h"
+#include "common/check.h"
+
+namespace aucast::playback {
+namespace {
+
+constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
+
+}  // namespace
+
+LocalPlayback::LocalPlayback(const std::vector<Milliseconds>& times) {
+  AUCAST_CHECK(!times.empty());
+  Duration end{0};
+  for (const Milliseconds time : times) {
+    AUCAST_CHECK(time >= Milliseconds::zero());
+    end += time;
+    ends_.push_back(end);
+  }
+}
+
+bool LocalPlayback::looping() const {
+  return loop_begin_ && loop_end_ && anchor_position_ < *loop_end_;
+}
+
+Duration LocalPlayback::run(Instant now) const {
+  if (!playing_ || now <= anchor_at_) return Duration::zero();
+  return (now - anchor_at_) * speed_percent_ / 100;
+}
+
+Duration LocalPlayback::position(Instant now) const {
+  const Duration wanted = anchor_position_ + run(now);
+  if (!looping()) return std::min(wanted, total());
+  if (wanted < *loop_end_) return wanted;
+  return *loop_begin_ + (wanted - *loop_end_) % (*loop_end_ - *loop_begin_);
+}
+
+StreamPlace LocalPlayback::place(Duration position) const {
+  const auto found = std::upper_bound(ends_.begin(), ends_.end(), position);
+  if (found == ends_.end()) return {ends_.size() - 1, 1.0};
+  const auto keyframe = static_cast<std::size_t>(found - ends_.begin());
+  const Duration begin = keyframe == 0 ? Duration::zero() : ends_[keyframe - 1];
+  const Duration done = std::max(position - begin, Duration::zero());
+  return {keyframe,
+          static_cast<double>(done.count()) / static_cast<double>((*found - begin).count())};
+}
+
+void LocalPlayback::anchor(Duration position, Instant now) {
+  passed_before_ = passed(now);
+  anchor_at_ = now;
+  anchor_position_ = position;
+}
+
+void LocalPlayback::play(Instant now) {
+  if (playing_ && !over(now)) return;
+  const Duration at = position(now);
+  anchor(at == total() ? Duration::zero() : at, now);
+  playing_ = true;
+}
+
+void LocalPlayback::pause(Instant now) {
+  anchor(position(now), now);
+  playing_ = false;
+}
+
+void LocalPlayback::seek(Duration position, Instant now) {
+  anchor(std::clamp(position, Duration::zero(), total()), now);
+}
+
+void LocalPlayback::step_keyframe(int direction, Instant now) {
+  const Duration at = position(now);
+  pause(now);
+  if (direction > 0) {
+    const auto next = std::upper_bound(ends_.begin(), ends_.end(), at);
+    if (next != ends_.end()) anchor(*next, now);
+  } else {
+    const auto before = std::lower_bound(ends_.begin(), ends_.end(), at);
+    anchor(before == ends_.begin() ? Duration::zero() : *std::prev(before), now);
+  }
+}
+
+void LocalPlayback::step_frame(int direction, Instant now) {
+  const Duration at = position(now);
+  pause(now);
+  // Going back from the very begin of a keyframe is a step inside the one before it.
+  const auto found = direction > 0 ? std::upper_bound(ends_.begin(), ends_.end(), at)
+                                   : std::lower_bound(ends_.begin(), ends_.end(), at);
+  if (found == ends_.end()) return;
+  const Duration begin = found == ends_.begin() ? Duration::zero() : *std::prev(found);
+  const Duration whole = *found - begin;
+  if (whole == Duration::zero()) return;
+  const auto frame = [&](Duration::rep k) { return begin + whole * k / kPositionsPerKeyframe; };
+  Duration::rep k = (at - begin) * kPositionsPerKeyframe / whole;
+  if (direction > 0) {
+    while (k < kPositionsPerKeyframe && frame(k) <= at) ++k;
+  } else {
+    while (k > 0 && frame(k) >= at) --k;
+  }
+  anchor(frame(k), now);
+}
+
+void LocalPlayback::set_speed(int percent, Instant now) {
+  anchor(position(now), now);
+  speed_percent_ = std::clamp(percent, kSpeedMin, kSpeedMax);
+}
+
+void LocalPlayback::change_speed(int direction, Instant now) {
+  if (direction > 0) {
+    const auto* next = std::upper_bound(kSpeeds.begin(), kSpeeds.end(), speed_percent_);
+    if (next != kSpeeds.end()) set_speed(*next, now);
+  } else {
+    const auto* before = std::lower_bound(kSpeeds.begin(), kSpeeds.end(), speed_percent_);
+    if (before != kSpeeds.begin()) set_speed(*std::prev(before), now);
+  }
+}
+
+void LocalPlayback::mark_loop(Instant now) {
+  const Duration at = position(now);
+  anchor(at, now);
+  if (!loop_begin_) {
+    loop_begin_ = at;
+  } else if (!loop_end_ && at != *loop_begin_) {
+    // Whoever goes back before the second mark means the part between both.
+    const auto [first, last] = std::minmax(at, *loop_begin_);
+    const Duration begin = first;
+    loop_end_ = last;
+    loop_begin_ = begin;
+    if (at == last) anchor(begin, now);
+  } else {
+    loop_begin_.reset();
+    loop_end_.reset();
+  }
+}
+
+/// Keyframes whose end lies in [from, to), and the last one when `to` is the end of all.
+LocalPlayback::Passed LocalPlayback::between(Duration from, Duration to) const {
+  if (from >= to) return {};
+  const auto first = std::lower_bound(ends_.begin(), ends_.end(), from);
+  const auto last = to == total() ? ends_.end() : std::lower_bound(ends_.begin(), ends_.end(), to);
+  Passed sum;
+  for (auto end = first; end < last; ++end) {
+    ++sum.keyframes;
+    sum.time += *end - (end == ends_.begin() ? Duration::zero() : *std::prev(end));
+  }
+  return sum;
+}
+
+LocalPlayback::Passed LocalPlayback::passed(Instant now) const {
+  Passed sum = passed_before_;
+  const auto add = [&sum](Passed more, Duration::rep times) {
+    sum.keyframes += more.keyframes * static_cast<std::uint64_t>(times);
+    sum.time += more.time * times;
+  };
+  const Duration wanted = anchor_position_ + run(now);
+  if (!looping() || wanted < *loop_end_) {
+    add(between(anchor_position_, position(now)), 1);
+    return sum;
+  }
+  const Duration round = *loop_end_ - *loop_begin_;
+  add(between(anchor_position_, *loop_end_), 1);
+  add(between(*loop_begin_, *loop_end_), (wanted - *loop_end_) / round);
+  add(between(*loop_begin_, position(now)), 1);
+  return sum;
+}
+
+std::uint64_t LocalPlayback::keyframes_played(Instant now) const {
+  return passed(now).keyframes;
+}
+
+Duration LocalPlayback::media_time(Instant now) const {
+  return passed(now).time;
+}
+
+}  // namespace aucast::playback

@@ -1,0 +1,255 @@
+#include "client/playback/local_playback.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/manual_clock.h"
+
+namespace aucast::playback {
+namespace {
+
+/// Three keyframes: 100, 200 and 300 ms.
+class LocalPlaybackTest : public testing::Test {
+ protected:
+  [[nodiscard]] Duration at() const { return playback_.position(clock_.now()); }
+  void go_on(Milliseconds time) { clock_.advance(time); }
+  void play() { playback_.play(clock_.now()); }
+  void seek(Milliseconds to) { playback_.seek(to, clock_.now()); }
+
+  test::ManualClock clock_;
+  LocalPlayback playback_{{Milliseconds(100), Milliseconds(200), Milliseconds(300)}};
+};
+
+TEST_F(LocalPlaybackTest, StandsAtTheBeginningUntilItIsPlayed) {
+  go_on(Milliseconds(500));
+  EXPECT_EQ(at(), Milliseconds(0));
+  EXPECT_FALSE(playback_.over(clock_.now()));
+  play();
+  go_on(Milliseconds(150));
+  EXPECT_EQ(at(), Milliseconds(150));
+}
+
+TEST_F(LocalPlaybackTest, APositionIsAFractionOfAKeyframe) {
+  EXPECT_EQ(playback_.place(Milliseconds(0)), (StreamPlace{0, 0}));
+  EXPECT_EQ(playback_.place(Milliseconds(50)), (StreamPlace{0, 0.5}));
+  EXPECT_EQ(playback_.place(Milliseconds(100)), (StreamPlace{1, 0}));
+  EXPECT_EQ(playback_.place(Milliseconds(250)), (StreamPlace{1, 0.75}));
+  EXPECT_EQ(playback_.place(Milliseconds(600)), (StreamPlace{2, 1}));
+}
+
+TEST_F(LocalPlaybackTest, EndsWithTheLastKeyframeAndBeginsAnew) {
+  play();
+  go_on(Milliseconds(599));
+  EXPECT_FALSE(playback_.over(clock_.now()));
+  go_on(Milliseconds(5000));
+  EXPECT_TRUE(playback_.over(clock_.now()));
+  EXPECT_EQ(at(), Milliseconds(600));
+  play();
+  EXPECT_EQ(at(), Milliseconds(0));
+  EXPECT_FALSE(playback_.over(clock_.now()));
+}
+
+TEST_F(LocalPlaybackTest, PauseHoldsAndPlayGoesOnFromThere) {
+  play();
+  go_on(Milliseconds(70));
+  playback_.pause(clock_.now());
+  go_on(Milliseconds(1000));
+  EXPECT_EQ(at(), Milliseconds(70));
+  play();
+  go_on(Milliseconds(10));
+  EXPECT_EQ(at(), Milliseconds(80));
+}
+
+TEST_F(LocalPlaybackTest, SeekKeepsPlayingAndStaysInside) {
+  play();
+  seek(Milliseconds(400));
+  go_on(Milliseconds(50));
+  EXPECT_EQ(at(), Milliseconds(450));
+  seek(Milliseconds(-5));
+  EXPECT_EQ(at(), Milliseconds(0));
+  seek(Milliseconds(9000));
+  EXPECT_TRUE(playback_.over(clock_.now()));
+}
+
+TEST_F(LocalPlaybackTest, StepsByKeyframeGoToTheNextFaceThatIsReached) {
+  play();
+  go_on(Milliseconds(50));
+  playback_.step_keyframe(+1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(100));
+  EXPECT_FALSE(playback_.playing());
+  playback_.step_keyframe(+1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(300));
+  playback_.step_keyframe(+1, clock_.now());
+  playback_.step_keyframe(+1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(600));
+  playback_.step_keyframe(-1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(300));
+  seek(Milliseconds(299));
+  playback_.step_keyframe(-1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(100));
+  playback_.step_keyframe(-1, clock_.now());
+  playback_.step_keyframe(-1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(0));
+}
+
+TEST_F(LocalPlaybackTest, StepsByFrameAreTheFiftyPositionsOfEachKeyframe) {
+  playback_.step_frame(-1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(0));
+  playback_.step_frame(+1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(2));
+  seek(Milliseconds(98));
+  playback_.step_frame(+1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(100));
+  playback_.step_frame(+1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(104));
+  playback_.step_frame(-1, clock_.now());
+  playback_.step_frame(-1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(98));
+  seek(Milliseconds(3));
+  playback_.step_frame(-1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(2));
+  seek(Milliseconds(600));
+  playback_.step_frame(+1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(600));
+  playback_.step_frame(-1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(594));
+}
+
+TEST_F(LocalPlaybackTest, FiftyStepsAreAWholeKeyframe) {
+  for (int i = 0; i < 50; ++i) playback_.step_frame(+1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(100));
+  for (int i = 0; i < 50; ++i) playback_.step_frame(-1, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(0));
+}
+
+TEST_F(LocalPlaybackTest, SpeedChangesFromWhereItIs) {
+  play();
+  go_on(Milliseconds(100));
+  playback_.set_speed(200, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(100));
+  go_on(Milliseconds(100));
+  EXPECT_EQ(at(), Milliseconds(300));
+  playback_.set_speed(1, clock_.now());
+  EXPECT_EQ(playback_.speed_percent(), LocalPlayback::kSpeedMin);
+  go_on(Milliseconds(100));
+  EXPECT_EQ(at(), Milliseconds(310));
+  playback_.set_speed(100'000, clock_.now());
+  EXPECT_EQ(playback_.speed_percent(), LocalPlayback::kSpeedMax);
+}
+
+TEST_F(LocalPlaybackTest, SpeedStepsReachBothLimitsAndOne) {
+  playback_.change_speed(+1, clock_.now());
+  EXPECT_EQ(playback_.speed_percent(), 125);
+  playback_.set_speed(110, clock_.now());
+  playback_.change_speed(-1, clock_.now());
+  EXPECT_EQ(playback_.speed_percent(), 100);
+  for (int i = 0; i < 20; ++i) playback_.change_speed(-1, clock_.now());
+  EXPECT_EQ(playback_.speed_percent(), 10);
+  for (int i = 0; i < 20; ++i) playback_.change_speed(+1, clock_.now());
+  EXPECT_EQ(playback_.speed_percent(), 1000);
+}
+
+TEST_F(LocalPlaybackTest, ALoopGoesRoundBetweenItsMarks) {
+  play();
+  go_on(Milliseconds(100));
+  playback_.mark_loop(clock_.now());
+  go_on(Milliseconds(150));
+  playback_.mark_loop(clock_.now());
+  EXPECT_EQ(at(), Milliseconds(100));
+  EXPECT_EQ(playback_.loop_begin(), Milliseconds(100));
+  EXPECT_EQ(playback_.loop_end(), Milliseconds(250));
+  go_on(Milliseconds(40));
+  EXPECT_EQ(at(), Milliseconds(140));
+  go_on(Milliseconds(1500));
+  EXPECT_EQ(at(), Milliseconds(140));
+  playback_.mark_loop(clock_.now());
+  EXPECT_FALSE(playback_.loop_begin().has_value());
+  go_on(Milliseconds(1500));
+  EXPECT_TRUE(playback_.over(clock_.now()));
+}
+
+TEST_F(LocalPlaybackTest, ALoopMarkedBackwardsIsTheSameLoop) {
+  seek(Milliseconds(300));
+  playback_.mark_loop(clock_.now());
+  playback_.mark_loop(clock_.now());
+  EXPECT_FALSE(playback_.loop_begin().has_value()) << "nothing lies between a mark and itself";
+  playback_.mark_loop(clock_.now());
+  seek(Milliseconds(100));
+  playback_.mark_loop(clock_.now());
+  EXPECT_EQ(playback_.loop_begin(), Milliseconds(100));
+  EXPECT_EQ(playback_.loop_end(), Milliseconds(300));
+  EXPECT_EQ(at(), Milliseconds(100));
+}
+
+TEST_F(LocalPlaybackTest, BehindALoopItPlaysToTheEnd) {
+  playback_.mark_loop(clock_.now());
+  seek(Milliseconds(200));
+  playback_.mark_loop(clock_.now());
+  seek(Milliseconds(250));
+  play();
+  go_on(Milliseconds(1000));
+  EXPECT_TRUE(playback_.over(clock_.now()));
+}
+
+TEST_F(LocalPlaybackTest, ThePositionDoesNotDependOnHowOftenOneAsks) {
+  LocalPlayback often{{Milliseconds(100), Milliseconds(200), Milliseconds(300)}};
+  playback_.set_speed(33, clock_.now());
+  often.set_speed(33, clock_.now());
+  play();
+  often.play(clock_.now());
+  for (int i = 0; i < 777; ++i) {
+    clock_.advance(std::chrono::microseconds(997));
+    static_cast<void>(often.position(clock_.now()));
+    static_cast<void>(often.keyframes_played(clock_.now()));
+  }
+  EXPECT_EQ(often.position(clock_.now()), at());
+}
+
+TEST_F(LocalPlaybackTest, CountsWhatWasPlayedAndNotWhatWasSkipped) {
+  play();
+  go_on(Milliseconds(150));
+  EXPECT_EQ(playback_.keyframes_played(clock_.now()), 1U);
+  seek(Milliseconds(350));
+  EXPECT_EQ(playback_.keyframes_played(clock_.now()), 1U);
+  go_on(Milliseconds(1000));
+  EXPECT_EQ(playback_.keyframes_played(clock_.now()), 2U);
+  EXPECT_EQ(playback_.media_time(clock_.now()), Milliseconds(400));
+  playback_.pause(clock_.now());
+  playback_.pause(clock_.now());
+  EXPECT_EQ(playback_.keyframes_played(clock_.now()), 2U);
+}
+
+TEST_F(LocalPlaybackTest, RoundsOfALoopCount) {
+  seek(Milliseconds(50));
+  playback_.mark_loop(clock_.now());
+  seek(Milliseconds(150));
+  playback_.mark_loop(clock_.now());
+  EXPECT_EQ(at(), Milliseconds(50));
+  play();
+  go_on(Milliseconds(1000));
+  EXPECT_EQ(playback_.keyframes_played(clock_.now()), 10U);
+}
+
+TEST(LocalPlaybackJumps, KeyframesOfNoTimeArePassedOver) {
+  test::ManualClock clock;
+  LocalPlayback playback({Milliseconds(0), Milliseconds(100), Milliseconds(0)});
+  EXPECT_EQ(playback.place(Milliseconds(0)), (StreamPlace{1, 0}));
+  EXPECT_EQ(playback.place(Milliseconds(100)), (StreamPlace{2, 1}));
+  playback.play(clock.now());
+  clock.advance(Milliseconds(200));
+  EXPECT_TRUE(playback.over(clock.now()));
+  EXPECT_EQ(playback.keyframes_played(clock.now()), 3U);
+}
+
+TEST(LocalPlaybackJumps, AStreamOfNoTimeIsItsLastFace) {
+  test::ManualClock clock;
+  LocalPlayback playback({Milliseconds(0), Milliseconds(0)});
+  playback.play(clock.now());
+  EXPECT_TRUE(playback.over(clock.now()));
+  EXPECT_EQ(playback.place(playback.position(clock.now())), (StreamPlace{1, 1}));
+  playback.step_frame(+1, clock.now());
+  playback.step_keyframe(-1, clock.now());
+  EXPECT_EQ(playback.position(clock.now()), Milliseconds(0));
+}
+
+}  // namespace
+}  // namespace aucast::playback
