@@ -1,6 +1,5 @@
 #include "server/source_options.h"
 
-#include <charconv>
 #include <string_view>
 
 #include "common/text.h"
@@ -12,21 +11,48 @@ namespace {
 /// A camera that is faster has no face before it.
 constexpr double kFpsMax = 1000;
 
-template <typename T>
-std::optional<T> number_of(std::string_view text) {
-  T value{};
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stopped != end) return std::nullopt;
-  return value;
-}
-
-Error wrong(std::string_view option, const std::string& word, std::string_view expected) {
-  return {ErrorKind::Usage, std::string(option) + " '" + escaped(word) + "' is not " +
-                                std::string(expected) + " (try --help)"};
-}
-
 }  // namespace
+
+Complaint read_fps(const std::string& word, SourceOptions& options) {
+  const auto fps = number_of<double>(word);
+  if (!fps || !(*fps > 0 && *fps <= kFpsMax)) {
+    return "is not a number of pictures a second above 0, at most 1000";
+  }
+  options.recording.fps = fps;
+  return std::nullopt;
+}
+
+Complaint read_au_scale(const std::string& word, SourceOptions& options) {
+  options.recording.au_scale.reset();
+  if (word == "auto") return std::nullopt;
+  const double scale = number_of<double>(word).value_or(0);
+  if (scale != 1 && scale != 5 && scale != 100) return "is not one of 1, 5, 100 and auto";
+  options.recording.au_scale = scale;
+  return std::nullopt;
+}
+
+Complaint read_face_id(const std::string& word, SourceOptions& options) {
+  const auto face = number_of<std::int64_t>(word);
+  if (!face) return "is not a whole number";
+  options.recording.face = face;
+  return std::nullopt;
+}
+
+Complaint read_min_confidence(const std::string& word, SourceOptions& options) {
+  const auto confidence = number_of<double>(word);
+  if (!confidence || !(*confidence >= 0 && *confidence <= 1)) return "is not a number from 0 to 1";
+  options.recording.confidence_min = *confidence;
+  return std::nullopt;
+}
+
+Complaint read_rate(const std::string& word, SourceOptions& options) {
+  const auto rate = number_of<double>(word);
+  if (!rate || !(*rate >= kRateMin && *rate <= sources::kRateMax)) {
+    return "is not a number of keyframes a second from 0.1 to 1000";
+  }
+  options.rate = rate;
+  return std::nullopt;
+}
 
 void describe_source_options(CLI::App& app, SourceWords& words) {
   app.add_option("--fps", words.fps);
@@ -37,36 +63,22 @@ void describe_source_options(CLI::App& app, SourceWords& words) {
 }
 
 Result<SourceOptions> read_source_options(const SourceWords& words) {
+  struct Item {
+    const char* option;
+    const std::string& word;
+    Complaint (*read)(const std::string&, SourceOptions&);
+  };
+  const Item items[] = {{"--fps", words.fps, read_fps},
+                        {"--au-scale", words.au_scale, read_au_scale},
+                        {"--face-id", words.face, read_face_id},
+                        {"--min-confidence", words.confidence, read_min_confidence},
+                        {"--rate", words.rate, read_rate}};
   SourceOptions options;
-  sources::RecordingOptions& recording = options.recording;
-  if (!words.fps.empty()) {
-    recording.fps = number_of<double>(words.fps);
-    if (!recording.fps || !(*recording.fps > 0 && *recording.fps <= kFpsMax)) {
-      return wrong("--fps", words.fps, "a number of pictures a second above 0, at most 1000");
-    }
-  }
-  if (!words.au_scale.empty() && words.au_scale != "auto") {
-    recording.au_scale = number_of<double>(words.au_scale);
-    const double scale = recording.au_scale.value_or(0);
-    if (scale != 1 && scale != 5 && scale != 100) {
-      return wrong("--au-scale", words.au_scale, "one of 1, 5, 100 and auto");
-    }
-  }
-  if (!words.face.empty()) {
-    recording.face = number_of<std::int64_t>(words.face);
-    if (!recording.face) return wrong("--face-id", words.face, "a whole number");
-  }
-  if (!words.confidence.empty()) {
-    const auto confidence = number_of<double>(words.confidence);
-    if (!confidence || !(*confidence >= 0 && *confidence <= 1)) {
-      return wrong("--min-confidence", words.confidence, "a number from 0 to 1");
-    }
-    recording.confidence_min = *confidence;
-  }
-  if (!words.rate.empty()) {
-    options.rate = number_of<double>(words.rate);
-    if (!options.rate || !(*options.rate >= kRateMin && *options.rate <= sources::kRateMax)) {
-      return wrong("--rate", words.rate, "a number of keyframes a second from 0.1 to 1000");
+  for (const Item& item : items) {
+    if (item.word.empty()) continue;
+    if (const Complaint wrong = item.read(item.word, options)) {
+      return Error{ErrorKind::Usage, std::string(item.option) + " '" + escaped(item.word) + "' " +
+                                         *wrong + " (try --help)"};
     }
   }
   return options;

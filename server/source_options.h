@@ -5,6 +5,7 @@
 
 #include "common/command_line.h"
 #include "common/result.h"
+#include "server/option_word.h"
 #include "server/sources/recording.h"
 
 namespace aucast::server {
@@ -19,6 +20,13 @@ struct SourceOptions {
 
 /// Slower streams than one keyframe in ten seconds are no faces.
 inline constexpr double kRateMin = 0.1;
+
+/// One option each, from its word.
+[[nodiscard]] Complaint read_fps(const std::string& word, SourceOptions& options);
+[[nodiscard]] Complaint read_au_scale(const std::string& word, SourceOptions& options);
+[[nodiscard]] Complaint read_face_id(const std::string& word, SourceOptions& options);
+[[nodiscard]] Complaint read_min_confidence(const std::string& word, SourceOptions& options);
+[[nodiscard]] Complaint read_rate(const std::string& word, SourceOptions& options);
 
 /// The words of these options as they were typed.
 struct SourceWords {

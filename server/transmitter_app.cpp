@@ -101,7 +101,7 @@ int run_transmitter(std::vector<std::string> arguments) {
     arguments.erase(arguments.begin());
     return convert(std::move(arguments));
   }
-  const auto command = read_command_line(std::move(arguments));
+  const auto command = read_command_line(std::move(arguments), surroundings_of_process());
   if (!command) return report(command.error());
   if (!command->text.empty()) {
     const auto printed = print(command->text);

@@ -1,42 +1,40 @@
 #include "server/transmitter_options.h"
 
-#include <charconv>
-#include <cmath>
-#include <optional>
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
 #include <string_view>
 #include <utility>
 
 #include "common/command_line.h"
-#include "common/text.h"
+#include "common/files.h"
+#include "server/option_table.h"
+#include "server/settings.h"
 
 namespace aucast::server {
 namespace {
 
-/// A day: longer waits for one answer are taken for a slip of the finger.
-constexpr double kClientTimeoutMax = 86'400;
+/// Where --help's explanations begin.
+constexpr std::size_t kTextColumn = 25;
 
-/// More than a process can have descriptors.
-constexpr std::int64_t kMaxClientsMost = 1'000'000;
+constexpr const char* kUsualConfig = "/etc/aucast/au-transmitter.toml";
 
-/// The words as they were typed. Numbers are read by ourselves, so that every message has one form.
+/// The command line's words by option, as they were typed. Numbers are read by ourselves, so that
+/// every message has one form.
 struct Typed {
-  std::vector<std::string> sources;
-  std::string bind;
-  std::string port;
-  std::string keyframe;
-  std::string classic_min;
-  std::string client_timeout;
-  std::string max_clients;
-  std::string stats;
-  std::string log_level;
-  SourceWords source;
+  std::map<std::string, std::vector<std::string>, std::less<>> words;
+  std::map<std::string, std::string> word;  ///< of options that take one; CLI11 wants to know
+  std::map<std::string, bool, std::less<>> flags;
   bool help = false;
   bool version = false;
-  bool loop = false;
-  bool live = false;
-  bool check = false;
   bool verbose = false;
   bool quiet = false;
+
+  [[nodiscard]] bool flag(std::string_view name) const {
+    const auto found = flags.find(name);
+    return found != flags.end() && found->second;
+  }
 };
 
 Error usage(std::string message) {
@@ -47,112 +45,102 @@ void describe(CLI::App& app, Typed& typed) {
   app.set_help_flag();  // ours is made for one screen
   app.add_flag("-h,--help", typed.help);
   app.add_flag("--version", typed.version);
-  app.add_option("SOURCE", typed.sources);
-  app.add_option("--bind", typed.bind);
-  app.add_option("--port", typed.port);
-  app.add_option("--keyframe", typed.keyframe);
-  app.add_option("--classic-min", typed.classic_min);
-  app.add_option("--client-timeout", typed.client_timeout);
-  app.add_option("--stats", typed.stats);
-  app.add_option("--log-level", typed.log_level);
-  app.add_option("--max-clients", typed.max_clients);
-  describe_source_options(app, typed.source);
-  app.add_flag("--loop", typed.loop);
-  app.add_flag("--live", typed.live);
-  app.add_flag("--check", typed.check);
   app.add_flag("-v,--verbose", typed.verbose);
   app.add_flag("-q,--quiet", typed.quiet);
+  for (const OptionRow& row : option_table()) {
+    const std::string name(row.name);
+    if (row.kind == OptionRow::Kind::Flag) {
+      app.add_flag(typed_name(row), typed.flags[name]);
+      continue;
+    }
+    if (row.kind == OptionRow::Kind::Words) {
+      app.add_option(typed_name(row), typed.words[name]);
+    } else {
+      app.add_option(typed_name(row), typed.word[name]);
+    }
+  }
 }
 
-template <typename T>
-std::optional<T> number_of(std::string_view text) {
-  T value{};
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stopped != end) return std::nullopt;
-  return value;
+/// The settings file that is asked for, or the usual one if it is there.
+Result<void> add_config(Settings& settings, const Typed& typed, const Surroundings& surroundings) {
+  std::filesystem::path config;
+  const std::string variable = variable_name(*find_option("config"));
+  for (const auto& [name, value] : surroundings.environment) {
+    if (name == variable) config = value;
+  }
+  if (const auto& words = typed.words.at("config"); !words.empty()) {
+    if (words.front().empty()) return usage("--config is empty");
+    config = words.front();
+  }
+  if (config.empty()) {
+    if (surroundings.config.empty() || ::access(surroundings.config.c_str(), F_OK) != 0) return {};
+    config = surroundings.config;
+  }
+  const auto text = read_file(config);
+  if (!text && config == surroundings.config) {
+    return Error{text.error().kind, text.error().message + " (--config /dev/null does without)"};
+  }
+  if (!text) return text.error();
+  return add_file(settings, *text, config.string());
 }
 
-/// Reads a whole number into `out` if the option was given; the message names it.
-std::optional<Error> read_whole(std::string_view option, const std::string& text, std::int64_t low,
-                                std::int64_t high, std::int64_t& out) {
-  if (text.empty()) return std::nullopt;
-  const auto value = number_of<std::int64_t>(text);
-  if (value && *value >= low && *value <= high) {
-    out = *value;
-    return std::nullopt;
+void add_command_line(Settings& settings, const Typed& typed) {
+  const auto set = [&settings](const std::string& name, std::vector<std::string> words) {
+    settings[name] = {std::move(words), Setting::Layer::CommandLine, {}, {}};
+  };
+  if (typed.verbose) set("log-level", {"debug"});
+  if (typed.quiet) set("log-level", {"error"});
+  for (const OptionRow& row : option_table()) {
+    const std::string name(row.name);
+    if (row.read == nullptr) continue;
+    if (typed.flag(name)) set(name, {"true"});
+    const auto words = typed.words.find(name);
+    if (words != typed.words.end() && !words->second.empty()) set(name, words->second);
   }
-  return usage(std::string(option) + " '" + escaped(text) + "' is not a whole number from " +
-               std::to_string(low) + " to " + std::to_string(high));
 }
 
-std::optional<Error> read_seconds(const std::string& text, Milliseconds& out) {
-  if (text.empty()) return std::nullopt;
-  const auto value = number_of<double>(text);
-  if (value && *value >= 0 && *value <= kClientTimeoutMax) {
-    out = Milliseconds(std::llround(std::ceil(*value * 1000)));
-    return std::nullopt;
+Result<Settings> settings_of(const Typed& typed, const Surroundings& surroundings) {
+  Settings settings = default_settings();
+  if (auto added = add_config(settings, typed, surroundings); !added) return added.error();
+  if (auto added = add_environment(settings, surroundings.environment); !added) {
+    return added.error();
   }
-  return usage("--client-timeout '" + escaped(text) +
-               "' is not a number of seconds from 0 (never) to 86400");
-}
-
-Result<TransmitterOptions> options_of(const Typed& typed) {
-  TransmitterOptions options;
-  for (const std::string& source : typed.sources) options.sources.emplace_back(source);
-  if (!typed.bind.empty()) options.bind = typed.bind;
-  std::int64_t port = options.port;
-  std::int64_t keyframe = options.keyframe_ms;
-  std::int64_t classic_min = options.classic_min;
-  if (auto error = read_whole("--port", typed.port, 0, 65535, port)) return *error;
-  if (auto error =
-          read_whole("--keyframe", typed.keyframe, 1, protocol::kDurationMsMax, keyframe)) {
-    return *error;
-  }
-  if (auto error = read_whole("--classic-min", typed.classic_min, 0, 100, classic_min)) {
-    return *error;
-  }
-  std::int64_t max_clients = 0;
-  if (auto error =
-          read_whole("--max-clients", typed.max_clients, 0, kMaxClientsMost, max_clients)) {
-    return *error;
-  }
-  if (auto error = read_seconds(typed.client_timeout, options.client_timeout)) return *error;
-  options.port = static_cast<std::uint16_t>(port);
-  options.keyframe_ms = static_cast<std::uint32_t>(keyframe);
-  options.classic_min = static_cast<int>(classic_min);
-  options.max_clients = static_cast<std::size_t>(max_clients);
-  options.loop = typed.loop;
-  options.live = typed.live;
-  options.check = typed.check;
-  options.stats = typed.stats;
-  auto source = read_source_options(typed.source);
-  if (!source) return source.error();
-  options.source = std::move(*source);
-  if (typed.verbose && typed.quiet) return usage("-v and -q exclude each other");
-  if (typed.verbose) options.log_level = "debug";
-  if (typed.quiet) options.log_level = "error";
-  if (!typed.log_level.empty()) options.log_level = typed.log_level;
-  return options;
+  add_command_line(settings, typed);
+  return settings;
 }
 
 }  // namespace
 
-Result<CommandLine> read_command_line(std::vector<std::string> arguments) {
+Surroundings surroundings_of_process() {
+  Surroundings surroundings;
+  surroundings.config = kUsualConfig;
+  for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+    const std::string_view text(*variable);
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos) continue;
+    surroundings.environment.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return surroundings;
+}
+
+Result<CommandLine> read_command_line(std::vector<std::string> arguments,
+                                      const Surroundings& surroundings) {
   CLI::App app;
   Typed typed;
   describe(app, typed);
   if (auto parsed = parse_command_line(app, std::move(arguments)); !parsed) return parsed.error();
+  for (const auto& [name, word] : typed.word) {
+    typed.words[name] = app.get_option(typed_name(*find_option(name)))->results();
+  }
   if (typed.help) return CommandLine{help_text(), {}};
   if (typed.version) return CommandLine{version_text(), {}};
-  // An empty word is what `--stats "$UNSET"` leaves behind: silence would hide the slip.
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& word : option->results()) {
-      if (word.empty()) return usage(option->get_name() + " is empty");
-    }
-  }
-  auto options = options_of(typed);
+  if (typed.verbose && typed.quiet) return usage("-v and -q exclude each other");
+  const auto settings = settings_of(typed, surroundings);
+  if (!settings) return settings.error();
+  auto options = options_of(*settings);
   if (!options) return options.error();
+  options->check = typed.flag("check");
+  if (typed.flag("print-config")) return CommandLine{print_config(*settings), {}};
   if (auto valid = validate(*options); !valid) return valid.error();
   return CommandLine{{}, std::move(*options)};
 }
@@ -173,26 +161,25 @@ Result<void> validate(const TransmitterOptions& options) {
 }
 
 std::string help_text() {
-  return R"(usage: au-transmitter [OPTIONS] SOURCE...   or   au-transmitter convert --help
+  std::string text =
+      R"(usage: au-transmitter [OPTIONS] SOURCE...   or   au-transmitter convert --help
 Streams sets of FACS Action Units over TCP to face-player and its like.
 
-  SOURCE                 files or recordings; classic clients get the first
-  --bind ADDR            address to listen on (127.0.0.1: this host only)
-  --port N               port, 0 for any free one (4650)
-  --keyframe MS          time of a keyframe that names none (250)
-  --loop                 start again at the end instead of ending
-  --live                 one clock for all: who comes late joins now
-  --classic-min PERCENT  classic clients get no AU weaker than this (20)
-  --client-timeout S     close those that take or answer nothing so long (0: no)
-  --max-clients N        at a time; more are refused (0: as many as come)
-  --stats FILE.json      on exit, write packets, bytes, seconds of every client
-  --check                check the sources, print what they hold, serve nothing
-  --rate HZ, --fps N, --au-scale S, --face-id N, --min-confidence C
+)";
+  for (const OptionRow& row : option_table()) {
+    if (row.text.empty()) continue;
+    std::string line = "  " + typed_name(row);
+    if (!row.argument.empty()) line += " " + std::string(row.argument);
+    line.resize(std::max<std::size_t>(line.size() + 1, kTextColumn), ' ');
+    text += line + std::string(row.text) + "\n";
+  }
+  return text + R"(  --rate HZ, --fps N, --au-scale S, --face-id N, --min-confidence C
                          how recordings are read: see convert --help
-  --log-level LEVEL      trace, debug, info, warning, error or off (info)
   -v, --verbose          log level debug           -q, --quiet   log level error
   -h, --help             this text                 --version     and licence
 
+Settings come from the file of --config, then AUCAST_TRANSMITTER_<OPTION> of the
+environment, then the command line; the last one wins.
 Prints "listening on ADDR:PORT" when ready, logs to stderr, ends with Ctrl-C.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/result.h"
@@ -31,16 +32,27 @@ struct TransmitterOptions {
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;
 };
 
-/// A command line that was understood: a text to print and be done with (--help, --version), or
-/// options to work by.
+/// A command line that was understood: a text to print and be done with (--help, --version,
+/// --print-config), or options to work by.
 struct CommandLine {
   std::string text;  ///< empty: go on with `options`
   TransmitterOptions options;
 };
 
-/// Reads the arguments (without the program's name). Usage error, one line, with the nearest known
-/// option for one that is not known.
-[[nodiscard]] Result<CommandLine> read_command_line(std::vector<std::string> arguments);
+/// Where settings come from beside the command line. As it stands here: from nowhere.
+struct Surroundings {
+  std::vector<std::pair<std::string, std::string>> environment;  ///< names and values
+  std::filesystem::path config;  ///< the settings file that is read if it is there
+};
+
+/// Of this process: its environment, and /etc/aucast/au-transmitter.toml.
+[[nodiscard]] Surroundings surroundings_of_process();
+
+/// Reads the arguments (without the program's name) on top of environment and settings file.
+/// Usage error, one line, with the nearest known option for one that is not known; BadData or
+/// Unreadable for the settings file.
+[[nodiscard]] Result<CommandLine> read_command_line(std::vector<std::string> arguments,
+                                                    const Surroundings& surroundings = {});
 
 /// Checks what the options say together and each range; read_command_line() has done so already.
 [[nodiscard]] Result<void> validate(const TransmitterOptions& options);

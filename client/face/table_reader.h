@@ -9,8 +9,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "client/face/toml_document.h"
 #include "common/result.h"
+#include "common/toml_document.h"
 
 namespace aucast::face {
 

@@ -5,13 +5,11 @@
 #include <optional>
 
 #include "client/face/au_recordings.h"
-#include "client/face/toml_document.h"
 #include "common/text.h"
+#include "common/toml_document.h"
 
 namespace aucast::gui {
 namespace {
-
-using face::TomlValue;
 
 const TomlValue::Entry* entry_of(const TomlValue& table, std::string_view key) {
   for (const TomlValue::Entry& entry : table.entries) {
@@ -40,7 +38,7 @@ std::string drive_text(const Drive& drive) {
 }
 
 /// Columns count characters; in UTF-8 those are the bytes that continue none.
-std::optional<std::size_t> byte_at(std::string_view text, face::Place place) {
+std::optional<std::size_t> byte_at(std::string_view text, Place place) {
   std::size_t at = 0;
   for (std::size_t line = 1; line < place.line; ++line) {
     at = text.find('\n', at);
@@ -128,7 +126,7 @@ Drive drive_of(const face::Face& face, const std::vector<float>& activations) {
 
 Result<std::string> with_au(std::string_view text, std::string_view file, int number,
                             const Drive& drive) {
-  auto document = face::parse_toml(text, file);
+  auto document = parse_toml(text, file);
   if (!document) return document.error();
   const TomlValue* table = table_of(*document, number);
   if (table == nullptr) return with_new_au(text, number, drive);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "client/face/toml_document.h"
 #include "common/files.h"
+#include "common/toml_document.h"
 
 namespace aucast::gui {
 namespace {
@@ -34,9 +34,9 @@ Result<fs::path> aus_file_of(const fs::path& face_folder) {
   }
   auto text = read_file(description);
   if (!text) return text.error();
-  auto document = face::parse_toml(*text, description.string());
+  auto document = parse_toml(*text, description.string());
   if (!document) return document.error();
-  for (const face::TomlValue::Entry& entry : document->entries) {
+  for (const TomlValue::Entry& entry : document->entries) {
     if (entry.key == "aus") return face_folder / entry.value.text;
   }
   return Error{ErrorKind::BadData, description.string() + ": names no file of AUs"};

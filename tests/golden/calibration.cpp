@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "client/face/table_reader.h"
-#include "client/face/toml_document.h"
 #include "common/files.h"
+#include "common/toml_document.h"
 
 namespace aucast::test {
 namespace {
@@ -14,7 +14,6 @@ namespace {
 using face::Bounds;
 using face::Problems;
 using face::TableReader;
-using face::TomlValue;
 
 Landmark read_landmark(const TomlValue& table, Problems& problems) {
   TableReader reader(table, problems);
@@ -92,7 +91,7 @@ const Landmark* Calibration::find(const std::string& name) const {
 Result<Calibration> load_calibration(const std::filesystem::path& file) {
   const auto bytes = read_file(file);
   if (!bytes) return bytes.error();
-  const auto document = face::parse_toml(*bytes, file.string());
+  const auto document = parse_toml(*bytes, file.string());
   if (!document) return document.error();
   Problems problems(file.string());
   TableReader reader(*document, problems);

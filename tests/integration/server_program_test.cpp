@@ -106,6 +106,26 @@ TEST(ServerProgram, AddressOfAnotherHostIsRefused) {
   EXPECT_TRUE(has(nonsense.err, "cannot listen on not a host:4650: ")) << nonsense.err;
 }
 
+TEST(ServerProgram, SettingsComeFromFileAndEnvironment) {
+  const TempFolder folder;
+  const auto file = folder.write(
+      "s.toml", "source = '" + stream_file("happiness.txt") + "'\nport = 0\nbind = '192.0.2.7'\n");
+  Process process({program("au-transmitter"), "--config", file},
+                  {"AUCAST_TRANSMITTER_BIND=127.0.0.1"});
+  const auto line = process.read_line(kPatience);
+  ASSERT_TRUE(line && line->starts_with("listening on 127.0.0.1:")) << process.err();
+  RawClient client(line->substr(line->rfind(' ') + 1));
+  client.send("1");
+  EXPECT_EQ(client.receive_all(), kSixPackets[4] + kEnd);
+
+  const auto wrong = folder.write("wrong.toml", "port = 0\nlop = true\n");
+  const Finished bad = transmit({"--config", wrong, stream_file("happiness.txt")});
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_EQ(bad.err,
+            wrong.string() + ":2:1: 'lop' is none of the settings; did you mean 'loop'?\n");
+  EXPECT_EQ(transmit({"--config", folder.path() / "none.toml"}).exit_code, 4);
+}
+
 TEST(ServerProgram, UsageErrorsAreOneLineAndCodeTwo) {
   const std::vector<std::vector<std::string>> wrong = {
       {},

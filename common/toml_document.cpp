@@ -1,4 +1,4 @@
-#include "client/face/toml_document.h"
+#include "common/toml_document.h"
 
 #include <algorithm>
 #include <tuple>
@@ -7,7 +7,7 @@
 
 #include "common/text.h"
 
-namespace aucast::face {
+namespace aucast {
 namespace {
 
 Place place_of(const toml::source_region& region) {
@@ -59,4 +59,4 @@ Result<TomlValue> parse_toml(std::string_view bytes, std::string_view file) {
   }
 }
 
-}  // namespace aucast::face
+}  // namespace aucast

@@ -8,7 +8,7 @@
 
 #include "common/result.h"
 
-namespace aucast::face {
+namespace aucast {
 
 /// Line and column in a file, both from 1.
 struct Place {
@@ -43,4 +43,4 @@ struct TomlValue::Entry {
 /// The file's table. BadData "file:line:column: ..." when it is no TOML.
 [[nodiscard]] Result<TomlValue> parse_toml(std::string_view bytes, std::string_view file);
 
-}  // namespace aucast::face
+}  // namespace aucast

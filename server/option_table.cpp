@@ -1,0 +1,162 @@
+#include "server/option_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace aucast::server {
+namespace {
+
+using Kind = OptionRow::Kind;
+
+/// A day: longer waits for one answer are taken for a slip of the finger.
+constexpr double kClientTimeoutMax = 86'400;
+
+/// More than a process can have descriptors.
+constexpr std::int64_t kMaxClientsMost = 1'000'000;
+
+Complaint read_client_timeout(const std::string& word, TransmitterOptions& options) {
+  const auto seconds = number_of<double>(word);
+  if (!seconds || !(*seconds >= 0 && *seconds <= kClientTimeoutMax)) {
+    return "is not a number of seconds from 0 (never) to 86400";
+  }
+  options.client_timeout = Milliseconds(std::llround(std::ceil(*seconds * 1000)));
+  return std::nullopt;
+}
+
+Complaint read_log_level(const std::string& word, TransmitterOptions& options) {
+  constexpr std::array kLevels{"trace", "debug", "info", "warning", "error", "off"};
+  if (std::find(kLevels.begin(), kLevels.end(), word) == kLevels.end()) {
+    return "is not one of trace, debug, info, warning, error, off";
+  }
+  options.log_level = word;
+  return std::nullopt;
+}
+
+template <bool TransmitterOptions::*member>
+Complaint read_flag(const std::string& word, TransmitterOptions& options) {
+  if (word != "true" && word != "false") return "is neither true nor false";
+  options.*member = word == "true";
+  return std::nullopt;
+}
+
+template <auto TransmitterOptions::*member>
+Complaint read_text(const std::string& word, TransmitterOptions& options) {
+  options.*member = word;
+  return std::nullopt;
+}
+
+template <Complaint (*read)(const std::string&, SourceOptions&)>
+Complaint of_source(const std::string& word, TransmitterOptions& options) {
+  return read(word, options.source);
+}
+
+constexpr OptionRow kTable[] = {
+    {"source", "", Kind::Words, "", "files or recordings; classic clients get the first",
+     "A stream file, or a recording of an AU recogniser, told by what is in it. A stream's name is "
+     "its file's name without the extension; a client that names none gets the first.",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.sources.emplace_back(word);
+       return std::nullopt;
+     }},
+    {"bind", "ADDR", Kind::Word, "127.0.0.1", "address to listen on (127.0.0.1: this host only)",
+     "An address or a name of this host. 0.0.0.0 takes connections at all its IPv4 addresses, :: "
+     "at all of both kinds. The default lets nobody in from outside.",
+     read_text<&TransmitterOptions::bind>},
+    {"port", "N", Kind::Number, "4650", "port, 0 for any free one (4650)",
+     "The TCP port. With 0 the system chooses one; the line \"listening on\" says which.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 0, 65535, options.port);
+     }},
+    {"keyframe", "MS", Kind::Number, "250", "time of a keyframe that names none (250)",
+     "Milliseconds from 1 to 3600000. Clients are told in the hello, and --live goes by it.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 1, protocol::kDurationMsMax, options.keyframe_ms);
+     }},
+    {"loop", "", Kind::Flag, "false", "start again at the end instead of ending",
+     "After the last keyframe comes the first, without end.", read_flag<&TransmitterOptions::loop>},
+    {"live", "", Kind::Flag, "false", "one clock for all: who comes late joins now",
+     "All clients see the same moment. The clocks begin when the transmitter is ready. Who is slow "
+     "gets the newest keyframe and misses those in between, which are counted as merged.",
+     read_flag<&TransmitterOptions::live>},
+    {"classic-min", "PERCENT", Kind::Number, "20",
+     "classic clients get no AU weaker than this (20)",
+     "Clients of level 1 know no intensities: what is weaker is left out for them, the rest is "
+     "sent as if it were whole.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 0, 100, options.classic_min);
+     }},
+    {"client-timeout", "S", Kind::Number, "0",
+     "close those that take or answer nothing so long (0: no)",
+     "Seconds, to 86400. It starts anew with every byte from the client; live, with every byte "
+     "that can be sent to it. A paused client owes nothing. A host that vanished is found by TCP "
+     "keep-alive within a minute all the same.",
+     read_client_timeout},
+    {"max-clients", "N", Kind::Number, "0", "at a time; more are refused (0: as many as come)",
+     "A client too many gets {error 503 ...} if it says hello, and is closed. Each client takes "
+     "one file descriptor; the limit of these (ulimit -n) is raised to the hard one at the start.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 0, kMaxClientsMost, options.max_clients);
+     }},
+    {"stats", "FILE.json", Kind::Word, "", "on exit, write packets, bytes, seconds of every client",
+     "Written whole or not at all. The totals count every client, the latest 1000 are listed.",
+     read_text<&TransmitterOptions::stats>},
+    {"check", "", Kind::Flag, "false", "check the sources, print what they hold, serve nothing",
+     "Ends with 0 when all of them can be served.", nullptr},
+    {"rate", "HZ", Kind::Number, "", "",
+     "So many keyframes a second, 0.1 to 1000, in straight "
+     "lines between those there are.",
+     of_source<read_rate>},
+    {"fps", "N", Kind::Number, "", "",
+     "Pictures a second of recordings without times, or with "
+     "wrong ones.",
+     of_source<read_fps>},
+    {"au-scale", "S", Kind::Number, "auto", "",
+     "What full intensity is in recordings: 1, 5, 100 "
+     "or auto.",
+     of_source<read_au_scale>},
+    {"face-id", "N", Kind::Number, "", "",
+     "Which face of several in a recording; without it the "
+     "most frequent.",
+     of_source<read_face_id>},
+    {"min-confidence", "C", Kind::Number, "0.5", "",
+     "Rows of recordings that are less sure are "
+     "no data, 0 to 1: the face holds for half a second, then goes to neutral in one.",
+     of_source<read_min_confidence>},
+    {"config", "FILE", Kind::Word, "", "settings: these options as name = value (TOML)",
+     "Read before the environment and the command line. Without it "
+     "/etc/aucast/au-transmitter.toml is read if it is there; --config /dev/null reads none.",
+     nullptr},
+    {"print-config", "", Kind::Flag, "false",
+     "print the settings and where each is from, and leave",
+     "What is printed is a settings file that --config takes.", nullptr},
+    {"log-level", "LEVEL", Kind::Word, "info", "trace, debug, info, warning, error or off (info)",
+     "The log goes to stderr.", read_log_level},
+};
+
+}  // namespace
+
+std::span<const OptionRow> option_table() {
+  return kTable;
+}
+
+const OptionRow* find_option(std::string_view name) {
+  const auto row = std::find_if(std::begin(kTable), std::end(kTable),
+                                [name](const OptionRow& other) { return other.name == name; });
+  return row == std::end(kTable) ? nullptr : row;
+}
+
+std::string typed_name(const OptionRow& row) {
+  return row.name == "source" ? "SOURCE" : "--" + std::string(row.name);
+}
+
+std::string variable_name(const OptionRow& row) {
+  std::string name = "AUCAST_TRANSMITTER_";
+  for (const char c : row.name) {
+    name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return name;
+}
+
+}  // namespace aucast::server
