@@ -131,6 +131,10 @@ std::optional<std::string> ClientSession::State::objection(const HelloGranted& h
     return "the server granted a window of " + std::to_string(hello.window) + ", asked was " +
            std::to_string(asked);
   }
+  if (hello.from_ms > options.hello.from_ms) {
+    return "the server begins at " + std::to_string(hello.from_ms) + " ms, asked was " +
+           std::to_string(options.hello.from_ms);
+  }
   if (hello.delta && !options.hello.delta) {
     return "the server granted changes only, which was not asked for";
   }

@@ -119,6 +119,7 @@ std::string encode(const HelloGranted& hello) {
   if (hello.live) append_field(text, "live", "1");
   if (hello.duration_ms) append_field(text, "duration", std::to_string(*hello.duration_ms));
   append_field(text, "keyframe", std::to_string(hello.keyframe_ms));
+  if (hello.from_ms != 0) append_field(text, "from", std::to_string(hello.from_ms));
   return text + '}';
 }
 
@@ -143,8 +144,10 @@ std::string encode(const StreamList& list) {
   return text + '}';
 }
 
-std::string encode(const StreamsAsked&) {
-  return "{streams}";
+std::string encode(const StreamsAsked& asked) {
+  std::string text = "{streams";
+  if (!asked.token.empty() && is_field_value(asked.token)) append_field(text, "token", asked.token);
+  return text + '}';
 }
 
 std::string encode(Code code) {

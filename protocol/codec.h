@@ -25,7 +25,7 @@ namespace aucast::protocol {
 [[nodiscard]] std::string encode(const HelloGranted& hello);
 [[nodiscard]] std::string encode(const ErrorReply& error);
 [[nodiscard]] std::string encode(const StreamList& list);
-[[nodiscard]] std::string encode(const StreamsAsked&);
+[[nodiscard]] std::string encode(const StreamsAsked& asked);
 [[nodiscard]] std::string encode(Code code);
 
 // === Text forms shared by stream files and command lines.

@@ -34,7 +34,7 @@ struct HelloAsked {
   std::string stream;  ///< empty: the first one
   std::string token;
   bool delta = false;         ///< would take the changes-only form
-  std::uint64_t from_ms = 0;  ///< reserved
+  std::uint64_t from_ms = 0;  ///< recorded: where to begin
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };
 
@@ -47,6 +47,7 @@ struct HelloGranted {
   bool live = false;
   std::optional<std::uint64_t> duration_ms;  ///< of the whole stream, if known
   std::uint32_t keyframe_ms = 250;           ///< time of a packet without one of its own
+  std::uint64_t from_ms = 0;                 ///< recorded: the place where it begins
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 
@@ -65,6 +66,7 @@ struct StreamList {
 
 /// {streams}, sent by a client instead of a hello.
 struct StreamsAsked {
+  std::string token;
   friend bool operator==(const StreamsAsked&, const StreamsAsked&) = default;
 };
 

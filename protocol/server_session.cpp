@@ -7,6 +7,7 @@
 #include "protocol/codec.h"
 #include "protocol/decoder.h"
 #include "protocol/limits.h"
+#include "protocol/secret.h"
 
 namespace aucast::protocol {
 namespace {
@@ -14,7 +15,11 @@ namespace {
 /// Bytes are decoded in portions, so that a flood of codes is noticed before it is all unpacked.
 constexpr std::size_t kPortionBytes = 4096;
 
+/// What a TLS client begins with.
+constexpr char kTlsFirstByte = '\x16';
+
 constexpr const char* kFullHouse = "there are as many clients as may be";
+constexpr const char* kFullAddress = "there are as many clients from this address as may be";
 
 using Why = CloseConnection::Why;
 
@@ -59,8 +64,9 @@ struct ServerSession::State {
   std::size_t banked = 0;     ///< answers that came while there was nothing to answer
   bool paused = false;
   bool peer_ended = false;
-  bool full_house = false;  ///< no room for this client
-  bool delta = false;       ///< the changes-only form was granted
+  const char* no_room = nullptr;  ///< why there is none for this client
+  bool delta = false;             ///< the changes-only form was granted
+  char first_byte = '\0';         ///< that came at all
   std::uint64_t packets_sent = 0;
   std::uint64_t payload_bytes = 0;
 
@@ -69,6 +75,10 @@ struct ServerSession::State {
   bool full_next = true;                     ///< the next packet must not be changes only
   std::optional<std::uint64_t> last_moment;  ///< the number of the last one sent
   std::uint64_t packets_merged = 0;
+
+  /// Codes that answer nothing and may still come at `spare_codes_at`.
+  std::size_t spare_codes = kSpareCodesMax;
+  Instant spare_codes_at;
 
   /// Answers that the running call may still bring to packets which it sent itself.
   std::size_t early_left = 0;
@@ -86,12 +96,15 @@ struct ServerSession::State {
   void refuse(int code, const std::string& text);
   void start_streaming();
   void grant(const HelloAsked& asked);
+  [[nodiscard]] std::uint64_t begin_at(std::uint64_t from_ms);
   void list_streams();
   void read(std::string_view bytes);
   void note_first_byte(std::string_view bytes);
   void handle(const ClientPacket& packet);
   void handle_code(Code code);
   void take_answer();
+  [[nodiscard]] bool spend_spare_code();
+  [[nodiscard]] bool permitted(std::string_view token);
   void handle_fault(const DecodeError& fault);
   [[nodiscard]] const std::vector<std::string>& packets() const;
   [[nodiscard]] std::size_t window_for(int asked) const;
@@ -144,8 +157,9 @@ void ServerSession::State::refuse(int code, const std::string& text) {
 }
 
 void ServerSession::State::start_streaming() {
-  if (full_house) {
-    close(Why::Refused, kFullHouse);
+  if (level == Level::Classic && !permitted({})) return;
+  if (no_room != nullptr) {
+    close(Why::Refused, no_room);
     return;
   }
   phase = Phase::Streaming;
@@ -159,6 +173,8 @@ void ServerSession::State::grant(const HelloAsked& asked) {
                     std::to_string(kProtocolVersion));
     return;
   }
+  // Before anything else is told: what is served here is no stranger's business.
+  if (!permitted(asked.token)) return;
   if (!asked.stream.empty()) {
     const auto found =
         std::find_if(catalogue->streams.begin(), catalogue->streams.end(),
@@ -169,8 +185,8 @@ void ServerSession::State::grant(const HelloAsked& asked) {
     }
     stream = &*found;
   }
-  if (full_house) {
-    refuse(503, kFullHouse);
+  if (no_room != nullptr) {
+    refuse(503, no_room);
     return;
   }
   level = Level::Negotiated;
@@ -183,8 +199,33 @@ void ServerSession::State::grant(const HelloAsked& asked) {
   granted.stream = stream->name;
   granted.duration_ms = stream->duration_ms;
   granted.keyframe_ms = catalogue->keyframe_ms;
+  granted.from_ms = begin_at(asked.from_ms);
   send(encode(granted));
   start_streaming();
+}
+
+/// Sets out with the first keyframe that ends after `from_ms`, and returns the place where it
+/// begins. A live stream has no other place than now.
+std::uint64_t ServerSession::State::begin_at(std::uint64_t from_ms) {
+  if (stream->clock != nullptr || stream->times.size() != packets().size()) return 0;
+  std::uint64_t whole = 0;
+  for (const Milliseconds time : stream->times) whole += static_cast<std::uint64_t>(time.count());
+  if (catalogue->loop) from_ms = whole == 0 ? 0 : from_ms % whole;
+  std::uint64_t begin = 0;
+  for (next_packet = 0; from_ms > 0 && next_packet < stream->times.size(); ++next_packet) {
+    const auto time = static_cast<std::uint64_t>(stream->times[next_packet].count());
+    if (begin + time > from_ms) break;
+    begin += time;
+  }
+  return begin;
+}
+
+/// Whether the token opens this server; refuses if not.
+bool ServerSession::State::permitted(std::string_view token) {
+  if (catalogue->token.empty() || same_secret(token, catalogue->token)) return true;
+  refuse(401, token.empty() ? "a token is needed here (--token-file)"
+                            : "this token does not open this server (--token-file)");
+  return false;
 }
 
 void ServerSession::State::list_streams() {
@@ -194,6 +235,7 @@ void ServerSession::State::list_streams() {
 }
 
 void ServerSession::State::read(std::string_view bytes) {
+  if (!bytes.empty() && first_byte == '\0') first_byte = bytes.front();
   while (!bytes.empty() && phase != Phase::Closed) {
     const std::string_view portion = bytes.substr(0, kPortionBytes);
     bytes.remove_prefix(portion.size());
@@ -232,7 +274,7 @@ void ServerSession::State::handle(const ClientPacket& packet) {
   if (phase != Phase::Hello) return;
   if (const auto* asked = std::get_if<HelloAsked>(&packet)) {
     grant(*asked);
-  } else {
+  } else if (permitted(std::get<StreamsAsked>(packet).token)) {
     list_streams();
   }
 }
@@ -243,11 +285,12 @@ void ServerSession::State::handle_code(Code code) {
       take_answer();
       break;
     case Code::Pause:
-      if (paused) return;
+      if (!spend_spare_code() || paused) return;
       paused = true;
       if (level == Level::Classic) take_answer();
       break;
     case Code::Resume:
+      if (!spend_spare_code()) return;
       full_next = full_next || paused;
       paused = false;
       break;
@@ -259,7 +302,10 @@ void ServerSession::State::handle_code(Code code) {
 }
 
 void ServerSession::State::take_answer() {
-  if (window == 0) return;  // nothing is to be answered
+  if (window == 0) {  // nothing is to be answered
+    static_cast<void>(spend_spare_code());
+    return;
+  }
   if (due > 0) {
     --due;
   } else if (early_left == 0) {
@@ -276,7 +322,27 @@ void ServerSession::State::take_answer() {
   }
 }
 
+/// Closes on who floods us with what answers nothing.
+bool ServerSession::State::spend_spare_code() {
+  const auto earned = std::chrono::duration_cast<std::chrono::milliseconds>(now - spare_codes_at) *
+                      kSpareCodesPerSecond / 1000;
+  if (earned.count() > 0) {
+    spare_codes_at = now;
+    spare_codes = std::min(spare_codes + static_cast<std::size_t>(earned.count()), kSpareCodesMax);
+  }
+  if (spare_codes > 0) {
+    --spare_codes;
+    return true;
+  }
+  close(Why::ProtocolError, "a flood of codes that answer nothing");
+  return false;
+}
+
 void ServerSession::State::handle_fault(const DecodeError& fault) {
+  if (fault.position == 0 && first_byte == kTlsFirstByte) {
+    close(Why::ProtocolError, "the client speaks TLS, which this server does not (--tls-cert)");
+    return;
+  }
   const std::string reason = fault.reason + " (" + std::string(name(fault.fault)) + " at byte " +
                              std::to_string(fault.position) + ")";
   if (phase == Phase::Hello) {
@@ -317,6 +383,7 @@ void ServerSession::State::send_keyframe(const std::string& packet) {
   send(packet);
   ++packets_sent;
   payload_bytes += packet.size();
+  spare_codes = std::min(spare_codes + kSpareCodesPerPacket, kSpareCodesMax);
   if (window == 0) return;
   if (banked > 0) {
     --banked;
@@ -340,7 +407,9 @@ void ServerSession::State::pump() {
 void ServerSession::State::send_recorded() {
   while (may_send() && !at_end()) {
     if (next_packet == packets().size()) next_packet = 0;
-    send_keyframe(packets()[next_packet++]);
+    // The first one names the whole face, wherever the stream begins.
+    const auto& encoded = delta && packets_sent == 0 ? stream->negotiated : packets();
+    send_keyframe(encoded[next_packet++]);
   }
 }
 
@@ -385,9 +454,14 @@ ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_tr
   AUCAST_CHECK(!catalogue.streams.empty());
   state_->catalogue = &catalogue;
   state_->stream = &catalogue.streams.front();
-  state_->full_house = admission == Admission::Full;
+  if (admission == Admission::Full) state_->no_room = kFullHouse;
+  if (admission == Admission::FullAddress) state_->no_room = kFullAddress;
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
-  state_->deadline = now + std::clamp<Duration>(patience, kGraceMin, kGraceMax);
+  // Where a token is needed nobody is served without a hello, so it may take its time.
+  state_->deadline =
+      now + (catalogue.token.empty() ? std::clamp<Duration>(patience, kGraceMin, kGraceMax)
+                                     : Duration(kHelloTimeMax));
+  state_->spare_codes_at = now;
 }
 
 ServerSession::~ServerSession() = default;

@@ -34,6 +34,8 @@ struct ServerCatalogue {
   std::vector<ServedStream> streams;  ///< at least one; the first is what a classic client gets
   std::uint32_t keyframe_ms = 250;    ///< granted in the hello
   bool loop = false;                  ///< start again at the end instead of {-2}
+  /// What a client must show in its hello; empty: nothing. It may change; those who are in stay.
+  std::string token{};
 };
 
 /// What the owner of the connection has to do, in this order.
@@ -59,7 +61,8 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection>;
 /// Whether there is room for one more client.
 enum class Admission : std::uint8_t {
   Welcome,
-  Full,  ///< {error 503 ...} to who says hello, a plain close to others
+  Full,         ///< {error 503 ...} to who says hello, a plain close to others
+  FullAddress,  ///< the same: too many come from this client's address
 };
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or

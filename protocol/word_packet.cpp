@@ -194,6 +194,7 @@ std::variant<HelloGranted, FieldFault> parse_hello_granted(std::string_view text
   hello.duration_ms = fields.number("duration", kPlaceMsMax);
   hello.keyframe_ms =
       static_cast<std::uint32_t>(fields.number("keyframe", kDurationMsMax, 1).value_or(250));
+  hello.from_ms = fields.number("from", kPlaceMsMax).value_or(0);
   if (fields.fault()) return *fields.fault();
   return hello;
 }
@@ -228,10 +229,9 @@ std::variant<StreamList, FieldFault> parse_stream_list(std::string_view text) {
 }
 
 std::variant<StreamsAsked, FieldFault> parse_streams_asked(std::string_view text) {
-  const std::vector<Piece> pieces = pieces_after_word(text);
-  if (pieces.empty()) return StreamsAsked{};
-  return FieldFault{pieces.front().position, "{streams} asks for nothing else, found '" +
-                                                 escaped(pieces.front().text) + "'"};
+  const Fields fields(text);
+  if (fields.fault()) return *fields.fault();
+  return StreamsAsked{fields.text("token").value_or("")};
 }
 
 }  // namespace aucast::protocol

@@ -104,7 +104,7 @@ TEST(ClientPacketDecoder, NamesEachFaultAndItsPlace) {
   }
   EXPECT_EQ(error_of("\x1b").reason, "'\\x1b' is no control code; those are 1, -1, -3 and -4");
   EXPECT_EQ(error_of("-2").reason, "'-2' is no control code; those are 1, -1, -3 and -4");
-  EXPECT_EQ(error_of("{streams all}").reason, "{streams} asks for nothing else, found 'all'");
+  EXPECT_EQ(error_of("{streams all}").reason, "expected key=value, found 'all'");
 }
 
 TEST(ClientPacketDecoder, HoldsHelloAndBlanksToTheirLimits) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/limits.h"
+#include "protocol/secret.h"
 #include "tests/unit/protocol/session_text.h"
 
 namespace aucast::protocol {
@@ -349,6 +350,60 @@ TEST(CloseReason, HasANameForEach) {
   EXPECT_EQ(name(Why::PeerGone), "peer gone");
   EXPECT_EQ(name(Why::ProtocolError), "protocol error");
   EXPECT_EQ(name(Why::Refused), "refused");
+}
+
+TEST_F(Server, SaysWhenAClientSpeaksTls) {
+  const auto events = session_->on_bytes("\x16\x03\x01\x02", now_);
+  EXPECT_EQ(text_of(events), "close protocol error");
+  EXPECT_NE(reason_of(events).find("speaks TLS"), std::string::npos);
+}
+
+TEST_F(Server, AFloodOfSpareCodesEndsTheConnection) {
+  EXPECT_EQ(get("1").substr(0, 8), "send {1}");
+  std::string pauses;
+  for (std::size_t i = 0; i < kSpareCodesMax + 100; ++i) pauses += "-1";
+  EXPECT_EQ(get(pauses), "close protocol error");
+}
+
+TEST_F(Server, SpareCodesAreEarnedByTimeAndByPackets) {
+  EXPECT_EQ(get("{hello v=2 window=1}").substr(0, 6), "send {");
+  // Twice as many as may come at once, but no faster than they are earned.
+  std::string few;
+  for (std::size_t i = 0; i < kSpareCodesPerSecond; ++i) few += i % 2 == 0 ? "-1" : "-3";
+  for (std::size_t sent = 0; sent < 2 * kSpareCodesMax; sent += kSpareCodesPerSecond) {
+    ASSERT_EQ(get(few), "");
+    now_ += 1s;
+  }
+  // A client of tiny buffers pauses and resumes at every packet, as fast as it likes.
+  catalogue_.loop = true;
+  start();
+  ASSERT_EQ(get("1").substr(0, 8), "send {1}");
+  for (std::size_t i = 0; i < kSpareCodesMax; ++i) ASSERT_EQ(get("-1-3").substr(0, 5), "send ");
+}
+
+TEST(SameSecret, IsTheSameOrNot) {
+  EXPECT_TRUE(same_secret("word", "word"));
+  for (const char* other : {"", "w", "wor", "worx", "xord", "words", "wordword"}) {
+    EXPECT_FALSE(same_secret(other, "word")) << other;
+  }
+}
+
+TEST_F(Server, ATokenThatChangesShutsNobodyOut) {
+  catalogue_.token = "one";
+  start();
+  EXPECT_EQ(get("{hello v=2 window=2 token=one}").substr(0, 12), "send {hello ");
+  catalogue_.token = "two";
+  EXPECT_EQ(get("1"), "send {3}");
+  start();
+  EXPECT_EQ(get("{hello v=2 window=2 token=one}").substr(0, 16), "send {error 401 ");
+  start();
+  EXPECT_EQ(get("{hello v=2 window=2 token=two}").substr(0, 12), "send {hello ");
+}
+
+TEST_F(Server, TellsAFullAddressFromAFullHouse) {
+  session_.emplace(catalogue_, 0ms, now_, Admission::FullAddress);
+  EXPECT_EQ(get("{hello v=2}").substr(0, 69),
+            "send {error 503 there are as many clients from this address as may be");
 }
 
 }  // namespace

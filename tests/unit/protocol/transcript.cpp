@@ -80,6 +80,7 @@ ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
   ServerCatalogue catalogue;
   for (const Line& line : lines) {
     if (line.verb == "loop") catalogue.loop = true;
+    if (line.verb == "token") catalogue.token = line.rest;
     if (line.verb != "stream") continue;
     const std::vector<std::string> words = words_of(line.rest);
     ServedStream stream;
@@ -222,6 +223,10 @@ ClientSessionOptions options_of(const std::vector<Line>& lines) {
         options.hello.window = number_of(std::string_view(word).substr(7));
       }
       if (word.starts_with("stream=")) options.hello.stream = word.substr(7);
+      if (word.starts_with("token=")) options.hello.token = word.substr(6);
+      if (word.starts_with("from=")) {
+        options.hello.from_ms = static_cast<std::uint64_t>(number_of(word.substr(5)));
+      }
     }
   }
   return options;
@@ -326,7 +331,7 @@ std::string unknown_verb(const std::vector<Line>& lines) {
   static const std::vector<std::string> kKnown = {
       "stream", "loop",  "live",     "client",   "for",      "C>",        "S>",
       "t",      "C end", "C breaks", "C stores", "C pauses", "C resumes", "C ends",
-      "C is",   "S end", "S stops",  "S closes", "S is"};
+      "C is",   "S end", "S stops",  "S closes", "S is",     "token"};
   for (const Line& line : lines) {
     if (std::find(kKnown.begin(), kKnown.end(), line.verb) == kKnown.end()) {
       return at(line, "'" + line.verb + "' is none of the words of a transcript");
