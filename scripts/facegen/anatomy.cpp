@@ -9,48 +9,51 @@ double along_eye(double dx) {
 }
 
 /// From corner to corner. The outer one lies higher, which looks friendly.
-double canthal_line(double t) {
-  return mix(-0.17, 0.10, t);
+double canthal_line(const Identity& who, double t) {
+  return mix(who.form.inner_canthus_up, who.form.outer_canthus_up, t);
 }
 
 }  // namespace
 
-double upper_lid(double dx) {
+double upper_lid(const Identity& who, double dx) {
   const double t = along_eye(dx);
   // The lid covers the top of the iris; with a higher arch the eye stares.
-  return canthal_line(t) + 0.52 * power(std::sin(kPi * power(t, 0.80)), 0.78);
+  return canthal_line(who, t) + who.form.upper_lid * power(std::sin(kPi * power(t, 0.80)), 0.78);
 }
 
-double lower_lid(double dx) {
+double lower_lid(const Identity& who, double dx) {
   const double t = along_eye(dx);
-  return canthal_line(t) - 0.42 * power(std::sin(kPi * power(t, 1.22)), 0.90);
+  return canthal_line(who, t) - who.form.lower_lid * power(std::sin(kPi * power(t, 1.22)), 0.90);
 }
 
-double lip_contact(double x) {
+double lip_contact(const Identity& who, double x) {
   const double t = saturate(x / kMouthCorner);
   // The last term lifts the corners to a trace of a smile.
-  return -2.33 - 0.040 * bell(x, 0.30) + 0.035 * bell(x - 0.6, 0.45) - 0.02 * t + 0.09 * t * t * t;
+  return -2.33 - 0.040 * bell(x, 0.30) + 0.035 * bell(x - 0.6, 0.45) - 0.02 * t +
+         who.form.corner_lift * t * t * t;
 }
 
-double upper_lip_border(double x) {
+double upper_lip_border(const Identity& who, double x) {
   const double t = saturate(x / kMouthCorner);
-  const double height = 0.552 * power(1 - t, 0.75) * (1 + 0.15 * t);
-  const double cupids_bow = -0.085 * bell(x, 0.20) + 0.07 * bell(x - 0.36, 0.24) * (1 - t);
-  return lip_contact(x) + height + cupids_bow;
+  const double height = who.form.upper_lip * power(1 - t, 0.75) * (1 + 0.15 * t);
+  const double cupids_bow =
+      who.form.cupids_bow * (-0.085 * bell(x, 0.20) + 0.07 * bell(x - 0.36, 0.24) * (1 - t));
+  return lip_contact(who, x) + height + cupids_bow;
 }
 
-double lower_lip_border(double x) {
+double lower_lip_border(const Identity& who, double x) {
   const double t = saturate(x / kMouthCorner);
-  return lip_contact(x) - 0.74 * power(1 - t * t, 0.85);
+  return lip_contact(who, x) - who.form.lower_lip * power(1 - t * t, 0.85);
 }
 
-Vec3 brow_spine(double t) {
-  const double arch = 0.46 * std::sin(std::min(1.0, t * 1.05) * 2.2);
-  return {mix(0.78, 3.55, t), 4.05 + arch - 0.30 * t * t * t, 0.0};
+Vec3 brow_spine(const Identity& who, double t) {
+  const double arch = who.form.brow_arch * std::sin(std::min(1.0, t * 1.05) * 2.2);
+  return {mix(who.form.brow_begin, 3.55, t),
+          who.form.brow_up + arch - who.form.brow_tail_drop * t * t * t, 0.0};
 }
 
-double brow_half_width(double t) {
-  return 0.30 * (1 - 0.80 * power(t, 1.5)) * smooth_step(-0.10, 0.16, t);
+double brow_half_width(const Identity& who, double t) {
+  return who.form.brow_width * (1 - 0.80 * power(t, 1.5)) * smooth_step(-0.10, 0.16, t);
 }
 
 }  // namespace aucast::facegen

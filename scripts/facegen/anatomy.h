@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scripts/facegen/maths.h"
+#include "scripts/facegen/identity.h"
 
 namespace aucast::facegen {
 
@@ -17,20 +17,20 @@ inline constexpr double kInnerCanthus = -1.09;
 inline constexpr double kOuterCanthus = 1.16;
 
 /// Height of the lid margins relative to kEyeCentre.y at `dx` from kEyeCentre.x.
-[[nodiscard]] double upper_lid(double dx);
-[[nodiscard]] double lower_lid(double dx);
+[[nodiscard]] double upper_lid(const Identity& who, double dx);
+[[nodiscard]] double lower_lid(const Identity& who, double dx);
 
 /// x of the corner of the mouth.
 inline constexpr double kMouthCorner = 1.70;
 
 /// Height of the line where the lips touch, and of the borders of the red of the lips, at x >= 0.
-[[nodiscard]] double lip_contact(double x);
-[[nodiscard]] double upper_lip_border(double x);
-[[nodiscard]] double lower_lip_border(double x);
+[[nodiscard]] double lip_contact(const Identity& who, double x);
+[[nodiscard]] double upper_lip_border(const Identity& who, double x);
+[[nodiscard]] double lower_lip_border(const Identity& who, double x);
 
 /// The spine of the brow in the front plane (z = 0) from t = 0 at the nose to 1 at the temple, and
 /// half of its width there.
-[[nodiscard]] Vec3 brow_spine(double t);
-[[nodiscard]] double brow_half_width(double t);
+[[nodiscard]] Vec3 brow_spine(const Identity& who, double t);
+[[nodiscard]] double brow_half_width(const Identity& who, double t);
 
 }  // namespace aucast::facegen

@@ -61,7 +61,7 @@ void add_lashes(Part& part, const Skin& skin, int side, bool upper) {
 
 }  // namespace
 
-Part make_brow(int side) {
+Part make_brow(const Identity& who, int side) {
   constexpr int kAlong = 40;
   constexpr int kAcross = 6;
   Part brow;
@@ -70,24 +70,24 @@ Part make_brow(int side) {
   std::vector<std::uint32_t> before;
   for (int i = 0; i <= kAlong; ++i) {
     const double t = static_cast<double>(i) / kAlong;
-    const Vec3 spine = brow_spine(t);
-    const Vec3 along =
-        glm::normalize(brow_spine(std::min(1.0, t + 0.01)) - brow_spine(std::max(0.0, t - 0.01)));
+    const Vec3 spine = brow_spine(who, t);
+    const Vec3 along = glm::normalize(brow_spine(who, std::min(1.0, t + 0.01)) -
+                                      brow_spine(who, std::max(0.0, t - 0.01)));
     const Vec3 across{-along.y, along.x, 0};
-    const double half_width = std::max(0.012, brow_half_width(t));
+    const double half_width = std::max(0.012, brow_half_width(who, t));
     const double ends = smooth_step(0, 0.15, t) * smooth_step(1.05, 0.7, t);
     std::vector<std::uint32_t> row;
     for (int j = 0; j <= kAcross; ++j) {
       const double s = 2.0 * j / kAcross - 1;
       Vec3 p = spine + across * (half_width * s);
-      p.z = face_z(p.x, p.y);
-      p += head_normal(p, 0.05) * (0.015 + 0.075 * (1 - s * s) * ends);
+      p.z = face_z(who, p.x, p.y);
+      p += head_normal(who, p, 0.05) * (0.015 + 0.075 * (1 - s * s) * ends);
       p.x *= side;
-      const Vec3 colour = kBrow * (0.85 + 0.3 * hash(i * 7 + j * 131));
+      const Vec3 colour = who.colours.brow * (0.85 + 0.3 * hash(i * 7 + j * 131));
       const double alpha = 0.97 * smooth_step(-0.02, 0.12, t) * (1 - smooth_step(0.95, 1.02, t)) *
                            smooth_step(1.02, 0.55, std::abs(s));
       row.push_back(brow.add(p, colour, alpha));
-      weigh_by_position(brow.vertices.back());
+      weigh_by_position(who, brow.vertices.back());
     }
     if (i > 0) {
       if (side > 0) {

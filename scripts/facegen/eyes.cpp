@@ -11,12 +11,13 @@ constexpr double kIris = 0.60;
 constexpr double kPupilRadius = 0.24;
 
 /// Colour at `radius` from the eye's axis and `angle` about it.
-Vec3 eye_colour(double radius, int sector, double angle) {
+Vec3 eye_colour(const Identity& who, double radius, int sector, double angle) {
   if (radius < kPupilRadius) return kPupil;
   if (radius < kIris) {
     const double t = (radius - kPupilRadius) / (kIris - kPupilRadius);
     const double streak = hash(sector * 13 + 7) * 0.5 + hash(sector / 2 * 31 + 3) * 0.5;
-    Vec3 c = mix(kIrisInner, kIrisOuter, smooth_step(0.1, 0.65, t + 0.25 * (streak - 0.5)));
+    Vec3 c = mix(who.colours.iris_inner, who.colours.iris_outer,
+                 smooth_step(0.1, 0.65, t + 0.25 * (streak - 0.5)));
     // Light from above shines through to the lower half.
     c *= (0.75 + 0.5 * streak) * (1.05 - 0.45 * std::sin(angle));
     c = mix(c, kIrisEdge, smooth_step(0.72, 1.0, t));
@@ -28,7 +29,7 @@ Vec3 eye_colour(double radius, int sector, double angle) {
 
 }  // namespace
 
-Part make_eye(int side) {
+Part make_eye(const Identity& who, int side) {
   static constexpr std::array kFrontRings{0.10,
                                           kPupilRadius - 0.015,
                                           kPupilRadius + 0.015,
@@ -56,7 +57,7 @@ Part make_eye(int side) {
     for (int i = 0; i < kSectors; ++i) {
       const double angle = 2 * kPi * i / kSectors;
       const Vec3 offset{radius * std::cos(angle), radius * std::sin(angle), z};
-      ring.push_back(eye.add(centre + offset, eye_colour(radius, i, angle)));
+      ring.push_back(eye.add(centre + offset, eye_colour(who, radius, i, angle)));
     }
     if (inner.empty()) {
       for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "scripts/facegen/identity.h"
 #include "scripts/facegen/part.h"
 
 namespace aucast::facegen {
 
 /// An eyeball: side 1 left, -1 right. Its rings lie exactly on pupil, iris and limbus.
-[[nodiscard]] Part make_eye(int side);
+[[nodiscard]] Part make_eye(const Identity& who, int side);
 
 }  // namespace aucast::facegen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scripts/facegen/identity.h"
 #include "scripts/facegen/part.h"
 
 namespace aucast::facegen {
@@ -8,6 +9,6 @@ inline constexpr std::size_t kHairStrands = 288;   ///< flow lines round the hea
 inline constexpr std::size_t kHairRowLength = 33;  ///< vertices along a flow line
 
 /// A short haircut with a side parting: a shell of flow lines from the hairline to the crown.
-[[nodiscard]] Part make_hair();
+[[nodiscard]] Part make_hair(const Identity& who);
 
 }  // namespace aucast::facegen

@@ -16,17 +16,17 @@
 
 namespace aucast::facegen {
 
-std::vector<Part> make_head() {
-  HalfHead half = lay_out_half_head();
-  relax(half);
+std::vector<Part> make_head(const Identity& who) {
+  HalfHead half = lay_out_half_head(who);
+  relax(who, half);
   Skin skin = make_skin(std::move(half));
-  weigh_skin(skin);
-  paint_skin(skin);
-  Part left_eye = make_eye(1);
-  Part right_eye = make_eye(-1);
-  Part hair = make_hair();
-  Part shirt = make_shirt();
-  tint_scalp(skin, hair, kHairRowLength);
+  weigh_skin(who, skin);
+  paint_skin(who, skin);
+  Part left_eye = make_eye(who, 1);
+  Part right_eye = make_eye(who, -1);
+  Part hair = make_hair(who);
+  Part shirt = make_shirt(who);
+  tint_scalp(who, skin, hair, kHairRowLength);
   {
     // The hair darkens itself but not the skin: that gives blocky patches along the hairline.
     const RayScene body(std::array<const Part*, 4>{&skin.part, &left_eye, &right_eye, &shirt});
@@ -51,8 +51,8 @@ std::vector<Part> make_head() {
   parts.push_back(std::move(bag));
   parts.push_back(std::move(shirt));
   parts.push_back(std::move(hair));
-  parts.push_back(make_brow(1));
-  parts.push_back(make_brow(-1));
+  parts.push_back(make_brow(who, 1));
+  parts.push_back(make_brow(who, -1));
   parts.push_back(std::move(lashes));
   for (Part& crease : creases) parts.push_back(std::move(crease));
   return parts;

@@ -2,12 +2,13 @@
 
 #include <string>
 
+#include "scripts/facegen/identity.h"
 #include "scripts/facegen/part.h"
 
 namespace aucast::facegen {
 
-/// All parts of the head, skin first, made stage by stage. Deterministic.
-[[nodiscard]] std::vector<Part> make_head();
+/// All parts of a person's head, skin first, made stage by stage. Deterministic.
+[[nodiscard]] std::vector<Part> make_head(const Identity& who);
 
 /// The bytes of mesh.ply (data/faces/README.md).
 [[nodiscard]] std::string head_file(const std::vector<Part>& parts);

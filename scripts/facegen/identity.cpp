@@ -2,96 +2,174 @@
 
 #include <array>
 
-#include "scripts/facegen/anatomy.h"
-
 namespace aucast::facegen {
 namespace {
 
-/// The lids and the balls below them keep their form.
-double away_from_eyes(const Vec3& p) {
-  const Vec3 from_eye{std::abs(p.x) - kEyeCentre.x, p.y - kEyeCentre.y, 0};
-  return p.z < 3.5 ? 1 : smooth_step(1.55, 2.6, glm::length(from_eye));
+/// Swept to the side and tucked behind the ears.
+constexpr std::array<Key<Vec3>, 18> kLongHairline{{{0, {0, 6.95, 7.1}},
+                                                   {0.4, {0.6, 6.97, 7.0}},
+                                                   {1, {1.4, 6.95, 6.8}},
+                                                   {2, {2.6, 6.55, 6.2}},
+                                                   {3, {3.45, 5.75, 5.5}},
+                                                   {3.8, {3.95, 4.75, 4.9}},
+                                                   {4.6, {4.25, 3.8, 4.0}},
+                                                   {5.3, {4.45, 2.5, 3.15}},
+                                                   {5.8, {4.5, 1.95, 2.65}},
+                                                   {6.3, {4.6, 2.7, 2.15}},
+                                                   {7, {4.85, 3.55, 1.3}},
+                                                   {7.7, {4.8, 3.4, 0.0}},
+                                                   {8.4, {4.6, 3.0, -1.2}},
+                                                   {9.2, {4.1, 2.8, -2.6}},
+                                                   {10.2, {3.0, 2.7, -4.0}},
+                                                   {11.2, {1.4, 2.7, -4.9}},
+                                                   {11.6, {0.7, 2.7, -5.1}},
+                                                   {12, {0, 2.7, -5.2}}}};
+
+/// Short, and gone over the temples.
+constexpr std::array<Key<Vec3>, 18> kRecedingHairline{{{0, {0, 7.75, 6.6}},
+                                                       {0.4, {0.6, 7.78, 6.5}},
+                                                       {1, {1.3, 8.05, 6.1}},
+                                                       {2, {2.35, 8.35, 4.9}},
+                                                       {3, {3.3, 7.55, 4.6}},
+                                                       {3.8, {4.0, 6.1, 4.5}},
+                                                       {4.6, {4.3, 4.2, 4.0}},
+                                                       {5.3, {4.45, 2.5, 3.15}},
+                                                       {5.8, {4.5, 1.9, 2.65}},
+                                                       {6.3, {4.6, 2.7, 2.15}},
+                                                       {7, {4.85, 3.55, 1.3}},
+                                                       {7.7, {4.8, 3.4, 0.1}},
+                                                       {8.4, {4.6, 2.0, -0.9}},
+                                                       {9.2, {4.1, 0.0, -1.6}},
+                                                       {10.2, {3.0, -1.8, -2.6}},
+                                                       {11.2, {1.4, -2.5, -3.2}},
+                                                       {11.6, {0.7, -2.62, -3.35}},
+                                                       {12, {0, -2.65, -3.4}}}};
+
+/// A woman of about thirty.
+Identity young_woman() {
+  Identity who;
+  who.name = "default";
+  Form& form = who.form;
+  form.narrowing = 0.075;
+  form.jaw_width = -0.12;
+  form.chin_width = -0.12;
+  form.cheek = 0.06;
+  form.brow_ridge = -0.10;
+  form.neck_width = 0.88;
+  form.larynx = -0.25;
+  form.nose_width = 0.93;
+  form.bridge_width = -0.05;
+  form.nose_up = 0.10;
+  form.nose_forward = -0.06;
+  form.upper_lip = 0.60;
+  form.lower_lip = 0.82;
+  form.lip_bulge = 1.15;
+  form.cupids_bow = 1.2;
+  form.outer_canthus_up = 0.13;
+  form.brow_up = 4.12;
+  form.brow_arch = 0.52;
+  form.brow_width = 0.235;
+  form.brow_begin = 0.86;
+  Haircut& hair = who.hair;
+  hair.hairline = kLongHairline;
+  hair.side = 0.42;
+  hair.top = 0.80;
+  hair.sweep = 0.10;
+  hair.front_rise = 0.25;
+  hair.groove = 0.13;
+  hair.fall = 9.4;
+  Palette& colours = who.colours;
+  colours.lip = {0.66, 0.235, 0.235};
+  colours.hair = {0.115, 0.058, 0.034};
+  colours.hair_light = {0.36, 0.19, 0.10};
+  return who;
 }
 
-Vec3 shaped(const Identity& who, const Vec3& p) {
-  const double free = away_from_eyes(p);
-  Vec3 q = p;
-  const double jaw = smooth_step(1.0, -3.2, p.y) * smooth_step(-9.0, -6.0, p.y);
-  // The mouth keeps its width, or its inside would no longer fit.
-  const double beside_mouth = smooth_step(1.6, 3.0, std::abs(p.x));
-  q.x *= 1 + (who.jaw_width - 1) * jaw * beside_mouth * free;
-  const double throat = smooth_step(-3.0, -9.0, p.y) * smooth_step(0.3, 2.0, std::abs(p.x));
-  q.x *= 1 + (who.neck_width - 1) * throat;
-  const double chin = smooth_step(-3.3, -4.6, p.y) * smooth_step(2.0, 5.0, p.z);
-  q.y -= who.chin_length * chin;
-  const double nose = bell(Vec3{p.x / 1.5, (p.y + 0.1) / 0.9, 0}) * smooth_step(7.4, 8.3, p.z);
-  q.x *= 1 + (who.nose_width - 1) * nose;
-  q.z += who.nose_length * bell(Vec3{p.x / 0.8, (p.y - 0.1) / 0.9, 0}) * smooth_step(7.6, 8.8, p.z);
-  const double above = smooth_step(6.0, 9.0, p.y);
-  q.y += (who.crown_height - 1) * (p.y - 6.0) * above;
-  return q;
+/// A man of about fifty.
+Identity man_of_fifty() {
+  Identity who;
+  who.name = "marek";
+  Form& form = who.form;
+  form.narrowing = 0.02;
+  form.jaw_width = 0.38;
+  form.jaw_drop = 0.35;
+  form.chin_width = 0.32;
+  form.chin_drop = 0.28;
+  form.chin_forward = 0.10;
+  form.cheek = -0.10;
+  form.cheekbone = 0.10;
+  form.brow_ridge = 0.13;
+  form.throat_drop = 0.35;
+  form.neck_width = 1.12;
+  form.larynx = 0.12;
+  form.nose_width = 1.17;
+  form.bridge_width = 0.10;
+  form.nose_forward = 0.16;
+  form.nose_up = -0.16;
+  form.nose_hump = 0.14;
+  form.upper_lid = 0.46;
+  form.inner_canthus_up = -0.14;
+  form.outer_canthus_up = 0.0;
+  form.lid_fold = 0.15;
+  form.eye_bag = 0.045;
+  form.upper_lip = 0.40;
+  form.lower_lip = 0.62;
+  form.lip_bulge = 0.75;
+  form.cupids_bow = 0.5;
+  form.corner_lift = 0.02;
+  form.philtrum = 1.2;
+  form.brow_up = 3.90;
+  form.brow_arch = 0.34;
+  form.brow_tail_drop = 0.34;
+  form.brow_begin = 0.70;
+  form.brow_width = 0.38;
+  form.furrow = 0.07;
+  form.jowl = 0.05;
+  form.chin_fold = 0.20;
+  Haircut& hair = who.hair;
+  hair.hairline = kRecedingHairline;
+  hair.crown = {0.3, 9.9, -2.6};
+  hair.parting = 0;
+  hair.parting_depth = 0;
+  hair.side = 0.24;
+  hair.top = 0.34;
+  hair.sweep = 0;
+  hair.groove = 0.12;
+  Palette& colours = who.colours;
+  colours.skin = {0.50, 0.295, 0.195};
+  colours.flush = {0.50, 0.215, 0.155};
+  colours.forehead_skin = {0.53, 0.325, 0.21};
+  colours.neck_skin = {0.45, 0.26, 0.18};
+  colours.lid_skin = {0.38, 0.20, 0.145};
+  colours.lid_rim = {0.36, 0.17, 0.14};
+  colours.lip = {0.44, 0.195, 0.165};
+  colours.brow = {0.075, 0.062, 0.055};
+  colours.hair = {0.13, 0.125, 0.12};
+  colours.hair_light = {0.46, 0.45, 0.44};
+  colours.iris_inner = {0.26, 0.13, 0.05};
+  colours.iris_outer = {0.13, 0.065, 0.03};
+  colours.cloth = {0.30, 0.055, 0.06};
+  colours.collar = {0.24, 0.045, 0.05};
+  colours.beard = 0.30;
+  return who;
 }
 
-void tint(Vertex& vertex, const Vec3& factor) {
-  for (int i = 0; i < 3; ++i) vertex.colour[i] = saturate(vertex.colour[i] * factor[i]);
+const std::array<Identity, 2>& identities() {
+  static const std::array<Identity, 2> all{young_woman(), man_of_fifty()};
+  return all;
 }
-
-void colour(const Identity& who, Part& part) {
-  for (Vertex& vertex : part.vertices) {
-    switch (part.material) {
-      case face::Material::Skin:
-        tint(vertex,
-             mix(who.skin, who.lips, std::max(vertex[Map::UpperRed], vertex[Map::LowerRed])));
-        break;
-      case face::Material::Hair:
-      case face::Material::Brow:
-        tint(vertex, who.hair);
-        break;
-      case face::Material::Cloth:
-        tint(vertex, who.cloth);
-        break;
-      case face::Material::Eye: {
-        // Only the iris is strongly coloured.
-        const Vec3& c = vertex.colour;
-        if (std::max({c.x, c.y, c.z}) < 0.55) tint(vertex, who.iris);
-        break;
-      }
-      default:
-        break;
-    }
-  }
-}
-
-constexpr std::array<Identity, 1> kIdentities{{
-    {"marek",
-     1.12,
-     0.30,
-     1.18,
-     0.10,
-     1.10,
-     0.97,
-     {0.50, 0.42, 0.36},
-     {0.58, 0.50, 0.46},
-     {0.16, 0.17, 0.20},
-     {0.42, 0.24, 0.14},
-     {0.55, 1.0, 0.75}},
-}};
 
 }  // namespace
 
-std::optional<Identity> identity_named(std::string_view name) {
-  for (const Identity& identity : kIdentities) {
-    if (identity.name == name) return identity;
-  }
-  return std::nullopt;
+const Identity& default_identity() {
+  return identities()[0];
 }
 
-void apply(const Identity& identity, std::vector<Part>& parts) {
-  for (Part& part : parts) {
-    colour(identity, part);
-    if (part.material == face::Material::Eye || part.material == face::Material::Teeth) continue;
-    for (Vertex& vertex : part.vertices) vertex.position = shaped(identity, vertex.position);
+const Identity* identity_named(std::string_view name) {
+  for (const Identity& identity : identities()) {
+    if (identity.name == name) return &identity;
   }
+  return nullptr;
 }
 
 }  // namespace aucast::facegen

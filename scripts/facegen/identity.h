@@ -1,33 +1,89 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
-#include "scripts/facegen/part.h"
+#include "scripts/facegen/palette.h"
 
 namespace aucast::facegen {
 
-/// What makes another person of the same head: how its finished form is drawn out and how it is
-/// coloured. Eyes, lids and numbering stay, so that muscles and recordings serve every identity.
-struct Identity {
-  std::string_view name;
-  double jaw_width = 1;    ///< of everything below the cheekbones
-  double chin_length = 0;  ///< further down, mesh units
-  double nose_width = 1;
-  double nose_length = 0;  ///< of the tip, forward
+/// The measures in which one head differs from another; lengths in mesh units (1.4 cm). What is not
+/// here - the eyeballs, the teeth, the corners of the mouth, the frame - is common to all, so that
+/// one set of muscles and recordings serves every identity.
+struct Form {
+  // skull and jaw
+  double narrowing = 0.055;  ///< of everything below the cheekbones, share
+  double jaw_width = 0;      ///< the angle of the jaw, outwards
+  double jaw_drop = 0;       ///< the angle of the jaw, downwards
+  double chin_width = 0;
+  double chin_drop = 0;
+  double chin_forward = 0;
+  double cheek = 0;      ///< fullness of the cheeks
+  double cheekbone = 0;  ///< outwards
+  double brow_ridge = 0;
+  double throat_drop = 0;  ///< floor of the mouth
   double neck_width = 1;
-  double crown_height = 1;  ///< of what lies above the forehead
-  Vec3 skin{1};             ///< factors on the colours of the default face, linear
-  Vec3 lips{1};
-  Vec3 hair{1};
-  Vec3 iris{1};
-  Vec3 cloth{1};
+  double larynx = 0;
+  // nose
+  double nose_width = 1;    ///< of tip, wings and nostrils
+  double bridge_width = 0;  ///< added to the radius of the bridge
+  double nose_forward = 0;  ///< the tip
+  double nose_up = 0;       ///< the tip, turned up; negative: hanging
+  double nose_hump = 0;     ///< on the bridge
+  // eyes: height of the lids over their corners, and the corners over kEyeCentre
+  double upper_lid = 0.52;
+  double lower_lid = 0.42;
+  double inner_canthus_up = -0.17;
+  double outer_canthus_up = 0.10;
+  double lid_fold = 0.27;  ///< over the margin
+  double eye_bag = 0.018;  ///< depth of the groove under the eye
+  // lips
+  double upper_lip = 0.552;
+  double lower_lip = 0.74;
+  double lip_bulge = 1;
+  double cupids_bow = 1;
+  double corner_lift = 0.09;
+  double philtrum = 1;
+  // brows
+  double brow_up = 4.05;
+  double brow_arch = 0.46;
+  double brow_tail_drop = 0.30;
+  double brow_begin = 0.78;  ///< x of the inner end
+  double brow_width = 0.30;
+  // what the years leave
+  double furrow = 0;        ///< depth of the furrow from nose to mouth
+  double jowl = 0;          ///< depth of the fold before the jowls
+  double chin_fold = 0.16;  ///< between lower lip and chin
 };
 
-/// The identity of that name; nothing when there is none.
-[[nodiscard]] std::optional<Identity> identity_named(std::string_view name);
+/// A haircut: how it grows over the head.
+struct Haircut {
+  /// From the middle of the forehead (0) over temple, sideburn and ear to the nape (12).
+  std::span<const Key<Vec3>> hairline;
+  Vec3 crown{0.9, 9.9, -2.6};
+  double parting = 2.25;       ///< where on the hairline
+  double parting_depth = 0.8;  ///< share of the thickness
+  double side = 0.30;          ///< thickness
+  double top = 0.72;
+  double sweep = 0.50;       ///< more of it beside the parting
+  double front_rise = 0.10;  ///< how slowly it rises from the forehead
+  double groove = 0.16;      ///< depth between strands
+  double fall = 0;           ///< how far it hangs down behind the ears
+};
 
-/// Stage 9: turns the finished default head into the identity.
-void apply(const Identity& identity, std::vector<Part>& parts);
+/// What makes a person: everything else of the generator is the same for all.
+struct Identity {
+  std::string_view name;
+  Form form;
+  Haircut hair;
+  Palette colours;
+};
+
+/// The face that the programs show when nobody says which.
+[[nodiscard]] const Identity& default_identity();
+
+/// The identity of that name; nothing when there is none.
+[[nodiscard]] const Identity* identity_named(std::string_view name);
 
 }  // namespace aucast::facegen

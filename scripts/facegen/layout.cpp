@@ -116,35 +116,35 @@ constexpr std::array<RowCurve, 9> kRowCurves{{
        {32, {0, -9.3, -3.4}}}}},
 }};
 
-Vec3 start_position(int row, int column) {
+Vec3 start_position(const Identity& who, int row, int column) {
   std::vector<PointKey> over_rows;
   for (const RowCurve& curve : kRowCurves) {
     const std::span<const PointKey> points{curve.points.data(), curve.point_count};
     over_rows.push_back({static_cast<double>(curve.row), sample<Vec3>(points, column)});
   }
-  return on_skin(sample<Vec3>(over_rows, row));
+  return on_skin(who, sample<Vec3>(over_rows, row));
 }
 
-Vec3 on_face(double x, double y) {
-  return {x, y, face_z(x, y)};
+Vec3 on_face(const Identity& who, double x, double y) {
+  return {x, y, face_z(who, x, y)};
 }
 
 /// The border of the eye block: a superellipse that is wider towards the temple and higher above.
-void pin_eye_border(Pins& pins) {
+void pin_eye_border(const Identity& who, Pins& pins) {
   const auto rounded = [](double v) { return (v > 0 ? 1 : -1) * power(std::abs(v), 0.82); };
   const std::vector<GridNode> border = border_of(kEyeBlock);
   for (std::size_t i = 0; i < border.size(); ++i) {
     const double angle = radians(135 - static_cast<double>(i) * 360 / kEyeSpokes);
     const double across = rounded(std::cos(angle));
     const double up = rounded(std::sin(angle));
-    pins[{border[i].row, border[i].column}] =
-        on_face(2.25 + (across > 0 ? 1.62 : 1.42) * across, 2.75 + (up > 0 ? 1.72 : 1.42) * up);
+    pins[{border[i].row, border[i].column}] = on_face(
+        who, 2.25 + (across > 0 ? 1.62 : 1.42) * across, 2.75 + (up > 0 ? 1.72 : 1.42) * up);
   }
 }
 
 /// The nose, where loops must lie on the groove round its wing: (x, y) for every second row 16-24
 /// and column 0-8.
-void pin_nose(Pins& pins) {
+void pin_nose(const Identity& who, Pins& pins) {
   static constexpr double kNose[5][5][2] = {
       {{0, 1.35}, {.32, 1.35}, {.80, 1.35}, {1.45, 1.15}, {2.2, 1.05}},
       {{0, .75}, {.36, .75}, {.80, .72}, {1.25, .55}, {1.95, .35}},
@@ -159,18 +159,20 @@ void pin_nose(Pins& pins) {
       for (int i = 0; i < 5; ++i) {
         std::vector<PointKey> over_columns;
         for (int j = 0; j < 5; ++j) {
-          over_columns.push_back({2.0 * j, {kNose[i][j][0], kNose[i][j][1], 0}});
+          // Beside the nose the loops belong to the cheek.
+          const double wide = j == 4 ? 1 : who.form.nose_width;
+          over_columns.push_back({2.0 * j, {kNose[i][j][0] * wide, kNose[i][j][1], 0}});
         }
         over_rows.push_back({16 + 2.0 * i, sample<Vec3>(over_columns, column)});
       }
       const Vec3 at = sample<Vec3>(over_rows, row);
-      pins[{row, column}] = on_face(column == 0 ? 0 : at.x, at.y);
+      pins[{row, column}] = on_face(who, column == 0 ? 0 : at.x, at.y);
     }
   }
 }
 
 /// The midline between brow and nose.
-void pin_bridge(Pins& pins) {
+void pin_bridge(const Identity& who, Pins& pins) {
   static constexpr std::array<Key<double>, 9> kHeights{{{8, 4.5},
                                                         {10, 3.6},
                                                         {12, 2.85},
@@ -181,12 +183,12 @@ void pin_bridge(Pins& pins) {
                                                         {22, -.42},
                                                         {24, -.84}}};
   for (int row = 8; row < 16; ++row) {
-    pins[{row, 0}] = on_face(0, sample<double>(kHeights, row));
+    pins[{row, 0}] = on_face(who, 0, sample<double>(kHeights, row));
   }
 }
 
 /// Cheek side and underside of the mouth block; its top is the base of the nose.
-void pin_mouth_border(Pins& pins) {
+void pin_mouth_border(const Identity& who, Pins& pins) {
   static constexpr std::array<PointKey, 7> kBorder{{{0, {2.15, -1.15, 0}},
                                                     {2, {2.62, -1.72, 0}},
                                                     {4, {2.75, -2.40, 0}},
@@ -198,12 +200,12 @@ void pin_mouth_border(Pins& pins) {
   for (int i = 0; i <= 16; ++i) {
     const Vec3 at = sample<Vec3>(kBorder, i);
     const GridNode node = border[static_cast<std::size_t>(i + 8)];
-    pins[{node.row, node.column}] = on_face(i == 16 ? 0 : at.x, at.y);
+    pins[{node.row, node.column}] = on_face(who, i == 16 ? 0 : at.x, at.y);
   }
 }
 
 /// Where the ear grows out of the head: a drop, tilted back.
-void pin_ear_border(Pins& pins) {
+void pin_ear_border(const Identity& who, Pins& pins) {
   const std::vector<GridNode> border = border_of(kEarBlock);
   for (std::size_t i = 0; i < border.size(); ++i) {
     const double angle = radians(120 - static_cast<double>(i) * 360 / kEarSpokes);
@@ -213,17 +215,18 @@ void pin_ear_border(Pins& pins) {
     constexpr double kTilt = 0.18;
     const double z = 1.15 - (back * std::cos(kTilt) + up * std::sin(kTilt));
     const double y = 1.15 + (up * std::cos(kTilt) - back * std::sin(kTilt) * 0.3);
-    pins[{border[i].row, border[i].column}] = leave({0, y, z}, {1, 0, 0}, head_distance);
+    pins[{border[i].row, border[i].column}] = leave({0, y, z}, {1, 0, 0}, head_of(who));
   }
 }
 
 void add_grid(LayoutBuilder& builder) {
+  const Identity& who = builder.who();
   Pins pins;
-  pin_eye_border(pins);
-  pin_nose(pins);
-  pin_bridge(pins);
-  pin_mouth_border(pins);
-  pin_ear_border(pins);
+  pin_eye_border(who, pins);
+  pin_nose(who, pins);
+  pin_bridge(who, pins);
+  pin_mouth_border(who, pins);
+  pin_ear_border(who, pins);
   const auto in_block = [](auto&& test) {
     return std::any_of(kBlocks.begin(), kBlocks.end(), test);
   };
@@ -232,7 +235,7 @@ void add_grid(LayoutBuilder& builder) {
       if (in_block([&](const Block& b) { return b.has_inner_node(row, column); })) continue;
       const auto pin = pins.find({row, column});
       const bool pinned = pin != pins.end();
-      builder.add_node(pinned ? pin->second : start_position(row, column), {row, column},
+      builder.add_node(pinned ? pin->second : start_position(who, row, column), {row, column},
                        pinned || row == kRows);
     }
   }
@@ -247,6 +250,7 @@ void add_grid(LayoutBuilder& builder) {
 
 /// Half a disc of 8 x 16 quads over the crown; three of its sides are row 0 of the grid.
 void add_cap(LayoutBuilder& builder) {
+  const Identity& who = builder.who();
   constexpr int kAcross = 8;
   constexpr int kAlong = 16;
   std::array<std::array<std::uint32_t, kAlong + 1>, kAcross + 1> cap{};
@@ -265,7 +269,7 @@ void add_cap(LayoutBuilder& builder) {
       const Vec3 side = builder.position(at(kAcross, j));
       const Vec3 flat{u * side.x * (0.5 + 0.5 * std::sin(kPi * t)), 9.5, mix(front.z, back.z, t)};
       constexpr Vec3 kInside{0, 4.5, 1.2};
-      Vec3 p = leave(kInside, flat - kInside, head_distance);
+      Vec3 p = leave(kInside, flat - kInside, head_of(who));
       if (i == 0) p.x = 0;
       at(i, j) = builder.add(p, Patch::Cap);
       builder.vertex(at(i, j)).pinned = false;
@@ -338,8 +342,8 @@ LayoutBuilder::Ring LayoutBuilder::nodes(const std::vector<GridNode>& of) const 
   return ring;
 }
 
-HalfHead lay_out_half_head() {
-  LayoutBuilder builder;
+HalfHead lay_out_half_head(const Identity& who) {
+  LayoutBuilder builder(who);
   add_grid(builder);
   add_cap(builder);
   add_eye_patch(builder);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scripts/facegen/maths.h"
+#include "scripts/facegen/identity.h"
 
 namespace aucast::facegen {
 
@@ -61,6 +61,6 @@ struct HalfHead {
 };
 
 /// The loops at their start positions: pinned ones in their place, the rest roughly.
-[[nodiscard]] HalfHead lay_out_half_head();
+[[nodiscard]] HalfHead lay_out_half_head(const Identity& who);
 
 }  // namespace aucast::facegen

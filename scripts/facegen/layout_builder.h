@@ -42,6 +42,8 @@ struct GridNode {
 /// Collects vertices and quads while the half head is laid out.
 class LayoutBuilder {
  public:
+  explicit LayoutBuilder(const Identity& who) : who_(who) {}
+
   using Ring = std::vector<std::uint32_t>;
 
   std::uint32_t add(const Vec3& position, Patch patch, int ring = 0, int spoke = 0);
@@ -55,6 +57,7 @@ class LayoutBuilder {
   [[nodiscard]] std::uint32_t node(int row, int column) const {
     return grid_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
   }
+  [[nodiscard]] const Identity& who() const { return who_; }
   [[nodiscard]] Ring nodes(const std::vector<GridNode>& of) const;
   [[nodiscard]] const Vec3& position(std::uint32_t index) const {
     return half_.vertices[index].position;
@@ -63,6 +66,7 @@ class LayoutBuilder {
   [[nodiscard]] HalfHead take() { return std::move(half_); }
 
  private:
+  const Identity& who_;
   HalfHead half_;
   std::array<std::array<std::uint32_t, kColumns + 1>, kRows + 1> grid_{};
 };

@@ -3,7 +3,6 @@
 
 #include "common/files.h"
 #include "scripts/facegen/head.h"
-#include "scripts/facegen/identity.h"
 
 int main(int argument_count, char** arguments) {
   using namespace aucast;
@@ -11,17 +10,15 @@ int main(int argument_count, char** arguments) {
     std::fprintf(stderr, "usage: facegen FACE_FOLDER [IDENTITY]   (writes mesh.ply into it)\n");
     return exit_code({ErrorKind::Usage, {}});
   }
-  const std::filesystem::path file = std::filesystem::path{arguments[1]} / "mesh.ply";
-  std::vector<facegen::Part> head = facegen::make_head();
-  if (argument_count == 3) {
-    const auto identity = facegen::identity_named(arguments[2]);
-    if (!identity) {
-      std::fprintf(stderr, "facegen: no identity of that name; see identity.cpp\n");
-      return exit_code({ErrorKind::Usage, {}});
-    }
-    facegen::apply(*identity, head);
+  const facegen::Identity* who = &facegen::default_identity();
+  if (argument_count == 3) who = facegen::identity_named(arguments[2]);
+  if (who == nullptr) {
+    std::fprintf(stderr, "facegen: no identity '%s'; see identity.cpp\n", arguments[2]);
+    return exit_code({ErrorKind::Usage, {}});
   }
-  const Result<void> written = write_file_atomically(file, facegen::head_file(head));
+  const std::filesystem::path file = std::filesystem::path{arguments[1]} / "mesh.ply";
+  const std::string bytes = facegen::head_file(facegen::make_head(*who));
+  const Result<void> written = write_file_atomically(file, bytes);
   if (!written) {
     std::fprintf(stderr, "facegen: %s\n", written.error().message.c_str());
     return exit_code(written.error());

@@ -21,11 +21,13 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position) {
   return saturate(f);
 }
 
-void paint_eye(Vertex& vertex, const HalfVertex& v) {
+void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   const bool upper = (v.spoke + 4) % kEyeSpokes <= 16;
   // More than this below the eye looks tired.
-  Vec3 c = mix(vertex.colour, kLidSkin, (upper ? 0.30 : 0.12) * smooth_step(1, 5, v.ring));
-  if (v.ring >= kLidMarginRing) c = mix(c, kLidRim, v.ring == kLidMarginRing ? 0.55 : 0.35);
+  Vec3 c =
+      mix(vertex.colour, who.colours.lid_skin, (upper ? 0.30 : 0.12) * smooth_step(1, 5, v.ring));
+  if (v.ring >= kLidMarginRing)
+    c = mix(c, who.colours.lid_rim, v.ring == kLidMarginRing ? 0.55 : 0.35);
   if (v.ring > kLidInnerRing) c = kLidInside;
   if (v.ring >= kLidMarginRing && v.position.x < kEyeCentre.x + kInnerCanthus + 0.2) {
     c = mix(c, kCaruncle, 0.8);
@@ -34,12 +36,13 @@ void paint_eye(Vertex& vertex, const HalfVertex& v) {
   vertex.gloss = 1.2;
 }
 
-void paint_mouth(Vertex& vertex, const HalfVertex& v) {
+void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   if (v.ring < kLipBorderRing) return;
   const bool border = v.ring == kLipBorderRing;
   const double to_corner = saturate(v.position.x / kMouthCorner);
   const double strength = (border ? 0.55 : 1.0) * (1 - 0.25 * to_corner * to_corner);
-  Vec3 c = mix(vertex.colour, kLip, strength) * (v.spoke < kMouthCornerSpoke ? 0.94 : 1.04);
+  Vec3 c =
+      mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.94 : 1.04);
   if (v.ring >= kLipContactRing - 1) c = mix(c, kLipInside, 0.8);
   if (v.ring > kLipContactRing) c = kLipInside * 0.95;
   vertex.colour = c;
@@ -53,6 +56,16 @@ void paint_nostril(Vertex& vertex, const HalfVertex& v) {
   vertex.gloss = 0.2;
 }
 
+/// Where a beard grows: upper lip, chin, jaw and the front of the throat, not the red of the lips.
+double beard_field(const HalfVertex& v) {
+  const Vec3& p = v.position;
+  if (p.z < 1 || (v.patch == Patch::Mouth && v.ring >= kLipBorderRing)) return 0;
+  const double jaw = smooth_step(-0.9, -2.6, p.y + 0.35 * (p.z - 5) - 0.25 * p.x);
+  const double moustache = smooth_step(-0.75, -1.15, p.y) * smooth_step(2.3, 1.5, p.x);
+  const double below = smooth_step(-7.2, -5.6, p.y) * smooth_step(1.0, 2.6, p.z);
+  return std::max(jaw, moustache) * below;
+}
+
 /// Nose and forehead shine a little more than the rest, neck and back of the head less.
 double shine(const Vec3& p) {
   double s = 0.85;
@@ -63,23 +76,25 @@ double shine(const Vec3& p) {
 
 }  // namespace
 
-void paint_skin(Skin& skin) {
+void paint_skin(const Identity& who, Skin& skin) {
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
     Vertex& vertex = skin.part.vertices[i];
     const HalfVertex& v = skin.half.vertices[skin.source[i]];
     const Vec3& p = v.position;
-    Vec3 c = mix(kSkin, kFlush, flush(v, vertex.position));
-    if (p.z > 4) c = mix(c, kForeheadSkin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
-    vertex.colour = mix(c, kNeckSkin, 0.55 * smooth_step(-5, -7, p.y));
+    Vec3 c = mix(who.colours.skin, who.colours.flush, flush(v, vertex.position));
+    if (p.z > 4)
+      c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
+    c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
+    vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
-    if (v.patch == Patch::Eye) paint_eye(vertex, v);
-    if (v.patch == Patch::Mouth) paint_mouth(vertex, v);
+    if (v.patch == Patch::Eye) paint_eye(who, vertex, v);
+    if (v.patch == Patch::Mouth) paint_mouth(who, vertex, v);
     if (v.patch == Patch::Nostril) paint_nostril(vertex, v);
     vertex.gloss *= shine(p);
   }
 }
 
-void tint_scalp(Skin& skin, const Part& hair, std::size_t row_length) {
+void tint_scalp(const Identity& who, Skin& skin, const Part& hair, std::size_t row_length) {
   constexpr double kReach2 = 1.6;
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
     Vertex& vertex = skin.part.vertices[i];
@@ -99,7 +114,8 @@ void tint_scalp(Skin& skin, const Part& hair, std::size_t row_length) {
     // The tint starts behind the hairline; at the line itself it would show the grid in steps.
     const double along =
         static_cast<double>(nearest % row_length) / static_cast<double>(row_length - 1);
-    vertex.colour = mix(vertex.colour, kHair * 1.1, 0.85 * smooth_step(0.03, 0.14, along));
+    vertex.colour =
+        mix(vertex.colour, who.colours.hair * 1.1, 0.85 * smooth_step(0.03, 0.14, along));
   }
 }
 

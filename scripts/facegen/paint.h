@@ -5,10 +5,10 @@
 namespace aucast::facegen {
 
 /// Stage 5: colour and gloss of the skin.
-void paint_skin(Skin& skin);
+void paint_skin(const Identity& who, Skin& skin);
 
 /// Darkens the scalp under the hair, so that no light skin shows between the strands. `row_length`
 /// is the number of vertices from the hairline to the crown.
-void tint_scalp(Skin& skin, const Part& hair, std::size_t row_length);
+void tint_scalp(const Identity& who, Skin& skin, const Part& hair, std::size_t row_length);
 
 }  // namespace aucast::facegen

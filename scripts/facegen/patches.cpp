@@ -13,19 +13,19 @@ int from_canthus(int spoke) {
 }
 
 /// A spoke's place on the lid margin, in the front plane.
-Vec3 lid_margin(int spoke) {
+Vec3 lid_margin(const Identity& who, int spoke) {
   const int k = from_canthus(spoke);
   const bool upper = k < 16;
   const double t = (upper ? k : 32 - k) / 16.0;
   const double eased = mix(t, 0.5 - 0.5 * std::cos(kPi * t), 0.55);
   const double dx = mix(kInnerCanthus, kOuterCanthus, eased);
-  return {kEyeCentre.x + dx, kEyeCentre.y + (upper ? upper_lid(dx) : lower_lid(dx)), 0};
+  return {kEyeCentre.x + dx, kEyeCentre.y + (upper ? upper_lid(who, dx) : lower_lid(who, dx)), 0};
 }
 
 /// Away from the opening: along the spoke at the corners, more and more upright between them.
-Vec3 out_of_lid(int spoke, const Vec3& border) {
+Vec3 out_of_lid(const Identity& who, int spoke, const Vec3& border) {
   const int k = from_canthus(spoke);
-  const Vec3 margin = lid_margin(spoke);
+  const Vec3 margin = lid_margin(who, spoke);
   const double upright = 0.6 * bell((k % 16 - 8) / 8.0, 0.9);
   const Vec3 along = glm::normalize(Vec3{border.x - margin.x, border.y - margin.y, 0});
   return glm::normalize(
@@ -42,11 +42,11 @@ double ball_z(const Vec3& p, double radius) {
 
 /// The rings of a lid's edge: its outer edge, its inner edge on the eyeball, and two tucked in
 /// behind it, so that no gap shows whatever the lid does.
-Vec3 lid_edge(int which, int spoke, const Vec3& border) {
-  const Vec3 margin = lid_margin(spoke);
-  const Vec3 out = out_of_lid(spoke, border);
+Vec3 lid_edge(const Identity& who, int which, int spoke, const Vec3& border) {
+  const Vec3 margin = lid_margin(who, spoke);
+  const Vec3 out = out_of_lid(who, spoke, border);
   const Vec3 outer = margin + out * 0.05;
-  const double outer_z = face_z(outer.x, outer.y);
+  const double outer_z = face_z(who, outer.x, outer.y);
   // Near the corners the ball is far behind the skin; the edge does not follow it there.
   const double inner_z = std::max(ball_z(margin, kEyeRadius + 0.02), outer_z - 0.17);
   const auto tucked = [&](double way, double clearance, double depth) {
@@ -72,22 +72,22 @@ double along_lip(int spoke) {
 }
 
 /// A spoke's place on the border of the red of the lips, in the front plane.
-Vec3 lip_border(int spoke) {
+Vec3 lip_border(const Identity& who, int spoke) {
   const double t = along_lip(spoke);
   const double x = t * kMouthCorner;
-  const double y = spoke <= kMouthCornerSpoke ? upper_lip_border(x) : lower_lip_border(x);
+  const double y = spoke <= kMouthCornerSpoke ? upper_lip_border(who, x) : lower_lip_border(who, x);
   return {x + (spoke == kMouthCornerSpoke ? 0.03 : 0.0), y, 0};
 }
 
-Vec3 lip_contact_point(int spoke) {
+Vec3 lip_contact_point(const Identity& who, int spoke) {
   const double x = along_lip(spoke) * (kMouthCorner - 0.05);
-  return {x, lip_contact(x), 0};
+  return {x, lip_contact(who, x), 0};
 }
 
 /// Contact line, wet line and two rings inside the mouth.
-Vec3 inner_lip(int which, int spoke) {
-  const Vec3 c = lip_contact_point(spoke);
-  const double z = face_z(c.x, c.y);
+Vec3 inner_lip(const Identity& who, int which, int spoke) {
+  const Vec3 c = lip_contact_point(who, spoke);
+  const double z = face_z(who, c.x, c.y);
   const double up = spoke < kMouthCornerSpoke ? 1 : spoke > kMouthCornerSpoke ? -1 : 0;
   const double t = along_lip(spoke);
   const double fade = 1 - 0.75 * t * t;
@@ -108,6 +108,7 @@ Vec3 inner_lip(int which, int spoke) {
 }  // namespace
 
 void add_eye_patch(LayoutBuilder& builder) {
+  const Identity& who = builder.who();
   const Ring border = builder.nodes(border_of(kEyeBlock));
   Ring outer = border;
   for (int ring = 1; ring <= kLidLastRing; ++ring) {
@@ -116,11 +117,11 @@ void add_eye_patch(LayoutBuilder& builder) {
       const Vec3& from = builder.position(border[static_cast<std::size_t>(spoke)]);
       Vec3 p;
       if (ring < kLidMarginRing) {
-        const Vec3 edge = lid_margin(spoke) + out_of_lid(spoke, from) * 0.05;
+        const Vec3 edge = lid_margin(who, spoke) + out_of_lid(who, spoke, from) * 0.05;
         p = mix(edge, from, kEyeRings[static_cast<std::size_t>(ring)]);
-        p.z = face_z(p.x, p.y);
+        p.z = face_z(who, p.x, p.y);
       } else {
-        p = lid_edge(ring - kLidMarginRing, spoke, from);
+        p = lid_edge(who, ring - kLidMarginRing, spoke, from);
       }
       inner.push_back(builder.add(p, Patch::Eye, ring, spoke));
     }
@@ -130,6 +131,7 @@ void add_eye_patch(LayoutBuilder& builder) {
 }
 
 void add_mouth_patch(LayoutBuilder& builder) {
+  const Identity& who = builder.who();
   static constexpr std::array kRedRings{0.0, 0.22, 0.48, 0.75};  // border to contact line
   const Ring border = builder.nodes(border_of(kMouthBlock));
   Ring outer = border;
@@ -138,15 +140,15 @@ void add_mouth_patch(LayoutBuilder& builder) {
     for (int spoke = 0; spoke < kMouthSpokes; ++spoke) {
       Vec3 p;
       if (ring < kLipBorderRing) {
-        p = mix(lip_border(spoke), builder.position(border[static_cast<std::size_t>(spoke)]),
+        p = mix(lip_border(who, spoke), builder.position(border[static_cast<std::size_t>(spoke)]),
                 kMouthRings[static_cast<std::size_t>(ring)]);
-        p.z = face_z(p.x, p.y);
+        p.z = face_z(who, p.x, p.y);
       } else if (ring < kLipContactRing) {
-        p = mix(lip_border(spoke), lip_contact_point(spoke),
+        p = mix(lip_border(who, spoke), lip_contact_point(who, spoke),
                 kRedRings[static_cast<std::size_t>(ring - kLipBorderRing)]);
-        p.z = face_z(p.x, p.y);
+        p.z = face_z(who, p.x, p.y);
       } else {
-        p = inner_lip(ring - kLipContactRing, spoke);
+        p = inner_lip(who, ring - kLipContactRing, spoke);
       }
       if (spoke == 0 || spoke == kMouthSpokes - 1) p.x = 0;
       inner.push_back(builder.add(p, Patch::Mouth, ring, spoke));
@@ -157,10 +159,12 @@ void add_mouth_patch(LayoutBuilder& builder) {
 }
 
 void add_nostril_patch(LayoutBuilder& builder) {
+  const Identity& who = builder.who();
   constexpr int kSpokes = 8;
-  const Vec3 centre = on_skin({0.45, -0.66, 8.86});
+  const double wide = who.form.nose_width;
+  const Vec3 centre = on_skin(who, {0.45 * wide, -0.66 + 0.5 * who.form.nose_up, 8.86});
   const Vec3 along{-0.10, 0.05, 0.26};
-  const Vec3 across{0.16, 0.04, 0.05};
+  const Vec3 across{0.16 * wide, 0.04, 0.05};
   const Ring border = builder.nodes(border_of(kNostrilBlock));
   Ring outer = border;
   for (int ring = 1; ring <= 4; ++ring) {
@@ -172,9 +176,9 @@ void add_nostril_patch(LayoutBuilder& builder) {
       const auto place = [&]() -> Vec3 {
         switch (ring) {
           case 1:
-            return on_skin(mix(from, centre + offset, 0.55));
+            return on_skin(who, mix(from, centre + offset, 0.55));
           case 2:
-            return on_skin(centre + offset);
+            return on_skin(who, centre + offset);
           case 3:
             return centre + offset * 0.92 + Vec3{0, 0.12, -0.03};
           default:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "scripts/facegen/anatomy.h"
 #include "scripts/facegen/sculpt.h"
 
 namespace aucast::facegen {
@@ -51,12 +52,13 @@ void pass(HalfHead& half, const std::function<Vec3(std::size_t)>& moved) {
   for (std::size_t i = 0; i < next.size(); ++i) half.vertices[i].position = next[i];
 }
 
-void spread(HalfHead& half, const Neighbours& neighbours, int passes, double share) {
+void spread(const Identity& who, HalfHead& half, const Neighbours& neighbours, int passes,
+            double share) {
   for (int i = 0; i < passes; ++i) {
     pass(half, [&](std::size_t v) {
       const HalfVertex& vertex = half.vertices[v];
       if (vertex.pinned) return vertex.position;
-      return on_skin(mix(vertex.position, neighbour_mean(half, neighbours, v), share), 4);
+      return on_skin(who, mix(vertex.position, neighbour_mean(half, neighbours, v), share), 4);
     });
   }
 }
@@ -90,6 +92,17 @@ void smooth_ear(HalfHead& half, const Neighbours& neighbours) {
   }
 }
 
+/// A deep fold in the lid must not let the eyeball through.
+void lift_lids(HalfHead& half) {
+  constexpr double kThinnest = 0.01;
+  for (HalfVertex& v : half.vertices) {
+    if (v.patch != Patch::Eye || v.ring > kLidInnerRing) continue;
+    const Vec3 from_eye = v.position - kEyeCentre;
+    const double distance = glm::length(from_eye);
+    v.position += from_eye * (std::max(0.0, kEyeRadius + kThinnest - distance) / distance);
+  }
+}
+
 /// The last rows go inwards, so that nothing pokes through the collar.
 void tuck_neck(HalfHead& half) {
   constexpr int kFirstRow = 43;
@@ -102,15 +115,16 @@ void tuck_neck(HalfHead& half) {
 
 }  // namespace
 
-void relax(HalfHead& half) {
+void relax(const Identity& who, HalfHead& half) {
   const Neighbours neighbours = neighbours_of(half);
-  spread(half, neighbours, 160, 0.6);
+  spread(who, half, neighbours, 160, 0.6);
   free_borders(half);
-  spread(half, neighbours, 10, 0.5);
+  spread(who, half, neighbours, 10, 0.5);
   pass(half, [&](std::size_t v) {
     const HalfVertex& vertex = half.vertices[v];
-    return vertex.pinned ? vertex.position : on_skin(vertex.position, 12);
+    return vertex.pinned ? vertex.position : on_skin(who, vertex.position, 12);
   });
+  lift_lids(half);
   smooth_ear(half, neighbours);
   tuck_neck(half);
 }

@@ -37,32 +37,44 @@ double cranium(const Vec3& p) {
 }
 
 /// Cheeks, jaw and chin. The wide seams matter: narrow ones give a bony, alien cheek.
-double face_mass(const Vec3& p) {
+double face_mass(const Form& form, const Vec3& p) {
   double d = ellipsoid(p - Vec3{0, 0.1, 3.5}, {4.0, 5.0, 4.35});
-  d = melt(d, ellipsoid(p - Vec3{0, -2.25, 5.9}, {2.35, 2.35, 2.6}), 1.6);   // muzzle
-  d = melt(d, ellipsoid(p - Vec3{2.1, -0.8, 5.6}, {1.75, 2.2, 1.95}), 1.6);  // cheek
-  d = melt(d, ellipsoid(rotated_y(p - Vec3{2.9, 0.95, 5.3}, 0.5), {1.45, 1.0, 1.35}), 1.5);
-  d = melt(d, round_cone(p, {3.6, 1.2, 4.6}, {4.0, 1.4, 1.8}, 0.55, 0.55), 1.6);  // zygomatic arch
-  d = melt(d, round_cone(p, {3.2, 1.0, 1.6}, {2.48, -2.15, 2.7}, 1.03, 0.85), 1.6);      // ramus
-  d = melt(d, round_cone(p, {2.48, -2.15, 2.7}, {0.58, -4.47, 6.85}, 0.84, 0.78), 1.6);  // mandible
-  d = melt(d, ellipsoid(p - Vec3{2.2, -1.5, 4.2}, {1.28, 1.9, 2.2}), 1.5);    // below the cheekbone
-  d = melt(d, ellipsoid(p - Vec3{0, -4.52, 7.25}, {0.95, 0.92, 1.02}), 1.0);  // chin
-  return melt(d, ellipsoid(p - Vec3{0, -4.0, 4.6}, {2.0, 1.2, 2.8}), 1.2);    // floor of the mouth
+  d = melt(d, ellipsoid(p - Vec3{0, -2.25, 5.9}, {2.35, 2.35, 2.6}), 1.6);  // muzzle
+  d = melt(d, ellipsoid(p - Vec3{2.1, -0.8, 5.6}, Vec3{1.75, 2.2, 1.95} + form.cheek),
+           1.6);  // cheek
+  d = melt(d,
+           ellipsoid(rotated_y(p - Vec3{2.9 + form.cheekbone, 0.95, 5.3}, 0.5), {1.45, 1.0, 1.35}),
+           1.5);
+  d = melt(d, round_cone(p, {3.6 + form.cheekbone, 1.2, 4.6}, {4.0, 1.4, 1.8}, 0.55, 0.55),
+           1.6);  // zygomatic arch
+  const Vec3 angle{2.48 + form.jaw_width, -2.15 - form.jaw_drop, 2.7};
+  d = melt(d, round_cone(p, {3.2, 1.0, 1.6}, angle, 1.03, 0.85), 1.6);  // ramus
+  const Vec3 chin{0, -4.52 - form.chin_drop, 7.25 + form.chin_forward};
+  const Vec3 mandible{0.58 + 0.7 * form.chin_width, chin.y + 0.05, chin.z - 0.4};
+  d = melt(d, round_cone(p, angle, mandible, 0.84, 0.78), 1.6);
+  d = melt(d, ellipsoid(p - Vec3{2.2, -1.5, 4.2}, {1.28, 1.9, 2.2}), 1.5);  // below the cheekbone
+  d = melt(d, ellipsoid(p - chin, {0.95 + form.chin_width, 0.92, 1.02}), 1.0);
+  return melt(d, ellipsoid(p - Vec3{0, -4.0 - form.throat_drop, 4.6}, {2.0, 1.2, 2.8}),
+              1.2);  // floor of the mouth
 }
 
-double with_brow_ridge(double d, const Vec3& p) {
-  d = melt(d, round_cone(p, {0.75, 3.95, 7.55}, {2.4, 4.25, 7.05}, 0.55, 0.55), 0.8);
-  d = melt(d, round_cone(p, {2.4, 4.25, 7.05}, {3.75, 3.55, 5.6}, 0.55, 0.5), 0.8);
-  return melt(d, ellipsoid(p - Vec3{0, 4.0, 7.4}, {0.9, 0.75, 0.85}), 0.8);
+double with_brow_ridge(const Form& form, double d, const Vec3& p) {
+  const double ridge = form.brow_ridge;
+  d = melt(d, round_cone(p, {0.75, 3.95, 7.55}, {2.4, 4.25, 7.05}, 0.55 + ridge, 0.55 + ridge),
+           0.8);
+  d = melt(d, round_cone(p, {2.4, 4.25, 7.05}, {3.75, 3.55, 5.6}, 0.55 + ridge, 0.5), 0.8);
+  return melt(d, ellipsoid(p - Vec3{0, 4.0, 7.4}, Vec3{0.9, 0.75, 0.85} + ridge), 0.8);
 }
 
-double neck(const Vec3& p) {
-  double d = round_cone(p, {0, -1.5, 0.4}, {0, -11.5, -0.6}, 2.5, 2.62);
+double neck(const Form& form, const Vec3& p) {
+  double d = round_cone(p, {0, -1.5, 0.7}, {0, -11.5, -0.6}, 2.5 * form.neck_width,
+                        2.62 * form.neck_width);
   d = melt(d, round_cone(p, {0, -2.5, -1.5}, {3.0, -12.6, -2.2}, 1.8, 2.0), 1.5);     // trapezius
   d = melt(d, round_cone(p, {2.0, -13.2, -0.6}, {8.0, -14.6, -1.0}, 2.2, 2.0), 2.5);  // shoulder
   d = melt(d, round_cone(p, {2.5, -1.5, -0.6}, {0.75, -10.8, 2.5}, 0.5, 0.42),
-           1.6);                                                            // sternomastoid
-  return melt(d, ellipsoid(p - Vec3{0, -7.6, 2.3}, {0.5, 1.1, 0.6}), 0.9);  // larynx
+           1.6);  // sternomastoid
+  return melt(d, ellipsoid(p - Vec3{0, -7.6, 2.3}, Vec3{0.5, 1.1, 0.6} + form.larynx),
+              0.9);  // larynx
 }
 
 /// The hollow of the eye, then the lids as a shell over the eyeball.
@@ -72,34 +84,59 @@ double with_orbit(double d, const Vec3& p) {
   return melt(d, glm::length(p - kEyeCentre) - (kEyeRadius + 0.11), 0.35);
 }
 
-double with_nose(double d, const Vec3& p) {
+double with_nose(const Form& form, double d, const Vec3& p) {
   // The bridge melts widely into the cheeks, tip and wings closely; one seam for all makes a column
   // of the bridge or a blob of the tip.
-  double bridge = round_cone(p, {0, 3.05, 7.38}, {0, 0.4, 8.86}, 0.46, 0.46);
-  bridge = melt(bridge, round_cone(p, {0.25, 2.2, 7.1}, {0.45, 0.1, 8.05}, 0.50, 0.60), 0.8);
+  const double wide = form.bridge_width;
+  const Vec3 hump{0, 0, form.nose_hump};
+  double bridge = round_cone(p, {0, 3.05, 7.38}, Vec3{0, 1.6, 8.18} + hump, 0.46, 0.46 + wide);
+  bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, {0, 0.4, 8.86}, 0.46 + wide, 0.46),
+                0.2);
+  bridge = melt(bridge,
+                round_cone(p, {0.25 + wide, 2.2, 7.1}, {0.45 + wide, 0.1, 8.05}, 0.50, 0.60), 0.8);
   d = melt(d, bridge, 0.85);
-  double tip = ellipsoid(p - Vec3{0, 0.08, 8.98}, {0.60, 0.52, 0.64});
-  tip = melt(tip, round_cone(p, {0, -0.30, 9.08}, {0, -0.66, 8.5}, 0.25, 0.25), 0.3);
+  const Vec3 q{p.x / form.nose_width, p.y, p.z};
+  const Vec3 at{0, form.nose_up, form.nose_forward};
+  double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), {0.60, 0.52, 0.64});
+  tip = melt(tip, round_cone(q, Vec3{0, -0.30, 9.08} + at, {0, -0.66, 8.5}, 0.25, 0.25), 0.3);
   d = melt(d, tip, 0.50);
-  const Vec3 wing = rotated_y(rotated_z(p - Vec3{0.735, -0.20, 8.42}, 0.28), 0.42);
+  const Vec3 wing = rotated_y(rotated_z(q - Vec3{0.735, -0.20, 8.42}, 0.28), 0.42);
   return melt(d, ellipsoid(wing, {0.36, 0.44, 0.62}), 0.17);
 }
 
 /// Depth of the fold of the upper lid and of the groove under the eye.
-double lid_relief(const Vec3& p) {
+double lid_relief(const Identity& who, const Vec3& p) {
   const double x = std::abs(p.x) - kEyeCentre.x;
   const double y = p.y - kEyeCentre.y;
   const double window =
       smooth_step(-1.35, -0.7, x) * (1 - smooth_step(0.9, 1.5, x)) * smooth_step(5.5, 6.3, p.z);
   const double inside = std::clamp(x, kInnerCanthus + 0.1, kOuterCanthus - 0.1);
-  const double fold = upper_lid(inside) + 0.27 + 0.03 * x;
-  const double groove = lower_lid(inside) - 0.40;
-  return window * (0.12 * bell(y - fold, 0.10) + 0.018 * bell(y - groove, 0.16));
+  const double fold = upper_lid(who, inside) + who.form.lid_fold + 0.03 * x;
+  const double groove = lower_lid(who, inside) - 0.40;
+  return window * (0.12 * bell(y - fold, 0.10) + who.form.eye_bag * bell(y - groove, 0.16));
 }
 
-/// Depth of the groove round the wing of the nose: a polyline with a depth at each corner.
-double alar_groove(const Vec3& p) {
-  const double x = std::abs(p.x);
+/// Depth of a groove along a polyline of (x, y, depth) with the given half width.
+double line_depth(std::span<const Vec3> line, const glm::dvec2& p, double width) {
+  double nearest2 = 1e9;
+  double depth = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const glm::dvec2 a{line[i]};
+    const glm::dvec2 edge = glm::dvec2{line[i + 1]} - a;
+    const glm::dvec2 from_a = p - a;
+    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
+    const glm::dvec2 off = from_a - edge * t;
+    if (glm::dot(off, off) < nearest2) {
+      nearest2 = glm::dot(off, off);
+      depth = mix(line[i].z, line[i + 1].z, t);
+    }
+  }
+  return depth * std::exp(-nearest2 / (width * width));
+}
+
+/// Depth of the groove round the wing of the nose.
+double alar_groove(const Form& form, const Vec3& p) {
+  const double x = std::abs(p.x) / form.nose_width;
   if (p.z <= 7.2 || x >= 1.9 || p.y >= 1.0 || p.y <= -1.4) return 0;
   static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .010},
                                               {.61, .22, .035},
@@ -109,62 +146,69 @@ double alar_groove(const Vec3& p) {
                                               {1.155, -.28, .080},
                                               {1.06, -.55, .050},
                                               {.92, -.72, .010}}};
-  double nearest2 = 1e9;
-  double depth = 0;
-  for (std::size_t i = 0; i + 1 < kLine.size(); ++i) {
-    const glm::dvec2 a{kLine[i]};
-    const glm::dvec2 edge = glm::dvec2{kLine[i + 1]} - a;
-    const glm::dvec2 from_a = glm::dvec2{x, p.y} - a;
-    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
-    const glm::dvec2 off = from_a - edge * t;
-    if (glm::dot(off, off) < nearest2) {
-      nearest2 = glm::dot(off, off);
-      depth = mix(kLine[i].z, kLine[i + 1].z, t);
-    }
-  }
-  return depth * std::exp(-nearest2 / (0.115 * 0.115)) * smooth_step(7.2, 7.7, p.z);
+  return line_depth(kLine, {x, p.y}, 0.115) * smooth_step(7.2, 7.7, p.z);
 }
 
 /// Depth (negative: height) of everything about the lips.
-double mouth_relief(const Vec3& p) {
+double mouth_relief(const Identity& who, const Vec3& p) {
   if (p.z <= 5.5 || p.y >= 0.2 || p.y <= -5) return 0;
   const double x = std::abs(p.x);
   const double y = p.y;
   const double on_lip = std::min(x, kMouthCorner);
-  const double contact = lip_contact(on_lip);
-  const double upper_height = std::max(upper_lip_border(on_lip) - contact, 0.05);
-  const double lower_height = std::max(contact - lower_lip_border(on_lip), 0.05);
+  const double contact = lip_contact(who, on_lip);
+  const double upper_height = std::max(upper_lip_border(who, on_lip) - contact, 0.05);
+  const double lower_height = std::max(contact - lower_lip_border(who, on_lip), 0.05);
   const double t = saturate(x / kMouthCorner);
   const double fullness = power(1 - t * t, 0.6);
   double depth = 0;
   const double up = (y - contact) / upper_height;
-  if (up > -0.5) depth -= 0.25 * fullness * bell(up - 0.42, 0.60);
+  if (up > -0.5) depth -= 0.25 * who.form.lip_bulge * fullness * bell(up - 0.42, 0.60);
   const double down = (contact - y) / lower_height;
-  if (down > -0.5) depth -= 0.30 * fullness * bell(down - 0.45, 0.55);
+  if (down > -0.5) depth -= 0.30 * who.form.lip_bulge * fullness * bell(down - 0.45, 0.55);
   const double past_corner = smooth_step(kMouthCorner - 0.05, kMouthCorner + 0.25, x);
   depth += 0.14 * bell(y - contact, 0.085) * (1 - past_corner);
   depth += 0.055 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
   const double above_lip = 1 - smooth_step(-1.1, -0.8, y);
-  depth += 0.045 * bell(x, 0.20) * smooth_step(-2.0, -1.6, y) * above_lip;  // philtrum
-  depth -= 0.022 * bell(x - 0.36, 0.15) * smooth_step(-2.05, -1.7, y) * above_lip;
-  depth += 0.16 * bell(y + 3.45, 0.35) * bell(x, 1.3);  // fold between lower lip and chin
+  depth += 0.045 * who.form.philtrum * bell(x, 0.20) * smooth_step(-2.0, -1.6, y) *
+           above_lip;  // philtrum
+  depth -=
+      0.022 * who.form.philtrum * bell(x - 0.36, 0.15) * smooth_step(-2.05, -1.7, y) * above_lip;
+  depth +=
+      who.form.chin_fold * bell(y + 3.45, 0.35) * bell(x, 1.3);  // fold between lower lip and chin
   return depth * smooth_step(5.5, 6.8, p.z);
+}
+
+/// Depth of the lines that a face keeps from its expressions: beside nose and mouth, and from the
+/// corner of the mouth down.
+double set_lines(const Form& form, const Vec3& p) {
+  if (p.z <= 5 || p.y >= 0.6 || p.y <= -4.6) return 0;
+  static constexpr std::array<Vec3, 5> kFurrow{{{1.20, 0.10, 0.3},
+                                                {1.44, -0.55, 1.0},
+                                                {1.82, -1.25, 1.0},
+                                                {2.14, -1.90, 0.7},
+                                                {2.28, -2.50, 0.0}}};  // x, y, depth
+  static constexpr std::array<Vec3, 3> kJowl{
+      {{1.95, -2.75, 0.0}, {2.02, -3.30, 1.0}, {1.92, -3.95, 0.2}}};
+  const double x = std::abs(p.x);
+  return (form.furrow * line_depth(kFurrow, {x, p.y}, 0.22) +
+          form.jowl * line_depth(kJowl, {x, p.y}, 0.26)) *
+         smooth_step(5.0, 6.0, p.z);
 }
 
 }  // namespace
 
-double head_distance(const Vec3& p) {
-  // Everything below the cheekbones is narrowed by 5.5 %; it did more for the looks than any other
+double head_distance(const Identity& who, const Vec3& p) {
+  // Everything below the cheekbones is narrowed a little; it did more for the looks than any other
   // single number.
   const double narrowing = smooth_step(1.6, -4.2, p.y) * smooth_step(-10.5, -8.0, p.y);
-  const Vec3 q{soft_abs(p.x * (1 + 0.055 * narrowing), 0.10), p.y, p.z};
-  double d = melt(cranium(q), face_mass(q), 1.2);
-  d = with_brow_ridge(d, q);
-  d = melt(d, neck(q), 1.1);
+  const Vec3 q{soft_abs(p.x * (1 + who.form.narrowing * narrowing), 0.10), p.y, p.z};
+  double d = melt(cranium(q), face_mass(who.form, q), 1.2);
+  d = with_brow_ridge(who.form, d, q);
+  d = melt(d, neck(who.form, q), 1.6);
   d = with_orbit(d, q);
-  d += lid_relief(p);
-  d = with_nose(d, q);
-  return d + alar_groove(p) + mouth_relief(p);
+  d += lid_relief(who, p);
+  d = with_nose(who.form, d, q);
+  return d + alar_groove(who.form, p) + mouth_relief(who, p) + set_lines(who.form, p);
 }
 
 double torso_distance(const Vec3& p) {
@@ -176,34 +220,38 @@ double torso_distance(const Vec3& p) {
   return melt(collar, body, 2.2);
 }
 
-Vec3 head_normal(const Vec3& p, double step) {
+Distance head_of(const Identity& who) {
+  return [&who](const Vec3& p) { return head_distance(who, p); };
+}
+
+Vec3 head_normal(const Identity& who, const Vec3& p, double step) {
   // Four corners of a tetrahedron give the gradient with four evaluations instead of six.
   static constexpr std::array<Vec3, 4> kCorners{{{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}}};
   Vec3 sum{0};
-  for (const Vec3& corner : kCorners) sum += corner * head_distance(p + corner * step);
+  for (const Vec3& corner : kCorners) sum += corner * head_distance(who, p + corner * step);
   return glm::normalize(sum);
 }
 
-Vec3 on_skin(Vec3 p, int steps) {
+Vec3 on_skin(const Identity& who, Vec3 p, int steps) {
   for (int i = 0; i < steps; ++i) {
-    const double d = head_distance(p);
-    p -= head_normal(p) * (d * 0.9);
+    const double d = head_distance(who, p);
+    p -= head_normal(who, p) * (d * 0.9);
     if (std::abs(d) < 1e-6) break;
   }
   return p;
 }
 
-double face_z(double x, double y) {
+double face_z(const Identity& who, double x, double y) {
   double z = 12;
   for (int i = 0; i < 400 && z > -6; ++i) {
-    const double d = head_distance({x, y, z});
+    const double d = head_distance(who, {x, y, z});
     if (d < 1e-6) break;
     z -= d * 0.6;
   }
   return z;
 }
 
-Vec3 leave(const Vec3& origin, const Vec3& direction, double (*distance)(const Vec3&)) {
+Vec3 leave(const Vec3& origin, const Vec3& direction, const Distance& distance) {
   const Vec3 unit = glm::normalize(direction);
   double t = 16;
   for (int i = 0; i < 400 && t > 0; ++i) {

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "scripts/facegen/maths.h"
+#include <functional>
+
+#include "scripts/facegen/identity.h"
 
 namespace aucast::facegen {
 
@@ -8,22 +10,27 @@ namespace aucast::facegen {
 // bones and then engraved with the small relief of lids, nose and lips. No mesh yet.
 
 /// Distance from the skin: negative inside the head. Symmetric in x.
-[[nodiscard]] double head_distance(const Vec3& p);
+[[nodiscard]] double head_distance(const Identity& who, const Vec3& p);
+
+/// A distance as `leave` takes it.
+using Distance = std::function<double(const Vec3&)>;
+
+/// The same for one person.
+[[nodiscard]] Distance head_of(const Identity& who);
 
 /// Distance from a torso in a shirt, for the shirt alone.
 [[nodiscard]] double torso_distance(const Vec3& p);
 
 /// Unit vector away from the head, by differences over `step`.
-[[nodiscard]] Vec3 head_normal(const Vec3& p, double step = 0.01);
+[[nodiscard]] Vec3 head_normal(const Identity& who, const Vec3& p, double step = 0.01);
 
 /// The nearest place on the skin, by at most `steps` steps along the gradient.
-[[nodiscard]] Vec3 on_skin(Vec3 p, int steps = 10);
+[[nodiscard]] Vec3 on_skin(const Identity& who, Vec3 p, int steps = 10);
 
 /// z of the face at (x, y), seen from the front.
-[[nodiscard]] double face_z(double x, double y);
+[[nodiscard]] double face_z(const Identity& who, double x, double y);
 
 /// Where a ray from inside the body leaves it for good.
-[[nodiscard]] Vec3 leave(const Vec3& origin, const Vec3& direction,
-                         double (*distance)(const Vec3&));
+[[nodiscard]] Vec3 leave(const Vec3& origin, const Vec3& direction, const Distance& distance);
 
 }  // namespace aucast::facegen

@@ -34,7 +34,7 @@ constexpr std::size_t kCollarRings = 7;
 
 }  // namespace
 
-Part make_shirt() {
+Part make_shirt(const Identity& who) {
   constexpr int kSectors = 96;
   Part shirt;
   shirt.name = "shirt";
@@ -53,7 +53,7 @@ Part make_shirt() {
                            front * std::cos(elevation)};
       Vec3 p = leave(origin, direction, torso_distance);
       p += glm::normalize(Vec3{p.x - origin.x, 0.6, p.z - origin.z}) * kRings[k].off;
-      ring.push_back(shirt.add(p, k < kCollarRings ? kCollar : kCloth));
+      ring.push_back(shirt.add(p, k < kCollarRings ? who.colours.collar : who.colours.cloth));
     }
     if (k > 0) shirt.add_band(ring, above, true);
     above = std::move(ring);

@@ -21,8 +21,8 @@ double forehead_field(const Vec3& p) {
 }
 
 /// Share of the lower lip: across a band about the line of the mouth.
-double lower_lip_field(const Vec3& p) {
-  const double line = lip_contact(std::min(std::abs(p.x), kMouthCorner));
+double lower_lip_field(const Identity& who, const Vec3& p) {
+  const double line = lip_contact(who, std::min(std::abs(p.x), kMouthCorner));
   return smooth_step(0.30, -0.40, p.y - line);
 }
 
@@ -119,7 +119,7 @@ double head_field(const Vec3& p) {
   return smooth_step(-9.3, -3.9, p.y + 0.45 * (p.z - 1));
 }
 
-void weigh_by_position(Vertex& vertex) {
+void weigh_by_position(const Identity& who, Vertex& vertex) {
   const Vec3& p = vertex.position;
   vertex[Map::Muscle] = 1;
   vertex[Map::Jaw] = jaw_field(p);
@@ -127,7 +127,7 @@ void weigh_by_position(Vertex& vertex) {
   vertex[Map::LidAngle] = 0;
   vertex[Map::Smile] = smile_field(p);
   vertex[Map::Forehead] = forehead_field(p);
-  vertex[Map::LowerLip] = lower_lip_field(p);
+  vertex[Map::LowerLip] = lower_lip_field(who, p);
   vertex[Map::UpperLip] = (1 - vertex[Map::LowerLip]) * (1 - 0.65 * nose_tip_field(p));
   vertex[Map::UpperRed] = 0;
   vertex[Map::LowerRed] = 0;
@@ -135,12 +135,12 @@ void weigh_by_position(Vertex& vertex) {
   vertex[Map::Glabella] = glabella_field(p);
 }
 
-void weigh_skin(Skin& skin) {
+void weigh_skin(const Identity& who, Skin& skin) {
   const auto elevation = margin_elevation(skin.half);
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
     const HalfVertex& v = skin.half.vertices[skin.source[i]];
     Vertex& vertex = skin.part.vertices[i];
-    weigh_by_position(vertex);
+    weigh_by_position(who, vertex);
     if (v.patch == Patch::Eye) weigh_lid(vertex, v, elevation);
     if (v.patch == Patch::Mouth) weigh_mouth(vertex, v);
   }

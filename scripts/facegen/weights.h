@@ -14,9 +14,9 @@ namespace aucast::facegen {
 [[nodiscard]] double head_field(const Vec3& p);
 
 /// Sets all maps of a vertex that lies on the face without belonging to the layout, as brows do.
-void weigh_by_position(Vertex& vertex);
+void weigh_by_position(const Identity& who, Vertex& vertex);
 
 /// Sets all maps of the skin.
-void weigh_skin(Skin& skin);
+void weigh_skin(const Identity& who, Skin& skin);
 
 }  // namespace aucast::facegen

@@ -19,7 +19,8 @@ void DefaultFace::SetUpTestSuite() {
   face_ = std::make_unique<face::Face>(std::move(loaded).value());
   deformer_ = std::make_unique<face::FaceDeformer>(*face_);
   // The skin holds the half head and then the mirrors of what is off the midline.
-  const std::vector<facegen::HalfVertex> half = facegen::lay_out_half_head().vertices;
+  const std::vector<facegen::HalfVertex> half =
+      facegen::lay_out_half_head(facegen::default_identity()).vertices;
   layout_ = half;
   mirror_.assign(half.size(), 0);
   for (std::uint32_t i = 0; i < half.size(); ++i) {
