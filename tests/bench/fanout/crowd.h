@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/bench/fanout/plan.h"
+#include "tests/bench/fanout/server_under_test.h"
+
+namespace aucast::bench {
+
+/// A message that arrived at one subscriber.
+struct Delivery {
+  std::int64_t number = 0;
+  Clock::time_point at;
+};
+
+/// Many subscribers on one thread and one epoll. Each must get every message from its first on, in
+/// order; what it does not get is counted.
+class Crowd {
+ public:
+  Crowd(std::uint16_t port, const Dialect& dialect);
+  ~Crowd();
+  Crowd(const Crowd&) = delete;
+  Crowd& operator=(const Crowd&) = delete;
+
+  /// Connects `count` more and says their greetings; false, with failure(), when that fails.
+  bool join(int count);
+  /// Receives until `until`. Appends what comes to `deliveries` unless that is null.
+  void listen(Clock::time_point until, std::vector<Delivery>* deliveries);
+  /// Receives until all have been welcomed; false when that takes more than `patience`.
+  bool wait_for_welcome(Clock::duration patience);
+
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+  /// Messages that were left out for a subscriber, or came twice or out of order.
+  [[nodiscard]] std::int64_t missed() const { return missed_; }
+  /// Subscribers whose connection ended or who got something that is no message.
+  [[nodiscard]] int disturbed() const { return disturbed_; }
+
+ private:
+  struct Subscriber {
+    int socket = -1;
+    bool welcomed = false;
+    std::int64_t expected = -1;
+    std::string held;  ///< an incomplete message
+  };
+
+  void receive(Subscriber& subscriber, std::vector<Delivery>* deliveries);
+  [[nodiscard]] std::size_t take_welcome(Subscriber& subscriber, std::string_view bytes);
+  void take_message(Subscriber& subscriber, std::int64_t number);
+  void disturb(Subscriber& subscriber, const std::string& how);
+
+  std::uint16_t port_;
+  Dialect dialect_;
+  int epoll_ = -1;
+  std::vector<Subscriber> subscribers_;
+  std::vector<char> input_;
+  int welcomed_ = 0;
+  int disturbed_ = 0;
+  std::int64_t missed_ = 0;
+  std::string failure_;
+};
+
+/// A TCP connection to the loopback from one of several source addresses, so that ports do not run
+/// short; -1 when it fails. It does not block afterwards.
+[[nodiscard]] int connect_to(std::uint16_t port, int number);
+
+}  // namespace aucast::bench

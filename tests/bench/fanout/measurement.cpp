@@ -1,0 +1,93 @@
+#include "tests/bench/fanout/measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "tests/bench/fanout/crowd.h"
+#include "tests/bench/fanout/flood.h"
+#include "tests/bench/fanout/publisher.h"
+#include "tests/bench/fanout/server_under_test.h"
+
+namespace aucast::bench {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A stream says no absolute time, so its beginning is taken from who gets it quickest: one
+/// subscriber alone, before the others come. All latencies are short by that quickest delivery,
+/// some tenth of a millisecond.
+Clock::time_point beginning(const std::vector<Delivery>& alone, const Plan& plan) {
+  auto begin = Clock::time_point::max();
+  for (const Delivery& delivery : alone) {
+    begin = std::min(begin, delivery.at - plan.place(delivery.number));
+  }
+  return begin;
+}
+
+double percentile(std::vector<double>& sorted, double part) {
+  if (sorted.empty()) return NAN;
+  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+}
+
+}  // namespace
+
+std::optional<Measurement> measure(const std::string& name, const Plan& plan,
+                                   std::string& failure) {
+  ServerUnderTest server(name, plan);
+  failure = server.failure();
+  if (!failure.empty()) return std::nullopt;
+  const bool publishes_itself = server.dialect().wrap == nullptr;
+  const long bytes_before = server.private_bytes();
+
+  Crowd crowd(server.port(), server.dialect());
+  std::vector<Delivery> alone;
+  bool ready = crowd.join(1);
+  if (publishes_itself) crowd.listen(Clock::now() + 1s, &alone);
+  ready = ready && crowd.join(plan.clients - 1) && crowd.wait_for_welcome(30s);
+  if (!ready || (publishes_itself && alone.empty())) {
+    failure = crowd.failure().empty() ? "not all subscribers were welcomed" : crowd.failure();
+    return std::nullopt;
+  }
+  std::unique_ptr<Publisher> publisher;
+  const auto bursts = (plan.seconds + 60) * 1000LL / plan.period_ms();
+  if (!publishes_itself) publisher = std::make_unique<Publisher>(plan, server, bursts * plan.burst);
+
+  Measurement result;
+  Flood flood(server.port(), publishes_itself ? plan.flood : 0);
+  crowd.listen(Clock::now() + 1s, nullptr);
+  // What was left out while they gathered is not the question.
+  const std::int64_t missed_before = crowd.missed();
+  std::vector<Delivery> deliveries;
+  deliveries.reserve(
+      static_cast<std::size_t>(plan.rate * plan.burst * plan.clients * (plan.seconds + 1)));
+  const auto processor_before = server.processor_time();
+  crowd.listen(Clock::now() + std::chrono::seconds(plan.seconds), &deliveries);
+  const auto processor_after = server.processor_time();
+
+  result.bytes_per_client =
+      static_cast<double>(server.private_bytes() - bytes_before) / plan.clients;
+  result.flood_peers = flood.peers();
+  result.flood_bytes = flood.bytes();
+  if (publisher) publisher->stop();
+  result.deliveries = static_cast<double>(deliveries.size());
+  result.processor_seconds =
+      std::chrono::duration<double>(processor_after - processor_before).count();
+  result.missed = crowd.missed() - missed_before;
+  result.disturbed = crowd.disturbed();
+  const auto begin = beginning(alone, plan);
+  std::vector<double> latencies;
+  latencies.reserve(deliveries.size());
+  for (const Delivery& delivery : deliveries) {
+    const auto said =
+        publisher ? publisher->said(delivery.number) : begin + plan.place(delivery.number);
+    latencies.push_back(std::chrono::duration<double, std::milli>(delivery.at - said).count());
+  }
+  std::sort(latencies.begin(), latencies.end());
+  result.p50_ms = percentile(latencies, 0.5);
+  result.p99_ms = percentile(latencies, 0.99);
+  return result;
+}
+
+}  // namespace aucast::bench

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tests/bench/fanout/plan.h"
+
+namespace aucast::bench {
+
+/// What one server did in one round.
+struct Measurement {
+  double deliveries = 0;         ///< messages that arrived at a subscriber in the time measured
+  double processor_seconds = 0;  ///< of the server in that time
+  double p50_ms = 0;             ///< from being published to being received
+  double p99_ms = 0;
+  double bytes_per_client = 0;  ///< memory of the server's own
+  std::int64_t missed = 0;      ///< messages left out, doubled or out of order
+  int disturbed = 0;            ///< subscribers who lost their connection
+  std::int64_t flood_peers = 0;
+  std::int64_t flood_bytes = 0;
+
+  [[nodiscard]] double per_processor_second() const { return deliveries / processor_seconds; }
+};
+
+/// Starts the server, gathers the subscribers, measures, ends the server. Nothing, with `failure`,
+/// when that does not come about.
+[[nodiscard]] std::optional<Measurement> measure(const std::string& server, const Plan& plan,
+                                                 std::string& failure);
+
+}  // namespace aucast::bench

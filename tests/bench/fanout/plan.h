@@ -1,0 +1,29 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace aucast::bench {
+
+using Clock = std::chrono::steady_clock;
+
+/// What is measured: so many subscribers get `burst` messages at once, `rate` times a second.
+struct Plan {
+  int clients = 1000;
+  double rate = 30;
+  int burst = 1;
+  int seconds = 5;
+  int rounds = 5;
+  int flood = 0;  ///< connections at a time that say rubbish meanwhile; au-transmitter only
+  std::vector<std::string> against{"redis", "mosquitto"};
+
+  [[nodiscard]] int period_ms() const { return static_cast<int>(1000 / rate); }
+  /// When message `number` is published, counted from the first.
+  [[nodiscard]] Clock::duration place(std::int64_t number) const {
+    return std::chrono::milliseconds(number / burst * period_ms());
+  }
+};
+
+}  // namespace aucast::bench

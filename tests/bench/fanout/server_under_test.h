@@ -1,0 +1,58 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "tests/bench/fanout/plan.h"
+#include "tests/support/process.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::bench {
+
+/// What a subscriber says to a server and how it knows that it has been heard.
+struct Dialect {
+  std::string greeting;           ///< said once after connecting
+  std::size_t welcome_bytes = 0;  ///< length of the answer; 0: a packet in braces
+  std::string announce;           ///< said by the publisher first
+  std::size_t announced_bytes = 0;
+  /// A message as the publisher says it; nothing: the server publishes by itself.
+  std::string (*wrap)(const std::string& message) = nullptr;
+};
+
+/// One of the servers that are compared, running as a child process on a free port of the loopback.
+class ServerUnderTest {
+ public:
+  /// `name`: au-transmitter, redis or mosquitto.
+  ServerUnderTest(const std::string& name, const Plan& plan);
+  ~ServerUnderTest();
+  ServerUnderTest(const ServerUnderTest&) = delete;
+  ServerUnderTest& operator=(const ServerUnderTest&) = delete;
+
+  /// Empty when it runs, else why not.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+  [[nodiscard]] const Dialect& dialect() const { return dialect_; }
+  /// Processor time of the process so far, in user mode and in the system.
+  [[nodiscard]] std::chrono::nanoseconds processor_time() const;
+  /// Memory that is the process' own, in bytes.
+  [[nodiscard]] long private_bytes() const;
+  [[nodiscard]] std::size_t descriptors() const;
+
+ private:
+  void start_transmitter(const Plan& plan);
+  void start_redis();
+  void start_mosquitto();
+  void wait_until_it_listens();
+
+  test::TempFolder folder_;
+  std::unique_ptr<test::Process> process_;
+  std::string failure_;
+  std::uint16_t port_ = 0;
+  Dialect dialect_;
+};
+
+}  // namespace aucast::bench
