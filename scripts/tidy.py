@@ -29,7 +29,7 @@ LAYERS = {
     "client/net": {"common", "protocol", "tls", "client/playback", "client/net"},
     "client/view": {"common", "client/view"},
     "client/render": {"common", "client/view", "client/render"},
-    "client/gui": {"common", "client/playback", "client/face", "client/gui"},
+    "client/gui": {"common", "client/playback", "client/face", "client/view", "client/gui"},
     "client/app": {"common", "protocol", "tls", "client"},
     "scripts/facegen": {"common", "client/face", "client/view", "scripts/facegen"},
 }

@@ -121,6 +121,7 @@ class Film {
                                       camera_preset("front", assets_.face),
                                       backdrop(options_.output.background));
     if (!maker) return maker.error();
+    (*maker)->show(options_.output.layers);
     maker_ = std::move(*maker);
     return {};
   }

@@ -102,6 +102,7 @@ class GalleryWriter {
                                       camera_preset(options_.pose.camera, assets_.face),
                                       backdrop(options_.output.background));
     if (!maker) return maker.error();
+    (*maker)->show(options_.output.layers);
     maker_ = std::move(*maker);
     const std::size_t stills = plan_.sweeps.empty() ? plan_.pictures.size() : plan_.sweeps[0].begin;
     for (std::size_t i = 0; i < stills; ++i) {

@@ -34,6 +34,8 @@ Pictures and numbers (these run on the film clock, like --fast)
   --sheet FILE.png    the faces that the keyframes reach, on one page (the first 60)
   --size WxH (800x600)     --stats FILE.json     --fast   do not wait for the clock
   --background RRGGBB a plain ground behind the face
+  --show LAYER[,...]  polygons, textured (the usual), transparent, wireframe, vertices, muscles,
+                      jaw-tags, eye-tags
 Other
   --exit-at-end       close the window when the stream ends
   --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
@@ -65,6 +67,8 @@ constexpr std::string_view kPlay =
   --sheet FILE.png    the faces that the keyframes reach, on one page (the first 60)
   --size WxH (800x600)     --stats FILE.json     --fast   do not wait for the clock
   --background RRGGBB a plain ground behind the face
+  --show LAYER[,...]  polygons, textured (the usual), transparent, wireframe, vertices, muscles,
+                      jaw-tags, eye-tags
   --exit-at-end       close the window when the stream ends
   --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
 
@@ -85,6 +89,8 @@ Without --png and --obj the activations that drive the face are printed.
   --list              the channels with their ranges, the AUs and the expressions, and leave
   --png FILE          the picture           --size WxH (800x600)    --background RRGGBB
   --camera front|three-quarter|profile      where it is seen from
+  --show LAYER[,...]  what is drawn (textured): polygons, textured, transparent, wireframe,
+                      vertices, muscles, jaw-tags, eye-tags
   --obj FILE          the deformed skin as Wavefront OBJ, vertices in the face's own order
   --mixer maximum|average     --rules facs|kumar2010|none|FILE
   --face DIR|NAME (default)   --data DIR    where faces, rules and streams are
@@ -92,6 +98,7 @@ Without --png and --obj the activations that drive the face are printed.
 
   face-player pose 6,12 --png smile.png
   face-player pose --expression sadness --camera three-quarter --png sad.png --size 1000x1250
+  face-player pose 12 --show wireframe,muscles --png muscles.png
   face-player pose --muscle left_zygomaticus_major=1 --obj pull.obj
 )";
 
@@ -123,6 +130,7 @@ and face give the same bytes. DIR may be there; what an earlier run left in it s
                       AUs, an expression, or all of both; may be repeated
   --size WxH (300x375)        --camera front|three-quarter|profile
   --background RRGGBB         a plain ground behind the face
+  --show LAYER[,...]          what is drawn; as in face-player pose --help
   --mixer maximum|average     --rules facs|kumar2010|none|FILE   (appendix B shows all of them)
   --face DIR|NAME (default)   --data DIR    where faces, rules and streams are
   --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q no progress

@@ -9,6 +9,7 @@
 #include "client/face/face.h"
 #include "client/view/image.h"
 #include "client/view/scene.h"
+#include "client/view/style.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -31,6 +32,9 @@ class PictureMaker {
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
+
+  /// What is drawn of the face from now on; in the beginning the textured surface.
+  void show(const view::Layers& layers);
 
   /// Same activations, same bytes.
   [[nodiscard]] view::Image picture(std::span<const float> activations);

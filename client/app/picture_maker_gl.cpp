@@ -1,19 +1,33 @@
+#include <algorithm>
+
+#include "client/app/face_diagram.h"
 #include "client/app/face_scene.h"
 #include "client/app/picture_maker.h"
 #include "client/render/face_renderer.h"
 #include "client/render/offscreen.h"
 
 namespace aucast::app {
+namespace {
+
+/// Lines keep their share of a large picture and stay lines in a small one.
+float scale_of(int height) {
+  constexpr float kUsualHeight = 800;
+  return std::clamp(static_cast<float>(height) / kUsualHeight, 0.5F, 4.0F);
+}
+
+}  // namespace
 
 struct PictureMaker::State {
   State(const face::Face& face, const view::Camera& from, const view::Background& behind)
-      : camera(from), background(behind), scene(face), deformer(face) {}
+      : camera(from), background(behind), scene(face), deformer(face), diagram(face) {}
 
   view::Camera camera;
   view::Background background;
   FaceScene scene;
   face::FaceDeformer deformer;
   face::DeformedFace deformed;
+  FaceDiagram diagram;
+  view::Layers layers;
   // In the order of their making: what needs the context goes before it.
   std::unique_ptr<render::OffscreenContext> context;
   std::unique_ptr<render::OffscreenTarget> target;
@@ -44,11 +58,21 @@ Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& fac
   return std::unique_ptr<PictureMaker>(new PictureMaker(std::move(state)));
 }
 
+void PictureMaker::show(const view::Layers& layers) {
+  state_->layers = layers;
+}
+
 view::Image PictureMaker::picture(std::span<const float> activations) {
   State& s = *state_;
   s.deformer.deform(activations, s.deformed);
   s.target->bind();
-  s.renderer->draw(FaceScene::moving(s.deformed), s.camera, s.background, s.width, s.height);
+  s.diagram.update(s.layers, activations, s.deformed);
+  const view::Style style{.background = s.background,
+                          .layers = s.layers,
+                          .scale = scale_of(s.height),
+                          .diagram = s.diagram.muscles(),
+                          .tags = s.diagram.tags()};
+  s.renderer->draw(FaceScene::moving(s.deformed), s.camera, style, s.width, s.height);
   return s.target->read();
 }
 

@@ -14,6 +14,8 @@ Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face&, in
                "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no pictures"};
 }
 
+void PictureMaker::show(const view::Layers&) {}
+
 view::Image PictureMaker::picture(std::span<const float>) {
   return {};
 }

@@ -22,6 +22,7 @@ struct Raw {
   double connect_timeout_s = 10;
   std::string size;  ///< empty: the command's own
   std::string background;
+  std::string show;
   std::string protocol = "auto";
   std::uint64_t blink_seed = 0;
   std::vector<std::string> muscles;
@@ -50,6 +51,7 @@ void add_face(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("--mixer", options.face.mixer)->transform(CLI::CheckedTransformer(kMixers));
   cli.add_option("--size", raw.size);
   cli.add_option("--background", raw.background);
+  cli.add_option("--show", raw.show);
 }
 
 void add_playback(CLI::App& cli, PlayerOptions& options, Raw& raw) {
@@ -146,6 +148,14 @@ Result<void> read_background(const std::string& text, OutputOptions& output) {
   return {};
 }
 
+Result<void> read_layers(const std::string& text, OutputOptions& output) {
+  if (text.empty()) return {};
+  auto layers = view::parse_layers(text);
+  if (!layers) return usage("--show: " + layers.error().message);
+  output.layers = *layers;
+  return {};
+}
+
 Result<void> read_muscles(const std::vector<std::string>& texts, PoseOptions& pose) {
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
@@ -182,6 +192,7 @@ Result<void> settle(const CLI::App& cli, const Raw& raw, PlayerOptions& options)
   if (!size) return size;
   options.output.size_given = !raw.size.empty();
   if (auto behind = read_background(raw.background, options.output); !behind) return behind;
+  if (auto layers = read_layers(raw.show, options.output); !layers) return layers;
   if (auto muscles = read_muscles(raw.muscles, options.pose); !muscles) return muscles;
   if (raw.speed_ms != 0) options.playback.speed = Milliseconds(raw.speed_ms);
   if (raw.fps != 0) options.output.fps = raw.fps;

@@ -10,6 +10,7 @@
 #include "client/face/muscle_mixer.h"
 #include "client/playback/interpolator.h"
 #include "client/playback/keyframe_buffers.h"
+#include "client/view/style.h"
 #include "common/result.h"
 #include "common/time.h"
 
@@ -56,6 +57,7 @@ struct OutputOptions {
   std::optional<std::uint32_t> background;  ///< --background RRGGBB; nothing: the usual one
   int width = 800;
   int height = 600;
+  view::Layers layers;      ///< --show
   bool size_given = false;  ///< --size was; else the window takes a size of its own
   bool fast = false;
 

@@ -104,6 +104,7 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options,
                                       camera_preset(pose.camera, assets.face),
                                       backdrop(options.output.background));
     if (!maker) return maker.error();
+    (*maker)->show(options.output.layers);
     return view::write_png((*maker)->picture(activations), pose.png);
   }
   if (pose.obj.empty()) print_activations(assets, activations);

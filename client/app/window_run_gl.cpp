@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "client/app/face_diagram.h"
 #include "client/app/face_scene.h"
 #include "client/app/picture_maker.h"
 #include "client/app/steady.h"
@@ -46,19 +47,6 @@ view::Background background_of(gui::Ground ground, const PlayerOptions& options)
   return backdrop(options.output.background);
 }
 
-/// Lines and points leave the backdrop out: they stand on black.
-GLenum polygon_mode(gui::Surface surface) {
-  switch (surface) {
-    case gui::Surface::Solid:
-      break;
-    case gui::Surface::Wireframe:
-      return GL_LINE;
-    case gui::Surface::Vertices:
-      return GL_POINT;
-  }
-  return GL_FILL;
-}
-
 const char* name_of(gui::View view) {
   switch (view) {
     case gui::View::Front:
@@ -71,6 +59,14 @@ const char* name_of(gui::View view) {
   return "front";
 }
 
+/// How long the stages of a frame took.
+struct FrameTimes {
+  Duration mix{};  ///< AUs to activations, in between frames
+  Duration deform{};
+  Duration face{};    ///< handing the face to OpenGL
+  Duration panels{};  ///< panels, and waiting until all is on the screen
+};
+
 /// The window with everything that a frame of it needs. tick() is the table of contents.
 class WindowRun {
  public:
@@ -80,7 +76,8 @@ class WindowRun {
         stats_(stats),
         session_(assets, options, std::move(source), stats),
         scene_(session_.face()),
-        deformer_(session_.face()) {}
+        deformer_(session_.face()),
+        diagram_(session_.face()) {}
 
   Result<void> open() {
     const OutputOptions& output = options_.output;
@@ -204,7 +201,10 @@ class WindowRun {
 
   /// Draws when something is different from what is shown.
   void draw() {
+    FrameTimes times;
+    const Instant begin = steady_now();
     const std::vector<float>& activations = session_.activations(steady_now());
+    times.mix = steady_now() - begin;
     gui::GuiModel model = session_.model();
     const bool moved = activations != shown_activations_;
     if (window_->take_redraw() || model != shown_model_) frames_due_ = kFramesAfterInput;
@@ -213,46 +213,64 @@ class WindowRun {
     int width = 0;
     int height = 0;
     window_->framebuffer_size(width, height);
-    const Instant begin = steady_now();
+    const Instant before = steady_now();
     if (moved) {
       shown_activations_ = activations;
       deformer_.deform(shown_activations_, deformed_);
     }
     const Instant deformed = steady_now();
     draw_face(overlay_->free_width(width), height);
+    const Instant drawn = steady_now();
     overlay_->draw(model, commands_);
     shown_model_ = std::move(model);
     window_->present();
     const Instant end = steady_now();
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
-    stats_.draw_seconds += seconds(end - begin);
-    if (moved) measure_pace(deformed - begin, end - deformed, end);
+    stats_.draw_seconds += seconds(end - before);
+    times.deform = deformed - before;
+    times.face = drawn - deformed;
+    times.panels = end - drawn;
+    if (moved) measure_pace(times);
   }
 
   void draw_face(int width, int height) {
     const gui::RenderingSettings& settings = session_.rendering();
-    glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(settings.surface));
-    renderer_->draw(FaceScene::moving(deformed_), window_->camera(),
-                    background_of(settings.ground, options_), width, height);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    diagram_.update(settings.layers, shown_activations_, deformed_);
+    const view::Style style{
+        .background = background_of(settings.ground, options_),
+        .layers = settings.layers,
+        .light = view::key_light(static_cast<float>(settings.light_yaw_deg),
+                                 static_cast<float>(settings.light_pitch_deg),
+                                 static_cast<float>(settings.light_percent) / 100),
+        .scale = window_->scale(),
+        .diagram = diagram_.muscles(),
+        .tags = diagram_.tags()};
+    renderer_->draw(FaceScene::moving(deformed_), window_->camera(), style, width, height);
   }
 
   /// Only frames in which the face moved count, or showing the pace would be a reason to draw.
-  void measure_pace(Duration deforming, Duration drawing, Instant end) {
-    deform_time_ += deforming;
-    draw_time_ += drawing;
+  void measure_pace(const FrameTimes& times) {
+    pace_.mix += times.mix;
+    pace_.deform += times.deform;
+    pace_.face += times.face;
+    pace_.panels += times.panels;
     if (++pace_frames_ < kFramesPerPace) return;
-    const double frames = pace_frames_;
-    const double time = seconds(end - pace_begin_);
-    std::array<char, 100> text{};
-    std::snprintf(text.data(), text.size(), "%.0f pictures a second; deform %.1f ms, draw %.1f ms",
-                  frames / time, seconds(deform_time_) * 1000 / frames,
-                  seconds(draw_time_) * 1000 / frames);
-    session_.set_pace(text.data());
+    const Instant end = steady_now();
+    const auto each = [this](Duration time) {
+      std::array<char, 40> text{};
+      std::snprintf(text.data(), text.size(), "%.1f ms", seconds(time) * 1000 / pace_frames_);
+      return std::string(text.data());
+    };
+    std::array<char, 40> rate{};
+    std::snprintf(rate.data(), rate.size(), "%.0f", pace_frames_ / seconds(end - pace_begin_));
+    session_.set_pace({{"Frames a second", rate.data()},
+                       {"Activations", each(pace_.mix)},
+                       {"Deforming", each(pace_.deform)},
+                       {"Face", each(pace_.face)},
+                       {"Panels", each(pace_.panels)}});
     pace_frames_ = 0;
     pace_begin_ = end;
-    deform_time_ = {};
-    draw_time_ = {};
+    pace_ = {};
   }
 
   const PlayerOptions& options_;
@@ -261,6 +279,7 @@ class WindowRun {
   FaceScene scene_;
   face::FaceDeformer deformer_;
   face::DeformedFace deformed_;
+  FaceDiagram diagram_;
   std::unique_ptr<render::Window> window_;
   std::unique_ptr<render::FaceRenderer> renderer_;
   std::unique_ptr<WindowOverlay> overlay_;
@@ -273,8 +292,7 @@ class WindowRun {
   bool leaving_ = false;
   int pace_frames_ = 0;
   Instant pace_begin_{steady_now()};
-  Duration deform_time_{};
-  Duration draw_time_{};
+  FrameTimes pace_;
 };
 
 }  // namespace

@@ -67,6 +67,8 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
   pipeline_.emplace(face_, rules_,
                     pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
   rendering_.blinking = options.playback.blink_seed.has_value();
+  rendering_.blink.seed = options.playback.blink_seed.value_or(kBlinkSeed);
+  rendering_.layers = options.output.layers;
 }
 
 WindowSession::~WindowSession() = default;
@@ -128,8 +130,7 @@ const std::vector<float>& WindowSession::activations(Instant now) {
 void WindowSession::add_blinking(Instant now) {
   if (!rendering_.blinking) return;
   const double at = std::chrono::duration<double>(now.time_since_epoch()).count();
-  const float closure =
-      playback::blink_closure(options_.playback.blink_seed.value_or(kBlinkSeed), at);
+  const float closure = playback::blink_closure(rendering_.blink, at);
   for (const char* lid : {"left_lid_close", "right_lid_close"}) {
     if (const auto index = face_.channel_index(lid)) {
       activations_[*index] = std::max(activations_[*index], closure);

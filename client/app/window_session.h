@@ -56,7 +56,7 @@ class WindowSession {
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return rendering_; }
   /// The pace of drawing, for the panel.
-  void set_pace(std::string pace) { pace_ = std::move(pace); }
+  void set_pace(std::vector<gui::PaceRow> pace) { pace_ = std::move(pace); }
 
   /// Stops what plays, completes the statistics and hands out the last source.
   [[nodiscard]] std::unique_ptr<playback::KeyframeSource> finish(Instant now);
@@ -118,7 +118,7 @@ class WindowSession {
   bool save_failed_ = false;
 
   gui::RenderingSettings rendering_;
-  std::string pace_;
+  std::vector<gui::PaceRow> pace_;
   std::vector<float> held_;         ///< the face before the first keyframe of a new source
   std::vector<float> activations_;  ///< as shown, blinking included
   std::vector<float> face_now_;     ///< as shown, blinking left out

@@ -7,7 +7,9 @@
 
 #include "client/face/muscle_mixer.h"
 #include "client/gui/remote_settings.h"
+#include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
+#include "client/view/style.h"
 
 namespace aucast::gui {
 
@@ -117,20 +119,30 @@ struct TransitionSettings {
   friend bool operator==(const TransitionSettings&, const TransitionSettings&) = default;
 };
 
-enum class Surface : std::uint8_t { Solid, Wireframe, Vertices };
 enum class Ground : std::uint8_t { Studio, Black, Grey, White };
 enum class View : std::uint8_t { Front, ThreeQuarter, Profile };
 
 struct RenderingSettings {
-  Surface surface = Surface::Solid;
+  view::Layers layers;
   Ground ground = Ground::Studio;
+  int light_yaw_deg = -31;   ///< of the key light, to the subject's left; -180 to 180
+  int light_pitch_deg = 32;  ///< up; -80 to 80
+  int light_percent = 100;   ///< 0-200
   bool blinking = false;
+  playback::BlinkOptions blink;
   friend bool operator==(const RenderingSettings&, const RenderingSettings&) = default;
+};
+
+/// A figure of the speed of drawing: "pictures a second", "24".
+struct PaceRow {
+  std::string name;
+  std::string value;
+  friend bool operator==(const PaceRow&, const PaceRow&) = default;
 };
 
 struct RenderingView {
   RenderingSettings settings;
-  std::string pace;  ///< "24 pictures/s, deform 0.8 ms, draw 31 ms"
+  std::vector<PaceRow> pace;  ///< empty until something has moved
   friend bool operator==(const RenderingView&, const RenderingView&) = default;
 };
 

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "client/gui/panels.h"
@@ -7,39 +8,118 @@
 namespace aucast::gui {
 namespace {
 
-constexpr std::array kSurfaces = {"Solid", "Wireframe", "Vertices"};
 constexpr std::array kGrounds = {"Studio", "Black", "Grey", "White"};
+constexpr std::array kInterpolations = {"Linear", "Cosine"};
 
-}  // namespace
+struct LayerLabel {
+  const char* text;
+  bool view::Layers::*member;
+};
+constexpr std::array<LayerLabel, 8> kLayers = {{{"Textured", &view::Layers::textured},
+                                                {"Wireframe", &view::Layers::wireframe},
+                                                {"Polygons", &view::Layers::polygons},
+                                                {"Vertices", &view::Layers::vertices},
+                                                {"Transparent", &view::Layers::transparent},
+                                                {"Muscles", &view::Layers::muscles},
+                                                {"Jaw tags", &view::Layers::jaw_tags},
+                                                {"Eye tags", &view::Layers::eye_tags}}};
 
-void rendering_panel(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  RenderingSettings settings = model.rendering.settings;
+void camera(const Look& look, GuiCommands& commands) {
   heading(look, "Camera");
   if (wide_button("Front", 0, 3, true)) commands.push_back(LookFrom{View::Front});
   if (wide_button("Three-quarter", 1, 3, true)) commands.push_back(LookFrom{View::ThreeQuarter});
   if (wide_button("Profile", 2, 3, true)) commands.push_back(LookFrom{View::Profile});
-  quiet_text("The left mouse button turns the face, the right one moves it, the wheel zooms.");
+  quiet_text("Left drag turns, right drag moves, the wheel zooms, r resets.");
+}
 
-  heading(look, "Picture");
+/// Any combination; what is transparent needs a surface.
+bool layers(const Look& look, view::Layers& shown) {
+  heading(look, "Show");
   bool changed = false;
-  label(look, "Face");
-  int surface = static_cast<int>(settings.surface);
-  if (choice("surface", kSurfaces, surface)) {
-    settings.surface = static_cast<Surface>(surface);
-    changed = true;
+  const float half = ImGui::GetContentRegionAvail().x / 2;
+  for (std::size_t i = 0; i < kLayers.size(); ++i) {
+    if (i % 2 == 1) ImGui::SameLine(half + ImGui::GetStyle().WindowPadding.x);
+    const bool useless = kLayers[i].member == &view::Layers::transparent && !shown.surface();
+    ImGui::BeginDisabled(useless);
+    changed |= ImGui::Checkbox(kLayers[i].text, &(shown.*kLayers[i].member));
+    ImGui::EndDisabled();
   }
+  return changed;
+}
+
+bool slider(const Look& look, const char* name, const char* id, int& value, int least, int most,
+            const char* format) {
+  label(look, name);
+  return ImGui::SliderInt(id, &value, least, most, format, ImGuiSliderFlags_AlwaysClamp);
+}
+
+bool light(const Look& look, RenderingSettings& settings) {
+  heading(look, "Background and light");
+  bool changed = false;
   label(look, "Background");
   int ground = static_cast<int>(settings.ground);
   if (choice("ground", kGrounds, ground)) {
     settings.ground = static_cast<Ground>(ground);
     changed = true;
   }
-  label(look, "Blinking");
-  changed |= ImGui::Checkbox("##blinking", &settings.blinking);
-  if (changed) commands.push_back(ChangeRendering{settings});
+  changed |= slider(look, "Light, aside", "##yaw", settings.light_yaw_deg, -180, 180, "%d deg");
+  changed |= slider(look, "Light, up", "##pitch", settings.light_pitch_deg, -80, 80, "%d deg");
+  changed |= slider(look, "Strength", "##strength", settings.light_percent, 0, 200, "%d %%");
+  return changed;
+}
 
+/// A whole number kept in its range, typed or stepped.
+bool number(const Look& look, const char* name, const char* id, int& value, int least, int most,
+            int step) {
+  label(look, name);
+  const bool changed = ImGui::InputInt(id, &value, step, 10 * step);
+  if (changed) value = std::clamp(value, least, most);
+  return changed;
+}
+
+bool blinking(const Look& look, RenderingSettings& settings) {
+  heading(look, "Blinking");
+  bool changed = false;
+  label(look, "Blinks");
+  changed |= ImGui::Checkbox("##blinking", &settings.blinking);
+  if (!settings.blinking) return changed;
+  playback::BlinkOptions& blink = settings.blink;
+  changed |= number(look, "Every ms", "##interval", blink.interval_ms, 500, 60'000, 100);
+  changed |= number(look, "Closing ms", "##closing", blink.closing_ms, 25, 500, 25);
+  label(look, "In between");
+  int kind = blink.interpolation == playback::Interpolation::Cosine ? 1 : 0;
+  if (choice("lids", kInterpolations, kind)) {
+    blink.interpolation =
+        kind == 1 ? playback::Interpolation::Cosine : playback::Interpolation::Linear;
+    changed = true;
+  }
+  int seed = static_cast<int>(std::min<std::uint64_t>(blink.seed, 999'999));
+  if (number(look, "Seed", "##seed", seed, 0, 999'999, 1)) {
+    blink.seed = static_cast<std::uint64_t>(seed);
+    changed = true;
+  }
+  return changed;
+}
+
+void pace(const Look& look, const RenderingView& rendering) {
   heading(look, "Pace");
-  quiet_text(model.rendering.pace.empty() ? "Nothing has moved yet." : model.rendering.pace);
+  if (rendering.pace.empty()) quiet_text("Nothing has moved yet.");
+  for (const PaceRow& row : rendering.pace) {
+    label(look, row.name.c_str());
+    ImGui::TextUnformatted(row.value.c_str());
+  }
+}
+
+}  // namespace
+
+void rendering_panel(const Look& look, const GuiModel& model, GuiCommands& commands) {
+  RenderingSettings settings = model.rendering.settings;
+  camera(look, commands);
+  bool changed = layers(look, settings.layers);
+  changed |= light(look, settings);
+  changed |= blinking(look, settings);
+  if (changed) commands.push_back(ChangeRendering{settings});
+  pace(look, model.rendering);
 }
 
 }  // namespace aucast::gui

@@ -6,11 +6,6 @@
 namespace aucast::playback {
 namespace {
 
-constexpr double kInterval = 4.0;  // 15 blinks a minute, as people at rest do
-constexpr double kClosing = 0.10;
-constexpr double kClosed = 0.05;
-constexpr double kOpening = 0.15;
-
 /// splitmix64: a well mixed number for each pair of seed and interval.
 std::uint64_t mixed(std::uint64_t value) {
   value += 0x9e3779b97f4a7c15U;
@@ -21,16 +16,26 @@ std::uint64_t mixed(std::uint64_t value) {
 
 }  // namespace
 
-float blink_closure(std::uint64_t seed, double seconds) {
-  const double interval = std::floor(std::max(0.0, seconds) / kInterval);
-  const std::uint64_t bits = mixed(mixed(seed) ^ static_cast<std::uint64_t>(interval));
+float blink_closure(const BlinkOptions& options, double seconds) {
+  const double interval_s = options.interval_ms / 1000.0;
+  const double closing = std::min(options.closing_ms / 1000.0, interval_s / 6);
+  const double closed = closing / 2;
+  const double opening = 1.5 * closing;
+  const double interval = std::floor(std::max(0.0, seconds) / interval_s);
+  const std::uint64_t bits = mixed(mixed(options.seed) ^ static_cast<std::uint64_t>(interval));
   const double unit = static_cast<double>(bits >> 11U) / 9007199254740992.0;  // [0,1)
-  const double begin = unit * (kInterval - kClosing - kClosed - kOpening);
-  const double t = std::max(0.0, seconds) - interval * kInterval - begin;
-  if (t <= 0) return 0;
-  if (t < kClosing) return static_cast<float>(t / kClosing);
-  if (t <= kClosing + kClosed) return 1;
-  return static_cast<float>(std::max(0.0, 1 - (t - kClosing - kClosed) / kOpening));
+  const double begin = unit * (interval_s - closing - closed - opening);
+  const double t = std::max(0.0, seconds) - interval * interval_s - begin;
+  if (t <= 0 || t >= closing + closed + opening) return 0;
+  if (t < closing) return ease(options.interpolation, t / closing);
+  if (t <= closing + closed) return 1;
+  return 1 - ease(options.interpolation, (t - closing - closed) / opening);
+}
+
+float blink_closure(std::uint64_t seed, double seconds) {
+  BlinkOptions options;
+  options.seed = seed;
+  return blink_closure(options, seconds);
 }
 
 }  // namespace aucast::playback

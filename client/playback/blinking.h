@@ -2,11 +2,25 @@
 
 #include <cstdint>
 
+#include "client/playback/interpolator.h"
+
 namespace aucast::playback {
 
-/// Blinking as a pure function of time: the same seed blinks at the same moments. One blink begins
-/// in every interval of four seconds, at a random place of it, and takes 300 ms: 100 down, 50
-/// closed, 150 up. Returns the closure of both lids in [0,1] at `seconds` >= 0.
+struct BlinkOptions {
+  std::uint64_t seed = 1;
+  int interval_ms = 4000;  ///< 500-60,000; 15 blinks a minute, as people at rest do
+  int closing_ms = 100;    ///< 25-500, at most a sixth of the interval
+  Interpolation interpolation = Interpolation::Linear;
+  friend bool operator==(const BlinkOptions&, const BlinkOptions&) = default;
+};
+
+/// Blinking as a pure function of time: the same options blink at the same moments. One blink
+/// begins in every interval, at a random place of it, and takes three times as long as the lids
+/// need to close: they are closed for half of that time and need one and a half to open. Returns
+/// the closure of both lids in [0,1] at `seconds` >= 0.
+[[nodiscard]] float blink_closure(const BlinkOptions& options, double seconds);
+
+/// With the usual interval and closing time.
 [[nodiscard]] float blink_closure(std::uint64_t seed, double seconds);
 
 }  // namespace aucast::playback

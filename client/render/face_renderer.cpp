@@ -12,6 +12,8 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "client/render/gl_objects.h"
+#include "client/render/lit_program.h"
+#include "client/render/segment_renderer.h"
 #include "client/render/shaders.h"
 #include "client/view/camera.h"
 #include "common/check.h"
@@ -21,19 +23,18 @@ namespace {
 
 using view::Shading;
 
-// Directions towards the lights (face.md 5); they stay with the head's room, not with the camera.
-const glm::vec3 kKeyDirection = glm::normalize(glm::vec3(-0.45F, 0.55F, 0.75F));
-const glm::vec3 kFillDirection = glm::normalize(glm::vec3(0.85F, 0.10F, 0.55F));
-const glm::vec3 kRimDirection = glm::normalize(glm::vec3(0.65F, 0.45F, -0.75F));
-const glm::vec3 kSecondRimDirection = glm::normalize(glm::vec3(-0.80F, 0.30F, -0.60F));
-
 /// The key light's shadows cover a fixed box, so that they do not crawl while the head moves. A
 /// texel of 0.07 units under a filter of three gives the soft edge of a large lamp.
-constexpr int kShadowSide = 384;
 constexpr glm::vec3 kShadowCentre{0, 0, 1};
 constexpr float kShadowReach = 13;
 constexpr float kShadowBias = 0.08F;
 constexpr float kShadowSlopeBias = 2.0F;
+
+/// How much of a transparent surface and of what shines through a solid one is left.
+constexpr float kTransparent = 0.45F;
+constexpr float kShineThrough = 0.45F;
+/// The surface in a plain colour: clay.
+constexpr glm::vec3 kClay{0.52F, 0.47F, 0.43F};
 
 constexpr GLuint kPositionSlot = 0;
 constexpr GLuint kNormalSlot = 1;
@@ -116,73 +117,6 @@ void order_solids(std::vector<Draw>& draws) {
                    [&layer](const Draw& a, const Draw& b) { return layer(a) < layer(b); });
 }
 
-class LitProgram {
- public:
-  explicit LitProgram(Program program) : program_(std::move(program)) {
-    const auto find = [this](const char* name) {
-      return glGetUniformLocation(program_.id(), name);
-    };
-    world_to_clip_ = find("u_world_to_clip");
-    world_to_shadow_ = find("u_world_to_shadow");
-    eye_ = find("u_eye");
-    wrap_ = find("u_wrap");
-    specular_ = find("u_specular");
-    power_ = find("u_power");
-    shadow_kept_ = find("u_shadow_kept");
-    eyeball_centre_ = find("u_eyeball_centre");
-    eyeball_forward_ = find("u_eyeball_forward");
-    glUseProgram(program_.id());
-    const auto set = [&find](const char* name, const glm::vec3& value) {
-      glUniform3fv(find(name), 1, glm::value_ptr(value));
-    };
-    set("u_key_direction", kKeyDirection);
-    set("u_fill_direction", kFillDirection);
-    set("u_rim_direction", kRimDirection);
-    set("u_second_rim_direction", kSecondRimDirection);
-    glUniform1i(find("u_shadow_map"), 0);
-    glUniform2f(find("u_shadow_texel"), 1.0F / kShadowSide, 1.0F / kShadowSide);
-  }
-
-  void set_camera(const glm::mat4& world_to_clip, const glm::mat4& world_to_shadow,
-                  const glm::vec3& eye) {
-    glUseProgram(program_.id());
-    glUniformMatrix4fv(world_to_clip_, 1, GL_FALSE, glm::value_ptr(world_to_clip));
-    glUniformMatrix4fv(world_to_shadow_, 1, GL_FALSE, glm::value_ptr(world_to_shadow));
-    glUniform3fv(eye_, 1, glm::value_ptr(eye));
-  }
-
-  void use(const Look& look) {
-    glUseProgram(program_.id());
-    glUniform1f(wrap_, look.wrap);
-    glUniform1f(specular_, look.specular);
-    glUniform1f(power_, look.power);
-    glUniform1f(shadow_kept_, look.shadow_kept);
-  }
-
-  void set_eyeball(const glm::vec3& centre, const glm::vec3& forward) {
-    glUniform3fv(eyeball_centre_, 1, glm::value_ptr(centre));
-    glUniform3fv(eyeball_forward_, 1, glm::value_ptr(forward));
-  }
-
- private:
-  Program program_;
-  GLint world_to_clip_ = -1;
-  GLint world_to_shadow_ = -1;
-  GLint eye_ = -1;
-  GLint wrap_ = -1;
-  GLint specular_ = -1;
-  GLint power_ = -1;
-  GLint shadow_kept_ = -1;
-  GLint eyeball_centre_ = -1;
-  GLint eyeball_forward_ = -1;
-};
-
-Result<Program> build_lit(const char* name, const char* define) {
-  namespace glsl = shaders;
-  return build_program(name, std::array{glsl::kVersion, define, glsl::kLitVertex},
-                       std::array{glsl::kVersion, define, glsl::kTone, glsl::kLitFragment});
-}
-
 void attribute(GLuint slot, GLint components) {
   glEnableVertexAttribArray(slot);
   glVertexAttribPointer(slot, components, GL_FLOAT, GL_FALSE, 0, nullptr);
@@ -199,15 +133,23 @@ struct ShadowMatrices {
   glm::mat4 world_to_texture;
 };
 
-ShadowMatrices shadow_matrices() {
+ShadowMatrices shadow_matrices(const glm::vec3& towards_key) {
   const glm::mat4 view =
-      glm::lookAt(kShadowCentre + kKeyDirection * kShadowReach, kShadowCentre, glm::vec3(0, 1, 0));
+      glm::lookAt(kShadowCentre + towards_key * kShadowReach, kShadowCentre, glm::vec3(0, 1, 0));
   const glm::mat4 projection =
       glm::ortho(-kShadowReach, kShadowReach, -kShadowReach, kShadowReach, 0.0F, 2 * kShadowReach);
   glm::mat4 to_texture =
       glm::translate(glm::mat4(1), glm::vec3(0.5F, 0.5F, 0.5F - kShadowBias / (2 * kShadowReach)));
   to_texture = glm::scale(to_texture, glm::vec3(0.5F));
   return {projection * view, to_texture * projection * view};
+}
+
+/// Lines and points of the mesh stand out from what is behind them.
+glm::vec4 line_colour(const view::Style& style) {
+  if (style.layers.surface()) return {0.02F, 0.03F, 0.05F, 0.45F};
+  const glm::vec3& ground = style.background.centre;
+  const bool bright = ground.r + ground.g + ground.b > 1.2F;
+  return bright ? glm::vec4(0.10F, 0.16F, 0.24F, 0.8F) : glm::vec4(0.70F, 0.82F, 0.90F, 0.8F);
 }
 
 }  // namespace
@@ -219,6 +161,8 @@ struct FaceRenderer::State {
   Program crease;
   Program depth;
   Program backdrop;
+  Program flat;
+  SegmentRenderer segments;
   VertexArray vertices;
   VertexArray no_vertices;
   Buffer positions;
@@ -228,23 +172,37 @@ struct FaceRenderer::State {
   Buffer indices;
   Texture shadow_texture;
   Framebuffer shadow_framebuffer;
-  ShadowMatrices shadow = shadow_matrices();
+  ShadowMatrices shadow{};
 
   std::size_t vertex_count = 0;
   std::vector<Draw> solid;
   std::vector<Draw> translucent;
   std::vector<Draw> creases;
 
-  State(Program surface_program, Program hair_program, Program eye_program, Program crease_program,
-        Program depth_program, Program backdrop_program)
+  State(LitProgram surface_program, LitProgram hair_program, LitProgram eye_program,
+        Program crease_program, Program depth_program, Program backdrop_program,
+        Program flat_program, SegmentRenderer segment_renderer)
       : surface(std::move(surface_program)),
         hair(std::move(hair_program)),
         eye(std::move(eye_program)),
         crease(std::move(crease_program)),
         depth(std::move(depth_program)),
-        backdrop(std::move(backdrop_program)) {}
+        backdrop(std::move(backdrop_program)),
+        flat(std::move(flat_program)),
+        segments(std::move(segment_renderer)) {}
 
   void set_up();
+  void upload_moving(const view::MovingMesh& mesh);
+  void set_programs(const view::Style& style, const view::CameraMatrices& matrices,
+                    const glm::mat4& world_to_clip);
+  void draw_surface(const view::MovingMesh& mesh, const view::Style& style,
+                    const view::CameraMatrices& matrices, const glm::mat4& world_to_clip);
+  void draw_transparent(const view::MovingMesh& mesh, const view::Style& style,
+                        const glm::mat4& world_to_clip);
+  void draw_depth(const std::vector<Draw>& draws, const glm::mat4& world_to_clip);
+  void draw_lines(const view::Style& style, const glm::mat4& world_to_clip);
+  void draw_segments(const view::Style& style, const glm::mat4& world_to_clip, int width,
+                     int height);
   [[nodiscard]] LitProgram& program_for(Shading shading);
   void draw_shadow_map();
   void draw_backdrop(const view::Background& background);
@@ -332,7 +290,7 @@ void FaceRenderer::State::draw_runs(const std::vector<Draw>& draws, const view::
   for (const Draw& draw : draws) {
     const Look look = look_of(draw.shading);
     LitProgram& program = program_for(draw.shading);
-    program.use(look);
+    program.use({look.wrap, look.specular, look.power, look.shadow_kept});
     if (draw.index >= 0) {
       const auto at = static_cast<std::size_t>(draw.index);
       AUCAST_CHECK(at < mesh.eye_centres.size() && at < mesh.eye_forward.size());
@@ -371,16 +329,151 @@ void FaceRenderer::State::draw_creases(std::span<const float> strengths,
   glDepthMask(GL_TRUE);
 }
 
+void FaceRenderer::State::upload_moving(const view::MovingMesh& mesh) {
+  glBindVertexArray(vertices.id());
+  glBindBuffer(GL_ARRAY_BUFFER, positions.id());
+  upload(GL_ARRAY_BUFFER, mesh.positions, GL_STREAM_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, normals.id());
+  upload(GL_ARRAY_BUFFER, mesh.normals, GL_STREAM_DRAW);
+}
+
+void FaceRenderer::State::set_programs(const view::Style& style,
+                                       const view::CameraMatrices& matrices,
+                                       const glm::mat4& world_to_clip) {
+  for (LitProgram* program : {&surface, &hair, &eye}) {
+    program->set_camera(world_to_clip, shadow.world_to_texture, matrices.eye);
+    program->set_key_light(glm::normalize(style.light.direction), style.light.strength);
+  }
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, shadow_texture.id());
+  if (style.layers.textured) {
+    glEnableVertexAttribArray(kColourSlot);
+  } else {
+    glDisableVertexAttribArray(kColourSlot);
+    glVertexAttrib4f(kColourSlot, kClay.r, kClay.g, kClay.b, 1);
+  }
+}
+
+void FaceRenderer::State::draw_surface(const view::MovingMesh& mesh, const view::Style& style,
+                                       const view::CameraMatrices& matrices,
+                                       const glm::mat4& world_to_clip) {
+  if (style.layers.transparent) {
+    draw_transparent(mesh, style, world_to_clip);
+  } else {
+    draw_runs(solid, mesh);
+    draw_backdrop(style.background);
+  }
+  if (!style.layers.textured) return;  // what is left is nothing but colour
+  glEnable(GL_BLEND);
+  draw_creases(mesh.creases, world_to_clip, matrices.eye);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  glDepthMask(GL_FALSE);
+  // Brows and lashes lie on the skin.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(-1, -1);
+  draw_runs(translucent, mesh);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+/// Eyes, teeth and mouth as they are, over them one layer of what encloses them.
+void FaceRenderer::State::draw_transparent(const view::MovingMesh& mesh, const view::Style& style,
+                                           const glm::mat4& world_to_clip) {
+  std::vector<Draw> inner;
+  std::vector<Draw> outer;
+  for (const Draw& draw : solid) {
+    const bool encloses = look_of(draw.shading).casts_shadow;
+    (encloses ? outer : inner).push_back(draw);
+  }
+  draw_backdrop(style.background);
+  draw_runs(inner, mesh);
+  draw_depth(outer, world_to_clip);
+  glEnable(GL_BLEND);
+  glBlendColor(0, 0, 0, kTransparent);
+  glBlendFuncSeparate(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA, GL_ZERO, GL_ONE);
+  draw_runs(outer, mesh);
+  glDisable(GL_BLEND);
+}
+
+/// What hides, without a colour.
+void FaceRenderer::State::draw_depth(const std::vector<Draw>& draws,
+                                     const glm::mat4& world_to_clip) {
+  glUseProgram(depth.id());
+  glUniformMatrix4fv(glGetUniformLocation(depth.id(), "u_world_to_clip"), 1, GL_FALSE,
+                     glm::value_ptr(world_to_clip));
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  for (const Draw& draw : draws) {
+    glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+  }
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void FaceRenderer::State::draw_lines(const view::Style& style, const glm::mat4& world_to_clip) {
+  if (!style.layers.wireframe && !style.layers.vertices) return;
+  glUseProgram(flat.id());
+  const auto location = [this](const char* name) { return glGetUniformLocation(flat.id(), name); };
+  glUniformMatrix4fv(location("u_world_to_clip"), 1, GL_FALSE, glm::value_ptr(world_to_clip));
+  const glm::vec4 colour = line_colour(style);
+  glUniform4fv(location("u_colour"), 1, glm::value_ptr(colour));
+  glUniform1f(location("u_point_px"), std::max(1.0F, 2.0F * style.scale));
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  glPolygonOffset(-1, -1);
+  for (const GLenum mode : std::array<GLenum, 2>{GL_LINE, GL_POINT}) {
+    if (!(mode == GL_LINE ? style.layers.wireframe : style.layers.vertices)) continue;
+    const GLenum offset = mode == GL_LINE ? GL_POLYGON_OFFSET_LINE : GL_POLYGON_OFFSET_POINT;
+    glPolygonMode(GL_FRONT_AND_BACK, mode);
+    glEnable(offset);
+    for (const Draw& draw : solid) {
+      if (draw.faces == Faces::Back) continue;  // the inside of what is drawn already
+      glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+    }
+    glDisable(offset);
+  }
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glDisable(GL_PROGRAM_POINT_SIZE);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+void FaceRenderer::State::draw_segments(const view::Style& style, const glm::mat4& world_to_clip,
+                                        int width, int height) {
+  const bool solid_surface = style.layers.surface() && !style.layers.transparent;
+  if (!style.tags.empty()) {
+    segments.load(style.tags, world_to_clip, width, height, style.scale);
+    segments.draw(1);
+  }
+  if (style.diagram.empty()) return;
+  segments.load(style.diagram, world_to_clip, width, height, style.scale);
+  if (solid_surface) {
+    glDepthFunc(GL_GREATER);
+    segments.draw(kShineThrough);
+    glDepthFunc(GL_LEQUAL);
+    segments.draw(1);
+  } else {
+    glDisable(GL_DEPTH_TEST);
+    segments.draw(1);
+    glEnable(GL_DEPTH_TEST);
+  }
+}
+
 FaceRenderer::FaceRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 FaceRenderer::~FaceRenderer() = default;
 
 Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
   namespace glsl = shaders;
-  auto surface = build_lit("surface", glsl::kAsSurface);
+  auto surface = LitProgram::create("surface", glsl::kAsSurface);
   if (!surface.has_value()) return surface.error();
-  auto hair = build_lit("hair", glsl::kAsHair);
+  auto hair = LitProgram::create("hair", glsl::kAsHair);
   if (!hair.has_value()) return hair.error();
-  auto eye = build_lit("eye", glsl::kAsEye);
+  auto eye = LitProgram::create("eye", glsl::kAsEye);
   if (!eye.has_value()) return eye.error();
   auto crease = build_program("crease", std::array{glsl::kVersion, glsl::kCreaseVertex},
                               std::array{glsl::kVersion, glsl::kCreaseFragment});
@@ -391,9 +484,15 @@ Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
   auto backdrop = build_program("backdrop", std::array{glsl::kVersion, glsl::kBackdropVertex},
                                 std::array{glsl::kVersion, glsl::kTone, glsl::kBackdropFragment});
   if (!backdrop.has_value()) return backdrop.error();
+  auto flat = build_program("flat", std::array{glsl::kVersion, glsl::kFlatVertex},
+                            std::array{glsl::kVersion, glsl::kFlatFragment});
+  if (!flat.has_value()) return flat.error();
+  auto segments = SegmentRenderer::create();
+  if (!segments.has_value()) return segments.error();
   auto state = std::make_unique<State>(std::move(surface.value()), std::move(hair.value()),
                                        std::move(eye.value()), std::move(crease.value()),
-                                       std::move(depth.value()), std::move(backdrop.value()));
+                                       std::move(depth.value()), std::move(backdrop.value()),
+                                       std::move(flat.value()), std::move(segments.value()));
   state->set_up();
   return std::unique_ptr<FaceRenderer>(new FaceRenderer(std::move(state)));
 }
@@ -448,47 +547,34 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
 }
 
 void FaceRenderer::draw(const view::MovingMesh& mesh, const view::Camera& camera,
-                        const view::Background& background, int width, int height) {
+                        const view::Style& style, int width, int height) {
   State& state = *state_;
   AUCAST_CHECK(mesh.positions.size() == state.vertex_count);
   AUCAST_CHECK(mesh.normals.size() == state.vertex_count);
-  glBindVertexArray(state.vertices.id());
-  glBindBuffer(GL_ARRAY_BUFFER, state.positions.id());
-  upload(GL_ARRAY_BUFFER, mesh.positions, GL_STREAM_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, state.normals.id());
-  upload(GL_ARRAY_BUFFER, mesh.normals, GL_STREAM_DRAW);
-
+  state.upload_moving(mesh);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glFrontFace(GL_CCW);
-  state.draw_shadow_map();
+  state.shadow = shadow_matrices(glm::normalize(style.light.direction));
+  if (style.layers.surface()) state.draw_shadow_map();
 
   glViewport(0, 0, width, height);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   const view::CameraMatrices matrices = view::camera_matrices(camera, width, height);
   const glm::mat4 world_to_clip = matrices.projection * matrices.view;
-  for (LitProgram* program : {&state.surface, &state.hair, &state.eye}) {
-    program->set_camera(world_to_clip, state.shadow.world_to_texture, matrices.eye);
+  state.set_programs(style, matrices, world_to_clip);
+  if (style.layers.surface()) {
+    state.draw_surface(mesh, style, matrices, world_to_clip);
+  } else {
+    state.draw_backdrop(style.background);
+    // Lines that the face itself would hide are left out.
+    if (!style.layers.transparent) state.draw_depth(state.solid, world_to_clip);
   }
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, state.shadow_texture.id());
-  state.draw_runs(state.solid, mesh);
-  state.draw_backdrop(background);
-
-  glEnable(GL_BLEND);
-  state.draw_creases(mesh.creases, world_to_clip, matrices.eye);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  glDepthMask(GL_FALSE);
-  // Brows and lashes lie on the skin.
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(-1, -1);
-  state.draw_runs(state.translucent, mesh);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
+  state.draw_lines(style, world_to_clip);
+  state.draw_segments(style, world_to_clip, width, height);
   glBindVertexArray(0);
 }
 

@@ -4,6 +4,7 @@
 
 #include "client/view/image.h"
 #include "client/view/scene.h"
+#include "client/view/style.h"
 #include "common/result.h"
 
 namespace aucast::render {
@@ -21,8 +22,8 @@ class FaceRenderer {
 
   void load(const view::StaticMesh& mesh);
   /// Clears and draws into the bound framebuffer; width and height in pixels.
-  void draw(const view::MovingMesh& mesh, const view::Camera& camera,
-            const view::Background& background, int width, int height);
+  void draw(const view::MovingMesh& mesh, const view::Camera& camera, const view::Style& style,
+            int width, int height);
 
  private:
   struct State;

@@ -86,6 +86,7 @@ in vec3 v_shine;
 in vec3 v_shadow;
 
 uniform vec3 u_key_direction;  // unit vectors towards the lights
+uniform float u_key_strength;  // 1 is the studio's
 uniform vec3 u_rim_direction;
 uniform vec3 u_second_rim_direction;
 uniform float u_wrap;          // how far light creeps round into the shade; 1 is skin
@@ -141,7 +142,8 @@ void main() {
   vec3 lit = clamp((dot(normal, u_key_direction) + wrap) / (1.0 + wrap), 0.0, 1.0);
   float arriving = key_arriving();
   vec3 through = mix(max(kShadowKept * u_wrap, vec3(u_shadow_kept)), vec3(1.0), arriving);
-  vec3 light = lit * through * kKey * (0.55 + 0.45 * occlusion) + v_ambient;
+  vec3 key = kKey * u_key_strength;
+  vec3 light = lit * through * key * (0.55 + 0.45 * occlusion) + v_ambient;
   vec3 result = colour * light;
 
 #ifdef EYE
@@ -162,7 +164,8 @@ void main() {
   float aligned = dot(normal, halfway) * inversesqrt(dot(halfway, halfway));
   float broad = exp(u_power * (aligned - 1.0));
   float narrow = broad * broad * broad * broad;
-  float specular = (0.65 * broad + 0.35 * narrow) * arriving * v_shine.y + v_shine.z;
+  float shone = arriving * u_key_strength;
+  float specular = (0.65 * broad + 0.35 * narrow) * shone * v_shine.y + v_shine.z;
 
   float facing = 1.0 - max(dot(normal, view), 0.0);
   float edge = facing * facing;
@@ -216,6 +219,68 @@ void main() { gl_Position = u_world_to_clip * vec4(a_position, 1.0); }
 )";
 
 inline constexpr const char* kDepthFragment = "void main() {}\n";
+
+/// The mesh's lines and points, in one colour.
+inline constexpr const char* kFlatVertex = R"(
+layout(location = 0) in vec3 a_position;
+uniform mat4 u_world_to_clip;
+uniform float u_point_px;
+void main() {
+  gl_Position = u_world_to_clip * vec4(a_position, 1.0);
+  gl_PointSize = u_point_px;
+}
+)";
+
+inline constexpr const char* kFlatFragment = R"(
+uniform vec4 u_colour;
+out vec4 o_colour;
+void main() { o_colour = u_colour; }
+)";
+
+/// A straight line of a width in pixels, which OpenGL's core profile does not have: four corners of
+/// a band for each segment. A segment without length becomes a round dot.
+inline constexpr const char* kSegmentVertex = R"(
+layout(location = 0) in vec3 a_from;
+layout(location = 1) in vec3 a_to;
+layout(location = 2) in vec4 a_colour;
+layout(location = 3) in float a_width_px;
+uniform mat4 u_world_to_clip;
+uniform vec2 u_viewport_px;
+uniform float u_scale;
+out vec4 v_colour;
+out vec3 v_place;  // pixels: along a dot's radius or 0, aside, half the width
+const float kNearer = 0.0004;  // towards the viewer, so that a tag stands on its surface
+void main() {
+  vec4 from = u_world_to_clip * vec4(a_from, 1.0);
+  vec4 to = u_world_to_clip * vec4(a_to, 1.0);
+  vec2 way = (to.xy / to.w - from.xy / from.w) * u_viewport_px * 0.5;
+  float length_px = length(way);
+  bool dot_only = a_from == a_to;
+  vec2 along = length_px > 1e-3 ? way / length_px : vec2(1.0, 0.0);
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  float half_px = 0.5 * max(a_width_px * u_scale, 1.0);
+  float reach = half_px + 1.0;
+  vec2 moved = vec2(-along.y, along.x) * corner.y * reach;
+  if (dot_only) moved += along * corner.x * reach;
+  vec4 place = corner.x < 0.0 ? from : to;
+  place.xy += moved / (u_viewport_px * 0.5) * place.w;
+  place.z -= kNearer * place.w;
+  gl_Position = place;
+  v_colour = a_colour;
+  v_place = vec3(dot_only ? corner.x * reach : 0.0, corner.y * reach, half_px);
+}
+)";
+
+inline constexpr const char* kSegmentFragment = R"(
+in vec4 v_colour;
+in vec3 v_place;
+uniform float u_alpha;
+out vec4 o_colour;
+void main() {
+  float inside = clamp(v_place.z + 0.5 - length(v_place.xy), 0.0, 1.0);
+  o_colour = vec4(v_colour.rgb, v_colour.a * u_alpha * inside);
+}
+)";
 
 /// One triangle over the whole picture at the far plane.
 inline constexpr const char* kBackdropVertex = R"(

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -43,7 +44,7 @@ class RenderGolden : public testing::Test {
     auto target = render::OffscreenTarget::create(width, height);
     EXPECT_TRUE(target.has_value()) << target.error().message;
     (*target)->bind();
-    renderer_->draw(mesh, camera, background, width, height);
+    renderer_->draw(mesh, camera, {.background = background}, width, height);
     return (*target)->read();
   }
 
@@ -90,6 +91,50 @@ TEST_F(RenderGolden, SphereHeadLooksAsBefore) {
            {"render_spheres_three_quarter", view::CameraPreset::ThreeQuarter}}) {
     expect_as_baseline(drawn(head.moving_mesh(), view::portrait_camera(preset)), name);
   }
+}
+
+TEST_F(RenderGolden, EveryLayerLooksAsBefore) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  const std::array<view::Segment, 3> marks{
+      {{{-3, 2, 9}, {3, 3, 9}, {1, 0.3F, 0.1F, 1}, 3},     // in front of the head
+       {{-3, 0, 2}, {3, 0, 2}, {0.2F, 0.9F, 0.3F, 1}, 3},  // inside it
+       {{0, 5, 9}, {0, 5, 9}, {1, 1, 0.2F, 1}, 12}}};      // a dot
+  for (const std::string layers : {"polygons", "textured,wireframe,vertices", "wireframe",
+                                   "transparent,muscles", "vertices,transparent"}) {
+    auto target = render::OffscreenTarget::create(kSide, kSide);
+    ASSERT_TRUE(target.has_value()) << target.error().message;
+    (*target)->bind();
+    view::Style style{.layers = *view::parse_layers(layers), .diagram = marks};
+    renderer().draw(head.moving_mesh(), {}, style, kSide, kSide);
+    std::string name = "render_layers_" + layers;
+    std::replace(name.begin(), name.end(), ',', '_');
+    expect_as_baseline((*target)->read(), name);
+  }
+  // What was drawn leaves no trace in the next picture.
+  expect_as_baseline(drawn(head.moving_mesh(), view::portrait_camera(view::CameraPreset::Front)),
+                     "render_spheres_front");
+}
+
+TEST_F(RenderGolden, TheKeyLightLightsItsSide) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  const auto lit_from = [&](float yaw_deg, float strength) {
+    auto target = render::OffscreenTarget::create(kSide, kSide);
+    EXPECT_TRUE(target.has_value());
+    (*target)->bind();
+    const view::Style style{.light = view::key_light(yaw_deg, 20, strength)};
+    renderer().draw(head.moving_mesh(), {}, style, kSide, kSide);
+    return (*target)->read();
+  };
+  const int left = kSide / 2 + 30;
+  const int right = kSide / 2 - 30;
+  const view::Image from_left = lit_from(60, 1);
+  const view::Image from_right = lit_from(-60, 1);
+  EXPECT_GT(brightness(from_left, left, kSide / 2), brightness(from_right, left, kSide / 2));
+  EXPECT_LT(brightness(from_left, right, kSide / 2), brightness(from_right, right, kSide / 2));
+  EXPECT_GT(brightness(lit_from(60, 1.5F), left, kSide / 2),
+            brightness(from_left, left, kSide / 2));
 }
 
 TEST_F(RenderGolden, DrawsTheSameBytesTwice) {

@@ -29,6 +29,27 @@ TEST(BlinkClosure, IsContinuous) {
   }
 }
 
+TEST(BlinkClosure, TakesItsTimesFromTheOptions) {
+  const BlinkOptions options{7, 1000, 25, Interpolation::Cosine};
+  for (int interval = 0; interval < 20; ++interval) {
+    int moving = 0;
+    for (int step = 0; step < 1000; ++step) {
+      if (blink_closure(options, interval + step * 0.001) > 0) ++moving;
+    }
+    EXPECT_NEAR(moving, 75, 2) << interval;
+  }
+}
+
+TEST(BlinkClosure, NeverOutgrowsItsInterval) {
+  const BlinkOptions options{7, 500, 500, Interpolation::Linear};
+  float before = 0;
+  for (int step = 0; step < 20000; ++step) {
+    const float closure = blink_closure(options, step * 0.001);
+    EXPECT_NEAR(closure, before, 0.014F);
+    before = closure;
+  }
+}
+
 TEST(BlinkClosure, DependsOnTheSeedAndNothingElse) {
   int different = 0;
   for (int step = 0; step < 4000; ++step) {

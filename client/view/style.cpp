@@ -1,0 +1,51 @@
+#include "client/view/style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/text.h"
+
+namespace aucast::view {
+
+Result<Layers> parse_layers(std::string_view text) {
+  Layers layers;
+  layers.textured = false;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const std::string_view word = text.substr(0, comma);
+    const auto* const found = std::find_if(kLayerNames.begin(), kLayerNames.end(),
+                                           [&](const LayerName& one) { return one.name == word; });
+    if (found == kLayerNames.end()) {
+      std::string names;
+      for (const LayerName& one : kLayerNames) {
+        names += (names.empty() ? "" : ", ") + std::string(one.name);
+      }
+      return Error{ErrorKind::Usage, "'" + escaped(word) + "' is not one of " + names};
+    }
+    layers.*found->member = true;
+    if (comma == std::string_view::npos) break;
+    text.remove_prefix(comma + 1);
+  }
+  if (layers.transparent && !layers.polygons) layers.textured = true;
+  return layers;
+}
+
+std::string format_layers(const Layers& layers) {
+  std::string text;
+  for (const LayerName& one : kLayerNames) {
+    if (!(layers.*one.member)) continue;
+    text += (text.empty() ? "" : ",") + std::string(one.name);
+  }
+  return text;
+}
+
+KeyLight key_light(float yaw_deg, float pitch_deg, float strength) {
+  constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180;
+  const float yaw = yaw_deg * kRadPerDeg;
+  const float pitch = std::clamp(pitch_deg, -80.0F, 80.0F) * kRadPerDeg;
+  return {{std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)},
+          strength};
+}
+
+}  // namespace aucast::view
