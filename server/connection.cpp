@@ -12,6 +12,7 @@
 
 #include "common/log.h"
 #include "common/text.h"
+#include "protocol/codec.h"
 #include "protocol/limits.h"
 
 namespace aucast::server {
@@ -62,7 +63,13 @@ Connection::Connection(tcp::socket socket, const protocol::ServerCatalogue& cata
       timer_(socket_.get_executor()),
       settings_(std::move(settings)),
       on_closed_(std::move(on_closed)),
-      session_(catalogue, round_trip(socket_), now(), settings_.admission) {
+      session_(catalogue, round_trip(socket_), now(), settings_.admission),
+      catalogue_(catalogue) {
+  if (settings_.tls) {
+    tls_ = std::make_unique<tls::Channel>(*settings_.tls);
+    settings_.tls.reset();
+    handshake_until_ = now() + protocol::kTlsHandshakeTimeMax;
+  }
   record_.number = settings_.number;
   record_.peer = settings_.peer;
 }
@@ -86,6 +93,11 @@ void Connection::on_moment() {
 
 void Connection::stop() {
   if (finished_ || lingering_) return;
+  if (handshaking()) {
+    session_closed("stopped", "the server stops", true);
+    finish();
+    return;
+  }
   carry_out(session_.stop(now()));
   go_on();
 }
@@ -105,7 +117,7 @@ void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
     if (auto* send = std::get_if<protocol::SendBytes>(&event)) {
       queue(std::move(send->bytes));
     } else if (std::holds_alternative<protocol::ShutdownSending>(event)) {
-      shut_wanted_ = true;
+      want_shut();
     } else if (const auto* close = std::get_if<protocol::CloseConnection>(&event)) {
       const bool in_order = close->why != protocol::CloseConnection::Why::ProtocolError &&
                             close->why != protocol::CloseConnection::Why::Refused;
@@ -116,6 +128,16 @@ void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
 }
 
 void Connection::queue(std::string bytes) {
+  if (tls_) {
+    tls_->send(bytes);
+    bytes = tls_->take_output();
+    if (bytes.empty()) return;
+  }
+  append(std::move(bytes));
+}
+
+/// Bytes as they go over the wire.
+void Connection::append(std::string bytes) {
   if (output_.empty()) {
     output_ = std::move(bytes);
     return;
@@ -135,7 +157,7 @@ void Connection::measure_sending() {
 void Connection::session_closed(std::string_view end_reason, std::string_view reason,
                                 bool in_order) {
   lingering_ = true;
-  shut_wanted_ = true;
+  want_shut();
   linger_until_ = now() + protocol::kDrainTimeMax;
   measure_sending();
   record_.level = static_cast<int>(session_.level());
@@ -181,16 +203,18 @@ void Connection::read() {
 
 void Connection::on_read(const std::error_code& error, std::size_t bytes) {
   if (error == asio::error::eof) {
-    peer_ended_ = true;
-    if (!lingering_) carry_out(session_.on_peer_end(now()));
+    peer_ended();
   } else if (error) {
     lost(error);
     return;
   } else if (lingering_) {
     drop(bytes);
   } else {
-    owed_since_.reset();
-    carry_out(session_.on_bytes({input_.data(), bytes}, now()));
+    if (tls_) {
+      read_tls({input_.data(), bytes});
+    } else {
+      hand_to_session({input_.data(), bytes});
+    }
     // The session has drained by itself: there is no second draining.
     if (lingering_ && shut_done_) {
       finish();
@@ -198,6 +222,54 @@ void Connection::on_read(const std::error_code& error, std::size_t bytes) {
     }
   }
   go_on();
+}
+
+void Connection::hand_to_session(std::string_view bytes) {
+  owed_since_.reset();
+  carry_out(session_.on_bytes(bytes, now()));
+}
+
+void Connection::peer_ended() {
+  if (std::exchange(peer_ended_, true) || lingering_) return;
+  if (handshaking()) {
+    fail_tls("the client left within the TLS handshake", false);
+  } else {
+    carry_out(session_.on_peer_end(now()));
+  }
+}
+
+void Connection::read_tls(std::string_view bytes) {
+  const bool begun = !handshaking();
+  std::string plain;
+  const bool good = tls_->received(bytes, plain);
+  if (!begun && !handshaking()) {
+    session_ = protocol::ServerSession(catalogue_, round_trip(socket_), now(), settings_.admission);
+  }
+  // What the channel itself has to say, the alert that explains a failure too.
+  if (std::string said = tls_->take_output(); !said.empty()) append(std::move(said));
+  if (!plain.empty()) hand_to_session(plain);
+  if (lingering_) return;
+  if (!good) {
+    fail_tls(tls_->reason(), tls_->failure() == tls::Channel::Failure::NotTls);
+  } else if (tls_->ended()) {
+    peer_ended();
+  }
+}
+
+/// `answer_plain`: the client may not even know that this is TLS, so it is told without.
+void Connection::fail_tls(std::string_view reason, bool answer_plain) {
+  if (answer_plain) {
+    append(protocol::encode(
+        protocol::ErrorReply{400, "this server speaks TLS only (face-player --tls)"}));
+  }
+  session_closed("tls failed", reason, false);
+}
+
+/// Nothing more is to be said: TLS has a last word of its own.
+void Connection::want_shut() {
+  if (std::exchange(shut_wanted_, true) || !tls_) return;
+  tls_->end();
+  if (std::string said = tls_->take_output(); !said.empty()) append(std::move(said));
 }
 
 void Connection::drop(std::size_t bytes) {
@@ -292,7 +364,7 @@ void Connection::arm_timer() {
   if (lingering_) {
     next = linger_until_;
   } else {
-    next = session_.deadline();
+    next = handshaking() ? handshake_until_ : session_.deadline();
     const auto patience = patience_ends();
     if (patience && (!next || *patience < *next)) next = patience;
   }
@@ -315,6 +387,8 @@ void Connection::on_timer() {
   const Instant moment = now();
   if (lingering_) {
     if (moment >= linger_until_) finish();
+  } else if (handshaking()) {
+    if (moment >= handshake_until_) fail_tls("no TLS handshake within 10 s", true);
   } else if (const auto due = session_.deadline(); due && moment >= *due) {
     carry_out(session_.on_time(moment));
     if (lingering_ && shut_done_) finish();

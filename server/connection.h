@@ -17,6 +17,8 @@
 #include "common/time.h"
 #include "protocol/server_session.h"
 #include "server/stats.h"
+#include "tls/channel.h"
+#include "tls/context.h"
 
 namespace aucast::server {
 
@@ -28,6 +30,8 @@ namespace aucast::server {
 /// When the session has closed the connection lingers: what was begun is written, the sending side
 /// is shut, what still comes is read and dropped, so that the peer gets every last word and no
 /// reset; at most kDrainBytesMax and kDrainTimeMax without progress.
+/// With TLS what is read and written goes through a channel first, and the session begins when the
+/// handshake is done, for which there is kTlsHandshakeTimeMax.
 /// Bounded: while kOutputBytesMax wait for a peer that does not read, nothing is read from it
 /// either, so it can only ask for as much as one read and its banked answers are worth. Of a live
 /// stream the next keyframe is handed out when the socket has taken all before it.
@@ -44,6 +48,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     Milliseconds client_timeout{0};
     protocol::Admission admission = protocol::Admission::Welcome;
     int unsent_bytes_max = 0;  ///< that the system may hold back unsent; 0: as much as it likes
+    std::optional<tls::Context> tls{};  ///< nothing: plain
   };
 
   /// `on_closed` is called once, when the socket is closed.
@@ -65,8 +70,15 @@ class Connection : public std::enable_shared_from_this<Connection> {
   static constexpr std::size_t kOutputBytesMax = 65536;
   static constexpr std::size_t kReadBytesMax = 1024;
 
+  [[nodiscard]] bool handshaking() const { return tls_ && !tls_->ready(); }
+  void read_tls(std::string_view bytes);
+  void hand_to_session(std::string_view bytes);
+  void peer_ended();
+  void want_shut();
+  void fail_tls(std::string_view reason, bool answer_plain);
   void carry_out(std::vector<protocol::ServerEvent> events);
   void queue(std::string bytes);
+  void append(std::string bytes);
   void session_closed(std::string_view end_reason, std::string_view reason, bool in_order);
   void go_on();
   void read();
@@ -92,6 +104,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   OnClosed on_closed_;
   protocol::ServerSession session_;
   ClientRecord record_;
+  const protocol::ServerCatalogue& catalogue_;
+  std::unique_ptr<tls::Channel> tls_;  ///< nothing: plain
+  Instant handshake_until_{};
 
   std::array<char, kReadBytesMax> input_{};
   std::string output_;

@@ -99,6 +99,39 @@ constexpr OptionRow kTable[] = {
      [](const std::string& word, TransmitterOptions& options) {
        return read_whole(word, 0, kMaxClientsMost, options.max_clients);
      }},
+    {"max-clients-per-address", "N", Kind::Number, "0", "the same from one address (0: no limit)",
+     "Of IPv6 the first 64 bits count as the address. Many clients behind one router have one "
+     "address.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 0, kMaxClientsMost, options.max_clients_per_address);
+     }},
+    {"tls-cert", "FILE", Kind::Word, "", "speak TLS only, with this certificate (PEM)",
+     "The certificate, and after it in the same file those of the authorities between it and one "
+     "that clients know. Read again on SIGHUP, like --tls-key, --tls-client-ca and --token-file; "
+     "clients that are connected stay.",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.credentials.tls.certificate = word;
+       return std::nullopt;
+     }},
+    {"tls-key", "FILE", Kind::Word, "", "its key (PEM, without a pass phrase)",
+     "It should be readable for the transmitter alone.",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.credentials.tls.key = word;
+       return std::nullopt;
+     }},
+    {"tls-client-ca", "FILE", Kind::Word, "", "clients must show a certificate of these",
+     "Certificates of the authorities that clients' certificates must come from (PEM).",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.credentials.tls.authorities = word;
+       return std::nullopt;
+     }},
+    {"token-file", "FILE", Kind::Word, "", "clients must show the token in this file",
+     "One word of at most 256 bytes. Who does not show it is refused before anything is told, "
+     "classic clients too, which have none. Without TLS everybody on the way can read it.",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.credentials.token = word;
+       return std::nullopt;
+     }},
     {"stats", "FILE.json", Kind::Word, "", "on exit, write packets, bytes, seconds of every client",
      "Written whole or not at all. The totals count every client, the latest 1000 are listed.",
      read_text<&TransmitterOptions::stats>},

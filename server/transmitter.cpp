@@ -6,6 +6,8 @@
 #include <csignal>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -15,8 +17,10 @@
 
 #include "common/log.h"
 #include "protocol/limits.h"
+#include "server/address_counts.h"
 #include "server/catalogue.h"
 #include "server/connection.h"
+#include "server/credentials.h"
 #include "server/listener.h"
 #include "server/live_beat.h"
 
@@ -49,18 +53,24 @@ class Transmitter {
         catalogue_(std::move(catalogue)),
         stats_(stats),
         signals_(io_, SIGINT, SIGTERM),
+        hangup_(io_, SIGHUP),
         stop_timer_(io_),
         listener_(io_),
         beat_(io_) {}
 
   Result<void> run(const OnReady& on_ready) {
+    if (auto loaded = load(); !loaded) return loaded;
     if (auto opened = listener_.open(options_.bind, options_.port); !opened) return opened;
     const std::string address = endpoint_text(listener_.endpoint());
     if (auto ready = on_ready(address); !ready) return ready;
     if (listener_.endpoint().address().is_loopback()) {
       spdlog::info("only programs on this host can connect; --bind 0.0.0.0 lets others in");
     }
+    if (!catalogue_.token.empty() && !tls_ && !listener_.endpoint().address().is_loopback()) {
+      spdlog::warn("without --tls-cert everybody on the way can read the token");
+    }
     await_signal();
+    await_hangup();
     if (options_.live) begin_live();
     listener_.start([this](tcp::socket socket, const tcp::endpoint& peer) {
       welcome(std::move(socket), peer);
@@ -69,7 +79,33 @@ class Transmitter {
     return {};
   }
 
+  /// Reads certificates and token again. Who is connected stays; what cannot be read changes
+  /// nothing.
+  void reload() {
+    if (const auto loaded = load(); !loaded) {
+      spdlog::error("{}; the certificates and token in use stay", loaded.error().message);
+    } else {
+      spdlog::info("certificates and token were read again");
+    }
+  }
+
  private:
+  Result<void> load() {
+    auto loaded = load_credentials(options_.credentials);
+    if (!loaded) return loaded.error();
+    tls_ = std::move(loaded->tls);
+    catalogue_.token = std::move(loaded->token);
+    return {};
+  }
+
+  void await_hangup() {
+    hangup_.async_wait([this](const std::error_code& error, int) {
+      if (error) return;
+      reload();
+      await_hangup();
+    });
+  }
+
   void begin_live() {
     const std::size_t bytes = bytes_in(catalogue_, protocol::kLiveWindowTime / 2);
     unsent_bytes_max_ = static_cast<int>(std::clamp(bytes, kUnsentBytesLeast, kUnsentBytesMost));
@@ -85,26 +121,44 @@ class Transmitter {
   }
 
   void welcome(tcp::socket socket, const tcp::endpoint& peer) {
-    const std::size_t clients_max = options_.max_clients;
-    const bool full = clients_max != 0 && connections_.size() >= clients_max;
-    if (full && connections_.size() >= clients_max + kRefusalsMax) {
+    const protocol::Admission admission = admission_of(peer);
+    const bool refused = admission != protocol::Admission::Welcome;
+    if (refused && refused_.size() >= kRefusalsMax) {
       spdlog::debug("a client too many was not even heard: {}", endpoint_text(peer));
       return;  // the socket closes
     }
     const std::uint64_t number = ++last_number_;
     auto connection = std::make_shared<Connection>(
         std::move(socket), catalogue_,
-        Connection::Settings{number, endpoint_text(peer), options_.client_timeout,
-                             full ? protocol::Admission::Full : protocol::Admission::Welcome,
-                             unsent_bytes_max_},
+        Connection::Settings{number, endpoint_text(peer), options_.client_timeout, admission,
+                             unsent_bytes_max_, tls_},
         [this](const ClientRecord& record) { farewell(record); });
+    if (refused) {
+      refused_.insert(number);
+    } else if (options_.max_clients_per_address != 0) {
+      of_address_.add(number, peer.address());
+    }
     connections_.emplace(number, connection);
     connection->start();
+  }
+
+  [[nodiscard]] protocol::Admission admission_of(const tcp::endpoint& peer) const {
+    const std::size_t inside = connections_.size() - refused_.size();
+    if (options_.max_clients != 0 && inside >= options_.max_clients) {
+      return protocol::Admission::Full;
+    }
+    const std::size_t most = options_.max_clients_per_address;
+    if (most != 0 && of_address_.count(peer.address()) >= most) {
+      return protocol::Admission::FullAddress;
+    }
+    return protocol::Admission::Welcome;
   }
 
   void farewell(const ClientRecord& record) {
     stats_.add(record);
     connections_.erase(record.number);
+    refused_.erase(record.number);
+    of_address_.remove(record.number);
     if (stopping_ && connections_.empty()) end();
   }
 
@@ -144,6 +198,7 @@ class Transmitter {
   void end() {
     std::error_code ignored;
     signals_.cancel(ignored);
+    hangup_.cancel(ignored);
     stop_timer_.cancel();
   }
 
@@ -159,11 +214,15 @@ class Transmitter {
   Stats& stats_;
   asio::io_context io_{1};
   asio::signal_set signals_;
+  asio::signal_set hangup_;
   asio::steady_timer stop_timer_;
   Listener listener_;
   LiveBeat beat_;
   int unsent_bytes_max_ = 0;
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;
+  std::set<std::uint64_t> refused_;  ///< those that are heard only to be told so
+  AddressCounts of_address_;         ///< of the others
+  std::optional<tls::Context> tls_;
   std::uint64_t last_number_ = 0;
   bool stopping_ = false;
 };

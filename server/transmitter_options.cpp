@@ -156,6 +156,12 @@ Result<void> validate(const TransmitterOptions& options) {
   if (options.classic_min < 0 || options.classic_min > 100) {
     return usage("--classic-min is outside 0 to 100");
   }
+  if (options.credentials.tls.certificate.empty() != options.credentials.tls.key.empty()) {
+    return usage("--tls-cert and --tls-key go together");
+  }
+  if (!options.credentials.tls.authorities.empty() && options.credentials.tls.certificate.empty()) {
+    return usage("--tls-client-ca needs --tls-cert and --tls-key");
+  }
   if (options.client_timeout.count() < 0) return usage("--client-timeout is negative");
   return {};
 }

@@ -10,6 +10,7 @@
 #include "common/result.h"
 #include "common/time.h"
 #include "protocol/limits.h"
+#include "server/credentials.h"
 #include "server/source_options.h"
 
 namespace aucast::server {
@@ -25,6 +26,8 @@ struct TransmitterOptions {
   int classic_min = 20;                         ///< percent 0-100; classic clients get no less
   Milliseconds client_timeout{0};               ///< longest wait for an answer; 0: for ever
   std::size_t max_clients = 0;                  ///< at a time; 0: as many as come
+  std::size_t max_clients_per_address = 0;      ///< the same from one address
+  CredentialFiles credentials;                  ///< certificates and token
   std::filesystem::path stats;                  ///< empty: none
   bool check = false;                           ///< check the sources and serve nothing
   SourceOptions source;                         ///< how recordings are read
