@@ -8,6 +8,7 @@
 #include "client/app/clocked_run.h"
 #include "client/app/film.h"
 #include "client/app/gallery_command.h"
+#include "client/app/local_stream.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/app/pose_command.h"
@@ -16,7 +17,6 @@
 #include "client/playback/file_source.h"
 #include "common/files.h"
 #include "common/log.h"
-#include "protocol/stream_file.h"
 
 namespace aucast::app {
 namespace {
@@ -40,18 +40,10 @@ void set_up_signals() {
 }
 
 Result<std::unique_ptr<playback::KeyframeSource>> open_file(const PlaybackOptions& options) {
-  auto text = read_file(options.file);
-  if (!text) return text.error();
-  auto stream = protocol::parse_stream_file(*text, options.file.string());
-  if (!stream) return stream.error();
-  std::vector<playback::TimedAus> keyframes;
-  for (const protocol::Keyframe& keyframe : stream->keyframes) {
-    playback::TimedAus timed{frame_from_terms(keyframe.terms), std::nullopt};
-    if (keyframe.duration_ms) timed.duration = Milliseconds(*keyframe.duration_ms);
-    keyframes.push_back(timed);
-  }
+  auto keyframes = read_stream(options.file);
+  if (!keyframes) return keyframes.error();
   return std::unique_ptr<playback::KeyframeSource>(
-      std::make_unique<playback::FileSource>(std::move(keyframes)));
+      std::make_unique<playback::FileSource>(std::move(*keyframes)));
 }
 
 Result<std::unique_ptr<playback::KeyframeSource>> open_remote(const PlaybackOptions& options) {

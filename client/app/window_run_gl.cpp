@@ -144,9 +144,39 @@ class WindowRun {
         case Key::Question:
           overlay_->gui().toggle_keys();
           break;
-        case Key::None:
+        default:
+          stream_key(key);
           break;
       }
+    }
+    for (std::string file = window_->next_dropped(); !file.empty();
+         file = window_->next_dropped()) {
+      carry_out(gui::OpenStream{file});
+    }
+  }
+
+  /// Keys of a stream that is there whole, as mpv has them.
+  void stream_key(render::Key key) {
+    using render::Key;
+    switch (key) {
+      case Key::Left:
+        return carry_out(gui::LocalCommand(gui::StepKeyframe{-1}));
+      case Key::Right:
+        return carry_out(gui::LocalCommand(gui::StepKeyframe{1}));
+      case Key::Comma:
+        return carry_out(gui::LocalCommand(gui::StepFrame{-1}));
+      case Key::Period:
+        return carry_out(gui::LocalCommand(gui::StepFrame{1}));
+      case Key::Slower:
+        return carry_out(gui::LocalCommand(gui::ChangeSpeed{-1}));
+      case Key::Faster:
+        return carry_out(gui::LocalCommand(gui::ChangeSpeed{1}));
+      case Key::L:
+        return carry_out(gui::LocalCommand(gui::MarkLoop{}));
+      case Key::O:
+        return carry_out(gui::Browse{gui::Purpose::PlayStream});
+      default:
+        return;
     }
   }
 

@@ -12,6 +12,7 @@
 #include "client/gui/view_text.h"
 #include "client/net/remote_source.h"
 #include "client/playback/blinking.h"
+#include "client/playback/file_source.h"
 #include "common/log.h"
 #include "protocol/codec.h"
 
@@ -27,6 +28,11 @@ constexpr std::uint64_t kBlinkSeed = 1;
 constexpr Milliseconds kLookEvery{50};
 constexpr Milliseconds kRest{250};
 constexpr Milliseconds kFrameMax{20};
+/// Of a stream that is there whole.
+constexpr Milliseconds kLocalFrame{10};
+constexpr Milliseconds kUntimed{250};
+constexpr Milliseconds kNoticeTime{6'000};
+constexpr Milliseconds kBadNoticeTime{20'000};
 
 bool went_wrong(playback::EndReason end) {
   using playback::EndReason;
@@ -69,6 +75,16 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
   rendering_.blinking = options.playback.blink_seed.has_value();
   rendering_.blink.seed = options.playback.blink_seed.value_or(kBlinkSeed);
   rendering_.layers = options.output.layers;
+  if (const auto* file = dynamic_cast<const playback::FileSource*>(source_.get())) {
+    play_local(options.playback.file.filename().string(), file->keyframes());
+    if (options.playback.file.has_parent_path()) {
+      last_folder_ = options.playback.file.parent_path();
+    } else {
+      last_folder_ = ".";
+    }
+  } else {
+    last_folder_ = assets.data_folder / "streams";
+  }
 }
 
 WindowSession::~WindowSession() = default;
@@ -78,13 +94,20 @@ WindowSession::~WindowSession() = default;
 void WindowSession::begin_keyframe(const AuFrame& aus) {
   static_cast<void>(pipeline_->at(1.0));
   pipeline_->begin_keyframe(aus);
+  explain(aus);
+}
+
+/// What came and what the rules made of it, for the panel.
+void WindowSession::explain(const AuFrame& aus) {
   std::vector<face::RuleFired> fired;
   const AuFrame blended = face::blend(rules_, aus, &fired);
   aus_ = gui::au_rows(aus, blended, fired);
 }
 
 void WindowSession::advance(Instant now) {
+  if (!notice_.text.empty() && now >= notice_until_) notice_ = {};
   if (source_ == nullptr) return;
+  if (local_) return advance_local(now);
   const std::uint64_t played = controller_.keyframes_played();
   while (const auto begun = controller_.advance(now, *source_)) {
     begin_keyframe(begun->target.aus);
@@ -105,8 +128,21 @@ void WindowSession::remember_level(Instant now) {
   while (now - levels_.front().at > kLevelsKept) levels_.erase(levels_.begin());
 }
 
+void WindowSession::advance_local(Instant now) {
+  const std::uint64_t played = local_->playback().keyframes_played(now);
+  if (local_->advance(now)) {
+    local_->begin(*pipeline_);
+    explain(pipeline_->received());
+    if (!first_begin_) first_begin_ = now;
+  }
+  if (std::exchange(local_played_, played) != played) {
+    stats_.playback_seconds = seconds(now - *first_begin_);
+  }
+}
+
 void WindowSession::toggle_pause(Instant now) {
-  if (controller_.state() == PlaybackState::Paused) {
+  const bool stands = local_ ? !local_->moving() : controller_.state() == PlaybackState::Paused;
+  if (stands) {
     carry_out(gui::Resume{}, now);
   } else {
     carry_out(gui::Pause{}, now);
@@ -117,6 +153,8 @@ const std::vector<float>& WindowSession::activations(Instant now) {
   if (shown_ == Shown::Editor) {
     if (transition_ && transition_->over(now)) transition_.reset();
     face_now_ = transition_ ? transition_->at(now) : editor_.activations();
+  } else if (local_) {
+    face_now_ = pipeline_->at(local_->mu());
   } else if (controller_.moment().keyframe > 0) {
     face_now_ = pipeline_->at(controller_.moment().mu);
   } else {
@@ -139,12 +177,15 @@ void WindowSession::add_blinking(Instant now) {
 }
 
 Duration WindowSession::rest(Instant now) const {
-  Duration rest = running() ? kLookEvery : kRest;
+  Duration rest = running() && !local_ ? kLookEvery : kRest;
+  if (!notice_.text.empty()) rest = std::clamp<Duration>(notice_until_ - now, kFrameMax, rest);
   if (rendering_.blinking) rest = kFrameMax;
   const auto at_most = [&](std::optional<Instant> next) {
     if (next) rest = std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
   };
-  if (shown_ == Shown::Playback) {
+  if (local_ && local_->moving()) {
+    rest = kLocalFrame;
+  } else if (shown_ == Shown::Playback) {
     at_most(controller_.next_position_at());
   } else if (transition_) {
     at_most(transition_->next_frame_at(now));
@@ -156,6 +197,14 @@ std::unique_ptr<playback::KeyframeSource> WindowSession::finish(Instant now) {
   if (running()) {
     source_->stop();
     controller_.stop(now);
+  }
+  if (local_) {
+    stats_.keyframes_played = local_->playback().keyframes_played(now);
+    stats_.media_seconds = seconds(local_->playback().media_time(now));
+    while (local_->over() && source_->take()) {
+      // So that the source says that it was played to its end.
+    }
+    return std::move(source_);
   }
   stats_.keyframes_played = controller_.keyframes_played();
   stats_.stalls = controller_.stalls();
@@ -171,11 +220,6 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
 
 void WindowSession::carry_out(const gui::Connect& command, Instant now) {
   if (gui::problem(command.settings)) return;
-  carry_out(gui::Stop{}, now);
-  static_cast<void>(activations(now));
-  held_ = face_now_;
-  retired_.clear();
-  if (source_) retired_.push_back(std::move(source_));
   remote_settings_ = command.settings;
   buffers_.receiver_capacity = static_cast<std::size_t>(remote_settings_.buffer);
   buffers_.playout_capacity = static_cast<std::size_t>(remote_settings_.playout);
@@ -191,8 +235,20 @@ void WindowSession::carry_out(const gui::Connect& command, Instant now) {
   remote.speed = speed;
   remote.reconnect = options_.playback.reconnect;
   remote.buffers = buffers_;
-  source_ = std::make_unique<net::RemoteSource>(std::move(remote));
+  replace_source(std::make_unique<net::RemoteSource>(std::move(remote)), speed, now);
+}
 
+/// Something else plays from now on; until it begins the face stays as it is.
+void WindowSession::replace_source(std::unique_ptr<playback::KeyframeSource> source,
+                                   std::optional<Milliseconds> speed, Instant now) {
+  carry_out(gui::Stop{}, now);
+  static_cast<void>(activations(now));
+  held_ = face_now_;
+  retired_.clear();
+  if (source_) retired_.push_back(std::move(source_));
+  source_ = std::move(source);
+  local_.reset();
+  local_played_ = 0;
   shown_ = Shown::Playback;
   transition_.reset();
   controller_ = playback::PlaybackController(speed);
@@ -205,11 +261,17 @@ void WindowSession::carry_out(const gui::Connect& command, Instant now) {
 
 void WindowSession::carry_out(const gui::Pause&, Instant now) {
   if (!running()) return;
+  if (local_) return local_->pause(now);
   controller_.pause(now);
   if (auto* remote = dynamic_cast<net::RemoteSource*>(source_.get())) remote->pause();
 }
 
 void WindowSession::carry_out(const gui::Resume&, Instant now) {
+  if (local_) {
+    local_->play(now);
+    shown_ = Shown::Playback;
+    return;
+  }
   if (!running()) return;
   controller_.resume(now);
   shown_ = Shown::Playback;
@@ -218,6 +280,7 @@ void WindowSession::carry_out(const gui::Resume&, Instant now) {
 
 void WindowSession::carry_out(const gui::Stop&, Instant now) {
   if (!running()) return;
+  if (local_) return local_->pause(now);
   source_->stop();
   controller_.stop(now);
 }
@@ -234,7 +297,12 @@ void WindowSession::carry_out(const gui::ChangeAnimation& command, Instant) {
   animation_ = command.settings;
   pipeline_->set_options({animation_.mixer, animation_.interpolation});
   // A face that stands is made anew, so that the change is seen at once.
-  if (over() && controller_.moment().mu >= 1) begin_keyframe(pipeline_->received());
+  if (local_) {
+    local_->begin(*pipeline_);
+    explain(pipeline_->received());
+  } else if (over() && controller_.moment().mu >= 1) {
+    begin_keyframe(pipeline_->received());
+  }
 }
 
 void WindowSession::carry_out(const gui::ShowExpression& command, Instant now) {
@@ -329,6 +397,70 @@ void WindowSession::carry_out(const gui::Leave& command, Instant) {
   leaving_ = command.really;
 }
 
+// === Streams that are there whole.
+
+bool WindowSession::over() const {
+  if (source_ == nullptr) return false;
+  return local_ ? local_->over() : controller_.over();
+}
+
+void WindowSession::play_local(std::string name, const std::vector<playback::TimedAus>& keyframes) {
+  local_.emplace(std::move(name), keyframes, options_.playback.speed.value_or(kUntimed));
+}
+
+void WindowSession::carry_out(const gui::LocalCommand& command, Instant now) {
+  if (!local_) return;
+  local_->apply(command, now);
+  const bool changes_the_place = std::holds_alternative<gui::Seek>(command) ||
+                                 std::holds_alternative<gui::StepKeyframe>(command) ||
+                                 std::holds_alternative<gui::StepFrame>(command);
+  if (changes_the_place) shown_ = Shown::Playback;
+}
+
+void WindowSession::carry_out(const gui::OpenStream& command, Instant now) {
+  const std::filesystem::path file = command.file;
+  auto keyframes = read_stream(file);
+  if (!keyframes) {
+    if (browser_.view().open) {
+      browser_.refuse(keyframes.error().message);
+    } else {
+      say(keyframes.error().message, true, now);
+    }
+    return;
+  }
+  browser_.close();
+  last_folder_ = file.parent_path();
+  replace_source(std::make_unique<playback::FileSource>(*keyframes), options_.playback.speed, now);
+  play_local(file.filename().string(), *keyframes);
+}
+
+void WindowSession::carry_out(const gui::Browse& command, Instant) {
+  browser_.open(command.purpose, last_folder_);
+}
+
+void WindowSession::carry_out(const gui::EnterFolder& command, Instant) {
+  browser_.enter(command.folder);
+}
+
+void WindowSession::carry_out(const gui::ChooseFile& command, Instant now) {
+  std::filesystem::path file;
+  if (!browser_.view().open || !browser_.choose(command.file, file)) return;
+  carry_out(gui::OpenStream{file.string()}, now);
+}
+
+void WindowSession::carry_out(const gui::CloseBrowser&, Instant) {
+  browser_.close();
+}
+
+void WindowSession::carry_out(const gui::CloseNotice&, Instant) {
+  notice_ = {};
+}
+
+void WindowSession::say(std::string text, bool bad, Instant now) {
+  notice_ = {std::move(text), bad};
+  notice_until_ = now + (bad ? kBadNoticeTime : kNoticeTime);
+}
+
 void WindowSession::ask_to_leave() {
   // Asking twice is an answer.
   leaving_ = asks_to_leave_ || !editor_.unsaved();
@@ -340,6 +472,7 @@ void WindowSession::ask_to_leave() {
 std::string WindowSession::title() const {
   std::string title = "AUcast";
   if (source_ == nullptr) return title;
+  if (local_) return local_->name() + " - " + title;
   const playback::SourceStatus status = source_->status();
   title += " - " + std::string(playback::name(controller_.state()));
   if (!status.detail.empty()) title += ": " + status.detail;
@@ -367,6 +500,11 @@ gui::RemoteView WindowSession::remote_view() const {
   view.receiver.threshold_percent = buffers_.threshold_percent;
   view.playout.capacity = buffers_.playout_capacity;
   if (source_ == nullptr) return view;
+  if (local_) {
+    local_->describe(view);
+    view.aus = aus_;
+    return view;
+  }
   const playback::SourceStatus status = source_->status();
   const PlaybackState state = controller_.state();
   view.activity = gui::activity_of(state, status);
@@ -404,6 +542,9 @@ gui::GuiModel WindowSession::model() const {
   gui::GuiModel model;
   model.remote_settings = remote_settings_;
   model.remote = remote_view();
+  if (local_) model.local = local_->view();
+  model.browser = browser_.view();
+  model.notice = notice_;
   model.animation = animation_;
   model.editor = editor_view();
   for (const auto& [number, recording] : face_.recordings) {

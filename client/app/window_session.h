@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "client/app/assets.h"
+#include "client/app/local_stream.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/face/face.h"
 #include "client/gui/expression_editor.h"
+#include "client/gui/file_browser.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
 #include "client/gui/transition.h"
@@ -50,7 +52,7 @@ class WindowSession {
   [[nodiscard]] Duration rest(Instant now) const;
 
   /// Playing has come to its end; false while nothing was ever opened.
-  [[nodiscard]] bool over() const { return source_ != nullptr && controller_.over(); }
+  [[nodiscard]] bool over() const;
   /// The user wants to leave: at once, unless there are changes to be asked about.
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
@@ -83,16 +85,29 @@ class WindowSession {
   void carry_out(const gui::ChangeRendering& command, Instant now);
   void carry_out(const gui::LookFrom&, Instant) {}
   void carry_out(const gui::Leave& command, Instant now);
+  void carry_out(const gui::LocalCommand& command, Instant now);
+  void carry_out(const gui::Browse& command, Instant now);
+  void carry_out(const gui::EnterFolder& command, Instant now);
+  void carry_out(const gui::ChooseFile& command, Instant now);
+  void carry_out(const gui::CloseBrowser&, Instant now);
+  void carry_out(const gui::OpenStream& command, Instant now);
+  void carry_out(const gui::CloseNotice&, Instant now);
 
   void edit(Instant now);
   void begin_keyframe(const AuFrame& aus);
+  void explain(const AuFrame& aus);
+  void advance_local(Instant now);
+  void play_local(std::string name, const std::vector<playback::TimedAus>& keyframes);
+  void replace_source(std::unique_ptr<playback::KeyframeSource> source,
+                      std::optional<Milliseconds> speed, Instant now);
+  void say(std::string text, bool bad, Instant now);
   void remember_level(Instant now);
   void add_blinking(Instant now);
   [[nodiscard]] Result<std::string> save(int number);
   [[nodiscard]] gui::RemoteView remote_view() const;
   [[nodiscard]] gui::EditorView editor_view() const;
   [[nodiscard]] std::string traffic(const playback::SourceStatus& status) const;
-  [[nodiscard]] bool running() const { return source_ != nullptr && !controller_.over(); }
+  [[nodiscard]] bool running() const { return source_ != nullptr && !over(); }
 
   const Assets& assets_;
   const PlayerOptions& options_;
@@ -105,6 +120,8 @@ class WindowSession {
 
   std::unique_ptr<playback::KeyframeSource> source_;
   std::vector<std::unique_ptr<playback::KeyframeSource>> retired_;  ///< saying their last words
+  std::uint64_t local_played_ = 0;
+  std::optional<LocalStream> local_;  ///< then source_ only stands for it
   playback::PlaybackController controller_;
   std::optional<pipeline::FacePipeline> pipeline_;  ///< always there; made anew for a new source
   std::optional<Instant> first_begin_;
@@ -129,6 +146,10 @@ class WindowSession {
     std::uint64_t bytes = 0;
   };
   std::vector<Level> levels_;  ///< of the last half minute
+  gui::FileBrowser browser_;
+  std::filesystem::path last_folder_;  ///< where the file dialog begins
+  gui::Notice notice_;
+  Instant notice_until_{};
   bool asks_to_leave_ = false;
   bool leaving_ = false;
 };

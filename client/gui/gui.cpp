@@ -139,8 +139,13 @@ struct KeyHelp {
   const char* key;
   const char* meaning;
 };
-constexpr std::array<KeyHelp, 10> kKeys = {{
+constexpr std::array<KeyHelp, 15> kKeys = {{
     {"Space", "pause and resume"},
+    {"Left, Right", "a keyframe back, on (stream files)"},
+    {", .", "a frame back, on"},
+    {"[ ]", "slower, faster"},
+    {"l", "loop: begin, end, none"},
+    {"o", "open a stream file"},
     {"Tab", "hide and show the panel"},
     {"f", "full screen"},
     {"s", "save a picture"},
@@ -194,6 +199,7 @@ struct Gui::State {
   Look look;
   RemoteForm remote;
   ExpressionForm expression;
+  FileForm file;
   bool panel = true;
   bool keys = false;
 
@@ -249,6 +255,10 @@ Gui::~Gui() {
 void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   ImGui::NewFrame();
   if (state_->panel) state_->side_panel(model, commands);
+  const float free = ImGui::GetIO().DisplaySize.x - covered_width();
+  transport_bar(state_->look, model, free, commands);
+  notice_line(state_->look, model, free, commands);
+  file_dialog(state_->look, model, state_->file, commands);
   if (state_->keys) key_list(state_->look, state_->keys);
   if (model.asks_to_leave) leave_question(commands);
   ImGui::Render();
@@ -271,7 +281,8 @@ float Gui::covered_width() const {
 }
 
 bool Gui::wants_keys() const {
-  return ImGui::GetIO().WantTextInput;
+  return ImGui::GetIO().WantTextInput ||
+         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 bool Gui::wants_pointer() const {

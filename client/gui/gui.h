@@ -29,7 +29,7 @@ class Gui {
   [[nodiscard]] bool panel_shown() const;
   /// Width of what the panel hides at the right of the window, in its units; 0 when it is hidden.
   [[nodiscard]] float covered_width() const;
-  /// A text is being typed: keys are not for the player.
+  /// A text is being typed or a question asked: keys are not for the player.
   [[nodiscard]] bool wants_keys() const;
   /// The pointer is over a panel, or drags something of it.
   [[nodiscard]] bool wants_pointer() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -57,9 +58,29 @@ struct Leave {
   bool really = false;
 };
 
-using GuiCommand = std::variant<Connect, Pause, Resume, Stop, ChangeAnimation, ShowExpression,
-                                ChangeTransition, SetChannel, SetLinked, LoadAu, SaveAu, RevertAu,
-                                NeutralFace, Undo, Redo, ChangeRendering, LookFrom, Leave>;
+/// Opens the file dialog.
+struct Browse {
+  Purpose purpose = Purpose::PlayStream;
+};
+struct EnterFolder {
+  std::string folder;
+};
+/// The file that the dialog was for.
+struct ChooseFile {
+  std::string file;
+};
+struct CloseBrowser {};
+/// Plays a stream file from its beginning.
+struct OpenStream {
+  std::string file;
+};
+struct CloseNotice {};
+
+using GuiCommand =
+    std::variant<Connect, Pause, Resume, Stop, ChangeAnimation, ShowExpression, ChangeTransition,
+                 SetChannel, SetLinked, LoadAu, SaveAu, RevertAu, NeutralFace, Undo, Redo,
+                 ChangeRendering, LookFrom, Leave, LocalCommand, Browse, EnterFolder, ChooseFile,
+                 CloseBrowser, OpenStream, CloseNotice>;
 using GuiCommands = std::vector<GuiCommand>;
 
 }  // namespace aucast::gui

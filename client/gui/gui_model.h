@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "client/face/muscle_mixer.h"
+#include "client/gui/file_browser.h"
 #include "client/gui/remote_settings.h"
+#include "client/gui/stream_view.h"
 #include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
 #include "client/view/style.h"
@@ -146,9 +148,19 @@ struct RenderingView {
   friend bool operator==(const RenderingView&, const RenderingView&) = default;
 };
 
+/// A sentence about what was just done, such as where a file went.
+struct Notice {
+  std::string text;  ///< empty: there is none
+  bool bad = false;
+  friend bool operator==(const Notice&, const Notice&) = default;
+};
+
 struct GuiModel {
   RemoteSettings remote_settings;  ///< those in force; the form begins with them
   RemoteView remote;
+  LocalView local;
+  BrowserView browser;
+  Notice notice;
   AnimationSettings animation;
   EditorView editor;
   std::vector<AuEntry> known_aus;

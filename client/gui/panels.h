@@ -28,6 +28,25 @@ struct ExpressionForm {
 void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
                       GuiCommands& commands);
 
+/// The bar under the face by which a stream that is there whole is played; `width`: what the side
+/// panel leaves free.
+void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
+/// What the remote player's panel says about stream files.
+void file_part(const GuiModel& model, GuiCommands& commands);
+/// What was just done, over the face for a while.
+void notice_line(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
+
+/// What is being typed in the file dialog.
+struct FileForm {
+  std::array<char, 1024> folder{};
+  std::array<char, 256> name{};
+  std::string shown_folder;  ///< of the model that was taken over
+  std::string shown_name;
+};
+
+/// The file dialog, while the model has one open.
+void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCommands& commands);
+
 void rendering_panel(const Look& look, const GuiModel& model, GuiCommands& commands);
 
 }  // namespace aucast::gui

@@ -36,8 +36,9 @@ void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   ImGui::InputInt("##port", &form.settings.port, 0);
   const auto wrong = problem(form.settings);
   const Activity activity = model.remote.activity;
-  const bool running = activity == Activity::Connecting || activity == Activity::Playing ||
-                       activity == Activity::Paused;
+  const bool running =
+      !model.remote.local && (activity == Activity::Connecting || activity == Activity::Playing ||
+                              activity == Activity::Paused);
   if (!running) {
     const bool pressed = wide_button("Connect", 0, 1, !wrong, true);
     if ((pressed || entered) && !wrong) commands.push_back(Connect{form.settings});
@@ -149,6 +150,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
                   GuiCommands& commands) {
   if (!form.filled) fill_form(model.remote_settings, form);
   server(look, model, form, commands);
+  file_part(model, commands);
   if (!model.remote.local) buffers(look, model, form);
   animation(look, model, commands);
   action_units(look, model);

@@ -77,6 +77,31 @@ Key key_of(int code, int modifiers) {
       return Key::R;
     case GLFW_KEY_TAB:
       return Key::Tab;
+    case GLFW_KEY_LEFT:
+      return Key::Left;
+    case GLFW_KEY_RIGHT:
+      return Key::Right;
+    case GLFW_KEY_L:
+      return Key::L;
+    case GLFW_KEY_O:
+      return Key::O;
+    default:
+      return Key::None;
+  }
+}
+
+Key key_of_character(unsigned character) {
+  switch (character) {
+    case '?':
+      return Key::Question;
+    case ',':
+      return Key::Comma;
+    case '.':
+      return Key::Period;
+    case '[':
+      return Key::Slower;
+    case ']':
+      return Key::Faster;
     default:
       return Key::None;
   }
@@ -88,6 +113,7 @@ struct Window::State {
   GLFWwindow* window = nullptr;
   view::Camera camera;
   std::deque<Key> keys;
+  std::deque<std::string> dropped;
   bool redraw = true;
   bool pointer_taken = false;
   bool keys_taken = false;
@@ -120,10 +146,15 @@ void Window::State::listen() {
     const Key key = meant ? key_of(code, modifiers) : Key::None;
     if (key != Key::None) of(self).keys.push_back(key);
   });
-  // The question mark's place depends on the keyboard: it is taken as a character.
+  // The place of these depends on the keyboard: they are taken as characters.
   glfwSetCharCallback(window, [](GLFWwindow* self, unsigned character) {
     of(self).redraw = true;
-    if (character == '?' && !of(self).keys_taken) of(self).keys.push_back(Key::Question);
+    const Key key = key_of_character(character);
+    if (key != Key::None && !of(self).keys_taken) of(self).keys.push_back(key);
+  });
+  glfwSetDropCallback(window, [](GLFWwindow* self, int count, const char** files) {
+    of(self).redraw = true;
+    for (int i = 0; i < count; ++i) of(self).dropped.emplace_back(files[i]);
   });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* self) { of(self).redraw = true; });
   glfwSetFramebufferSizeCallback(window,
@@ -196,6 +227,13 @@ Key Window::next_key() {
   const Key key = state_->keys.front();
   state_->keys.pop_front();
   return key;
+}
+
+std::string Window::next_dropped() {
+  if (state_->dropped.empty()) return {};
+  std::string file = std::move(state_->dropped.front());
+  state_->dropped.pop_front();
+  return file;
 }
 
 void Window::set_title(const std::string& title) {

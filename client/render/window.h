@@ -11,7 +11,25 @@ struct GLFWwindow;
 
 namespace aucast::render {
 
-enum class Key : int { None, Quit, Space, Escape, F, S, R, Question, Tab };
+enum class Key : int {
+  None,
+  Quit,
+  Space,
+  Escape,
+  F,
+  S,
+  R,
+  Question,
+  Tab,
+  Left,
+  Right,
+  Comma,
+  Period,
+  Slower,
+  Faster,
+  L,
+  O
+};
 
 /// A plain GLFW window with an OpenGL 3.3 core context and 4 samples; the camera turns with the
 /// left mouse button, moves with the right one and zooms with the wheel. Thread: the main one.
@@ -32,6 +50,8 @@ class Window {
   void poll(double seconds_max);
   /// Keys pressed since the last call, in order; Key::None when there are no more.
   [[nodiscard]] Key next_key();
+  /// A file that was dropped on the window since the last call; empty when there is none.
+  [[nodiscard]] std::string next_dropped();
   void set_title(const std::string& title);
   void toggle_full_screen();
   /// Makes the window's own framebuffer the one that is drawn into again.

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <memory>
+#include <set>
 #include <variant>
 
 #include "client/gui/gui.h"
@@ -171,6 +172,60 @@ TEST_F(Panels, ExpressionsAreButtonsOfTheirTab) {
   const auto show = find_by_clicking<ShowExpression>(450, 80, 200);
   ASSERT_TRUE(show.has_value());
   EXPECT_EQ(show->index, 0U);
+}
+
+/// The same for what is asked of a stream that is there whole.
+template <typename Command>
+std::optional<Command> local_command(const GuiCommands& commands) {
+  for (const GuiCommand& command : commands) {
+    const auto* local = std::get_if<LocalCommand>(&command);
+    const auto* found = local == nullptr ? nullptr : std::get_if<Command>(local);
+    if (found != nullptr) return *found;
+  }
+  return std::nullopt;
+}
+
+LocalView three_keyframes() {
+  LocalView local;
+  local.open = true;
+  local.name = "three.txt";
+  local.total = Milliseconds(600);
+  local.ends = std::make_shared<const std::vector<Duration>>(
+      std::vector<Duration>{Milliseconds(100), Milliseconds(300), Milliseconds(600)});
+  return local;
+}
+
+TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {
+  const view::Image without = picture();
+  model_.local = three_keyframes();
+  EXPECT_NE(picture().rgba, without.rgba);
+  const float edge = kWidth - gui_->covered_width();
+  const auto seek = local_command<Seek>(click(edge / 2, kHeight - 60));
+  ASSERT_TRUE(seek.has_value());
+  EXPECT_NEAR(std::chrono::duration<double>(seek->position).count(), 0.3, 0.005);
+  std::set<int> steps;
+  bool plays = false;
+  for (float x = 16; x < 220; x += 10) {
+    const GuiCommands all = click(x, kHeight - 24);
+    if (const auto step = local_command<StepKeyframe>(all)) steps.insert(10 * step->direction);
+    if (const auto step = local_command<StepFrame>(all)) steps.insert(step->direction);
+    for (const GuiCommand& one : all) plays |= std::holds_alternative<Resume>(one);
+  }
+  EXPECT_EQ(steps, (std::set<int>{-10, -1, 1, 10}));
+  EXPECT_TRUE(plays);
+}
+
+TEST_F(Panels, TheFileDialogChoosesAFile) {
+  model_.browser.open = true;
+  model_.browser.folder = "/streams";
+  model_.browser.entries = {{"more", true}, {"talk.txt", false}};
+  static_cast<void>(picture());
+  EXPECT_TRUE(find_by_clicking<EnterFolder>(200, 120, 160).has_value());
+  for (float y = 120; y < 200; y += 10) static_cast<void>(click(200, y));
+  const auto chosen = find_by_clicking<ChooseFile>(550, 500, 590);
+  ASSERT_TRUE(chosen.has_value());
+  EXPECT_EQ(chosen->file, "talk.txt");
+  EXPECT_TRUE(find_by_clicking<CloseBrowser>(200, 500, 590).has_value());
 }
 
 TEST_F(Panels, LeavingWithUnsavedChangesIsAQuestion) {

@@ -1,0 +1,85 @@
+#include "client/gui/file_browser.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace aucast::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders first, then files, each by name; hidden ones are left out.
+std::vector<FileEntry> entries_of(const fs::path& folder, std::error_code& error) {
+  std::vector<FileEntry> entries;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    FileEntry entry;
+    entry.name = it->path().filename().string();
+    if (entry.name.starts_with('.')) continue;
+    std::error_code ignored;
+    entry.folder = it->is_directory(ignored);
+    if (entry.folder || it->is_regular_file(ignored)) entries.push_back(std::move(entry));
+  }
+  std::sort(entries.begin(), entries.end(), [](const FileEntry& a, const FileEntry& b) {
+    return a.folder != b.folder ? a.folder : a.name < b.name;
+  });
+  return entries;
+}
+
+}  // namespace
+
+bool is_saving(Purpose purpose) {
+  return purpose == Purpose::SaveStream || purpose == Purpose::ExportKeyframes;
+}
+
+void FileBrowser::open(Purpose purpose, const fs::path& folder, std::string name) {
+  view_ = {};
+  view_.open = true;
+  view_.purpose = purpose;
+  view_.name = std::move(name);
+  std::error_code ignored;
+  fs::path shown = fs::absolute(folder, ignored);
+  while (shown.has_relative_path() && !fs::is_directory(shown, ignored)) {
+    shown = shown.parent_path();
+  }
+  view_.folder = shown.string();
+  enter(shown);
+}
+
+void FileBrowser::enter(const fs::path& folder) {
+  const fs::path wanted = (fs::path(view_.folder) / folder).lexically_normal();
+  std::error_code error;
+  std::vector<FileEntry> entries = entries_of(wanted, error);
+  view_.replaces.clear();
+  if (error) {
+    view_.problem = wanted.string() + ": " + error.message();
+    return;
+  }
+  view_.problem.clear();
+  view_.entries = std::move(entries);
+  const bool trailing = !wanted.has_filename() && wanted.has_relative_path();
+  view_.folder = (trailing ? wanted.parent_path() : wanted).string();
+}
+
+bool FileBrowser::choose(const fs::path& file, fs::path& chosen) {
+  const fs::path wanted = (fs::path(view_.folder) / file).lexically_normal();
+  std::error_code ignored;
+  if (fs::is_directory(wanted, ignored)) {
+    enter(wanted);
+    return false;
+  }
+  if (is_saving(view_.purpose) && view_.replaces != wanted && fs::exists(wanted, ignored)) {
+    view_.replaces = wanted.string();
+    view_.name = file.string();
+    return false;
+  }
+  chosen = wanted;
+  return true;
+}
+
+void FileBrowser::refuse(std::string problem) {
+  view_.problem = std::move(problem);
+  view_.replaces.clear();
+}
+
+}  // namespace aucast::gui

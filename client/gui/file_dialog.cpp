@@ -1,0 +1,142 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+const char* title_of(Purpose purpose) {
+  switch (purpose) {
+    case Purpose::PlayStream:
+      return "Open a stream file";
+    case Purpose::ComposeStream:
+      return "Open a stream file to work on";
+    case Purpose::SaveStream:
+      return "Save the composed stream";
+    case Purpose::ExportKeyframes:
+      return "Export the keyframes played";
+  }
+  return "File";
+}
+
+template <std::size_t N>
+void set_text(std::array<char, N>& out, const std::string& text) {
+  const std::size_t length = std::min(text.size(), N - 1);
+  std::memcpy(out.data(), text.data(), length);
+  out[length] = 0;
+}
+
+void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
+  const float up = 60 * look.scale;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::InputText("##folder", form.folder.data(), form.folder.size(),
+                       ImGuiInputTextFlags_EnterReturnsTrue)) {
+    commands.push_back(ChooseFile{form.folder.data()});
+  }
+  ImGui::SameLine();
+  const auto parent = std::filesystem::path(view.folder).parent_path();
+  if (ImGui::Button("Up", ImVec2(up, 0))) commands.push_back(EnterFolder{parent.string()});
+}
+
+/// One click chooses a file; a second one on it takes it. A folder opens at the first.
+void entry_list(const Look& look, const BrowserView& view, FileForm& form, float height,
+                GuiCommands& commands) {
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8 * look.scale, 6 * look.scale));
+  if (ImGui::BeginChild("entries", ImVec2(0, height), false,
+                        ImGuiWindowFlags_AlwaysUseWindowPadding)) {
+    for (const FileEntry& entry : view.entries) {
+      const bool chosen = !entry.folder && entry.name == form.name.data();
+      const std::string shown = entry.folder ? entry.name + "/" : entry.name;
+      ImGui::PushStyleColor(ImGuiCol_Text, entry.folder ? ImGui::GetColorU32(ImGuiCol_SliderGrab)
+                                                        : ImGui::GetColorU32(ImGuiCol_Text));
+      const bool clicked =
+          ImGui::Selectable(shown.c_str(), chosen, ImGuiSelectableFlags_AllowDoubleClick);
+      ImGui::PopStyleColor();
+      if (!clicked) continue;
+      if (entry.folder) {
+        commands.push_back(EnterFolder{entry.name});
+      } else {
+        set_text(form.name, entry.name);
+        if (ImGui::IsMouseDoubleClicked(0)) commands.push_back(ChooseFile{entry.name});
+      }
+    }
+    if (view.entries.empty()) ImGui::TextDisabled("Nothing here.");
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
+void decide(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
+  const bool saving = is_saving(view.purpose);
+  bool entered = false;
+  if (saving) {
+    label(look, "Name");
+    entered = ImGui::InputText("##name", form.name.data(), form.name.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue);
+  }
+  if (!view.problem.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Bad));
+    ImGui::TextWrapped("%s", view.problem.c_str());
+    ImGui::PopStyleColor();
+  }
+  if (!view.replaces.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Waiting));
+    ImGui::TextWrapped("%s is there already.", view.replaces.c_str());
+    ImGui::PopStyleColor();
+  }
+  const char* action = !saving ? "Open" : view.replaces.empty() ? "Save" : "Replace it";
+  const bool named = form.name[0] != 0;
+  if (wide_button("Cancel", 0, 2, true)) commands.push_back(CloseBrowser{});
+  const bool pressed = wide_button(action, 1, 2, named, named);
+  if (named && (pressed || entered)) commands.push_back(ChooseFile{form.name.data()});
+}
+
+}  // namespace
+
+void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCommands& commands) {
+  const BrowserView& view = model.browser;
+  constexpr const char* kId = "###files";
+  if (!view.open) {
+    form.shown_folder.clear();
+    return;
+  }
+  if (form.shown_folder.empty() || form.shown_name != view.name) {
+    form.shown_name = view.name;
+    set_text(form.name, view.name);
+  }
+  if (form.shown_folder != view.folder) {
+    form.shown_folder = view.folder;
+    set_text(form.folder, view.folder);
+    if (!is_saving(view.purpose)) form.name[0] = 0;
+  }
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float width = std::min(560 * look.scale, screen.x - 20);
+  const float height = std::min(520 * look.scale, screen.y - 20);
+  ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(ImVec2(width, height));
+  if (!ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
+  const std::string title = std::string(title_of(view.purpose)) + kId;
+  bool shown = true;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  if (!ImGui::BeginPopupModal(title.c_str(), &shown, kFlags)) {
+    commands.push_back(CloseBrowser{});
+    return;
+  }
+  folder_line(look, view, form, commands);
+  const float below = ImGui::GetFrameHeightWithSpacing() * (is_saving(view.purpose) ? 2.2F : 1.2F) +
+                      (view.problem.empty() && view.replaces.empty() ? 0 : 70 * look.scale);
+  entry_list(look, view, form, std::max(ImGui::GetContentRegionAvail().y - below, 60.0F), commands);
+  decide(look, view, form, commands);
+  const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  if (!shown || escaped) commands.push_back(CloseBrowser{});
+  ImGui::EndPopup();
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,252 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr float kBarHeight = 76;
+constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
+/// More marks than this would be a grey band.
+constexpr float kMarksApart = 5;
+
+enum class Icon : std::uint8_t { Play, Pause, KeyframeBack, FrameBack, FrameOn, KeyframeOn };
+
+double seconds_of(Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+/// "1:05.25"
+std::string time_text(Duration time) {
+  const double all = seconds_of(time);
+  const int minutes = static_cast<int>(all / 60);
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%d:%05.2f", minutes, all - 60.0 * minutes);
+  return text.data();
+}
+
+std::string speed_text(int percent) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%gx", percent / 100.0);
+  return text.data();
+}
+
+/// Drawn, because fonts do not have these signs alike. `middle` and `r`: centre and half height.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float r, unsigned colour) {
+  const auto triangle = [&](float x, float direction) {
+    const float tip = x + 1.5F * r * direction;
+    list.AddTriangleFilled(ImVec2(x, middle.y - r), ImVec2(tip, middle.y), ImVec2(x, middle.y + r),
+                           colour);
+  };
+  const auto bar = [&](float x, float width) {
+    list.AddRectFilled(ImVec2(x, middle.y - r), ImVec2(x + width, middle.y + r), colour);
+  };
+  switch (icon) {
+    case Icon::Play:
+      triangle(middle.x - 0.6F * r, 1);
+      break;
+    case Icon::Pause:
+      bar(middle.x - 0.8F * r, 0.55F * r);
+      bar(middle.x + 0.25F * r, 0.55F * r);
+      break;
+    case Icon::KeyframeBack:
+      bar(middle.x - 1.0F * r, 0.4F * r);
+      triangle(middle.x + 1.0F * r, -1);
+      break;
+    case Icon::KeyframeOn:
+      triangle(middle.x - 1.0F * r, 1);
+      bar(middle.x + 0.6F * r, 0.4F * r);
+      break;
+    case Icon::FrameBack:
+      triangle(middle.x + 0.7F * r, -1);
+      break;
+    case Icon::FrameOn:
+      triangle(middle.x - 0.7F * r, 1);
+      break;
+  }
+}
+
+bool icon_button(const Look& look, const char* id, Icon icon, const char* tip) {
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 size(height * 1.5F, height);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::Button(id, size);
+  const bool small = icon == Icon::FrameBack || icon == Icon::FrameOn;
+  draw_icon(*ImGui::GetWindowDrawList(), icon, ImVec2(at.x + size.x / 2, at.y + size.y / 2),
+            (small ? 3.5F : 5.5F) * look.scale, ImGui::GetColorU32(ImGuiCol_Text));
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+  ImGui::SameLine();
+  return pressed;
+}
+
+/// A mark for each keyframe, as far as there is room, and the part between A and B.
+void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to, float done) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = 3 * look.scale;
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+  const float width = to.x - from.x;
+  const auto x_of = [&](Duration at) {
+    return from.x + width * static_cast<float>(seconds_of(at) / seconds_of(local.total));
+  };
+  ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
+  accent.w = 0.6F;
+  list.AddRectFilled(from, ImVec2(from.x + width * done, to.y), ImGui::GetColorU32(accent),
+                     rounding);
+  if (local.total > Duration::zero()) {
+    float last = from.x;
+    for (const Duration end : *local.ends) {
+      const float x = x_of(end);
+      if (x - last < kMarksApart * look.scale || end == local.total) continue;
+      last = x;
+      list.AddRectFilled(ImVec2(x, from.y), ImVec2(x + look.scale, to.y),
+                         ImGui::GetColorU32(ImGuiCol_WindowBg));
+    }
+    for (const auto& mark : {local.loop_begin, local.loop_end}) {
+      if (!mark) continue;
+      const float x = x_of(*mark);
+      list.AddRectFilled(ImVec2(x - look.scale, from.y - 4 * look.scale),
+                         ImVec2(x + look.scale, to.y + 4 * look.scale), colour_of(Tone::Waiting));
+    }
+  }
+  const ImVec2 knob(from.x + width * done, (from.y + to.y) / 2);
+  list.AddCircleFilled(knob, 7 * look.scale, ImGui::GetColorU32(ImGuiCol_SliderGrabActive), 24);
+}
+
+void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
+  const float height = 20 * look.scale;
+  const float radius = 7 * look.scale;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::InvisibleButton("##seek", ImVec2(width, height));
+  const float inner = std::max(width - 2 * radius, 1.0F);
+  const double total = seconds_of(local.total);
+  float done = total > 0 ? static_cast<float>(seconds_of(local.position) / total) : 1.0F;
+  const float pointer = std::clamp((ImGui::GetIO().MousePos.x - at.x - radius) / inner, 0.0F, 1.0F);
+  const auto pointed = Duration(static_cast<Duration::rep>(
+      static_cast<double>(pointer) * static_cast<double>(local.total.count())));
+  if (ImGui::IsItemActive()) {
+    done = pointer;
+    if (pointed != local.position) commands.push_back(LocalCommand(Seek{pointed}));
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", time_text(pointed).c_str());
+  const float thick = 3 * look.scale;
+  const float middle = at.y + height / 2;
+  draw_track(look, local, ImVec2(at.x + radius, middle - thick),
+             ImVec2(at.x + radius + inner, middle + thick), done);
+}
+
+void steps(const Look& look, const LocalView& local, GuiCommands& commands) {
+  if (icon_button(look, "##kb", Icon::KeyframeBack, "a keyframe back (Left)")) {
+    commands.push_back(LocalCommand(StepKeyframe{-1}));
+  }
+  if (icon_button(look, "##fb", Icon::FrameBack, "a frame back (,)")) {
+    commands.push_back(LocalCommand(StepFrame{-1}));
+  }
+  if (local.playing) {
+    if (icon_button(look, "##pause", Icon::Pause, "pause (Space)")) commands.push_back(Pause{});
+  } else {
+    if (icon_button(look, "##play", Icon::Play, "play (Space)")) commands.push_back(Resume{});
+  }
+  if (icon_button(look, "##fo", Icon::FrameOn, "a frame on (.)")) {
+    commands.push_back(LocalCommand(StepFrame{1}));
+  }
+  if (icon_button(look, "##ko", Icon::KeyframeOn, "a keyframe on (Right)")) {
+    commands.push_back(LocalCommand(StepKeyframe{1}));
+  }
+}
+
+void speed_choice(const Look& look, const LocalView& local, GuiCommands& commands) {
+  ImGui::SetNextItemWidth(78 * look.scale);
+  if (ImGui::BeginCombo("##speed", speed_text(local.speed_percent).c_str(),
+                        ImGuiComboFlags_HeightLarge)) {
+    for (const int percent : kSpeeds) {
+      if (ImGui::Selectable(speed_text(percent).c_str(), percent == local.speed_percent)) {
+        commands.push_back(LocalCommand(SetSpeed{percent}));
+      }
+    }
+    ImGui::EndCombo();
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("speed ([ and ])");
+}
+
+void loop_button(const LocalView& local, GuiCommands& commands) {
+  const char* text = "Loop A";
+  const char* tip = "a loop begins here (l)";
+  if (local.loop_begin) {
+    text = local.loop_end ? "No loop" : "Loop B";
+    tip = local.loop_end ? "plays on to the end (l)" : "the loop ends here (l)";
+  }
+  if (ImGui::Button(text)) commands.push_back(LocalCommand(MarkLoop{}));
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+}
+
+}  // namespace
+
+void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {
+  const LocalView& local = model.local;
+  if (!local.open) return;
+  const float height = kBarHeight * look.scale;
+  ImGui::SetNextWindowPos(ImVec2(0, ImGui::GetIO().DisplaySize.y - height));
+  ImGui::SetNextWindowSize(ImVec2(width, height));
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+  ImGui::SetNextWindowBgAlpha(0.82F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * look.scale, 8 * look.scale));
+  if (ImGui::Begin("transport", nullptr, kFlags)) {
+    seek_bar(look, local, commands);
+    steps(look, local, commands);
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("%s / %s", time_text(local.position).c_str(), time_text(local.total).c_str());
+    const float right = ImGui::GetWindowWidth() - 170 * look.scale;
+    if (width > 560 * look.scale) {
+      ImGui::SameLine();
+      ImGui::TextDisabled("%s", local.name.c_str());
+    }
+    ImGui::SameLine(std::max(right, 0.0F));
+    speed_choice(look, local, commands);
+    ImGui::SameLine();
+    loop_button(local, commands);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void notice_line(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {
+  if (model.notice.text.empty()) return;
+  const float above = model.local.open ? kBarHeight * look.scale : 0;
+  const ImVec2 at(width / 2, ImGui::GetIO().DisplaySize.y - above - 14 * look.scale);
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, ImVec2(0.5F, 1));
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+  if (ImGui::Begin("notice", nullptr, kFlags)) {
+    const unsigned colour =
+        model.notice.bad ? colour_of(Tone::Bad) : ImGui::GetColorU32(ImGuiCol_Text);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::PushTextWrapPos(std::max(width - 60 * look.scale, 200 * look.scale));
+    ImGui::TextUnformatted(model.notice.text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) commands.push_back(CloseNotice{});
+  }
+  ImGui::End();
+}
+
+void file_part(const GuiModel& model, GuiCommands& commands) {
+  if (wide_button("Open a stream file...", 0, 1, true))
+    commands.push_back(Browse{Purpose::PlayStream});
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("o; or drop a file on the window");
+  }
+  if (model.local.open) {
+    quiet_text(model.local.name + ", " + std::to_string(model.local.ends->size()) + " keyframes, " +
+               time_text(model.local.total));
+  }
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include "client/app/window_session.h"
+#include "client/playback/file_source.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::app {
+namespace {
+
+using gui::Activity;
+using gui::LocalCommand;
+
+/// The default face and a stream file of three keyframes: jaw open, jaw shut, head turned.
+class StreamSessionTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    auto loaded = load_assets({});
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    assets_ = std::move(*loaded);
+  }
+  static void TearDownTestSuite() { assets_.reset(); }
+
+  void SetUp() override {
+    file_ = folder_.write("three.txt", "Beg_Stream\n26;100\n0;200\n51;300\nEnd_Stream\n");
+    session_.emplace(*assets_, options_, nullptr, stats_);
+  }
+  void open() {
+    ask(gui::OpenStream{file_.string()});
+    go_on(Milliseconds(0));
+  }
+  void go_on(Milliseconds time) {
+    clock_.advance(time);
+    session_->advance(clock_.now());
+  }
+  void ask(const gui::GuiCommand& command) {
+    session_->apply(command, clock_.now());
+    session_->advance(clock_.now());
+  }
+  [[nodiscard]] float shown(const char* channel) {
+    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
+  }
+  [[nodiscard]] gui::GuiModel model() const { return session_->model(); }
+
+  static std::unique_ptr<Assets> assets_;
+  test::TempFolder folder_;
+  std::filesystem::path file_;
+  PlayerOptions options_;
+  PlayerStats stats_;
+  test::ManualClock clock_;
+  std::optional<WindowSession> session_;
+};
+
+std::unique_ptr<Assets> StreamSessionTest::assets_;
+
+TEST_F(StreamSessionTest, AFilePlaysAsSoonAsItIsOpened) {
+  open();
+  EXPECT_TRUE(model().local.open);
+  EXPECT_EQ(model().local.name, "three.txt");
+  EXPECT_EQ(model().local.total, Milliseconds(600));
+  EXPECT_EQ(model().remote.activity, Activity::Playing);
+  EXPECT_EQ(model().remote.keyframe, "keyframe 1 of 3");
+  go_on(Milliseconds(100));
+  const float open_jaw = shown("jaw");
+  EXPECT_GT(open_jaw, 0);
+  go_on(Milliseconds(100));
+  EXPECT_FLOAT_EQ(shown("jaw"), open_jaw / 2);
+  EXPECT_FALSE(session_->over());
+  go_on(Milliseconds(1000));
+  EXPECT_TRUE(session_->over());
+  EXPECT_EQ(model().remote.state, "ended");
+  EXPECT_EQ(model().remote.aus[0].label, "51");
+  EXPECT_GT(shown("head_turn_left"), 0.5F);
+}
+
+TEST_F(StreamSessionTest, AnyPlaceShowsTheFaceThatPlayingShowsThere) {
+  open();
+  go_on(Milliseconds(370));
+  const std::vector<float> played = session_->activations(clock_.now());
+  ask(LocalCommand(gui::Seek{Milliseconds(20)}));
+  EXPECT_NE(session_->activations(clock_.now()), played);
+  ask(LocalCommand(gui::Seek{Milliseconds(370)}));
+  EXPECT_EQ(session_->activations(clock_.now()), played);
+}
+
+TEST_F(StreamSessionTest, SpaceHoldsAndPlaysAgainFromTheEnd) {
+  open();
+  go_on(Milliseconds(50));
+  session_->toggle_pause(clock_.now());
+  go_on(Milliseconds(5000));
+  EXPECT_EQ(model().local.position, Milliseconds(50));
+  EXPECT_EQ(model().remote.activity, Activity::Paused);
+  session_->toggle_pause(clock_.now());
+  go_on(Milliseconds(5000));
+  EXPECT_TRUE(session_->over());
+  session_->toggle_pause(clock_.now());
+  go_on(Milliseconds(10));
+  EXPECT_EQ(model().local.position, Milliseconds(10));
+}
+
+TEST_F(StreamSessionTest, AStepTakesTheFaceBackFromTheEditor) {
+  open();
+  ask(gui::SetChannel{static_cast<int>(*assets_->face.channel_index("jaw")), 4, false});
+  EXPECT_TRUE(model().editor.active);
+  EXPECT_FALSE(model().local.playing);
+  ask(LocalCommand(gui::StepKeyframe{1}));
+  EXPECT_FALSE(model().editor.active);
+  EXPECT_EQ(model().local.position, Milliseconds(100));
+  EXPECT_LT(shown("jaw"), 4);
+}
+
+TEST_F(StreamSessionTest, OtherRulesAreSeenWhereItStands) {
+  const auto file = folder_.write("opposed.txt", "Beg_Stream\n51,52:40;100\nEnd_Stream\n");
+  ask(gui::OpenStream{file.string()});
+  go_on(Milliseconds(1000));
+  EXPECT_EQ(shown("head_turn_right"), 0);
+  gui::AnimationSettings settings = model().animation;
+  settings.rules = "none";
+  ask(gui::ChangeAnimation{settings});
+  EXPECT_FLOAT_EQ(shown("head_turn_right"), 0.4F);
+}
+
+TEST_F(StreamSessionTest, AFileThatIsNoStreamIsSaidWithItsPlace) {
+  open();
+  const auto wrong = folder_.write("wrong.txt", "Beg_Stream\n1,200\nEnd_Stream\n");
+  ask(gui::OpenStream{wrong.string()});
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_NE(model().notice.text.find("wrong.txt:2:"), std::string::npos) << model().notice.text;
+  EXPECT_EQ(model().local.name, "three.txt") << "what plays stays";
+  go_on(std::chrono::seconds(60));
+  EXPECT_TRUE(model().notice.text.empty());
+}
+
+TEST_F(StreamSessionTest, TheDialogOpensAFileAndKeepsOpenForOneThatIsWrong) {
+  folder_.write("wrong.txt", "");
+  ask(gui::Browse{gui::Purpose::PlayStream});
+  EXPECT_TRUE(model().browser.open);
+  ask(gui::EnterFolder{folder_.path().string()});
+  ask(gui::ChooseFile{"wrong.txt"});
+  EXPECT_TRUE(model().browser.open);
+  EXPECT_NE(model().browser.problem.find("wrong.txt:1:"), std::string::npos);
+  EXPECT_FALSE(model().local.open);
+  ask(gui::ChooseFile{"three.txt"});
+  EXPECT_FALSE(model().browser.open);
+  EXPECT_TRUE(model().local.open);
+}
+
+TEST_F(StreamSessionTest, TheFileOfTheCommandLineEndsWithItsStatistics) {
+  auto keyframes = read_stream(file_);
+  ASSERT_TRUE(keyframes);
+  options_.playback.file = file_;
+  session_.emplace(*assets_, options_, std::make_unique<playback::FileSource>(*keyframes), stats_);
+  go_on(Milliseconds(0));
+  EXPECT_EQ(model().local.name, "three.txt");
+  go_on(Milliseconds(600));
+  const auto source = session_->finish(clock_.now());
+  ASSERT_NE(source, nullptr);
+  EXPECT_EQ(source->status().end, playback::EndReason::EndOfStream);
+  EXPECT_EQ(stats_.keyframes_played, 3U);
+  EXPECT_DOUBLE_EQ(stats_.media_seconds, 0.6);
+}
+
+TEST_F(StreamSessionTest, LeavingBeforeTheEndIsAStop) {
+  open();
+  go_on(Milliseconds(150));
+  const auto source = session_->finish(clock_.now());
+  ASSERT_NE(source, nullptr);
+  EXPECT_EQ(source->status().end, playback::EndReason::Stopped);
+  EXPECT_EQ(stats_.keyframes_played, 1U);
+}
+
+}  // namespace
+}  // namespace aucast::app
