@@ -20,9 +20,22 @@ LiveClock::LiveClock(std::vector<Milliseconds> times, bool loop, Instant begin)
 
 bool LiveClock::advance(Instant now) {
   if (ended_ || now < next_at_) return false;
+  passed_.clear();
   step();
   while (!ended_ && now - next_at_ > kLiveLagMax) step();
+  if (!ended_) passed_.push_back(*newest_);
   return true;
+}
+
+bool LiveClock::advance_all(Instant now) {
+  std::vector<LiveMoment> passed;
+  bool moved = false;
+  while (advance(now)) {
+    moved = true;
+    passed.insert(passed.end(), passed_.begin(), passed_.end());
+  }
+  if (moved) passed_ = std::move(passed);
+  return moved;
 }
 
 void LiveClock::step() {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/time.h"
@@ -33,6 +34,10 @@ class LiveClock {
 
   /// Goes on to the next moment, or to the end, if it is due. Call until it returns false.
   bool advance(Instant now);
+  /// Goes through all that is due; false when nothing is.
+  bool advance_all(Instant now);
+  /// The moments that the last advance went through, the newest last; none when it only ended.
+  [[nodiscard]] std::span<const LiveMoment> passed() const { return passed_; }
 
   /// Nothing before the first moment.
   [[nodiscard]] const std::optional<LiveMoment>& newest() const { return newest_; }
@@ -52,6 +57,7 @@ class LiveClock {
   Instant next_at_;
   std::size_t next_keyframe_ = 0;
   std::optional<LiveMoment> newest_;
+  std::vector<LiveMoment> passed_;
   bool ended_ = false;
 };
 

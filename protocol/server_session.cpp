@@ -113,7 +113,8 @@ struct ServerSession::State {
   void send_keyframe(const std::string& packet);
   void pump();
   void send_recorded();
-  void send_newest();
+  void send_passed();
+  void send_moment(const LiveMoment& moment);
   void settle_peer_end();
 };
 
@@ -396,8 +397,8 @@ void ServerSession::State::send_keyframe(const std::string& packet) {
 void ServerSession::State::pump() {
   if (stream->clock == nullptr) {
     send_recorded();
-  } else {
-    send_newest();
+  } else if (const auto& newest = stream->clock->newest()) {
+    send_moment(*newest);
   }
   if (!paused && !held && in_flight == 0 && at_end()) {
     say_last(encode(End{}), Why::Finished, "the stream was sent whole");
@@ -413,16 +414,21 @@ void ServerSession::State::send_recorded() {
   }
 }
 
-void ServerSession::State::send_newest() {
-  const auto& newest = stream->clock->newest();
-  if (!newest || at_end() || !may_send()) return;
-  if (last_moment == newest->number) return;
-  const std::uint64_t merged = last_moment ? newest->number - *last_moment - 1 : 0;
+/// Who keeps up gets each of several moments that began since the clock was last looked at.
+void ServerSession::State::send_passed() {
+  for (const LiveMoment& moment : stream->clock->passed()) {
+    if (last_moment && moment.number > *last_moment) send_moment(moment);
+  }
+}
+
+void ServerSession::State::send_moment(const LiveMoment& moment) {
+  if (at_end() || !may_send() || last_moment == moment.number) return;
+  const std::uint64_t merged = last_moment ? moment.number - *last_moment - 1 : 0;
   const bool full = std::exchange(full_next, false) || merged > 0;
   packets_merged += merged;
-  last_moment = newest->number;
+  last_moment = moment.number;
   const auto& encoded = delta && full ? stream->negotiated : packets();
-  send_keyframe(encoded[newest->keyframe]);
+  send_keyframe(encoded[moment.keyframe]);
 }
 
 /// A peer that has shut its side can neither answer nor resume any more.
@@ -513,6 +519,7 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
 std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   if (!live()) return {};
   state_->begin_call(now);
+  state_->send_passed();
   state_->pump();
   state_->settle_peer_end();
   return state_->take_events();
@@ -521,7 +528,11 @@ std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
 std::vector<ServerEvent> ServerSession::hold(bool held, Instant now) {
   if (!live() || held == state_->held) return {};
   state_->held = held;
-  return held ? std::vector<ServerEvent>() : on_moment(now);
+  if (held) return {};
+  state_->begin_call(now);
+  state_->pump();
+  state_->settle_peer_end();
+  return state_->take_events();
 }
 
 std::vector<ServerEvent> ServerSession::stop(Instant now) {

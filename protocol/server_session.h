@@ -91,7 +91,7 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> on_lost(Instant now);
   /// Call when deadline() has come.
   [[nodiscard]] std::vector<ServerEvent> on_time(Instant now);
-  /// The clock of a live stream has moved on. Without effect on others.
+  /// The clock of a live stream has moved on, by one moment or several. Without effect on others.
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
   /// Live: the socket takes no more for now, so no keyframe is handed out; or it does again, and
   /// the newest is.

@@ -292,7 +292,7 @@ void Connection::write() {
       written_ += bytes;
       record_.bytes_total += bytes;
       stuck_since_.reset();
-      linger_until_ = now() + protocol::kDrainTimeMax;
+      if (lingering_) linger_until_ = now() + protocol::kDrainTimeMax;
     }
   }
   if (output_done()) {

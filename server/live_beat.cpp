@@ -31,11 +31,9 @@ void LiveBeat::stop() {
 
 void LiveBeat::beat() {
   const Instant moment = now();
-  for (bool moved = true; moved;) {
-    moved = false;
-    for (protocol::LiveClock& clock : clocks_) moved = clock.advance(moment) || moved;
-    if (moved) on_moment_();
-  }
+  bool moved = false;
+  for (protocol::LiveClock& clock : clocks_) moved = clock.advance_all(moment) || moved;
+  if (moved) on_moment_();
   wait();
 }
 

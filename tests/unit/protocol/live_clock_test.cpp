@@ -58,6 +58,20 @@ TEST(LiveClock, PassesThroughMomentsOfNoTime) {
   EXPECT_TRUE(instant.ended());
 }
 
+TEST(LiveClock, TellsOfAllThatItPassedThrough) {
+  LiveClock clock({0ms, 0ms, 10ms}, false, kBegin);
+  EXPECT_FALSE(clock.advance_all(kBegin - 1ms));
+  EXPECT_TRUE(clock.advance_all(kBegin));
+  ASSERT_EQ(clock.passed().size(), 3U);
+  for (std::size_t keyframe : {0U, 1U, 2U}) EXPECT_EQ(clock.passed()[keyframe].number, keyframe);
+  EXPECT_EQ(clock.passed().back(), clock.newest());
+  EXPECT_FALSE(clock.advance_all(kBegin));
+  EXPECT_EQ(clock.passed().size(), 3U) << "nothing has happened since";
+  EXPECT_TRUE(clock.advance_all(kBegin + 10ms));
+  EXPECT_TRUE(clock.ended());
+  EXPECT_TRUE(clock.passed().empty());
+}
+
 TEST(LiveClock, LeavesOutWhatIsLongPast) {
   LiveClock clock({10ms}, true, kBegin);
   EXPECT_TRUE(clock.advance(kBegin));

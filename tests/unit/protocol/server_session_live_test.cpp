@@ -69,6 +69,30 @@ TEST_F(LiveServer, GivesAClassicClientTheNewestAtEachAnswer) {
   EXPECT_EQ(beat(), "send {4}");
 }
 
+TEST_F(LiveServer, SendsSeveralMomentsInOnePiece) {
+  const auto late = [this] {
+    now_ += 200ms;
+    EXPECT_TRUE(clock_->advance_all(now_));
+    return text_of(session_->on_moment(now_));
+  };
+  get("{hello v=2 window=0 delta=1}");
+  EXPECT_EQ(late(), "send {~a2}{~a3}");
+  EXPECT_EQ(text_of(session_->on_moment(now_)), "") << "told twice";
+  hold(true);
+  EXPECT_EQ(late(), "");
+  EXPECT_EQ(hold(false), "send {5:30}") << "who was behind gets the newest only";
+  EXPECT_EQ(session_->packets_merged(), 1U);
+}
+
+TEST_F(LiveServer, SendsOfSeveralMomentsWhatTheWindowTakes) {
+  get("{hello v=2 window=2}");
+  now_ += 400ms;
+  EXPECT_TRUE(clock_->advance_all(now_));
+  EXPECT_EQ(text_of(session_->on_moment(now_)), "send {2:30}");
+  EXPECT_EQ(get("1"), "send {5:30}");
+  EXPECT_EQ(session_->packets_merged(), 2U);
+}
+
 TEST_F(LiveServer, EndsWhenTheTimeOfTheLastIsOver) {
   get("{hello v=2 window=0}");
   for (int i = 0; i < 4; ++i) beat();
