@@ -30,9 +30,6 @@ constexpr Milliseconds kRest{250};
 constexpr Milliseconds kFrameMax{20};
 /// Of a stream that is there whole.
 constexpr Milliseconds kLocalFrame{10};
-constexpr Milliseconds kUntimed{250};
-constexpr Milliseconds kNoticeTime{6'000};
-constexpr Milliseconds kBadNoticeTime{20'000};
 
 bool went_wrong(playback::EndReason end) {
   using playback::EndReason;
@@ -50,6 +47,28 @@ gui::RemoteSettings settings_of(const PlaybackOptions& options) {
   settings.threshold_percent = options.buffers.threshold_percent;
   if (options.speed) settings.speed_ms = static_cast<int>(options.speed->count());
   return settings;
+}
+
+/// One for each expression, in their order.
+std::vector<gui::ExpressionButton> buttons_of(const std::vector<Expression>& expressions) {
+  using gui::ExpressionKind;
+  std::vector<gui::ExpressionButton> buttons;
+  for (const Expression& expression : expressions) {
+    const auto same = [&](const gui::ExpressionButton& one) {
+      return one.kind == ExpressionKind::Main && one.label == expression.label;
+    };
+    gui::ExpressionButton button{expression.label, protocol::format_au_set(expression.aus),
+                                 ExpressionKind::Main};
+    if (!expression.muscles.empty()) {
+      button.kind = ExpressionKind::Macro;
+      button.what = expression.source;
+    } else if (std::any_of(buttons.begin(), buttons.end(), same)) {
+      button.kind = ExpressionKind::Other;
+      button.label = expression.name;
+    }
+    buttons.push_back(std::move(button));
+  }
+  return buttons;
 }
 
 }  // namespace
@@ -72,6 +91,7 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
       face_now_(face_.channels.size()) {
   pipeline_.emplace(face_, rules_,
                     pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
+  buttons_ = buttons_of(assets.expressions);
   rendering_.blinking = options.playback.blink_seed.has_value();
   rendering_.blink.seed = options.playback.blink_seed.value_or(kBlinkSeed);
   rendering_.layers = options.output.layers;
@@ -126,18 +146,6 @@ void WindowSession::remember_level(Instant now) {
                      static_cast<float>(std::max<std::size_t>(buffers_.receiver_capacity, 1));
   levels_.push_back({now, fill, status.bytes_received});
   while (now - levels_.front().at > kLevelsKept) levels_.erase(levels_.begin());
-}
-
-void WindowSession::advance_local(Instant now) {
-  const std::uint64_t played = local_->playback().keyframes_played(now);
-  if (local_->advance(now)) {
-    local_->begin(*pipeline_);
-    explain(pipeline_->received());
-    if (!first_begin_) first_begin_ = now;
-  }
-  if (std::exchange(local_played_, played) != played) {
-    stats_.playback_seconds = seconds(now - *first_begin_);
-  }
 }
 
 void WindowSession::toggle_pause(Instant now) {
@@ -308,8 +316,12 @@ void WindowSession::carry_out(const gui::ChangeAnimation& command, Instant) {
 void WindowSession::carry_out(const gui::ShowExpression& command, Instant now) {
   if (command.index >= assets_.expressions.size()) return;
   std::vector<float> target(face_.channels.size());
-  face::mix(face_, face::blend(rules_, assets_.expressions[command.index].aus), animation_.mixer,
-            target);
+  const Expression& expression = assets_.expressions[command.index];
+  face::mix(face_, face::blend(rules_, expression.aus), animation_.mixer, target);
+  if (const auto set = apply_muscles(face_, expression, target); !set) {
+    say(set.error().message, true, now);
+    return;
+  }
   static_cast<void>(activations(now));
   std::vector<float> start = face_now_;
   edit(now);
@@ -395,70 +407,6 @@ void WindowSession::carry_out(const gui::ChangeRendering& command, Instant) {
 void WindowSession::carry_out(const gui::Leave& command, Instant) {
   asks_to_leave_ = false;
   leaving_ = command.really;
-}
-
-// === Streams that are there whole.
-
-bool WindowSession::over() const {
-  if (source_ == nullptr) return false;
-  return local_ ? local_->over() : controller_.over();
-}
-
-void WindowSession::play_local(std::string name, const std::vector<playback::TimedAus>& keyframes) {
-  local_.emplace(std::move(name), keyframes, options_.playback.speed.value_or(kUntimed));
-}
-
-void WindowSession::carry_out(const gui::LocalCommand& command, Instant now) {
-  if (!local_) return;
-  local_->apply(command, now);
-  const bool changes_the_place = std::holds_alternative<gui::Seek>(command) ||
-                                 std::holds_alternative<gui::StepKeyframe>(command) ||
-                                 std::holds_alternative<gui::StepFrame>(command);
-  if (changes_the_place) shown_ = Shown::Playback;
-}
-
-void WindowSession::carry_out(const gui::OpenStream& command, Instant now) {
-  const std::filesystem::path file = command.file;
-  auto keyframes = read_stream(file);
-  if (!keyframes) {
-    if (browser_.view().open) {
-      browser_.refuse(keyframes.error().message);
-    } else {
-      say(keyframes.error().message, true, now);
-    }
-    return;
-  }
-  browser_.close();
-  last_folder_ = file.parent_path();
-  replace_source(std::make_unique<playback::FileSource>(*keyframes), options_.playback.speed, now);
-  play_local(file.filename().string(), *keyframes);
-}
-
-void WindowSession::carry_out(const gui::Browse& command, Instant) {
-  browser_.open(command.purpose, last_folder_);
-}
-
-void WindowSession::carry_out(const gui::EnterFolder& command, Instant) {
-  browser_.enter(command.folder);
-}
-
-void WindowSession::carry_out(const gui::ChooseFile& command, Instant now) {
-  std::filesystem::path file;
-  if (!browser_.view().open || !browser_.choose(command.file, file)) return;
-  carry_out(gui::OpenStream{file.string()}, now);
-}
-
-void WindowSession::carry_out(const gui::CloseBrowser&, Instant) {
-  browser_.close();
-}
-
-void WindowSession::carry_out(const gui::CloseNotice&, Instant) {
-  notice_ = {};
-}
-
-void WindowSession::say(std::string text, bool bad, Instant now) {
-  notice_ = {std::move(text), bad};
-  notice_until_ = now + (bad ? kBadNoticeTime : kNoticeTime);
 }
 
 void WindowSession::ask_to_leave() {
@@ -552,14 +500,7 @@ gui::GuiModel WindowSession::model() const {
     const auto name = facs_name(number);
     model.known_aus.push_back({number, name ? std::string(*name) : recording.note});
   }
-  for (const Expression& expression : assets_.expressions) {
-    const auto same = [&](const gui::ExpressionButton& one) {
-      return one.label == expression.label;
-    };
-    const bool main = std::none_of(model.expressions.begin(), model.expressions.end(), same);
-    model.expressions.push_back(
-        {main ? expression.label : expression.name, protocol::format_au_set(expression.aus), main});
-  }
+  model.expressions = buttons_;
   model.transition = transition_settings_;
   model.rendering.settings = rendering_;
   model.rendering.pace = pace_;

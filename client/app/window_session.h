@@ -135,6 +135,7 @@ class WindowSession {
   bool save_failed_ = false;
 
   gui::RenderingSettings rendering_;
+  std::vector<gui::ExpressionButton> buttons_;
   std::vector<gui::PaceRow> pace_;
   std::vector<float> held_;         ///< the face before the first keyframe of a new source
   std::vector<float> activations_;  ///< as shown, blinking included

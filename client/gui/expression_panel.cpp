@@ -12,18 +12,17 @@ namespace {
 constexpr std::array kInterpolations = {"Linear", "Cosine"};
 constexpr float kStep = 0.05F;
 
-/// The first of each kind as a button.
-void main_expressions(const GuiModel& model, GuiCommands& commands) {
-  constexpr int kColumns = 3;
+void expression_buttons(const GuiModel& model, ExpressionKind kind, GuiCommands& commands) {
+  constexpr int kColumns = 4;
   int place = 0;
   for (std::size_t i = 0; i < model.expressions.size(); ++i) {
     const ExpressionButton& button = model.expressions[i];
-    if (!button.main) continue;
+    if (button.kind != kind) continue;
     ImGui::PushID(static_cast<int>(i));
     if (wide_button(button.label.c_str(), place++ % kColumns, kColumns, true)) {
       commands.push_back(ShowExpression{i});
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.aus.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.what.c_str());
     ImGui::PopID();
   }
 }
@@ -33,27 +32,33 @@ void more_expressions(const Look& look, const GuiModel& model, GuiCommands& comm
   if (!ImGui::BeginCombo("##more", "choose one", ImGuiComboFlags_HeightLarge)) return;
   for (std::size_t i = 0; i < model.expressions.size(); ++i) {
     const ExpressionButton& button = model.expressions[i];
-    if (button.main) continue;
+    if (button.kind != ExpressionKind::Other) continue;
     if (ImGui::Selectable(button.label.c_str())) commands.push_back(ShowExpression{i});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.aus.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.what.c_str());
   }
   ImGui::EndCombo();
 }
 
 void expressions(const Look& look, const GuiModel& model, GuiCommands& commands) {
   heading(look, "Expressions");
-  main_expressions(model, commands);
+  expression_buttons(model, ExpressionKind::Main, commands);
   more_expressions(look, model, commands);
+  heading(look, "Waters' macros");
+  expression_buttons(model, ExpressionKind::Macro, commands);
+  heading(look, "On the way there");
   TransitionSettings settings = model.transition;
   label(look, "In between");
   int kind = settings.cosine ? 1 : 0;
   bool changed = choice("way", kInterpolations, kind);
   settings.cosine = kind == 1;
-  label(look, "Frames, ms each");
-  std::array numbers = {settings.frames, settings.frame_ms};
-  if (ImGui::InputInt2("##frames", numbers.data())) {
-    settings.frames = std::clamp(numbers[0], 1, 500);
-    settings.frame_ms = std::clamp(numbers[1], 1, 1000);
+  label(look, "Frames");
+  if (ImGui::InputInt("##frames", &settings.frames, 1, 10)) {
+    settings.frames = std::clamp(settings.frames, 1, 500);
+    changed = true;
+  }
+  label(look, "Each in ms");
+  if (ImGui::InputInt("##frame", &settings.frame_ms, 1, 10)) {
+    settings.frame_ms = std::clamp(settings.frame_ms, 1, 1000);
     changed = true;
   }
   if (changed) commands.push_back(ChangeTransition{settings});

@@ -224,9 +224,10 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
       const auto tab = [](const char* name, const auto& contents) {
         if (!ImGui::BeginTabItem(name)) return;
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-        if (ImGui::BeginChild("contents")) contents();
+        const bool visible = ImGui::BeginChild("contents");
+        ImGui::PopStyleVar();  // or what pops up from here would have none either
+        if (visible) contents();
         ImGui::EndChild();
-        ImGui::PopStyleVar();
         ImGui::EndTabItem();
       };
       tab("Play", [&] { remote_panel(look, model, remote, commands); });

@@ -105,11 +105,17 @@ struct AuEntry {
   friend bool operator==(const AuEntry&, const AuEntry&) = default;
 };
 
+enum class ExpressionKind : std::uint8_t {
+  Main,   ///< the first set of AUs under its label: a button
+  Macro,  ///< muscles, as Waters' program has its expressions: a button
+  Other,  ///< another set of AUs under the same label: in a list
+};
+
 /// An expression as a button.
 struct ExpressionButton {
   std::string label;
-  std::string aus;
-  bool main = true;  ///< the first of its kind; the others are in a list
+  std::string what;  ///< its AUs, or where its muscles come from
+  ExpressionKind kind = ExpressionKind::Main;
   friend bool operator==(const ExpressionButton&, const ExpressionButton&) = default;
 };
 

@@ -190,15 +190,31 @@ TEST_F(WindowSessionTest, AnExpressionIsReachedFromTheFaceAsItIs) {
 }
 
 TEST_F(WindowSessionTest, EveryKindOfExpressionHasOneButton) {
+  using gui::ExpressionKind;
   open_nothing();
   const auto all = model().expressions;
   EXPECT_EQ(all.size(), assets_->expressions.size());
   std::set<std::string> labels;
+  int macros = 0;
   for (const gui::ExpressionButton& one : all) {
+    macros += one.kind == ExpressionKind::Macro ? 1 : 0;
+    if (one.kind == ExpressionKind::Macro) continue;
     EXPECT_TRUE(labels.insert(one.label).second) << one.label << " is there twice";
   }
-  EXPECT_TRUE(all.front().main);
-  EXPECT_FALSE(std::all_of(all.begin(), all.end(), [](const auto& one) { return one.main; }));
+  EXPECT_EQ(all.front().kind, ExpressionKind::Main);
+  EXPECT_EQ(macros, 6);
+}
+
+TEST_F(WindowSessionTest, AMacroSetsItsMuscles) {
+  open_nothing();
+  const auto& all = assets_->expressions;
+  const auto macro = std::find_if(all.begin(), all.end(),
+                                  [](const auto& one) { return one.name == "waters-happiness"; });
+  ASSERT_NE(macro, all.end());
+  ask(gui::ShowExpression{static_cast<std::size_t>(macro - all.begin())});
+  clock_.advance(Milliseconds(250));
+  EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), 1.0F);
+  EXPECT_FLOAT_EQ(shown("right_zygomaticus_major"), 1.1F);
 }
 
 TEST_F(WindowSessionTest, EditingHoldsWhatPlaysAndResumeGivesTheFaceBack) {
