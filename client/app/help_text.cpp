@@ -22,6 +22,9 @@ Receiving
   --stream NAME       which of the server's streams; default: its first
   --protocol auto|classic     classic never sends a hello
   --connect-timeout S (10)    longest wait for a connection and for its first packet
+  --tls               speak TLS; --tls-ca FILE: believe these authorities, not the system's
+  --tls-cert FILE  --tls-key FILE    the certificate to show where one is wanted
+  --token-file FILE   shown to the server; only over TLS, to this computer or --insecure-token
   --reconnect         hold the face and try again after 1, 2, 4 ... 30 s when the server is lost
 Animating
   --speed MS          time of a keyframe that brings none of its own, 1-1000

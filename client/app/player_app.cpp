@@ -14,6 +14,7 @@
 #include "client/app/pose_command.h"
 #include "client/app/window_run.h"
 #include "client/net/remote_source.h"
+#include "client/net/security.h"
 #include "client/playback/file_source.h"
 #include "common/files.h"
 #include "common/log.h"
@@ -58,6 +59,7 @@ Result<std::unique_ptr<playback::KeyframeSource>> open_remote(const PlaybackOpti
   remote.buffers = options.buffers;
   remote.speed = options.speed;
   remote.reconnect = options.reconnect;
+  remote.security = options.security;
   return std::unique_ptr<playback::KeyframeSource>(std::make_unique<net::RemoteSource>(remote));
 }
 
@@ -110,6 +112,21 @@ Result<void> play(const PlayerOptions& options, PlayerStats& stats) {
   return done ? outcome(status) : done;
 }
 
+/// Certificates and token, before anything is connected to or drawn.
+Result<void> make_secure(PlaybackOptions& options) {
+  std::string host;
+  if (!options.endpoint.empty()) {
+    const auto endpoint = net::parse_endpoint(options.endpoint);
+    if (!endpoint) return endpoint.error();
+    host = endpoint->host;
+  }
+  auto security = net::load_security(options.security_options, host);
+  if (!security) return security.error();
+  if (!security->warning.empty()) spdlog::warn("{}", security->warning);
+  options.security = std::move(*security);
+  return {};
+}
+
 /// Plays and writes --stats whatever came of it.
 Result<void> play_and_count(const PlayerOptions& options) {
   PlayerStats stats;
@@ -120,7 +137,7 @@ Result<void> play_and_count(const PlayerOptions& options) {
   return played ? written : played;
 }
 
-Result<void> run(const PlayerOptions& options) {
+Result<void> run(PlayerOptions options) {
   if (auto log = set_up_log("face-player", options.log_level); !log) return log;
   switch (options.command) {
     case Command::Help:
@@ -137,6 +154,7 @@ Result<void> run(const PlayerOptions& options) {
       break;
   }
   set_up_signals();
+  if (auto secure = make_secure(options.playback); !secure) return secure;
   return play_and_count(options);
 }
 
@@ -144,7 +162,7 @@ Result<void> run(const PlayerOptions& options) {
 
 int run_player(std::vector<std::string> arguments) {
   auto options = parse_player_options(std::move(arguments));
-  Result<void> done = options ? run(*options) : Result<void>(options.error());
+  Result<void> done = options ? run(std::move(*options)) : Result<void>(options.error());
   if (done && std::fflush(stdout) != 0) {
     done = Error{ErrorKind::Failed, "standard output cannot be written"};
   }

@@ -78,6 +78,13 @@ void add_network(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("--threshold", options.playback.buffers.threshold_percent)
       ->check(CLI::Range(1, 100));
   cli.add_option("--live-delay", raw.live_delay_ms)->check(CLI::Range(0, 60000));
+  net::SecurityOptions& security = options.playback.security_options;
+  cli.add_flag("--tls", security.tls);
+  cli.add_option("--tls-ca", security.files.authorities);
+  cli.add_option("--tls-cert", security.files.certificate);
+  cli.add_option("--tls-key", security.files.key);
+  cli.add_option("--token-file", security.token);
+  cli.add_flag("--insecure-token", security.insecure_token);
   cli.add_flag("--reconnect", options.playback.reconnect);
   cli.add_option("--stream", options.playback.stream);
   cli.add_option("--protocol", raw.protocol)->check(CLI::IsMember({"auto", "classic"}));
@@ -208,7 +215,19 @@ Result<void> settle(const CLI::App& cli, const Raw& raw, PlayerOptions& options)
   return {};
 }
 
+Result<void> check_security(const PlaybackOptions& options) {
+  const net::SecurityOptions& security = options.security_options;
+  if (security.files.certificate.empty() != security.files.key.empty()) {
+    return usage("--tls-cert and --tls-key go together");
+  }
+  if (options.classic && !security.token.empty()) {
+    return usage("--token-file needs a hello, which --protocol classic never sends");
+  }
+  return {};
+}
+
 Result<void> check_required(const PlayerOptions& options) {
+  if (auto secure = check_security(options.playback); !secure) return secure;
   switch (options.command) {
     case Command::Watch:
       if (options.headless && options.playback.endpoint.empty()) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/face/muscle_mixer.h"
+#include "client/net/security.h"
 #include "client/playback/interpolator.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/view/style.h"
@@ -44,6 +45,8 @@ struct PlaybackOptions {
   std::string stream;
   Duration connect_timeout = std::chrono::seconds(10);
   bool reconnect = false;
+  net::SecurityOptions security_options;
+  net::Security security;                   ///< from security_options; loaded by the player
   std::optional<std::uint64_t> blink_seed;  ///< --blink: nothing: no blinking
 };
 

@@ -242,6 +242,7 @@ void WindowSession::carry_out(const gui::Connect& command, Instant now) {
   if (remote_settings_.speed_ms > 0) speed = Milliseconds(remote_settings_.speed_ms);
   remote.speed = speed;
   remote.reconnect = options_.playback.reconnect;
+  remote.security = options_.playback.security;
   remote.buffers = buffers_;
   replace_source(std::make_unique<net::RemoteSource>(std::move(remote)), speed, now);
 }

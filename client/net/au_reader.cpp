@@ -24,6 +24,7 @@ protocol::ClientSessionOptions session_options(const AuReaderOptions& options, b
       static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity));
   session.hello.stream = options.stream;
   session.hello.delta = true;
+  session.hello.token = options.token;
   session.silence_max = options.silence_max;
   return session;
 }
@@ -107,6 +108,14 @@ Reaction AuReader::unreachable(std::string reason) {
     reaction.next = Reaction::Next::Close;
     end(EndReason::Unreachable, std::move(reason));
   }
+  return reaction;
+}
+
+Reaction AuReader::refused(EndReason why, const std::string& reason) {
+  Reaction reaction;
+  reaction.changed = true;
+  reaction.next = Reaction::Next::Close;
+  end(why, options_.peer + ": " + reason);
   return reaction;
 }
 

@@ -25,6 +25,7 @@ struct AuReaderOptions {
   playback::BufferOptions buffers;
   std::optional<Milliseconds> speed{};  ///< --speed: of keyframes without a time, for live streams
   bool reconnect = false;               ///< try again when the connection is lost or cannot be made
+  std::string token{};                  ///< shown in the hello; empty: none
 };
 
 /// What the connection has to do now, in this order.
@@ -67,6 +68,8 @@ class AuReader {
   [[nodiscard]] std::optional<Instant> deadline() const;
   /// No connection could be made; `reason` is a sentence for the user.
   Reaction unreachable(std::string reason);
+  /// The connection cannot be used, and another attempt would not change that.
+  Reaction refused(playback::EndReason why, const std::string& reason);
   /// After take() or set_paused(): what the server has to be told now, and what follows from bytes
   /// that had to wait.
   [[nodiscard]] Reaction speak(Instant now);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -20,7 +21,9 @@
 #include <asio/write.hpp>
 
 #include "client/net/au_reader.h"
+#include "client/net/name_lookup.h"
 #include "common/text.h"
+#include "tls/channel.h"
 
 namespace aucast::net {
 namespace {
@@ -42,8 +45,8 @@ std::string peer_name(const RemoteOptions& options) {
 }
 
 AuReaderOptions reader_options(const RemoteOptions& options) {
-  return {peer_name(options), options.classic, options.stream,   options.connect_timeout,
-          options.buffers,    options.speed,   options.reconnect};
+  return {peer_name(options), options.classic, options.stream,    options.connect_timeout,
+          options.buffers,    options.speed,   options.reconnect, options.security.token};
 }
 
 /// "10 s", "250 ms".
@@ -95,13 +98,21 @@ class RemoteSource::Connection {
   }
 
  private:
-  enum class Phase : std::uint8_t { Reaching, Open, Farewell, Closed };
+  enum class Phase : std::uint8_t { Reaching, Handshake, Open, Farewell, Closed };
 
   void run();
   void reach();
   void resolve();
   void try_next_address();
   void connected();
+  void shake_hands();
+  void open();
+  [[nodiscard]] bool token_may_be_read() const;
+  void read_tls(std::string_view bytes);
+  void hand_to_reader(std::string_view bytes);
+  void peer_ended();
+  void send(std::string_view words);
+  void end_reader(playback::EndReason why, const std::string& reason);
   void read();
   void on_read(const ErrorCode& failure, std::size_t size);
   void write();
@@ -131,7 +142,7 @@ class RemoteSource::Connection {
 
   asio::io_context io_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
-  tcp::resolver resolver_{io_};
+  NameLookup lookup_{io_};
   tcp::socket socket_{io_};
   asio::steady_timer reach_timer_{io_};     // the time for the address being tried
   asio::steady_timer session_timer_{io_};   // what the session waits for
@@ -144,6 +155,7 @@ class RemoteSource::Connection {
   std::size_t next_address_ = 0;
   ErrorCode last_failure_;
 
+  std::unique_ptr<tls::Channel> tls_;  ///< nothing: plain
   std::array<char, kReadBytes> incoming_{};
   bool reading_ = false;
   std::string outgoing_;  // to be written
@@ -187,16 +199,15 @@ void RemoteSource::Connection::resolve() {
     give_up("its name could not be looked up within " + seconds_text(options_.connect_timeout),
             "check the network or give the address in numbers");
   }));
-  resolver_.async_resolve(
-      options_.host, std::to_string(options_.port), tcp::resolver::numeric_service,
-      for_this_socket([this](const ErrorCode& failure, const tcp::resolver::results_type& found) {
-        if (failure) {
-          give_up(failure.message(), "check the host's name");
-          return;
-        }
-        for (const auto& entry : found) addresses_.push_back(entry.endpoint());
-        try_next_address();
-      }));
+  lookup_.start(options_.host, options_.port,
+                [this](const std::string& failure, NameLookup::Addresses found) {
+                  if (!failure.empty()) {
+                    give_up(failure, "check the host's name");
+                    return;
+                  }
+                  addresses_ = std::move(found);
+                  try_next_address();
+                });
 }
 
 /// Every address gets an even share of the time that is left, so that one that never answers does
@@ -232,8 +243,44 @@ void RemoteSource::Connection::try_next_address() {
 
 void RemoteSource::Connection::connected() {
   reach_timer_.cancel();
-  phase_ = Phase::Open;
   set_options(socket_);
+  if (token_may_be_read()) {
+    end_reader(playback::EndReason::Refused,
+               "everybody on the way could read the token; --tls, or --insecure-token");
+  } else if (options_.security.tls) {
+    shake_hands();
+  } else {
+    open();
+  }
+}
+
+/// The name may have led elsewhere than to this computer.
+bool RemoteSource::Connection::token_may_be_read() const {
+  const Security& security = options_.security;
+  if (security.token.empty() || security.tls || security.insecure_token) return false;
+  ErrorCode unknown;
+  const auto peer = socket_.remote_endpoint(unknown);
+  return unknown || !peer.address().is_loopback();
+}
+
+void RemoteSource::Connection::shake_hands() {
+  phase_ = Phase::Handshake;
+  tls_ = std::make_unique<tls::Channel>(*options_.security.tls, options_.host);
+  reach_timer_.expires_at(reach_until_);
+  reach_timer_.async_wait(for_this_socket([this](const ErrorCode& failure) {
+    if (failure || phase_ != Phase::Handshake) return;
+    give_up("no TLS handshake within " + seconds_text(options_.connect_timeout),
+            "does the server speak TLS?");
+  }));
+  outgoing_ += tls_->take_output();
+  write();
+  read();
+}
+
+/// The first words may be said.
+void RemoteSource::Connection::open() {
+  reach_timer_.cancel();
+  phase_ = Phase::Open;
   Reaction reaction;
   {
     const std::lock_guard lock(shared_.mutex);
@@ -287,14 +334,78 @@ void RemoteSource::Connection::on_read(const ErrorCode& failure, std::size_t siz
     }
     return;
   }
+  if (failure) {
+    peer_ended();
+  } else if (tls_) {
+    read_tls({incoming_.data(), size});
+  } else {
+    hand_to_reader({incoming_.data(), size});
+  }
+}
+
+void RemoteSource::Connection::hand_to_reader(std::string_view bytes) {
   Reaction reaction;
   {
     const std::lock_guard lock(shared_.mutex);
-    const Instant now = Clock::now();
-    reaction = failure ? shared_.reader.closed(now)
-                       : shared_.reader.received({incoming_.data(), size}, now);
+    reaction = shared_.reader.received(bytes, Clock::now());
   }
   carry_out(reaction);
+}
+
+void RemoteSource::Connection::peer_ended() {
+  if (phase_ == Phase::Handshake) {
+    give_up("the server ended the connection within the TLS handshake", "does it speak TLS?");
+    return;
+  }
+  Reaction reaction;
+  {
+    const std::lock_guard lock(shared_.mutex);
+    reaction = shared_.reader.closed(Clock::now());
+  }
+  carry_out(reaction);
+}
+
+void RemoteSource::Connection::read_tls(std::string_view bytes) {
+  using Failure = tls::Channel::Failure;
+  std::string plain;
+  const bool good = tls_->received(bytes, plain);
+  const std::uint64_t socket = socket_number_;
+  // Our last part of the handshake and the hello go out in one piece.
+  if (tls_->ready() && phase_ == Phase::Handshake) open();
+  const auto stands = [&] { return socket == socket_number_ && phase_ != Phase::Closed; };
+  if (stands() && !plain.empty()) hand_to_reader(plain);
+  if (!stands()) return;
+  outgoing_ += tls_->take_output();
+  write();
+  if (!good && tls_->failure() == Failure::Broken) {
+    peer_ended();
+  } else if (!good) {
+    end_reader(tls_->failure() == Failure::NotTls ? playback::EndReason::ProtocolError
+                                                  : playback::EndReason::Refused,
+               tls_->reason());
+  } else if (tls_->ended()) {
+    peer_ended();
+  } else {
+    read();
+  }
+}
+
+void RemoteSource::Connection::end_reader(playback::EndReason why, const std::string& reason) {
+  Reaction reaction;
+  {
+    const std::lock_guard lock(shared_.mutex);
+    reaction = shared_.reader.refused(why, reason);
+  }
+  carry_out(reaction);
+}
+
+void RemoteSource::Connection::send(std::string_view words) {
+  if (tls_) {
+    tls_->send(words);
+    outgoing_ += tls_->take_output();
+  } else {
+    outgoing_ += words;
+  }
 }
 
 void RemoteSource::Connection::write() {
@@ -342,7 +453,7 @@ void RemoteSource::Connection::speak() {
 }
 
 void RemoteSource::Connection::carry_out(const Reaction& reaction) {
-  outgoing_ += reaction.send;
+  send(reaction.send);
   switch (reaction.next) {
     case Reaction::Next::GoOn:
       write();
@@ -377,9 +488,15 @@ void RemoteSource::Connection::begin_farewell() {
   farewell_timer_.async_wait(for_this_socket([this](const ErrorCode& failure) {
     if (!failure) close();
   }));
+  std::string words;
   {
     const std::lock_guard lock(shared_.mutex);
-    outgoing_ += shared_.reader.farewell();
+    words = shared_.reader.farewell();
+  }
+  send(words);
+  if (tls_) {
+    tls_->end();
+    outgoing_ += tls_->take_output();
   }
   write();
   end_sending_when_written();
@@ -397,6 +514,8 @@ void RemoteSource::Connection::drop_socket() {
   reading_ = false;
   outgoing_.clear();
   writing_.clear();
+  tls_.reset();
+  lookup_.cancel();
   ErrorCode ignored;
   socket_.close(ignored);
   reach_timer_.cancel();
@@ -405,7 +524,6 @@ void RemoteSource::Connection::drop_socket() {
 
 void RemoteSource::Connection::close() {
   phase_ = Phase::Closed;
-  resolver_.cancel();
   farewell_timer_.cancel();
   drop_socket();
   work_.reset();

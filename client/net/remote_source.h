@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "client/net/security.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
@@ -27,6 +28,7 @@ struct RemoteOptions {
   /// --reconnect: a connection that is lost or cannot be made is tried again after 1, 2, 4 ... 30
   /// s, until stop().
   bool reconnect = false;
+  Security security{};
   /// Called on the network thread when something changed, to the end of the source's life; may only
   /// unblock the player (mpv's wakeup). May be empty.
   std::function<void()> wakeup;
@@ -47,8 +49,7 @@ struct Endpoint {
 class RemoteSource final : public playback::KeyframeSource {
  public:
   explicit RemoteSource(RemoteOptions options);  ///< starts connecting at once
-  /// Stops as stop() does and joins the thread: a second at most for the last words, and what is
-  /// left of the system's own look-up of a host name, which cannot be broken off.
+  /// Stops as stop() does and joins the thread: a second at most for the last words.
   ~RemoteSource() override;
 
   [[nodiscard]] std::optional<playback::TimedAus> take() override;

@@ -1,0 +1,74 @@
+#include "client/net/name_lookup.h"
+
+#include <netdb.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cstring>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <asio/post.hpp>
+
+namespace aucast::net {
+
+/// Shared with the thread, which may outlive everybody else.
+struct NameLookup::Request {
+  std::mutex mutex;
+  asio::io_context* io = nullptr;  ///< guarded by mutex; nothing: cancelled
+  OnFound on_found;                ///< of the io_context's thread
+};
+
+namespace {
+
+/// Blocks. Returns the failure in words.
+std::string look_up(const std::string& host, std::uint16_t port, NameLookup::Addresses& found) {
+  addrinfo wanted{};
+  wanted.ai_socktype = SOCK_STREAM;
+  wanted.ai_flags = AI_ADDRCONFIG | AI_NUMERICSERV;
+  addrinfo* list = nullptr;
+  const int failure = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &wanted, &list);
+  if (failure == EAI_SYSTEM) return std::generic_category().message(errno);
+  if (failure != 0) return ::gai_strerror(failure);
+  for (const addrinfo* one = list; one != nullptr; one = one->ai_next) {
+    asio::ip::tcp::endpoint endpoint;
+    if (one->ai_addrlen > endpoint.capacity()) continue;
+    std::memcpy(endpoint.data(), one->ai_addr, one->ai_addrlen);
+    endpoint.resize(one->ai_addrlen);
+    found.push_back(endpoint);
+  }
+  ::freeaddrinfo(list);
+  return found.empty() ? "it has no address" : "";
+}
+
+}  // namespace
+
+void NameLookup::start(const std::string& host, std::uint16_t port, OnFound on_found) {
+  cancel();
+  request_ = std::make_shared<Request>();
+  request_->io = &io_;
+  request_->on_found = std::move(on_found);
+  std::thread([request = request_, host, port] {
+    Addresses found;
+    std::string failure = look_up(host, port, found);
+    const std::lock_guard lock(request->mutex);
+    if (request->io == nullptr) return;
+    asio::post(*request->io, [request, failure = std::move(failure), found = std::move(found)] {
+      {
+        const std::lock_guard again(request->mutex);
+        if (request->io == nullptr) return;
+      }
+      request->on_found(failure, found);
+    });
+  }).detach();
+}
+
+void NameLookup::cancel() {
+  if (!request_) return;
+  const std::lock_guard lock(request_->mutex);
+  request_->io = nullptr;
+}
+
+}  // namespace aucast::net

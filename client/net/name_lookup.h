@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+
+namespace aucast::net {
+
+/// The addresses of a host by the system's own look-up, which cannot be broken off: it runs in a
+/// thread that nobody waits for. What comes too late is dropped.
+class NameLookup {
+ public:
+  using Addresses = std::vector<asio::ip::tcp::endpoint>;
+  /// `failure`: the system's words; empty when there are addresses.
+  using OnFound = std::function<void(const std::string& failure, Addresses found)>;
+
+  explicit NameLookup(asio::io_context& io) : io_(io) {}
+  ~NameLookup() { cancel(); }
+  NameLookup(const NameLookup&) = delete;
+  NameLookup& operator=(const NameLookup&) = delete;
+
+  /// Calls `on_found` in the thread of the io_context, unless cancelled before. One at a time: a
+  /// new one cancels the one before. Throws std::system_error when the system has no thread left.
+  void start(const std::string& host, std::uint16_t port, OnFound on_found);
+  void cancel();
+
+ private:
+  struct Request;
+
+  asio::io_context& io_;
+  std::shared_ptr<Request> request_;
+};
+
+}  // namespace aucast::net

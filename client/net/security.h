@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/result.h"
+#include "tls/context.h"
+
+namespace aucast::net {
+
+/// What the command line says about it.
+struct SecurityOptions {
+  bool tls = false;             ///< --tls; also when a file of TLS is named
+  tls::Files files;             ///< --tls-cert, --tls-key, --tls-ca
+  std::filesystem::path token;  ///< --token-file
+  bool insecure_token = false;  ///< --insecure-token: show it whoever may read it on the way
+};
+
+/// How connections are protected and what opens the server. Ready for use.
+struct Security {
+  std::optional<tls::Context> tls;  ///< nothing: plain
+  std::string token;                ///< empty: none
+  bool insecure_token = false;
+  std::string warning{};  ///< for the log; else empty
+};
+
+/// Reads the files. Unreadable or BadData naming the file and the cause; Usage when a token would
+/// go to `host` for everybody on the way to read.
+[[nodiscard]] Result<Security> load_security(const SecurityOptions& options, std::string_view host);
+
+/// Names this very computer: localhost or an address of the loopback.
+[[nodiscard]] bool is_own_host(std::string_view host);
+
+}  // namespace aucast::net
