@@ -253,7 +253,6 @@ struct FaceDiagram::State {
   Sketch sketch;
   face::Face carrier;
   face::FaceDeformer mover;
-  std::vector<glm::vec3> points;
   std::vector<Segment> muscles;
   std::vector<Segment> tags;
 
@@ -264,7 +263,7 @@ struct FaceDiagram::State {
 /// Muscles at work come last, so that they lie over the others.
 void FaceDiagram::State::draw_muscles(std::span<const float> activations) {
   if (sketch.strokes.empty()) return;
-  mover.deform_positions(activations, points);
+  const std::vector<glm::vec3>& points = mover.deform(activations).positions;
   for (const bool working : {false, true}) {
     for (const Stroke& stroke : sketch.strokes) {
       const float activation = activations[stroke.muscle];

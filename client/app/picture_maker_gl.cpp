@@ -25,7 +25,6 @@ struct PictureMaker::State {
   view::Background background;
   FaceScene scene;
   face::FaceDeformer deformer;
-  face::DeformedFace deformed;
   FaceDiagram diagram;
   view::Layers layers;
   // In the order of their making: what needs the context goes before it.
@@ -64,15 +63,15 @@ void PictureMaker::show(const view::Layers& layers) {
 
 view::Image PictureMaker::picture(std::span<const float> activations) {
   State& s = *state_;
-  s.deformer.deform(activations, s.deformed);
+  const face::DeformedFace& deformed = s.deformer.deform(activations);
   s.target->bind();
-  s.diagram.update(s.layers, activations, s.deformed);
+  s.diagram.update(s.layers, activations, deformed);
   const view::Style style{.background = s.background,
                           .layers = s.layers,
                           .scale = scale_of(s.height),
                           .diagram = s.diagram.muscles(),
                           .tags = s.diagram.tags()};
-  s.renderer->draw(FaceScene::moving(s.deformed), s.camera, style, s.width, s.height);
+  s.renderer->draw(FaceScene::moving(deformed), s.camera, style, s.width, s.height);
   return s.target->read();
 }
 

@@ -94,9 +94,7 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options,
   const PoseOptions& pose = options.pose;
   if (!pose.obj.empty()) {
     face::FaceDeformer deformer(assets.face);
-    std::vector<glm::vec3> positions;
-    deformer.deform_positions(activations, positions);
-    const std::string text = format_obj(assets.face.mesh, positions);
+    const std::string text = format_obj(assets.face.mesh, deformer.deform(activations).positions);
     if (auto written = write_file_atomically(pose.obj, text); !written) return written;
   }
   if (!pose.png.empty()) {

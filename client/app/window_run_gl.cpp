@@ -246,7 +246,7 @@ class WindowRun {
     const Instant before = steady_now();
     if (moved) {
       shown_activations_ = activations;
-      deformer_.deform(shown_activations_, deformed_);
+      deformed_ = &deformer_.deform(shown_activations_);
     }
     const Instant deformed = steady_now();
     draw_face(overlay_->free_width(width), height);
@@ -265,7 +265,7 @@ class WindowRun {
 
   void draw_face(int width, int height) {
     const gui::RenderingSettings& settings = session_.rendering();
-    diagram_.update(settings.layers, shown_activations_, deformed_);
+    diagram_.update(settings.layers, shown_activations_, *deformed_);
     const view::Style style{
         .background = background_of(settings.ground, options_),
         .layers = settings.layers,
@@ -275,7 +275,7 @@ class WindowRun {
         .scale = window_->scale(),
         .diagram = diagram_.muscles(),
         .tags = diagram_.tags()};
-    renderer_->draw(FaceScene::moving(deformed_), window_->camera(), style, width, height);
+    renderer_->draw(FaceScene::moving(*deformed_), window_->camera(), style, width, height);
   }
 
   /// Only frames in which the face moved count, or showing the pace would be a reason to draw.
@@ -308,7 +308,7 @@ class WindowRun {
   WindowSession session_;
   FaceScene scene_;
   face::FaceDeformer deformer_;
-  face::DeformedFace deformed_;
+  const face::DeformedFace* deformed_ = nullptr;
   FaceDiagram diagram_;
   std::unique_ptr<render::Window> window_;
   std::unique_ptr<render::FaceRenderer> renderer_;

@@ -24,7 +24,9 @@ struct DeformedFace {
 
 /// Turns activations into positions. All muscles displace from the rest face and are summed, so
 /// that their order does not matter; then lids, jaw, eyes and head turn, in that order. What is
-/// linear in its activation is computed once, sparsely, when the deformer is made.
+/// linear in its activation is computed once, sparsely, when the deformer is made; what no change
+/// of activations reaches is left as it is. The result depends on the activations only, to the last
+/// bit, not on what was shown before.
 /// The face must outlive the deformer. Thread: one deformer per thread.
 class FaceDeformer {
  public:
@@ -34,11 +36,9 @@ class FaceDeformer {
   FaceDeformer& operator=(FaceDeformer&&) noexcept;
 
   /// `activations`: one per channel, clamped to [0, activation_max]; not finite counts as 0. All
-  /// zero gives the rest face bit for bit. Nothing is allocated after the first call on an `out`.
-  void deform(std::span<const float> activations, DeformedFace& out);
-
-  /// Without normals and eyes, for numbers only.
-  void deform_positions(std::span<const float> activations, std::vector<glm::vec3>& out);
+  /// zero gives the rest face bit for bit. The result stands until the next call; nothing is
+  /// allocated after the head has turned once.
+  const DeformedFace& deform(std::span<const float> activations);
 
  private:
   struct State;

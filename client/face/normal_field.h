@@ -3,55 +3,53 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "client/face/face_mesh.h"
+#include "client/face/vertex_block.h"
 
 namespace aucast::face {
 
 /// Vertex normals, weighted by the triangles' areas. Only what has a moved vertex near is computed
-/// again; the rest keeps the normals of the rest face.
-/// Thread: one field per thread; it holds scratch memory.
+/// again. Copies share what depends on the mesh alone.
+/// Thread: one field per thread.
 class NormalField {
  public:
+  /// With the vertices at their rest places.
   explicit NormalField(const FaceMesh& mesh);
 
-  /// `moved`: one flag per block of kLanes vertices. Fills all of `normals`; unit length, and +z
-  /// for a vertex without a triangle that has an area.
-  void compute(std::span<const std::uint8_t> moved, std::span<const glm::vec3> positions,
-               std::span<glm::vec3> normals);
+  /// Puts the vertices of a block somewhere else. Normals follow with update().
+  void place(std::size_t block, const std::array<Four, kLanes>& at);
+
+  /// `moved`: one flag per block whose vertices are elsewhere since the last update. Writes those
+  /// `normals` that this may change and leaves the others alone; unit length, and +z for a vertex
+  /// without a triangle that has an area.
+  void update(std::span<const std::uint8_t> moved, std::span<glm::vec3> normals);
+
+  /// One flag per block: whether the last update wrote its normals.
+  [[nodiscard]] const std::vector<std::uint8_t>& written() const { return written_; }
+
+  /// Writes the normals of these blocks, whatever moved, and no others.
+  void compute(std::span<const std::uint32_t> blocks, std::span<glm::vec3> normals);
+
+  /// The blocks whose vertices compute() with these blocks reads.
+  [[nodiscard]] std::vector<std::uint32_t> read_by(std::span<const std::uint32_t> blocks) const;
 
  private:
-  /// Lists of numbers, one after the other.
-  struct Lists {
-    std::vector<std::uint32_t> begin;
-    std::vector<std::uint32_t> items;
-    [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t i) const {
-      return std::span(items).subspan(begin[i], begin[i + 1] - begin[i]);
-    }
-  };
-  /// Padded to 16 bytes, so that one is one load.
-  struct alignas(16) AreaNormal {
-    std::array<float, 4> xyz{};
-  };
+  struct Topology;
 
-  [[nodiscard]] static Lists lists_of(std::vector<std::vector<std::uint32_t>> lists);
-  void mark(std::span<const std::uint8_t> moved);
-  void compute_group(std::size_t group, std::span<const glm::vec3> positions);
-  [[nodiscard]] glm::vec3 vertex_normal(std::size_t vertex) const;
+  void compute_group(std::size_t group);
+  void compute_block(std::size_t block, std::span<glm::vec3> normals) const;
 
-  std::vector<std::array<std::uint32_t, 3>> triangles_;
-  std::vector<glm::vec3> rest_normals_;
-  Lists triangles_of_vertex_;
-  Lists groups_of_block_;  ///< triangles are handled in groups, vertices in blocks
-  Lists blocks_of_group_;
-  std::vector<AreaNormal> area_normals_;     ///< one per triangle
-  std::vector<std::uint8_t> group_touched_;  ///< has a moved vertex
-  std::vector<std::uint8_t> group_needed_;   ///< shares a vertex with a touched one
-  std::vector<std::uint8_t> block_affected_;
+  std::shared_ptr<const Topology> mesh_;
+  std::vector<Four> points_;
+  std::vector<Four> areas_;            ///< one per triangle, and a zero
+  std::vector<std::uint8_t> touched_;  ///< one flag per group of triangles
+  std::vector<std::uint8_t> written_;
 };
 
 }  // namespace aucast::face

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <span>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace aucast::face {
 
@@ -13,6 +18,9 @@ inline constexpr std::size_t kLanes = 8;
 
 using Lanes = std::array<float, kLanes>;
 
+/// x, y, z and one more: a vector register, which GCC and Clang know on every processor.
+using Four = float __attribute__((vector_size(16)));
+
 /// Eight neighbours of the mesh's vertex array; lanes past its end are zero.
 struct alignas(32) VertexBlock {
   Lanes x{};
@@ -20,8 +28,79 @@ struct alignas(32) VertexBlock {
   Lanes z{};
 };
 
+/// Half of the lanes, from number 0 or 4 on.
+[[nodiscard]] inline Four four_at(const Lanes& lanes, std::size_t begin) {
+  Four four;
+  std::memcpy(&four, &lanes[begin], sizeof four);
+  return four;
+}
+
+inline void set_four(Lanes& lanes, std::size_t begin, const Four& four) {
+  std::memcpy(&lanes[begin], &four, sizeof four);
+}
+
+/// Block number `block` of what has one element per vertex; the last one may be shorter.
+[[nodiscard]] inline std::span<glm::vec3> block_of(std::span<glm::vec3> points, std::size_t block) {
+  const std::size_t begin = block * kLanes;
+  return points.subspan(begin, std::min(kLanes, points.size() - begin));
+}
+
 [[nodiscard]] constexpr std::size_t block_count(std::size_t vertex_count) {
   return (vertex_count + kLanes - 1) / kLanes;
+}
+
+/// The block's vertices, the fourth of each zero.
+[[nodiscard]] inline std::array<Four, kLanes> points_of(const VertexBlock& block) {
+  std::array<Four, kLanes> points;
+  for (std::size_t i = 0; i < kLanes; i += 4) {
+    const Four x = four_at(block.x, i);
+    const Four y = four_at(block.y, i);
+    const Four z = four_at(block.z, i);
+    const Four xy01 = __builtin_shufflevector(x, y, 0, 4, 1, 5);
+    const Four xy23 = __builtin_shufflevector(x, y, 2, 6, 3, 7);
+    const Four z01 = __builtin_shufflevector(z, Four{}, 0, 4, 1, 5);
+    const Four z23 = __builtin_shufflevector(z, Four{}, 2, 6, 3, 7);
+    points[i] = __builtin_shufflevector(xy01, z01, 0, 1, 4, 5);
+    points[i + 1] = __builtin_shufflevector(xy01, z01, 2, 3, 6, 7);
+    points[i + 2] = __builtin_shufflevector(xy23, z23, 0, 1, 4, 5);
+    points[i + 3] = __builtin_shufflevector(xy23, z23, 2, 3, 6, 7);
+  }
+  return points;
+}
+
+/// Writes points one after the other without their fourth: of a block, or of less at the end.
+inline void write_points(const std::array<Four, kLanes>& points, std::span<glm::vec3> out) {
+  if (out.size() < kLanes) {
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = {points[i][0], points[i][1], points[i][2]};
+    return;
+  }
+  // Whole registers: the next point overwrites what is too much.
+  float* to = &out[0].x;
+  for (std::size_t i = 0; i + 1 < kLanes; ++i, to += 3) std::memcpy(to, &points[i], sizeof(Four));
+  std::memcpy(to, &points[kLanes - 1], sizeof(glm::vec3));
+}
+
+inline void set_lane(VertexBlock& block, std::size_t lane, const glm::vec3& point) {
+  block.x[lane] = point.x;
+  block.y[lane] = point.y;
+  block.z[lane] = point.z;
+}
+
+/// Block number `block` of `points`.
+[[nodiscard]] inline VertexBlock block_at(std::span<const glm::vec3> points, std::size_t block) {
+  VertexBlock result;
+  const std::size_t begin = block * kLanes;
+  for (std::size_t i = 0; i < kLanes && begin + i < points.size(); ++i) {
+    set_lane(result, i, points[begin + i]);
+  }
+  return result;
+}
+
+[[nodiscard]] inline std::vector<VertexBlock> blocks_of(std::span<const glm::vec3> points) {
+  std::vector<VertexBlock> blocks(block_count(points.size()));
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = block_at(points, i);
+  return blocks;
 }
 
 /// Weights that are not zero somewhere in their block.

@@ -1,9 +1,12 @@
 // What a frame of a face costs, as ratios to the plain things beside it: (a) the published loop,
 // each muscle over all vertices, and (b) a copy of the same bytes. Usage: bench_deformer
-// [FACE_FOLDER DATA_FOLDER]; without arguments the default face beside the programs.
+// [FACE_FOLDER DATA_FOLDER]; without arguments the default face beside the programs. Every frame
+// differs from the one before in all channels that are not zero, as in an animation; a frame in
+// which nothing changes costs next to nothing, but "rest" shows what looking costs.
+
+#include <time.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -25,20 +28,28 @@ using aucast::face::Face;
 using aucast::face::FaceDeformer;
 using aucast::face::FaceMesh;
 
-constexpr int kRounds = 15;
+constexpr int kRounds = 100;
+constexpr std::size_t kFrames = 16;
 
-/// Microseconds of one call: the best of some rounds of many calls.
+/// The time this thread has run: what others do on the machine does not count.
+double thread_microseconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) / 1e3;
+}
+
+/// Microseconds of one call: the best of many short rounds, since a busy machine disturbs long
+/// ones.
 template <typename Call>
 double microseconds(Call call) {
-  using Clock = std::chrono::steady_clock;
   int calls = 1;
   double best = 1e30;
   for (int round = 0; round < kRounds; ++round) {
-    const auto begin = Clock::now();
+    const double begin = thread_microseconds();
     for (int i = 0; i < calls; ++i) call();
-    const double taken = std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+    const double taken = thread_microseconds() - begin;
     best = std::min(best, taken / calls);
-    calls = std::max(1, static_cast<int>(20'000 / std::max(best, 0.1)));
+    calls = std::max(1, static_cast<int>(2'000 / std::max(best, 0.1)));
   }
   return best;
 }
@@ -193,20 +204,54 @@ float largest_difference(const std::vector<glm::vec3>& a, const std::vector<glm:
   return largest;
 }
 
-/// Times one set of activations. False when the two ways disagree.
+/// Likewise for normals. Where triangles lie against each other their areas cancel, and the last
+/// digits of the corners decide the normal; it counts by how much is left of the areas.
+float largest_difference_of_normals(const FaceMesh& mesh, const DeformedFace& a,
+                                    const DeformedFace& b) {
+  std::vector<glm::vec3> sums(a.positions.size(), glm::vec3(0));
+  std::vector<float> areas(a.positions.size(), 0.0F);
+  for (const auto& triangle : mesh.triangles) {
+    const glm::vec3& corner = a.positions[triangle[0]];
+    const glm::vec3 area =
+        glm::cross(a.positions[triangle[1]] - corner, a.positions[triangle[2]] - corner);
+    for (const std::uint32_t vertex : triangle) {
+      sums[vertex] += area;
+      areas[vertex] += glm::length(area);
+    }
+  }
+  float largest = 0;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (!(areas[i] > 0)) continue;
+    const float left = glm::length(sums[i]) / areas[i];
+    largest = std::max(largest, left * glm::distance(a.normals[i], b.normals[i]));
+  }
+  return largest;
+}
+
+/// Times an animation about one set of activations: every frame has all of them a little different
+/// from the frame before. False when the two ways disagree.
 bool compare(const char* title, const Face& face, const std::vector<float>& activations) {
   FaceDeformer deformer(face);
   const PlainFace plain(face);
-  DeformedFace ours;
+  std::vector<std::vector<float>> frames(kFrames, activations);
+  for (std::size_t f = 0; f < kFrames; ++f) {
+    const float strength = 1 - 0.1F * static_cast<float>(f) / kFrames;
+    for (float& activation : frames[f]) activation *= strength;
+  }
   DeformedFace theirs;
-  deformer.deform(activations, ours);
-  plain.deform(activations, theirs);
-  const float apart = largest_difference(ours.positions, theirs.positions);
-  const float normals_apart = largest_difference(ours.normals, theirs.normals);
-  const double frame = microseconds([&] { deformer.deform(activations, ours); });
-  std::vector<glm::vec3> positions;
-  const double moved = microseconds([&] { deformer.deform_positions(activations, positions); });
-  const double loop = microseconds([&] { plain.deform(activations, theirs); });
+  float apart = 0;
+  float normals_apart = 0;
+  for (const std::vector<float>& frame : frames) {
+    const DeformedFace& ours = deformer.deform(frame);
+    plain.deform(frame, theirs);
+    apart = std::max(apart, largest_difference(ours.positions, theirs.positions));
+    normals_apart = std::max(normals_apart, largest_difference_of_normals(face.mesh, ours, theirs));
+  }
+  std::size_t number = 0;
+  const auto next = [&]() -> const std::vector<float>& { return frames[number++ % kFrames]; };
+  const double frame = microseconds([&] { deformer.deform(next()); });
+  const double loop = microseconds([&] { plain.deform(next(), theirs); });
+  const DeformedFace& ours = deformer.deform(next());
   const double copy = microseconds([&] {
     std::memcpy(theirs.positions.data(), ours.positions.data(),
                 ours.positions.size() * sizeof(glm::vec3));
@@ -214,11 +259,11 @@ bool compare(const char* title, const Face& face, const std::vector<float>& acti
                 ours.normals.size() * sizeof(glm::vec3));
   });
   std::printf(
-      "%-28s %8.1f us (positions %.1f)  loop %9.1f us  copy %6.1f us  "
-      "%5.1fx over the loop, %5.1fx a copy  apart %.1e, normals %.1e\n",
-      title, frame, moved, loop, copy, loop / frame, frame / copy, static_cast<double>(apart),
+      "%-28s %8.2f us  loop %9.2f us  copy %6.2f us  %6.1fx over the loop, %5.1fx a copy  "
+      "apart %.1e, normals %.1e\n",
+      title, frame, loop, copy, loop / frame, frame / copy, static_cast<double>(apart),
       static_cast<double>(normals_apart));
-  return apart < 1e-4F && normals_apart < 2e-2F;
+  return apart < 1e-4F && normals_apart < 1e-3F;
 }
 
 }  // namespace

@@ -60,9 +60,7 @@ std::vector<glm::vec3> DefaultFace::posed(std::initializer_list<AuTerm> terms) {
   const AuFrame frame = frame_from_terms({terms.begin(), terms.size()});
   std::vector<float> activations(face_->channels.size());
   face::mix(*face_, frame, face::Mixer::Maximum, activations);
-  std::vector<glm::vec3> positions;
-  deformer_->deform_positions(activations, positions);
-  return positions;
+  return deformer_->deform(activations).positions;
 }
 
 std::vector<glm::vec3> DefaultFace::posed(int number) {
@@ -74,9 +72,7 @@ std::vector<glm::vec3> DefaultFace::driven(const std::string& channel, float act
   for (const std::string& name : {channel, "left_" + channel, "right_" + channel}) {
     if (const auto index = face_->channel_index(name)) activations[*index] = activation;
   }
-  std::vector<glm::vec3> positions;
-  deformer_->deform_positions(activations, positions);
-  return positions;
+  return deformer_->deform(activations).positions;
 }
 
 }  // namespace aucast::test

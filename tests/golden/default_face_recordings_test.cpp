@@ -100,9 +100,7 @@ class DefaultFaceRecordings : public DefaultFace {
     face::mix(face(), frame_from_terms({terms.begin(), terms.size()}), face::Mixer::Maximum,
               activations);
     face::FaceDeformer deformer(face());
-    face::DeformedFace deformed;
-    deformer.deform(activations, deformed);
-    return deformed.creases;
+    return deformer.deform(activations).creases;
   }
   /// The place of a crease among the creases.
   [[nodiscard]] static std::size_t line(const std::string& name) {

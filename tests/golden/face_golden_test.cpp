@@ -62,9 +62,8 @@ std::vector<Line> present_lines() {
   const Face face = test::small_face();
   FaceDeformer deformer(face);
   std::vector<Line> lines;
-  std::vector<glm::vec3> positions;
   for (const auto& [pose, activations] : poses(face)) {
-    deformer.deform_positions(activations, positions);
+    const std::vector<glm::vec3>& positions = deformer.deform(activations).positions;
     std::size_t moved = 0;
     for (std::size_t i = 0; i < positions.size(); ++i) {
       if (positions[i] == face.mesh.positions[i]) continue;

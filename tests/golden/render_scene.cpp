@@ -104,7 +104,7 @@ PosedFace::PosedFace(face::Face face)
       scene_(face_),
       deformer_(face_),
       activations_(face_.channels.size()) {
-  deformer_.deform(activations_, deformed_);
+  deformed_ = &deformer_.deform(activations_);
 }
 
 Result<std::unique_ptr<PosedFace>> PosedFace::load(const std::filesystem::path& folder,
@@ -116,7 +116,7 @@ Result<std::unique_ptr<PosedFace>> PosedFace::load(const std::filesystem::path& 
 
 void PosedFace::pose(const AuFrame& aus) {
   face::mix(face_, aus, face::Mixer::Maximum, activations_);
-  deformer_.deform(activations_, deformed_);
+  deformed_ = &deformer_.deform(activations_);
 }
 
 view::StaticMesh PosedFace::static_mesh() const {
@@ -124,7 +124,7 @@ view::StaticMesh PosedFace::static_mesh() const {
 }
 
 view::MovingMesh PosedFace::moving_mesh() const {
-  return app::FaceScene::moving(deformed_);
+  return app::FaceScene::moving(*deformed_);
 }
 
 }  // namespace aucast::test

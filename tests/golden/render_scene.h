@@ -68,7 +68,7 @@ class PosedFace {
   face::Face face_;
   app::FaceScene scene_;
   face::FaceDeformer deformer_;
-  face::DeformedFace deformed_;
+  const face::DeformedFace* deformed_;
   std::vector<float> activations_;
 };
 

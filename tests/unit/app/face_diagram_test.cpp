@@ -28,13 +28,11 @@ class Diagram : public testing::Test {
   }
   void update(FaceDiagram& diagram, const view::Layers& layers) {
     face::FaceDeformer deformer(face_);
-    deformer.deform(activations_, deformed_);
-    diagram.update(layers, activations_, deformed_);
+    diagram.update(layers, activations_, deformer.deform(activations_));
   }
 
   face::Face face_;
   std::vector<float> activations_;
-  face::DeformedFace deformed_;
 };
 
 std::size_t warm(std::span<const view::Segment> segments) {

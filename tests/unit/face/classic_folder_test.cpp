@@ -148,8 +148,8 @@ TEST(ClassicFolder, AJawComesFromItsTagFileOnly) {
   const Face face = loaded(files);
   ASSERT_TRUE(face.jaw.has_value());
   EXPECT_EQ(face.mesh.maps.at("jaw"), (std::vector<float>{0, 0, 0, 0, 1, 0.5F, 0, 0, 0.5F}));
-  std::vector<glm::vec3> out;
-  FaceDeformer(face).deform_positions(test::only(face, "jaw", 4), out);
+  FaceDeformer deformer(face);
+  const std::vector<glm::vec3>& out = deformer.deform(test::only(face, "jaw", 4)).positions;
   const double angle = 4 * std::numbers::pi / 180;
   EXPECT_NEAR(out[4].y, -2 * std::cos(angle) - 8.5 * std::sin(angle), 1e-5);
   EXPECT_NEAR(out[4].z, -2 * std::sin(angle) + 8.5 * std::cos(angle), 1e-5);
@@ -286,8 +286,8 @@ double largest_error(const Face& face) {
   double largest = 0;
   for (const float activation : {0.5F, 1.0F, 2.0F, 4.0F}) {
     for (const Muscle& muscle : face.muscles) {
-      std::vector<glm::vec3> out;
-      deformer.deform_positions(test::only(face, muscle.name, activation), out);
+      const std::vector<glm::vec3>& out =
+          deformer.deform(test::only(face, muscle.name, activation)).positions;
       for (std::size_t i = 0; i < out.size(); ++i) {
         const glm::dvec3 expected = waters_moved(std::get<LinearMuscle>(muscle.shape), activation,
                                                  glm::dvec3(face.mesh.positions[i]));

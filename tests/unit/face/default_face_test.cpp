@@ -55,9 +55,9 @@ TEST_F(DefaultFace, PlaysTheActionUnitsOfTheThesis) {
 
 TEST_F(DefaultFace, EveryChannelMovesTheFaceAndKeepsItFinite) {
   FaceDeformer deformer(face_);
-  DeformedFace out;
   for (const Channel& channel : face_.channels) {
-    deformer.deform(test::only(face_, channel.name, channel.activation_max), out);
+    const DeformedFace& out =
+        deformer.deform(test::only(face_, channel.name, channel.activation_max));
     const bool draws_lines = std::any_of(out.creases.begin(), out.creases.end(),
                                          [](float depth) { return depth > 0; });
     EXPECT_NE(out.positions != face_.mesh.positions, draws_lines) << channel.name;
@@ -71,8 +71,8 @@ TEST_F(DefaultFace, EveryChannelMovesTheFaceAndKeepsItFinite) {
 }
 
 TEST_F(DefaultFace, ZeroIsTheRestFaceBitForBit) {
-  DeformedFace out;
-  FaceDeformer(face_).deform(std::vector<float>(face_.channels.size(), 0.0F), out);
+  FaceDeformer deformer(face_);
+  const DeformedFace& out = deformer.deform(std::vector<float>(face_.channels.size(), 0.0F));
   EXPECT_EQ(out.positions, face_.mesh.positions);
 }
 
@@ -85,8 +85,7 @@ TEST_F(DefaultFace, LeftMusclesHaveARightTwin) {
 
 TEST_F(DefaultFace, OneSideOfASmileStaysOnItsSide) {
   FaceDeformer deformer(face_);
-  std::vector<glm::vec3> out;
-  deformer.deform_positions(activations_of(12, 1, 0), out);
+  const std::vector<glm::vec3>& out = deformer.deform(activations_of(12, 1, 0)).positions;
   float left = 0;
   float right = 0;
   for (std::size_t i = 0; i < out.size(); ++i) {

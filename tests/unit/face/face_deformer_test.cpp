@@ -25,9 +25,7 @@ constexpr float kTolerance = 2e-6F;
 class Deformer : public ::testing::Test {
  protected:
   std::vector<glm::vec3> positions(const std::vector<float>& activations) {
-    std::vector<glm::vec3> out;
-    deformer_.deform_positions(activations, out);
-    return out;
+    return deformer_.deform(activations).positions;
   }
   std::vector<glm::vec3> positions(std::string_view channel, float value) {
     return positions(only(face_, channel, value));
@@ -54,9 +52,8 @@ class Deformer : public ::testing::Test {
 };
 
 TEST_F(Deformer, ZeroIsTheRestFaceBitForBit) {
-  DeformedFace out;
-  deformer_.deform(std::vector<float>(face_.channels.size(), 1.0F), out);
-  deformer_.deform(std::vector<float>(face_.channels.size(), 0.0F), out);
+  deformer_.deform(std::vector<float>(face_.channels.size(), 1.0F));
+  const DeformedFace& out = deformer_.deform(std::vector<float>(face_.channels.size(), 0.0F));
   EXPECT_EQ(out.positions, face_.mesh.positions);
 }
 
@@ -126,8 +123,7 @@ TEST_F(Deformer, TheOrderOfMusclesDoesNotMatter) {
     shuffled_activations[k] = activations[order[k]];
   }
   const auto one = positions(activations);
-  std::vector<glm::vec3> other;
-  FaceDeformer(shuffled).deform_positions(shuffled_activations, other);
+  const auto other = FaceDeformer(shuffled).deform(shuffled_activations).positions;
   for (std::size_t i = 0; i < one.size(); ++i) {
     ASSERT_LT(glm::distance(one[i], other[i]), 5e-6F) << "vertex " << i;
   }
@@ -231,21 +227,20 @@ TEST_F(Deformer, HeadAtFullWeightMovesAsOneRigidBody) {
 }
 
 TEST_F(Deformer, EyesLookWhereTheGazeAndTheHeadGo) {
-  DeformedFace out;
-  deformer_.deform(std::vector<float>(face_.channels.size(), 0.0F), out);
+  DeformedFace out = deformer_.deform(std::vector<float>(face_.channels.size(), 0.0F));
   ASSERT_EQ(out.eye_centres.size(), 2U);
   EXPECT_EQ(out.eye_centres[0], face_.eyes[0].centre);
   EXPECT_EQ(out.eye_forward[1], glm::vec3(0, 0, 1));
 
-  deformer_.deform(only(face_, "left_gaze_left", 1), out);
+  out = deformer_.deform(only(face_, "left_gaze_left", 1));
   const float yaw = 28 * std::numbers::pi_v<float> / 180;
   EXPECT_LT(glm::distance(out.eye_forward[0], {std::sin(yaw), 0, std::cos(yaw)}), 1e-6F);
   EXPECT_EQ(out.eye_forward[1], glm::vec3(0, 0, 1));
 
-  deformer_.deform(only(face_, "right_gaze_up", 1), out);
+  out = deformer_.deform(only(face_, "right_gaze_up", 1));
   EXPECT_GT(out.eye_forward[1].y, 0.37F);
 
-  deformer_.deform(only(face_, "head_turn_left", 1), out);
+  out = deformer_.deform(only(face_, "head_turn_left", 1));
   const float turn = 35 * std::numbers::pi_v<float> / 180;
   EXPECT_LT(glm::distance(out.eye_forward[0], {std::sin(turn), 0, std::cos(turn)}), 1e-6F);
   EXPECT_GT(out.eye_centres[0].x, 5);
@@ -268,13 +263,12 @@ std::vector<glm::vec3> plain_normals(const FaceMesh& mesh,
 TEST_F(Deformer, NormalsBelongToTheDeformedFaceWhateverMoved) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());
-  DeformedFace out;
   for (int run = 0; run < 40; ++run) {
     std::vector<float> activations(face_.channels.size(), 0.0F);
     for (std::size_t c = 0; c < activations.size(); ++c) {
       if (seeded.chance(0.15)) activations[c] = static_cast<float>(seeded.real(0, 1));
     }
-    deformer_.deform(activations, out);
+    const DeformedFace& out = deformer_.deform(activations);
     const auto expected = plain_normals(face_.mesh, out.positions);
     for (std::size_t i = 0; i < expected.size(); ++i) {
       ASSERT_LT(glm::distance(out.normals[i], expected[i]), 1e-4F) << "vertex " << i;
@@ -297,15 +291,34 @@ TEST_F(Deformer, IsSmoothInTheActivation) {
   }
 }
 
+TEST_F(Deformer, WhatWasShownBeforeLeavesNoTrace) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  std::vector<float> activations(face_.channels.size(), 0.0F);
+  for (int run = 0; run < 60; ++run) {
+    // Mostly a few channels change, as in an animation; now and then the whole face.
+    for (std::size_t c = 0; c < activations.size(); ++c) {
+      if (!seeded.chance(run % 10 == 0 ? 0.8 : 0.05)) continue;
+      activations[c] = seeded.chance(0.5) ? 0.0F : static_cast<float>(seeded.real(0, 1));
+    }
+    const DeformedFace& out = deformer_.deform(activations);
+    FaceDeformer fresh(face_);
+    const DeformedFace& expected = fresh.deform(activations);
+    ASSERT_EQ(out.positions, expected.positions) << "frame " << run;
+    ASSERT_EQ(out.normals, expected.normals) << "frame " << run;
+    ASSERT_EQ(out.eye_centres, expected.eye_centres);
+    ASSERT_EQ(out.eye_forward, expected.eye_forward);
+  }
+}
+
 TEST_F(Deformer, AllocatesNothingAfterTheFirstCall) {
-  DeformedFace out;
   const std::vector<float> activations(face_.channels.size(), 1.0F);
-  deformer_.deform(activations, out);
-  const auto* const positions_before = out.positions.data();
-  const auto* const normals_before = out.normals.data();
-  deformer_.deform(activations, out);
-  EXPECT_EQ(out.positions.data(), positions_before);
-  EXPECT_EQ(out.normals.data(), normals_before);
+  const DeformedFace& before = deformer_.deform(activations);
+  const auto* const positions_before = before.positions.data();
+  const auto* const normals_before = before.normals.data();
+  const DeformedFace& after = deformer_.deform(std::vector<float>(activations.size(), 0.5F));
+  EXPECT_EQ(after.positions.data(), positions_before);
+  EXPECT_EQ(after.normals.data(), normals_before);
 }
 
 TEST(DeformerOfABareFace, CopesWithoutTrianglesMapsAndMovers) {
@@ -313,8 +326,7 @@ TEST(DeformerOfABareFace, CopesWithoutTrianglesMapsAndMovers) {
   face.mesh.positions = {{1, 2, 3}, {-1, 2, 3}, {0, 0, 0}};
   face.mesh.parts = {{"skin", Material::Skin, 0, 3, 0, 0}};
   FaceDeformer deformer(face);
-  DeformedFace out;
-  deformer.deform({}, out);
+  const DeformedFace& out = deformer.deform({});
   EXPECT_EQ(out.positions, face.mesh.positions);
   EXPECT_EQ(out.normals, std::vector<glm::vec3>(3, glm::vec3(0, 0, 1)));
 }

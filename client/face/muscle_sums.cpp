@@ -1,0 +1,91 @@
+#include "client/face/muscle_sums.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace aucast::face {
+namespace {
+
+/// The map's value, or 1 when the mesh does not have it.
+float factor_at(const std::vector<float>* map, std::size_t vertex) {
+  return map == nullptr ? 1.0F : (*map)[vertex];
+}
+
+const std::vector<float>* find_map(const FaceMesh& mesh, const std::string& map_name) {
+  const auto found = mesh.maps.find(map_name);
+  return found == mesh.maps.end() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+MuscleSums::MuscleSums(const Face& face)
+    : rest_(blocks_of(face.mesh.positions)), activations_(face.muscles.size()) {
+  const FaceMesh& mesh = face.mesh;
+  const auto* const reach = find_map(mesh, "muscle");
+  std::vector<std::vector<VertexBlock>> pulls(rest_.size());
+  std::vector<std::vector<std::uint32_t>> numbers(rest_.size());
+  for (const Muscle& muscle : face.muscles) {
+    const auto* const mask = muscle.mask.empty() ? nullptr : find_map(mesh, muscle.mask);
+    Reach& reaches = reaches_.emplace_back();
+    reaches.activation_cap = std::numeric_limits<float>::infinity();
+    const auto number = static_cast<std::uint32_t>(reaches_.size() - 1);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const float factor = factor_at(reach, i) * factor_at(mask, i);
+      if (factor == 0) continue;
+      const LinearInfluence linear = influence(muscle.shape, mesh.positions[i]);
+      if (linear.per_unit == glm::vec3(0)) continue;
+      reaches.activation_cap = linear.activation_cap;  // the same at every vertex of a muscle
+      const auto block = static_cast<std::uint32_t>(i / kLanes);
+      if (reaches.blocks.empty() || reaches.blocks.back() != block) {
+        reaches.blocks.push_back(block);
+        pulls[block].emplace_back();
+        numbers[block].push_back(number);
+      }
+      set_lane(pulls[block].back(), i % kLanes, factor * linear.per_unit);
+    }
+  }
+  for (std::size_t block = 0; block < rest_.size(); ++block) {
+    pulls_.insert(pulls_.end(), pulls[block].begin(), pulls[block].end());
+    muscles_.insert(muscles_.end(), numbers[block].begin(), numbers[block].end());
+    begin_.push_back(static_cast<std::uint32_t>(pulls_.size()));
+  }
+}
+
+void MuscleSums::take(std::span<const float> activations, std::span<std::uint8_t> moved) {
+  for (std::size_t m = 0; m < reaches_.size(); ++m) {
+    const float activation = std::min(activations[m], reaches_[m].activation_cap);
+    if (activation == activations_[m]) continue;
+    activations_[m] = activation;
+    for (const std::uint32_t block : reaches_[m].blocks) moved[block] = 1;
+  }
+}
+
+void MuscleSums::at(std::size_t block, VertexBlock& place) const {
+  // In registers; an array the compiler would load and store for every muscle.
+  const VertexBlock& rest = rest_[block];
+  Four x0 = four_at(rest.x, 0);
+  Four x4 = four_at(rest.x, 4);
+  Four y0 = four_at(rest.y, 0);
+  Four y4 = four_at(rest.y, 4);
+  Four z0 = four_at(rest.z, 0);
+  Four z4 = four_at(rest.z, 4);
+  for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k) {
+    const VertexBlock& per_unit = pulls_[k];
+    const float activation = activations_[muscles_[k]];
+    if (activation == 0) continue;
+    x0 += activation * four_at(per_unit.x, 0);
+    x4 += activation * four_at(per_unit.x, 4);
+    y0 += activation * four_at(per_unit.y, 0);
+    y4 += activation * four_at(per_unit.y, 4);
+    z0 += activation * four_at(per_unit.z, 0);
+    z4 += activation * four_at(per_unit.z, 4);
+  }
+  set_four(place.x, 0, x0);
+  set_four(place.x, 4, x4);
+  set_four(place.y, 0, y0);
+  set_four(place.y, 4, y4);
+  set_four(place.z, 0, z0);
+  set_four(place.z, 4, z4);
+}
+
+}  // namespace aucast::face
