@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include <spdlog/spdlog.h>
@@ -8,9 +9,18 @@
 
 namespace aucast {
 
-/// Sends the log to stderr, one line an entry with time and level, coloured on a terminal unless
-/// NO_COLOR is set. `level` is one of trace, debug, info, warning, error, off. Usage error
-/// otherwise.
-[[nodiscard]] Result<void> set_up_log(std::string_view program, std::string_view level);
+/// How an entry of the log looks.
+enum class LogFormat : std::uint8_t {
+  Text,  ///< time (UTC), level, program: message
+  Json,  ///< one object a line: time, level, program, message
+};
+
+/// Sends the log to stderr, one line an entry, coloured on a terminal unless NO_COLOR is set. Where
+/// stderr is the journal ($JOURNAL_STREAM says so and it is true), each line begins with its
+/// priority, <3> to <7>, and a text line leaves out what the journal knows itself. `level` is one
+/// of trace, debug, info, warning, error, off; usage error otherwise. What others said must be
+/// escaped() before it comes here; control characters are made harmless in any case.
+[[nodiscard]] Result<void> set_up_log(std::string_view program, std::string_view level,
+                                      LogFormat format = LogFormat::Text);
 
 }  // namespace aucast

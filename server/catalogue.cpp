@@ -68,6 +68,11 @@ Milliseconds time_of(const protocol::ServedStream& stream) {
   return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds::zero());
 }
 
+bool same_stream(const protocol::ServedStream& a, const protocol::ServedStream& b) {
+  return a.name == b.name && a.classic == b.classic && a.negotiated == b.negotiated &&
+         a.changes == b.changes && a.times == b.times;
+}
+
 }  // namespace
 
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
@@ -103,6 +108,19 @@ protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
   catalogue.loop = options.loop;
   for (const Source& source : sources) catalogue.streams.push_back(served(source, options));
   return catalogue;
+}
+
+const protocol::ServedStream* find_same(const protocol::ServerCatalogue& catalogue,
+                                        const protocol::ServedStream& stream) {
+  const auto found = std::find_if(
+      catalogue.streams.begin(), catalogue.streams.end(),
+      [&stream](const protocol::ServedStream& other) { return same_stream(other, stream); });
+  return found == catalogue.streams.end() ? nullptr : &*found;
+}
+
+bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCatalogue& b) {
+  return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
+                    same_stream);
 }
 
 Result<void> check_live(const protocol::ServerCatalogue& catalogue) {

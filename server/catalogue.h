@@ -42,6 +42,14 @@ struct CatalogueOptions {
 [[nodiscard]] protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
                                                        const CatalogueOptions& options);
 
+/// The stream of `catalogue` that has the same name and content, or nothing.
+[[nodiscard]] const protocol::ServedStream* find_same(const protocol::ServerCatalogue& catalogue,
+                                                      const protocol::ServedStream& stream);
+
+/// Whether both serve the same streams in the same order.
+[[nodiscard]] bool same_streams(const protocol::ServerCatalogue& a,
+                                const protocol::ServerCatalogue& b);
+
 /// Whether the streams can be sent live: one that starts again must take some time. Bad data
 /// otherwise.
 [[nodiscard]] Result<void> check_live(const protocol::ServerCatalogue& catalogue);

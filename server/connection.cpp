@@ -57,14 +57,15 @@ double seconds(Duration time) {
 
 }  // namespace
 
-Connection::Connection(tcp::socket socket, const protocol::ServerCatalogue& catalogue,
+Connection::Connection(tcp::socket socket,
+                       std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                        Settings settings, OnClosed on_closed)
     : socket_(std::move(socket)),
       timer_(socket_.get_executor()),
       settings_(std::move(settings)),
       on_closed_(std::move(on_closed)),
-      session_(catalogue, round_trip(socket_), now(), settings_.admission),
-      catalogue_(catalogue) {
+      catalogue_(std::move(catalogue)),
+      session_(*catalogue_, round_trip(socket_), now(), settings_.admission) {
   if (settings_.tls) {
     tls_ = std::make_unique<tls::Channel>(*settings_.tls);
     settings_.tls.reset();
@@ -160,16 +161,22 @@ void Connection::session_closed(std::string_view end_reason, std::string_view re
   want_shut();
   linger_until_ = now() + protocol::kDrainTimeMax;
   measure_sending();
-  record_.level = static_cast<int>(session_.level());
-  record_.stream = std::string(session_.stream_name());
-  record_.packets = session_.packets_sent();
-  record_.bytes = session_.payload_bytes();
-  record_.packets_merged = session_.packets_merged();
+  record_ = so_far();
   record_.end_reason = std::string(end_reason);
   spdlog::log(in_order ? spdlog::level::info : spdlog::level::warn,
               "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)", record_.number,
               record_.peer, end_reason, reason.empty() ? "" : ": ", reason, record_.packets,
               record_.bytes, seconds(record_.send_time));
+}
+
+ClientRecord Connection::so_far() const {
+  ClientRecord record = record_;
+  record.level = static_cast<int>(session_.level());
+  record.stream = std::string(session_.stream_name());
+  record.packets = session_.packets_sent();
+  record.bytes = session_.payload_bytes();
+  record.packets_merged = session_.packets_merged();
+  return record;
 }
 
 /// Starts whatever can be done next; called at the end of every handler.
@@ -243,7 +250,8 @@ void Connection::read_tls(std::string_view bytes) {
   std::string plain;
   const bool good = tls_->received(bytes, plain);
   if (!begun && !handshaking()) {
-    session_ = protocol::ServerSession(catalogue_, round_trip(socket_), now(), settings_.admission);
+    session_ =
+        protocol::ServerSession(*catalogue_, round_trip(socket_), now(), settings_.admission);
   }
   // What the channel itself has to say, the alert that explains a failure too.
   if (std::string said = tls_->take_output(); !said.empty()) append(std::move(said));
@@ -285,6 +293,7 @@ void Connection::write() {
     const std::size_t bytes = socket_.write_some(
         asio::buffer(output_.data() + written_, output_.size() - written_), error);
     if (error == asio::error::would_block || error == asio::error::try_again) {
+      if (!unsent_since_) unsent_since_ = now();
       write_when_possible();
     } else if (error) {
       lost(error);
@@ -292,6 +301,7 @@ void Connection::write() {
       written_ += bytes;
       record_.bytes_total += bytes;
       stuck_since_.reset();
+      unsent_since_.reset();
       if (lingering_) linger_until_ = now() + protocol::kDrainTimeMax;
     }
   }

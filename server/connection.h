@@ -35,8 +35,7 @@ namespace aucast::server {
 /// Bounded: while kOutputBytesMax wait for a peer that does not read, nothing is read from it
 /// either, so it can only ask for as much as one read and its banked answers are worth. Of a live
 /// stream the next keyframe is handed out when the socket has taken all before it.
-/// Thread: that of the socket's executor. Lives until its last handler ran; the catalogue must
-/// outlive it.
+/// Thread: that of the socket's executor. Lives until its last handler ran.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   using OnClosed = std::function<void(const ClientRecord&)>;
@@ -52,8 +51,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   };
 
   /// `on_closed` is called once, when the socket is closed.
-  Connection(asio::ip::tcp::socket socket, const protocol::ServerCatalogue& catalogue,
-             Settings settings, OnClosed on_closed);
+  Connection(asio::ip::tcp::socket socket,
+             std::shared_ptr<const protocol::ServerCatalogue> catalogue, Settings settings,
+             OnClosed on_closed);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
@@ -64,6 +64,16 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void stop();
   /// Closes now, whatever is under way.
   void abort();
+
+  /// What it got so far.
+  [[nodiscard]] ClientRecord so_far() const;
+  /// What waits because the socket takes no more.
+  [[nodiscard]] std::size_t output_bytes() const;
+  /// Since when something waits without a byte of it going out; nothing when nothing does.
+  [[nodiscard]] std::optional<Instant> unsent_since() const { return unsent_since_; }
+  [[nodiscard]] bool paused() const { return session_.paused(); }
+  /// What it is served from; it stays with this one when the server has a newer one.
+  [[nodiscard]] const protocol::ServerCatalogue& catalogue() const { return *catalogue_; }
 
  private:
   /// What waits for the socket before nothing more is read.
@@ -94,7 +104,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void on_timer();
   [[nodiscard]] std::optional<Instant> patience_ends();
   void measure_sending();
-  [[nodiscard]] std::size_t output_bytes() const;
   [[nodiscard]] bool output_done() const { return output_bytes() == 0; }
 
   asio::ip::tcp::socket socket_;
@@ -102,9 +111,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::optional<Instant> armed_for_;
   Settings settings_;
   OnClosed on_closed_;
+  std::shared_ptr<const protocol::ServerCatalogue> catalogue_;  ///< outlives the session
   protocol::ServerSession session_;
   ClientRecord record_;
-  const protocol::ServerCatalogue& catalogue_;
   std::unique_ptr<tls::Channel> tls_;  ///< nothing: plain
   Instant handshake_until_{};
 
@@ -122,6 +131,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Instant linger_until_{};
   std::optional<Instant> owed_since_;   ///< an answer
   std::optional<Instant> stuck_since_;  ///< the output
+  std::optional<Instant> unsent_since_;
   std::optional<Instant> sending_since_;
   bool sending_measured_ = false;
 };

@@ -139,6 +139,7 @@ void Listener::accept() {
 }
 
 void Listener::accept_later(const std::error_code& cause) {
+  ++failures_;
   if (!std::exchange(failing_, true)) {
     spdlog::warn("cannot accept connections for now: {} (more clients need a higher ulimit -n)",
                  cause.message());

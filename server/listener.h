@@ -36,6 +36,9 @@ class Listener {
   void start(OnSocket on_socket);
   void stop();
 
+  /// How often accepting had to pause.
+  [[nodiscard]] std::uint64_t failures() const { return failures_; }
+
  private:
   void accept();
   void accept_later(const std::error_code& cause);
@@ -45,6 +48,7 @@ class Listener {
   asio::ip::tcp::endpoint endpoint_;
   asio::ip::tcp::endpoint peer_;  ///< of the connection being accepted
   OnSocket on_socket_;
+  std::uint64_t failures_ = 0;
   bool failing_ = false;  ///< the last accept failed and was reported
 };
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/time.h"
+#include "server/catalogue.h"
 
 namespace aucast::server {
 namespace {
@@ -14,12 +14,18 @@ Instant now() {
 
 }  // namespace
 
-void LiveBeat::start(protocol::ServerCatalogue& catalogue, OnMoment on_moment) {
+void LiveBeat::start(protocol::ServerCatalogue& catalogue, const protocol::ServerCatalogue* before,
+                     OnMoment on_moment) {
   on_moment_ = std::move(on_moment);
   const Instant begin = now();
   clocks_.reserve(catalogue.streams.size());  // the streams point into it
   for (protocol::ServedStream& stream : catalogue.streams) {
-    stream.clock = &clocks_.emplace_back(stream.times, catalogue.loop, begin);
+    const protocol::ServedStream* same = before ? find_same(*before, stream) : nullptr;
+    if (same != nullptr && same->clock != nullptr) {
+      stream.clock = &clocks_.emplace_back(*same->clock);
+    } else {
+      stream.clock = &clocks_.emplace_back(stream.times, catalogue.loop, begin);
+    }
   }
   beat();
 }
@@ -32,7 +38,12 @@ void LiveBeat::stop() {
 void LiveBeat::beat() {
   const Instant moment = now();
   bool moved = false;
-  for (protocol::LiveClock& clock : clocks_) moved = clock.advance_all(moment) || moved;
+  for (protocol::LiveClock& clock : clocks_) {
+    const Duration late = moment - clock.next_at().value_or(moment);
+    if (!clock.advance_all(moment)) continue;
+    moved = true;
+    lag_ = late;
+  }
   if (moved) on_moment_();
   wait();
 }

@@ -6,6 +6,7 @@
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "common/time.h"
 #include "protocol/live_clock.h"
 #include "protocol/server_session.h"
 
@@ -22,9 +23,13 @@ class LiveBeat {
   LiveBeat& operator=(const LiveBeat&) = delete;
 
   /// Begins all streams of `catalogue` now and gives them their clocks, which live as long as this
-  /// object. Once.
-  void start(protocol::ServerCatalogue& catalogue, OnMoment on_moment);
+  /// object. A stream that is live in `before` as it is here goes on where it is there. Once.
+  void start(protocol::ServerCatalogue& catalogue, const protocol::ServerCatalogue* before,
+             OnMoment on_moment);
   void stop();
+
+  /// How late the latest moment was told of.
+  [[nodiscard]] Duration lag() const { return lag_; }
 
  private:
   void beat();
@@ -33,6 +38,7 @@ class LiveBeat {
   asio::steady_timer timer_;
   std::vector<protocol::LiveClock> clocks_;
   OnMoment on_moment_;
+  Duration lag_{0};
   bool stopped_ = false;
 };
 

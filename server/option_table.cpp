@@ -34,6 +34,12 @@ Complaint read_log_level(const std::string& word, TransmitterOptions& options) {
   return std::nullopt;
 }
 
+Complaint read_log_format(const std::string& word, TransmitterOptions& options) {
+  if (word != "text" && word != "json") return "is neither text nor json";
+  options.log_format = word;
+  return std::nullopt;
+}
+
 template <bool TransmitterOptions::*member>
 Complaint read_flag(const std::string& word, TransmitterOptions& options) {
   if (word != "true" && word != "false") return "is neither true nor false";
@@ -166,6 +172,10 @@ constexpr OptionRow kTable[] = {
      "What is printed is a settings file that --config takes.", nullptr},
     {"log-level", "LEVEL", Kind::Word, "info", "trace, debug, info, warning, error or off (info)",
      "The log goes to stderr.", read_log_level},
+    {"log-format", "FORMAT", Kind::Word, "text", "text, or json: an object a line (text)",
+     "Both have the time (UTC), the level and the message. Under systemd every line begins with "
+     "its priority as the journal wants it, and text leaves out what the journal knows itself.",
+     read_log_format},
 };
 
 }  // namespace

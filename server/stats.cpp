@@ -28,13 +28,18 @@ Json json_of(const ClientRecord& record) {
 
 }  // namespace
 
+void Totals::add(const ClientRecord& record) {
+  ++clients;
+  packets += record.packets;
+  packets_merged += record.packets_merged;
+  bytes += record.bytes;
+  bytes_total += record.bytes_total;
+  send_time += record.send_time;
+}
+
 void Stats::add(ClientRecord record) {
-  ++clients_;
-  packets_ += record.packets;
-  packets_merged_ += record.packets_merged;
-  bytes_ += record.bytes;
-  bytes_total_ += record.bytes_total;
-  send_time_ += record.send_time;
+  totals_.add(record);
+  ++end_reasons_[record.end_reason];
   records_.push_back(std::move(record));
   if (records_.size() > kRecordsMax) records_.pop_front();
 }
@@ -43,13 +48,13 @@ std::string Stats::to_json() const {
   Json clients = Json::array();
   for (const ClientRecord& record : records_) clients.push_back(json_of(record));
   const Json all = {{"program", "au-transmitter"},
-                    {"clients_total", clients_},
-                    {"packets", packets_},
-                    {"packets_merged", packets_merged_},
-                    {"bytes", bytes_},
-                    {"bytes_total", bytes_total_},
-                    {"send_seconds", seconds(send_time_)},
-                    {"clients_omitted", clients_ - records_.size()},
+                    {"clients_total", totals_.clients},
+                    {"packets", totals_.packets},
+                    {"packets_merged", totals_.packets_merged},
+                    {"bytes", totals_.bytes},
+                    {"bytes_total", totals_.bytes_total},
+                    {"send_seconds", seconds(totals_.send_time)},
+                    {"clients_omitted", totals_.clients - records_.size()},
                     {"clients", std::move(clients)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

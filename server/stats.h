@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <string>
 
 #include "common/time.h"
@@ -26,6 +27,18 @@ struct ClientRecord {
   friend bool operator==(const ClientRecord&, const ClientRecord&) = default;
 };
 
+/// Sums over clients; the fields are those of ClientRecord.
+struct Totals {
+  std::uint64_t clients = 0;
+  std::uint64_t packets = 0;
+  std::uint64_t packets_merged = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t bytes_total = 0;
+  Duration send_time{0};
+
+  void add(const ClientRecord& record);
+};
+
 /// What --stats reports. Totals count every client; of the single records the latest
 /// kRecordsMax are kept, so that a transmitter may run for years.
 class Stats {
@@ -35,19 +48,19 @@ class Stats {
   void add(ClientRecord record);
 
   [[nodiscard]] const std::deque<ClientRecord>& records() const { return records_; }
-  [[nodiscard]] std::uint64_t clients() const { return clients_; }
+  [[nodiscard]] std::uint64_t clients() const { return totals_.clients; }
+  [[nodiscard]] const Totals& totals() const { return totals_; }
+  [[nodiscard]] const std::map<std::string, std::uint64_t>& end_reasons() const {
+    return end_reasons_;
+  }
 
   /// One JSON object, a line per field, with a newline at its end.
   [[nodiscard]] std::string to_json() const;
 
  private:
   std::deque<ClientRecord> records_;
-  std::uint64_t clients_ = 0;
-  std::uint64_t packets_ = 0;
-  std::uint64_t packets_merged_ = 0;
-  std::uint64_t bytes_ = 0;
-  std::uint64_t bytes_total_ = 0;
-  Duration send_time_{0};
+  Totals totals_;
+  std::map<std::string, std::uint64_t> end_reasons_;
 };
 
 }  // namespace aucast::server

@@ -3,15 +3,19 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <asio/io_context.hpp>
+#include <asio/post.hpp>
 #include <asio/signal_set.hpp>
 #include <asio/steady_timer.hpp>
 
@@ -23,6 +27,7 @@
 #include "server/credentials.h"
 #include "server/listener.h"
 #include "server/live_beat.h"
+#include "server/status.h"
 
 namespace aucast::server {
 namespace {
@@ -45,33 +50,62 @@ void raise_descriptor_limit() {
   ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
+double seconds(Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+const char* name_of_signal(int number) {
+  return number == SIGINT ? "SIGINT" : "SIGTERM";
+}
+
+int unsent_bytes_for(const protocol::ServerCatalogue& catalogue) {
+  const std::size_t bytes = bytes_in(catalogue, protocol::kLiveWindowTime / 2);
+  return static_cast<int>(std::clamp(bytes, kUnsentBytesLeast, kUnsentBytesMost));
+}
+
+/// The streams as they were read at one time, with their clocks. SIGHUP brings another one; who is
+/// connected keeps the one it came to.
+struct Programme {
+  Programme(asio::io_context& io, protocol::ServerCatalogue streams)
+      : catalogue(std::move(streams)), beat(io), unsent_bytes_max(unsent_bytes_for(catalogue)) {}
+
+  protocol::ServerCatalogue catalogue;
+  LiveBeat beat;
+  int unsent_bytes_max = 0;  ///< of a live stream
+};
+
 /// The listener, the clients and the signals of one run.
 class Transmitter {
  public:
-  Transmitter(const TransmitterOptions& options, protocol::ServerCatalogue catalogue, Stats& stats)
+  Transmitter(const TransmitterOptions& options, protocol::ServerCatalogue catalogue, Stats& stats,
+              Reloader::Load load)
       : options_(options),
-        catalogue_(std::move(catalogue)),
         stats_(stats),
-        signals_(io_, SIGINT, SIGTERM),
-        hangup_(io_, SIGHUP),
+        end_signals_(io_, SIGINT, SIGTERM),
+        other_signals_(io_, SIGHUP, SIGUSR1),
         stop_timer_(io_),
         listener_(io_),
-        beat_(io_) {}
+        programme_(std::make_shared<Programme>(io_, std::move(catalogue))),
+        reloader_(io_, std::move(load), [this](Result<protocol::ServerCatalogue> loaded) {
+          on_reloaded(std::move(loaded));
+        }) {}
 
   Result<void> run(const OnReady& on_ready) {
-    if (auto loaded = load(); !loaded) return loaded;
+    if (auto loaded = load_credentials_now(); !loaded) return loaded;
     if (auto opened = listener_.open(options_.bind, options_.port); !opened) return opened;
     const std::string address = endpoint_text(listener_.endpoint());
     if (auto ready = on_ready(address); !ready) return ready;
     if (listener_.endpoint().address().is_loopback()) {
       spdlog::info("only programs on this host can connect; --bind 0.0.0.0 lets others in");
     }
-    if (!catalogue_.token.empty() && !tls_ && !listener_.endpoint().address().is_loopback()) {
+    if (!programme_->catalogue.token.empty() && !tls_ &&
+        !listener_.endpoint().address().is_loopback()) {
       spdlog::warn("without --tls-cert everybody on the way can read the token");
     }
-    await_signal();
-    await_hangup();
-    if (options_.live) begin_live();
+    begin_ = std::chrono::steady_clock::now();
+    await_end_signal();
+    await_other_signal();
+    if (options_.live) begin_live(nullptr);
     listener_.start([this](tcp::socket socket, const tcp::endpoint& peer) {
       welcome(std::move(socket), peer);
     });
@@ -79,44 +113,39 @@ class Transmitter {
     return {};
   }
 
-  /// Reads certificates and token again. Who is connected stays; what cannot be read changes
-  /// nothing.
+ private:
+  Result<void> load_credentials_now() {
+    auto loaded = load_credentials(options_.credentials);
+    if (!loaded) return loaded.error();
+    tls_ = std::move(loaded->tls);
+    programme_->catalogue.token = std::move(loaded->token);
+    return {};
+  }
+
+  /// Certificates and token now, the sources as soon as they are read. Who is connected stays; what
+  /// cannot be read changes nothing.
   void reload() {
-    if (const auto loaded = load(); !loaded) {
+    spdlog::info("SIGHUP: reading certificates, token and sources again");
+    if (const auto loaded = load_credentials_now(); !loaded) {
+      ++reload_failures_;
       spdlog::error("{}; the certificates and token in use stay", loaded.error().message);
     } else {
       spdlog::info("certificates and token were read again");
     }
+    reloader_.start();
   }
 
- private:
-  Result<void> load() {
-    auto loaded = load_credentials(options_.credentials);
-    if (!loaded) return loaded.error();
-    tls_ = std::move(loaded->tls);
-    catalogue_.token = std::move(loaded->token);
-    return {};
+  /// Streams that `before` has too go on where they are there.
+  void begin_live(const Programme* before) {
+    programme_->beat.start(programme_->catalogue, before ? &before->catalogue : nullptr,
+                           [this, programme = programme_.get()] { on_moment(*programme); });
   }
 
-  void await_hangup() {
-    hangup_.async_wait([this](const std::error_code& error, int) {
-      if (error) return;
-      reload();
-      await_hangup();
-    });
-  }
-
-  void begin_live() {
-    const std::size_t bytes = bytes_in(catalogue_, protocol::kLiveWindowTime / 2);
-    unsent_bytes_max_ = static_cast<int>(std::clamp(bytes, kUnsentBytesLeast, kUnsentBytesMost));
-    beat_.start(catalogue_, [this] { on_moment(); });
-  }
-
-  void on_moment() {
+  void on_moment(const Programme& programme) {
     // Whoever is lost on the way leaves the map, the others stay where they are.
     for (auto next = connections_.begin(); next != connections_.end();) {
       const std::shared_ptr<Connection> connection = (next++)->second;
-      connection->on_moment();
+      if (&connection->catalogue() == &programme.catalogue) connection->on_moment();
     }
   }
 
@@ -124,14 +153,16 @@ class Transmitter {
     const protocol::Admission admission = admission_of(peer);
     const bool refused = admission != protocol::Admission::Welcome;
     if (refused && refused_.size() >= kRefusalsMax) {
+      ++unheard_;
       spdlog::debug("a client too many was not even heard: {}", endpoint_text(peer));
       return;  // the socket closes
     }
     const std::uint64_t number = ++last_number_;
     auto connection = std::make_shared<Connection>(
-        std::move(socket), catalogue_,
+        std::move(socket),
+        std::shared_ptr<const protocol::ServerCatalogue>(programme_, &programme_->catalogue),
         Connection::Settings{number, endpoint_text(peer), options_.client_timeout, admission,
-                             unsent_bytes_max_, tls_},
+                             options_.live ? programme_->unsent_bytes_max : 0, tls_},
         [this](const ClientRecord& record) { farewell(record); });
     if (refused) {
       refused_.insert(number);
@@ -160,16 +191,63 @@ class Transmitter {
     refused_.erase(record.number);
     of_address_.remove(record.number);
     if (stopping_ && connections_.empty()) end();
+    // Not now: a clock of the programme to be forgotten may be what called.
+    if (!old_programmes_.empty()) asio::post(io_, [this] { forget_old_programmes(); });
   }
 
-  void await_signal() {
-    signals_.async_wait([this](const std::error_code& error, int number) {
-      if (!error) on_signal(number);
+  /// Those that nobody is connected to any more.
+  void forget_old_programmes() {
+    std::erase_if(old_programmes_, [this](const std::shared_ptr<Programme>& old) {
+      return std::none_of(connections_.begin(), connections_.end(), [&old](const auto& entry) {
+        return &entry.second->catalogue() == &old->catalogue;
+      });
     });
   }
 
-  void on_signal(int number) {
-    const char* name = number == SIGINT ? "SIGINT" : "SIGTERM";
+  void await_end_signal() {
+    end_signals_.async_wait([this](const std::error_code& error, int number) {
+      if (!error) on_end_signal(number);
+    });
+  }
+
+  void await_other_signal() {
+    other_signals_.async_wait([this](const std::error_code& error, int number) {
+      if (error) return;
+      if (number == SIGHUP) {
+        reload();
+      } else {
+        for (const std::string& line : status_lines(status())) spdlog::info("{}", line);
+      }
+      await_other_signal();
+    });
+  }
+
+  void on_reloaded(Result<protocol::ServerCatalogue> loaded) {
+    if (stopping_) return;
+    if (!loaded) {
+      ++reload_failures_;
+      std::istringstream lines(loaded.error().message);
+      for (std::string line; std::getline(lines, line);) spdlog::error("{}", line);
+      spdlog::error("the sources were not taken over; what was served before is served on");
+      return;
+    }
+    ++reloads_;
+    if (same_streams(*loaded, programme_->catalogue)) {
+      spdlog::info("the sources hold what they held");
+      return;
+    }
+    const std::shared_ptr<Programme> before = programme_;
+    loaded->token = before->catalogue.token;
+    programme_ = std::make_shared<Programme>(io_, std::move(*loaded));
+    if (options_.live) begin_live(before.get());
+    old_programmes_.push_back(before);
+    spdlog::info("serving {} streams now; the {} clients that are here keep what they have",
+                 programme_->catalogue.streams.size(), connections_.size());
+    forget_old_programmes();
+  }
+
+  void on_end_signal(int number) {
+    const char* name = name_of_signal(number);
     if (std::exchange(stopping_, true)) {
       spdlog::info("{} again: ending at once", name);
       abort_all();
@@ -177,13 +255,14 @@ class Transmitter {
     }
     spdlog::info("{}: ending the stream of {} clients", name, connections_.size());
     listener_.stop();
-    beat_.stop();
+    programme_->beat.stop();
+    for (const auto& old : old_programmes_) old->beat.stop();
     for (const auto& connection : everybody()) connection->stop();
     if (connections_.empty()) {
       end();
       return;
     }
-    await_signal();
+    await_end_signal();
     stop_timer_.expires_after(kStopTimeMax);
     stop_timer_.async_wait([this](const std::error_code& error) {
       if (!error) abort_all();
@@ -197,9 +276,38 @@ class Transmitter {
   /// Nothing is left to wait for, so io_.run() returns.
   void end() {
     std::error_code ignored;
-    signals_.cancel(ignored);
-    hangup_.cancel(ignored);
+    end_signals_.cancel(ignored);
+    other_signals_.cancel(ignored);
     stop_timer_.cancel();
+  }
+
+  [[nodiscard]] Status status() const {
+    const Instant now = std::chrono::steady_clock::now();
+    Status status;
+    status.up_seconds = seconds(now - begin_);
+    status.live = options_.live;
+    status.stopping = stopping_;
+    for (const auto& stream : programme_->catalogue.streams) status.streams.push_back(stream.name);
+    status.clients = connections_.size();
+    status.connects = last_number_;
+    status.connects_unheard = unheard_;
+    status.accept_failures = listener_.failures();
+    status.disconnects = stats_.end_reasons();
+    status.sent = stats_.totals();
+    for (const auto& [number, connection] : connections_) {
+      status.sent.add(connection->so_far());
+      if (connection->paused()) ++status.clients_paused;
+      if (connection->unsent_since()) {
+        ++status.clients_behind;
+        status.queue_seconds =
+            std::max(status.queue_seconds, seconds(now - *connection->unsent_since()));
+      }
+      status.queue_bytes += connection->output_bytes();
+    }
+    status.lag_seconds = seconds(programme_->beat.lag());
+    status.reloads = reloads_;
+    status.reload_failures = reload_failures_;
+    return status;
   }
 
   /// A copy: a connection leaves the map while it is told to go.
@@ -210,30 +318,34 @@ class Transmitter {
   }
 
   const TransmitterOptions& options_;
-  protocol::ServerCatalogue catalogue_;
   Stats& stats_;
   asio::io_context io_{1};
-  asio::signal_set signals_;
-  asio::signal_set hangup_;
+  asio::signal_set end_signals_;
+  asio::signal_set other_signals_;
   asio::steady_timer stop_timer_;
   Listener listener_;
-  LiveBeat beat_;
-  int unsent_bytes_max_ = 0;
+  std::shared_ptr<Programme> programme_;
+  std::vector<std::shared_ptr<Programme>> old_programmes_;  ///< that clients are still served from
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;
+  Reloader reloader_;
+  Instant begin_{};
   std::set<std::uint64_t> refused_;  ///< those that are heard only to be told so
   AddressCounts of_address_;         ///< of the others
   std::optional<tls::Context> tls_;
   std::uint64_t last_number_ = 0;
+  std::uint64_t unheard_ = 0;
+  std::uint64_t reloads_ = 0;
+  std::uint64_t reload_failures_ = 0;
   bool stopping_ = false;
 };
 
 }  // namespace
 
 Result<void> serve(const TransmitterOptions& options, protocol::ServerCatalogue catalogue,
-                   Stats& stats, const OnReady& on_ready) {
+                   Stats& stats, const OnReady& on_ready, Reloader::Load load) {
   std::signal(SIGPIPE, SIG_IGN);
   raise_descriptor_limit();
-  return Transmitter(options, std::move(catalogue), stats).run(on_ready);
+  return Transmitter(options, std::move(catalogue), stats, std::move(load)).run(on_ready);
 }
 
 }  // namespace aucast::server

@@ -5,6 +5,7 @@
 
 #include "common/result.h"
 #include "protocol/server_session.h"
+#include "server/reloader.h"
 #include "server/stats.h"
 #include "server/transmitter_options.h"
 
@@ -19,10 +20,11 @@ using OnReady = std::function<Result<void>(const std::string& address)>;
 
 /// Serves the catalogue, recorded or live, to any number of clients until SIGTERM or SIGINT: then
 /// nobody is accepted any more, everybody gets {-2}, and it returns when the last is gone or
-/// kStopTimeMax is over. A second signal ends it at once. SIGPIPE is ignored from here on. Thread:
-/// one, the caller's.
+/// kStopTimeMax is over. A second signal ends it at once. SIGHUP calls `load` on another thread and
+/// serves what it returns to who comes then; those that are there keep what they have. SIGUSR1
+/// logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
 [[nodiscard]] Result<void> serve(const TransmitterOptions& options,
                                  protocol::ServerCatalogue catalogue, Stats& stats,
-                                 const OnReady& on_ready);
+                                 const OnReady& on_ready, Reloader::Load load);
 
 }  // namespace aucast::server

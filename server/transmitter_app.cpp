@@ -50,29 +50,15 @@ Result<void> try_stats_file(const std::filesystem::path& path) {
   return write_file_atomically(path, Stats().to_json());
 }
 
-int check(const std::vector<Source>& sources, const protocol::ServerCatalogue& catalogue) {
-  for (std::size_t index = 0; index < sources.size(); ++index) {
+int check(const TransmitterOptions& options) {
+  const auto sources = load_sources(options.sources, options.source, options.keyframe_ms);
+  if (!sources) return report(sources.error());
+  const auto catalogue =
+      make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
+  for (std::size_t index = 0; index < sources->size(); ++index) {
     const auto printed =
-        print(check_report(sources[index], catalogue.streams[index], catalogue.keyframe_ms));
+        print(check_report((*sources)[index], catalogue.streams[index], catalogue.keyframe_ms));
     if (!printed) return report(printed.error());
-  }
-  return 0;
-}
-
-int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalogue catalogue) {
-  Stats stats;
-  const auto served = serve(options, std::move(catalogue), stats,
-                            [&options](const std::string& address) -> Result<void> {
-                              if (!options.stats.empty()) {
-                                if (auto tried = try_stats_file(options.stats); !tried)
-                                  return tried;
-                              }
-                              return print("listening on " + address + "\n");
-                            });
-  if (!served) return report(served.error());
-  if (!options.stats.empty()) {
-    const auto written = write_file_atomically(options.stats, stats.to_json());
-    if (!written) return report(written.error());
   }
   return 0;
 }
@@ -84,6 +70,38 @@ void say_what_was_found(const std::vector<Source>& sources) {
       spdlog::info("{}: {}", source.path.string(), sources::found_sentence(*source.found));
     }
   }
+}
+
+/// What the options ask to be served, read and encoded now.
+Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& options) {
+  const auto sources = load_sources(options.sources, options.source, options.keyframe_ms);
+  if (!sources) return sources.error();
+  auto catalogue =
+      make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
+  if (options.live) {
+    if (auto can = check_live(catalogue); !can) return can.error();
+  }
+  say_what_was_found(*sources);
+  return catalogue;
+}
+
+int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalogue catalogue) {
+  Stats stats;
+  const auto served = serve(
+      options, std::move(catalogue), stats,
+      [&options](const std::string& address) -> Result<void> {
+        if (!options.stats.empty()) {
+          if (auto tried = try_stats_file(options.stats); !tried) return tried;
+        }
+        return print("listening on " + address + "\n");
+      },
+      [&options] { return load_catalogue(options); });
+  if (!served) return report(served.error());
+  if (!options.stats.empty()) {
+    const auto written = write_file_atomically(options.stats, stats.to_json());
+    if (!written) return report(written.error());
+  }
+  return 0;
 }
 
 int convert(std::vector<std::string> arguments) {
@@ -108,18 +126,14 @@ int run_transmitter(std::vector<std::string> arguments) {
     return printed ? 0 : report(printed.error());
   }
   const TransmitterOptions& options = command->options;
-  if (auto log = set_up_log("au-transmitter", options.log_level); !log) return report(log.error());
+  const LogFormat format = options.log_format == "json" ? LogFormat::Json : LogFormat::Text;
+  if (auto log = set_up_log("au-transmitter", options.log_level, format); !log)
+    return report(log.error());
 
-  const auto sources = load_sources(options.sources, options.source, options.keyframe_ms);
-  if (!sources) return report(sources.error());
-  auto catalogue =
-      make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
-  if (options.check) return check(*sources, catalogue);
-  say_what_was_found(*sources);
-  if (options.live) {
-    if (auto can = check_live(catalogue); !can) return report(can.error());
-  }
-  return serve_until_signal(options, std::move(catalogue));
+  if (options.check) return check(options);
+  auto catalogue = load_catalogue(options);
+  if (!catalogue) return report(catalogue.error());
+  return serve_until_signal(options, std::move(*catalogue));
 }
 
 }  // namespace aucast::server

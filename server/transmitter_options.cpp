@@ -187,6 +187,7 @@ Streams sets of FACS Action Units over TCP to face-player and its like.
 Settings come from the file of --config, then AUCAST_TRANSMITTER_<OPTION> of the
 environment, then the command line; the last one wins.
 Prints "listening on ADDR:PORT" when ready, logs to stderr, ends with Ctrl-C.
+SIGHUP reads the sources again, SIGUSR1 logs how things are.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 
 examples:
@@ -197,8 +198,12 @@ examples:
 )";
 }
 
+std::string version_number() {
+  return AUCAST_VERSION;
+}
+
 std::string version_text() {
-  return "au-transmitter " AUCAST_VERSION "\nprotocol " +
+  return "au-transmitter " + version_number() + "\nprotocol " +
          std::to_string(protocol::kProtocolVersion) +
          " (and classic)\nMIT licence, without any warranty\n";
 }

@@ -32,6 +32,7 @@ struct TransmitterOptions {
   bool check = false;                           ///< check the sources and serve nothing
   SourceOptions source;                         ///< how recordings are read
   std::string log_level = "info";               ///< as common/log.h takes it
+  std::string log_format = "text";              ///< or "json"
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;
 };
 
@@ -62,6 +63,9 @@ struct Surroundings {
 
 /// What --help prints: one screen, with examples.
 [[nodiscard]] std::string help_text();
+
+/// "0.1.0"
+[[nodiscard]] std::string version_number();
 
 /// What --version prints: version, protocol, licence.
 [[nodiscard]] std::string version_text();

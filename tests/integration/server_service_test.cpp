@@ -1,0 +1,206 @@
+// au-transmitter as an operator keeps it: signals, reloads, logs.
+#include <regex>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/integration/server_running.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Reads the log until `text` is in it `times` times.
+bool logs(RunningTransmitter& server, const std::string& text, int times = 1) {
+  const auto count = [&] {
+    int found = 0;
+    for (std::size_t at = server.log().find(text); at != std::string::npos;
+         at = server.log().find(text, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (count() < times && std::chrono::steady_clock::now() < until) {
+    if (server.process().wait(20ms)) break;
+  }
+  return count() >= times;
+}
+
+class ServerReload : public ::testing::Test {
+ protected:
+  std::string write(const std::string& packets) {
+    return folder_.write("face.txt", "Beg_Stream\n" + packets + "End_Stream\n").string();
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(ServerReload, NewClientsGetTheNewStreamOthersKeepTheirs) {
+  RunningTransmitter server({write("1\n2\n3\n")});
+  RawClient before = server.connect();
+  EXPECT_EQ(before.receive_until("}"), "{1}");
+  static_cast<void>(write("11\n12\n"));
+  server.process().signal(SIGHUP);
+  ASSERT_TRUE(logs(server, "the 1 clients that are here keep what they have")) << server.log();
+  RawClient after = server.connect();
+  after.send("11");
+  EXPECT_EQ(after.receive_all(), "{11}{12}{-2}");
+  before.send("111");
+  EXPECT_EQ(before.receive_all(), "{2}{3}{-2}");
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST_F(ServerReload, BrokenFilesChangeNothingAndAreSaid) {
+  const std::string file = write("1\n");
+  RunningTransmitter server({file});
+  static_cast<void>(write("1\nnonsense\n1,,2\n"));
+  server.process().signal(SIGHUP);
+  ASSERT_TRUE(logs(server, "what was served before is served on")) << server.log();
+  EXPECT_NE(server.log().find("error au-transmitter: " + file + ":3:1: "), std::string::npos);
+  EXPECT_NE(server.log().find("error au-transmitter: " + file + ":4:3: "), std::string::npos)
+      << server.log();
+  RawClient client = server.connect();
+  client.send("1");
+  EXPECT_EQ(client.receive_all(), "{1}{-2}");
+  static_cast<void>(write("5\n"));
+  server.process().signal(SIGHUP);
+  ASSERT_TRUE(logs(server, "serving 1 streams now"));
+  RawClient repaired = server.connect();
+  repaired.send("1");
+  EXPECT_EQ(repaired.receive_all(), "{5}{-2}");
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST_F(ServerReload, UnchangedFilesChangeNothing) {
+  RunningTransmitter server({write("1\n")});
+  server.process().signal(SIGHUP);
+  EXPECT_TRUE(logs(server, "the sources hold what they held")) << server.log();
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST_F(ServerReload, LiveStreamsThatStayGoOnWithoutAGap) {
+  // The second file changes, the first one's clock must not notice.
+  const auto other = folder_.write("other.txt", "Beg_Stream\n7;50\nEnd_Stream\n");
+  std::string packets;
+  for (int au = 1; au <= 99; ++au) packets += std::to_string(au) + ";20\n";
+  RunningTransmitter server({"--live", "--loop", write(packets), other});
+  std::string hello;
+  RawClient before = say_hello(server, "{hello v=2 window=0}", hello);
+  const auto next = [](RawClient& client) {
+    const std::string packet = client.receive_until("}");
+    return packet.size() > 1 ? std::stoi(packet.substr(1)) : -1;
+  };
+  const int first = next(before);
+  folder_.write("other.txt", "Beg_Stream\n8;50\nEnd_Stream\n");
+  server.process().signal(SIGHUP);
+  ASSERT_TRUE(logs(server, "serving 2 streams now")) << server.log();
+  RawClient after = say_hello(server, "{hello v=2 window=0}", hello);
+  const int joined = next(after);
+  // The one that was here is sent every keyframe, in order, and comes by where the other joined
+  // within one round: 99 keyframes lie between two that are the same.
+  int passed = 0;
+  for (int au = first % 99 + 1, seen = next(before); passed < 200; ++passed) {
+    ASSERT_EQ(seen, au);
+    if (seen == joined) break;
+    au = au % 99 + 1;
+    seen = next(before);
+  }
+  EXPECT_LT(passed, 200);
+  for (int au = joined % 99 + 1, count = 0; count < 20; ++count, au = au % 99 + 1) {
+    ASSERT_EQ(next(before), au);
+    ASSERT_EQ(next(after), au) << "the same moment";
+  }
+  RawClient changed = say_hello(server, "{hello v=2 window=0 stream=other}", hello);
+  EXPECT_EQ(next(changed), 8);
+  before.reset();
+  after.reset();
+  changed.reset();
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST_F(ServerReload, ManyHangupsDisturbNobody) {
+  RunningTransmitter server({write("1\n2\n3\n")});
+  RawClient client = server.connect();
+  EXPECT_EQ(client.receive_until("}"), "{1}");
+  for (int round = 0; round < 30; ++round) {
+    static_cast<void>(write(std::to_string(10 + round) + "\n"));
+    server.process().signal(SIGHUP);
+  }
+  client.send("111");
+  EXPECT_EQ(client.receive_all(), "{2}{3}{-2}");
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST(ServerService, StatusIsLoggedOnRequest) {
+  RunningTransmitter server({stream_file("happiness.txt")});
+  RawClient client = server.connect();
+  client.send("1");
+  EXPECT_EQ(client.receive_all(), kSixPackets[4] + kEnd);
+  RawClient waiting = server.connect();
+  EXPECT_FALSE(waiting.receive_until("}").empty());
+  ASSERT_TRUE(logs(server, "client 1")) << server.log();
+  ASSERT_TRUE(logs(server, "closed")) << server.log();
+  server.process().signal(SIGUSR1);
+  ASSERT_TRUE(logs(server, "streams: happiness")) << server.log();
+  const std::string log = server.log();
+  EXPECT_TRUE(std::regex_search(log, std::regex("status: up .*; clients 1, paused 0, behind 0")));
+  EXPECT_TRUE(std::regex_search(log, std::regex("status: came 2, left 1 \\(1 finished\\)")));
+  EXPECT_TRUE(std::regex_search(log, std::regex("status: sent 2 packets, "))) << log;
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST(ServerService, LogLinesAreJsonWhenAsked) {
+  RunningTransmitter server({"--log-format", "json", stream_file("happiness.txt")});
+  RawClient client = server.connect();
+  client.send("\x1b[31m\"\\");
+  EXPECT_EQ(client.receive_all(), "");
+  EXPECT_EQ(server.terminate(), 0);
+  std::istringstream lines(server.log());
+  int warnings = 0;
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    const auto entry = nlohmann::json::parse(line, nullptr, false);
+    ASSERT_FALSE(entry.is_discarded()) << line;
+    EXPECT_EQ(entry["program"], "au-transmitter");
+    const std::string time = entry["time"];
+    EXPECT_TRUE(std::regex_match(
+        time, std::regex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}\\.[0-9]{3}Z")));
+    if (entry["level"] == "warning") ++warnings;
+    EXPECT_EQ(line.find('\x1b'), std::string::npos) << line;
+  }
+  EXPECT_GT(count, 2);
+  EXPECT_GE(warnings, 1) << server.log();
+}
+
+TEST(ServerService, JournalLinesBeginWithTheirPriority) {
+  const std::string start =
+      "JOURNAL_STREAM=$(stat -Lc %d:%i /proc/self/fd/2) exec \"$0\" --port 0 \"$1\"";
+  Process process({"sh", "-c", start, program("au-transmitter"), stream_file("happiness.txt")});
+  const auto line = process.read_line(kPatience);
+  ASSERT_TRUE(line) << process.err();
+  process.signal(SIGTERM);
+  ASSERT_EQ(process.wait(kPatience), 0);
+  std::istringstream lines(process.err());
+  int count = 0;
+  for (std::string entry; std::getline(lines, entry); ++count) {
+    EXPECT_TRUE(entry.starts_with("<6>")) << entry;
+    EXPECT_EQ(entry.find("info"), std::string::npos) << "the journal knows time, level and program";
+  }
+  EXPECT_GE(count, 2);
+}
+
+TEST(ServerService, JournalOfAnotherIsNoneOfOurs) {
+  Process process({program("au-transmitter"), "--port", "0", stream_file("happiness.txt")},
+                  {"JOURNAL_STREAM=1:1"});
+  ASSERT_TRUE(process.read_line(kPatience)) << process.err();
+  process.signal(SIGTERM);
+  ASSERT_EQ(process.wait(kPatience), 0);
+  EXPECT_EQ(process.err().find('<'), std::string::npos) << process.err();
+}
+
+}  // namespace
+}  // namespace aucast::test

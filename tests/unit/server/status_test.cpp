@@ -1,0 +1,82 @@
+#include "server/status.h"
+
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace aucast::server {
+namespace {
+
+Status busy() {
+  Status status;
+  status.up_seconds = 3725.5;
+  status.streams = {"talk", "six"};
+  status.clients = 7;
+  status.clients_paused = 1;
+  status.clients_behind = 2;
+  status.connects = 12;
+  status.disconnects = {{"finished", 3}, {"timed out", 2}};
+  status.sent = {12, 100, 4, 1500, 1700, {}};
+  status.queue_bytes = 321;
+  status.queue_seconds = 0.25;
+  return status;
+}
+
+TEST(Status, LinesSayWhatMatters) {
+  const auto lines = status_lines(busy());
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0], "status: up 1 h 2 min; clients 7, paused 1, behind 2");
+  EXPECT_EQ(
+      lines[1],
+      "status: came 12, left 5 (3 finished, 2 timed out), closed unheard 0, accept failures 0");
+  EXPECT_EQ(lines[2],
+            "status: sent 100 packets, 1700 bytes; merged 4; waiting 321 bytes, the longest 0.25 "
+            "s; lag 0.0 s");
+  EXPECT_EQ(lines[3], "status: recorded streams: talk six");
+}
+
+TEST(Status, MetricsAreWellFormed) {
+  std::istringstream lines(metrics_text(busy()));
+  std::set<std::string> typed;
+  std::set<std::string> samples;
+  std::string family;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# HELP ")) continue;
+    if (line.starts_with("# TYPE ")) {
+      std::istringstream words(line.substr(7));
+      std::string type;
+      words >> family >> type;
+      EXPECT_TRUE(type == "gauge" || type == "counter") << line;
+      EXPECT_TRUE(typed.insert(family).second) << "twice: " << family;
+      EXPECT_EQ(type == "counter", family.ends_with("_total")) << line;
+      continue;
+    }
+    EXPECT_EQ(line.substr(0, line.find_first_of("{ ")), family) << "samples follow their type";
+    EXPECT_TRUE(samples.insert(line.substr(0, line.rfind(' '))).second) << line;
+    std::size_t used = 0;
+    const std::string value = line.substr(line.rfind(' ') + 1);
+    EXPECT_NO_THROW(static_cast<void>(std::stod(value, &used)));
+    EXPECT_EQ(used, value.size()) << line;
+  }
+  for (const char* line :
+       {"\naucast_clients 7.0\n", "\naucast_disconnects_total{reason=\"timed out\"} 2\n",
+        "\naucast_packets_total 100\n", "\naucast_bytes_total 1700\n",
+        "\naucast_packets_merged_total 4\n", "\naucast_queue_seconds 0.25\n",
+        "\naucast_lag_seconds 0.0\n", "\naucast_build_info{version=\""}) {
+    EXPECT_NE(metrics_text(busy()).find(line), std::string::npos) << line;
+  }
+}
+
+TEST(Status, JsonHasTheSameNumbers) {
+  const auto status = nlohmann::json::parse(status_json(busy()));
+  EXPECT_EQ(status["clients"], 7);
+  EXPECT_EQ(status["disconnects"]["timed out"], 2);
+  EXPECT_EQ(status["packets"], 100);
+  EXPECT_EQ(status["streams"], nlohmann::json({"talk", "six"}));
+  EXPECT_EQ(status["stopping"], false);
+}
+
+}  // namespace
+}  // namespace aucast::server
