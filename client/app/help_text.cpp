@@ -41,6 +41,7 @@ Pictures and numbers (these run on the film clock, like --fast)
                       jaw-tags, eye-tags
 Other
   --exit-at-end       close the window when the stream ends
+  --no-config         the window neither reads nor writes ~/.config/aucast/face-player.toml
   --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
   --help  --version
 
@@ -73,6 +74,7 @@ constexpr std::string_view kPlay =
   --show LAYER[,...]  polygons, textured (the usual), transparent, wireframe, vertices, muscles,
                       jaw-tags, eye-tags
   --exit-at-end       close the window when the stream ends
+  --no-config         the window neither reads nor writes ~/.config/aucast/face-player.toml
   --log-level LEVEL   trace, debug, info, warning, error, off     -v more  -q less
 
   face-player play talk.txt --headless --record talk.mp4

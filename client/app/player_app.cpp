@@ -13,6 +13,7 @@
 #include "client/app/player_stats.h"
 #include "client/app/pose_command.h"
 #include "client/app/window_run.h"
+#include "client/app/window_settings.h"
 #include "client/net/remote_source.h"
 #include "client/net/security.h"
 #include "client/playback/file_source.h"
@@ -79,7 +80,9 @@ Result<void> outcome(const playback::SourceStatus& status) {
   return Error{ErrorKind::Network, status.detail};
 }
 
-Result<void> play(const PlayerOptions& options, PlayerStats& stats) {
+Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
+  WindowSettings settings = WindowSettings::load(given);
+  const PlayerOptions options = settings.applied(given);
   std::unique_ptr<playback::KeyframeSource> source;
   if (options.command == Command::Play) {
     auto opened = open_file(options.playback);
@@ -96,7 +99,7 @@ Result<void> play(const PlayerOptions& options, PlayerStats& stats) {
   const auto stop = [] { return g_interrupted != 0; };
   Result<void> done;
   if (!options.headless) {
-    done = run_window(**assets, options, source, stop, stats);
+    done = run_window(**assets, options, source, settings, stop, stats);
   } else if (options.output.fast) {
     done = run_film(**assets, options, *source, stop, stats);
   } else {

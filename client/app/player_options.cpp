@@ -60,6 +60,7 @@ void add_playback(CLI::App& cli, PlayerOptions& options, Raw& raw) {
       {"linear", Interpolation::Linear}, {"cosine", Interpolation::Cosine}};
   cli.add_flag("--headless", options.headless);
   cli.add_flag("--exit-at-end", options.exit_at_end);
+  cli.add_flag("--no-config{false}", options.config);
   cli.add_option("--speed", raw.speed_ms)->check(CLI::Range(1, 1000));
   cli.add_option("--interpolation", options.playback.interpolation)
       ->transform(CLI::CheckedTransformer(kInterpolations));
@@ -302,6 +303,9 @@ Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
     options.command = Command::Help;
     options.text = raw.help ? std::string(help_text(page)) : version_text();
     return options;
+  }
+  for (const CLI::Option* option : cli.get_options()) {
+    if (option->count() > 0) options.given.insert(option->get_name());
   }
   if (auto settled = settle(cli, raw, options); !settled) return settled.error();
   if (auto complete = check_required(options); !complete) return complete.error();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,6 +98,8 @@ struct PlayerOptions {
   bool headless = false;
   bool exit_at_end = false;
   bool quiet = false;
+  bool config = true;           ///< --no-config: the window neither reads nor writes its settings
+  std::set<std::string> given;  ///< options that stood on the command line, such as "--buffer"
   std::string log_level = "warning";
   std::string text;  ///< Help: what to print
 };

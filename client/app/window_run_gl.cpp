@@ -71,13 +71,17 @@ struct FrameTimes {
 class WindowRun {
  public:
   WindowRun(const Assets& assets, const PlayerOptions& options,
-            std::unique_ptr<playback::KeyframeSource> source, PlayerStats& stats)
+            std::unique_ptr<playback::KeyframeSource> source, WindowSettings& settings,
+            PlayerStats& stats)
       : options_(options),
+        settings_(settings),
         stats_(stats),
         session_(assets, options, std::move(source), stats),
         scene_(session_.face()),
         deformer_(session_.face()),
-        diagram_(session_.face()) {}
+        diagram_(session_.face()) {
+    session_.begin_with(settings.in_force());
+  }
 
   Result<void> open() {
     const OutputOptions& output = options_.output;
@@ -111,6 +115,7 @@ class WindowRun {
   }
 
   [[nodiscard]] std::unique_ptr<playback::KeyframeSource> finish() {
+    keep_settings();
     return session_.finish(steady_now());
   }
 
@@ -191,6 +196,14 @@ class WindowRun {
     frames_due_ = kFramesAfterInput;
     if (const auto* look = std::get_if<gui::LookFrom>(&command)) look_from(look->view);
     session_.apply(command, steady_now());
+    // An address is worth remembering even if the machine goes down.
+    if (std::holds_alternative<gui::Connect>(command)) keep_settings();
+  }
+
+  void keep_settings() {
+    if (const auto kept = settings_.keep(session_.kept()); !kept) {
+      spdlog::warn("settings: {}", kept.error().message);
+    }
   }
 
   void look_from(gui::View view) {
@@ -304,6 +317,7 @@ class WindowRun {
   }
 
   const PlayerOptions& options_;
+  WindowSettings& settings_;
   PlayerStats& stats_;
   WindowSession session_;
   FaceScene scene_;
@@ -328,9 +342,9 @@ class WindowRun {
 }  // namespace
 
 Result<void> run_window(const Assets& assets, const PlayerOptions& options,
-                        std::unique_ptr<playback::KeyframeSource>& source,
+                        std::unique_ptr<playback::KeyframeSource>& source, WindowSettings& settings,
                         const std::function<bool()>& stop, PlayerStats& stats) {
-  WindowRun run(assets, options, std::move(source), stats);
+  WindowRun run(assets, options, std::move(source), settings, stats);
   if (auto opened = run.open(); !opened) {
     source = run.finish();
     return opened;

@@ -46,6 +46,7 @@ gui::RemoteSettings settings_of(const PlaybackOptions& options) {
   settings.playout = static_cast<int>(options.buffers.playout_capacity);
   settings.threshold_percent = options.buffers.threshold_percent;
   if (options.speed) settings.speed_ms = static_cast<int>(options.speed->count());
+  settings.reconnect = options.reconnect;
   return settings;
 }
 
@@ -108,6 +109,17 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
 }
 
 WindowSession::~WindowSession() = default;
+
+void WindowSession::begin_with(const gui::KeptSettings& settings) {
+  remote_settings_ = settings.remote;
+  recent_ = settings.recent;
+  transition_settings_ = settings.transition;
+  rendering_ = settings.rendering;
+}
+
+gui::KeptSettings WindowSession::kept() const {
+  return {remote_settings_, recent_, animation_, transition_settings_, rendering_};
+}
 
 // === Playing.
 
@@ -229,6 +241,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
 void WindowSession::carry_out(const gui::Connect& command, Instant now) {
   if (gui::problem(command.settings)) return;
   remote_settings_ = command.settings;
+  gui::remember_address(recent_, remote_settings_);
   buffers_.receiver_capacity = static_cast<std::size_t>(remote_settings_.buffer);
   buffers_.playout_capacity = static_cast<std::size_t>(remote_settings_.playout);
   buffers_.threshold_percent = remote_settings_.threshold_percent;
@@ -241,7 +254,7 @@ void WindowSession::carry_out(const gui::Connect& command, Instant now) {
   std::optional<Milliseconds> speed;
   if (remote_settings_.speed_ms > 0) speed = Milliseconds(remote_settings_.speed_ms);
   remote.speed = speed;
-  remote.reconnect = options_.playback.reconnect;
+  remote.reconnect = remote_settings_.reconnect;
   remote.security = options_.playback.security;
   remote.buffers = buffers_;
   replace_source(std::make_unique<net::RemoteSource>(std::move(remote)), speed, now);
@@ -490,6 +503,7 @@ gui::EditorView WindowSession::editor_view() const {
 gui::GuiModel WindowSession::model() const {
   gui::GuiModel model;
   model.remote_settings = remote_settings_;
+  model.recent = recent_;
   model.remote = remote_view();
   if (local_) model.local = local_->view();
   model.browser = browser_.view();

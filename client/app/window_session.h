@@ -15,6 +15,7 @@
 #include "client/gui/file_browser.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
+#include "client/gui/kept_settings.h"
 #include "client/gui/transition.h"
 #include "client/pipeline/face_pipeline.h"
 #include "client/playback/keyframe_source.h"
@@ -31,6 +32,10 @@ class WindowSession {
   WindowSession(const Assets& assets, const PlayerOptions& options,
                 std::unique_ptr<playback::KeyframeSource> source, PlayerStats& stats);
   ~WindowSession();
+  /// Begins with what the window remembers; before anything else.
+  void begin_with(const gui::KeptSettings& settings);
+  /// What it should remember now.
+  [[nodiscard]] gui::KeptSettings kept() const;
   WindowSession(const WindowSession&) = delete;
   WindowSession& operator=(const WindowSession&) = delete;
 
@@ -116,6 +121,7 @@ class WindowSession {
   face::RuleSet rules_;  ///< of animation_.rules; the pipeline reads it
   gui::AnimationSettings animation_;
   gui::RemoteSettings remote_settings_;
+  std::vector<std::string> recent_;  ///< addresses, the last one first
   playback::BufferOptions buffers_;
 
   std::unique_ptr<playback::KeyframeSource> source_;

@@ -162,7 +162,8 @@ struct Notice {
 };
 
 struct GuiModel {
-  RemoteSettings remote_settings;  ///< those in force; the form begins with them
+  RemoteSettings remote_settings;   ///< those in force; the form begins with them
+  std::vector<std::string> recent;  ///< addresses, the last one first
   RemoteView remote;
   LocalView local;
   BrowserView browser;

@@ -1,0 +1,142 @@
+#include "client/gui/kept_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "common/files.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::gui {
+namespace {
+
+KeptSettings unusual() {
+  KeptSettings settings;
+  settings.remote = {"lecture.example.org", 4777, 200, 60, 55, 500, true};
+  settings.recent = {"lecture.example.org:4777", "[::1]", "od\"d\\name"};
+  settings.animation = {face::Mixer::Average, "kumar2010", playback::Interpolation::Cosine};
+  settings.transition = {80, 10, true};
+  settings.rendering.layers.muscles = true;
+  settings.rendering.layers.textured = false;
+  settings.rendering.ground = Ground::White;
+  settings.rendering.light_yaw_deg = -90;
+  settings.rendering.light_pitch_deg = 10;
+  settings.rendering.light_percent = 150;
+  settings.rendering.blinking = true;
+  settings.rendering.blink = {77, 2500, 75, playback::Interpolation::Cosine};
+  return settings;
+}
+
+TEST(KeptSettings, AreReadAsTheyAreWritten) {
+  for (const KeptSettings& settings : {KeptSettings{}, unusual()}) {
+    const auto read = parse_settings(format_settings(settings), "s.toml");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(*read, settings);
+  }
+}
+
+TEST(KeptSettings, NoLayerIsAChoiceToo) {
+  KeptSettings settings;
+  settings.rendering.layers.textured = false;
+  EXPECT_EQ(parse_settings(format_settings(settings), "s.toml").value(), settings);
+}
+
+TEST(KeptSettings, WhatIsNotSaidIsAsUsual) {
+  EXPECT_EQ(parse_settings("", "s.toml").value(), KeptSettings{});
+  const auto some = parse_settings("[remote]\nport = 4651\n", "s.toml");
+  ASSERT_TRUE(some) << some.error().message;
+  KeptSettings wanted;
+  wanted.remote.port = 4651;
+  EXPECT_EQ(*some, wanted);
+}
+
+TEST(KeptSettings, ComplaintsSayWhere) {
+  for (const auto& [text, where] : std::vector<std::pair<std::string, std::string>>{
+           {"[remote]\nport = 70000\n", "s.toml:2:"},
+           {"[remote]\nport = \"x\"\n", "s.toml:2:"},
+           {"[remote\n", "s.toml:1:"},
+           {"[remote]\nprot = 1\n", "s.toml:2:1: "},
+           {"[animation]\nmixer = \"middle\"\n", "maximum, average"},
+           {"[rendering]\nshow = \"bones\"\n", "jaw-tags"},
+           {"[remote]\naddress = \"a b\"\n", "s.toml:2:"},
+           {"[remote]\nbuffer = 10\nplayout = 20\n", "playout"},
+           {"[remote]\nrecent = [1]\n", "list of addresses"}}) {
+    const auto read = parse_settings(text, "s.toml");
+    ASSERT_FALSE(read) << text;
+    EXPECT_EQ(read.error().kind, ErrorKind::BadData);
+    EXPECT_NE(read.error().message.find(where), std::string::npos) << read.error().message;
+  }
+}
+
+TEST(KeptSettings, LiveWhereTheUsersSettingsLive) {
+  EXPECT_EQ(settings_file("/c", "/h").value(), "/c/aucast/face-player.toml");
+  EXPECT_EQ(settings_file("relative", "/h").value(), "/h/.config/aucast/face-player.toml");
+  EXPECT_EQ(settings_file(nullptr, "/h").value(), "/h/.config/aucast/face-player.toml");
+  EXPECT_FALSE(settings_file(nullptr, nullptr));
+}
+
+TEST(KeptSettings, AreSavedInAFolderThatIsMadeForThem) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "deep" / "aucast" / "face-player.toml";
+  EXPECT_EQ(load_settings(file).settings, KeptSettings{});
+  EXPECT_TRUE(load_settings(file).complaint.empty());
+  ASSERT_TRUE(save_settings(unusual(), file));
+  EXPECT_EQ(load_settings(file).settings, unusual());
+}
+
+TEST(KeptSettings, ABrokenFileIsPutAsideAndSaid) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "face-player.toml";
+  const std::string text = "[remote]\nport = many\n";
+  ASSERT_TRUE(write_file_atomically(file, text));
+  const LoadedSettings loaded = load_settings(file);
+  EXPECT_EQ(loaded.settings, KeptSettings{});
+  EXPECT_TRUE(loaded.may_write);
+  EXPECT_NE(loaded.complaint.find("face-player.toml:2:"), std::string::npos) << loaded.complaint;
+  EXPECT_NE(loaded.complaint.find(".broken"), std::string::npos) << loaded.complaint;
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(read_file(folder.path() / "face-player.toml.broken").value(), text);
+}
+
+TEST(KeptSettings, WhatCannotBeReadNorMovedIsNotWrittenTo) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "face-player.toml";
+  std::filesystem::create_directory(file);  // unreadable as a file
+  // In its way stands a folder that is not empty: it cannot be renamed either.
+  std::filesystem::create_directories(folder.path() / "face-player.toml.broken" / "x");
+  const LoadedSettings loaded = load_settings(file);
+  EXPECT_FALSE(loaded.may_write);
+  EXPECT_FALSE(loaded.complaint.empty());
+}
+
+TEST(RecentAddresses, TheLastIsFirstAndNoneIsThereTwice) {
+  std::vector<std::string> recent;
+  RemoteSettings settings;
+  for (int i = 0; i < 20; ++i) {
+    settings.port = 5000 + i % 10;
+    remember_address(recent, settings);
+    EXPECT_EQ(recent.front(), endpoint_text(settings));
+    EXPECT_LE(recent.size(), kRecentMax);
+  }
+  EXPECT_EQ(recent.size(), kRecentMax);
+  settings.port = 5005;
+  remember_address(recent, settings);
+  EXPECT_EQ(std::count(recent.begin(), recent.end(), "127.0.0.1:5005"), 1);
+}
+
+TEST(Endpoint, IsWrittenAndReadAlike) {
+  for (const char* text : {"example.org", "example.org:4651", "[::1]", "[fe80::1]:9", "10.0.0.7"}) {
+    RemoteSettings settings;
+    ASSERT_TRUE(take_endpoint(text, settings)) << text;
+    EXPECT_EQ(endpoint_text(settings), text);
+  }
+  RemoteSettings settings;
+  for (const char* text : {"", ":1", "a:", "a:b", "[::1", "[::1]x", "[::1]:", "a:99999999999"}) {
+    EXPECT_FALSE(take_endpoint(text, settings)) << text;
+  }
+  EXPECT_EQ(settings, RemoteSettings{});
+}
+
+}  // namespace
+}  // namespace aucast::gui
