@@ -73,6 +73,7 @@ std::vector<std::string> format_arguments(Format format, int fps) {
 
 std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, int fps,
                                           const std::filesystem::path& file) {
+  // Without -xerror it calls a video done whose last bytes found the disk full.
   std::vector<std::string> arguments{
       "ffmpeg",       "-nostdin",
       "-hide_banner", "-loglevel",
@@ -82,7 +83,7 @@ std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, 
       "-s",           std::to_string(width) + "x" + std::to_string(height),
       "-r",           std::to_string(fps),
       "-i",           "pipe:0",
-      "-an"};
+      "-an",          "-xerror"};
   for (std::string& argument : format_arguments(format, fps))
     arguments.push_back(std::move(argument));
   // "file:" keeps a name with a colon from being taken for a network address.
