@@ -125,9 +125,8 @@ struct FaceDeformer::State {
   std::size_t vertex_count;
   std::vector<float> activations;  ///< clamped
   MuscleSums muscles;
-  std::vector<VertexBlock> now;      ///< before the head turns
-  std::vector<std::uint8_t> moved;   ///< one flag per block that is elsewhere than the last time
-  std::vector<std::uint8_t> unseen;  ///< likewise, since normals were computed
+  std::vector<VertexBlock> now;     ///< before the head turns
+  std::vector<std::uint8_t> moved;  ///< one flag per block that is elsewhere than the last time
   std::optional<std::size_t> jaw_channel;
   WeightedBlocks jaw;
   Turn jaw_turn;
@@ -147,8 +146,7 @@ FaceDeformer::State::State(const Face& driven)
       activations(driven.channels.size()),
       muscles(driven),
       now(muscles.rest()),
-      moved(now.size()),
-      unseen(now.size()),
+      moved(now.size(), 1),
       normals(driven.mesh) {
   AUCAST_CHECK(face.muscles.size() <= face.channels.size());
   const auto channel = [this](std::string_view name) { return face.channel_index(name); };
@@ -200,7 +198,7 @@ FaceDeformer::State::State(const Face& driven)
   }
   still.positions = face.mesh.positions;
   still.normals.assign(vertex_count, {0, 0, 1});  // as they stay without a triangle
-  std::fill(unseen.begin(), unseen.end(), std::uint8_t{1});
+  normals.update(moved, still.normals);
 }
 
 void FaceDeformer::State::take(std::span<const float> given) {
@@ -228,6 +226,7 @@ void FaceDeformer::State::take(std::span<const float> given) {
 /// Brings `still` to these activations, its positions only.
 void FaceDeformer::State::move(std::span<const float> given) {
   take(given);
+  if (none(moved)) return;
   for (std::size_t block = 0; block < now.size(); ++block) {
     if (moved[block] != 0) muscles.at(block, now[block]);
   }
@@ -236,7 +235,6 @@ void FaceDeformer::State::move(std::span<const float> given) {
   move_eyes();
   for (std::size_t block = 0; block < now.size(); ++block) {
     if (moved[block] == 0) continue;
-    unseen[block] = 1;
     const std::array<Four, kLanes> points = points_of(now[block]);
     normals.place(block, points);
     write_points(points, block_of(still.positions, block));
@@ -303,8 +301,7 @@ void FaceDeformer::State::look(DeformedFace& out) const {
 
 /// Everything but the positions of `still`.
 const DeformedFace& FaceDeformer::State::finish() {
-  normals.update(unseen, still.normals);
-  std::fill(unseen.begin(), unseen.end(), std::uint8_t{0});
+  normals.update(moved, still.normals);
   const HeadTurn::Pose pose = head_pose();
   const bool turns = head && pose != HeadTurn::Pose{};
   if (turns) {

@@ -33,6 +33,14 @@ Lists without_repetition(std::vector<std::vector<std::uint32_t>> lists) {
   return result;
 }
 
+/// Elements are found by their distance in bytes from the first one, which saves a shift for every
+/// corner of every triangle.
+constexpr std::uint32_t kBytes = sizeof(Four);
+
+const Four& at(const Four* first, std::uint32_t bytes) {
+  return *reinterpret_cast<const Four*>(reinterpret_cast<const std::byte*>(first) + bytes);
+}
+
 Four yzx(Four v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
@@ -41,30 +49,35 @@ Four yzx(Four v) {
 
 struct NormalField::Topology {
   std::size_t vertex_count = 0;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in bytes
   /// Of each block: the triangles of its vertices, one vertex after the other, as often as the
-  /// vertex with the most of them needs; the others fill up with the number of the zero area.
+  /// vertex with the most of them needs; the others fill up with the zero area. In
+  /// bytes.
   Lists rings;
   Lists groups_of_block;
-  Lists blocks_of_group;
+  Lists neighbours;  ///< of each block: those that share a triangle with it, and itself
 };
 
 NormalField::NormalField(const FaceMesh& mesh)
     : points_(kLanes * block_count(mesh.positions.size())) {
   auto topology = std::make_shared<Topology>();
   topology->vertex_count = mesh.positions.size();
-  topology->triangles = mesh.triangles;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    topology->triangles.push_back({kBytes * a, kBytes * b, kBytes * c});
+  }
   const std::size_t blocks = block_count(mesh.positions.size());
   const std::size_t groups = (mesh.triangles.size() + kGroupTriangles - 1) / kGroupTriangles;
   std::vector<std::vector<std::uint32_t>> of_vertex(blocks * kLanes);
   std::vector<std::vector<std::uint32_t>> of_block(blocks);
-  std::vector<std::vector<std::uint32_t>> of_group(groups);
+  std::vector<std::vector<std::uint32_t>> near_block(blocks);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::size_t group = i / kGroupTriangles;
     for (const std::uint32_t vertex : mesh.triangles[i]) {
       of_vertex[vertex].push_back(static_cast<std::uint32_t>(i));
       of_block[vertex / kLanes].push_back(static_cast<std::uint32_t>(group));
-      of_group[group].push_back(static_cast<std::uint32_t>(vertex / kLanes));
+      for (const std::uint32_t other : mesh.triangles[i]) {
+        near_block[vertex / kLanes].push_back(static_cast<std::uint32_t>(other / kLanes));
+      }
     }
   }
   const auto zero_area = static_cast<std::uint32_t>(mesh.triangles.size());
@@ -74,13 +87,13 @@ NormalField::NormalField(const FaceMesh& mesh)
     for (const auto& ring : ring_of) most = std::max(most, ring.size());
     for (std::size_t k = 0; k < most; ++k) {
       for (const auto& ring : ring_of) {
-        topology->rings.items.push_back(k < ring.size() ? ring[k] : zero_area);
+        topology->rings.items.push_back(kBytes * (k < ring.size() ? ring[k] : zero_area));
       }
     }
     topology->rings.end_list();
   }
   topology->groups_of_block = without_repetition(std::move(of_block));
-  topology->blocks_of_group = without_repetition(std::move(of_group));
+  topology->neighbours = without_repetition(std::move(near_block));
   mesh_ = std::move(topology);
   areas_.resize(mesh.triangles.size() + 1);
   touched_.resize(groups);
@@ -101,9 +114,9 @@ void NormalField::compute_group(std::size_t group) {
   const auto* const triangles = mesh_->triangles.data();
   const Four* const points = points_.data();
   for (std::size_t i = begin; i < end; ++i) {
-    const Four a = points[triangles[i][0]];
-    const Four u = points[triangles[i][1]] - a;
-    const Four v = points[triangles[i][2]] - a;
+    const Four a = at(points, triangles[i][0]);
+    const Four u = at(points, triangles[i][1]) - a;
+    const Four v = at(points, triangles[i][2]) - a;
     areas_[i] = u * yzx(v) - yzx(u) * v;
   }
 }
@@ -119,10 +132,10 @@ void NormalField::compute_block(std::size_t block, std::span<glm::vec3> normals)
     Four sum2{};
     Four sum3{};
     for (std::size_t k = half; k < ring.size(); k += kLanes) {
-      sum0 += areas[ring[k]];
-      sum1 += areas[ring[k + 1]];
-      sum2 += areas[ring[k + 2]];
-      sum3 += areas[ring[k + 3]];
+      sum0 += at(areas, ring[k]);
+      sum1 += at(areas, ring[k + 1]);
+      sum2 += at(areas, ring[k + 2]);
+      sum3 += at(areas, ring[k + 3]);
     }
     // The coordinates side by side, so that the square roots are taken together.
     const Four xy01 = __builtin_shufflevector(sum0, sum1, 1, 5, 2, 6);
@@ -153,17 +166,17 @@ void NormalField::compute_block(std::size_t block, std::span<glm::vec3> normals)
 }
 
 void NormalField::update(std::span<const std::uint8_t> moved, std::span<glm::vec3> normals) {
-  std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
   std::fill(written_.begin(), written_.end(), std::uint8_t{0});
+  if (none(moved)) return;
+  std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
   for (std::size_t block = 0; block < moved.size(); ++block) {
     if (moved[block] == 0) continue;
     for (const std::uint32_t group : mesh_->groups_of_block[block]) touched_[group] = 1;
+    for (const std::uint32_t other : mesh_->neighbours[block]) written_[other] = 1;
   }
   // A triangle without a moved corner is as it was.
   for (std::size_t group = 0; group < touched_.size(); ++group) {
-    if (touched_[group] == 0) continue;
-    compute_group(group);
-    for (const std::uint32_t block : mesh_->blocks_of_group[group]) written_[block] = 1;
+    if (touched_[group] != 0) compute_group(group);
   }
   for (std::size_t block = 0; block < written_.size(); ++block) {
     if (written_[block] != 0) compute_block(block, normals);
@@ -184,10 +197,8 @@ void NormalField::compute(std::span<const std::uint32_t> blocks, std::span<glm::
 std::vector<std::uint32_t> NormalField::read_by(std::span<const std::uint32_t> blocks) const {
   std::vector<std::uint32_t> read;
   for (const std::uint32_t block : blocks) {
-    for (const std::uint32_t group : mesh_->groups_of_block[block]) {
-      const auto of_group = mesh_->blocks_of_group[group];
-      read.insert(read.end(), of_group.begin(), of_group.end());
-    }
+    const auto near_block = mesh_->neighbours[block];
+    read.insert(read.end(), near_block.begin(), near_block.end());
   }
   std::sort(read.begin(), read.end());
   read.erase(std::unique(read.begin(), read.end()), read.end());

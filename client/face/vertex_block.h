@@ -103,6 +103,11 @@ inline void set_lane(VertexBlock& block, std::size_t lane, const glm::vec3& poin
   return blocks;
 }
 
+/// Whether no flag is set.
+[[nodiscard]] inline bool none(std::span<const std::uint8_t> flags) {
+  return std::find(flags.begin(), flags.end(), std::uint8_t{1}) == flags.end();
+}
+
 /// Weights that are not zero somewhere in their block.
 struct WeightedBlocks {
   std::vector<std::uint32_t> blocks;
