@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""Runs both programs over emulated links and through faults, at full length.
+
+    scripts/faults.py [--bin FOLDER] [--seconds N] [--only NAME[,NAME...]]
+
+Two network namespaces are joined by linkemu, a program of this project that delays, loses and
+throttles packets (the kernel needs no netem; root and /dev/net/tun are needed). Where that is not
+allowed it says so, and only `proxy` is run, which needs no rights. What is run:
+
+  satellite   25 keyframes a second with intensities, head and gaze over 600 ms +- 100 ms of round
+              trip, 1 % loss, 64 kbit/s: the recorded stream plays without a stall, the live one is
+              followed to its end
+  bursts      the same with 3 % loss in bursts of 5: everything arrives, stalls are told
+  classic     the same link with --protocol classic: everything arrives, as slow as stop-and-wait is
+  down        the link is down for 20 s (--seconds): nothing of a recorded stream is lost, a live one
+              goes on where it is
+  proxy       the tests of tests/integration/faults_test.cpp, with faults of 10 s (half --seconds)
+
+Prints a line for each and exits 1 when something did not hold.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+
+SERVER, CLIENT = f"aucast{os.getpid()}s", f"aucast{os.getpid()}c"
+DEVICES = (f"auls{os.getpid() % 100000}", f"aulc{os.getpid() % 100000}")
+SERVER_ADDRESS, CLIENT_ADDRESS = "10.78.0.1", "10.78.0.2"
+SATELLITE = ("--delay", "300", "--jitter", "50", "--loss", "1", "--rate", "64")
+
+
+def ip(*arguments):
+    subprocess.run(("ip", *arguments), check=True, stderr=subprocess.PIPE)
+
+
+class Link:
+    """Two hosts, SERVER and CLIENT, and the bad link between them."""
+
+    def __init__(self, binaries, quality):
+        self.emulator = None
+        ip("netns", "add", SERVER)
+        ip("netns", "add", CLIENT)
+        self.emulator = subprocess.Popen((binaries / "linkemu", *DEVICES, *quality),
+                                         stdout=subprocess.PIPE, text=True)
+        if self.emulator.stdout.readline() != "ready\n":
+            raise OSError("linkemu did not get ready")
+        for host, device, own, other in ((SERVER, DEVICES[0], SERVER_ADDRESS, CLIENT_ADDRESS),
+                                         (CLIENT, DEVICES[1], CLIENT_ADDRESS, SERVER_ADDRESS)):
+            ip("link", "set", device, "netns", host)
+            ip("-n", host, "addr", "add", own, "peer", other, "dev", device)
+            ip("-n", host, "link", "set", device, "up")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.emulator:
+            self.emulator.terminate()
+            print("".join(f"    link, {line}" for line in self.emulator.stdout), end="")
+            self.emulator.wait()
+        clean_up()
+
+    def set_down(self, down):
+        self.emulator.send_signal(signal.SIGUSR1 if down else signal.SIGUSR2)
+
+
+def clean_up():
+    for host in (SERVER, CLIENT):
+        subprocess.run(("ip", "netns", "del", host), stderr=subprocess.DEVNULL, check=False)
+
+
+def lively(path, count):
+    """Mouth, brows, head (51-54) and gaze (61, 62), with intensities, 25 times a second."""
+    with open(path, "w", encoding="ascii") as file:
+        file.write("Beg_Stream\n")
+        for n in range(count):
+            percent = [10 + n * step % 90 for step in (1, 7, 5, 13, 3, 2, 11)]
+            file.write("1:{0},L12:{1},R12:{2},25:{3},{7}:{4},54:{5},{8}:{6};40\n".format(
+                *percent, 51 + n // 50 % 2, 61 + n // 30 % 2))
+        file.write("End_Stream\n")
+
+
+class Faults:
+    def __init__(self, options, folder):
+        self.options = options
+        self.folder = folder
+        self.failures = []
+
+    def judge(self, name, holds, words):
+        print(f"  {'ok    ' if holds else 'FAILED'} {name}: {words}", flush=True)
+        if not holds:
+            self.failures.append(name)
+
+    def play(self, quality, count, server_options=(), player_options=(), trouble=None):
+        """One transmission over a link: the player's exit code and statistics."""
+        stream, stats = self.folder / "lively.txt", self.folder / "stats.json"
+        stats.unlink(missing_ok=True)
+        lively(stream, count)
+        with Link(self.options.bin, quality) as link:
+            server = subprocess.Popen(
+                ("ip", "netns", "exec", SERVER, self.options.bin / "au-transmitter", "--bind",
+                 SERVER_ADDRESS, "--port", "4650", *server_options, stream),
+                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            server.stdout.readline()
+            timers = [threading.Timer(at, link.set_down, (down,)) for at, down in trouble or ()]
+            for timer in timers:
+                timer.start()
+            try:
+                code = subprocess.run(
+                    ("ip", "netns", "exec", CLIENT, self.options.bin / "face-player", "--headless",
+                     SERVER_ADDRESS, "--stats", stats, *player_options),
+                    stderr=subprocess.DEVNULL, timeout=600, check=False).returncode
+            finally:
+                for timer in timers:
+                    timer.cancel()
+                server.terminate()
+                server.wait()
+        return code, json.loads(stats.read_text(encoding="utf-8"))
+
+    @staticmethod
+    def told(code, stats):
+        return (f"exit code {code}, {stats['keyframes_played']} keyframes in "
+                f"{stats['playback_seconds']:.1f} s, {stats['stalls']} stalls, "
+                f"{stats['keyframes_dropped']} dropped, {stats['end_reason']}")
+
+    def satellite(self):
+        code, stats = self.play(SATELLITE, 750)
+        self.judge("recorded", code == 0 and stats["keyframes_played"] == 750
+                   and stats["stalls"] == 0, self.told(code, stats))
+        code, stats = self.play(SATELLITE, 750, ("--live",))
+        self.judge("live", code == 0 and stats["end_reason"] == "end_of_stream"
+                   and stats["keyframes_played"] > 0, self.told(code, stats))
+
+    def bursts(self):
+        quality = ("--delay", "300", "--jitter", "50", "--loss", "3", "--burst", "5", "--rate", "64")
+        code, stats = self.play(quality, 500)
+        self.judge("recorded", code == 0 and stats["keyframes_played"] == 500,
+                   self.told(code, stats))
+
+    def classic(self):
+        code, stats = self.play(SATELLITE, 40, player_options=("--protocol", "classic"))
+        self.judge("recorded", code == 0 and stats["keyframes_played"] == 40,
+                   self.told(code, stats))
+
+    def down(self):
+        seconds = self.options.seconds
+        trouble = ((8, True), (8 + seconds, False))
+        code, stats = self.play(SATELLITE, 500, trouble=trouble)
+        self.judge("recorded", code == 0 and stats["keyframes_played"] == 500,
+                   self.told(code, stats))
+        count = 25 * (20 + 3 * int(seconds))
+        code, stats = self.play(SATELLITE, count, ("--live",), trouble=trouble)
+        self.judge("live", code == 0 and stats["end_reason"] == "end_of_stream"
+                   and stats["keyframes_played"] < count, self.told(code, stats))
+
+    def proxy(self):
+        variables = dict(os.environ, AUCAST_FAULT_SECONDS=str(max(1, int(self.options.seconds / 2))))
+        code = subprocess.run((self.options.bin / "test_faults", "--gtest_brief=1"), env=variables,
+                              check=False).returncode
+        self.judge("test_faults", code == 0, f"exit code {code}")
+
+
+def main():
+    root = pathlib.Path(__file__).resolve().parent.parent
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0],
+                                     epilog=__doc__.split("\n", 2)[2],
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", type=pathlib.Path, default=root / "build/release/bin")
+    parser.add_argument("--seconds", type=float, default=20)
+    parser.add_argument("--only", default="satellite,bursts,classic,down,proxy")
+    options = parser.parse_args()
+    wanted = options.only.split(",")
+    unknown = set(wanted) - {"satellite", "bursts", "classic", "down", "proxy"}
+    if unknown:
+        parser.error(f"there is no {', '.join(sorted(unknown))}")
+    with tempfile.TemporaryDirectory() as folder:
+        faults = Faults(options, pathlib.Path(folder))
+        for name in wanted:
+            print(name, flush=True)
+            try:
+                getattr(faults, name)()
+            except (OSError, subprocess.CalledProcessError) as error:
+                clean_up()
+                print(f"  not run: no network namespaces with TUN devices here ({error})")
+                if "proxy" not in wanted:
+                    faults.failures.append(name)
+    print(f"failed: {', '.join(faults.failures)}" if faults.failures else "passed")
+    return 1 if faults.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
