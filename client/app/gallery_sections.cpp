@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::array kEmotions{"surprise", "fear", "disgust", "anger", "happiness", "sadness"};
 constexpr std::string_view kLetters = "ABCDE";
-constexpr int kWink = 46;
 
 /// The thesis' appendix A: the AUs that its player knew.
 constexpr std::array kAppendixA{1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 16, 17, 20, 23, 26};
@@ -48,10 +47,10 @@ const char* word(face::Mixer mixer) {
   return mixer == face::Mixer::Average ? "average" : "maximum";
 }
 
-/// The sides on which an AU is shown. A wink is on one side or it is none.
+/// The sides on which an AU is shown. A wink is on one side or it is none, a jaw goes to one.
 std::vector<Side> sides_of(const face::Face& face, int number) {
   if (!is_sided(face, number)) return {Side::Both};
-  if (number == kWink) return {Side::Left, Side::Right};
+  if (face::shows_on_one_side(number)) return {Side::Left, Side::Right};
   return {Side::Both, Side::Left, Side::Right};
 }
 

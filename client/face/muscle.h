@@ -77,6 +77,7 @@ struct Muscle {
   std::string name;
   MuscleShape shape;
   std::string mask;  ///< a map of the mesh that multiplies the displacement; empty: none
+  bool mask_alone = false;  ///< the map `muscle` does not count: tongue and teeth move too
 };
 
 /// Where `point` goes at `activation` >= 0, masks left out.

@@ -151,6 +151,8 @@ std::vector<Muscle> read_muscles(TableReader& document, const FaceMesh& mesh, Pr
     if (!good_name(name)) reader.wrong("name", "must be made of letters, digits and _");
     const bool both_sides = reader.boolean_or("mirrored", false);
     Muscle muscle{name, read_shape(reader), read_mask(reader, mesh)};
+    muscle.mask_alone = reader.boolean_or("mask_alone", false);
+    if (muscle.mask_alone && muscle.mask.empty()) reader.wrong("mask_alone", "needs a mask");
     reader.finish();
     if (both_sides && !(x_of(muscle.shape) > 0)) {
       reader.wrong("mirrored", "needs the insertion or centre at x > 0, the left side");

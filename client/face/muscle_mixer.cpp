@@ -7,13 +7,11 @@
 namespace aucast::face {
 namespace {
 
-constexpr std::size_t kWink = 46;
-
-/// What the channel's side gets of an AU; a wink without a side is the right eye's.
+/// What the channel's side gets of an AU.
 float intensity_for(const AuFrame& frame, std::size_t number, Side side) {
   const float left = frame.left[number];
   const float right = frame.right[number];
-  const bool right_only = number == kWink && left == right;
+  const bool right_only = shows_on_one_side(static_cast<int>(number)) && left == right;
   switch (side) {
     case Side::Left:
       return right_only ? 0 : left;
@@ -44,6 +42,13 @@ struct Demand {
 };
 
 }  // namespace
+
+bool shows_on_one_side(int number) {
+  constexpr int kJawSideways = 30;
+  constexpr int kTongueBulge = 36;
+  constexpr int kWink = 46;
+  return number == kJawSideways || number == kTongueBulge || number == kWink;
+}
 
 void mix(const Face& face, const AuFrame& frame, Mixer mixer, std::span<float> activations) {
   AUCAST_CHECK(activations.size() == face.channels.size());

@@ -15,9 +15,12 @@ enum class Mixer : std::uint8_t {
   Average,  ///< over the AUs that use the channel: sum(i a) / sum(i) x max(i) (table 5.1 at 100 %)
 };
 
+/// AUs that only one side can show at a time: the jaw sideways, the tongue in a cheek, a wink.
+[[nodiscard]] bool shows_on_one_side(int number);
+
 /// Fills `activations` (one per channel of the face). A channel of the left side takes the left
-/// intensities, a central one the larger side. AU46 on both sides alike winks the right one. An AU
-/// without recording does nothing.
+/// intensities, a central one the larger side. An AU that shows on one side only is the right one's
+/// when both sides have it alike. An AU without recording does nothing.
 void mix(const Face& face, const AuFrame& frame, Mixer mixer, std::span<float> activations);
 
 }  // namespace aucast::face

@@ -21,10 +21,10 @@ const std::vector<float>* find_map(const FaceMesh& mesh, const std::string& map_
 MuscleSums::MuscleSums(const Face& face)
     : rest_(blocks_of(face.mesh.positions)), activations_(face.muscles.size()) {
   const FaceMesh& mesh = face.mesh;
-  const auto* const reach = find_map(mesh, "muscle");
   std::vector<std::vector<VertexBlock>> pulls(rest_.size());
   std::vector<std::vector<std::uint32_t>> numbers(rest_.size());
   for (const Muscle& muscle : face.muscles) {
+    const auto* const reach = muscle.mask_alone ? nullptr : find_map(mesh, "muscle");
     const auto* const mask = muscle.mask.empty() ? nullptr : find_map(mesh, muscle.mask);
     Reach& reaches = reaches_.emplace_back();
     reaches.activation_cap = std::numeric_limits<float>::infinity();

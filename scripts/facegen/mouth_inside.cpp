@@ -190,6 +190,9 @@ Part make_tongue() {
   shade_by_depth(tongue);
   tongue.fill(Map::Head, 1);
   tongue.fill(Map::Jaw, 0.9);
+  for (Vertex& vertex : tongue.vertices) {
+    vertex[Map::Tongue] = smooth_step(3.9, 7.4, vertex.position.z);
+  }
   return tongue;
 }
 

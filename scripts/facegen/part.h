@@ -26,10 +26,11 @@ enum class Map : std::uint8_t {
   LowerLid,    ///< mask: the lower lid, a tenth of its share over its Muscle factor
   Nasolabial,  ///< mask: the furrow from the wing of the nose to beside the mouth
   Glabella,    ///< mask: the two upright lines between the brows
+  Tongue,      ///< mask: the free part of the tongue
 };
-inline constexpr std::array<std::string_view, 13> kMapNames{
+inline constexpr std::array<std::string_view, 14> kMapNames{
     "muscle",    "jaw",       "head",      "lid_angle", "smile",      "forehead", "upper_lip",
-    "lower_lip", "upper_red", "lower_red", "lower_lid", "nasolabial", "glabella"};
+    "lower_lip", "upper_red", "lower_red", "lower_lid", "nasolabial", "glabella", "tongue"};
 
 using Maps = std::array<double, kMapNames.size()>;
 

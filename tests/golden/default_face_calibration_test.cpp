@@ -80,15 +80,13 @@ class FaceCalibration : public DefaultFace {
     return posed({AuTerm{static_cast<std::uint8_t>(au.number), side, percent}});
   }
 
-  /// Both sides; a wink is one eye's.
+  /// Both sides, if the AU shows on both.
   [[nodiscard]] static Positions at_full(const CalibratedAu& au) {
-    return at(au, au.number == kWink ? Side::Left : Side::Both, 100);
+    return at(au, face::shows_on_one_side(au.number) ? Side::Left : Side::Both, 100);
   }
   [[nodiscard]] static std::string label(const CalibratedAu& au, const std::string& landmark) {
     return "AU" + std::to_string(au.number) + " " + landmark;
   }
-
-  static constexpr int kWink = 46;
 
  private:
   static Calibration calibration_;
@@ -146,7 +144,8 @@ TEST_F(FaceCalibration, GrowsFromEveryIntensityLetterToTheNext) {
     for (const char letter : {'A', 'B', 'C', 'D', 'E'}) {
       const auto percent = percent_of_letter(letter);
       ASSERT_TRUE(percent);
-      const Positions positions = at(au, au.number == kWink ? Side::Left : Side::Both, *percent);
+      const Positions positions =
+          at(au, face::shows_on_one_side(au.number) ? Side::Left : Side::Both, *percent);
       for (std::size_t i = 0; i < au.expect.size(); ++i) {
         // What may go either way is a bound, not a movement.
         if (au.expect[i].least_mm < 0 && au.expect[i].most_mm > 0) continue;

@@ -108,6 +108,14 @@ TEST_F(Deformer, IsTheRestPlusTheSumOfTheMusclesDisplacements) {
   }
 }
 
+TEST_F(Deformer, AMaskAloneMovesWhatTheMuscleMapKeepsStill) {
+  face_.mesh.maps.at("muscle").assign(face_.mesh.positions.size(), 0.0F);
+  const std::vector<float> pulling = test::only(face_, "left_depressor", 1);
+  EXPECT_EQ(FaceDeformer(face_).deform(pulling).positions, face_.mesh.positions);
+  for (Muscle& muscle : face_.muscles) muscle.mask_alone = muscle.mask == "half";
+  EXPECT_TRUE(FaceDeformer(face_).deform(pulling).positions != face_.mesh.positions);
+}
+
 TEST_F(Deformer, TheOrderOfMusclesDoesNotMatter) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());

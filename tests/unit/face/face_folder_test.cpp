@@ -219,6 +219,7 @@ const std::vector<BadFile> kBadMuscles = {
      ":3:12: mirrored needs the insertion or centre at x > 0, the left side"},
     {"muscles.toml", "\"half\"", "\"halve\"",
      ":20:8: mask 'halve' is no map of the mesh; did you mean half?"},
+    {"muscles.toml", "mask = \"half\"", "mask_alone = true", ":20:14: mask_alone needs a mask"},
     {"muscles.toml", "\"depressor\"", "\"zygomaticus_major\"",
      ":12:8: name 'left_zygomaticus_major' is there twice"},
     {"muscles.toml", "\"mentalis\"", "\"chin raise\"",

@@ -91,6 +91,15 @@ TEST(Mixer, AWinkWithoutSideIsTheRightEyes) {
   expect_near(mixed(face, frame_of({{45}}), Mixer::Maximum), {1.0F, 1.0F});
 }
 
+TEST(Mixer, TheJawGoesToOneSide) {
+  Face face = face_with({{"left_jaw_sideways", Side::Left}, {"right_jaw_sideways", Side::Right}});
+  record(face, 30, {1.0F, 1.0F});
+  expect_near(mixed(face, frame_of({{30}}), Mixer::Maximum), {0.0F, 1.0F});
+  expect_near(mixed(face, frame_of({{30, Side::Left, 100}}), Mixer::Average), {1.0F, 0.0F});
+  EXPECT_TRUE(shows_on_one_side(30) && shows_on_one_side(36) && shows_on_one_side(46));
+  EXPECT_FALSE(shows_on_one_side(12));
+}
+
 TEST(Mixer, LidsCloseAsFarAsTheLargestDemandUnderBothMixers) {
   const Face face = test::small_face();
   const AuFrame frame = frame_of({{6}, {43}});

@@ -84,6 +84,20 @@ TEST(StreamData, TalkIsLongTimedAndEndsNeutral) {
   EXPECT_EQ(frame_from_terms(keyframes.back().terms), AuFrame());
 }
 
+TEST(StreamData, LipWipeGoesFromSideToSideAndEndsNeutral) {
+  const auto sources = load("lip_wipe");
+  ASSERT_EQ(sources.size(), 1U);
+  const auto& keyframes = sources[0].stream.keyframes;
+  int sides = 0;
+  for (const auto& keyframe : keyframes) {
+    ASSERT_TRUE(keyframe.duration_ms.has_value());
+    const AuFrame frame = frame_from_terms(keyframe.terms);
+    if (frame.left[37] != frame.right[37]) ++sides;
+  }
+  EXPECT_EQ(sides, 4);
+  EXPECT_EQ(frame_from_terms(keyframes.back().terms), AuFrame());
+}
+
 TEST(StreamData, RandomStreamHasAHundredUntimedPackets) {
   const auto sources = load("random");
   ASSERT_EQ(sources.size(), 1U);
