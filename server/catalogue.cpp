@@ -30,6 +30,45 @@ Result<Source> load_source(const std::filesystem::path& path, const SourceOption
   return source;
 }
 
+/// A folder may hold a README too.
+bool is_served_from_folder(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return (extension == ".txt" || extension == ".csv") && !path.filename().string().starts_with('.');
+}
+
+/// The files of a folder, by name; of a file, itself.
+Result<std::vector<std::filesystem::path>> files_of(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return std::vector<fs::path>{path};
+  std::vector<fs::path> files;
+  for (fs::directory_iterator next(path, error), end; !error && next != end;
+       next.increment(error)) {
+    std::error_code unknown;  // a file that cannot be looked at is said when it is read
+    if (is_served_from_folder(next->path()) && !next->is_directory(unknown)) {
+      files.push_back(next->path());
+    }
+  }
+  if (error) {
+    return Error{ErrorKind::Unreadable, path.string() + ": cannot be read: " + error.message()};
+  }
+  if (files.empty()) {
+    return Error{ErrorKind::BadData,
+                 path.string() + ": there is no .txt or .csv file in this folder"};
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// One error with the messages of all.
+Error joined(const std::vector<Error>& errors) {
+  Error all = errors.front();
+  for (auto error = errors.begin() + 1; error != errors.end(); ++error) {
+    all.message += "\n" + error->message;
+  }
+  return all;
+}
+
 std::optional<Error> taken_name(const std::vector<Source>& sources, const Source& source) {
   const auto other = std::find_if(sources.begin(), sources.end(), [&](const Source& candidate) {
     return candidate.name == source.name;
@@ -76,27 +115,32 @@ bool same_stream(const protocol::ServedStream& a, const protocol::ServedStream& 
 }  // namespace
 
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
-                                         const SourceOptions& options, std::uint32_t keyframe_ms) {
+                                         const SourceOptions& options, std::uint32_t keyframe_ms,
+                                         std::vector<Error>* skipped) {
   std::vector<Source> sources;
-  std::optional<Error> errors;
-  const auto note = [&errors](const Error& error) {
-    if (errors) {
-      errors->message += "\n" + error.message;
-    } else {
-      errors = error;
-    }
-  };
+  std::vector<Error> errors;
   for (const std::filesystem::path& path : paths) {
-    auto source = load_source(path, options, keyframe_ms);
-    if (!source) {
-      note(source.error());
-    } else if (const auto taken = taken_name(sources, *source)) {
-      note(*taken);
-    } else {
-      sources.push_back(std::move(*source));
+    const auto files = files_of(path);
+    if (!files) {
+      errors.push_back(files.error());
+      continue;
+    }
+    for (const std::filesystem::path& file : *files) {
+      auto source = load_source(file, options, keyframe_ms);
+      if (!source) {
+        errors.push_back(source.error());
+      } else if (auto taken = taken_name(sources, *source)) {
+        errors.push_back(std::move(*taken));
+      } else {
+        sources.push_back(std::move(*source));
+      }
     }
   }
-  if (errors) return *errors;
+  if (skipped != nullptr && !sources.empty()) {
+    *skipped = std::move(errors);
+    return sources;
+  }
+  if (!errors.empty()) return joined(errors);
   return sources;
 }
 

@@ -23,13 +23,15 @@ struct Source {
   std::optional<sources::Found> found;  ///< of a recording
 };
 
-/// Reads all files whole; `keyframe_ms` is the time of an untimed keyframe when --rate is asked.
+/// Reads all files whole, of a folder its .txt and .csv files by name;
+/// `keyframe_ms` is the time of an untimed keyframe when --rate is asked.
 /// If any is wrong, the errors of all of them, one a line, in the order of
 /// the command line; their kind is that of the first. Names that are no stream names or come twice
-/// are usage errors.
+/// are usage errors. With `skipped` what is wrong is left out and its errors go there, as long as
+/// anything is left.
 [[nodiscard]] Result<std::vector<Source>> load_sources(
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
-    std::uint32_t keyframe_ms = 250);
+    std::uint32_t keyframe_ms = 250, std::vector<Error>* skipped = nullptr);
 
 /// How the streams are served.
 struct CatalogueOptions {

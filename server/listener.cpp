@@ -1,5 +1,7 @@
 #include "server/listener.h"
 
+#include <sys/socket.h>
+
 #include <cerrno>
 #include <chrono>
 #include <utility>
@@ -35,24 +37,27 @@ bool is_elsewhere(const std::error_code& cause) {
          (cause.value() == EADDRNOTAVAIL || cause.value() == EAFNOSUPPORT);
 }
 
-std::string hint(const std::error_code& cause) {
+std::string hint(const std::error_code& cause, const ListenOptions& names) {
+  const std::string address(names.address);
+  const std::string port(names.port);
   if (cause == asio::error::address_in_use) {
-    return "; another program has this port: stop it, or choose one with --port (0 takes any free "
-           "one)";
+    return "; another program has this port: stop it, or choose one with " + port +
+           " (0 takes any free one)";
   }
   if (cause == asio::error::access_denied) {
-    return "; ports below 1024 are for root: choose another with --port";
+    return "; ports below 1024 are for root: choose another with " + port;
   }
   if (is_elsewhere(cause)) {
-    return "; that is not an address of this host: choose one with --bind (127.0.0.1 for this host "
-           "only, 0.0.0.0 for all addresses)";
+    return "; that is not an address of this host: choose one with " + address +
+           " (127.0.0.1 for this host only, 0.0.0.0 for all addresses)";
   }
-  return "; choose another address with --bind";
+  return "; choose another address with " + address;
 }
 
-Error cannot_listen(const std::string& bind, std::uint16_t port, const std::error_code& cause) {
+Error cannot_listen(const std::string& bind, std::uint16_t port, const std::error_code& cause,
+                    const ListenOptions& names) {
   return {ErrorKind::Network,
-          "cannot listen on " + place(bind, port) + ": " + cause.message() + hint(cause)};
+          "cannot listen on " + place(bind, port) + ": " + cause.message() + hint(cause, names)};
 }
 
 std::error_code listen_at(tcp::acceptor& acceptor, const tcp::endpoint& endpoint) {
@@ -88,13 +93,14 @@ std::string endpoint_text(const tcp::endpoint& endpoint) {
 
 Listener::Listener(asio::io_context& io) : acceptor_(io), pause_(io) {}
 
-Result<void> Listener::open(const std::string& bind, std::uint16_t port) {
+Result<void> Listener::open(const std::string& bind, std::uint16_t port,
+                            const ListenOptions& names) {
   std::error_code error;
   tcp::resolver resolver(acceptor_.get_executor());
   const auto found =
       resolver.resolve(without_brackets(bind), std::to_string(port),
                        tcp::resolver::passive | tcp::resolver::numeric_service, error);
-  if (error) return cannot_listen(bind, port, error);
+  if (error) return cannot_listen(bind, port, error, names);
   for (const auto& entry : found) {
     error = listen_at(acceptor_, entry.endpoint());
     if (!error) {
@@ -104,8 +110,20 @@ Result<void> Listener::open(const std::string& bind, std::uint16_t port) {
     // A port that is taken at the first address is taken: trying the next would hide it.
     if (!is_elsewhere(error)) break;
   }
-  if (error) return cannot_listen(bind, port, error);
+  if (error) return cannot_listen(bind, port, error, names);
   return {};
+}
+
+Result<void> Listener::open_passed(int descriptor) {
+  sockaddr_storage address{};
+  socklen_t length = sizeof(address);
+  // The call wants the general type for every family.
+  ::getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &length);
+  std::error_code error;
+  acceptor_.assign(address.ss_family == AF_INET6 ? tcp::v6() : tcp::v4(), descriptor, error);
+  if (!error) endpoint_ = acceptor_.local_endpoint(error);
+  if (!error) return {};
+  return Error{ErrorKind::Network, "the socket that was passed cannot be used: " + error.message()};
 }
 
 void Listener::start(OnSocket on_socket) {

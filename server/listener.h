@@ -15,6 +15,12 @@ namespace aucast::server {
 /// ADDR:PORT, with brackets around an IPv6 address.
 [[nodiscard]] std::string endpoint_text(const asio::ip::tcp::endpoint& endpoint);
 
+/// The options that an address is from, for advice when it cannot be had.
+struct ListenOptions {
+  const char* address = "--bind";
+  const char* port = "--port";
+};
+
 /// Accepts connections at one address and hands them out. When the system is out of descriptors or
 /// memory it says so once, waits and goes on: running clients do not notice.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
@@ -28,7 +34,11 @@ class Listener {
 
   /// Listens on `bind`, an address or a name (brackets allowed), and `port`, 0 for any free one.
   /// Network error naming both, the cause and what to do.
-  [[nodiscard]] Result<void> open(const std::string& bind, std::uint16_t port);
+  /// The advice names the options that the address and the port are from.
+  [[nodiscard]] Result<void> open(const std::string& bind, std::uint16_t port,
+                                  const ListenOptions& names = {});
+  /// Takes a socket that listens already and belongs to it from now on.
+  [[nodiscard]] Result<void> open_passed(int descriptor);
 
   /// Where it listens, with the real port; only after open().
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return endpoint_; }

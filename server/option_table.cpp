@@ -34,6 +34,18 @@ Complaint read_log_level(const std::string& word, TransmitterOptions& options) {
   return std::nullopt;
 }
 
+Complaint read_http(const std::string& word, TransmitterOptions& options) {
+  const std::size_t colon = word.rfind(':');
+  HttpAddress http;
+  if (colon == std::string::npos || colon == 0 ||
+      read_whole(std::string_view(word).substr(colon + 1), 0, 65535, http.port)) {
+    return "is not ADDR:PORT, such as 127.0.0.1:9465";
+  }
+  http.address = word.substr(0, colon);
+  options.http = http;
+  return std::nullopt;
+}
+
 Complaint read_log_format(const std::string& word, TransmitterOptions& options) {
   if (word != "text" && word != "json") return "is neither text nor json";
   options.log_format = word;
@@ -59,8 +71,10 @@ Complaint of_source(const std::string& word, TransmitterOptions& options) {
 }
 
 constexpr OptionRow kTable[] = {
-    {"source", "", Kind::Words, "", "files or recordings; classic clients get the first",
-     "A stream file, or a recording of an AU recogniser, told by what is in it. A stream's name is "
+    {"source", "", Kind::Words, "", "files, recordings or folders; the first is the default",
+     "A stream file, or a recording of an AU recogniser, told by what is in it, or a folder: "
+     "its .txt and .csv files are sources then, by name. A stream's "
+     "name is "
      "its file's name without the extension; a client that names none gets the first.",
      [](const std::string& word, TransmitterOptions& options) -> Complaint {
        options.sources.emplace_back(word);
@@ -141,6 +155,16 @@ constexpr OptionRow kTable[] = {
     {"stats", "FILE.json", Kind::Word, "", "on exit, write packets, bytes, seconds of every client",
      "Written whole or not at all. The totals count every client, the latest 1000 are listed.",
      read_text<&TransmitterOptions::stats>},
+    {"http", "ADDR:PORT", Kind::Word, "", "answer /healthz, /metrics and /status.json there",
+     "HTTP for a monitor: /healthz is 200 while clients are accepted and 503 while the transmitter "
+     "stops, /metrics is Prometheus' text, /status.json the same as one object. GET only, one "
+     "request a connection, 32 connections at a time. There is no password: keep it to this host "
+     "(127.0.0.1:PORT).",
+     read_http},
+    {"skip-bad", "", Kind::Flag, "false", "leave out sources that are broken and say so",
+     "Without it one broken source ends the start with 3 or 4, and on SIGHUP nothing is changed. "
+     "When no source is left it ends all the same.",
+     read_flag<&TransmitterOptions::skip_bad>},
     {"check", "", Kind::Flag, "false", "check the sources, print what they hold, serve nothing",
      "Ends with 0 when all of them can be served.", nullptr},
     {"rate", "HZ", Kind::Number, "", "",

@@ -25,8 +25,10 @@
 #include "server/catalogue.h"
 #include "server/connection.h"
 #include "server/credentials.h"
+#include "server/http_server.h"
 #include "server/listener.h"
 #include "server/live_beat.h"
+#include "server/service_manager.h"
 #include "server/status.h"
 
 namespace aucast::server {
@@ -41,6 +43,14 @@ constexpr std::size_t kRefusalsMax = 64;
 /// not so little that every packet has to wait for the one before.
 constexpr std::size_t kUnsentBytesLeast = 512;
 constexpr std::size_t kUnsentBytesMost = 65536;
+
+constexpr const char* kPlainText = "text/plain; charset=utf-8";
+
+/// How old an answer about the status may be.
+constexpr Milliseconds kStatusAge{250};
+
+/// How often the service manager hears of it.
+constexpr std::chrono::seconds kStatusEvery{10};
 
 /// A descriptor a client: take as many as the system lets us have.
 void raise_descriptor_limit() {
@@ -84,6 +94,7 @@ class Transmitter {
         end_signals_(io_, SIGINT, SIGTERM),
         other_signals_(io_, SIGHUP, SIGUSR1),
         stop_timer_(io_),
+        tick_timer_(io_),
         listener_(io_),
         programme_(std::make_shared<Programme>(io_, std::move(catalogue))),
         reloader_(io_, std::move(load), [this](Result<protocol::ServerCatalogue> loaded) {
@@ -92,7 +103,7 @@ class Transmitter {
 
   Result<void> run(const OnReady& on_ready) {
     if (auto loaded = load_credentials_now(); !loaded) return loaded;
-    if (auto opened = listener_.open(options_.bind, options_.port); !opened) return opened;
+    if (auto opened = open_listeners(); !opened) return opened;
     const std::string address = endpoint_text(listener_.endpoint());
     if (auto ready = on_ready(address); !ready) return ready;
     if (listener_.endpoint().address().is_loopback()) {
@@ -109,11 +120,74 @@ class Transmitter {
     listener_.start([this](tcp::socket socket, const tcp::endpoint& peer) {
       welcome(std::move(socket), peer);
     });
+    if (http_) http_->start();
+    manager_.ready(summary());
+    tick();
     io_.run();
     return {};
   }
 
  private:
+  Result<void> open_listeners() {
+    const auto passed = passed_socket();
+    if (!passed) return passed.error();
+    if (auto opened = *passed ? listener_.open_passed(**passed)
+                              : listener_.open(options_.bind, options_.port);
+        !opened) {
+      return opened;
+    }
+    if (*passed) spdlog::info("the service manager passed the socket; --bind and --port are idle");
+    if (!options_.http) return {};
+    http_.emplace(io_, [this](const std::string& path) { return answer(path); });
+    auto opened = http_->open(options_.http->address, options_.http->port);
+    if (!opened) return opened;
+    spdlog::info("status at http://{}/", endpoint_text(http_->endpoint()));
+    if (!http_->endpoint().address().is_loopback()) {
+      spdlog::warn("--http tells everybody who reaches that address how the transmitter is");
+    }
+    return {};
+  }
+
+  /// What --http answers.
+  HttpReply answer(const std::string& path) {
+    if (path == "/healthz")
+      return {stopping_ ? 503 : 200, kPlainText, stopping_ ? "stopping\n" : "ok\n"};
+    if (path == "/metrics")
+      return {200, "text/plain; version=0.0.4", metrics_text(recent_status())};
+    if (path == "/status.json") return {200, "application/json", status_json(recent_status())};
+    if (path == "/") return {200, kPlainText, "/healthz\n/metrics\n/status.json\n"};
+    return {404, kPlainText, "there are /healthz, /metrics and /status.json\n"};
+  }
+
+  /// However often it is asked for, the clients are counted a few times a second at most.
+  const Status& recent_status() {
+    const Instant now = std::chrono::steady_clock::now();
+    if (!recent_status_ || now - recent_status_at_ >= kStatusAge) {
+      recent_status_ = status();
+      recent_status_at_ = now;
+    }
+    return *recent_status_;
+  }
+
+  /// One line for the service manager.
+  [[nodiscard]] std::string summary() const {
+    return std::to_string(connections_.size()) + " clients, " +
+           std::to_string(programme_->catalogue.streams.size()) + " streams";
+  }
+
+  /// Tells the service manager that the loop goes round.
+  void tick() {
+    if (!manager_.present()) return;
+    if (manager_.watchdog()) manager_.alive();
+    manager_.status(summary());
+    const Duration pause =
+        std::min<Duration>(kStatusEvery, manager_.watchdog().value_or(kStatusEvery) / 2);
+    tick_timer_.expires_after(pause);
+    tick_timer_.async_wait([this](const std::error_code& error) {
+      if (!error) tick();
+    });
+  }
+
   Result<void> load_credentials_now() {
     auto loaded = load_credentials(options_.credentials);
     if (!loaded) return loaded.error();
@@ -126,6 +200,7 @@ class Transmitter {
   /// cannot be read changes nothing.
   void reload() {
     spdlog::info("SIGHUP: reading certificates, token and sources again");
+    manager_.reloading();
     if (const auto loaded = load_credentials_now(); !loaded) {
       ++reload_failures_;
       spdlog::error("{}; the certificates and token in use stay", loaded.error().message);
@@ -224,6 +299,11 @@ class Transmitter {
 
   void on_reloaded(Result<protocol::ServerCatalogue> loaded) {
     if (stopping_) return;
+    take_over(std::move(loaded));
+    manager_.ready(summary());
+  }
+
+  void take_over(Result<protocol::ServerCatalogue> loaded) {
     if (!loaded) {
       ++reload_failures_;
       std::istringstream lines(loaded.error().message);
@@ -254,6 +334,7 @@ class Transmitter {
       return;
     }
     spdlog::info("{}: ending the stream of {} clients", name, connections_.size());
+    manager_.stopping();
     listener_.stop();
     programme_->beat.stop();
     for (const auto& old : old_programmes_) old->beat.stop();
@@ -279,6 +360,8 @@ class Transmitter {
     end_signals_.cancel(ignored);
     other_signals_.cancel(ignored);
     stop_timer_.cancel();
+    tick_timer_.cancel();
+    if (http_) http_->stop();
   }
 
   [[nodiscard]] Status status() const {
@@ -323,11 +406,16 @@ class Transmitter {
   asio::signal_set end_signals_;
   asio::signal_set other_signals_;
   asio::steady_timer stop_timer_;
+  asio::steady_timer tick_timer_;
+  ServiceManager manager_;
   Listener listener_;
   std::shared_ptr<Programme> programme_;
   std::vector<std::shared_ptr<Programme>> old_programmes_;  ///< that clients are still served from
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;
   Reloader reloader_;
+  std::optional<HttpServer> http_;
+  std::optional<Status> recent_status_;
+  Instant recent_status_at_{};
   Instant begin_{};
   std::set<std::uint64_t> refused_;  ///< those that are heard only to be told so
   AddressCounts of_address_;         ///< of the others

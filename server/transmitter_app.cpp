@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -50,8 +51,20 @@ Result<void> try_stats_file(const std::filesystem::path& path) {
   return write_file_atomically(path, Stats().to_json());
 }
 
+/// The sources; what --skip-bad leaves out is said.
+Result<std::vector<Source>> load(const TransmitterOptions& options) {
+  std::vector<Error> skipped;
+  auto sources = load_sources(options.sources, options.source, options.keyframe_ms,
+                              options.skip_bad ? &skipped : nullptr);
+  for (const Error& error : skipped) {
+    std::istringstream lines(error.message);
+    for (std::string line; std::getline(lines, line);) spdlog::warn("left out: {}", line);
+  }
+  return sources;
+}
+
 int check(const TransmitterOptions& options) {
-  const auto sources = load_sources(options.sources, options.source, options.keyframe_ms);
+  const auto sources = load(options);
   if (!sources) return report(sources.error());
   const auto catalogue =
       make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
@@ -74,7 +87,7 @@ void say_what_was_found(const std::vector<Source>& sources) {
 
 /// What the options ask to be served, read and encoded now.
 Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& options) {
-  const auto sources = load_sources(options.sources, options.source, options.keyframe_ms);
+  const auto sources = load(options);
   if (!sources) return sources.error();
   auto catalogue =
       make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,13 @@
 #include "server/source_options.h"
 
 namespace aucast::server {
+
+/// Where --http answers.
+struct HttpAddress {
+  std::string address;     ///< of this host; brackets allowed
+  std::uint16_t port = 0;  ///< 0: any free one
+  friend bool operator==(const HttpAddress&, const HttpAddress&) = default;
+};
 
 /// Everything that au-transmitter's command line says.
 struct TransmitterOptions {
@@ -31,6 +39,8 @@ struct TransmitterOptions {
   std::filesystem::path stats;                  ///< empty: none
   bool check = false;                           ///< check the sources and serve nothing
   SourceOptions source;                         ///< how recordings are read
+  bool skip_bad = false;                        ///< broken sources are left out
+  std::optional<HttpAddress> http;              ///< nothing: no status by HTTP
   std::string log_level = "info";               ///< as common/log.h takes it
   std::string log_format = "text";              ///< or "json"
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;

@@ -75,6 +75,34 @@ TEST_F(ServerReload, BrokenFilesChangeNothingAndAreSaid) {
   EXPECT_EQ(server.terminate(), 0);
 }
 
+TEST_F(ServerReload, FolderIsLookedThroughAgain) {
+  static_cast<void>(write("1\n"));
+  RunningTransmitter server({folder_.path()});
+  std::string reply;
+  static_cast<void>(say_hello(server, "{hello stream=second}", reply));
+  EXPECT_TRUE(reply.starts_with("{error 404 ")) << reply;
+  folder_.write("second.txt", "Beg_Stream\n2\nEnd_Stream\n");
+  server.process().signal(SIGHUP);
+  ASSERT_TRUE(logs(server, "serving 2 streams now")) << server.log();
+  static_cast<void>(say_hello(server, "{hello stream=second}", reply));
+  EXPECT_TRUE(reply.starts_with("{hello ")) << reply;
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST(ServerSkipBad, ServesTheRestAndSaysWhatIsLeftOut) {
+  const TempFolder folder;
+  const auto bad = folder.write("bad.txt", "Beg_Stream\nnonsense\nEnd_Stream\n");
+  folder.write("good.txt", "Beg_Stream\n1\nEnd_Stream\n");
+  EXPECT_EQ(run({program("au-transmitter"), "--port", "0", folder.path()}).exit_code, 3);
+  RunningTransmitter server({"--skip-bad", folder.path()});
+  RawClient client = server.connect();
+  client.send("1");
+  EXPECT_EQ(client.receive_all(), "{1}{-2}");
+  EXPECT_EQ(server.terminate(), 0);
+  EXPECT_NE(server.log().find("left out: " + bad.string() + ":2:1: "), std::string::npos)
+      << server.log();
+}
+
 TEST_F(ServerReload, UnchangedFilesChangeNothing) {
   RunningTransmitter server({write("1\n")});
   server.process().signal(SIGHUP);

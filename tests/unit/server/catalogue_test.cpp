@@ -41,9 +41,40 @@ TEST(LoadSources, MissingFileIsUnreadable) {
   EXPECT_TRUE(has(error, "none.txt: cannot be read: No such file or directory"));
 }
 
-TEST(LoadSources, FolderIsUnreadable) {
+TEST(LoadSources, FolderIsServedByName) {
   const TempFolder folder;
-  EXPECT_EQ(error_of({folder.path()}).kind, ErrorKind::Unreadable);
+  for (const char* name : {"b.txt", "c.txt", "a.txt"}) folder.write(name, kTwo);
+  folder.write("README.md", "none of it");
+  folder.write(".hidden.txt", "none of it");
+  const auto sources = load_sources({folder.path()});
+  ASSERT_TRUE(sources) << sources.error().message;
+  ASSERT_EQ(sources->size(), 3U);
+  EXPECT_EQ(sources->at(0).name, "a");
+  EXPECT_EQ(sources->at(1).name, "b");
+  EXPECT_EQ(sources->at(2).name, "c");
+  EXPECT_EQ(error_of({folder.path() / "a.txt", folder.path()}).kind, ErrorKind::Usage) << "twice";
+}
+
+TEST(LoadSources, FolderWithoutStreamsIsBadData) {
+  const TempFolder folder;
+  const Error error = error_of({folder.path()});
+  EXPECT_EQ(error.kind, ErrorKind::BadData);
+  EXPECT_TRUE(has(error, "there is no .txt or .csv file in this folder"));
+}
+
+TEST(LoadSources, BrokenOnesAreLeftOutOnlyWhenAskedAndWhileAnyIsLeft) {
+  const TempFolder folder;
+  folder.write("good.txt", kTwo);
+  const auto bad = folder.write("bad.txt", "Beg_Stream\n1,100\nEnd_Stream\n");
+  EXPECT_EQ(error_of({folder.path()}).kind, ErrorKind::BadData);
+  std::vector<Error> skipped;
+  const auto sources = load_sources({folder.path()}, {}, 250, &skipped);
+  ASSERT_TRUE(sources);
+  ASSERT_EQ(sources->size(), 1U);
+  EXPECT_EQ(sources->at(0).name, "good");
+  ASSERT_EQ(skipped.size(), 1U);
+  EXPECT_TRUE(has(skipped[0], bad.string() + ":2:"));
+  EXPECT_FALSE(load_sources({bad}, {}, 250, &skipped)) << "nothing is left";
 }
 
 TEST(LoadSources, WrongFileIsBadDataWithItsPlace) {
