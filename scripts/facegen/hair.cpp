@@ -14,7 +14,7 @@ constexpr double kHanging = 0.45;
 /// Outside of hair that hangs down behind the ears.
 double hanging_distance(const Vec3& p) {
   const Vec3 q{p.x * 0.70, p.y, p.z};
-  return round_cone(q, {0, 2.0, -1.5}, {0, -4.4, -1.4}, 3.30, 3.0);
+  return round_cone(q, {0, 2.0, -1.5}, {0, -4.2, -1.4}, 3.30, 2.75);
 }
 
 /// A haircut over one head. s runs round the hairline in [-12, 12), negative on the right; t along
@@ -98,7 +98,8 @@ class Growth {
       const double root = glm::length(at.root - along.origin);
       const Vec3 outside = leave(along.origin, along.direction, hanging_distance);
       const double hang = glm::dot(outside - along.origin, along.direction) - root;
-      const double behind = smooth_step(6.9, 7.95, std::abs(s));
+      // Close to the neck in front, full at the back.
+      const double behind = smooth_step(6.9, 9.3, std::abs(s));
       at.thickness = -melt(-at.thickness, -std::max(hang, 0.0) * behind, 0.5);
     }
     return at;
@@ -153,7 +154,7 @@ void add_hair_vertex(Part& hair, const Identity& who, const Growth& growth, doub
   const Vec3 colour = mix(who.colours.hair, who.colours.hair_light, light) *
                       (0.70 + 0.30 * at.edge) * (1 - 0.45 * at.parting);
   hair.add(at.root + at.direction * height, colour,
-           smooth_step(0, 0.045, at.from_end - strands.fringe()));
+           smooth_step(0, 0.045, at.from_end - growth.cut().ragged * strands.fringe()));
 }
 
 }  // namespace

@@ -26,12 +26,12 @@ constexpr std::array<Key<Vec3>, 18> kLongHairline{{{0, {0, 6.95, 7.1}},
                                                    {12, {0, 2.7, -5.2}}}};
 
 /// Short, and gone over the temples.
-constexpr std::array<Key<Vec3>, 18> kRecedingHairline{{{0, {0, 7.75, 6.6}},
-                                                       {0.4, {0.6, 7.78, 6.5}},
-                                                       {1, {1.3, 8.05, 6.1}},
-                                                       {2, {2.35, 8.35, 4.9}},
-                                                       {3, {3.3, 7.55, 4.6}},
-                                                       {3.8, {4.0, 6.1, 4.5}},
+constexpr std::array<Key<Vec3>, 18> kRecedingHairline{{{0, {0, 6.88, 7.1}},
+                                                       {0.4, {0.6, 6.92, 7.05}},
+                                                       {1, {1.3, 7.12, 6.75}},
+                                                       {2, {2.4, 7.38, 5.85}},
+                                                       {3, {3.35, 6.6, 5.35}},
+                                                       {3.8, {3.98, 5.3, 4.9}},
                                                        {4.6, {4.3, 4.2, 4.0}},
                                                        {5.3, {4.45, 2.5, 3.15}},
                                                        {5.8, {4.5, 1.9, 2.65}},
@@ -135,6 +135,7 @@ Identity man_of_fifty() {
   hair.top = 0.34;
   hair.sweep = 0;
   hair.groove = 0.12;
+  hair.ragged = 1.8;
   Palette& colours = who.colours;
   colours.skin = {0.50, 0.295, 0.195};
   colours.flush = {0.50, 0.215, 0.155};

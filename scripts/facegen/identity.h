@@ -69,6 +69,7 @@ struct Haircut {
   double sweep = 0.50;       ///< more of it beside the parting
   double front_rise = 0.10;  ///< how slowly it rises from the forehead
   double groove = 0.16;      ///< depth between strands
+  double ragged = 1;         ///< unevenness of the hairline
   double fall = 0;           ///< how far it hangs down behind the ears
 };
 
