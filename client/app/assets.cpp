@@ -65,6 +65,19 @@ Result<std::vector<ExpressionMuscle>> read_muscles(const toml::node& node,
   return muscles;
 }
 
+/// pad = [x, y], each -1 to 1.
+Result<std::array<float, 2>> read_pad(const toml::node& node, const std::filesystem::path& file) {
+  const toml::array* pair = node.as_array();
+  const bool is_pair = pair != nullptr && pair->size() == 2;
+  const auto x = is_pair ? pair->get(0)->value<float>() : std::nullopt;
+  const auto y = is_pair ? pair->get(1)->value<float>() : std::nullopt;
+  const auto fits = [](float value) { return value >= -1 && value <= 1; };
+  if (!x || !y || !fits(*x) || !fits(*y)) {
+    return at(file, node.source(), "'pad' is not [x, y], each -1 to 1");
+  }
+  return std::array{*x, *y};
+}
+
 /// One [[expression]] table.
 Result<Expression> read_expression(const toml::table& table, const Spellings& spellings,
                                    const std::filesystem::path& file) {
@@ -75,6 +88,12 @@ Result<Expression> read_expression(const toml::table& table, const Spellings& sp
       auto muscles = read_muscles(node, spellings, file);
       if (!muscles) return muscles.error();
       expression.muscles = std::move(*muscles);
+      continue;
+    }
+    if (key == "pad") {
+      auto pad = read_pad(node, file);
+      if (!pad) return pad.error();
+      expression.pad = *pad;
       continue;
     }
     const auto text = node.value<std::string>();
@@ -90,7 +109,7 @@ Result<Expression> read_expression(const toml::table& table, const Spellings& sp
     } else {
       return at(file, key.source(),
                 "unknown key '" + std::string(key.str()) +
-                    "'; known are name, label, aus, muscles, source");
+                    "'; known are name, label, aus, muscles, source, pad");
     }
   }
   if (expression.name.empty()) return at(file, table.source(), "an expression without name");

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +30,7 @@ struct Expression {
   AuFrame aus;
   std::vector<ExpressionMuscle> muscles;
   std::string source;
+  std::optional<std::array<float, 2>> pad;  ///< place on the axes sad-happy and calm-excited
 };
 
 /// What the files say, read once at the start.

@@ -72,6 +72,16 @@ std::vector<gui::ExpressionButton> buttons_of(const std::vector<Expression>& exp
   return buttons;
 }
 
+std::vector<gui::PadPoint> pad_of(const std::vector<Expression>& expressions) {
+  std::vector<gui::PadPoint> points;
+  for (const Expression& expression : expressions) {
+    if (!expression.pad) continue;
+    points.push_back(
+        {expression.label, (*expression.pad)[0], (*expression.pad)[1], expression.aus});
+  }
+  return points;
+}
+
 }  // namespace
 
 WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
@@ -93,6 +103,8 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
   pipeline_.emplace(face_, rules_,
                     pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
   buttons_ = buttons_of(assets.expressions);
+  pad_ = std::make_shared<const std::vector<gui::PadPoint>>(pad_of(assets.expressions));
+  show_composed();
   rendering_.blinking = options.playback.blink_seed.has_value();
   rendering_.blink.seed = options.playback.blink_seed.value_or(kBlinkSeed);
   rendering_.layers = options.output.layers;
@@ -173,6 +185,8 @@ const std::vector<float>& WindowSession::activations(Instant now) {
   if (shown_ == Shown::Editor) {
     if (transition_ && transition_->over(now)) transition_.reset();
     face_now_ = transition_ ? transition_->at(now) : editor_.activations();
+  } else if (shown_ == Shown::Composer) {
+    face_now_ = composed_;
   } else if (local_) {
     face_now_ = pipeline_->at(local_->mu());
   } else if (controller_.moment().keyframe > 0) {
@@ -318,6 +332,7 @@ void WindowSession::carry_out(const gui::ChangeAnimation& command, Instant) {
   }
   animation_ = command.settings;
   pipeline_->set_options({animation_.mixer, animation_.interpolation});
+  show_composed();
   // A face that stands is made anew, so that the change is seen at once.
   if (local_) {
     local_->begin(*pipeline_);
@@ -425,7 +440,7 @@ void WindowSession::carry_out(const gui::Leave& command, Instant) {
 
 void WindowSession::ask_to_leave() {
   // Asking twice is an answer.
-  leaving_ = asks_to_leave_ || !editor_.unsaved();
+  leaving_ = asks_to_leave_ || !(editor_.unsaved() || composer_.unsaved());
   asks_to_leave_ = !leaving_;
 }
 
@@ -510,6 +525,7 @@ gui::GuiModel WindowSession::model() const {
   model.notice = notice_;
   model.animation = animation_;
   model.editor = editor_view();
+  model.composer = composer_view();
   for (const auto& [number, recording] : face_.recordings) {
     if (number == 0) continue;
     const auto name = facs_name(number);

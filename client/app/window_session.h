@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/face/face.h"
+#include "client/gui/composer.h"
 #include "client/gui/expression_editor.h"
 #include "client/gui/file_browser.h"
 #include "client/gui/gui_commands.h"
@@ -70,7 +72,7 @@ class WindowSession {
 
  private:
   /// Whose face is shown.
-  enum class Shown : std::uint8_t { Playback, Editor };
+  enum class Shown : std::uint8_t { Playback, Editor, Composer };
 
   void carry_out(const gui::Connect& command, Instant now);
   void carry_out(const gui::Pause&, Instant now);
@@ -91,6 +93,7 @@ class WindowSession {
   void carry_out(const gui::LookFrom&, Instant) {}
   void carry_out(const gui::Leave& command, Instant now);
   void carry_out(const gui::LocalCommand& command, Instant now);
+  void carry_out(const gui::ComposerCommand& command, Instant now);
   void carry_out(const gui::Browse& command, Instant now);
   void carry_out(const gui::EnterFolder& command, Instant now);
   void carry_out(const gui::ChooseFile& command, Instant now);
@@ -102,6 +105,26 @@ class WindowSession {
   void begin_keyframe(const AuFrame& aus);
   void explain(const AuFrame& aus);
   void advance_local(Instant now);
+  // Of the composer.
+  void compose(const gui::ComposeAu& command, Instant now);
+  void compose(const gui::ComposeMood& command, Instant now);
+  void compose(const gui::ComposeNeutral&, Instant now);
+  void compose(const gui::ComposeTime& command, Instant now);
+  void compose(const gui::AddKeyframe&, Instant now);
+  void compose(const gui::ChooseKeyframe& command, Instant now);
+  void compose(const gui::RemoveKeyframe&, Instant now);
+  void compose(const gui::MoveKeyframe& command, Instant now);
+  void compose(const gui::UndoComposing&, Instant now);
+  void compose(const gui::RedoComposing&, Instant now);
+  void compose(const gui::NewComposition&, Instant now);
+  void compose(const gui::PlayComposition&, Instant now);
+  void compose(const gui::SaveComposition&, Instant now);
+  void edit_composition(Instant now);
+  void show_composed();
+  void load_composition(const std::filesystem::path& file, Instant now);
+  void save_composition(const std::filesystem::path& file, Instant now);
+  [[nodiscard]] std::filesystem::path own_folder() const;
+  [[nodiscard]] gui::ComposerView composer_view() const;
   void play_local(std::string name, const std::vector<playback::TimedAus>& keyframes);
   void replace_source(std::unique_ptr<playback::KeyframeSource> source,
                       std::optional<Milliseconds> speed, Instant now);
@@ -153,7 +176,15 @@ class WindowSession {
     std::uint64_t bytes = 0;
   };
   std::vector<Level> levels_;  ///< of the last half minute
+  gui::Composer composer_;
+  std::uint64_t composed_revision_ = 0;  ///< that composer_rows_ are of
+  std::shared_ptr<const std::vector<gui::TimelineRow>> composer_rows_;
+  std::string composer_total_;
+  std::shared_ptr<const std::vector<gui::PadPoint>> pad_;
+  std::optional<std::array<float, 2>> pad_at_;
+  std::vector<float> composed_;  ///< the face of the keyframe being composed
   gui::FileBrowser browser_;
+  std::filesystem::path own_folder_;
   std::filesystem::path last_folder_;  ///< where the file dialog begins
   gui::Notice notice_;
   Instant notice_until_{};

@@ -64,7 +64,10 @@ void WindowSession::carry_out(const gui::OpenStream& command, Instant now) {
 }
 
 void WindowSession::carry_out(const gui::Browse& command, Instant) {
-  browser_.open(command.purpose, last_folder_);
+  const bool saving = gui::is_saving(command.purpose);
+  std::string name;
+  if (saving) name = std::filesystem::path(composer_.file()).filename().string();
+  browser_.open(command.purpose, saving ? own_folder() : last_folder_, name);
 }
 
 void WindowSession::carry_out(const gui::EnterFolder& command, Instant) {
@@ -74,7 +77,16 @@ void WindowSession::carry_out(const gui::EnterFolder& command, Instant) {
 void WindowSession::carry_out(const gui::ChooseFile& command, Instant now) {
   std::filesystem::path file;
   if (!browser_.view().open || !browser_.choose(command.file, file)) return;
-  carry_out(gui::OpenStream{file.string()}, now);
+  switch (browser_.view().purpose) {
+    case gui::Purpose::PlayStream:
+      return carry_out(gui::OpenStream{file.string()}, now);
+    case gui::Purpose::ComposeStream:
+      return load_composition(file, now);
+    case gui::Purpose::SaveStream:
+      return save_composition(file, now);
+    case gui::Purpose::ExportKeyframes:
+      break;
+  }
 }
 
 void WindowSession::carry_out(const gui::CloseBrowser&, Instant) {

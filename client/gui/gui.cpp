@@ -122,7 +122,9 @@ void state_line(const Look& look, const GuiModel& model) {
   ImGui::TextUnformatted(remote.state.c_str());
   ImGui::PopFont();
   // On the same line, so that nothing below moves when a face is edited.
-  const std::string beside = model.editor.active ? "shown: the expression panel" : remote.keyframe;
+  const std::string beside = model.editor.active     ? "shown: the expression panel"
+                             : model.composer.active ? "shown: the composer"
+                                                     : remote.keyframe;
   if (!beside.empty()) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", beside.c_str());
@@ -179,7 +181,8 @@ void leave_question(GuiCommands& commands) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  ImGui::TextUnformatted("The expression has changes that are not saved.");
+  ImGui::TextUnformatted(
+      "There are changes that are not saved: in the expression or the composer.");
   ImGui::Spacing();
   if (ImGui::Button("Stay")) {
     commands.push_back(Leave{false});
@@ -200,6 +203,7 @@ struct Gui::State {
   RemoteForm remote;
   ExpressionForm expression;
   FileForm file;
+  ComposerForm composer;
   bool panel = true;
   bool keys = false;
 
@@ -232,6 +236,7 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
       };
       tab("Play", [&] { remote_panel(look, model, remote, commands); });
       tab("Expression", [&] { expression_panel(look, model, expression, commands); });
+      tab("Compose", [&] { composer_panel(look, model, composer, commands); });
       tab("View", [&] { rendering_panel(look, model, commands); });
       ImGui::EndTabBar();
     }

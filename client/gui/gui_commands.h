@@ -79,8 +79,8 @@ struct CloseNotice {};
 using GuiCommand =
     std::variant<Connect, Pause, Resume, Stop, ChangeAnimation, ShowExpression, ChangeTransition,
                  SetChannel, SetLinked, LoadAu, SaveAu, RevertAu, NeutralFace, Undo, Redo,
-                 ChangeRendering, LookFrom, Leave, LocalCommand, Browse, EnterFolder, ChooseFile,
-                 CloseBrowser, OpenStream, CloseNotice>;
+                 ChangeRendering, LookFrom, Leave, LocalCommand, ComposerCommand, Browse,
+                 EnterFolder, ChooseFile, CloseBrowser, OpenStream, CloseNotice>;
 using GuiCommands = std::vector<GuiCommand>;
 
 }  // namespace aucast::gui

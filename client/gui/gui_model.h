@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/face/muscle_mixer.h"
+#include "client/gui/composer_view.h"
 #include "client/gui/file_browser.h"
 #include "client/gui/remote_settings.h"
 #include "client/gui/stream_view.h"
@@ -170,6 +171,7 @@ struct GuiModel {
   Notice notice;
   AnimationSettings animation;
   EditorView editor;
+  ComposerView composer;
   std::vector<AuEntry> known_aus;
   std::vector<ExpressionButton> expressions;
   TransitionSettings transition;

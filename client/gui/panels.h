@@ -28,6 +28,15 @@ struct ExpressionForm {
 void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
                       GuiCommands& commands);
 
+/// What belongs to the composer's widgets.
+struct ComposerForm {
+  bool linked = true;  ///< one slider for both sides
+};
+
+/// Faces made of AUs, put in a row as a stream.
+void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
+                    GuiCommands& commands);
+
 /// The bar under the face by which a stream that is there whole is played; `width`: what the side
 /// panel leaves free.
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);

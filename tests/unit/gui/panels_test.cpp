@@ -219,6 +219,37 @@ TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {
   EXPECT_TRUE(plays);
 }
 
+TEST_F(Panels, AFaceIsComposedByClickingAndPutInARow) {
+  model_.composer.rows = std::make_shared<const std::vector<TimelineRow>>();
+  model_.composer.pad = std::make_shared<const std::vector<PadPoint>>();
+  const auto composed = [](const GuiCommands& all, auto wanted) {
+    using Wanted = decltype(wanted);
+    std::optional<Wanted> found;
+    for (const GuiCommand& command : all) {
+      const auto* one = std::get_if<ComposerCommand>(&command);
+      if (one != nullptr && std::holds_alternative<Wanted>(*one)) found = std::get<Wanted>(*one);
+    }
+    return found;
+  };
+  static_cast<void>(click(610, 54));  // the tab
+  std::optional<ComposeMood> mood;
+  std::optional<ComposeAu> au;
+  bool added = false;
+  for (float y = 330; y < kHeight; y += 12) {
+    const GuiCommands all = click(450, y);
+    if (!mood) mood = composed(all, ComposeMood{});
+    if (!au) au = composed(all, ComposeAu{});
+    added |= composed(all, AddKeyframe{}).has_value();
+  }
+  EXPECT_TRUE(added);
+  ASSERT_TRUE(mood.has_value());
+  EXPECT_LT(mood->x, -0.8F) << "the sad side";
+  EXPECT_GT(mood->y, 0.5F) << "the excited end";
+  ASSERT_TRUE(au.has_value());
+  EXPECT_EQ(au->number, 12);
+  EXPECT_EQ(au->left_percent, 100);
+}
+
 TEST_F(Panels, TheFileDialogChoosesAFile) {
   model_.browser.open = true;
   model_.browser.folder = "/streams";

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "client/gui/composer.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// The text of a stream file with these keyframes, read back by the same reader before it is handed
+/// out. Failed when there is none.
+[[nodiscard]] Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes);
+
+/// Writes that text whole or not at all and returns a sentence about where it went. A file that
+/// says something else stays beside it with a ~ at its end, because it may have comments.
+[[nodiscard]] Result<std::string> save_stream(const gui::Composer::Keyframes& keyframes,
+                                              const std::filesystem::path& file);
+
+}  // namespace aucast::app

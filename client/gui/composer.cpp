@@ -1,0 +1,167 @@
+#include "client/gui/composer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aucast::gui {
+namespace {
+
+/// More steps than anybody takes back.
+constexpr std::size_t kStepsMax = 500;
+
+bool same(const Composer::Keyframes& a, const Composer::Keyframes& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one == other || *one == *other;
+  });
+}
+
+float intensity(int percent) {
+  return static_cast<float>(std::clamp(percent, 0, 100)) / 100.0F;
+}
+
+}  // namespace
+
+const ComposedKeyframe& Composer::current() const {
+  return now_.chosen ? *now_.keyframes[*now_.chosen] : now_.fresh;
+}
+
+bool Composer::unsaved() const {
+  return now_.fresh_touched || !same(now_.keyframes, now_.stored);
+}
+
+void Composer::step(State next, bool continued) {
+  ++revision_;
+  future_.clear();
+  if (continued && !past_.empty()) {
+    now_ = std::move(next);
+    return;
+  }
+  if (past_.size() == kStepsMax) past_.erase(past_.begin());
+  past_.push_back(std::exchange(now_, std::move(next)));
+}
+
+void Composer::change_current(const ComposedKeyframe& keyframe, bool continued) {
+  if (keyframe == current()) return;
+  State next = now_;
+  if (next.chosen) {
+    next.keyframes[*next.chosen] = std::make_shared<const ComposedKeyframe>(keyframe);
+  } else {
+    next.fresh_touched |= keyframe.aus != next.fresh.aus;
+    next.fresh = keyframe;
+    if (next.fresh.aus == AuFrame{}) next.fresh_touched = false;
+  }
+  step(std::move(next), continued);
+}
+
+void Composer::set_au(int number, int left_percent, int right_percent, bool continued) {
+  if (number < 1 || number > kAuNumberMax) return;
+  ComposedKeyframe keyframe = current();
+  const auto index = static_cast<std::size_t>(number);
+  keyframe.aus.left[index] = intensity(left_percent);
+  keyframe.aus.right[index] = intensity(right_percent);
+  change_current(keyframe, continued);
+}
+
+void Composer::set_aus(const AuFrame& aus, bool continued) {
+  ComposedKeyframe keyframe = current();
+  keyframe.aus = aus;
+  change_current(keyframe, continued);
+}
+
+void Composer::set_time(std::optional<std::uint32_t> ms, bool continued) {
+  ComposedKeyframe keyframe = current();
+  keyframe.ms = ms;
+  if (ms) keyframe.ms = std::min(*ms, kMsMax);
+  change_current(keyframe, continued);
+}
+
+void Composer::add() {
+  State next = now_;
+  const auto added = std::make_shared<const ComposedKeyframe>(current());
+  if (next.chosen) {
+    next.chosen = *next.chosen + 1;
+    next.keyframes.insert(next.keyframes.begin() + static_cast<std::ptrdiff_t>(*next.chosen),
+                          added);
+  } else {
+    next.keyframes.push_back(added);
+    next.fresh_touched = false;
+  }
+  step(std::move(next));
+}
+
+void Composer::choose(std::optional<std::size_t> keyframe) {
+  if (keyframe && *keyframe >= now_.keyframes.size()) return;
+  if (keyframe == now_.chosen) return;
+  State next = now_;
+  // A new keyframe that was not added waits until somebody comes back to it.
+  if (!keyframe && !next.fresh_touched) next.fresh = current();
+  next.chosen = keyframe;
+  step(std::move(next));
+}
+
+void Composer::remove() {
+  if (!now_.chosen) return;
+  State next = now_;
+  next.keyframes.erase(next.keyframes.begin() + static_cast<std::ptrdiff_t>(*next.chosen));
+  if (next.keyframes.empty()) {
+    next.chosen.reset();
+  } else {
+    next.chosen = std::min(*next.chosen, next.keyframes.size() - 1);
+  }
+  step(std::move(next));
+}
+
+void Composer::move(int direction) {
+  if (!now_.chosen) return;
+  const std::size_t from = *now_.chosen;
+  if (direction < 0 ? from == 0 : from + 1 == now_.keyframes.size()) return;
+  const std::size_t to = direction < 0 ? from - 1 : from + 1;
+  State next = now_;
+  std::swap(next.keyframes[from], next.keyframes[to]);
+  next.chosen = to;
+  step(std::move(next));
+}
+
+void Composer::load(const std::vector<ComposedKeyframe>& keyframes, std::string file) {
+  State next;
+  for (const ComposedKeyframe& keyframe : keyframes) {
+    next.keyframes.push_back(std::make_shared<const ComposedKeyframe>(keyframe));
+  }
+  next.stored = next.keyframes;
+  next.file = std::move(file);
+  if (!next.keyframes.empty()) next.chosen = 0;
+  step(std::move(next));
+}
+
+void Composer::begin_anew() {
+  step({});
+}
+
+void Composer::saved(std::string file) {
+  ++revision_;
+  now_.stored = now_.keyframes;
+  now_.file = file;
+  // The file has changed under every step that was about it: going back to one of them is a change
+  // that has not been saved.
+  for (std::vector<State>* steps : {&past_, &future_}) {
+    for (State& state : *steps) {
+      if (state.file == file) state.stored = now_.stored;
+    }
+  }
+}
+
+void Composer::undo() {
+  if (past_.empty()) return;
+  ++revision_;
+  future_.push_back(std::exchange(now_, std::move(past_.back())));
+  past_.pop_back();
+}
+
+void Composer::redo() {
+  if (future_.empty()) return;
+  ++revision_;
+  past_.push_back(std::exchange(now_, std::move(future_.back())));
+  future_.pop_back();
+}
+
+}  // namespace aucast::gui

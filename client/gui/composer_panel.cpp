@@ -1,0 +1,250 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr float kTimelineHeight = 118;
+constexpr float kPadHeight = 138;
+constexpr float kSnap = 5;
+constexpr int kAuColumns = 9;
+
+void ask(GuiCommands& commands, ComposerCommand command) {
+  commands.push_back(std::move(command));
+}
+
+/// A change of something that is dragged belongs to the press that began it.
+bool belongs_to_drag() {
+  return !ImGui::IsItemActivated() && ImGui::IsMouseDown(0) &&
+         ImGui::GetIO().MouseDownDuration[0] > 0;
+}
+
+void file_buttons(const ComposerView& composer, GuiCommands& commands) {
+  if (wide_button("New", 0, 4, true)) ask(commands, NewComposition{});
+  if (wide_button("Open...", 1, 4, true)) commands.push_back(Browse{Purpose::ComposeStream});
+  const bool any = !composer.rows->empty();
+  if (wide_button("Save", 2, 4, any && composer.unsaved)) ask(commands, SaveComposition{});
+  if (wide_button("Save as...", 3, 4, any)) commands.push_back(Browse{Purpose::SaveStream});
+}
+
+void timeline(const Look& look, const ComposerView& composer, GuiCommands& commands) {
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8 * look.scale, 6 * look.scale));
+  const bool visible = ImGui::BeginChild("timeline", ImVec2(0, kTimelineHeight * look.scale), false,
+                                         ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  if (visible) {
+    if (composer.rows->empty()) quiet_text("Make a face below and add it here.");
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(composer.rows->size()));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        const TimelineRow& row = (*composer.rows)[static_cast<std::size_t>(i)];
+        ImGui::PushID(i);
+        const std::string text = std::to_string(i + 1) + "   " + row.aus;
+        if (ImGui::Selectable("##row", i == composer.chosen)) {
+          ask(commands, ChooseKeyframe{i == composer.chosen ? -1 : i});
+        }
+        ImGui::SameLine(0, 0);
+        const float right =
+            ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(row.time.c_str()).x;
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float end = ImGui::GetWindowPos().x + right - 10 * look.scale;
+        ImGui::PushClipRect(at, ImVec2(end, at.y + 100), true);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopClipRect();
+        ImGui::SameLine(right);
+        ImGui::TextDisabled("%s", row.time.c_str());
+        ImGui::PopID();
+      }
+    }
+  }
+  ImGui::EndChild();
+}
+
+void timeline_part(const Look& look, const ComposerView& composer, GuiCommands& commands) {
+  std::string name = std::filesystem::path(composer.file).filename().string();
+  if (name.empty()) name = "New stream";
+  heading(look, (name + (composer.unsaved ? "  (not saved)" : "")).c_str());
+  if (!composer.file.empty() && ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("%s", composer.file.c_str());
+  }
+  file_buttons(composer, commands);
+  timeline(look, composer, commands);
+  const bool chosen = composer.chosen >= 0;
+  const int last = static_cast<int>(composer.rows->size()) - 1;
+  if (wide_button("Play", 0, 4, last >= 0)) ask(commands, PlayComposition{});
+  if (wide_button("Up", 1, 4, composer.chosen > 0)) ask(commands, MoveKeyframe{-1});
+  if (wide_button("Down", 2, 4, chosen && composer.chosen < last)) ask(commands, MoveKeyframe{1});
+  if (wide_button("Delete", 3, 4, chosen)) ask(commands, RemoveKeyframe{});
+  quiet_text(composer.total);
+}
+
+void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommands& commands) {
+  bool own = composer.ms >= 0;
+  label(look, "Time in ms");
+  if (ImGui::Checkbox("##own", &own)) ask(commands, ComposeTime{own ? 500 : -1, false});
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("off: the time that the player gives");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  int ms = std::max(composer.ms, 0);
+  ImGui::BeginDisabled(composer.ms < 0);
+  if (ImGui::InputInt("##ms", &ms, 50, 500)) ask(commands, ComposeTime{std::max(ms, 0), false});
+  ImGui::EndDisabled();
+}
+
+/// The two emotional axes of thesis figure 3.3, with the prototypes where they lie.
+void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, kPadHeight * look.scale);
+  ImGui::InvisibleButton("##pad", size);
+  const bool active = ImGui::IsItemActive();
+  const bool continued = belongs_to_drag();
+  const ImVec2 to(from.x + size.x, from.y + size.y);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float margin = 14 * look.scale;
+  const ImVec2 middle((from.x + to.x) / 2, (from.y + to.y) / 2);
+  const ImVec2 reach(size.x / 2 - margin, size.y / 2 - margin);
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                     ImGui::GetStyle().FrameRounding);
+  const unsigned line = ImGui::GetColorU32(ImGuiCol_Border);
+  list.AddLine(ImVec2(from.x + margin, middle.y), ImVec2(to.x - margin, middle.y), line);
+  list.AddLine(ImVec2(middle.x, from.y + margin), ImVec2(middle.x, to.y - margin), line);
+  const unsigned quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  const float row = ImGui::GetTextLineHeight();
+  const auto word = [&](const char* text, float x, float y) {
+    list.AddText(ImVec2(x, y), quiet, text);
+  };
+  const float gap = 4 * look.scale;
+  word("sad", from.x + gap, middle.y);
+  word("happy", to.x - ImGui::CalcTextSize("happy").x - gap, middle.y);
+  word("excited", middle.x - ImGui::CalcTextSize("excited").x - gap, from.y + gap / 2);
+  word("calm", middle.x - ImGui::CalcTextSize("calm").x - gap, to.y - row - gap / 2);
+  for (const PadPoint& point : *composer.pad) {
+    const ImVec2 at(middle.x + point.x * reach.x, middle.y - point.y * reach.y);
+    list.AddCircleFilled(at, 3 * look.scale, ImGui::GetColorU32(ImGuiCol_SliderGrab), 16);
+    const float width = ImGui::CalcTextSize(point.label.c_str()).x;
+    // Beside the dot, towards the middle, where there is room.
+    const float x = point.x > 0.3F ? at.x - width - 6 * look.scale : at.x + 6 * look.scale;
+    list.AddText(ImVec2(x, at.y - row / 2), ImGui::GetColorU32(ImGuiCol_Text), point.label.c_str());
+  }
+  if (composer.pad_at) {
+    const ImVec2 at(middle.x + (*composer.pad_at)[0] * reach.x,
+                    middle.y - (*composer.pad_at)[1] * reach.y);
+    list.AddCircle(at, 7 * look.scale, colour_of(Tone::Waiting), 24, 2 * look.scale);
+  }
+  if (!active) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  float x = std::clamp((mouse.x - middle.x) / reach.x, -1.0F, 1.0F);
+  float y = std::clamp((middle.y - mouse.y) / reach.y, -1.0F, 1.0F);
+  for (const PadPoint& point : *composer.pad) {
+    // Close to a prototype one means it.
+    const bool close = std::abs(x - point.x) * reach.x < kSnap * look.scale &&
+                       std::abs(y - point.y) * reach.y < kSnap * look.scale;
+    if (close) x = point.x;
+    if (close) y = point.y;
+  }
+  const std::array<float, 2> wanted{x, y};
+  if (composer.pad_at == wanted) return;
+  ask(commands, ComposeMood{x, y, continued});
+}
+
+/// All AUs that the face has, as small buttons: on is 100 %.
+void au_grid(const GuiModel& model, GuiCommands& commands) {
+  const ComposerView& composer = model.composer;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width =
+      (ImGui::GetContentRegionAvail().x - gap * (kAuColumns - 1)) / static_cast<float>(kAuColumns);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+  int place = 0;
+  for (const AuEntry& entry : model.known_aus) {
+    const bool on = std::any_of(composer.aus.begin(), composer.aus.end(),
+                                [&](const auto& one) { return one.number == entry.number; });
+    if (place++ % kAuColumns != 0) ImGui::SameLine(0, gap);
+    ImGui::PushID(entry.number);
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+    if (ImGui::Button(std::to_string(entry.number).c_str(), ImVec2(width, 0))) {
+      const int percent = on ? 0 : 100;
+      ask(commands, ComposeAu{entry.number, percent, percent, false});
+    }
+    if (on) ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%d  %s", entry.number, entry.name.c_str());
+    ImGui::PopID();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+/// One slider of an AU: changed, `value` is the new one.
+bool percent_slider(const char* id, float width, int& value, bool& continued) {
+  ImGui::SetNextItemWidth(width);
+  const bool changed = ImGui::SliderInt(id, &value, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);
+  continued = belongs_to_drag();
+  return changed;
+}
+
+void au_sliders(const Look& look, const ComposerView& composer, bool linked,
+                GuiCommands& commands) {
+  for (const ComposedAu& au : composer.aus) {
+    ImGui::PushID(au.number);
+    ImGui::AlignTextToFramePadding();
+    const std::string text = std::to_string(au.number) + "  " + au.name;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float column = 176 * look.scale;
+    ImGui::PushClipRect(at, ImVec2(at.x + column - 8 * look.scale, at.y + 100), true);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopClipRect();
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + column);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    int left = au.left_percent;
+    int right = au.right_percent;
+    bool continued = false;
+    bool changed = false;
+    if (linked && left == right) {
+      changed = percent_slider("##both", width, left, continued);
+      right = left;
+    } else {
+      // As one sees them: the subject's right is at the viewer's left.
+      bool more = false;
+      changed = percent_slider("##right", (width - gap) / 2, right, continued);
+      ImGui::SameLine(0, gap);
+      changed |= percent_slider("##left", (width - gap) / 2, left, more);
+      continued |= more;
+    }
+    if (changed) ask(commands, ComposeAu{au.number, left, right, continued});
+    ImGui::PopID();
+  }
+}
+
+}  // namespace
+
+void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
+                    GuiCommands& commands) {
+  const ComposerView& composer = model.composer;
+  if (composer.rows == nullptr || composer.pad == nullptr) return;
+  timeline_part(look, composer, commands);
+  const bool chosen = composer.chosen >= 0;
+  heading(look,
+          chosen ? ("Keyframe " + std::to_string(composer.chosen + 1)).c_str() : "New keyframe");
+  const char* add = chosen ? "Double it" : "Add it";
+  if (wide_button(add, 0, 4, true, !chosen)) ask(commands, AddKeyframe{});
+  if (wide_button("Neutral", 1, 4, true)) ask(commands, ComposeNeutral{});
+  if (wide_button("Undo", 2, 4, composer.can_undo)) ask(commands, UndoComposing{});
+  if (wide_button("Redo", 3, 4, composer.can_redo)) ask(commands, RedoComposing{});
+  time_of_keyframe(look, composer, commands);
+  pad(look, composer, commands);
+  au_grid(model, commands);
+  if (composer.aus.empty()) return;
+  ImGui::Checkbox("left and right together", &form.linked);
+  au_sliders(look, composer, form.linked, commands);
+}
+
+}  // namespace aucast::gui

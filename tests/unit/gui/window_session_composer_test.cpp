@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include "client/app/window_session.h"
+#include "common/files.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::app {
+namespace {
+
+using gui::ComposerCommand;
+
+/// The composer on the default face.
+class ComposerSessionTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    auto loaded = load_assets({});
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    assets_ = std::move(*loaded);
+  }
+  static void TearDownTestSuite() { assets_.reset(); }
+
+  void SetUp() override { session_.emplace(*assets_, options_, nullptr, stats_); }
+  void compose(const ComposerCommand& command) { ask(command); }
+  void ask(const gui::GuiCommand& command) {
+    session_->apply(command, clock_.now());
+    session_->advance(clock_.now());
+  }
+  [[nodiscard]] float shown(const char* channel) {
+    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
+  }
+  [[nodiscard]] gui::GuiModel model() const { return session_->model(); }
+  /// Two keyframes: jaw open, then shut.
+  void make_two() {
+    compose(gui::ComposeAu{26, 100, 100, false});
+    compose(gui::AddKeyframe{});
+    compose(gui::ComposeNeutral{});
+    compose(gui::AddKeyframe{});
+  }
+
+  static std::unique_ptr<Assets> assets_;
+  PlayerOptions options_;
+  PlayerStats stats_;
+  test::ManualClock clock_;
+  std::optional<WindowSession> session_;
+};
+
+std::unique_ptr<Assets> ComposerSessionTest::assets_;
+
+TEST_F(ComposerSessionTest, TheFaceShowsWhatIsComposedWithTheRules) {
+  compose(gui::ComposeAu{51, 100, 100, false});
+  compose(gui::ComposeAu{52, 40, 40, false});
+  EXPECT_TRUE(model().composer.active);
+  EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
+  gui::AnimationSettings settings = model().animation;
+  settings.rules = "none";
+  ask(gui::ChangeAnimation{settings});
+  EXPECT_FLOAT_EQ(shown("head_turn_left"), 1.0F);
+  ASSERT_EQ(model().composer.aus.size(), 2U);
+  EXPECT_EQ(model().composer.aus[1].name, "Head Turn Right");
+}
+
+TEST_F(ComposerSessionTest, WhatIsComposedIsPlayed) {
+  make_two();
+  EXPECT_EQ(model().composer.total, "2 keyframes, 1.00 s");
+  ASSERT_EQ(model().composer.rows->size(), 2U);
+  EXPECT_EQ((*model().composer.rows)[0].aus, "26");
+  compose(gui::PlayComposition{});
+  EXPECT_FALSE(model().composer.active);
+  EXPECT_EQ(model().local.total, Milliseconds(1000));
+  clock_.advance(Milliseconds(500));
+  session_->advance(clock_.now());
+  EXPECT_GT(shown("jaw"), 1);
+  clock_.advance(Milliseconds(600));
+  session_->advance(clock_.now());
+  EXPECT_EQ(shown("jaw"), 0);
+}
+
+TEST_F(ComposerSessionTest, ThePadBlendsThePrototypesOfTheData) {
+  ASSERT_GE(model().composer.pad->size(), 6U);
+  for (const gui::PadPoint& point : *model().composer.pad) {
+    compose(gui::ComposeMood{point.x, point.y, false});
+    std::vector<AuTerm> composed;
+    for (const gui::ComposedAu& au : model().composer.aus) {
+      composed.push_back({static_cast<std::uint8_t>(au.number), Side::Both,
+                          static_cast<std::uint8_t>(au.left_percent)});
+    }
+    EXPECT_EQ(composed, canonical_terms(point.aus)) << point.label;
+  }
+}
+
+TEST_F(ComposerSessionTest, SavedFromTheDialogAndLoadedAgain) {
+  const test::TempFolder folder;
+  make_two();
+  EXPECT_TRUE(model().composer.unsaved);
+  compose(gui::SaveComposition{});
+  ASSERT_TRUE(model().browser.open) << "it has no file yet";
+  EXPECT_EQ(model().browser.name, "composed.txt");
+  ask(gui::EnterFolder{folder.path().string()});
+  ask(gui::ChooseFile{"mine.txt"});
+  EXPECT_FALSE(model().browser.open);
+  EXPECT_FALSE(model().composer.unsaved);
+  const auto file = folder.path() / "mine.txt";
+  EXPECT_NE(model().notice.text.find(file.string()), std::string::npos);
+  EXPECT_EQ(*read_file(file), "Beg_Stream\n26;500\n0;500\nEnd_Stream\n");
+
+  compose(gui::NewComposition{});
+  EXPECT_TRUE(model().composer.rows->empty());
+  ask(gui::Browse{gui::Purpose::ComposeStream});
+  ask(gui::ChooseFile{file.string()});
+  EXPECT_EQ(model().composer.rows->size(), 2U);
+  EXPECT_EQ(model().composer.file, file.string());
+  compose(gui::ComposeTime{-1, false});
+  compose(gui::SaveComposition{});
+  EXPECT_FALSE(model().browser.open) << "it has a file";
+  EXPECT_EQ(*read_file(file), "Beg_Stream\n26\n0;500\nEnd_Stream\n");
+}
+
+TEST_F(ComposerSessionTest, AnExistingFileIsAskedAbout) {
+  const test::TempFolder folder;
+  const auto file = folder.write("mine.txt", "not mine");
+  make_two();
+  ask(gui::Browse{gui::Purpose::SaveStream});
+  ask(gui::ChooseFile{file.string()});
+  EXPECT_EQ(model().browser.replaces, file.string());
+  EXPECT_EQ(*read_file(file), "not mine");
+  ask(gui::ChooseFile{file.string()});
+  EXPECT_FALSE(model().browser.open);
+  EXPECT_NE(*read_file(file), "not mine");
+}
+
+TEST_F(ComposerSessionTest, APlaceThatCannotBeWrittenIsSaidAndNothingIsLost) {
+  make_two();
+  ask(gui::Browse{gui::Purpose::SaveStream});
+  ask(gui::ChooseFile{"/proc/no-such-file.txt"});
+  EXPECT_TRUE(model().browser.open);
+  EXPECT_FALSE(model().browser.problem.empty());
+  EXPECT_TRUE(model().composer.unsaved);
+}
+
+TEST_F(ComposerSessionTest, LeavingAsksWhenTheStreamIsNotSaved) {
+  compose(gui::ComposeAu{12, 50, 50, false});
+  session_->ask_to_leave();
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_TRUE(model().asks_to_leave);
+  ask(gui::Leave{false});
+  compose(gui::UndoComposing{});
+  session_->ask_to_leave();
+  EXPECT_TRUE(session_->leaving());
+}
+
+}  // namespace
+}  // namespace aucast::app
