@@ -23,6 +23,7 @@ void run_clocked(const Assets& assets, const PlayerOptions& options,
                  playback::KeyframeSource& source, const std::function<bool()>& stop,
                  PlayerStats& stats) {
   playback::PlaybackController controller(options.playback.speed);
+  controller.set_hold(options.playback.hold);
   pipeline::FacePipeline pipeline(assets.face, assets.rules,
                                   {options.face.mixer, options.playback.interpolation});
   std::optional<Instant> first;
@@ -43,7 +44,7 @@ void run_clocked(const Assets& assets, const PlayerOptions& options,
       spdlog::info("{}", playback::name(state));
     }
     if (begun) {
-      static_cast<void>(pipeline.at(1.0));
+      static_cast<void>(pipeline.at(begun->cut_at));
       pipeline.begin_keyframe(begun->target.aus);
       if (!first) {
         first = now;

@@ -18,7 +18,9 @@ constexpr std::string_view kWatch =
 Receiving
   --buffer N (100)  --playout N (30)  --threshold PERCENT (40)   Receiver and Playout buffer,
                       sets, and how full the first must be before playing starts
-  --live-delay MS (300)       of a live stream so much, and two sets, are there instead
+  --buffer auto | Nms by time instead: as the link needs, or so many milliseconds
+  --live-delay MS     of a live stream so much is there instead; else as the link needs
+  --hold S (5)        after a stall of so long the face eases to neutral
   --stream NAME       which of the server's streams; default: its first
   --protocol auto|classic     classic never sends a hello
   --connect-timeout S (10)    longest wait for a connection and for its first packet

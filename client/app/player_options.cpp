@@ -16,7 +16,8 @@ namespace {
 struct Raw {
   int speed_ms = 0;
   int fps = 0;
-  int buffer = 100;
+  std::string buffer = "100";
+  double hold_s = 5;
   int playout = 30;
   int live_delay_ms = 300;
   double connect_timeout_s = 10;
@@ -74,7 +75,8 @@ void add_playback(CLI::App& cli, PlayerOptions& options, Raw& raw) {
 }
 
 void add_network(CLI::App& cli, PlayerOptions& options, Raw& raw) {
-  cli.add_option("--buffer", raw.buffer)->check(CLI::Range(1, 10000));
+  cli.add_option("--buffer", raw.buffer);
+  cli.add_option("--hold", raw.hold_s)->check(CLI::Range(0.0, 86400.0));
   cli.add_option("--playout", raw.playout)->check(CLI::Range(1, 10000));
   cli.add_option("--threshold", options.playback.buffers.threshold_percent)
       ->check(CLI::Range(1, 100));
@@ -179,13 +181,43 @@ Result<void> read_muscles(const std::vector<std::string>& texts, PoseOptions& po
   return {};
 }
 
+bool read_whole(const std::string& text, int low, int high, int& out) {
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, out);
+  return read.ec == std::errc() && read.ptr == end && out >= low && out <= high;
+}
+
+Error bad_buffer(const std::string& text) {
+  return usage("--buffer '" + escaped(text) +
+               "' is neither auto, nor a time of 0ms to 60000ms, nor 1 to 10000 sets");
+}
+
+/// Sets that there is room for when the buffer is measured by time.
+constexpr int kBufferSetsByTime = 2000;
+
 Result<void> read_buffers(const CLI::App& cli, const Raw& raw, playback::BufferOptions& buffers) {
   buffers.live_delay = Milliseconds(raw.live_delay_ms);
-  buffers.receiver_capacity = static_cast<std::size_t>(raw.buffer);
-  buffers.playout_capacity = static_cast<std::size_t>(std::min(raw.playout, raw.buffer));
-  if (raw.playout > raw.buffer && cli.count("--playout") > 0) {
+  buffers.adapt = cli.count("--live-delay") == 0;
+  int sets = kBufferSetsByTime;
+  if (raw.buffer == "auto") {
+    buffers.by_time = true;
+  } else if (raw.buffer.ends_with("ms")) {
+    int time_ms = 0;
+    if (!read_whole(raw.buffer.substr(0, raw.buffer.size() - 2), 0, 60'000, time_ms)) {
+      return bad_buffer(raw.buffer);
+    }
+    if (!buffers.adapt) return usage("--live-delay and --buffer " + raw.buffer + " say the same");
+    buffers.by_time = true;
+    buffers.adapt = false;
+    buffers.live_delay = Milliseconds(time_ms);
+  } else if (!read_whole(raw.buffer, 1, 10'000, sets)) {
+    return bad_buffer(raw.buffer);
+  }
+  buffers.receiver_capacity = static_cast<std::size_t>(sets);
+  buffers.playout_capacity = static_cast<std::size_t>(std::min(raw.playout, sets));
+  if (raw.playout > sets && cli.count("--playout") > 0) {
     return usage("--playout " + std::to_string(raw.playout) + " is larger than --buffer " +
-                 std::to_string(raw.buffer));
+                 std::to_string(sets));
   }
   return {};
 }
@@ -211,6 +243,7 @@ Result<void> settle(const CLI::App& cli, const Raw& raw, PlayerOptions& options)
     if (options.output.fast) options.headless = true;
   }
   options.playback.classic = raw.protocol == "classic";
+  options.playback.hold = Milliseconds(std::llround(raw.hold_s * 1000));
   options.playback.connect_timeout =
       std::chrono::duration_cast<Duration>(std::chrono::duration<double>(raw.connect_timeout_s));
   return {};

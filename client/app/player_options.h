@@ -46,6 +46,7 @@ struct PlaybackOptions {
   std::string stream;
   Duration connect_timeout = std::chrono::seconds(10);
   bool reconnect = false;
+  Milliseconds hold{5'000};  ///< --hold: after a stall of so long the face eases to neutral
   net::SecurityOptions security_options;
   net::Security security;                   ///< from security_options; loaded by the player
   std::optional<std::uint64_t> blink_seed;  ///< --blink: nothing: no blinking

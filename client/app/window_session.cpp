@@ -102,6 +102,7 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
       face_now_(face_.channels.size()) {
   pipeline_.emplace(face_, rules_,
                     pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
+  controller_.set_hold(options.playback.hold);
   buttons_ = buttons_of(assets.expressions);
   pad_ = std::make_shared<const std::vector<gui::PadPoint>>(pad_of(assets.expressions));
   show_composed();
@@ -135,8 +136,8 @@ gui::KeptSettings WindowSession::kept() const {
 
 // === Playing.
 
-void WindowSession::begin_keyframe(const AuFrame& aus) {
-  static_cast<void>(pipeline_->at(1.0));
+void WindowSession::begin_keyframe(const AuFrame& aus, double cut_at) {
+  static_cast<void>(pipeline_->at(cut_at));
   pipeline_->begin_keyframe(aus);
   explain(aus);
 }
@@ -154,7 +155,7 @@ void WindowSession::advance(Instant now) {
   if (local_) return advance_local(now);
   const std::uint64_t played = controller_.keyframes_played();
   while (const auto begun = controller_.advance(now, *source_)) {
-    begin_keyframe(begun->target.aus);
+    begin_keyframe(begun->target.aus, begun->cut_at);
     if (!first_begin_) first_begin_ = now;
   }
   if (controller_.keyframes_played() != played) {
@@ -288,6 +289,7 @@ void WindowSession::replace_source(std::unique_ptr<playback::KeyframeSource> sou
   shown_ = Shown::Playback;
   transition_.reset();
   controller_ = playback::PlaybackController(speed);
+  controller_.set_hold(options_.playback.hold);
   pipeline_.emplace(face_, rules_,
                     pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
   first_begin_.reset();

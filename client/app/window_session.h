@@ -102,7 +102,8 @@ class WindowSession {
   void carry_out(const gui::CloseNotice&, Instant now);
 
   void edit(Instant now);
-  void begin_keyframe(const AuFrame& aus);
+  /// `cut_at`: where the one before was left.
+  void begin_keyframe(const AuFrame& aus, double cut_at = 1);
   void explain(const AuFrame& aus);
   void advance_local(Instant now);
   // Of the composer.

@@ -59,6 +59,7 @@ Activity activity_of(PlaybackState state, const playback::SourceStatus& status) 
       return awaits_connection(state, status) ? Activity::Connecting : Activity::Playing;
     case PlaybackState::Playing:
     case PlaybackState::Stalled:
+    case PlaybackState::Stale:
       return Activity::Playing;
     case PlaybackState::Paused:
       return Activity::Paused;

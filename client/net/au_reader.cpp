@@ -17,6 +17,15 @@ constexpr std::size_t kWindowAsked = 64;
 /// Keyframes that a classic server may send ahead of the answers while the user pauses.
 constexpr std::size_t kOwedMax = 128;
 
+/// Live, what is held ready beside the jitter itself, and what it may grow to.
+constexpr Milliseconds kDelayMargin{60};
+constexpr Milliseconds kDelayMost{4'000};
+
+/// A lost packet comes again after a round trip, three packets behind it and some jitter.
+Milliseconds delay_for(Duration round_trip) {
+  return std::chrono::duration_cast<Milliseconds>(round_trip * 5 / 2);
+}
+
 protocol::ClientSessionOptions session_options(const AuReaderOptions& options, bool negotiate) {
   protocol::ClientSessionOptions session;
   session.negotiate = negotiate;
@@ -66,8 +75,10 @@ AuReader::AuReader(AuReaderOptions options)
       session_(session_options(options_, negotiate_)),
       buffers_(options_.buffers) {}
 
-Reaction AuReader::connected(Instant now) {
+Reaction AuReader::connected(Instant now, Duration round_trip) {
   connected_at_ = now;
+  first_delay_ = std::clamp(delay_for(round_trip), options_.buffers.live_delay,
+                            std::max(kDelayMost, options_.buffers.live_delay));
   status_.connected = true;
   status_.receive_seconds = 0;
   waiting_.clear();
@@ -130,7 +141,11 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   bytes_before_ += session_.payload_bytes();
   owed_ = 0;
   negotiate_ = !options_.classic;
-  session_ = protocol::ClientSession(session_options(options_, negotiate_));
+  protocol::ClientSessionOptions again = session_options(options_, negotiate_);
+  if (!status_.live) again.hello.from_ms = place_ms_;
+  session_ = protocol::ClientSession(std::move(again));
+  measured_since_.reset();
+  jitter_.begin_again();
   status_.connected = false;
   status_.negotiated = false;
   ++status_.reconnects;
@@ -176,6 +191,7 @@ void AuReader::digest(Reaction& reaction, Instant now) {
 
 void AuReader::react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction,
                      Instant now) {
+  now_ = now;
   for (const protocol::ClientEvent& event : events) {
     if (status_.end != EndReason::NotEnded) break;
     status_.receive_seconds = std::chrono::duration<double>(now - connected_at_).count();
@@ -192,6 +208,9 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   back_off_.reset();
   TimedAus keyframe{event.aus, std::nullopt};
   if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
+  const Milliseconds time = keyframe.duration.value_or(status_.keyframe_time);
+  place_ms_ += static_cast<std::uint64_t>(time.count());
+  note_arrival(time);
 
   ++owed_;
   if (!settled_ && negotiate_ && !negotiated() && !first_) {
@@ -211,6 +230,9 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   status_.live = event.hello.live;
   buffers_.set_live(status_.live ? std::optional(options_.speed.value_or(status_.keyframe_time))
                                  : std::nullopt);
+  buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
+  if (options_.buffers.adapt && status_.live) buffers_.set_delay(first_delay_);
+  place_ms_ = event.hello.from_ms;
   answer(reaction.send);  // the user may have paused already
 }
 
@@ -238,6 +260,25 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
   if (lost && begin_again(reaction, options_.peer + ": " + event.reason)) return;
   reaction.next = Reaction::Next::Close;
   end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));
+}
+
+/// Measures the jitter. The first keyframe tells nothing: who joins is sent one that has begun.
+void AuReader::note_arrival(Milliseconds time) {
+  if (!options_.buffers.adapt || !status_.live || user_paused_) {
+    measured_since_.reset();
+    return;
+  }
+  if (!measured_since_) {
+    measured_since_ = now_;
+    return;
+  }
+  jitter_.arrived(now_, time);
+  const auto spread =
+      std::chrono::duration_cast<Milliseconds>(jitter_.spread().value_or(Duration{}));
+  Milliseconds delay = std::min(spread + kDelayMargin, kDelayMost);
+  if (now_ - *measured_since_ < playback::JitterMeter::kWindow)
+    delay = std::max(delay, first_delay_);
+  buffers_.set_delay(delay);
 }
 
 void AuReader::take_in(const TimedAus& keyframe) {
@@ -337,6 +378,7 @@ bool AuReader::has_words() const {
 }
 
 void AuReader::set_paused(bool paused) {
+  if (user_paused_ && !paused) jitter_.begin_again();
   user_paused_ = paused;
 }
 
@@ -356,6 +398,8 @@ playback::SourceStatus AuReader::status() const {
   status.packets_received = packets_before_ + session_.packets_received();
   status.bytes_received = bytes_before_ + session_.payload_bytes();
   status.keyframes_dropped = buffers_.dropped();
+  status.delay = buffers_.delay();
+  status.buffered = buffers_.buffered();
   return status;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client/net/back_off.h"
+#include "client/playback/jitter_meter.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "common/time.h"
@@ -51,7 +52,10 @@ struct Reaction {
 /// Invariant: packets answered by `1` are in the buffers or kept aside; in level 2 what is under
 /// way when the buffers are full, at most the window, is kept aside too. A server that does not
 /// wait for answers is read no faster than the player makes room. With `reconnect` a loss is not
-/// the end: the face holds, and the stream of the next connection follows what had been received.
+/// the end: the face holds, and the stream of the next connection follows what had been received:
+/// a recorded one at the place where it was cut off, if the server knows how, a live one now.
+/// With BufferOptions::adapt a live stream is held back by what its jitter asks for, and before
+/// that is known by the round trip: a packet that was lost takes one and more to come again.
 /// Thread: none of its own; the owner guards it.
 class AuReader {
  public:
@@ -59,7 +63,8 @@ class AuReader {
 
   // === The connection's side.
 
-  [[nodiscard]] Reaction connected(Instant now);
+  /// `round_trip`: of this connection; zero if unknown.
+  [[nodiscard]] Reaction connected(Instant now, Duration round_trip = {});
   [[nodiscard]] Reaction received(std::string_view bytes, Instant now);
   /// The server shut its side or the connection broke.
   [[nodiscard]] Reaction closed(Instant now);
@@ -101,6 +106,7 @@ class AuReader {
   void handle(const protocol::ReconnectClassic& event, Reaction& reaction);
   void handle(const protocol::SessionFailed& event, Reaction& reaction);
 
+  void note_arrival(Milliseconds time);
   void take_in(const playback::TimedAus& keyframe);
   void store_kept();
   void answer(std::string& send);
@@ -126,6 +132,11 @@ class AuReader {
   bool stopped_ = false;           ///< by leave()
   playback::SourceStatus status_;  ///< without what can be asked from the others
   Instant connected_at_{};
+  Instant now_{};  ///< of the call that is being worked on
+  playback::JitterMeter jitter_;
+  Milliseconds first_delay_{0};            ///< before the jitter is known
+  std::optional<Instant> measured_since_;  ///< nothing: the next keyframe tells nothing of it
+  std::uint64_t place_ms_ = 0;             ///< recorded: how far it has come
   BackOff back_off_;
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;

@@ -1,9 +1,5 @@
 #include "client/net/remote_source.h"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <array>
 #include <condition_variable>
 #include <memory>
@@ -22,6 +18,7 @@
 
 #include "client/net/au_reader.h"
 #include "client/net/name_lookup.h"
+#include "client/net/socket_options.h"
 #include "common/text.h"
 #include "tls/channel.h"
 
@@ -33,9 +30,6 @@ using ErrorCode = std::error_code;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kFarewellTimeMax = std::chrono::seconds(1);  // for -4 to go out
-constexpr int kKeepAliveIdleS = 30;                         // then three probes: a dead peer is
-constexpr int kKeepAliveIntervalS = 10;                     // found within a minute
-constexpr int kKeepAliveProbes = 3;
 constexpr std::size_t kReadBytes = 4096;
 
 std::string peer_name(const RemoteOptions& options) {
@@ -53,19 +47,6 @@ AuReaderOptions reader_options(const RemoteOptions& options) {
 std::string seconds_text(Duration time) {
   const auto ms = std::chrono::duration_cast<Milliseconds>(time).count();
   return ms % 1000 == 0 ? std::to_string(ms / 1000) + " s" : std::to_string(ms) + " ms";
-}
-
-/// Small packets must not wait for each other, and a peer that is gone must be noticed. A system
-/// that refuses one of these still plays.
-void set_options(tcp::socket& socket) {
-  const auto set = [&socket](int level, int option, int value) {
-    static_cast<void>(::setsockopt(socket.native_handle(), level, option, &value, sizeof value));
-  };
-  set(IPPROTO_TCP, TCP_NODELAY, 1);
-  set(SOL_SOCKET, SO_KEEPALIVE, 1);
-  set(IPPROTO_TCP, TCP_KEEPIDLE, kKeepAliveIdleS);
-  set(IPPROTO_TCP, TCP_KEEPINTVL, kKeepAliveIntervalS);
-  set(IPPROTO_TCP, TCP_KEEPCNT, kKeepAliveProbes);
 }
 
 }  // namespace
@@ -243,7 +224,7 @@ void RemoteSource::Connection::try_next_address() {
 
 void RemoteSource::Connection::connected() {
   reach_timer_.cancel();
-  set_options(socket_);
+  set_socket_options(socket_);
   if (token_may_be_read()) {
     end_reader(playback::EndReason::Refused,
                "everybody on the way could read the token; --tls, or --insecure-token");
@@ -284,7 +265,7 @@ void RemoteSource::Connection::open() {
   Reaction reaction;
   {
     const std::lock_guard lock(shared_.mutex);
-    reaction = shared_.reader.connected(Clock::now());
+    reaction = shared_.reader.connected(Clock::now(), round_trip(socket_));
   }
   carry_out(reaction);
 }

@@ -12,7 +12,11 @@ constexpr Milliseconds kLiveDelayMax{60'000};
 
 /// Live: what must be there to play without waiting for each packet.
 constexpr std::size_t kLiveKeyframesMin = 2;
-constexpr int kCatchUpPercent = 95;
+constexpr int kFasterPercent = 95;
+constexpr int kSlowerPercent = 105;
+
+/// Most that stalls raise the delay to.
+constexpr Milliseconds kAdaptedMax{10'000};
 
 }  // namespace
 
@@ -42,17 +46,24 @@ KeyframeBuffers::Stored KeyframeBuffers::store(const TimedAus& keyframe) {
   // therefore reached by case B.
   const bool start = !full && !playing && (ended_ || receiver_.size() >= threshold());
   receiver_.push_back(keyframe);  // all but case A
-  if (start) fill_playout();
+  if (options_.by_time ? !playing && (!starved_ || enough()) : start) fill_playout();
   return Stored::Yes;
+}
+
+void KeyframeBuffers::set_delay(Milliseconds delay) {
+  options_.live_delay = std::clamp(delay, Milliseconds::zero(), kLiveDelayMax);
+}
+
+bool KeyframeBuffers::enough() const {
+  if (ended_) return true;
+  return receiver_.size() + playout_.size() >= kLiveKeyframesMin &&
+         buffered() >= options_.live_delay;
 }
 
 void KeyframeBuffers::store_live(const TimedAus& keyframe) {
   receiver_.push_back(keyframe);
   drop_oldest();
-  const bool delay_there =
-      receiver_.size() + playout_.size() >= kLiveKeyframesMin && buffered() >= options_.live_delay;
-  if (starved_ && !delay_there && !ended_) return;
-  starved_ = false;
+  if (starved_ && !enough()) return;
   if (playout_.empty()) fill_playout();
 }
 
@@ -63,12 +74,12 @@ void KeyframeBuffers::drop_oldest() {
     ++dropped_;
   };
   while (receiver_.size() > options_.receiver_capacity) drop_one();
-  if (buffered() <= options_.live_delay + kLiveLagMax) return;
+  if (!starved_ || buffered() <= options_.live_delay + kLiveLagMax) return;
   while (count() > kLiveKeyframesMin && buffered() > options_.live_delay) drop_one();
 }
 
 Milliseconds KeyframeBuffers::time_of(const TimedAus& keyframe) const {
-  return keyframe.duration.value_or(live_.value_or(Milliseconds::zero()));
+  return keyframe.duration.value_or(live_.value_or(untimed_));
 }
 
 Milliseconds KeyframeBuffers::buffered() const {
@@ -93,15 +104,25 @@ void KeyframeBuffers::end_of_stream() {
 
 std::optional<TimedAus> KeyframeBuffers::take() {
   if (playout_.empty()) {
+    const bool stall = begun_ && !starved_ && !ended_;
+    if (stall && options_.adapt && options_.by_time && !live_) {
+      options_.live_delay = std::min(options_.live_delay * 2, kAdaptedMax);
+    }
     starved_ = true;
     return std::nullopt;
   }
+  starved_ = false;
+  begun_ = true;
   TimedAus keyframe = playout_.front();
   playout_.pop_front();
   if (playout_.empty()) fill_playout();
   const Milliseconds time = time_of(keyframe);
-  if (live_ && buffered() > options_.live_delay + time) {
-    keyframe.duration = time * kCatchUpPercent / 100;
+  if (!live_) return keyframe;
+  const Milliseconds ahead = buffered();
+  if (ahead > options_.live_delay + time) {
+    keyframe.duration = (time * kFasterPercent + Milliseconds(99)) / 100;
+  } else if (options_.adapt && ahead + 2 * time < options_.live_delay) {
+    keyframe.duration = time * kSlowerPercent / 100;
   }
   return keyframe;
 }

@@ -15,6 +15,9 @@ struct BufferOptions {
   int threshold_percent = 40;           ///< of the receiver buffer, 1-100; for the first fill and
                                         ///< after a stall
   Milliseconds live_delay{300};         ///< live: held ready instead, 0-60,000
+  bool by_time = false;                 ///< --buffer auto or Nms: recorded streams wait for
+                                        ///< `live_delay` too, and not for the threshold
+  bool adapt = false;                   ///< `live_delay` is only where it begins
 };
 
 /// The Receiver and the Playout buffer of the thesis (5.4.4.1-5.4.4.2, figures 5.12-5.15), first-in
@@ -24,8 +27,11 @@ struct BufferOptions {
 /// capacities; nothing is lost, doubled or reordered; keyframes leave in the order in which they
 /// came.
 /// A live stream is buffered by time: playing starts when two keyframes and `live_delay` are there,
-/// first and after a stall. Who has more plays 5 % faster, and who is kLiveLagMax behind drops the
-/// oldest: nothing is held back from a live stream, so there is no case A.
+/// first and after a stall. Who has more plays up to 5 % faster, who has less up to 5 % slower.
+/// While it plays nothing is left out; while it stands, who is kLiveLagMax behind drops the oldest,
+/// and so does who has no room: nothing is held back from a live stream, so there is no case A.
+/// With `by_time` a recorded stream begins after `live_delay` as well; with `adapt` each stall
+/// doubles that for the next time.
 /// Thread: none of its own; the owner guards it.
 class KeyframeBuffers {
  public:
@@ -44,6 +50,11 @@ class KeyframeBuffers {
   /// From now on the stream is live, with this time for a keyframe that has none of its own; or,
   /// without one, it is recorded.
   void set_live(std::optional<Milliseconds> untimed);
+  /// The time of a recorded keyframe that has none of its own.
+  void set_untimed(Milliseconds time) { untimed_ = time; }
+  /// From now on so much is held ready.
+  void set_delay(Milliseconds delay);
+  [[nodiscard]] Milliseconds delay() const { return options_.live_delay; }
   /// Free places of the receiver.
   [[nodiscard]] std::size_t room() const;
   /// Nothing will come for a while: start playing with what is there.
@@ -63,6 +74,8 @@ class KeyframeBuffers {
 
   [[nodiscard]] std::size_t receiver_fill() const { return receiver_.size(); }
   [[nodiscard]] std::size_t playout_fill() const { return playout_.size(); }
+  /// What is there, in the stream's own time.
+  [[nodiscard]] Milliseconds buffered() const;
   /// Live keyframes that were dropped to catch up.
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
@@ -73,7 +86,7 @@ class KeyframeBuffers {
   void store_live(const TimedAus& keyframe);
   void drop_oldest();
   [[nodiscard]] Milliseconds time_of(const TimedAus& keyframe) const;
-  [[nodiscard]] Milliseconds buffered() const;
+  [[nodiscard]] bool enough() const;
   void fill_playout();
   /// How many sets the receiver must hold before the Playout buffer is filled for the first time or
   /// after a stall; at least 1.
@@ -84,7 +97,9 @@ class KeyframeBuffers {
   std::deque<TimedAus> playout_;
   bool ended_ = false;
   std::optional<Milliseconds> live_;  ///< the time of an untimed keyframe
-  bool starved_ = true;               ///< live: the player found nothing, so a delay is built up
+  Milliseconds untimed_{250};         ///< the same for recorded streams
+  bool starved_ = true;               ///< the player found nothing, so a delay is built up
+  bool begun_ = false;                ///< it has found something before
   std::uint64_t dropped_ = 0;
 };
 

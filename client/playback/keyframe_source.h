@@ -42,6 +42,8 @@ struct SourceStatus {
   bool negotiated = false;              ///< level 2
   bool live = false;                    ///< the server has one clock for all
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
+  Milliseconds delay{0};                ///< held ready, by time (live, --buffer auto or Nms)
+  Milliseconds buffered{0};             ///< what is there, in the stream's own time
   std::uint64_t reconnects = 0;         ///< attempts after a loss (--reconnect)
   bool paused = false;                  ///< by the user, or by -1 because the buffers are full
   std::uint64_t packets_received = 0;

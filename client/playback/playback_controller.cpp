@@ -45,6 +45,8 @@ std::string_view name(PlaybackState state) {
       return "playing";
     case PlaybackState::Stalled:
       return "stalled";
+    case PlaybackState::Stale:
+      return "stale";
     case PlaybackState::Paused:
       return "paused";
     case PlaybackState::Ended:
@@ -61,12 +63,38 @@ PlaybackController::PlaybackController(std::optional<Milliseconds> speed) : spee
 
 std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSource& source) {
   if (state_ == PlaybackState::Paused || over()) return std::nullopt;
+  if (state_ == PlaybackState::Stalled || state_ == PlaybackState::Stale) {
+    return advance_stalled(now, source);
+  }
   if (state_ != PlaybackState::Playing) return begin_next(now, now, source);
 
   move_to(now);
   if (moment_.position < kPositionsPerKeyframe) return std::nullopt;
   finish_keyframe();
   return begin_next(last_position_at_, now, source);
+}
+
+std::optional<KeyframeBegun> PlaybackController::advance_stalled(Instant now,
+                                                                 KeyframeSource& source) {
+  if (state_ == PlaybackState::Stale) {
+    const Duration eased = std::min<Duration>(now - ease_begin_, kEaseTime);
+    moment_.mu = static_cast<double>(eased.count()) /
+                 static_cast<double>(std::chrono::duration_cast<Duration>(kEaseTime).count());
+    moment_.position = static_cast<int>(moment_.mu * kPositionsPerKeyframe);
+  }
+  const double cut_at = state_ == PlaybackState::Stale ? moment_.mu : 1;
+  if (auto begun = begin_next(now, now, source)) {
+    begun->cut_at = cut_at;
+    return begun;
+  }
+  if (state_ != PlaybackState::Stalled || !hold_ || now - stalled_since_ < *hold_) {
+    return std::nullopt;
+  }
+  state_ = PlaybackState::Stale;
+  ease_begin_ = now;
+  moment_.mu = 0;
+  moment_.position = 0;
+  return KeyframeBegun{{AuFrame{}, kEaseTime}, kEaseTime};
 }
 
 std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Instant now,
@@ -78,6 +106,7 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
       state_ = state_after(source.status().end);
     } else if (state_ == PlaybackState::Playing) {
       state_ = PlaybackState::Stalled;
+      stalled_since_ = now;
       ++stalls_;
     }
     return std::nullopt;
@@ -140,6 +169,8 @@ void PlaybackController::resume(Instant now) {
   state_ = paused_from_;
   // Shifting the begin by the pause keeps the fraction; what was reached before stays reached.
   keyframe_begin_ += now - paused_since_;
+  stalled_since_ += now - paused_since_;
+  ease_begin_ += now - paused_since_;
 }
 
 void PlaybackController::stop(Instant now) {

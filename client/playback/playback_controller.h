@@ -16,6 +16,7 @@ enum class PlaybackState : std::uint8_t {
   Buffering,  ///< nothing played yet, the first keyframe is awaited
   Playing,
   Stalled,  ///< both buffers ran empty before the end: the clock waits, the face holds
+  Stale,    ///< that lasted too long: the face eases to neutral and waits there
   Paused,   ///< by the user
   Ended,    ///< the last keyframe's position 50 is reached and the stream had ended
   Stopped,  ///< the user left
@@ -28,6 +29,7 @@ enum class PlaybackState : std::uint8_t {
 struct KeyframeBegun {
   TimedAus target;
   Milliseconds duration{0};  ///< the one in force: packet, --speed, server's default
+  double cut_at = 1;         ///< where the one before was left: 1, or less within the easing
 };
 
 /// Where playback stands. position is k in 0..50 of the current keyframe, mu = the exact fraction.
@@ -51,7 +53,12 @@ class PlaybackController {
   /// Moves to `now`. When a keyframe begins it is returned; call again with the same `now` until
   /// nothing is returned, because short keyframes may be over already: first bring the face to the
   /// end of the one before, then begin the returned one.
+  /// The easing to neutral is returned as a keyframe too, but counts as none.
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now, KeyframeSource& source);
+
+  /// After a stall of so long the face eases to neutral, within kEaseTime. Without: never.
+  void set_hold(Milliseconds hold) { hold_ = hold; }
+  static constexpr Milliseconds kEaseTime{1000};
 
   [[nodiscard]] PlaybackState state() const;
   /// True in Ended, Stopped and Lost: nothing moves any more.
@@ -82,6 +89,7 @@ class PlaybackController {
   /// The next keyframe, beginning at `begin`; or the state that its absence means.
   [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant begin, Instant now,
                                                         KeyframeSource& source);
+  [[nodiscard]] std::optional<KeyframeBegun> advance_stalled(Instant now, KeyframeSource& source);
   void finish_keyframe();
 
   std::optional<Milliseconds> speed_;
@@ -91,6 +99,9 @@ class PlaybackController {
   Milliseconds duration_{0};
   std::optional<Instant> first_begin_;
   Instant last_position_at_{};
+  std::optional<Milliseconds> hold_;
+  Instant stalled_since_{};
+  Instant ease_begin_{};
   Instant paused_since_{};
   PlaybackState paused_from_ = PlaybackState::Buffering;
   std::uint64_t keyframes_played_ = 0;

@@ -85,5 +85,17 @@ TEST(PlayerNetwork, NothingAtAll) {
                          "unreachable", "nothing came");
 }
 
+TEST(PlayerNetwork, GoesOnWhereItWasCutOff) {
+  ScriptedServer server({Accept{}, ExpectHello{},
+                         Send{"{hello v=2 window=4 keyframe=20}{1}{2;30}{6,1"}, Close{}, Accept{},
+                         ExpectHello{}, Send{"{hello v=2 window=4 keyframe=20 from=50}{6,12}{-2}"},
+                         HalfClose{}, ExpectEnd{}});
+  const PlayerRun run = watch(server, {"--reconnect"});
+  EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(run.stats["keyframes_played"], 3);
+  EXPECT_EQ(run.stats["reconnects"], 1);
+  EXPECT_NE(server.received().find("from=50}"), std::string::npos) << server.received();
+}
+
 }  // namespace
 }  // namespace aucast::test

@@ -113,6 +113,18 @@ TEST(PlayerOptions, PicturesRunOnTheFilmClock) {
 
 TEST(PlayerOptions, ASmallBufferShrinksThePlayoutThatWasNotAskedFor) {
   EXPECT_EQ(accepted({"h", "--buffer", "2"}).playback.buffers.playout_capacity, 2U);
+  const auto timed = accepted({"h", "--buffer", "750ms"}).playback.buffers;
+  EXPECT_TRUE(timed.by_time && !timed.adapt);
+  EXPECT_EQ(timed.live_delay, Milliseconds(750));
+  const auto adapting = accepted({"h", "--buffer", "auto"}).playback.buffers;
+  EXPECT_TRUE(adapting.by_time && adapting.adapt);
+  const auto sets = accepted({"h"}).playback.buffers;
+  EXPECT_TRUE(!sets.by_time && sets.adapt) << "live streams adapt, recorded ones fill up";
+  EXPECT_FALSE(accepted({"h", "--live-delay", "300"}).playback.buffers.adapt);
+  for (const char* wrong : {"0", "10001", "ms", "60001ms", "-1ms", "1.5ms", "automatic", ""}) {
+    EXPECT_NE(refused({"h", "--buffer", wrong}).find("--buffer"), std::string::npos) << wrong;
+  }
+  EXPECT_EQ(accepted({"h", "--hold", "0.5"}).playback.hold, Milliseconds(500));
   EXPECT_NE(refused({"h", "--buffer", "2", "--playout", "3"}).find("larger than --buffer 2"),
             std::string::npos);
 }

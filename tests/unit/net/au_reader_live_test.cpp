@@ -100,8 +100,9 @@ TEST_F(Reconnecting, HoldsAndTriesAgainAfterALoss) {
   EXPECT_EQ(reader_->take()->aus.left[2], 1.0F);
   EXPECT_FALSE(reader_->ready()) << "the face holds";
 
-  EXPECT_EQ(reader_->connected(clock_.now()).send, said_) << "level 2 is tried anew";
-  EXPECT_EQ(feed("{hello v=2 window=4 keyframe=200}{4}{-2}"), "1");
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1 from=400}")
+      << "level 2 is tried anew, from where it was";
+  EXPECT_EQ(feed("{hello v=2 window=4 keyframe=200 from=400}{4}{-2}"), "1");
   EXPECT_EQ(reader_->take()->aus.left[4], 1.0F);
   EXPECT_EQ(status().end, EndReason::EndOfStream);
   EXPECT_EQ(status().packets_received, 3U);
@@ -117,6 +118,74 @@ TEST_F(Reconnecting, WaitsLongerEachTimeUntilSomethingComes) {
   static_cast<void>(reader_->connected(clock_.now()));
   feed("{hello v=2 window=4}{1}");
   EXPECT_EQ(close().retry_after, 1s);
+}
+
+TEST_F(Reconnecting, CountsThePlaceOverSeveralLosses) {
+  feed("{hello v=2 window=4 keyframe=200}{1;100}{2}");
+  close();
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1 from=300}");
+  feed("{hello v=2 window=4 keyframe=200 from=300}{4;1000}");
+  close();
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1 from=1300}");
+  // A server that knows no places begins again.
+  feed("{hello v=2 window=4 keyframe=200}{1;100}");
+  close();
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1 from=100}");
+}
+
+TEST_F(Reconnecting, JoinsALiveStreamWhereItIs) {
+  feed(kLive + "{1;200}{2;200}");
+  close();
+  EXPECT_EQ(reader_->connected(clock_.now()).send, said_);
+}
+
+class Adapting : public LiveReading {
+ protected:
+  Adapting() {
+    AuReaderOptions options;
+    options.buffers.adapt = true;
+    options.peer = "server:4650";
+    reader_.emplace(std::move(options));
+  }
+};
+
+TEST_F(Adapting, BeginsByTheRoundTrip) {
+  static_cast<void>(reader_->connected(clock_.now(), 600ms));
+  feed(kLive + "{1;100}");
+  EXPECT_EQ(status().delay, 1500ms);
+  for (int i = 0; i < 13; ++i) feed("{1;100}");
+  EXPECT_FALSE(reader_->ready()) << "1400 ms";
+  feed("{1;100}");
+  EXPECT_TRUE(reader_->ready());
+}
+
+TEST_F(Adapting, KeepsNoLessThanAskedForAndNoMoreThanBearable) {
+  static_cast<void>(reader_->connected(clock_.now(), 1ms));
+  feed(kLive + "{1}");
+  EXPECT_EQ(status().delay, 300ms);
+  static_cast<void>(reader_->closed(clock_.now()));
+  start({});
+  static_cast<void>(reader_->connected(clock_.now(), 60s));
+  feed(kLive);
+  EXPECT_EQ(status().delay, 300ms) << "who asked for a time gets it";
+}
+
+TEST_F(Adapting, KeepsJustEnoughOnceItKnowsTheLink) {
+  static_cast<void>(reader_->connected(clock_.now(), 600ms));
+  feed(kLive);
+  for (int i = 0; i < 800; ++i) {  // 32 s
+    clock_.advance(39ms);
+    feed("{1;40}");
+    static_cast<void>(reader_->take());
+  }
+  EXPECT_EQ(status().delay, 60ms) << "nothing came late for half a minute";
+  clock_.advance(2s);
+  feed("{1;40}");
+  EXPECT_GE(status().delay, 2s);
+  EXPECT_LE(status().delay, 2100ms);
+  clock_.advance(1h);
+  feed("{1;40}");
+  EXPECT_EQ(status().delay, 4s) << "a face that is later than that is of no use";
 }
 
 TEST_F(Reconnecting, TriesAgainAfterSilence) {

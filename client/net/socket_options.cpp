@@ -1,0 +1,34 @@
+#include "client/net/socket_options.h"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+namespace aucast::net {
+namespace {
+
+constexpr int kKeepAliveIdleS = 30;      // then three probes: a dead peer is
+constexpr int kKeepAliveIntervalS = 10;  // found within a minute
+constexpr int kKeepAliveProbes = 3;
+
+}  // namespace
+
+void set_socket_options(asio::ip::tcp::socket& socket) {
+  const auto set = [&socket](int level, int option, int value) {
+    static_cast<void>(::setsockopt(socket.native_handle(), level, option, &value, sizeof value));
+  };
+  set(IPPROTO_TCP, TCP_NODELAY, 1);
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, kKeepAliveIdleS);
+  set(IPPROTO_TCP, TCP_KEEPINTVL, kKeepAliveIntervalS);
+  set(IPPROTO_TCP, TCP_KEEPCNT, kKeepAliveProbes);
+}
+
+Duration round_trip(asio::ip::tcp::socket& socket) {
+  tcp_info info{};
+  socklen_t length = sizeof info;
+  if (::getsockopt(socket.native_handle(), IPPROTO_TCP, TCP_INFO, &info, &length) != 0) return {};
+  return std::chrono::microseconds(info.tcpi_rtt);
+}
+
+}  // namespace aucast::net

@@ -1,0 +1,122 @@
+// What the controller does when nothing comes: hold, ease to neutral, and go on without a jump.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "client/playback/interpolator.h"
+#include "client/playback/playback_controller.h"
+#include "tests/support/manual_clock.h"
+#include "tests/unit/playback/marked.h"
+#include "tests/unit/playback/scripted_source.h"
+
+namespace aucast::playback {
+namespace {
+
+using namespace std::chrono_literals;
+using test::marked;
+using test::ScriptedSource;
+
+class Holding : public ::testing::Test {
+ protected:
+  Holding() {
+    controller_.set_hold(5s);
+    source_.keyframes = {marked(1, 100ms)};
+    EXPECT_TRUE(advance(0ms));
+    EXPECT_FALSE(advance(100ms));
+    EXPECT_EQ(controller_.state(), PlaybackState::Stalled);
+  }
+
+  std::optional<KeyframeBegun> advance(Duration by) {
+    clock_.advance(by);
+    return controller_.advance(clock_.now(), source_);
+  }
+
+  aucast::test::ManualClock clock_;
+  ScriptedSource source_;
+  PlaybackController controller_{std::nullopt};
+};
+
+TEST_F(Holding, EasesToNeutralAfterTheHold) {
+  EXPECT_FALSE(advance(4999ms));
+  EXPECT_EQ(controller_.moment().mu, 1.0) << "it holds";
+  const auto easing = advance(1ms);
+  ASSERT_TRUE(easing);
+  EXPECT_EQ(easing->target.aus, AuFrame{});
+  EXPECT_EQ(easing->duration, PlaybackController::kEaseTime);
+  EXPECT_EQ(easing->cut_at, 1.0);
+  EXPECT_EQ(controller_.state(), PlaybackState::Stale);
+  EXPECT_EQ(controller_.moment().mu, 0.0);
+  EXPECT_FALSE(advance(250ms));
+  EXPECT_EQ(controller_.moment().mu, 0.25);
+  EXPECT_FALSE(advance(1h));
+  EXPECT_EQ(controller_.moment().mu, 1.0);
+  EXPECT_EQ(controller_.state(), PlaybackState::Stale);
+  EXPECT_EQ(controller_.keyframes_played(), 1U) << "the easing is none";
+  EXPECT_EQ(controller_.stalls(), 1U);
+  EXPECT_EQ(controller_.playback_time(), Duration(100ms));
+}
+
+TEST_F(Holding, GoesOnFromWhereTheEasingWas) {
+  EXPECT_TRUE(advance(5s));
+  source_.keyframes = {marked(2, 100ms)};
+  const auto next = advance(300ms);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->cut_at, 0.3);
+  EXPECT_EQ(controller_.state(), PlaybackState::Playing);
+  EXPECT_EQ(controller_.moment().mu, 0.0);
+  EXPECT_FALSE(advance(100ms));
+  EXPECT_EQ(controller_.keyframes_played(), 2U);
+}
+
+TEST_F(Holding, GoesOnFromTheHeldFaceBeforeThat) {
+  EXPECT_FALSE(advance(4s));
+  source_.keyframes = {marked(2, 100ms)};
+  EXPECT_EQ(advance(0ms)->cut_at, 1.0);
+}
+
+TEST_F(Holding, APauseStopsTheHoldToo) {
+  EXPECT_FALSE(advance(4s));
+  controller_.pause(clock_.now());
+  EXPECT_FALSE(advance(1h));
+  controller_.resume(clock_.now());
+  EXPECT_FALSE(advance(999ms));
+  EXPECT_EQ(controller_.state(), PlaybackState::Stalled);
+  EXPECT_TRUE(advance(1ms));
+}
+
+TEST_F(Holding, NeverWithoutAHold) {
+  PlaybackController other(std::nullopt);
+  source_.keyframes = {marked(1, 100ms)};
+  EXPECT_TRUE(other.advance(clock_.now(), source_));
+  clock_.advance(100h);
+  EXPECT_FALSE(other.advance(clock_.now(), source_));
+  clock_.advance(100h);
+  EXPECT_FALSE(other.advance(clock_.now(), source_));
+  EXPECT_EQ(other.state(), PlaybackState::Stalled);
+}
+
+/// The face never moves faster than from one keyframe to the next within a keyframe's time: no
+/// frame jumps, whenever the stream breaks off and comes again.
+TEST_F(Holding, NoFrameJumps) {
+  float shown = 1;
+  float from = 1;
+  float to = 1;
+  const auto frame = [&] {
+    clock_.advance(10ms);
+    while (const auto begun = controller_.advance(clock_.now(), source_)) {
+      from += (to - from) * static_cast<float>(begun->cut_at);
+      to = begun->target.aus.left[1];
+    }
+    const float next = from + (to - from) * static_cast<float>(controller_.moment().mu);
+    EXPECT_LE(std::abs(next - shown), 0.11F);
+    shown = next;
+  };
+  for (int round = 0; round < 40; ++round) {
+    for (int i = 0; i < 470 + round * 7; ++i) frame();
+    source_.keyframes = {marked(round % 2, 100ms), marked(1, 100ms)};
+  }
+  EXPECT_GT(controller_.keyframes_played(), 70U);
+}
+
+}  // namespace
+}  // namespace aucast::playback
