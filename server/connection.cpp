@@ -61,11 +61,11 @@ Connection::Connection(tcp::socket socket,
                        std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                        Settings settings, OnClosed on_closed)
     : socket_(std::move(socket)),
-      timer_(socket_.get_executor()),
-      settings_(std::move(settings)),
-      on_closed_(std::move(on_closed)),
       catalogue_(std::move(catalogue)),
-      session_(*catalogue_, round_trip(socket_), now(), settings_.admission) {
+      session_(*catalogue_, round_trip(socket_), now(), settings.admission),
+      settings_(std::move(settings)),
+      timer_(socket_.get_executor()),
+      on_closed_(std::move(on_closed)) {
   if (settings_.tls) {
     tls_ = std::make_unique<tls::Channel>(*settings_.tls);
     settings_.tls.reset();
@@ -90,6 +90,13 @@ void Connection::on_moment() {
   if (finished_ || lingering_) return;
   carry_out(session_.on_moment(now()));
   go_on();
+}
+
+void Connection::fetch_ahead() const {
+  constexpr std::size_t kCacheLine = 64;
+  const char* const begin = reinterpret_cast<const char*>(this);
+  const char* const end = reinterpret_cast<const char*>(&timer_);
+  for (const char* line = begin; line < end; line += kCacheLine) __builtin_prefetch(line);
 }
 
 void Connection::stop() {

@@ -60,6 +60,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void start();
   /// The clock of a live stream has moved on.
   void on_moment();
+  /// Soon on_moment() will be called: has the processor fetch what it needs.
+  void fetch_ahead() const;
   /// The server stops: {-2}, then the closing of level 1.
   void stop();
   /// Closes now, whatever is under way.
@@ -106,18 +108,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void measure_sending();
   [[nodiscard]] bool output_done() const { return output_bytes() == 0; }
 
+  // First what every moment of a live stream needs: fetch_ahead() knows that it lies together.
   asio::ip::tcp::socket socket_;
-  asio::steady_timer timer_;
-  std::optional<Instant> armed_for_;
-  Settings settings_;
-  OnClosed on_closed_;
   std::shared_ptr<const protocol::ServerCatalogue> catalogue_;  ///< outlives the session
   protocol::ServerSession session_;
-  ClientRecord record_;
   std::unique_ptr<tls::Channel> tls_;  ///< nothing: plain
-  Instant handshake_until_{};
-
-  std::array<char, kReadBytesMax> input_{};
   std::string output_;
   std::size_t written_ = 0;  ///< of output_
   bool reading_ = false;
@@ -127,13 +122,21 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool shut_done_ = false;
   bool lingering_ = false;  ///< the session has closed
   bool finished_ = false;
-  std::size_t dropped_bytes_ = 0;
-  Instant linger_until_{};
+  bool sending_measured_ = false;
+  std::optional<Instant> armed_for_;
   std::optional<Instant> owed_since_;   ///< an answer
   std::optional<Instant> stuck_since_;  ///< the output
   std::optional<Instant> unsent_since_;
   std::optional<Instant> sending_since_;
-  bool sending_measured_ = false;
+  Settings settings_;
+
+  asio::steady_timer timer_;
+  OnClosed on_closed_;
+  ClientRecord record_;
+  Instant handshake_until_{};
+  std::size_t dropped_bytes_ = 0;
+  Instant linger_until_{};
+  std::array<char, kReadBytesMax> input_{};
 };
 
 }  // namespace aucast::server

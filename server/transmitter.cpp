@@ -39,6 +39,9 @@ using asio::ip::tcp;
 /// Clients that are told that there is no room for them, at a time; what is more is just closed.
 constexpr std::size_t kRefusalsMax = 64;
 
+/// Clients between the one that is served and the one that is fetched from memory.
+constexpr std::size_t kFetchedAhead = 2;
+
 /// Of a live stream, what the system may hold back unsent for one client: some time's worth, but
 /// not so little that every packet has to wait for the one before.
 constexpr std::size_t kUnsentBytesLeast = 512;
@@ -217,11 +220,23 @@ class Transmitter {
   }
 
   void on_moment(const Programme& programme) {
-    // Whoever is lost on the way leaves the map, the others stay where they are.
-    for (auto next = connections_.begin(); next != connections_.end();) {
-      const std::shared_ptr<Connection> connection = (next++)->second;
-      if (&connection->catalogue() == &programme.catalogue) connection->on_moment();
+    // Of thousands of clients each has left the processor's cache since the last moment: the next
+    // ones are fetched while one is served.
+    if (audience_.empty()) audience_ = everybody();
+    telling_ = true;
+    for (std::size_t at = 0; at < audience_.size(); ++at) {
+      if (at + kFetchedAhead < audience_.size()) audience_[at + kFetchedAhead]->fetch_ahead();
+      Connection& connection = *audience_[at];
+      if (&connection.catalogue() == &programme.catalogue) connection.on_moment();
     }
+    telling_ = false;
+    if (std::exchange(audience_changed_, false)) audience_.clear();
+  }
+
+  /// Somebody came or left.
+  void forget_audience() {
+    audience_changed_ = telling_;
+    if (!telling_) audience_.clear();
   }
 
   void welcome(tcp::socket socket, const tcp::endpoint& peer) {
@@ -245,6 +260,7 @@ class Transmitter {
       of_address_.add(number, peer.address());
     }
     connections_.emplace(number, connection);
+    forget_audience();
     connection->start();
   }
 
@@ -263,6 +279,7 @@ class Transmitter {
   void farewell(const ClientRecord& record) {
     stats_.add(record);
     connections_.erase(record.number);
+    forget_audience();
     refused_.erase(record.number);
     of_address_.remove(record.number);
     if (stopping_ && connections_.empty()) end();
@@ -412,6 +429,9 @@ class Transmitter {
   std::shared_ptr<Programme> programme_;
   std::vector<std::shared_ptr<Programme>> old_programmes_;  ///< that clients are still served from
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;
+  std::vector<std::shared_ptr<Connection>> audience_;  ///< the same, or empty: not known
+  bool telling_ = false;                               ///< the audience of a moment
+  bool audience_changed_ = false;                      ///< meanwhile
   Reloader reloader_;
   std::optional<HttpServer> http_;
   std::optional<Status> recent_status_;
