@@ -32,6 +32,8 @@ aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
       ->check(CLI::Range(1, 100));
   app.add_option("--against", plan.against, "servers to compare with (redis mosquitto)");
   app.add_flag("--alone", alone, "compare with none");
+  app.add_flag("--from-said", plan.from_said,
+               "latency of the others from when their publisher said a message, not from its time");
   app.add_option("--flood", plan.flood, "hostile connections at a time, at ours only (0)")
       ->check(CLI::Range(0, 1000));
   auto parsed = aucast::parse_command_line(app, {argv + 1, argv + argc});

@@ -80,8 +80,10 @@ std::optional<Measurement> measure(const std::string& name, const Plan& plan,
   std::vector<double> latencies;
   latencies.reserve(deliveries.size());
   for (const Delivery& delivery : deliveries) {
-    const auto said =
-        publisher ? publisher->said(delivery.number) : begin + plan.place(delivery.number);
+    auto said = begin + plan.place(delivery.number);
+    if (publisher) {
+      said = plan.from_said ? publisher->said(delivery.number) : publisher->due(delivery.number);
+    }
     latencies.push_back(std::chrono::duration<double, std::milli>(delivery.at - said).count());
   }
   std::sort(latencies.begin(), latencies.end());

@@ -11,7 +11,7 @@ namespace aucast::bench {
 struct Measurement {
   double deliveries = 0;         ///< messages that arrived at a subscriber in the time measured
   double processor_seconds = 0;  ///< of the server in that time
-  double p50_ms = 0;             ///< from being published to being received
+  double p50_ms = 0;             ///< from being due to being received
   double p99_ms = 0;
   double bytes_per_client = 0;  ///< memory of the server's own
   std::int64_t missed = 0;      ///< messages left out, doubled or out of order

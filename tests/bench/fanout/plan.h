@@ -16,6 +16,7 @@ struct Plan {
   int burst = 1;
   int seconds = 5;
   int rounds = 5;
+  bool from_said = false;  ///< latency of the others from being said, not from being due
   int flood = 0;  ///< connections at a time that say rubbish meanwhile; au-transmitter only
   std::vector<std::string> against{"redis", "mosquitto"};
 

@@ -13,8 +13,8 @@
 namespace aucast::bench {
 
 Publisher::Publisher(const Plan& plan, const ServerUnderTest& server, std::int64_t messages_max)
-    : said_(static_cast<std::size_t>(messages_max)) {
-  thread_ = std::thread([this, plan, &server] { run(plan, server.dialect(), server.port()); });
+    : plan_(plan), said_(static_cast<std::size_t>(messages_max)) {
+  thread_ = std::thread([this, &server] { run(server.dialect(), server.port()); });
 }
 
 void Publisher::stop() {
@@ -22,7 +22,7 @@ void Publisher::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void Publisher::run(const Plan& plan, const Dialect& dialect, std::uint16_t port) {
+void Publisher::run(const Dialect& dialect, std::uint16_t port) {
   const int socket = connect_to(port, 0);
   ::fcntl(socket, F_SETFL, 0);
   std::array<char, 4096> answers{};
@@ -30,16 +30,16 @@ void Publisher::run(const Plan& plan, const Dialect& dialect, std::uint16_t port
     ::send(socket, dialect.announce.data(), dialect.announce.size(), MSG_NOSIGNAL);
     ::recv(socket, answers.data(), dialect.announced_bytes, MSG_WAITALL);
   }
-  const auto begin = Clock::now();
-  const auto count = static_cast<std::int64_t>(said_.size()) / plan.burst * plan.burst;
-  for (std::int64_t number = 0; number < count && !stop_; number += plan.burst) {
-    std::this_thread::sleep_until(begin + plan.place(number));
+  begin_ = Clock::now();
+  const auto count = static_cast<std::int64_t>(said_.size()) / plan_.burst * plan_.burst;
+  for (std::int64_t number = 0; number < count && !stop_; number += plan_.burst) {
+    std::this_thread::sleep_until(due(number));
     std::string bytes;
-    for (int i = 0; i < plan.burst; ++i) {
-      bytes += dialect.wrap(message(number + i, i + 1 == plan.burst ? plan.period_ms() : 0));
+    for (int i = 0; i < plan_.burst; ++i) {
+      bytes += dialect.wrap(message(number + i, i + 1 == plan_.burst ? plan_.period_ms() : 0));
     }
     // As the others, au-transmitter's burst begins at one moment.
-    std::fill_n(said_.begin() + number, plan.burst, Clock::now());
+    std::fill_n(said_.begin() + number, plan_.burst, Clock::now());
     if (::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) break;
     while (::recv(socket, answers.data(), answers.size(), MSG_DONTWAIT) > 0) continue;
   }

@@ -20,14 +20,20 @@ class Publisher {
   Publisher& operator=(const Publisher&) = delete;
 
   void stop();
-  /// When a message was handed to the system. After stop(), and only of those that have arrived.
+  /// When a message was to be handed to the system. After stop().
+  [[nodiscard]] Clock::time_point due(std::int64_t number) const {
+    return begin_ + plan_.place(number);
+  }
+  /// When it was handed to the system. After stop(), and only of those that have arrived.
   [[nodiscard]] Clock::time_point said(std::int64_t number) const {
     return said_[static_cast<std::size_t>(number)];
   }
 
  private:
-  void run(const Plan& plan, const Dialect& dialect, std::uint16_t port);
+  void run(const Dialect& dialect, std::uint16_t port);
 
+  Plan plan_;
+  Clock::time_point begin_;
   std::vector<Clock::time_point> said_;
   std::atomic<bool> stop_{false};
   std::thread thread_;
