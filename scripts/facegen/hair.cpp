@@ -153,8 +153,11 @@ void add_hair_vertex(Part& hair, const Identity& who, const Growth& growth, doub
   const double light = saturate(0.36 + 0.75 * groove + 0.55 * strands.noise(150, 2.5, 7));
   const Vec3 colour = mix(who.colours.hair, who.colours.hair_light, light) *
                       (0.70 + 0.30 * at.edge) * (1 - 0.45 * at.parting);
+  // Softly only over the forehead: at the sides and the ends the background would show through.
+  const double front = smooth_step(3.8, 2.2, std::abs(s));
+  const double visible = at.from_end - mix(1, growth.cut().ragged, front) * strands.fringe();
   hair.add(at.root + at.direction * height, colour,
-           smooth_step(0, 0.045, at.from_end - growth.cut().ragged * strands.fringe()));
+           smooth_step(0, mix(0.045, growth.cut().softness, front), visible));
 }
 
 }  // namespace

@@ -75,7 +75,9 @@ Identity young_woman() {
   hair.side = 0.42;
   hair.top = 0.80;
   hair.sweep = 0.10;
-  hair.front_rise = 0.25;
+  hair.front_rise = 0.32;
+  hair.softness = 0.10;
+  hair.ragged = 1.5;
   hair.groove = 0.13;
   hair.fall = 9.4;
   Palette& colours = who.colours;

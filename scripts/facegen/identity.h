@@ -70,6 +70,7 @@ struct Haircut {
   double front_rise = 0.10;  ///< how slowly it rises from the forehead
   double groove = 0.16;      ///< depth between strands
   double ragged = 1;         ///< unevenness of the hairline
+  double softness = 0.045;   ///< over which share of a flow line it fades in
   double fall = 0;           ///< how far it hangs down behind the ears
 };
 
