@@ -1,8 +1,7 @@
 #include "client/app/film.h"
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <cinttypes>
 #include <cstdio>
 #include <optional>
@@ -10,8 +9,10 @@
 
 #include "client/app/picture_maker.h"
 #include "client/app/picture_sinks.h"
+#include "client/app/progress_line.h"
 #include "client/app/steady.h"
 #include "client/pipeline/face_pipeline.h"
+#include "client/pipeline/idle_face.h"
 #include "client/playback/blinking.h"
 #include "client/playback/playback_controller.h"
 #include "common/log.h"
@@ -23,50 +24,21 @@ using playback::kPositionsPerKeyframe;
 
 constexpr int kRecordFps = 30;
 
-/// How far the film is, on one line of a terminal; a plain line every few seconds elsewhere.
-class Progress {
- public:
-  explicit Progress(bool wanted) : wanted_(wanted), terminal_(::isatty(STDERR_FILENO) == 1) {}
-  ~Progress() {
-    if (shown_ && terminal_) std::fputc('\n', stderr);
+/// The last line: how many pictures there are and where they went.
+std::string where_they_are(const OutputOptions& output, std::uint64_t pictures) {
+  std::string places;
+  for (const auto& place : {output.frames, output.record, output.sheet}) {
+    if (!place.empty()) places += (places.empty() ? "" : ", ") + place.string();
   }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  return std::to_string(pictures) + " pictures drawn: " + places;
+}
 
-  void show(std::uint64_t pictures, std::int64_t media_ms) {
-    if (!wanted_) return;
-    const Instant now = steady_now();
-    const auto pause = terminal_ ? Milliseconds(200) : Milliseconds(5000);
-    if (shown_ && now - last_ < pause) return;
-    if (!shown_ && !terminal_) {
-      last_ = now;
-      shown_ = true;
-      return;
-    }
-    last_ = now;
-    shown_ = true;
-    std::fprintf(stderr, "%s%" PRIu64 " pictures, %.1f s of the stream%s", terminal_ ? "\r" : "",
-                 pictures, static_cast<double>(media_ms) / 1000.0, terminal_ ? " " : "\n");
-  }
-
-  /// The last line: how much there is and where it went.
-  void say_where(const OutputOptions& output, std::uint64_t pictures) {
-    if (!wanted_) return;
-    std::string places;
-    for (const auto& place : {output.frames, output.record, output.sheet}) {
-      if (!place.empty()) places += (places.empty() ? "" : ", ") + place.string();
-    }
-    std::fprintf(stderr, "%s%" PRIu64 " pictures drawn: %s\n", shown_ && terminal_ ? "\n" : "",
-                 pictures, places.c_str());
-    shown_ = false;
-  }
-
- private:
-  bool wanted_;
-  bool terminal_;
-  bool shown_ = false;
-  Instant last_{};
-};
+std::string how_far(std::uint64_t pictures, double film_ms) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "%" PRIu64 " pictures, %.1f s of the stream", pictures,
+                film_ms / 1000.0);
+  return text.data();
+}
 
 /// Everything that pictures go to.
 struct Sinks {
@@ -109,8 +81,7 @@ class Film {
         stats_(stats),
         pipeline_(assets.face, assets.rules, {options.face.mixer, options.playback.interpolation}),
         progress_(options.output.pictures() && !options.quiet),
-        left_lid_(assets.face.channel_index("left_lid_close")),
-        right_lid_(assets.face.channel_index("right_lid_close")) {}
+        idle_(assets.face) {}
 
   Result<void> open() {
     if (!options_.output.pictures()) return {};
@@ -153,7 +124,7 @@ class Film {
     if (sinks_.sheet) {
       if (auto finished = sinks_.sheet->finish(); !finished) return finished;
     }
-    progress_.say_where(options_.output, stats_.frames_drawn);
+    progress_.end_with(where_they_are(options_.output, stats_.frames_drawn));
     return {};
   }
 
@@ -189,17 +160,16 @@ class Film {
   view::Image draw(double mu, double film_ms) {
     const Instant begin = steady_now();
     activations_ = pipeline_.at(mu);
-    if (options_.playback.blink_seed) {
-      const float closure =
-          playback::blink_closure(*options_.playback.blink_seed, film_ms / 1000.0);
-      for (const auto& lid : {left_lid_, right_lid_}) {
-        if (lid) activations_[*lid] = std::max(activations_[*lid], closure);
-      }
+    if (const auto& seed = options_.playback.idle_seed) {
+      idle_.stir(playback::idle_moment(*seed, film_ms / 1000.0), activations_);
+    }
+    if (const auto& seed = options_.playback.blink_seed) {
+      idle_.blink(playback::blink_closure(*seed, film_ms / 1000.0), activations_);
     }
     view::Image image = maker_->picture(activations_);
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
     stats_.draw_seconds += seconds(steady_now() - begin);
-    progress_.show(stats_.frames_drawn, static_cast<std::int64_t>(film_ms));
+    progress_.show([&] { return how_far(stats_.frames_drawn, film_ms); });
     return image;
   }
   view::Image draw(double mu, std::int64_t film_ms) {
@@ -211,9 +181,8 @@ class Film {
   const std::function<bool()>& stop_;
   PlayerStats& stats_;
   pipeline::FacePipeline pipeline_;
-  Progress progress_;
-  std::optional<std::size_t> left_lid_;
-  std::optional<std::size_t> right_lid_;
+  ProgressLine progress_;
+  pipeline::IdleFace idle_;
   std::unique_ptr<PictureMaker> maker_;
   Sinks sinks_;
   std::vector<float> activations_;

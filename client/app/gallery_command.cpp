@@ -14,7 +14,7 @@
 #include "client/app/gallery_plan.h"
 #include "client/app/picture_maker.h"
 #include "client/app/picture_sinks.h"
-#include "client/app/steady.h"
+#include "client/app/progress_line.h"
 #include "client/view/video_encoder.h"
 #include "common/files.h"
 
@@ -57,36 +57,6 @@ bool ffmpeg_is_there() {
   return false;
 }
 
-/// How many pictures there are, on one line of a terminal; a plain line now and then elsewhere.
-class GalleryProgress {
- public:
-  GalleryProgress(bool wanted, std::size_t whole)
-      : wanted_(wanted), terminal_(::isatty(STDERR_FILENO) == 1), whole_(whole) {}
-  ~GalleryProgress() {
-    if (shown_ && terminal_) std::fputc('\n', stderr);
-  }
-  GalleryProgress(const GalleryProgress&) = delete;
-  GalleryProgress& operator=(const GalleryProgress&) = delete;
-
-  void show(std::size_t done) {
-    if (!wanted_) return;
-    const Instant now = steady_now();
-    const auto pause = terminal_ ? Milliseconds(100) : Milliseconds(5000);
-    if (now - last_ < pause && !(terminal_ && done == whole_)) return;
-    last_ = now;
-    shown_ = true;
-    std::fprintf(stderr, "%s%zu of %zu pictures%s", terminal_ ? "\r" : "", done, whole_,
-                 terminal_ ? " " : "\n");
-  }
-
- private:
-  bool wanted_;
-  bool terminal_;
-  std::size_t whole_;
-  bool shown_ = false;
-  Instant last_ = steady_now();
-};
-
 /// Draws a plan into its folder, one picture at a time.
 class GalleryWriter {
  public:
@@ -94,7 +64,7 @@ class GalleryWriter {
       : assets_(assets),
         options_(options),
         plan_(plan),
-        progress_(!options.quiet, plan.pictures.size()),
+        progress_(!options.quiet),
         activations_(assets.face.channels.size()) {}
 
   Result<void> write() {
@@ -135,7 +105,10 @@ class GalleryWriter {
     if (video != nullptr) {
       if (auto added = video->add(image); !added) return added;
     }
-    progress_.show(index + 1);
+    const std::size_t whole = plan_.pictures.size();
+    progress_.show(
+        [&] { return std::to_string(index + 1) + " of " + std::to_string(whole) + " pictures"; },
+        index + 1 == whole);
     return {};
   }
 
@@ -180,7 +153,7 @@ class GalleryWriter {
   const Assets& assets_;
   const PlayerOptions& options_;
   const GalleryPlan& plan_;
-  GalleryProgress progress_;
+  ProgressLine progress_;
   std::unique_ptr<PictureMaker> maker_;
   std::vector<float> activations_;
   std::vector<std::size_t> videos_;

@@ -31,7 +31,7 @@ Receiving
 Animating
   --speed MS          time of a keyframe that brings none of its own, 1-1000
   --mixer maximum|average     --rules facs|kumar2010|none|FILE
-  --interpolation linear|cosine     --blink SEED   blinks now and then
+  --interpolation linear|cosine     --blink SEED: blinks     --idle SEED: also looks about, breathes
   --face DIR|NAME (default)         --data DIR     where faces, rules and streams are
 Pictures and numbers (these run on the film clock, like --fast)
   --frames DIR        frame_000001.png ...: 50 a keyframe, or --fps N a second
@@ -66,7 +66,7 @@ constexpr std::string_view kPlay =
 
   --speed MS          time of a keyframe that brings none of its own, 1-1000 (250)
   --mixer maximum|average     --rules facs|kumar2010|none|FILE
-  --interpolation linear|cosine     --blink SEED   blinks now and then
+  --interpolation linear|cosine     --blink SEED: blinks     --idle SEED: also looks about, breathes
   --face DIR|NAME (default)         --data DIR     where faces, rules and streams are
   --frames DIR        frame_000001.png ...: 50 a keyframe, or --fps N a second
   --record FILE       .mp4, .webm or .gif, 30 pictures a second unless --fps N

@@ -26,6 +26,7 @@ struct Raw {
   std::string show;
   std::string protocol = "auto";
   std::uint64_t blink_seed = 0;
+  std::uint64_t idle_seed = 0;
   std::vector<std::string> muscles;
   int verbose = 0;
   bool help = false;
@@ -66,6 +67,7 @@ void add_playback(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("--interpolation", options.playback.interpolation)
       ->transform(CLI::CheckedTransformer(kInterpolations));
   cli.add_option("--blink", raw.blink_seed);
+  cli.add_option("--idle", raw.idle_seed);
   cli.add_option("--frames", options.output.frames);
   cli.add_option("--record", options.output.record);
   cli.add_option("--sheet", options.output.sheet);
@@ -237,6 +239,10 @@ Result<void> settle(const CLI::App& cli, const Raw& raw, PlayerOptions& options)
   if (raw.speed_ms != 0) options.playback.speed = Milliseconds(raw.speed_ms);
   if (raw.fps != 0) options.output.fps = raw.fps;
   if (options.command == Command::Watch || options.command == Command::Play) {
+    if (cli.count("--idle") > 0) {
+      options.playback.idle_seed = raw.idle_seed;
+      options.playback.blink_seed = raw.idle_seed;
+    }
     if (cli.count("--blink") > 0) options.playback.blink_seed = raw.blink_seed;
     if (auto buffers = read_buffers(cli, raw, options.playback.buffers); !buffers) return buffers;
     if (options.output.pictures()) options.output.fast = true;

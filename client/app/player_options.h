@@ -49,7 +49,8 @@ struct PlaybackOptions {
   Milliseconds hold{5'000};  ///< --hold: after a stall of so long the face eases to neutral
   net::SecurityOptions security_options;
   net::Security security;                   ///< from security_options; loaded by the player
-  std::optional<std::uint64_t> blink_seed;  ///< --blink: nothing: no blinking
+  std::optional<std::uint64_t> blink_seed;  ///< --blink or --idle; nothing: no blinking
+  std::optional<std::uint64_t> idle_seed;   ///< --idle; nothing: no saccades and no breath
 };
 
 /// Where pictures and numbers go.

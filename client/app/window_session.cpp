@@ -97,6 +97,7 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
       source_(std::move(source)),
       controller_(options.playback.speed),
       editor_(face_),
+      idle_(face_),
       held_(face_.channels.size()),
       activations_(face_.channels.size()),
       face_now_(face_.channels.size()) {
@@ -196,25 +197,22 @@ const std::vector<float>& WindowSession::activations(Instant now) {
     face_now_ = held_;
   }
   activations_ = face_now_;
-  add_blinking(now);
+  add_idle_life(now);
   return activations_;
 }
 
-void WindowSession::add_blinking(Instant now) {
-  if (!rendering_.blinking) return;
+void WindowSession::add_idle_life(Instant now) {
   const double at = std::chrono::duration<double>(now.time_since_epoch()).count();
-  const float closure = playback::blink_closure(rendering_.blink, at);
-  for (const char* lid : {"left_lid_close", "right_lid_close"}) {
-    if (const auto index = face_.channel_index(lid)) {
-      activations_[*index] = std::max(activations_[*index], closure);
-    }
+  if (const auto& seed = options_.playback.idle_seed) {
+    idle_.stir(playback::idle_moment(*seed, at), activations_);
   }
+  if (rendering_.blinking) idle_.blink(playback::blink_closure(rendering_.blink, at), activations_);
 }
 
 Duration WindowSession::rest(Instant now) const {
   Duration rest = running() && !local_ ? kLookEvery : kRest;
   if (!notice_.text.empty()) rest = std::clamp<Duration>(notice_until_ - now, kFrameMax, rest);
-  if (rendering_.blinking) rest = kFrameMax;
+  if (rendering_.blinking || options_.playback.idle_seed) rest = kFrameMax;
   const auto at_most = [&](std::optional<Instant> next) {
     if (next) rest = std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
   };

@@ -20,6 +20,7 @@
 #include "client/gui/kept_settings.h"
 #include "client/gui/transition.h"
 #include "client/pipeline/face_pipeline.h"
+#include "client/pipeline/idle_face.h"
 #include "client/playback/keyframe_source.h"
 #include "client/playback/playback_controller.h"
 
@@ -131,7 +132,7 @@ class WindowSession {
                       std::optional<Milliseconds> speed, Instant now);
   void say(std::string text, bool bad, Instant now);
   void remember_level(Instant now);
-  void add_blinking(Instant now);
+  void add_idle_life(Instant now);
   [[nodiscard]] Result<std::string> save(int number);
   [[nodiscard]] gui::RemoteView remote_view() const;
   [[nodiscard]] gui::EditorView editor_view() const;
@@ -167,9 +168,10 @@ class WindowSession {
   gui::RenderingSettings rendering_;
   std::vector<gui::ExpressionButton> buttons_;
   std::vector<gui::PaceRow> pace_;
+  pipeline::IdleFace idle_;
   std::vector<float> held_;         ///< the face before the first keyframe of a new source
-  std::vector<float> activations_;  ///< as shown, blinking included
-  std::vector<float> face_now_;     ///< as shown, blinking left out
+  std::vector<float> activations_;  ///< as shown, idle life included
+  std::vector<float> face_now_;     ///< as shown, idle life left out
 
   struct Level {
     Instant at;

@@ -38,10 +38,12 @@ void copy_given(const std::set<std::string>& given, const KeptSettings& from, Ke
       "--interpolation", [](auto& s) -> auto& { return s.animation.interpolation; });
   copy(
       "--show", [](auto& s) -> auto& { return s.rendering.layers; });
-  copy(
-      "--blink", [](auto& s) -> auto& { return s.rendering.blinking; });
-  copy(
-      "--blink", [](auto& s) -> auto& { return s.rendering.blink.seed; });
+  for (const char* option : {"--idle", "--blink"}) {
+    copy(
+        option, [](auto& s) -> auto& { return s.rendering.blinking; });
+    copy(
+        option, [](auto& s) -> auto& { return s.rendering.blink.seed; });
+  }
 }
 
 KeptSettings settings_of(const PlayerOptions& options) {

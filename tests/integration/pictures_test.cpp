@@ -1,5 +1,6 @@
 // Pictures and videos of the real face-player; needs OpenGL (in software will do).
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -47,6 +48,31 @@ TEST(Pictures, AtFpsTheyRunFromZeroToTheEnd) {
                   folder.path().string(), "--fps", "10", "--size", "32x32"});
   ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
   EXPECT_EQ(names_in(folder.path()).size(), 16U);  // 0.0, 0.1 ... 1.5 s
+}
+
+TEST(Pictures, IdleLifeMovesAFaceThatIsStillWithoutItAndRepeatsItself) {
+  const TempFolder folder;
+  const std::string stream = folder.write("still.txt", "Beg_Stream\n0;3000\n0;3000\nEnd_Stream\n");
+  const auto frames = [&](const std::string& name, std::vector<std::string> idle) {
+    std::vector<std::string> arguments{"play",  stream, "--frames", (folder.path() / name).string(),
+                                       "--fps", "2",    "--size",   "64x80"};
+    arguments.insert(arguments.end(), idle.begin(), idle.end());
+    const PlayerRun run = run_player(arguments);
+    EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+    std::vector<std::string> pictures;
+    for (const std::string& file : names_in(folder.path() / name)) {
+      pictures.push_back(folder.read(name + "/" + file));
+    }
+    return pictures;
+  };
+  const auto still = frames("still", {});
+  ASSERT_EQ(still.size(), 13U);
+  EXPECT_EQ(std::count(still.begin(), still.end(), still.front()),
+            static_cast<std::ptrdiff_t>(still.size()));
+  const auto alive = frames("alive", {"--idle", "3"});
+  ASSERT_EQ(alive.size(), still.size());
+  EXPECT_LT(std::count(alive.begin(), alive.end(), alive.front()), 3);
+  EXPECT_EQ(frames("again", {"--idle", "3"}), alive);
 }
 
 TEST(Pictures, VideoAndSheetAreWritten) {

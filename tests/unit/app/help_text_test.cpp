@@ -41,6 +41,7 @@ TEST(HelpText, NamesEveryOptionAndAnExample) {
                              "--rules",
                              "--interpolation",
                              "--blink",
+                             "--idle",
                              "--face",
                              "--data",
                              "--frames",

@@ -100,6 +100,18 @@ TEST(PlayerOptions, ReadEverythingAWatcherMaySay) {
   EXPECT_EQ(options.playback.blink_seed, 7U);
 }
 
+TEST(PlayerOptions, IdleLifeBlinksWithItsOwnSeedUnlessToldOtherwise) {
+  EXPECT_FALSE(accepted({"play", "x.txt"}).playback.idle_seed.has_value());
+  const PlayerOptions idle = accepted({"play", "x.txt", "--idle", "5"});
+  EXPECT_EQ(idle.playback.idle_seed, 5U);
+  EXPECT_EQ(idle.playback.blink_seed, 5U);
+  const PlayerOptions both = accepted({"play", "x.txt", "--blink", "6", "--idle", "5"});
+  EXPECT_EQ(both.playback.idle_seed, 5U);
+  EXPECT_EQ(both.playback.blink_seed, 6U);
+  const PlayerOptions blinks = accepted({"play", "x.txt", "--blink", "6"});
+  EXPECT_FALSE(blinks.playback.idle_seed.has_value());
+}
+
 TEST(PlayerOptions, PicturesRunOnTheFilmClock) {
   for (const Arguments& output : {Arguments{"--frames", "d"}, Arguments{"--record", "f.mp4"},
                                   Arguments{"--sheet", "s.png"}, Arguments{"--fast"}}) {

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "client/app/steady.h"
+
+namespace aucast::app {
+
+/// How far a long run is, on standard error: on a terminal one line that is written over, elsewhere
+/// a plain line every few seconds, so that a log stays short.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool wanted);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Shows `text()` when it is time for it. `last`: nothing follows, a terminal shows it now.
+  template <typename Text>
+  void show(const Text& text, bool last = false) {
+    if (is_due(last)) write(text());
+  }
+
+  /// Ends the line and writes one of its own below it.
+  void end_with(const std::string& text);
+
+ private:
+  [[nodiscard]] bool is_due(bool last);
+  void write(const std::string& text);
+
+  bool wanted_;
+  bool terminal_;
+  bool shown_ = false;  ///< the terminal's cursor is behind a text
+  std::size_t length_ = 0;
+  Instant last_ = steady_now();
+};
+
+}  // namespace aucast::app

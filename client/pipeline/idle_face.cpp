@@ -1,0 +1,66 @@
+#include "client/pipeline/idle_face.h"
+
+#include <algorithm>
+#include <string>
+
+namespace aucast::pipeline {
+namespace {
+
+constexpr double kBreathNod_deg = 0.5;
+constexpr double kBreathForward = 0.05;  // mesh units of 1.4 cm
+
+}  // namespace
+
+IdleFace::IdleFace(const face::Face& face)
+    : face_(face),
+      left_lid_(face.channel_index("left_lid_close")),
+      right_lid_(face.channel_index("right_lid_close")),
+      head_up_(face.channel_index("head_up")),
+      head_down_(face.channel_index("head_down")),
+      head_forward_(face.channel_index("head_forward")),
+      head_back_(face.channel_index("head_back")) {
+  for (const face::Eye& eye : face.eyes) {
+    const std::string side = eye.centre.x > 0 ? "left_" : eye.centre.x < 0 ? "right_" : "";
+    eyes_.push_back({face.channel_index(side + "gaze_left"),
+                     face.channel_index(side + "gaze_right"), face.channel_index(side + "gaze_up"),
+                     face.channel_index(side + "gaze_down"), eye.yaw_deg, eye.pitch_deg});
+  }
+}
+
+void IdleFace::blink(float closure, std::span<float> activations) const {
+  for (const Channel& lid : {left_lid_, right_lid_}) {
+    if (lid) activations[*lid] = std::max(activations[*lid], closure);
+  }
+}
+
+/// Two channels that pull opposite ways: afterwards at most one of them does.
+void IdleFace::shift(const Channel& plus, const Channel& minus, double by,
+                     std::span<float> activations) const {
+  if (by == 0 || !plus || !minus) return;
+  const float sum = activations[*plus] - activations[*minus] + static_cast<float>(by);
+  activations[*plus] = std::clamp(sum, 0.0F, face_.channels[*plus].activation_max);
+  activations[*minus] = std::clamp(-sum, 0.0F, face_.channels[*minus].activation_max);
+}
+
+void IdleFace::stir(const playback::IdleMoment& moment, std::span<float> activations) const {
+  for (const Eye& eye : eyes_) {
+    if (eye.yaw_deg > 0) {
+      shift(eye.left, eye.right, moment.gaze_left_deg / static_cast<double>(eye.yaw_deg),
+            activations);
+    }
+    if (eye.pitch_deg > 0) {
+      shift(eye.up, eye.down, moment.gaze_up_deg / static_cast<double>(eye.pitch_deg), activations);
+    }
+  }
+  if (!face_.head) return;
+  if (face_.head->pitch_deg > 0) {
+    shift(head_up_, head_down_,
+          moment.breath * kBreathNod_deg / static_cast<double>(face_.head->pitch_deg), activations);
+  }
+  if (face_.head->shift > 0) {
+    shift(head_forward_, head_back_,
+          moment.breath * kBreathForward / static_cast<double>(face_.head->shift), activations);
+  }
+}
+
+}  // namespace aucast::pipeline

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+namespace aucast::playback {
+
+/// What a face at rest does besides blinking.
+struct IdleMoment {
+  double gaze_left_deg = 0;  ///< to the subject's left
+  double gaze_up_deg = 0;
+  double breath = 0;  ///< 0 breathed out, up to 1 breathed in
+};
+
+/// Small saccades and breath as a pure function of time: the same seed does the same at the same
+/// moments, whatever was asked before.
+///
+/// Every second and a half on average the eyes leave the viewer for a place 1 to 3 degrees away,
+/// mostly to the side, and come back with the next saccade. A saccade of A degrees takes 25 ms +
+/// 2.4 ms x A (the main sequence as Lee, Badler and Badler 2002 give it for animated eyes), with
+/// its fastest moment in the middle; between two there are at least 200 ms. Breathing is 12 to 16.5
+/// breaths a minute (adults at rest breathe 12 to 20 times), two fifths of each going in, no two
+/// quite alike.
+[[nodiscard]] IdleMoment idle_moment(std::uint64_t seed, double seconds);
+
+}  // namespace aucast::playback
