@@ -114,13 +114,15 @@ constexpr OptionRow kTable[] = {
      "keep-alive within a minute all the same.",
      read_client_timeout},
     {"max-clients", "N", Kind::Number, "0", "at a time; more are refused (0: as many as come)",
-     "A client too many gets {error 503 ...} if it says hello, and is closed. Each client takes "
+     "So many at a time; 0: as many as come. A client too many gets {error 503 ...} if it says "
+     "hello, and is closed. Each client takes "
      "one file descriptor; the limit of these (ulimit -n) is raised to the hard one at the start.",
      [](const std::string& word, TransmitterOptions& options) {
        return read_whole(word, 0, kMaxClientsMost, options.max_clients);
      }},
     {"max-clients-per-address", "N", Kind::Number, "0", "the same from one address (0: no limit)",
-     "Of IPv6 the first 64 bits count as the address. Many clients behind one router have one "
+     "So many at a time from one address; 0: as many as come. Of IPv6 the first 64 bits count as "
+     "the address. Many clients behind one router have one "
      "address.",
      [](const std::string& word, TransmitterOptions& options) {
        return read_whole(word, 0, kMaxClientsMost, options.max_clients_per_address);

@@ -15,6 +15,7 @@
 #include "server/catalogue.h"
 #include "server/check_report.h"
 #include "server/convert_command.h"
+#include "server/manual_page.h"
 #include "server/stats.h"
 #include "server/transmitter.h"
 #include "server/transmitter_options.h"
@@ -131,6 +132,15 @@ int run_transmitter(std::vector<std::string> arguments) {
   if (!arguments.empty() && arguments.front() == "convert") {
     arguments.erase(arguments.begin());
     return convert(std::move(arguments));
+  }
+  // For the build, which installs both.
+  if (arguments == std::vector<std::string>{"--help-man"}) {
+    const auto printed = print(manual_page());
+    return printed ? 0 : report(printed.error());
+  }
+  if (arguments == std::vector<std::string>{"--help-completion"}) {
+    const auto printed = print(completion());
+    return printed ? 0 : report(printed.error());
   }
   const auto command = read_command_line(std::move(arguments), surroundings_of_process());
   if (!command) return report(command.error());

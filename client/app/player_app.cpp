@@ -9,6 +9,7 @@
 #include "client/app/film.h"
 #include "client/app/gallery_command.h"
 #include "client/app/local_stream.h"
+#include "client/app/manual_page.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/app/pose_command.h"
@@ -164,6 +165,12 @@ Result<void> run(PlayerOptions options) {
 }  // namespace
 
 int run_player(std::vector<std::string> arguments) {
+  // For the build, which installs both.
+  const bool page = arguments == std::vector<std::string>{"--help-man"};
+  if (page || arguments == std::vector<std::string>{"--help-completion"}) {
+    std::fputs((page ? manual_page() : completion()).c_str(), stdout);
+    return std::fflush(stdout) == 0 ? 0 : 1;
+  }
   auto options = parse_player_options(std::move(arguments));
   Result<void> done = options ? run(std::move(*options)) : Result<void>(options.error());
   if (done && std::fflush(stdout) != 0) {

@@ -1,0 +1,43 @@
+# What `cmake --install` puts where: programs, data, manual pages, completion, units of systemd.
+
+include(GNUInstallDirs)
+
+# aucast_install_program(NAME)
+#   The program with what it says about itself: its manual page and what completes its options.
+function(aucast_install_program name)
+  set(page ${PROJECT_BINARY_DIR}/man/${name}.1)
+  set(completion ${PROJECT_BINARY_DIR}/completion/${name})
+  add_custom_command(
+    OUTPUT ${page} ${completion}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
+            ${PROJECT_BINARY_DIR}/completion
+    COMMAND ${name} --help-man > ${page}
+    COMMAND ${name} --help-completion > ${completion}
+    DEPENDS ${name}
+    COMMENT "Writing the manual page of ${name}")
+  add_custom_target(${name}_manual ALL DEPENDS ${page} ${completion})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${completion}
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endfunction()
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast
+        PATTERN CMakeLists.txt EXCLUDE PATTERN pictures EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE
+              ${PROJECT_SOURCE_DIR}/protocol/PROTOCOL.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+if(TARGET face-player)
+  aucast_install_program(face-player)
+endif()
+if(TARGET au-transmitter)
+  aucast_install_program(au-transmitter)
+  set(systemd ${PROJECT_SOURCE_DIR}/server/systemd)
+  configure_file(${systemd}/au-transmitter.service.in
+                 ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service
+                ${systemd}/au-transmitter.socket
+          DESTINATION lib/systemd/system)
+  install(FILES ${systemd}/au-transmitter.toml DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endif()
