@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "client/face/table_reader.h"
@@ -100,10 +101,19 @@ Result<Calibration> load_calibration(const std::filesystem::path& file) {
   calibration.mm_per_unit = reader.number("mm_per_unit", Bounds::above(0));
   calibration.still_mm = reader.number("still_mm", Bounds::above(0));
   for (const TomlValue* table : reader.tables("landmark")) {
-    calibration.landmarks.push_back(read_landmark(*table, problems));
+    Landmark landmark = read_landmark(*table, problems);
+    if (calibration.find(landmark.name) != nullptr) {
+      problems.add(table->place, "the landmark '" + landmark.name + "' is there twice");
+    }
+    calibration.landmarks.push_back(std::move(landmark));
   }
   for (const TomlValue* table : reader.tables("au")) {
-    calibration.aus.push_back(read_au(*table, calibration, problems));
+    CalibratedAu au = read_au(*table, calibration, problems);
+    const auto same = [&au](const CalibratedAu& other) { return other.number == au.number; };
+    if (std::any_of(calibration.aus.begin(), calibration.aus.end(), same)) {
+      problems.add(table->place, "AU " + std::to_string(au.number) + " is there twice");
+    }
+    calibration.aus.push_back(std::move(au));
   }
   reader.finish();
   if (const auto result = problems.result(); !result) return result.error();
