@@ -66,6 +66,14 @@ double beard_field(const HalfVertex& v) {
   return std::max(jaw, moustache) * below;
 }
 
+/// The skin just below the edge of the jaw, from the ear to the chin: a little darker there, the
+/// jaw stands out from the neck also where the light comes from the front.
+double under_jaw(const Vec3& p) {
+  const double edge = mix(-2.3, -5.3, saturate((p.z - 1.2) / 5.2));
+  const double below = edge - p.y;
+  return smooth_step(0.1, 0.7, below) * smooth_step(3.4, 0.9, below) * smooth_step(0.4, 1.6, p.z);
+}
+
 /// Nose and forehead shine a little more than the rest, neck and back of the head less.
 double shine(const Vec3& p) {
   double s = 0.85;
@@ -85,6 +93,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     if (p.z > 4)
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
+    c *= 1 - 0.24 * under_jaw(p);
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);
