@@ -41,24 +41,25 @@ Keyframe changes_between(const Keyframe& from, const Keyframe& to) {
   return changes;
 }
 
+std::string ChangesEncoder::next(const Keyframe& keyframe) {
+  if (last_) since_full_ms_ += last_->duration_ms.value_or(keyframe_ms_);
+  const std::uint64_t until_next_ms = since_full_ms_ + keyframe.duration_ms.value_or(keyframe_ms_);
+  std::string full = encode(keyframe);
+  // Where the next keyframe would come too late for being the full one, this one is.
+  const bool due = !last_ || until_next_ms > static_cast<std::uint64_t>(kFullKeyframeEvery.count());
+  std::string changes = due ? full : encode(changes_between(*last_, keyframe));
+  last_ = keyframe;
+  if (changes.size() < full.size()) return changes;
+  since_full_ms_ = 0;
+  return full;
+}
+
 std::vector<std::string> encode_changes(std::span<const Keyframe> keyframes,
                                         std::uint32_t keyframe_ms) {
+  ChangesEncoder encoder(keyframe_ms);
   std::vector<std::string> packets;
   packets.reserve(keyframes.size());
-  std::uint64_t since_full_ms = 0;
-  for (std::size_t i = 0; i < keyframes.size(); ++i) {
-    if (i > 0) since_full_ms += keyframes[i - 1].duration_ms.value_or(keyframe_ms);
-    const std::uint64_t until_next_ms =
-        since_full_ms + keyframes[i].duration_ms.value_or(keyframe_ms);
-    std::string full = encode(keyframes[i]);
-    // Where the next keyframe would come too late for being the full one, this one is.
-    const bool due =
-        i == 0 || until_next_ms > static_cast<std::uint64_t>(kFullKeyframeEvery.count());
-    std::string changes = due ? full : encode(changes_between(keyframes[i - 1], keyframes[i]));
-    const bool shorter = changes.size() < full.size();
-    if (!shorter) since_full_ms = 0;
-    packets.push_back(shorter ? std::move(changes) : std::move(full));
-  }
+  for (const Keyframe& keyframe : keyframes) packets.push_back(encoder.next(keyframe));
   return packets;
 }
 

@@ -19,12 +19,32 @@ struct LiveMoment {
   friend bool operator==(const LiveMoment&, const LiveMoment&) = default;
 };
 
-/// The one clock of a stream that is sent live. A moment begins when the face is to set out for its
-/// keyframe and lasts as long as the keyframe's time; after the last one the stream has ended, or
-/// starts again. A clock that was not asked for long (the computer slept) leaves out what is more
-/// than kLiveLagMax past.
+/// What the sessions of a live stream go by. Thread: none of its own.
+class LiveTime {
+ public:
+  LiveTime() = default;
+  virtual ~LiveTime() = default;
+
+  /// Nothing before the first moment.
+  [[nodiscard]] virtual const std::optional<LiveMoment>& newest() const = 0;
+  /// The moments that began at once, the newest last; none when it only ended.
+  [[nodiscard]] virtual std::span<const LiveMoment> passed() const = 0;
+  /// The last keyframe's time is over, and for now nothing follows.
+  [[nodiscard]] virtual bool ended() const = 0;
+  /// How many moments fit in `time`, rounded up; at least 1.
+  [[nodiscard]] virtual std::size_t moments_in(Milliseconds time) const = 0;
+
+ protected:
+  LiveTime(const LiveTime&) = default;
+  LiveTime& operator=(const LiveTime&) = default;
+};
+
+/// The one clock of a recorded stream that is sent live. A moment begins when the face is to set
+/// out for its keyframe and lasts as long as the keyframe's time; after the last one the stream has
+/// ended, or starts again. A clock that was not asked for long (the computer slept) leaves out what
+/// is more than kLiveLagMax past.
 /// Thread: none of its own.
-class LiveClock {
+class LiveClock final : public LiveTime {
  public:
   /// Longest past that is still made up for.
   static constexpr Milliseconds kLiveLagMax{1000};
@@ -37,16 +57,14 @@ class LiveClock {
   /// Goes through all that is due; false when nothing is.
   bool advance_all(Instant now);
   /// The moments that the last advance went through, the newest last; none when it only ended.
-  [[nodiscard]] std::span<const LiveMoment> passed() const { return passed_; }
+  [[nodiscard]] std::span<const LiveMoment> passed() const override { return passed_; }
 
-  /// Nothing before the first moment.
-  [[nodiscard]] const std::optional<LiveMoment>& newest() const { return newest_; }
+  [[nodiscard]] const std::optional<LiveMoment>& newest() const override { return newest_; }
   /// The last keyframe's time is over, and it does not start again.
-  [[nodiscard]] bool ended() const { return ended_; }
+  [[nodiscard]] bool ended() const override { return ended_; }
   /// When advance() has something to do; nothing after the end.
   [[nodiscard]] std::optional<Instant> next_at() const;
-  /// How many moments fit in `time`, rounded up; at least 1.
-  [[nodiscard]] std::size_t moments_in(Milliseconds time) const;
+  [[nodiscard]] std::size_t moments_in(Milliseconds time) const override;
 
  private:
   void step();

@@ -15,7 +15,8 @@
 
 namespace aucast::protocol {
 
-/// A stream, encoded once per level and shared by all clients. Immutable while served.
+/// A stream, encoded once per level and shared by all clients. Immutable while served, but for what
+/// a LiveFeed replaces.
 struct ServedStream {
   std::string name;                     ///< what a hello asks for; the file's stem
   std::vector<std::string> classic;     ///< one packet per keyframe
@@ -26,7 +27,7 @@ struct ServedStream {
   std::vector<Milliseconds> times{};  ///< of each keyframe, untimed ones with their default
   /// Live: what its sessions go by. Moved on by the owner, who then calls their on_moment();
   /// nothing: a recorded stream, which everybody gets from its beginning.
-  const LiveClock* clock = nullptr;
+  const LiveTime* clock = nullptr;
 };
 
 /// What the sessions of one server have in common. Must outlive them.

@@ -42,7 +42,6 @@ class StreamFileParser {
   void read_tag(std::string_view content, std::size_t shift);
   void read_packet(std::string_view content, std::size_t shift);
   void read_outside(std::string_view content, std::size_t shift);
-  void check_and_store(std::string_view inside, std::size_t shift, Keyframe keyframe);
   void finish();
   /// `position`: of the byte in the line, from 0.
   void refuse(std::size_t position, const std::string& reason);
@@ -130,45 +129,20 @@ void StreamFileParser::read_tag(std::string_view content, std::size_t shift) {
 
 void StreamFileParser::read_packet(std::string_view content, std::size_t shift) {
   packet_seen_ = true;
-  std::string_view inside = content;
-  if (content.front() == '{') {
-    const std::size_t close = content.find('}');
-    if (close == std::string_view::npos) {
-      refuse(shift + content.size(), "the closing brace is missing");
-      return;
-    }
-    if (close + 1 != content.size()) {
-      refuse(shift + close + 1, "text after the closing brace; write one packet per line");
-      return;
-    }
-    inside = content.substr(1, close - 1);
-    ++shift;
-  }
   Keyframe keyframe;
-  if (const auto error = parse_keyframe(inside, TermSyntax::Text, keyframe)) {
+  if (const auto error = parse_stream_line(content, keyframe)) {
     const auto tag = mistyped_tag(content);
     refuse(shift + error->position,
            tag ? error->reason + "; did you mean " + *tag + "?" : error->reason);
     return;
   }
-  check_and_store(inside, shift, std::move(keyframe));
-}
-
-void StreamFileParser::check_and_store(std::string_view inside, std::size_t shift,
-                                       Keyframe keyframe) {
-  if (keyframe.changes_only) {
-    refuse(shift + inside.find('~'), "a stream file names whole sets; '~' is for the wire only");
+  if (keyframe.place_ms && *keyframe.place_ms < last_place_ms_) {
+    refuse(shift + content.find('@'), "the place goes backwards, to " +
+                                          std::to_string(*keyframe.place_ms) + " ms after " +
+                                          std::to_string(last_place_ms_) + " ms");
     return;
   }
-  if (keyframe.place_ms) {
-    if (*keyframe.place_ms < last_place_ms_) {
-      refuse(shift + inside.find('@'), "the place goes backwards, to " +
-                                           std::to_string(*keyframe.place_ms) + " ms after " +
-                                           std::to_string(last_place_ms_) + " ms");
-      return;
-    }
-    last_place_ms_ = *keyframe.place_ms;
-  }
+  last_place_ms_ = keyframe.place_ms.value_or(last_place_ms_);
   stream_.keyframes.push_back(std::move(keyframe));
 }
 
@@ -222,6 +196,31 @@ Error StreamFileParser::error() const {
 
 Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file) {
   return StreamFileParser(text, file).parse();
+}
+
+std::optional<TextError> parse_stream_line(std::string_view content, Keyframe& out) {
+  std::string_view inside = content;
+  const std::size_t shift = content.starts_with('{') ? 1 : 0;
+  if (shift == 1) {
+    const std::size_t close = content.find('}');
+    if (close == std::string_view::npos) {
+      return TextError{content.size(), "the closing brace is missing"};
+    }
+    if (close + 1 != content.size()) {
+      return TextError{close + 1, "text after the closing brace; write one packet per line"};
+    }
+    inside = content.substr(1, close - 1);
+  }
+  Keyframe keyframe;
+  if (auto error = parse_keyframe(inside, TermSyntax::Text, keyframe)) {
+    error->position += shift;
+    return error;
+  }
+  if (keyframe.changes_only) {
+    return TextError{content.find('~'), "a stream file names whole sets; '~' is for the wire only"};
+  }
+  out = std::move(keyframe);
+  return std::nullopt;
 }
 
 std::string format_stream_file(const StreamFile& stream) {

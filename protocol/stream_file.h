@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "common/result.h"
+#include "protocol/codec.h"
 #include "protocol/packet.h"
 
 namespace aucast::protocol {
@@ -19,6 +21,10 @@ struct StreamFile {
 /// "file:line:column: reason" per error, the first kReportedErrorsMax of them, and a last line that
 /// counts the rest.
 [[nodiscard]] Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file);
+
+/// Reads one line between the tags, without blanks around it and without a comment: a keyframe with
+/// or without braces. On success it is in `out` and nothing is returned.
+[[nodiscard]] std::optional<TextError> parse_stream_line(std::string_view content, Keyframe& out);
 
 /// The same as text: tags, one canonical packet per line without braces.
 [[nodiscard]] std::string format_stream_file(const StreamFile& stream);

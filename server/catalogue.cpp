@@ -9,20 +9,23 @@
 #include "common/text.h"
 #include "protocol/changes.h"
 #include "protocol/codec.h"
+#include "server/live_source.h"
 #include "server/source_reader.h"
 
 namespace aucast::server {
 namespace {
 
 Result<Source> load_source(const std::filesystem::path& path, const SourceOptions& options,
-                           std::uint32_t keyframe_ms) {
-  Source source{path, path.stem().string(), {}, std::nullopt};
+                           std::uint32_t keyframe_ms, LiveSources live) {
+  Source source{path, stream_name(path), {}, std::nullopt, false};
   if (!protocol::is_stream_name(source.name)) {
     return Error{ErrorKind::Usage,
                  path.string() + ": '" + escaped(source.name) +
                      "' cannot be a stream's name; rename the file: 1 to 64 letters, digits, "
                      "'.', '_' or '-' before the extension"};
   }
+  source.live = live != LiveSources::None && is_live(path, live == LiveSources::Files);
+  if (source.live) return source;
   auto content = read_source(path, options, keyframe_ms);
   if (!content) return content.error();
   source.stream = std::move(content->stream);
@@ -90,6 +93,7 @@ bool goes_beyond_classic(const protocol::StreamFile& stream) {
 protocol::ServedStream served(const Source& source, const CatalogueOptions& options) {
   protocol::ServedStream stream;
   stream.name = source.name;
+  if (source.live) return stream;
   for (const protocol::Keyframe& keyframe : source.stream.keyframes) {
     stream.classic.push_back(protocol::encode_classic(keyframe, options.classic_min));
     stream.negotiated.push_back(protocol::encode(keyframe));
@@ -116,7 +120,7 @@ bool same_stream(const protocol::ServedStream& a, const protocol::ServedStream& 
 
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
                                          const SourceOptions& options, std::uint32_t keyframe_ms,
-                                         std::vector<Error>* skipped) {
+                                         std::vector<Error>* skipped, LiveSources live) {
   std::vector<Source> sources;
   std::vector<Error> errors;
   for (const std::filesystem::path& path : paths) {
@@ -126,7 +130,8 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
       continue;
     }
     for (const std::filesystem::path& file : *files) {
-      auto source = load_source(file, options, keyframe_ms);
+      auto source =
+          load_source(file, options, keyframe_ms, file == path ? live : LiveSources::None);
       if (!source) {
         errors.push_back(source.error());
       } else if (auto taken = taken_name(sources, *source)) {
@@ -170,7 +175,7 @@ bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCata
 Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
   if (!catalogue.loop) return {};
   for (const protocol::ServedStream& stream : catalogue.streams) {
-    if (time_of(stream) == Milliseconds::zero()) {
+    if (!stream.classic.empty() && time_of(stream) == Milliseconds::zero()) {
       return Error{ErrorKind::BadData, "the stream '" + stream.name +
                                            "' takes no time at all, so it cannot start again and "
                                            "again live; give its keyframes a time, such as ;250"};

@@ -21,9 +21,17 @@ struct Source {
   std::string name;  ///< the file's stem: what a hello asks for
   protocol::StreamFile stream;
   std::optional<sources::Found> found;  ///< of a recording
+  bool live = false;                    ///< nothing is read yet: a LiveSource will
 };
 
-/// Reads all files whole, of a folder its .txt and .csv files by name;
+/// Which sources are live streams; others are read whole. What is in a folder is not live.
+enum class LiveSources : std::uint8_t {
+  None,     ///< none: --check
+  Streams,  ///< stdin and FIFOs
+  Files,    ///< files too: --follow
+};
+
+/// Reads all files whole but those that are `live`, of a folder its .txt and .csv files by name;
 /// `keyframe_ms` is the time of an untimed keyframe when --rate is asked.
 /// If any is wrong, the errors of all of them, one a line, in the order of
 /// the command line; their kind is that of the first. Names that are no stream names or come twice
@@ -31,7 +39,8 @@ struct Source {
 /// anything is left.
 [[nodiscard]] Result<std::vector<Source>> load_sources(
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
-    std::uint32_t keyframe_ms = 250, std::vector<Error>* skipped = nullptr);
+    std::uint32_t keyframe_ms = 250, std::vector<Error>* skipped = nullptr,
+    LiveSources live = LiveSources::None);
 
 /// How the streams are served.
 struct CatalogueOptions {

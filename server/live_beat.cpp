@@ -20,9 +20,12 @@ void LiveBeat::start(protocol::ServerCatalogue& catalogue, const protocol::Serve
   const Instant begin = now();
   clocks_.reserve(catalogue.streams.size());  // the streams point into it
   for (protocol::ServedStream& stream : catalogue.streams) {
+    if (stream.clock != nullptr) continue;  // a source gives the time
     const protocol::ServedStream* same = before ? find_same(*before, stream) : nullptr;
-    if (same != nullptr && same->clock != nullptr) {
-      stream.clock = &clocks_.emplace_back(*same->clock);
+    const auto* running =
+        same != nullptr ? dynamic_cast<const protocol::LiveClock*>(same->clock) : nullptr;
+    if (running != nullptr) {
+      stream.clock = &clocks_.emplace_back(*running);
     } else {
       stream.clock = &clocks_.emplace_back(stream.times, catalogue.loop, begin);
     }

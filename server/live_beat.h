@@ -22,8 +22,9 @@ class LiveBeat {
   LiveBeat(const LiveBeat&) = delete;
   LiveBeat& operator=(const LiveBeat&) = delete;
 
-  /// Begins all streams of `catalogue` now and gives them their clocks, which live as long as this
-  /// object. A stream that is live in `before` as it is here goes on where it is there. Once.
+  /// Begins all streams of `catalogue` that have no clock now and gives them theirs, which live as
+  /// long as this object. A stream that is live in `before` as it is here goes on where it is
+  /// there. Once.
   void start(protocol::ServerCatalogue& catalogue, const protocol::ServerCatalogue* before,
              OnMoment on_moment);
   void stop();

@@ -71,11 +71,12 @@ Complaint of_source(const std::string& word, TransmitterOptions& options) {
 }
 
 constexpr OptionRow kTable[] = {
-    {"source", "", Kind::Words, "", "files, recordings or folders; the first is the default",
+    {"source", "", Kind::Words, "", "files, recordings, folders; - (stdin), FIFOs are live",
      "A stream file, or a recording of an AU recogniser, told by what is in it, or a folder: "
-     "its .txt and .csv files are sources then, by name. A stream's "
-     "name is "
-     "its file's name without the extension; a client that names none gets the first.",
+     "its .txt and .csv files are sources then, by name. A stream's name is its file's name "
+     "without "
+     "the extension; a client that names none, and every classic one, gets the first. - (named "
+     "live) and FIFOs are sent as they are written, each keyframe to all clients at once.",
      [](const std::string& word, TransmitterOptions& options) -> Complaint {
        options.sources.emplace_back(word);
        return std::nullopt;
@@ -100,6 +101,19 @@ constexpr OptionRow kTable[] = {
      "All clients see the same moment. The clocks begin when the transmitter is ready. Who is slow "
      "gets the newest keyframe and misses those in between, which are counted as merged.",
      read_flag<&TransmitterOptions::live>},
+    {"follow", "", Kind::Flag, "false", "files too are live: what is written to them from now on",
+     "What a file holds already is past; its last keyframe is where the face begins. A file that "
+     "is rewritten, replaced or got shorter is read anew.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_follow(word, options.live_source);
+     }},
+    {"source-timeout", "S", Kind::Number, "10", "a live source silent so long ends (10; 0: never)",
+     "Seconds, to 86400. The face holds for 0.5 s, goes to neutral in 1 s, and after this time the "
+     "clients that are there get {-2}; when the source comes back, the stream goes on. Lines of a "
+     "stream file hold until their input ends.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_source_timeout(word, options.live_source);
+     }},
     {"classic-min", "PERCENT", Kind::Number, "20",
      "classic clients get no AU weaker than this (20)",
      "Clients of level 1 know no intensities: what is weaker is left out for them, the rest is "

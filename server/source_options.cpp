@@ -1,5 +1,6 @@
 #include "server/source_options.h"
 
+#include <cmath>
 #include <string_view>
 
 #include "common/text.h"
@@ -10,6 +11,9 @@ namespace {
 
 /// A camera that is faster has no face before it.
 constexpr double kFpsMax = 1000;
+
+/// Who waits for a day waits for ever.
+constexpr double kSourceTimeoutMax = 86'400;
 
 }  // namespace
 
@@ -82,6 +86,21 @@ Result<SourceOptions> read_source_options(const SourceWords& words) {
     }
   }
   return options;
+}
+
+Complaint read_follow(const std::string& word, LiveSourceSettings& settings) {
+  if (word != "true" && word != "false") return "is neither true nor false";
+  settings.follow = word == "true";
+  return std::nullopt;
+}
+
+Complaint read_source_timeout(const std::string& word, LiveSourceSettings& settings) {
+  const auto seconds = number_of<double>(word);
+  if (!seconds || !(*seconds >= 0 && *seconds <= kSourceTimeoutMax)) {
+    return "is not a number of seconds from 0 (never) to 86400";
+  }
+  settings.timeout = Milliseconds(std::llround(std::ceil(*seconds * 1000)));
+  return std::nullopt;
 }
 
 }  // namespace aucast::server

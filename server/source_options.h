@@ -5,6 +5,7 @@
 
 #include "common/command_line.h"
 #include "common/result.h"
+#include "common/time.h"
 #include "server/option_word.h"
 #include "server/sources/recording.h"
 
@@ -42,5 +43,15 @@ void describe_source_options(CLI::App& app, SourceWords& words);
 
 /// Usage error, one line, for a word that is none of what its option takes.
 [[nodiscard]] Result<SourceOptions> read_source_options(const SourceWords& words);
+
+/// How sources that are still being written are served.
+struct LiveSourceSettings {
+  bool follow = false;           ///< files too
+  Milliseconds timeout{10'000};  ///< a silent one ends for its clients; 0: never
+  friend bool operator==(const LiveSourceSettings&, const LiveSourceSettings&) = default;
+};
+
+[[nodiscard]] Complaint read_follow(const std::string& word, LiveSourceSettings& settings);
+[[nodiscard]] Complaint read_source_timeout(const std::string& word, LiveSourceSettings& settings);
 
 }  // namespace aucast::server

@@ -11,15 +11,6 @@
 namespace aucast::server {
 namespace {
 
-Result<sources::ArkitTable> load_arkit_table() {
-  const auto data = find_data_folder({});
-  if (!data) return data.error();
-  const auto path = *data / "sources" / "arkit_to_au.csv";
-  const auto text = read_file(path);
-  if (!text) return text.error();
-  return sources::parse_arkit_table(*text, path.string());
-}
-
 Result<SourceContent> read_table(std::string_view text, const std::string& file,
                                  const SourceOptions& options, sources::ContentKind kind) {
   sources::ArkitTable curves;
@@ -44,11 +35,20 @@ Result<SourceContent> read_content(std::string_view text, const std::string& fil
 
 }  // namespace
 
-Result<SourceContent> read_source(const std::filesystem::path& path, const SourceOptions& options,
-                                  std::uint32_t keyframe_ms) {
+Result<sources::ArkitTable> load_arkit_table() {
+  const auto data = find_data_folder({});
+  if (!data) return data.error();
+  const auto path = *data / "sources" / "arkit_to_au.csv";
   const auto text = read_file(path);
   if (!text) return text.error();
-  auto content = read_content(*text, path.string(), options);
+  return sources::parse_arkit_table(*text, path.string());
+}
+
+Result<SourceContent> read_source(const std::filesystem::path& path, const SourceOptions& options,
+                                  std::uint32_t keyframe_ms) {
+  const auto text = read_file(path == "-" ? "/dev/stdin" : path);
+  if (!text) return text.error();
+  auto content = read_content(*text, path == "-" ? "stdin" : path.string(), options);
   if (content && options.rate) {
     content->stream = sources::resample(content->stream, *options.rate, keyframe_ms);
   }

@@ -17,8 +17,12 @@ struct SourceContent {
   std::optional<sources::Found> found;  ///< of a recording; nothing for a stream file
 };
 
+/// The table that reads Live Link Face's curves as AUs, from the data folder.
+[[nodiscard]] Result<sources::ArkitTable> load_arkit_table();
+
 /// Reads a stream file or a recogniser's recording, told apart by what is in it, and brings it to
-/// options.rate. `keyframe_ms`: time of an untimed keyframe.
+/// options.rate. `keyframe_ms`: time of an untimed keyframe. The path "-" is
+/// stdin, read to its end.
 [[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
                                                 const SourceOptions& options,
                                                 std::uint32_t keyframe_ms);

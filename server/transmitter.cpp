@@ -28,6 +28,7 @@
 #include "server/http_server.h"
 #include "server/listener.h"
 #include "server/live_beat.h"
+#include "server/live_source.h"
 #include "server/service_manager.h"
 #include "server/status.h"
 
@@ -46,6 +47,7 @@ constexpr std::size_t kFetchedAhead = 2;
 /// not so little that every packet has to wait for the one before.
 constexpr std::size_t kUnsentBytesLeast = 512;
 constexpr std::size_t kUnsentBytesMost = 65536;
+constexpr std::size_t kUnsentBytesOfSources = 2048;  ///< what they will send is not known
 
 constexpr const char* kPlainText = "text/plain; charset=utf-8";
 
@@ -73,7 +75,10 @@ const char* name_of_signal(int number) {
 
 int unsent_bytes_for(const protocol::ServerCatalogue& catalogue) {
   const std::size_t bytes = bytes_in(catalogue, protocol::kLiveWindowTime / 2);
-  return static_cast<int>(std::clamp(bytes, kUnsentBytesLeast, kUnsentBytesMost));
+  const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
+                                   [](const auto& stream) { return stream.classic.empty(); });
+  const std::size_t least = unknown ? kUnsentBytesOfSources : kUnsentBytesLeast;
+  return static_cast<int>(std::clamp(bytes, least, kUnsentBytesMost));
 }
 
 /// The streams as they were read at one time, with their clocks. SIGHUP brings another one; who is
@@ -107,6 +112,7 @@ class Transmitter {
   Result<void> run(const OnReady& on_ready) {
     if (auto loaded = load_credentials_now(); !loaded) return loaded;
     if (auto opened = open_listeners(); !opened) return opened;
+    if (auto begun = begin_sources(); !begun) return begun;
     const std::string address = endpoint_text(listener_.endpoint());
     if (auto ready = on_ready(address); !ready) return ready;
     if (listener_.endpoint().address().is_loopback()) {
@@ -213,6 +219,37 @@ class Transmitter {
     reloader_.start();
   }
 
+  /// Those that are still being written; they stay the same when others are read again.
+  Result<void> begin_sources() {
+    for (const std::filesystem::path& path : options_.sources) {
+      if (!is_live(path, options_.live_source.follow)) continue;
+      const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
+                                        options_.keyframe_ms};
+      auto source = std::make_unique<LiveSource>(
+          io_,
+          LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
+                            options_.live_source.timeout},
+          [this] { on_moment_of_source(); });
+      if (auto begun = source->start(); !begun) return begun;
+      live_sources_.emplace(stream_name(path), std::move(source));
+    }
+    attach_sources();
+    return {};
+  }
+
+  void attach_sources() {
+    for (protocol::ServedStream& stream : programme_->catalogue.streams) {
+      const auto source = live_sources_.find(stream.name);
+      if (source == live_sources_.end()) continue;
+      source->second->feed().attach(std::shared_ptr<protocol::ServedStream>(programme_, &stream));
+    }
+  }
+
+  void on_moment_of_source() {
+    for (const auto& old : old_programmes_) on_moment(*old);
+    on_moment(*programme_);
+  }
+
   /// Streams that `before` has too go on where they are there.
   void begin_live(const Programme* before) {
     programme_->beat.start(programme_->catalogue, before ? &before->catalogue : nullptr,
@@ -252,7 +289,7 @@ class Transmitter {
         std::move(socket),
         std::shared_ptr<const protocol::ServerCatalogue>(programme_, &programme_->catalogue),
         Connection::Settings{number, endpoint_text(peer), options_.client_timeout, admission,
-                             options_.live ? programme_->unsent_bytes_max : 0, tls_},
+                             any_live() ? programme_->unsent_bytes_max : 0, tls_},
         [this](const ClientRecord& record) { farewell(record); });
     if (refused) {
       refused_.insert(number);
@@ -263,6 +300,8 @@ class Transmitter {
     forget_audience();
     connection->start();
   }
+
+  [[nodiscard]] bool any_live() const { return options_.live || !live_sources_.empty(); }
 
   [[nodiscard]] protocol::Admission admission_of(const tcp::endpoint& peer) const {
     const std::size_t inside = connections_.size() - refused_.size();
@@ -336,6 +375,7 @@ class Transmitter {
     const std::shared_ptr<Programme> before = programme_;
     loaded->token = before->catalogue.token;
     programme_ = std::make_shared<Programme>(io_, std::move(*loaded));
+    attach_sources();
     if (options_.live) begin_live(before.get());
     old_programmes_.push_back(before);
     spdlog::info("serving {} streams now; the {} clients that are here keep what they have",
@@ -353,6 +393,7 @@ class Transmitter {
     spdlog::info("{}: ending the stream of {} clients", name, connections_.size());
     manager_.stopping();
     listener_.stop();
+    for (const auto& [stream, source] : live_sources_) source->stop();
     programme_->beat.stop();
     for (const auto& old : old_programmes_) old->beat.stop();
     for (const auto& connection : everybody()) connection->stop();
@@ -385,7 +426,7 @@ class Transmitter {
     const Instant now = std::chrono::steady_clock::now();
     Status status;
     status.up_seconds = seconds(now - begin_);
-    status.live = options_.live;
+    status.live = any_live();
     status.stopping = stopping_;
     for (const auto& stream : programme_->catalogue.streams) status.streams.push_back(stream.name);
     status.clients = connections_.size();
@@ -426,6 +467,7 @@ class Transmitter {
   asio::steady_timer tick_timer_;
   ServiceManager manager_;
   Listener listener_;
+  std::map<std::string, std::unique_ptr<LiveSource>> live_sources_;  ///< by their streams' names
   std::shared_ptr<Programme> programme_;
   std::vector<std::shared_ptr<Programme>> old_programmes_;  ///< that clients are still served from
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;

@@ -52,11 +52,17 @@ Result<void> try_stats_file(const std::filesystem::path& path) {
   return write_file_atomically(path, Stats().to_json());
 }
 
+/// Those that are live when they are served; --check reads all of them whole.
+LiveSources live_sources(const TransmitterOptions& options) {
+  if (options.check) return LiveSources::None;
+  return options.live_source.follow ? LiveSources::Files : LiveSources::Streams;
+}
+
 /// The sources; what --skip-bad leaves out is said.
 Result<std::vector<Source>> load(const TransmitterOptions& options) {
   std::vector<Error> skipped;
   auto sources = load_sources(options.sources, options.source, options.keyframe_ms,
-                              options.skip_bad ? &skipped : nullptr);
+                              options.skip_bad ? &skipped : nullptr, live_sources(options));
   for (const Error& error : skipped) {
     std::istringstream lines(error.message);
     for (std::string line; std::getline(lines, line);) spdlog::warn("left out: {}", line);

@@ -194,6 +194,7 @@ examples:
   au-transmitter data/streams/six_expressions.txt
   au-transmitter --bind 0.0.0.0 --live --loop talk.txt
   au-transmitter --loop --stats sent.json talk.txt surprise.txt
+  FeatureExtraction -device 0 -of - | au-transmitter -
   printf '1111111' | nc 127.0.0.1 4650     (a whole client, for six keyframes)
 )";
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "common/text.h"
 #include "protocol/limits.h"
@@ -133,6 +134,17 @@ CsvReader::Next CsvReader::next() {
   do {
     if (!take_line()) return Next::End;
   } while (trimmed(content_).empty());
+  return read_row();
+}
+
+CsvReader::Next CsvReader::take(std::string_view content, std::size_t line) {
+  content_ = content;
+  ended_ = true;
+  line_ = line;
+  return read_row();
+}
+
+CsvReader::Next CsvReader::read_row() {
   if (trimmed(content_) == header_) return Next::RepeatedHeader;
   if (content_.size() > kCsvLineBytesMax) {
     refuse_at(kCsvLineBytesMax,
@@ -202,6 +214,11 @@ Error CsvReader::error() const {
                         "and " + std::to_string(error_count_ - errors_.size()) + " more errors");
   }
   return {ErrorKind::BadData, message};
+}
+
+std::vector<std::string> CsvReader::take_errors() {
+  error_count_ = 0;
+  return std::exchange(errors_, {});
 }
 
 }  // namespace aucast::sources

@@ -38,6 +38,9 @@ class CsvReader {
 
   /// Goes on to the next line that is not blank.
   [[nodiscard]] Next next();
+  /// Takes a line that is not in the text, such as one that has just been written, instead; it
+  /// must outlive the use of its cells. `line`: its number, for messages. Not for a blank line.
+  [[nodiscard]] Next take(std::string_view content, std::size_t line);
   /// Back before the first row; errors stay.
   void rewind();
 
@@ -55,12 +58,15 @@ class CsvReader {
   [[nodiscard]] bool has_errors() const { return error_count_ > 0; }
   /// Everything noted, one "file:line:column: reason" a line.
   [[nodiscard]] Error error() const;
+  /// Everything noted, which is then forgotten.
+  [[nodiscard]] std::vector<std::string> take_errors();
 
  private:
   CsvReader(std::string_view text, std::string_view file) : text_(text), file_(file) {}
 
   [[nodiscard]] Result<void> read_header();
   [[nodiscard]] bool take_line();
+  [[nodiscard]] Next read_row();
   void split();
   void refuse_at(std::size_t byte, const std::string& reason);
 
@@ -73,7 +79,7 @@ class CsvReader {
   std::string_view content_;  ///< the present line
   bool ended_ = false;        ///< the present line has its line feed
   char separator_ = ',';
-  std::string_view header_;
+  std::string header_;
   std::vector<std::string> columns_;
   std::vector<std::string_view> cells_;
   std::vector<std::string> errors_;

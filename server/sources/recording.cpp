@@ -9,6 +9,7 @@
 #include "common/text.h"
 #include "server/sources/format.h"
 #include "server/sources/live_link_face.h"
+#include "server/sources/row_reading.h"
 #include "server/sources/timeline.h"
 
 namespace aucast::sources {
@@ -16,76 +17,6 @@ namespace {
 
 /// Times further apart are a mistake, not a pause.
 constexpr double kGapSecondsMax = 86'400;
-/// Latest moment that a source's clock may show.
-constexpr double kClockSecondsMax = 1e10;
-
-std::unique_ptr<Format> open_format(const CsvReader& table, const ArkitTable& curves) {
-  if (auto format = open_live_link_face(table, curves)) return format;
-  for (const auto open : {open_openface2, open_openface1, open_facsvatar, open_pyfeat2,
-                          open_pyfeat1, open_libreface}) {
-    if (auto format = open(table)) return format;
-  }
-  return nullptr;
-}
-
-/// Which face a row is of. A format that does not name faces writes one row for each, with the same
-/// picture number; they are counted within the picture.
-class FaceNames {
- public:
-  std::int64_t of(const Observation& row) {
-    if (row.face) return *row.face;
-    ordinal_ = row.frame && row.frame == frame_ ? ordinal_ + 1 : 0;
-    frame_ = row.frame;
-    return ordinal_;
-  }
-
- private:
-  std::optional<double> frame_;
-  std::int64_t ordinal_ = 0;
-};
-
-/// Moments from the first row on, by the source's own clock or by the pictures' numbers.
-class SourceClock {
- public:
-  explicit SourceClock(std::optional<double> fps) : fps_(fps) {}
-
-  /// Another recording was appended: if its clock starts again, it follows one step later.
-  void restart() { restarted_ = true; }
-
-  /// Nothing when the row has no time or one that is not later than the last.
-  std::optional<double> moment(const Observation& row) {
-    const double ordinal = ordinal_++;
-    std::optional<double> now = row.seconds;
-    if (fps_) now = row.frame.value_or(ordinal) / *fps_;
-    if (!now || std::abs(*now) > kClockSecondsMax) return std::nullopt;
-    if (!begin_) begin_ = *now;
-    double seconds = *now - *begin_;
-    const bool again = std::exchange(restarted_, false);
-    if (last_ && again && seconds + shift_ <= *last_) shift_ = *last_ + step_ - seconds;
-    seconds += shift_;
-    if (last_ && seconds <= *last_) return std::nullopt;
-    if (last_) step_ = seconds - *last_;
-    last_ = seconds;
-    return seconds;
-  }
-
- private:
-  std::optional<double> fps_;
-  std::optional<double> begin_;
-  std::optional<double> last_;
-  double shift_ = 0;
-  double step_ = 0.04;
-  double ordinal_ = 0;
-  bool restarted_ = false;
-};
-
-/// The scale that the format has, unless the values say otherwise.
-double scale_for(double native, double largest) {
-  if (largest > 10) return 100;
-  if (native == 5) return 5;
-  if (native == 1) return largest > 1.5 ? 5 : 1;
-  return largest > 1 ? 5 : 1;
-}
 
 /// Counts the stretches without a sure row that are longer than the hold.
 void count_gap(double seconds, Found& found) {
@@ -105,8 +36,9 @@ class RecordingReader {
  private:
   void survey();
   [[nodiscard]] std::optional<Error> settle();
-  [[nodiscard]] bool is_sure(const Observation& row) const;
-  [[nodiscard]] AuFrame update_of(const Observation& row) const;
+  [[nodiscard]] bool sure(const Observation& row) const {
+    return is_sure(row, options_.confidence_min);
+  }
   void play();
   void take(const Observation& row, Timeline& timeline);
   [[nodiscard]] Error need(const std::string& reason) const;
@@ -159,7 +91,7 @@ void RecordingReader::survey() {
     const auto [at, fresh] = places.emplace(id, found.faces.size());
     if (fresh) found.faces.push_back({id, 0});
     ++found.faces[at->second].rows;
-    if (!is_sure(row)) continue;
+    if (!sure(row)) continue;
     for (const AuValue& au : row.aus) {
       if (au.native) found.largest = std::max(found.largest, au.value);
     }
@@ -196,25 +128,6 @@ Error RecordingReader::need(const std::string& reason) const {
   return {ErrorKind::Usage, at_place(file_, 0, 0, reason)};
 }
 
-bool RecordingReader::is_sure(const Observation& row) const {
-  return row.tracked && row.confidence >= options_.confidence_min && !row.aus.empty();
-}
-
-/// The row's intensities; -1 where it has no data.
-AuFrame RecordingReader::update_of(const Observation& row) const {
-  AuFrame update;
-  update.left.fill(-1);
-  update.right.fill(-1);
-  if (!is_sure(row)) return update;
-  for (const AuValue& au : row.aus) {
-    const double intensity = au.native ? au.value / recording_.found.scale : au.value;
-    const auto value = static_cast<float>(std::clamp(intensity, 0.0, 1.0));
-    if (au.side != Side::Right) update.left[au.number] = value;
-    if (au.side != Side::Left) update.right[au.number] = value;
-  }
-  return update;
-}
-
 /// Second pass: the keyframes of the chosen face.
 void RecordingReader::play() {
   FaceNames names;
@@ -244,9 +157,9 @@ void RecordingReader::take(const Observation& row, Timeline& timeline) {
     last_seconds_ = *moment;
     return;
   }
-  if (!timeline.add(*moment, update_of(row))) ++found.left_out;
+  if (!timeline.add(*moment, update_of(row, found.scale, sure(row)))) ++found.left_out;
   last_seconds_ = *moment;
-  if (is_sure(row)) {
+  if (sure(row)) {
     count_gap(*moment - last_sure_, found);
     last_sure_ = *moment;
   } else {
@@ -282,10 +195,7 @@ Result<Recording> read_recording(std::string_view text, std::string_view file,
   if (!table) return table.error();
   const auto format = open_format(*table, curves);
   if (!format) {
-    table->refuse(std::nullopt,
-                  "a table whose columns are of no recogniser known here; known are OpenFace "
-                  "(AU01_r, ... with timestamp or confidence), FACSvatar, Py-Feat (AU01, ... with "
-                  "FaceScore), LibreFace (au_1_intensity, ...) and Live Link Face (JawOpen, ...)");
+    table->refuse(std::nullopt, std::string(kUnknownTable));
     return table->error();
   }
   return RecordingReader(*table, *format, file, options).read();

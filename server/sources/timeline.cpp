@@ -23,22 +23,35 @@ double remaining(double age) {
   return std::clamp((kHoldSeconds + kEaseSeconds - age) / kEaseSeconds, 0.0, 1.0);
 }
 
+void Channels::take(double seconds, const AuFrame& update) {
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    if (update.left[number] >= 0) {
+      values_.left[number] = update.left[number];
+      left_seen_[number] = seconds;
+    }
+    if (update.right[number] >= 0) {
+      values_.right[number] = update.right[number];
+      right_seen_[number] = seconds;
+    }
+  }
+}
+
+AuFrame Channels::at(double seconds) const {
+  AuFrame frame = values_;
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    frame.left[number] *= static_cast<float>(remaining(seconds - left_seen_[number]));
+    frame.right[number] *= static_cast<float>(remaining(seconds - right_seen_[number]));
+  }
+  return frame;
+}
+
 bool Timeline::add(double seconds, const AuFrame& update) {
   if (last_seconds_) {
     if (milliseconds(seconds) <= last_ms_) return false;
     bridge(seconds);
     usual_seconds_ = std::min(seconds - *last_seconds_, kReturnSecondsMax);
   }
-  for (std::size_t number = 1; number < kAuCount; ++number) {
-    if (update.left[number] >= 0) {
-      channels_.values.left[number] = update.left[number];
-      channels_.left_seen[number] = seconds;
-    }
-    if (update.right[number] >= 0) {
-      channels_.values.right[number] = update.right[number];
-      channels_.right_seen[number] = seconds;
-    }
-  }
+  channels_.take(seconds, update);
   store(seconds);
   return true;
 }
@@ -60,20 +73,11 @@ void Timeline::store(double seconds) {
   const std::int64_t place = milliseconds(seconds);
   if (last_seconds_ && place <= last_ms_) return;
   protocol::Keyframe keyframe;
-  keyframe.terms = canonical_terms(at(seconds));
+  keyframe.terms = canonical_terms(channels_.at(seconds));
   keyframe.duration_ms = static_cast<std::uint32_t>(last_seconds_ ? place - last_ms_ : 0);
   stream_.keyframes.push_back(std::move(keyframe));
   last_seconds_ = seconds;
   last_ms_ = place;
-}
-
-AuFrame Timeline::at(double seconds) const {
-  AuFrame frame = channels_.values;
-  for (std::size_t number = 1; number < kAuCount; ++number) {
-    frame.left[number] *= static_cast<float>(remaining(seconds - channels_.left_seen[number]));
-    frame.right[number] *= static_cast<float>(remaining(seconds - channels_.right_seen[number]));
-  }
-  return frame;
 }
 
 protocol::StreamFile Timeline::finish() {

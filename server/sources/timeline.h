@@ -14,6 +14,20 @@ inline constexpr double kHoldSeconds = 0.5;
 /// and is then led to neutral in so long.
 inline constexpr double kEaseSeconds = 1.0;
 
+/// The latest data of every channel (an AU on a side) and when it came.
+class Channels {
+ public:
+  /// Takes what `update` has; a negative intensity is no data.
+  void take(double seconds, const AuFrame& update);
+  /// The face then: what has no data any more holds, then eases to neutral.
+  [[nodiscard]] AuFrame at(double seconds) const;
+
+ private:
+  AuFrame values_;
+  std::array<double, kAuCount> left_seen_{};
+  std::array<double, kAuCount> right_seen_{};
+};
+
 /// Rows on the source's clock become keyframes. Durations are differences of places rounded to
 /// whole milliseconds, so that nothing drifts. A channel (an AU on a side) without data holds, then
 /// eases to neutral; where whole rows are missing, keyframes are put in to do so.
@@ -28,15 +42,8 @@ class Timeline {
   [[nodiscard]] protocol::StreamFile finish();
 
  private:
-  struct Channels {
-    AuFrame values;
-    std::array<double, kAuCount> left_seen{};
-    std::array<double, kAuCount> right_seen{};
-  };
-
   void bridge(double until);
   void store(double seconds);
-  [[nodiscard]] AuFrame at(double seconds) const;
 
   Channels channels_;
   protocol::StreamFile stream_;

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/posix/stream_descriptor.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "common/result.h"
+
+namespace aucast::server {
+
+/// The bytes of a source that is still being written: stdin (the path "-"), a FIFO, which is opened
+/// again whenever its writer has gone, or a growing file. A file that got shorter, was replaced or
+/// has other bytes where it was read already is read anew from its beginning.
+/// Thread: that of the io_context, which must outlive it.
+class LiveInput {
+ public:
+  struct Events {
+    std::function<void(std::string_view)> on_bytes;
+    std::function<void()> on_caught_up;  ///< a growing file was read to its present end
+    std::function<void()> on_end;        ///< whoever wrote has gone
+    std::function<void(const std::string& why)> on_anew;
+  };
+
+  /// `follow`: a regular file is read on when it grows.
+  LiveInput(asio::io_context& io, std::filesystem::path path, bool follow, Events events);
+  ~LiveInput();
+  LiveInput(const LiveInput&) = delete;
+  LiveInput& operator=(const LiveInput&) = delete;
+
+  /// Opens it and begins to read. Unreadable, with the system's reason.
+  [[nodiscard]] Result<void> start();
+  /// Nothing is read for now, or again.
+  void hold(bool held);
+  void stop();
+
+ private:
+  [[nodiscard]] Result<int> open_path() const;
+  [[nodiscard]] Result<void> open();
+  void watch();
+  void await();
+  void read_stream();
+  void stream_ended();
+  void read_file();
+  void look_again();
+  [[nodiscard]] bool replaced() const;
+  [[nodiscard]] std::string changed() const;
+  void begin_anew(const std::string& why);
+  void note_read(std::string_view bytes);
+
+  asio::io_context& io_;
+  std::filesystem::path path_;
+  bool follow_;
+  Events events_;
+  asio::posix::stream_descriptor stream_;  ///< of what can be waited for
+  asio::posix::stream_descriptor notify_;  ///< inotify, of a growing file
+  asio::steady_timer timer_;
+  int file_ = -1;  ///< of what cannot
+  std::int64_t position_ = 0;
+  std::string tail_;  ///< the last bytes that were read, to see whether they changed
+  std::vector<char> chunk_;
+  bool held_ = false;
+  bool stopped_ = false;
+  bool waiting_ = false;
+  bool ended_ = false;
+  /// Cleared on destruction; handlers that still come see it.
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+};
+
+}  // namespace aucast::server

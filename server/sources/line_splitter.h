@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace aucast::sources {
+
+/// Lines out of bytes that come in pieces. A line is there when its line feed is; of a line longer
+/// than `bytes_max` only the beginning is kept, so memory is bounded.
+class LineSplitter {
+ public:
+  struct Line {
+    std::string text;        ///< without line feed and carriage return
+    std::size_t number = 0;  ///< from 1
+    bool too_long = false;   ///< it was cut
+  };
+
+  explicit LineSplitter(std::size_t bytes_max) : bytes_max_(bytes_max) {}
+
+  /// Takes bytes; they must outlive the calls of next() up to the one that returns nothing.
+  void feed(std::string_view bytes) { fed_ = bytes; }
+  /// The next whole line; nothing when the bytes are used up.
+  [[nodiscard]] std::optional<Line> next();
+  /// Forgets a line without its end; true when there was one.
+  bool drop_partial();
+  /// Counts lines from 1 again.
+  void restart();
+
+ private:
+  std::size_t bytes_max_;
+  std::string_view fed_;
+  std::string partial_;
+  bool cut_ = false;
+  std::size_t number_ = 0;
+};
+
+}  // namespace aucast::sources

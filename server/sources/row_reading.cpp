@@ -1,0 +1,74 @@
+#include "server/sources/row_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "server/sources/live_link_face.h"
+
+namespace aucast::sources {
+namespace {
+
+/// Latest moment that a source's clock may show.
+constexpr double kClockSecondsMax = 1e10;
+
+}  // namespace
+
+std::unique_ptr<Format> open_format(const CsvReader& table, const ArkitTable& curves) {
+  if (auto format = open_live_link_face(table, curves)) return format;
+  for (const auto open : {open_openface2, open_openface1, open_facsvatar, open_pyfeat2,
+                          open_pyfeat1, open_libreface}) {
+    if (auto format = open(table)) return format;
+  }
+  return nullptr;
+}
+
+double scale_for(double native, double largest) {
+  if (largest > 10) return 100;
+  if (native == 5) return 5;
+  if (native == 1) return largest > 1.5 ? 5 : 1;
+  return largest > 1 ? 5 : 1;
+}
+
+bool is_sure(const Observation& row, double confidence_min) {
+  return row.tracked && row.confidence >= confidence_min && !row.aus.empty();
+}
+
+AuFrame update_of(const Observation& row, double scale, bool sure) {
+  AuFrame update;
+  update.left.fill(-1);
+  update.right.fill(-1);
+  if (!sure) return update;
+  for (const AuValue& au : row.aus) {
+    const double intensity = au.native ? au.value / scale : au.value;
+    const auto value = static_cast<float>(std::clamp(intensity, 0.0, 1.0));
+    if (au.side != Side::Right) update.left[au.number] = value;
+    if (au.side != Side::Left) update.right[au.number] = value;
+  }
+  return update;
+}
+
+std::int64_t FaceNames::of(const Observation& row) {
+  if (row.face) return *row.face;
+  ordinal_ = row.frame && row.frame == frame_ ? ordinal_ + 1 : 0;
+  frame_ = row.frame;
+  return ordinal_;
+}
+
+std::optional<double> SourceClock::moment(const Observation& row) {
+  const double ordinal = ordinal_++;
+  std::optional<double> now = row.seconds;
+  if (fps_) now = row.frame.value_or(ordinal) / *fps_;
+  if (!now || std::abs(*now) > kClockSecondsMax) return std::nullopt;
+  if (!begin_) begin_ = *now;
+  double seconds = *now - *begin_;
+  const bool again = std::exchange(restarted_, false);
+  if (last_ && again && seconds + shift_ <= *last_) shift_ = *last_ + step_ - seconds;
+  seconds += shift_;
+  if (last_ && seconds <= *last_) return std::nullopt;
+  if (last_) step_ = seconds - *last_;
+  last_ = seconds;
+  return seconds;
+}
+
+}  // namespace aucast::sources

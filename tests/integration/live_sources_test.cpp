@@ -1,0 +1,108 @@
+// Sources that are still being written, through the real transmitter.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "tests/integration/server_running.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::test {
+namespace {
+
+constexpr const char* kHeader = "face_id,timestamp,success,AU12_r\n";
+
+std::string row(int frame, const std::string& of_five) {
+  const int ms = frame * 40;
+  return "0," + std::to_string(ms / 1000) + "." + std::to_string(1000 + ms % 1000).substr(1) +
+         ",1," + of_five + "\n";
+}
+
+/// Opens, appends, closes: as a shell's >> does.
+void append(const std::filesystem::path& path, const std::string& text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(file, 0);
+  ASSERT_EQ(::write(file, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  ::close(file);
+}
+
+void replace(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::trunc) << text;
+}
+
+class LiveSources : public ::testing::Test {
+ protected:
+  RawClient join(const RunningTransmitter& server) {
+    std::string reply;
+    RawClient client = say_hello(server, "{hello v=2 window=0}", reply);
+    EXPECT_NE(reply.find(" live=1 "), std::string::npos) << reply;
+    return client;
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(LiveSources, AGrowingFileIsFollowedFromItsPresentEnd) {
+  const auto path = folder_.write("webcam.csv", kHeader + row(0, "1") + row(1, "2"));
+  RunningTransmitter server({"--follow", "--source-timeout", "0", path.string()});
+  RawClient client = join(server);
+  EXPECT_EQ(client.receive_until("}"), "{12:40;40}");
+  append(path, row(2, "3").substr(0, 5));
+  EXPECT_TRUE(client.silent(std::chrono::milliseconds(100)));
+  append(path, row(2, "3").substr(5));
+  EXPECT_NE(client.receive_until("{12:60;").find("{12:60;"), std::string::npos);
+  replace(path, kHeader + row(0, "4"));
+  EXPECT_NE(client.receive_until("{12:80;").find("{12:80;"), std::string::npos);
+  append(path, row(1, "5"));
+  EXPECT_NE(client.receive_until("{12;").find("{12;"), std::string::npos);
+  EXPECT_EQ(server.terminate(), 0);
+  EXPECT_NE(server.log().find("webcam.csv: OpenFace 2, live, AU scale 0-5"), std::string::npos)
+      << server.log();
+  EXPECT_NE(server.log().find("; reading it anew"), std::string::npos) << server.log();
+}
+
+TEST_F(LiveSources, AFifoThatIsOpenedAgainGoesOn) {
+  const auto path = folder_.path() / "face.fifo";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  RunningTransmitter server({"--source-timeout", "0", path.string()});
+  RawClient client = join(server);
+  append(path, kHeader + row(0, "1"));
+  EXPECT_EQ(client.receive_until("}"), "{12:20;40}");
+  append(path, kHeader + row(0, "2"));
+  EXPECT_NE(client.receive_until("{12:40;").find("{12:40;"), std::string::npos);
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST_F(LiveSources, ASilentSourceGoesToNeutralAndEndsUntilItComesBack) {
+  const auto path = folder_.path() / "face.fifo";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  RunningTransmitter server({"--source-timeout", "2", path.string()});
+  RawClient client = join(server);
+  append(path, kHeader + row(0, "5"));
+  const std::string all = client.receive_all();
+  EXPECT_TRUE(all.starts_with("{12;40}{12:90;100}")) << all;
+  EXPECT_TRUE(all.ends_with("{12:10;100}{0;100}{-2}")) << all;
+  append(path, row(1, "5"));
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    // The row may still be on its way when the next client comes.
+    RawClient next = join(server);
+    const std::string first = next.receive_until("}");
+    if (first == kEnd) continue;
+    EXPECT_TRUE(first.starts_with("{12")) << first;
+    break;
+  }
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST_F(LiveSources, AMissingFileIsRefused) {
+  const Finished missing = run({program("au-transmitter"), "--follow", "--port", "0",
+                                (folder_.path() / "missing.csv").string()});
+  EXPECT_EQ(missing.exit_code, 4);
+}
+
+}  // namespace
+}  // namespace aucast::test
