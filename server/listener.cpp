@@ -16,6 +16,10 @@ namespace {
 
 using asio::ip::tcp;
 
+/// Connections taken in a row before the clients have their turn: one at a time would take a loop
+/// of events each, which is long while thousands are sent something.
+constexpr int kAcceptsInARow = 64;
+
 /// Long enough to leave the processor to the clients, short enough not to be felt by new ones.
 constexpr std::chrono::milliseconds kAcceptPause{200};
 
@@ -128,6 +132,8 @@ Result<void> Listener::open_passed(int descriptor) {
 
 void Listener::start(OnSocket on_socket) {
   on_socket_ = std::move(on_socket);
+  std::error_code ignored;
+  acceptor_.non_blocking(true, ignored);
   accept();
 }
 
@@ -152,8 +158,19 @@ void Listener::accept() {
     }
     if (std::exchange(failing_, false)) spdlog::info("accepting connections again");
     on_socket_(std::move(socket), peer_);
+    accept_waiting();
     accept();
   });
+}
+
+/// Whoever is waiting already. An error is left for accept() to meet.
+void Listener::accept_waiting() {
+  for (int taken = 1; taken < kAcceptsInARow && acceptor_.is_open(); ++taken) {
+    std::error_code error;
+    tcp::socket socket = acceptor_.accept(peer_, error);
+    if (error) return;
+    on_socket_(std::move(socket), peer_);
+  }
 }
 
 void Listener::accept_later(const std::error_code& cause) {

@@ -51,6 +51,7 @@ class Listener {
 
  private:
   void accept();
+  void accept_waiting();
   void accept_later(const std::error_code& cause);
 
   asio::ip::tcp::acceptor acceptor_;

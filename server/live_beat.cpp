@@ -1,5 +1,6 @@
 #include "server/live_beat.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -7,6 +8,10 @@
 
 namespace aucast::server {
 namespace {
+
+/// A beat that takes longer than a moment lasts is followed by a part of its time for everything
+/// else: answers, and those who come. What is due meanwhile goes out with the next one.
+constexpr int kBreath = 4;
 
 Instant now() {
   return std::chrono::steady_clock::now();
@@ -48,17 +53,18 @@ void LiveBeat::beat() {
     lag_ = late;
   }
   if (moved) on_moment_();
-  wait();
+  const Instant done = now();
+  wait(done + (done - moment) / kBreath);
 }
 
-void LiveBeat::wait() {
+void LiveBeat::wait(Instant earliest) {
   std::optional<Instant> next;
   for (const protocol::LiveClock& clock : clocks_) {
     const auto at = clock.next_at();
     if (at && (!next || *at < *next)) next = at;
   }
   if (!next || stopped_) return;
-  timer_.expires_at(*next);
+  timer_.expires_at(std::max(*next, earliest));
   timer_.async_wait([this](const std::error_code& error) {
     if (!error && !stopped_) beat();
   });

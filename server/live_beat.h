@@ -34,7 +34,7 @@ class LiveBeat {
 
  private:
   void beat();
-  void wait();
+  void wait(Instant earliest);
 
   asio::steady_timer timer_;
   std::vector<protocol::LiveClock> clocks_;
