@@ -12,6 +12,8 @@
 #include "common/files.h"
 #include "common/log.h"
 #include "common/result.h"
+#include "protocol/codec.h"
+#include "protocol/limits.h"
 #include "server/catalogue.h"
 #include "server/check_report.h"
 #include "server/convert_command.h"
@@ -102,6 +104,12 @@ Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& optio
     if (auto can = check_live(catalogue); !can) return can.error();
   }
   say_what_was_found(*sources);
+  protocol::StreamList list;
+  for (const Source& source : *sources) list.names.push_back(source.name);
+  if (protocol::encode(list).size() > protocol::kPacketBytesMax) {
+    spdlog::warn("{} names are more than one packet can list: --list will not work, --stream does",
+                 list.names.size());
+  }
   return catalogue;
 }
 

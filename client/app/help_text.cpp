@@ -21,7 +21,7 @@ Receiving
   --buffer auto | Nms by time instead: as the link needs, or so many milliseconds
   --live-delay MS     of a live stream so much is there instead; else as the link needs
   --hold S (5)        after a stall of so long the face eases to neutral
-  --stream NAME       which of the server's streams; default: its first
+  --stream NAME       which of the server's streams (its first)     --list   print their names
   --protocol auto|classic     classic never sends a hello
   --connect-timeout S (10)    longest wait for a connection and for its first packet
   --tls               speak TLS; --tls-ca FILE: believe these authorities, not the system's

@@ -17,6 +17,7 @@
 #include "client/app/window_settings.h"
 #include "client/net/remote_source.h"
 #include "client/net/security.h"
+#include "client/net/stream_list.h"
 #include "client/playback/file_source.h"
 #include "common/files.h"
 #include "common/log.h"
@@ -49,7 +50,7 @@ Result<std::unique_ptr<playback::KeyframeSource>> open_file(const PlaybackOption
       std::make_unique<playback::FileSource>(std::move(*keyframes)));
 }
 
-Result<std::unique_ptr<playback::KeyframeSource>> open_remote(const PlaybackOptions& options) {
+Result<net::RemoteOptions> remote_options(const PlaybackOptions& options) {
   auto endpoint = net::parse_endpoint(options.endpoint);
   if (!endpoint) return endpoint.error();
   net::RemoteOptions remote;
@@ -62,7 +63,22 @@ Result<std::unique_ptr<playback::KeyframeSource>> open_remote(const PlaybackOpti
   remote.speed = options.speed;
   remote.reconnect = options.reconnect;
   remote.security = options.security;
-  return std::unique_ptr<playback::KeyframeSource>(std::make_unique<net::RemoteSource>(remote));
+  return remote;
+}
+
+Result<std::unique_ptr<playback::KeyframeSource>> open_remote(const PlaybackOptions& options) {
+  auto remote = remote_options(options);
+  if (!remote) return remote.error();
+  return std::unique_ptr<playback::KeyframeSource>(std::make_unique<net::RemoteSource>(*remote));
+}
+
+Result<void> print_list(const PlaybackOptions& options) {
+  const auto remote = remote_options(options);
+  if (!remote) return remote.error();
+  const auto names = net::list_streams(*remote);
+  if (!names) return names.error();
+  for (const std::string& name : *names) std::fputs((name + "\n").c_str(), stdout);
+  return {};
 }
 
 /// What the end of a source means for the exit code.
@@ -159,6 +175,7 @@ Result<void> run(PlayerOptions options) {
   }
   set_up_signals();
   if (auto secure = make_secure(options.playback); !secure) return secure;
+  if (options.list) return print_list(options.playback);
   return play_and_count(options);
 }
 

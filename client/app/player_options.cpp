@@ -273,6 +273,12 @@ Result<void> check_required(const PlayerOptions& options) {
       if (options.headless && options.playback.endpoint.empty()) {
         return usage("--headless needs HOST[:PORT], or play FILE");
       }
+      if (options.list && options.playback.endpoint.empty()) {
+        return usage("--list needs HOST[:PORT]");
+      }
+      if (options.list && options.playback.classic) {
+        return usage("--list asks what --protocol classic cannot");
+      }
       break;
     case Command::Play:
       if (options.playback.file.empty()) return usage("play needs a stream FILE");
@@ -315,6 +321,7 @@ Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
       add_playback(cli, options, raw);
       add_network(cli, options, raw);
       cli.add_option("HOST", options.playback.endpoint);
+      cli.add_flag("--list", options.list);
       break;
     case Command::Play:
       add_face(cli, options, raw);

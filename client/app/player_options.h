@@ -98,6 +98,7 @@ struct PlayerOptions {
   PoseOptions pose;
   GalleryOptions gallery;
   bool headless = false;
+  bool list = false;  ///< --list: print the names of the server's streams
   bool exit_at_end = false;
   bool quiet = false;
   bool config = true;           ///< --no-config: the window neither reads nor writes its settings

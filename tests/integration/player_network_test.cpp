@@ -4,6 +4,7 @@
 
 #include "tests/integration/player_run.h"
 #include "tests/support/scripted_server.h"
+#include "tests/support/served.h"
 
 namespace aucast::test {
 namespace {
@@ -95,6 +96,22 @@ TEST(PlayerNetwork, GoesOnWhereItWasCutOff) {
   EXPECT_EQ(run.stats["keyframes_played"], 3);
   EXPECT_EQ(run.stats["reconnects"], 1);
   EXPECT_NE(server.received().find("from=50}"), std::string::npos) << server.received();
+}
+
+TEST(PlayerList, PrintsTheNamesOfTheStreams) {
+  Served served({stream_file("happiness.txt"), stream_file("anger.txt")});
+  const Finished list = run({program("face-player"), "--list", served.address()});
+  EXPECT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_EQ(list.out, "happiness\nanger\n");
+  EXPECT_EQ(list.err, "");
+}
+
+TEST(PlayerList, FailuresHaveTheUsualCodes) {
+  const Finished refused = run({program("face-player"), "--list", "127.0.0.1:1"});
+  EXPECT_EQ(refused.exit_code, 5);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.err.find("127.0.0.1:1: cannot be reached"), std::string::npos) << refused.err;
+  EXPECT_EQ(run({program("face-player"), "--list"}).exit_code, 2);
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ TEST(HelpText, NamesEveryOptionAndAnExample) {
                              "--playout",
                              "--threshold",
                              "--stream",
+                             "--list",
                              "--protocol",
                              "--connect-timeout",
                              "--live-delay",
