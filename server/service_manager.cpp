@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -16,6 +17,9 @@ namespace aucast::server {
 namespace {
 
 constexpr int kFirstPassed = 3;
+
+/// A manager that is busy gets so long to take what it must not miss.
+constexpr timeval kSayTimeMax{1, 0};
 
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
@@ -61,7 +65,10 @@ bool is_listening_tcp(int descriptor) {
 ServiceManager::ServiceManager() : address_(variable("NOTIFY_SOCKET")) {
   const bool usable = (address_.starts_with('/') || address_.starts_with('@')) &&
                       address_.size() < sizeof(sockaddr_un::sun_path);
-  if (usable) socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (usable) socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (socket_ >= 0) {
+    ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &kSayTimeMax, sizeof(kSayTimeMax));
+  }
   const auto usec = number_of<std::int64_t>(variable("WATCHDOG_USEC"));
   if (socket_ >= 0 && usec && *usec > 0 && is_ours(variable("WATCHDOG_PID"))) {
     watchdog_ = std::chrono::microseconds(*usec);
@@ -73,26 +80,26 @@ ServiceManager::~ServiceManager() {
 }
 
 void ServiceManager::ready(const std::string& status) const {
-  say("READY=1\nSTATUS=" + one_line(status));
+  say("READY=1\nSTATUS=" + one_line(status), Need::Must);
 }
 
 void ServiceManager::reloading() const {
-  say("RELOADING=1\nMONOTONIC_USEC=" + monotonic_usec());
+  say("RELOADING=1\nMONOTONIC_USEC=" + monotonic_usec(), Need::Must);
 }
 
 void ServiceManager::stopping() const {
-  say("STOPPING=1");
+  say("STOPPING=1", Need::Must);
 }
 
 void ServiceManager::status(const std::string& status) const {
-  say("STATUS=" + one_line(status));
+  say("STATUS=" + one_line(status), Need::May);
 }
 
 void ServiceManager::alive() const {
-  say("WATCHDOG=1");
+  say("WATCHDOG=1", Need::May);
 }
 
-void ServiceManager::say(std::string_view message) const {
+void ServiceManager::say(std::string_view message, Need need) const {
   if (socket_ < 0) return;
   sockaddr_un to{};
   to.sun_family = AF_UNIX;
@@ -100,7 +107,8 @@ void ServiceManager::say(std::string_view message) const {
   if (to.sun_path[0] == '@') to.sun_path[0] = '\0';  // an abstract address
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + address_.size());
   // Nobody to tell when this fails; a manager that needs it notices by itself.
-  static_cast<void>(::sendto(socket_, message.data(), message.size(), MSG_NOSIGNAL,
+  static_cast<void>(::sendto(socket_, message.data(), message.size(),
+                             need == Need::May ? MSG_NOSIGNAL | MSG_DONTWAIT : MSG_NOSIGNAL,
                              reinterpret_cast<const sockaddr*>(&to), length));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,7 +33,9 @@ class ServiceManager {
   [[nodiscard]] std::optional<Duration> watchdog() const { return watchdog_; }
 
  private:
-  void say(std::string_view message) const;
+  /// What comes again soon may be dropped when the manager is too busy to take it.
+  enum class Need : std::uint8_t { May, Must };
+  void say(std::string_view message, Need need) const;
 
   int socket_ = -1;
   std::string address_;  ///< as in $NOTIFY_SOCKET
