@@ -1,6 +1,7 @@
 #include "client/app/assets.h"
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
@@ -183,6 +184,32 @@ Result<std::vector<Expression>> load_expressions(const std::filesystem::path& fi
   return expressions;
 }
 
+Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file) {
+  auto text = read_file(file);
+  if (!text) return text.error();
+  std::map<int, std::string> looks;
+  try {
+    const toml::table document = toml::parse(*text, file.string());
+    const toml::table* table = document["looks"].as_table();
+    if (table == nullptr) return at(file, document.source(), "no [looks] in it");
+    for (const auto& [key, node] : *table) {
+      const auto words = node.value<std::string>();
+      if (!words) return at(file, node.source(), "'" + std::string(key.str()) + "' is not a text");
+      int number = 0;
+      const std::string_view name = key.str();
+      const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
+      if (read.ec != std::errc() || read.ptr != name.data() + name.size() || number < 0 ||
+          number > kAuNumberMax) {
+        return at(file, key.source(), "'" + escaped(name) + "' is no AU number, 0 to 99");
+      }
+      looks[number] = *words;
+    }
+  } catch (const toml::parse_error& error) {
+    return at(file, error.source(), std::string(error.description()));
+  }
+  return looks;
+}
+
 Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options) {
   auto data = find_data_folder(options.data);
   if (!data) return data.error();
@@ -193,6 +220,8 @@ Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options) {
   if (!face) return face.error();
   auto expressions = load_expressions(*data / "expressions.toml");
   if (!expressions) return expressions.error();
+  auto looks = load_au_looks(*data / "action_units.toml");
+  if (!looks) return looks.error();
   for (const std::string& remark : face->remarks) spdlog::warn("{}", remark);
   auto assets = std::make_unique<Assets>();
   assets->data_folder = std::move(*data);
@@ -200,6 +229,7 @@ Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options) {
   assets->face = std::move(*face);
   assets->rules = std::move(*rules);
   assets->expressions = std::move(*expressions);
+  assets->au_looks = std::move(*looks);
   return assets;
 }
 

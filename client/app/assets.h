@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,9 +41,13 @@ struct Assets {
   face::Face face;
   face::RuleSet rules;
   std::vector<Expression> expressions;
+  std::map<int, std::string> au_looks;  ///< what each AU looks like, in words
 };
 
 [[nodiscard]] Result<std::vector<Expression>> load_expressions(const std::filesystem::path& file);
+
+/// The texts of data/action_units.toml.
+[[nodiscard]] Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file);
 
 /// Reads face, rules and expressions; what a face has to say (Face::remarks) goes to the log.
 [[nodiscard]] Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options);

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "client/app/face_diagram.h"
 #include "client/app/face_scene.h"
 #include "client/app/picture_maker.h"
+#include "client/app/session_video.h"
 #include "client/app/steady.h"
 #include "client/app/window_overlay.h"
 #include "client/app/window_session.h"
@@ -100,12 +102,16 @@ class WindowRun {
   }
 
   void tick(bool stopped_from_outside) {
-    window_->poll(waits_for_frames() ? 0 : seconds(session_.rest(steady_now())));
+    Duration rest = session_.rest(steady_now());
+    if (video_)
+      rest = std::min<Duration>(rest, std::chrono::milliseconds(1000 / SessionVideo::kFps));
+    window_->poll(waits_for_frames() ? 0 : seconds(rest));
     handle_keys();
     handle_closing(stopped_from_outside);
     session_.advance(steady_now());
     show_title();
     draw();
+    record();
     for (const gui::GuiCommand& command : commands_) carry_out(command);
     commands_.clear();
   }
@@ -116,6 +122,7 @@ class WindowRun {
 
   [[nodiscard]] std::unique_ptr<playback::KeyframeSource> finish() {
     keep_settings();
+    if (video_) end_video();
     return session_.finish(steady_now());
   }
 
@@ -180,6 +187,14 @@ class WindowRun {
         return carry_out(gui::LocalCommand(gui::MarkLoop{}));
       case Key::O:
         return carry_out(gui::Browse{gui::Purpose::PlayStream});
+      case Key::V:
+        return toggle_video();
+      case Key::Undo:
+        return session_.undo(steady_now());
+      case Key::Redo:
+        return session_.redo(steady_now());
+      case Key::Save:
+        return session_.save(steady_now());
       default:
         return;
     }
@@ -195,6 +210,8 @@ class WindowRun {
   void carry_out(const gui::GuiCommand& command) {
     frames_due_ = kFramesAfterInput;
     if (const auto* look = std::get_if<gui::LookFrom>(&command)) look_from(look->view);
+    if (std::holds_alternative<gui::TakePicture>(command)) save_picture();
+    if (std::holds_alternative<gui::ToggleVideo>(command)) toggle_video();
     session_.apply(command, steady_now());
     // An address is worth remembering even if the machine goes down.
     if (std::holds_alternative<gui::Connect>(command)) keep_settings();
@@ -211,28 +228,78 @@ class WindowRun {
     frames_due_ = kFramesAfterInput;
   }
 
-  /// The picture is drawn into a framebuffer of its own, so that it does not depend on what lies
-  /// over the window.
+  /// Drawn into a framebuffer of its own, so that it does not depend on what lies over the window.
+  Result<view::Image> picture(int width, int height) {
+    if (!target_ || target_width_ != width || target_height_ != height) {
+      auto target = render::OffscreenTarget::create(width, height);
+      if (!target) return target.error();
+      target_ = std::move(*target);
+      target_width_ = width;
+      target_height_ = height;
+    }
+    target_->bind();
+    draw_face(width, height);
+    view::Image image = target_->read();
+    window_->bind_framebuffer();
+    return image;
+  }
+
+  /// The part of the window that the panel leaves free.
+  void free_size(int& width, int& height) {
+    window_->framebuffer_size(width, height);
+    width = overlay_->free_width(width);
+  }
+
   void save_picture() {
     int width = 0;
     int height = 0;
-    window_->framebuffer_size(width, height);
-    width = overlay_->free_width(width);
-    auto target = render::OffscreenTarget::create(width, height);
-    if (!target) {
-      spdlog::error("{}", target.error().message);
-      return;
+    free_size(width, height);
+    const auto image = picture(width, height);
+    if (!image) return complain(image.error());
+    const std::filesystem::path file = free_name(".", ".png");
+    if (const auto written = view::write_png(*image, file); !written) {
+      return complain(written.error());
     }
-    (*target)->bind();
-    draw_face(width, height);
-    const view::Image picture = (*target)->read();
-    window_->bind_framebuffer();
-    const std::string name = "face-player-" + std::to_string(++pictures_saved_) + ".png";
-    if (const auto written = view::write_png(picture, name); !written) {
-      spdlog::error("{}", written.error().message);
-    } else {
-      std::fprintf(stderr, "picture saved: %s\n", name.c_str());
-    }
+    tell("picture saved: " + std::filesystem::absolute(file).lexically_normal().string());
+  }
+
+  void toggle_video() {
+    if (video_) return end_video();
+    int width = 0;
+    int height = 0;
+    free_size(width, height);
+    auto video = SessionVideo::open(free_name(".", ".mp4"), width, height, steady_now());
+    if (!video) return complain(video.error());
+    video_ = std::move(*video);
+    session_.set_recording(video_->file().filename().string());
+  }
+
+  void end_video() {
+    const std::unique_ptr<SessionVideo> video = std::move(video_);
+    session_.set_recording({});
+    const auto finished = video->finish();
+    if (!finished) return complain(finished.error());
+    tell(*finished);
+  }
+
+  void record() {
+    if (!video_ || !video_->due(steady_now())) return;
+    const auto image = picture(video_->width(), video_->height());
+    const auto shown = image ? video_->show(*image, steady_now()) : Result<void>(image.error());
+    if (shown) return;
+    video_.reset();
+    session_.set_recording({});
+    complain(shown.error());
+  }
+
+  void tell(const std::string& sentence) {
+    std::fprintf(stderr, "%s\n", sentence.c_str());
+    session_.say(sentence, false, steady_now());
+  }
+
+  void complain(const Error& error) {
+    spdlog::error("{}", error.message);
+    session_.say(error.message, true, steady_now());
   }
 
   void show_title() {
@@ -332,7 +399,10 @@ class WindowRun {
   gui::GuiCommands commands_;
   std::string title_;
   int frames_due_ = kFramesAfterInput;
-  int pictures_saved_ = 0;
+  std::unique_ptr<render::OffscreenTarget> target_;
+  int target_width_ = 0;
+  int target_height_ = 0;
+  std::unique_ptr<SessionVideo> video_;
   bool leaving_ = false;
   int pace_frames_ = 0;
   Instant pace_begin_{steady_now()};

@@ -21,6 +21,8 @@ namespace {
 
 using playback::PlaybackState;
 
+/// An hour of a live stream at 25 a second.
+constexpr std::size_t kKeyframesKept = 90'000;
 constexpr Milliseconds kLevelEvery{250};
 constexpr Milliseconds kLevelsKept{30'000};
 constexpr std::uint64_t kBlinkSeed = 1;
@@ -107,6 +109,7 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
   buttons_ = buttons_of(assets.expressions);
   pad_ = std::make_shared<const std::vector<gui::PadPoint>>(pad_of(assets.expressions));
   show_composed();
+  list_aus();
   rendering_.blinking = options.playback.blink_seed.has_value();
   rendering_.blink.seed = options.playback.blink_seed.value_or(kBlinkSeed);
   rendering_.layers = options.output.layers;
@@ -157,6 +160,9 @@ void WindowSession::advance(Instant now) {
   const std::uint64_t played = controller_.keyframes_played();
   while (const auto begun = controller_.advance(now, *source_)) {
     begin_keyframe(begun->target.aus, begun->cut_at);
+    if (received_.size() < kKeyframesKept) {
+      received_.push_back({begun->target.aus, static_cast<std::uint32_t>(begun->duration.count())});
+    }
     if (!first_begin_) first_begin_ = now;
   }
   if (controller_.keyframes_played() != played) {
@@ -283,6 +289,7 @@ void WindowSession::replace_source(std::unique_ptr<playback::KeyframeSource> sou
   if (source_) retired_.push_back(std::move(source_));
   source_ = std::move(source);
   local_.reset();
+  received_.clear();
   local_played_ = 0;
   shown_ = Shown::Playback;
   transition_.reset();
@@ -387,13 +394,13 @@ void WindowSession::carry_out(const gui::LoadAu& command, Instant now) {
 }
 
 void WindowSession::carry_out(const gui::SaveAu& command, Instant) {
-  const Result<std::string> saved = save(command.number);
+  const Result<std::string> saved = save_recording(command.number);
   save_failed_ = !saved;
   saved_to_ = saved ? *saved : saved.error().message;
 }
 
 /// Returns a sentence about where it went.
-Result<std::string> WindowSession::save(int number) {
+Result<std::string> WindowSession::save_recording(int number) {
   auto faces = gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"));
   if (!faces) return faces.error();
   auto folder = gui::writable_face(assets_.face_folder, *faces);
@@ -405,8 +412,25 @@ Result<std::string> WindowSession::save(int number) {
   recording.number = number;
   recording.activation = activations;
   editor_.saved(number);
+  list_aus();
   return "AU" + std::to_string(number) + " saved in " + file->string() + "; use it with --face " +
          folder->string();
+}
+
+void WindowSession::carry_out(const gui::ShowAus& command, Instant now) {
+  const auto aus = protocol::parse_au_set(command.aus);
+  if (!aus) return say(aus.error().message, true, now);
+  std::vector<float> target(face_.channels.size());
+  const AuFrame blended = face::blend(rules_, *aus);
+  face::mix(face_, blended, animation_.mixer, target);
+  static_cast<void>(activations(now));
+  std::vector<float> start = face_now_;
+  edit(now);
+  editor_.take(target);
+  transition_.emplace(std::move(start), std::move(target), transition_settings_, now);
+  const std::string made = protocol::format_au_set(blended);
+  const bool same = made == protocol::format_au_set(*aus);
+  say(same ? "shown: " + made : "after the rules: " + made, false, now);
 }
 
 void WindowSession::carry_out(const gui::RevertAu&, Instant now) {
@@ -526,11 +550,8 @@ gui::GuiModel WindowSession::model() const {
   model.animation = animation_;
   model.editor = editor_view();
   model.composer = composer_view();
-  for (const auto& [number, recording] : face_.recordings) {
-    if (number == 0) continue;
-    const auto name = facs_name(number);
-    model.known_aus.push_back({number, name ? std::string(*name) : recording.note});
-  }
+  model.known_aus = known_aus_;
+  model.recording = recording_;
   model.expressions = buttons_;
   model.transition = transition_settings_;
   model.rendering.settings = rendering_;

@@ -51,6 +51,11 @@ class WindowSession {
   void apply(const gui::GuiCommand& command, Instant now);
   void toggle_pause(Instant now);
 
+  // What is meant by the keys depends on what the face shows.
+  void undo(Instant now);
+  void redo(Instant now);
+  void save(Instant now);
+
   /// The face of this moment; one activation per channel. Overwritten by the next call.
   [[nodiscard]] const std::vector<float>& activations(Instant now);
   [[nodiscard]] gui::GuiModel model() const;
@@ -65,6 +70,10 @@ class WindowSession {
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return rendering_; }
+  /// A sentence for the user, for a while.
+  void say(std::string text, bool bad, Instant now);
+  /// The video being recorded, for the panel; empty: none.
+  void set_recording(std::string file) { recording_ = std::move(file); }
   /// The pace of drawing, for the panel.
   void set_pace(std::vector<gui::PaceRow> pace) { pace_ = std::move(pace); }
 
@@ -86,6 +95,9 @@ class WindowSession {
   void carry_out(const gui::SetLinked& command, Instant now);
   void carry_out(const gui::LoadAu& command, Instant now);
   void carry_out(const gui::SaveAu& command, Instant now);
+  void carry_out(const gui::ShowAus& command, Instant now);
+  void carry_out(const gui::TakePicture&, Instant) {}
+  void carry_out(const gui::ToggleVideo&, Instant) {}
   void carry_out(const gui::RevertAu&, Instant now);
   void carry_out(const gui::NeutralFace&, Instant now);
   void carry_out(const gui::Undo&, Instant now);
@@ -130,10 +142,11 @@ class WindowSession {
   void play_local(std::string name, const std::vector<playback::TimedAus>& keyframes);
   void replace_source(std::unique_ptr<playback::KeyframeSource> source,
                       std::optional<Milliseconds> speed, Instant now);
-  void say(std::string text, bool bad, Instant now);
+  void export_keyframes(const std::filesystem::path& file, Instant now);
+  void list_aus();
   void remember_level(Instant now);
   void add_idle_life(Instant now);
-  [[nodiscard]] Result<std::string> save(int number);
+  [[nodiscard]] Result<std::string> save_recording(int number);
   [[nodiscard]] gui::RemoteView remote_view() const;
   [[nodiscard]] gui::EditorView editor_view() const;
   [[nodiscard]] std::string traffic(const playback::SourceStatus& status) const;
@@ -167,6 +180,9 @@ class WindowSession {
 
   gui::RenderingSettings rendering_;
   std::vector<gui::ExpressionButton> buttons_;
+  std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;
+  std::string recording_;
+  std::vector<gui::ComposedKeyframe> received_;  ///< begun so far, of what cannot be asked again
   std::vector<gui::PaceRow> pace_;
   pipeline::IdleFace idle_;
   std::vector<float> held_;         ///< the face before the first keyframe of a new source

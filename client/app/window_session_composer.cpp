@@ -8,6 +8,7 @@
 #include "client/app/composition_file.h"
 #include "client/app/window_session.h"
 #include "client/face/au_blender.h"
+#include "client/gui/aus_file.h"
 #include "client/playback/file_source.h"
 #include "common/files.h"
 #include "protocol/codec.h"
@@ -173,6 +174,61 @@ void WindowSession::save_composition(const std::filesystem::path& file, Instant 
   composer_.saved(file.string());
   show_composed();
   say(*saved, false, now);
+}
+
+/// The AUs of the face with what they drive, for the list of the expression editor.
+void WindowSession::list_aus() {
+  std::vector<gui::AuEntry> entries;
+  for (const auto& [number, recording] : face_.recordings) {
+    if (number == 0) continue;
+    gui::AuEntry entry;
+    entry.number = number;
+    const auto name = facs_name(number);
+    entry.name = name ? std::string(*name) : recording.note;
+    entry.muscles = gui::drive_in_words(gui::drive_of(face_, recording.activation));
+    const auto looks = assets_.au_looks.find(number);
+    if (looks != assets_.au_looks.end()) entry.looks = looks->second;
+    entries.push_back(std::move(entry));
+  }
+  known_aus_ = std::make_shared<const std::vector<gui::AuEntry>>(std::move(entries));
+}
+
+/// What is played, from its beginning: a file as it is, of a server what has come so far.
+void WindowSession::export_keyframes(const std::filesystem::path& file, Instant now) {
+  gui::Composer::Keyframes keyframes;
+  const auto add = [&](const AuFrame& aus, std::optional<std::uint32_t> ms) {
+    keyframes.push_back(
+        std::make_shared<const gui::ComposedKeyframe>(gui::ComposedKeyframe{aus, ms}));
+  };
+  for (const gui::ComposedKeyframe& one : received_) add(one.aus, one.ms);
+  if (local_) {
+    for (const playback::TimedAus& one : local_->keyframes()) {
+      std::optional<std::uint32_t> ms;
+      if (one.duration) ms = static_cast<std::uint32_t>(one.duration->count());
+      add(one.aus, ms);
+    }
+  }
+  if (keyframes.empty()) return browser_.refuse("nothing has been played that could be exported");
+  const auto saved = save_stream(keyframes, file);
+  if (!saved) return browser_.refuse(saved.error().message);
+  browser_.close();
+  own_folder_ = file.parent_path();
+  say(std::to_string(keyframes.size()) + " keyframes " + *saved, false, now);
+}
+
+void WindowSession::undo(Instant now) {
+  if (shown_ == Shown::Editor) return apply(gui::Undo{}, now);
+  if (shown_ == Shown::Composer) apply(gui::ComposerCommand(gui::UndoComposing{}), now);
+}
+
+void WindowSession::redo(Instant now) {
+  if (shown_ == Shown::Editor) return apply(gui::Redo{}, now);
+  if (shown_ == Shown::Composer) apply(gui::ComposerCommand(gui::RedoComposing{}), now);
+}
+
+void WindowSession::save(Instant now) {
+  if (shown_ == Shown::Editor && editor_.au()) return apply(gui::SaveAu{*editor_.au()}, now);
+  if (shown_ == Shown::Composer) apply(gui::ComposerCommand(gui::SaveComposition{}), now);
 }
 
 /// Where files of the user's own go: where the last one went, first the current folder.

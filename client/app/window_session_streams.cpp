@@ -67,6 +67,7 @@ void WindowSession::carry_out(const gui::Browse& command, Instant) {
   const bool saving = gui::is_saving(command.purpose);
   std::string name;
   if (saving) name = std::filesystem::path(composer_.file()).filename().string();
+  if (command.purpose == gui::Purpose::ExportKeyframes) name = "exported.txt";
   browser_.open(command.purpose, saving ? own_folder() : last_folder_, name);
 }
 
@@ -85,7 +86,7 @@ void WindowSession::carry_out(const gui::ChooseFile& command, Instant now) {
     case gui::Purpose::SaveStream:
       return save_composition(file, now);
     case gui::Purpose::ExportKeyframes:
-      break;
+      return export_keyframes(file, now);
   }
 }
 

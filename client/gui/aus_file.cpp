@@ -1,7 +1,9 @@
 #include "client/gui/aus_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdio>
 #include <optional>
 
 #include "client/face/au_recordings.h"
@@ -122,6 +124,18 @@ Drive drive_of(const face::Face& face, const std::vector<float>& activations) {
     if (activations[i] > 0) drive.emplace_back(joined ? common : name, activations[i]);
   }
   return drive;
+}
+
+std::string drive_in_words(const Drive& drive) {
+  std::string text;
+  for (const auto& [name, value] : drive) {
+    std::string plain = name;
+    std::replace(plain.begin(), plain.end(), '_', ' ');
+    std::array<char, 16> number{};
+    std::snprintf(number.data(), number.size(), "%.3g", static_cast<double>(value));
+    text += (text.empty() ? "" : ", ") + plain + ' ' + number.data();
+  }
+  return text;
 }
 
 Result<std::string> with_au(std::string_view text, std::string_view file, int number,

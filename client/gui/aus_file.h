@@ -20,6 +20,9 @@ using Drive = std::vector<std::pair<std::string, float>>;
 /// one name where the face has no channel of that very name, zeros left out, in the face's order.
 [[nodiscard]] Drive drive_of(const face::Face& face, const std::vector<float>& activations);
 
+/// "zygomaticus major 0.8, jaw 1.5", for people.
+[[nodiscard]] std::string drive_in_words(const Drive& drive);
+
 /// `text` with the drive of AU `number` replaced, or with a new [[au]] at its end when it has none.
 /// BadData "file:line:column: ..." when the text is no such file, or spreads that drive over
 /// several lines, which is not rewritten so that no comment is lost.

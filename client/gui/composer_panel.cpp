@@ -165,7 +165,7 @@ void au_grid(const GuiModel& model, GuiCommands& commands) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 2));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
   int place = 0;
-  for (const AuEntry& entry : model.known_aus) {
+  for (const AuEntry& entry : *model.known_aus) {
     const bool on = std::any_of(composer.aus.begin(), composer.aus.end(),
                                 [&](const auto& one) { return one.number == entry.number; });
     if (place++ % kAuColumns != 0) ImGui::SameLine(0, gap);
@@ -229,7 +229,7 @@ void au_sliders(const Look& look, const ComposerView& composer, bool linked,
 void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
                     GuiCommands& commands) {
   const ComposerView& composer = model.composer;
-  if (composer.rows == nullptr || composer.pad == nullptr) return;
+  if (composer.rows == nullptr || composer.pad == nullptr || model.known_aus == nullptr) return;
   timeline_part(look, composer, commands);
   const bool chosen = composer.chosen >= 0;
   heading(look,

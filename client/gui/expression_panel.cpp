@@ -71,16 +71,24 @@ std::string title_of(const AuEntry& entry) {
 /// The list of all numbers; true when one was chosen.
 bool au_combo(const char* id, const GuiModel& model, const char* none, int& number) {
   std::string shown = none;
-  for (const AuEntry& entry : model.known_aus) {
+  for (const AuEntry& entry : *model.known_aus) {
     if (entry.number == number) shown = title_of(entry);
   }
   if (number >= 0 && shown == none) shown = std::to_string(number) + "  (new)";
   if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) return false;
   bool chosen = false;
-  for (const AuEntry& entry : model.known_aus) {
+  for (const AuEntry& entry : *model.known_aus) {
     if (ImGui::Selectable(title_of(entry).c_str(), entry.number == number)) {
       number = entry.number;
       chosen = true;
+    }
+    if (ImGui::IsItemHovered() && !entry.muscles.empty()) {
+      ImGui::BeginTooltip();
+      ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
+      if (!entry.looks.empty()) ImGui::TextUnformatted(entry.looks.c_str());
+      quiet_text(entry.muscles);
+      ImGui::PopTextWrapPos();
+      ImGui::EndTooltip();
     }
   }
   ImGui::EndCombo();
@@ -96,6 +104,11 @@ void au_buttons(const Look& look, const GuiModel& model, ExpressionForm& form,
   if (au_combo("##edit", model, "choose one", number)) {
     form.save_as = -1;
     commands.push_back(LoadAu{number});
+  }
+  for (const AuEntry& entry : *model.known_aus) {
+    if (entry.number != editor.au) continue;
+    if (!entry.looks.empty()) ImGui::TextWrapped("%s", entry.looks.c_str());
+    quiet_text(entry.muscles);
   }
   if (wide_button("Undo", 0, 4, editor.can_undo)) commands.push_back(Undo{});
   if (wide_button("Redo", 1, 4, editor.can_redo)) commands.push_back(Redo{});
@@ -121,43 +134,70 @@ void au_buttons(const Look& look, const GuiModel& model, ExpressionForm& form,
 }
 
 /// A value with its steps: dragged, typed (control and click) or stepped.
-void channel_slider(const char* id, int channel, float value, float maximum, float width,
-                    GuiCommands& commands) {
+void channel_slider(const Look& look, const char* id, int channel, float value, float maximum,
+                    float width, GuiCommands& commands) {
   ImGui::PushID(id);
-  ImGui::SetNextItemWidth(width);
+  const ImVec2 step_size(18 * look.scale, 0);
+  const float gap = 2 * look.scale;
   float wanted = value;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
+  ImGui::PushButtonRepeat(true);
+  if (ImGui::Button("-", step_size)) commands.push_back(SetChannel{channel, value - kStep, false});
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(width - 2 * (step_size.x + gap));
   if (ImGui::SliderFloat("##value", &wanted, 0, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
     // The press is the beginning of a step, what follows while it is held belongs to it.
     const bool continued = !ImGui::IsItemActivated() && ImGui::IsMouseDown(0) &&
                            ImGui::GetIO().MouseDownDuration[0] > 0;
     commands.push_back(SetChannel{channel, wanted, continued});
   }
-  if (ImGui::IsItemHovered() && ImGui::GetIO().KeyCtrl && ImGui::GetIO().MouseWheel != 0) {
-    const float step = ImGui::GetIO().MouseWheel > 0 ? kStep : -kStep;
-    commands.push_back(SetChannel{channel, value + step, false});
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+    ImGui::SetTooltip("0 to %g; control and click to type", static_cast<double>(maximum));
   }
+  ImGui::SameLine(0, gap);
+  if (ImGui::Button("+", step_size)) commands.push_back(SetChannel{channel, value + kStep, false});
+  ImGui::PopButtonRepeat();
+  ImGui::PopStyleVar();
   ImGui::PopID();
 }
 
 void channel_row(const Look& look, const ChannelRow& row, bool linked, GuiCommands& commands) {
   ImGui::PushID(row.left);
   ImGui::AlignTextToFramePadding();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(at, ImVec2(at.x + 158 * look.scale, at.y + 100 * look.scale), true);
   ImGui::TextUnformatted(row.name.c_str());
-  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 176 * look.scale);
+  ImGui::PopClipRect();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.name.c_str());
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 150 * look.scale);
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   if (row.right < 0) {
-    channel_slider("centre", row.left, row.left_value, row.maximum, width, commands);
+    channel_slider(look, "centre", row.left, row.left_value, row.maximum, width, commands);
   } else if (linked && row.left_value == row.right_value) {
-    channel_slider("both", row.left, row.left_value, row.maximum, width, commands);
+    channel_slider(look, "both", row.left, row.left_value, row.maximum, width, commands);
   } else {
     // As one sees them: the subject's right is at the viewer's left.
     const float half = (width - gap) / 2;
-    channel_slider("right", row.right, row.right_value, row.maximum, half, commands);
+    channel_slider(look, "right", row.right, row.right_value, row.maximum, half, commands);
     ImGui::SameLine(0, gap);
-    channel_slider("left", row.left, row.left_value, row.maximum, half, commands);
+    channel_slider(look, "left", row.left, row.left_value, row.maximum, half, commands);
   }
   ImGui::PopID();
+}
+
+/// Several AUs at once, as mixer and rules make a face of them.
+void compound(const Look& look, ExpressionForm& form, GuiCommands& commands) {
+  label(look, "AUs together");
+  const float button = 60 * look.scale;
+  ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));
+  const bool entered =
+      ImGui::InputTextWithHint("##compound", "1,2,5B,L12:40", form.aus.data(), form.aus.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("AUs as in a packet; mixer and rules are applied");
+  ImGui::SameLine();
+  const bool pressed = ImGui::Button("Show", ImVec2(button, 0));
+  if ((pressed || entered) && form.aus[0] != 0) commands.push_back(ShowAus{form.aus.data()});
 }
 
 void muscles(const Look& look, const GuiModel& model, GuiCommands& commands) {
@@ -178,7 +218,9 @@ void muscles(const Look& look, const GuiModel& model, GuiCommands& commands) {
 
 void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
                       GuiCommands& commands) {
+  if (model.known_aus == nullptr) return;
   expressions(look, model, commands);
+  compound(look, form, commands);
   au_buttons(look, model, form, commands);
   muscles(look, model, commands);
 }

@@ -141,7 +141,7 @@ struct KeyHelp {
   const char* key;
   const char* meaning;
 };
-constexpr std::array<KeyHelp, 15> kKeys = {{
+constexpr std::array<KeyHelp, 18> kKeys = {{
     {"Space", "pause and resume"},
     {"Left, Right", "a keyframe back, on (stream files)"},
     {", .", "a frame back, on"},
@@ -151,6 +151,9 @@ constexpr std::array<KeyHelp, 15> kKeys = {{
     {"Tab", "hide and show the panel"},
     {"f", "full screen"},
     {"s", "save a picture"},
+    {"v", "begin and end a video"},
+    {"Ctrl+z, Ctrl+y", "undo, redo (expression, composer)"},
+    {"Ctrl+s", "save (expression, composer)"},
     {"r", "reset the view"},
     {"?", "this list"},
     {"q, Esc", "leave"},

@@ -43,6 +43,10 @@ struct LoadAu {
 struct SaveAu {
   int number = 0;
 };
+/// A set of AUs as a packet has it, taken into the editor as mixer and rules make it.
+struct ShowAus {
+  std::string aus;
+};
 struct RevertAu {};
 struct NeutralFace {};
 struct Undo {};
@@ -75,12 +79,16 @@ struct OpenStream {
   std::string file;
 };
 struct CloseNotice {};
+struct TakePicture {};
+/// Begins a video of what is shown, or ends it.
+struct ToggleVideo {};
 
 using GuiCommand =
     std::variant<Connect, Pause, Resume, Stop, ChangeAnimation, ShowExpression, ChangeTransition,
                  SetChannel, SetLinked, LoadAu, SaveAu, RevertAu, NeutralFace, Undo, Redo,
                  ChangeRendering, LookFrom, Leave, LocalCommand, ComposerCommand, Browse,
-                 EnterFolder, ChooseFile, CloseBrowser, OpenStream, CloseNotice>;
+                 EnterFolder, ChooseFile, CloseBrowser, OpenStream, CloseNotice, ShowAus,
+                 TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 }  // namespace aucast::gui

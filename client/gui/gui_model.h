@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -102,7 +103,9 @@ struct EditorView {
 /// An AU as the list of the editor has it.
 struct AuEntry {
   int number = 0;
-  std::string name;  ///< FACS name
+  std::string name;     ///< FACS name
+  std::string muscles;  ///< what it drives: "zygomaticus major 0.8, lip corner 1"
+  std::string looks;    ///< what a face with it looks like; empty: nothing is known
   friend bool operator==(const AuEntry&, const AuEntry&) = default;
 };
 
@@ -172,7 +175,8 @@ struct GuiModel {
   AnimationSettings animation;
   EditorView editor;
   ComposerView composer;
-  std::vector<AuEntry> known_aus;
+  std::shared_ptr<const std::vector<AuEntry>> known_aus;  ///< always there
+  std::string recording;                                  ///< the video being recorded; empty: none
   std::vector<ExpressionButton> expressions;
   TransitionSettings transition;
   RenderingView rendering;

@@ -22,7 +22,8 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, Gui
 
 /// What is chosen in the expression panel.
 struct ExpressionForm {
-  int save_as = -1;  ///< number for "save as"; -1: the AU being edited
+  std::array<char, 512> aus{};  ///< to be shown together
+  int save_as = -1;             ///< number for "save as"; -1: the AU being edited
 };
 
 void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
@@ -42,6 +43,8 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
 /// What the remote player's panel says about stream files.
 void file_part(const GuiModel& model, GuiCommands& commands);
+/// Pictures, video and stream files of what is played.
+void record_part(const GuiModel& model, GuiCommands& commands);
 /// What was just done, over the face for a while.
 void notice_line(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
 

@@ -237,6 +237,21 @@ void notice_line(const Look& look, const GuiModel& model, float width, GuiComman
   ImGui::End();
 }
 
+void record_part(const GuiModel& model, GuiCommands& commands) {
+  const bool recording = !model.recording.empty();
+  if (wide_button("Picture", 0, 3, true)) commands.push_back(TakePicture{});
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("a PNG of the face (s)");
+  if (wide_button(recording ? "End video" : "Video", 1, 3, true, recording)) {
+    commands.push_back(ToggleVideo{});
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("an MP4 of what is shown from now on (v)");
+  if (wide_button("Export...", 2, 3, !model.remote.keyframe.empty())) {
+    commands.push_back(Browse{Purpose::ExportKeyframes});
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("what was played, as a stream file");
+  if (recording) quiet_text("recording " + model.recording);
+}
+
 void file_part(const GuiModel& model, GuiCommands& commands) {
   if (wide_button("Open a stream file...", 0, 1, true))
     commands.push_back(Browse{Purpose::PlayStream});

@@ -151,6 +151,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
   if (!form.filled) fill_form(model.remote_settings, form);
   server(look, model, form, commands);
   file_part(model, commands);
+  record_part(model, commands);
   if (!model.remote.local) buffers(look, model, form);
   animation(look, model, commands);
   action_units(look, model);

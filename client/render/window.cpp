@@ -72,7 +72,14 @@ Key key_of(int code, int modifiers) {
     case GLFW_KEY_F:
       return Key::F;
     case GLFW_KEY_S:
-      return Key::S;
+      return control ? Key::Save : Key::S;
+    case GLFW_KEY_V:
+      return Key::V;
+    case GLFW_KEY_Z:
+      if (!control) return Key::None;
+      return (modifiers & GLFW_MOD_SHIFT) != 0 ? Key::Redo : Key::Undo;
+    case GLFW_KEY_Y:
+      return control ? Key::Redo : Key::None;
     case GLFW_KEY_R:
       return Key::R;
     case GLFW_KEY_TAB:

@@ -28,7 +28,11 @@ enum class Key : int {
   Slower,
   Faster,
   L,
-  O
+  O,
+  V,
+  Undo,
+  Redo,
+  Save
 };
 
 /// A plain GLFW window with an OpenGL 3.3 core context and 4 samples; the camera turns with the

@@ -16,7 +16,7 @@ namespace aucast::gui {
 namespace {
 
 constexpr int kWidth = 800;
-constexpr int kHeight = 640;
+constexpr int kHeight = 720;
 
 GuiModel playing_model() {
   GuiModel model;
@@ -29,7 +29,8 @@ GuiModel playing_model() {
   model.remote.traffic = "6 packets, 93 B";
   model.remote.aus = {{"51", "Head Turn Left", 100, 60, "opposition"}};
   model.editor.groups = {{"Mouth", {{"zygomaticus major", 2, 0, 1, 0.5F, 0.5F}}}};
-  model.known_aus = {{12, "Lip Corner Puller"}};
+  model.known_aus = std::make_shared<const std::vector<AuEntry>>(
+      std::vector<AuEntry>{{12, "Lip Corner Puller", "zygomaticus major 1", "A smile."}});
   model.expressions = {{"Happiness", "6,12"}, {"Anger", "4,5,7,23"}};
   return model;
 }
@@ -255,12 +256,12 @@ TEST_F(Panels, TheFileDialogChoosesAFile) {
   model_.browser.folder = "/streams";
   model_.browser.entries = {{"more", true}, {"talk.txt", false}};
   static_cast<void>(picture());
-  EXPECT_TRUE(find_by_clicking<EnterFolder>(200, 120, 160).has_value());
-  for (float y = 120; y < 200; y += 10) static_cast<void>(click(200, y));
-  const auto chosen = find_by_clicking<ChooseFile>(550, 500, 590);
+  EXPECT_TRUE(find_by_clicking<EnterFolder>(200, 160, 200).has_value());
+  for (float y = 160; y < 240; y += 10) static_cast<void>(click(200, y));
+  const auto chosen = find_by_clicking<ChooseFile>(550, 560, 640);
   ASSERT_TRUE(chosen.has_value());
   EXPECT_EQ(chosen->file, "talk.txt");
-  EXPECT_TRUE(find_by_clicking<CloseBrowser>(200, 500, 590).has_value());
+  EXPECT_TRUE(find_by_clicking<CloseBrowser>(200, 560, 640).has_value());
 }
 
 TEST_F(Panels, LeavingWithUnsavedChangesIsAQuestion) {

@@ -2,6 +2,7 @@
 
 #include "client/app/window_session.h"
 #include "client/playback/file_source.h"
+#include "common/files.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/temp_folder.h"
 
@@ -158,6 +159,24 @@ TEST_F(StreamSessionTest, TheFileOfTheCommandLineEndsWithItsStatistics) {
   EXPECT_EQ(source->status().end, playback::EndReason::EndOfStream);
   EXPECT_EQ(stats_.keyframes_played, 3U);
   EXPECT_DOUBLE_EQ(stats_.media_seconds, 0.6);
+}
+
+TEST_F(StreamSessionTest, WhatIsPlayedIsExported) {
+  open();
+  ask(gui::Browse{gui::Purpose::ExportKeyframes});
+  EXPECT_EQ(model().browser.name, "exported.txt");
+  const auto file = folder_.path() / "copy.txt";
+  ask(gui::ChooseFile{file.string()});
+  EXPECT_FALSE(model().browser.open) << model().browser.problem;
+  EXPECT_NE(model().notice.text.find("3 keyframes saved in " + file.string()), std::string::npos);
+  EXPECT_EQ(*read_file(file), "Beg_Stream\n26;100\n0;200\n51;300\nEnd_Stream\n");
+}
+
+TEST_F(StreamSessionTest, NothingPlayedIsNothingToExport) {
+  ask(gui::Browse{gui::Purpose::ExportKeyframes});
+  ask(gui::ChooseFile{(folder_.path() / "copy.txt").string()});
+  EXPECT_TRUE(model().browser.open);
+  EXPECT_FALSE(model().browser.problem.empty());
 }
 
 TEST_F(StreamSessionTest, LeavingBeforeTheEndIsAStop) {

@@ -205,6 +205,42 @@ TEST_F(WindowSessionTest, EveryKindOfExpressionHasOneButton) {
   EXPECT_EQ(macros, 6);
 }
 
+TEST_F(WindowSessionTest, SeveralAusTogetherGoThroughRulesAndMixer) {
+  open_nothing();
+  ask(gui::ShowAus{"51,52:40"});
+  clock_.advance(Milliseconds(250));
+  EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
+  EXPECT_TRUE(model().editor.active);
+  EXPECT_EQ(model().notice.text, "after the rules: 51:60");
+  ask(gui::ShowAus{"no AUs"});
+  EXPECT_TRUE(model().notice.bad);
+}
+
+TEST_F(WindowSessionTest, EveryAuHasItsMusclesAndWhatItLooksLike) {
+  open_nothing();
+  ASSERT_NE(model().known_aus, nullptr);
+  EXPECT_GT(model().known_aus->size(), 40U);
+  for (const gui::AuEntry& entry : *model().known_aus) {
+    EXPECT_FALSE(entry.name.empty()) << entry.number;
+    EXPECT_FALSE(entry.muscles.empty()) << entry.number;
+    EXPECT_FALSE(entry.looks.empty()) << entry.number;
+  }
+}
+
+TEST_F(WindowSessionTest, UndoIsOfWhatTheFaceShows) {
+  open_nothing();
+  ask(gui::SetChannel{channel("jaw"), 2, false});
+  session_->undo(clock_.now());
+  EXPECT_EQ(shown("jaw"), 0);
+  session_->redo(clock_.now());
+  EXPECT_EQ(shown("jaw"), 2);
+  ask(gui::ComposerCommand(gui::ComposeAu{51, 100, 100, false}));
+  session_->undo(clock_.now());
+  EXPECT_EQ(shown("head_turn_left"), 0);
+  EXPECT_FALSE(model().composer.unsaved);
+  EXPECT_TRUE(model().editor.unsaved);
+}
+
 TEST_F(WindowSessionTest, AMacroSetsItsMuscles) {
   open_nothing();
   const auto& all = assets_->expressions;

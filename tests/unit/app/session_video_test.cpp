@@ -1,0 +1,29 @@
+#include "client/app/session_video.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.h"
+
+namespace aucast::app {
+namespace {
+
+TEST(SessionVideo, HasItsPicturesAtEqualDistancesHoweverTheScreenDraws) {
+  EXPECT_EQ(pictures_due(Milliseconds(0), 25, 0), 1U);
+  EXPECT_EQ(pictures_due(Milliseconds(39), 25, 1), 0U);
+  EXPECT_EQ(pictures_due(Milliseconds(40), 25, 1), 1U);
+  EXPECT_EQ(pictures_due(Milliseconds(1000), 25, 2), 24U);
+  EXPECT_EQ(pictures_due(Milliseconds(1000), 25, 26), 0U);
+  EXPECT_EQ(pictures_due(Milliseconds(-5), 25, 0), 0U);
+}
+
+TEST(SessionVideo, NamesThatAreThereAreLeftAlone) {
+  const test::TempFolder folder;
+  EXPECT_EQ(free_name(folder.path(), ".png"), folder.path() / "face-player-1.png");
+  folder.write("face-player-1.png", "");
+  folder.write("face-player-2.png", "");
+  EXPECT_EQ(free_name(folder.path(), ".png"), folder.path() / "face-player-3.png");
+  EXPECT_EQ(free_name(folder.path(), ".mp4"), folder.path() / "face-player-1.mp4");
+}
+
+}  // namespace
+}  // namespace aucast::app
