@@ -56,6 +56,21 @@ footer { max-width: 1120px; margin: 4rem auto 2rem; padding: 0 1.5rem; color: va
 @media print { nav { position: static; } figure, tr { break-inside: avoid; } }
 )";
 
+/// Channels by name; what both sides have is named once, without its side.
+std::string in_pairs(const std::vector<std::string>& channels) {
+  const auto has = [&](const std::string& name) {
+    return std::find(channels.begin(), channels.end(), name) != channels.end();
+  };
+  std::string text;
+  for (const std::string& channel : channels) {
+    const std::string base = channel.substr(channel.find('_') + 1);
+    const bool paired = has("left_" + base) && has("right_" + base);
+    if (paired && channel == "right_" + base) continue;
+    text += (text.empty() ? "" : ", ") + (paired && channel == "left_" + base ? base : channel);
+  }
+  return text;
+}
+
 /// A word of a recording's note by which its author says that the mesh cannot show this AU well.
 constexpr std::string_view kLimited = "best form";
 
@@ -207,8 +222,7 @@ class Page {
     const char* mark = !row.recorded ? "<span class=\"mark missing\">not recorded</span>"
                        : limited     ? "<span class=\"mark limited\">best form</span>"
                                      : "<span class=\"mark\">recorded</span>";
-    std::string drives;
-    for (const std::string& channel : row.drives) drives += (drives.empty() ? "" : ", ") + channel;
+    const std::string drives = in_pairs(row.drives);
     html_ += "<tr><td>" + std::to_string(row.number) + "</td><td>" + html_escaped(row.name) +
              "</td><td>" + mark + "</td><td>" + (row.sided ? "left, right" : "") + "</td><td>" +
              html_escaped(row.note) + "</td><td class=\"drives\">" + html_escaped(drives) +

@@ -17,6 +17,24 @@ glm::vec3 lane(const VertexBlock& block, std::size_t i) {
   return {block.x[i], block.y[i], block.z[i]};
 }
 
+Four four(const glm::vec3& v) {
+  return Four{v.x, v.y, v.z, 0};
+}
+
+/// A block of points or directions, in registers.
+void turn_rigidly(const glm::mat3& rotation, const glm::vec3& offset,
+                  std::span<const glm::vec3> from, std::span<glm::vec3> to) {
+  const Four x = four(rotation[0]);
+  const Four y = four(rotation[1]);
+  const Four z = four(rotation[2]);
+  const Four all = four(offset);
+  std::array<Four, kLanes> points;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    points[i] = all + x * from[i].x + y * from[i].y + z * from[i].z;
+  }
+  write_points(points, to);
+}
+
 }  // namespace
 
 HeadTurn::HeadTurn(const Face& face, const NormalField& normals)
@@ -88,6 +106,7 @@ void HeadTurn::apply(const Pose& pose, std::span<const std::uint8_t> changed,
   turn(angles, kAllLanes, axes);
   const glm::vec3 centre = lane(axes, 3);
   const glm::mat3 rotation(lane(axes, 0) - centre, lane(axes, 1) - centre, lane(axes, 2) - centre);
+  const glm::vec3 offset = centre - rotation * head_.pivot;
 
   turned.positions.resize(still.positions.size());
   turned.normals.resize(still.normals.size());
@@ -96,10 +115,10 @@ void HeadTurn::apply(const Pose& pose, std::span<const std::uint8_t> changed,
     const std::size_t begin = block * kLanes;
     const std::size_t count = std::min(kLanes, still.positions.size() - begin);
     if (kinds_[block] == Kind::Wholly) {
-      for (std::size_t i = begin; i < begin + count; ++i) {
-        turned.positions[i] = centre + rotation * (still.positions[i] - head_.pivot);
-        turned.normals[i] = rotation * still.normals[i];
-      }
+      turn_rigidly(rotation, offset, block_of(still.positions, block),
+                   block_of(turned.positions, block));
+      turn_rigidly(rotation, glm::vec3(0), block_of(still.normals, block),
+                   block_of(turned.normals, block));
     } else if (kinds_[block] == Kind::Bent) {
       VertexBlock at = blocks[block];
       turn(angles, weights_[block], at);

@@ -40,9 +40,10 @@ inline void set_four(Lanes& lanes, std::size_t begin, const Four& four) {
 }
 
 /// Block number `block` of what has one element per vertex; the last one may be shorter.
-[[nodiscard]] inline std::span<glm::vec3> block_of(std::span<glm::vec3> points, std::size_t block) {
+template <typename Points>
+[[nodiscard]] auto block_of(Points& points, std::size_t block) {
   const std::size_t begin = block * kLanes;
-  return points.subspan(begin, std::min(kLanes, points.size() - begin));
+  return std::span(points).subspan(begin, std::min(kLanes, points.size() - begin));
 }
 
 [[nodiscard]] constexpr std::size_t block_count(std::size_t vertex_count) {

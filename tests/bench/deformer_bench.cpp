@@ -76,8 +76,8 @@ class PlainFace {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       for (std::size_t m = 0; m < face.muscles.size(); ++m) {
         const std::string& mask = face.muscles[m].mask;
-        masks_[m].push_back(map_at(mesh, "muscle", i, 1) *
-                            (mask.empty() ? 1.0F : map_at(mesh, mask, i, 1)));
+        const float reach = face.muscles[m].mask_alone ? 1.0F : map_at(mesh, "muscle", i, 1);
+        masks_[m].push_back(reach * (mask.empty() ? 1.0F : map_at(mesh, mask, i, 1)));
       }
       masks_[face.muscles.size()].push_back(map_at(mesh, "jaw", i, 0));
       masks_[face.muscles.size() + 1].push_back(map_at(mesh, "lid_angle", i, 0));

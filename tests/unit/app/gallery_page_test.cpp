@@ -67,6 +67,8 @@ TEST(GalleryPage, MarksWhatIsMissingAndWhatIsLimited) {
             std::string::npos);
   EXPECT_NE(html.find("<td>19</td><td>Tongue Show</td><td><span class=\"mark missing\">"),
             std::string::npos);
+  // Both sides of AU 12 at once.
+  EXPECT_NE(html.find("<td class=\"drives\">zygomaticus_major</td>"), std::string::npos);
 }
 
 TEST(GalleryPage, EscapesWhatComesFromFiles) {
