@@ -28,13 +28,14 @@ void add_options(ManualPage& page) {
 void add_settings(ManualPage& page) {
   page.section("SETTINGS");
   page.paragraph(
-      "Every option but those of the command line only (--check, --config, --print-config) can be "
-      "set in a settings file, then in the environment, then on the command line; the last one "
-      "wins. The file is TOML, one line an option: bind = \"0.0.0.0\", port = 4650, live = true, "
+      "Every option but those of the command line only (--check, --print-config) can be set in a "
+      "settings file, then in the environment, then on the command line; the last one wins. The "
+      "file is TOML, one line an option: bind = \"0.0.0.0\", port = 4650, live = true, "
       "source = [\"talk.txt\", \"/srv/streams\"]. A name that is no option is an error.");
   page.paragraph(
       "The environment has AUCAST_TRANSMITTER_ and the option in capitals with _ for -: "
-      "AUCAST_TRANSMITTER_CLIENT_TIMEOUT=30. Several sources are separated by commas.");
+      "AUCAST_TRANSMITTER_CLIENT_TIMEOUT=30. Several sources are separated by commas. "
+      "AUCAST_TRANSMITTER_CONFIG names the settings file as --config does.");
 }
 
 void add_the_rest(ManualPage& page) {
