@@ -220,6 +220,7 @@ TEST_F(RenderGolden, LightsTheDefaultFace) {
   // Red over blue in the middle of the face: skin in warm light.
   const std::size_t middle = 4U * (170U * 300U + 150U);
   EXPECT_GT(rest.rgba[middle], rest.rgba[middle + 2] + 20);
+  expect_as_baseline(rest, "render_default_face_rest");
 
   AuFrame smile;
   for (const int number : {6, 12, 25}) {
