@@ -11,6 +11,7 @@
 #include "protocol/codec.h"
 #include "server/live_source.h"
 #include "server/source_reader.h"
+#include "server/thinning.h"
 
 namespace aucast::server {
 namespace {
@@ -94,16 +95,21 @@ protocol::ServedStream served(const Source& source, const CatalogueOptions& opti
   protocol::ServedStream stream;
   stream.name = source.name;
   if (source.live) return stream;
-  for (const protocol::Keyframe& keyframe : source.stream.keyframes) {
+  const protocol::StreamFile whole =
+      options.max_kbits == 0
+          ? source.stream
+          : protocol::StreamFile{
+                thinned(source.stream.keyframes, options.keyframe_ms, options.max_kbits)};
+  for (const protocol::Keyframe& keyframe : whole.keyframes) {
     stream.classic.push_back(protocol::encode_classic(keyframe, options.classic_min));
     stream.negotiated.push_back(protocol::encode(keyframe));
     stream.times.emplace_back(keyframe.duration_ms.value_or(options.keyframe_ms));
   }
-  if (goes_beyond_classic(source.stream)) {
-    stream.changes = protocol::encode_changes(source.stream.keyframes, options.keyframe_ms);
+  if (goes_beyond_classic(whole)) {
+    stream.changes = protocol::encode_changes(whole.keyframes, options.keyframe_ms);
   }
   // A stream that starts again has no length.
-  if (!options.loop) stream.duration_ms = protocol::media_ms(source.stream, options.keyframe_ms);
+  if (!options.loop) stream.duration_ms = protocol::media_ms(whole, options.keyframe_ms);
   return stream;
 }
 

@@ -47,6 +47,7 @@ struct CatalogueOptions {
   std::uint32_t keyframe_ms = 250;
   int classic_min = 20;  ///< percent; weaker AUs are left out for classic clients
   bool loop = false;
+  std::uint32_t max_kbits = 0;  ///< a second, headers included; 0: no limit
 };
 
 /// Encodes every stream once per level, in the order given. Needs at least one source.

@@ -191,7 +191,7 @@ void Connection::go_on() {
   if (finished_) return;
   write();
   if (session_.live() && !finished_) {
-    carry_out(session_.hold(!output_done(), now()));
+    carry_out(session_.hold(awaiting_write_, now()));
     write();
   }
   if (finished_) return;
@@ -295,6 +295,7 @@ void Connection::drop(std::size_t bytes) {
 /// Writes at once what the socket takes: a completion for every packet would cost more than the
 /// packet.
 void Connection::write() {
+  if (gathers()) return;
   while (!finished_ && !awaiting_write_ && !output_done()) {
     std::error_code error;
     const std::size_t bytes = socket_.write_some(
@@ -316,6 +317,20 @@ void Connection::write() {
     output_.clear();
     written_ = 0;
   }
+}
+
+/// Whether what there is to write waits for more. The first packet, which a player is waiting for,
+/// and the last words do not.
+bool Connection::gathers() {
+  const bool may = settings_.batch.count() > 0 && !output_done() && !shut_wanted_ &&
+                   session_.packets_sent() > 1 && output_bytes() < kBatchBytesMax;
+  if (!may) {
+    batch_until_.reset();
+    return false;
+  }
+  const Instant moment = now();
+  if (!batch_until_) batch_until_ = moment + settings_.batch;
+  return moment < *batch_until_;
 }
 
 void Connection::write_when_possible() {
@@ -370,7 +385,7 @@ std::optional<Instant> Connection::patience_ends() {
     return begin;
   };
   const auto owed = since(owed_since_, owes);
-  const auto stuck = since(stuck_since_, session_.live() && !output_done());
+  const auto stuck = since(stuck_since_, session_.live() && awaiting_write_);
   if (!owed && !stuck) return std::nullopt;
   return std::min(owed.value_or(Instant::max()), stuck.value_or(Instant::max())) +
          settings_.client_timeout;
@@ -384,6 +399,7 @@ void Connection::arm_timer() {
     next = handshaking() ? handshake_until_ : session_.deadline();
     const auto patience = patience_ends();
     if (patience && (!next || *patience < *next)) next = patience;
+    if (batch_until_ && (!next || *batch_until_ < *next)) next = batch_until_;
   }
   if (next == armed_for_) return;
   armed_for_ = next;

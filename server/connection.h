@@ -48,6 +48,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     protocol::Admission admission = protocol::Admission::Welcome;
     int unsent_bytes_max = 0;  ///< that the system may hold back unsent; 0: as much as it likes
     std::optional<tls::Context> tls{};  ///< nothing: plain
+    Milliseconds batch{0};              ///< small writes wait so long for each other
   };
 
   /// `on_closed` is called once, when the socket is closed.
@@ -80,6 +81,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
  private:
   /// What waits for the socket before nothing more is read.
   static constexpr std::size_t kOutputBytesMax = 65536;
+  /// What fits in one packet of the network; more does not wait for --batch.
+  static constexpr std::size_t kBatchBytesMax = 1200;
   static constexpr std::size_t kReadBytesMax = 1024;
 
   [[nodiscard]] bool handshaking() const { return tls_ && !tls_->ready(); }
@@ -95,6 +98,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void go_on();
   void read();
   void on_read(const std::error_code& error, std::size_t bytes);
+  [[nodiscard]] bool gathers();
   void write();
   void write_when_possible();
   void shut_sending();
@@ -124,6 +128,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool finished_ = false;
   bool sending_measured_ = false;
   std::optional<Instant> armed_for_;
+  std::optional<Instant> batch_until_;  ///< small writes are being gathered
   std::optional<Instant> owed_since_;   ///< an answer
   std::optional<Instant> stuck_since_;  ///< the output
   std::optional<Instant> unsent_since_;

@@ -181,6 +181,27 @@ constexpr OptionRow kTable[] = {
      "Without it one broken source ends the start with 3 or 4, and on SIGHUP nothing is changed. "
      "When no source is left it ends all the same.",
      read_flag<&TransmitterOptions::skip_bad>},
+    {"max-bitrate", "KBITS", Kind::Number, "0", "a second for each client, headers too (0: any)",
+     "Keyframes that come too soon are merged into the next one that fits: the newest wins and "
+     "takes the time of all of them, so the stream keeps its length. 1 to 1000000 kilobits; "
+     "counted "
+     "are packets of level 2 with 52 bytes of TCP and IP headers each. --check and --estimate show "
+     "what is left. Sources that are still being written are not thinned.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 0, 1'000'000, options.max_kbits);
+     }},
+    {"batch", "MS", Kind::Number, "0", "small writes wait so long for each other (0: none)",
+     "Headers cost more than a packet: what is written within this time goes out together. 0 to "
+     "1000 milliseconds; the face is that much later.",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       int batch_ms = 0;
+       if (auto wrong = read_whole(word, 0, 1000, batch_ms)) return wrong;
+       options.batch = Milliseconds(batch_ms);
+       return std::nullopt;
+     }},
+    {"estimate", "", Kind::Flag, "false", "print bytes and bits a second, serve nothing",
+     "For each level, on average and in the second that needs most, without and with headers.",
+     nullptr},
     {"check", "", Kind::Flag, "false", "check the sources, print what they hold, serve nothing",
      "Ends with 0 when all of them can be served.", nullptr},
     {"rate", "HZ", Kind::Number, "", "",

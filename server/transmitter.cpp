@@ -289,7 +289,7 @@ class Transmitter {
         std::move(socket),
         std::shared_ptr<const protocol::ServerCatalogue>(programme_, &programme_->catalogue),
         Connection::Settings{number, endpoint_text(peer), options_.client_timeout, admission,
-                             any_live() ? programme_->unsent_bytes_max : 0, tls_},
+                             any_live() ? programme_->unsent_bytes_max : 0, tls_, options_.batch},
         [this](const ClientRecord& record) { farewell(record); });
     if (refused) {
       refused_.insert(number);

@@ -17,6 +17,7 @@
 #include "server/catalogue.h"
 #include "server/check_report.h"
 #include "server/convert_command.h"
+#include "server/estimate.h"
 #include "server/manual_page.h"
 #include "server/stats.h"
 #include "server/transmitter.h"
@@ -72,14 +73,20 @@ Result<std::vector<Source>> load(const TransmitterOptions& options) {
   return sources;
 }
 
+CatalogueOptions catalogue_options(const TransmitterOptions& options) {
+  return {options.keyframe_ms, options.classic_min, options.loop, options.max_kbits};
+}
+
 int check(const TransmitterOptions& options) {
   const auto sources = load(options);
   if (!sources) return report(sources.error());
-  const auto catalogue =
-      make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
+  const auto catalogue = make_catalogue(*sources, catalogue_options(options));
   for (std::size_t index = 0; index < sources->size(); ++index) {
+    const Source& source = (*sources)[index];
+    const auto& served = catalogue.streams[index];
     const auto printed =
-        print(check_report((*sources)[index], catalogue.streams[index], catalogue.keyframe_ms));
+        print(options.estimate ? estimate_report(source, served, options.batch)
+                               : check_report(source, served, catalogue.keyframe_ms));
     if (!printed) return report(printed.error());
   }
   return 0;
@@ -98,8 +105,7 @@ void say_what_was_found(const std::vector<Source>& sources) {
 Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& options) {
   const auto sources = load(options);
   if (!sources) return sources.error();
-  auto catalogue =
-      make_catalogue(*sources, {options.keyframe_ms, options.classic_min, options.loop});
+  auto catalogue = make_catalogue(*sources, catalogue_options(options));
   if (options.live) {
     if (auto can = check_live(catalogue); !can) return can.error();
   }
@@ -167,7 +173,7 @@ int run_transmitter(std::vector<std::string> arguments) {
   if (auto log = set_up_log("au-transmitter", options.log_level, format); !log)
     return report(log.error());
 
-  if (options.check) return check(options);
+  if (options.check || options.estimate) return check(options);
   auto catalogue = load_catalogue(options);
   if (!catalogue) return report(catalogue.error());
   return serve_until_signal(options, std::move(*catalogue));

@@ -140,6 +140,7 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
   auto options = options_of(*settings);
   if (!options) return options.error();
   options->check = typed.flag("check");
+  options->estimate = typed.flag("estimate");
   if (typed.flag("print-config")) return CommandLine{print_config(*settings), {}};
   if (auto valid = validate(*options); !valid) return valid.error();
   return CommandLine{{}, std::move(*options)};

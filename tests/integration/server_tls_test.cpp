@@ -1,5 +1,6 @@
 // au-transmitter with certificates and a token: who gets in, who does not, and that neither costs
 // the others anything.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -249,6 +250,35 @@ TEST(ServerLimits, SoManyClientsFromOneAddress) {
   second.reset();
   next.reset();
   EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST(ServerThinLinks, BatchesSmallWritesAndLosesNone) {
+  RunningTransmitter server({stream_file("six_expressions.txt"), "--batch", "150"});
+  std::string reply;
+  RawClient client = say_hello(server, "{hello v=2 window=64}111111", reply);
+  EXPECT_EQ(reply.substr(0, 7), "{hello ");
+  EXPECT_EQ(client.receive_all(), joined(kSixPackets) + kEnd);
+  client.end_sending();
+  // One code, one packet: each waits its time and comes by itself.
+  RawClient slow = server.connect();
+  expect_six_packets(slow);
+  slow.end_sending();
+  EXPECT_EQ(server.terminate(), 0) << server.log();
+}
+
+TEST(ServerThinLinks, EstimatesAndServesWithinABitrate) {
+  const auto lines = [](const Finished& finished) {
+    return std::count(finished.out.begin(), finished.out.end(), '\n');
+  };
+  const Finished whole = run({program("au-transmitter"), stream_file("talk.txt"), "--estimate"});
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+  EXPECT_EQ(lines(whole), 6) << whole.out;
+  const Finished thin =
+      run({program("au-transmitter"), stream_file("talk.txt"), "--estimate", "--max-bitrate", "8"});
+  EXPECT_EQ(thin.exit_code, 0) << thin.err;
+  EXPECT_NE(thin.out, whole.out);
+  EXPECT_EQ(run({program("au-transmitter"), stream_file("talk.txt"), "--batch", "1001"}).exit_code,
+            2);
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#include "server/thinning.h"
+
+#include <algorithm>
+
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+
+namespace aucast::server {
+
+std::vector<protocol::Keyframe> thinned(std::span<const protocol::Keyframe> keyframes,
+                                        std::uint32_t keyframe_ms, std::uint32_t kbits_per_second) {
+  // Bits a millisecond are kilobits a second.
+  const auto rate = static_cast<double>(kbits_per_second);
+  const double most = rate * 1000;
+  constexpr auto kLongest = static_cast<std::uint64_t>(protocol::kDurationMsMax);
+  double there = most;
+  std::uint64_t time_ms = 0;
+  std::vector<protocol::Keyframe> kept;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    protocol::Keyframe keyframe = keyframes[i];
+    const std::uint64_t own_ms = keyframe.duration_ms.value_or(keyframe_ms);
+    time_ms += own_ms;
+    if (time_ms != own_ms)
+      keyframe.duration_ms = static_cast<std::uint32_t>(std::min(time_ms, kLongest));
+    // What the keyframe's own time brings must pay for it.
+    const auto bits = static_cast<double>((encode(keyframe).size() + kHeaderBytes) * 8);
+    const double left = there - bits + rate * static_cast<double>(time_ms);
+    if (left < 0 && i + 1 < keyframes.size()) continue;
+    there = std::min(left, most);
+    kept.push_back(std::move(keyframe));
+    time_ms = 0;
+  }
+  return kept;
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,45 @@
+#include "server/estimate.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+protocol::ServedStream stream_of(std::vector<std::string> packets,
+                                 std::vector<Milliseconds> times) {
+  protocol::ServedStream stream;
+  stream.classic = packets;
+  stream.negotiated = std::move(packets);
+  stream.times = std::move(times);
+  return stream;
+}
+
+bool holds(const std::string& text, const std::string& line) {
+  return text.find(line + "\n") != std::string::npos;
+}
+
+TEST(Estimate, CountsBytesMeanAndPeak) {
+  // Four packets of ten bytes in two seconds, three of them in the second that has most.
+  const auto stream = stream_of(std::vector<std::string>(4, "{12:34;56}"), {500ms, 499ms, 1ms, 1s});
+  const std::string report = estimate_report({"talk.txt", "talk", {}, {}}, stream, 0ms);
+  EXPECT_TRUE(holds(report, "talk.txt: talk"));
+  EXPECT_NE(report.find("  4 keyframes in 2.000 s "), std::string::npos) << report;
+  EXPECT_TRUE(holds(
+      report, "  classic               40       0.2       0.2          248       1.0       1.5"))
+      << report;
+  EXPECT_EQ(report.find("changes only"), std::string::npos);
+}
+
+TEST(Estimate, SharesHeadersWithinABatch) {
+  const auto stream =
+      stream_of(std::vector<std::string>(4, "{12:34;56}"), {100ms, 100ms, 100ms, 700ms});
+  const std::string report = estimate_report({"talk.txt", "talk", {}, {}}, stream, 200ms);
+  EXPECT_TRUE(holds(
+      report, "  level 2               40       0.3       0.3          144       1.2       1.2"))
+      << report;
+}
+
+}  // namespace
+}  // namespace aucast::server
