@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "client/gui/panels.h"
 #include "common/action_unit.h"
@@ -133,6 +134,11 @@ void au_buttons(const Look& look, const GuiModel& model, ExpressionForm& form,
   }
 }
 
+/// In hundredths, as it is shown: a file should not say 1.1499999.
+float stepped(float value, float step) {
+  return std::round((value + step) * 100) / 100;
+}
+
 /// A value with its steps: dragged, typed (control and click) or stepped.
 void channel_slider(const Look& look, const char* id, int channel, float value, float maximum,
                     float width, GuiCommands& commands) {
@@ -142,7 +148,8 @@ void channel_slider(const Look& look, const char* id, int channel, float value, 
   float wanted = value;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
   ImGui::PushButtonRepeat(true);
-  if (ImGui::Button("-", step_size)) commands.push_back(SetChannel{channel, value - kStep, false});
+  if (ImGui::Button("-", step_size))
+    commands.push_back(SetChannel{channel, stepped(value, -kStep), false});
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(width - 2 * (step_size.x + gap));
   if (ImGui::SliderFloat("##value", &wanted, 0, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
@@ -155,7 +162,8 @@ void channel_slider(const Look& look, const char* id, int channel, float value, 
     ImGui::SetTooltip("0 to %g; control and click to type", static_cast<double>(maximum));
   }
   ImGui::SameLine(0, gap);
-  if (ImGui::Button("+", step_size)) commands.push_back(SetChannel{channel, value + kStep, false});
+  if (ImGui::Button("+", step_size))
+    commands.push_back(SetChannel{channel, stepped(value, kStep), false});
   ImGui::PopButtonRepeat();
   ImGui::PopStyleVar();
   ImGui::PopID();
