@@ -340,6 +340,22 @@ TEST_F(WindowSessionTest, BlinkingClosesTheLidsNowAndThen) {
   EXPECT_LE(session_->rest(clock_.now()), Milliseconds(20));
 }
 
+TEST_F(WindowSessionTest, IdleLifeMovesTheEyesAndNothingElseDoes) {
+  const auto gaze_of_ten_seconds = [&] {
+    float largest = 0;
+    for (int i = 0; i < 500; ++i) {
+      clock_.advance(Milliseconds(20));
+      largest = std::max({largest, shown("left_gaze_left"), shown("left_gaze_right")});
+    }
+    return largest;
+  };
+  open_nothing();
+  EXPECT_EQ(gaze_of_ten_seconds(), 0);
+  options_.playback.idle_seed = 3;
+  EXPECT_GT(gaze_of_ten_seconds(), 0.02F);
+  EXPECT_LE(session_->rest(clock_.now()), Milliseconds(20));
+}
+
 TEST_F(WindowSessionTest, ConnectNeedsAFormThatIsRight) {
   open_nothing();
   ask(gui::Connect{{"", 4650, 100, 30, 40, 0}});
