@@ -231,7 +231,7 @@ void Channel::fail() {
                                   "; --tls-cert and --tls-key show one";
   } else {
     failure_ = Failure::Broken;
-    reason_ = "TLS failed: " + said;
+    reason_ = "it broke off: " + said;
   }
 }
 

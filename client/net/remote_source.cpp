@@ -358,7 +358,9 @@ void RemoteSource::Connection::read_tls(std::string_view bytes) {
   if (!stands()) return;
   outgoing_ += tls_->take_output();
   write();
-  if (!good && tls_->failure() == Failure::Broken) {
+  if (!good && tls_->failure() == Failure::Broken && phase_ == Phase::Handshake) {
+    give_up("TLS cannot be agreed on: " + tls_->reason(), "does it speak TLS?");
+  } else if (!good && tls_->failure() == Failure::Broken) {
     peer_ended();
   } else if (!good) {
     end_reader(tls_->failure() == Failure::NotTls ? playback::EndReason::ProtocolError
