@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "client/gui/gui.h"
@@ -18,12 +19,19 @@ class WindowOverlay {
 
   /// Draws over what the window shows; what was asked for goes to the end of `commands`.
   void draw(const gui::GuiModel& model, gui::GuiCommands& commands);
+  /// There is input that only the next frame may see.
+  [[nodiscard]] bool input_waits() const;
   /// Pixels of the framebuffer that the panel leaves free, from the left.
   [[nodiscard]] int free_width(int framebuffer_width) const;
   [[nodiscard]] gui::Gui& gui() { return gui_; }
 
  private:
+  void feed();
+
   render::Window& window_;
+  float pointer_x_ = -1e6F;
+  float pointer_y_ = -1e6F;
+  std::array<bool, 3> buttons_{};
   gui::Gui gui_;
 };
 

@@ -76,13 +76,14 @@ class WindowRun {
             std::unique_ptr<playback::KeyframeSource> source, WindowSettings& settings,
             PlayerStats& stats)
       : options_(options),
+        data_folder_(assets.data_folder),
         settings_(settings),
         stats_(stats),
         session_(assets, options, std::move(source), stats),
         scene_(session_.face()),
         deformer_(session_.face()),
         diagram_(session_.face()) {
-    session_.begin_with(settings.in_force());
+    session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
   }
 
   Result<void> open() {
@@ -98,6 +99,9 @@ class WindowRun {
     renderer_ = std::move(*renderer);
     renderer_->load(scene_.still());
     overlay_ = std::make_unique<WindowOverlay>(*window_);
+    if (auto icon = view::read_png(data_folder_ / "icons" / "aucast.png")) {
+      window_->set_icon(std::move(*icon));
+    }
     return {};
   }
 
@@ -134,8 +138,10 @@ class WindowRun {
     for (Key key = window_->next_key(); key != Key::None; key = window_->next_key()) {
       frames_due_ = kFramesAfterInput;
       switch (key) {
-        case Key::Quit:
         case Key::Escape:
+          if (overlay_->gui().close_keys()) break;
+          [[fallthrough]];
+        case Key::Quit:
           session_.ask_to_leave();
           break;
         case Key::Space:
@@ -333,6 +339,7 @@ class WindowRun {
     const Instant drawn = steady_now();
     overlay_->draw(model, commands_);
     shown_model_ = std::move(model);
+    if (overlay_->input_waits()) frames_due_ = kFramesAfterInput;
     window_->present();
     const Instant end = steady_now();
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
@@ -384,6 +391,7 @@ class WindowRun {
   }
 
   const PlayerOptions& options_;
+  std::filesystem::path data_folder_;
   WindowSettings& settings_;
   PlayerStats& stats_;
   WindowSession session_;

@@ -23,8 +23,6 @@ using playback::PlaybackState;
 
 /// An hour of a live stream at 25 a second.
 constexpr std::size_t kKeyframesKept = 90'000;
-constexpr Milliseconds kLevelEvery{250};
-constexpr Milliseconds kLevelsKept{30'000};
 constexpr std::uint64_t kBlinkSeed = 1;
 /// Buffers and bytes change without anything moving: so often they are looked at.
 constexpr Milliseconds kLookEvery{50};
@@ -127,7 +125,9 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
 
 WindowSession::~WindowSession() = default;
 
-void WindowSession::begin_with(const gui::KeptSettings& settings) {
+void WindowSession::begin_with(const gui::KeptSettings& settings, const std::string& complaint,
+                               Instant now) {
+  if (!complaint.empty()) say(complaint, true, now);
   remote_settings_ = settings.remote;
   recent_ = settings.recent;
   transition_settings_ = settings.transition;
@@ -142,6 +142,7 @@ gui::KeptSettings WindowSession::kept() const {
 
 void WindowSession::begin_keyframe(const AuFrame& aus, double cut_at) {
   static_cast<void>(pipeline_->at(cut_at));
+  aus_before_ = pipeline_->blended();
   pipeline_->begin_keyframe(aus);
   explain(aus);
 }
@@ -168,16 +169,19 @@ void WindowSession::advance(Instant now) {
   if (controller_.keyframes_played() != played) {
     stats_.playback_seconds = seconds(now - *first_begin_);
   }
-  remember_level(now);
+  remember(now);
 }
 
-void WindowSession::remember_level(Instant now) {
-  if (!running() || (!levels_.empty() && now - levels_.back().at < kLevelEvery)) return;
+void WindowSession::remember(Instant now) {
+  if (!running() || !history_.due(now)) return;
   const playback::SourceStatus status = source_->status();
   const float fill = static_cast<float>(status.receiver_fill) /
                      static_cast<float>(std::max<std::size_t>(buffers_.receiver_capacity, 1));
-  levels_.push_back({now, fill, status.bytes_received});
-  while (now - levels_.front().at > kLevelsKept) levels_.erase(levels_.begin());
+  AuFrame aus = pipeline_->blended();
+  const float weight = playback::ease(animation_.interpolation, controller_.moment().mu);
+  playback::interpolate(aus_before_.left, aus.left, weight, aus.left);
+  playback::interpolate(aus_before_.right, aus.right, weight, aus.right);
+  history_.add(now, fill, status, aus);
 }
 
 void WindowSession::toggle_pause(Instant now) {
@@ -299,7 +303,7 @@ void WindowSession::replace_source(std::unique_ptr<playback::KeyframeSource> sou
                     pipeline::PipelineOptions{animation_.mixer, animation_.interpolation});
   first_begin_.reset();
   aus_.clear();
-  levels_.clear();
+  history_.clear();
 }
 
 void WindowSession::carry_out(const gui::Pause&, Instant now) {
@@ -480,18 +484,17 @@ std::string WindowSession::title() const {
   return title;
 }
 
-std::string WindowSession::traffic(const playback::SourceStatus& status) const {
-  std::string text = std::to_string(status.packets_received) + " packets, " +
-                     gui::bytes_text(static_cast<double>(status.bytes_received));
-  // The rate of the last two seconds.
-  if (running() && levels_.size() > 1) {
-    const Level& last = levels_.back();
-    const Level& first = levels_[levels_.size() - std::min<std::size_t>(levels_.size(), 9)];
-    const double time = seconds(last.at - first.at);
-    const auto bytes = static_cast<double>(last.bytes - first.bytes);
-    if (time > 0) text += ", " + gui::bytes_text(bytes / time) + "/s";
-  }
-  return text + (status.negotiated ? ", level 2" : ", classic");
+void WindowSession::describe_traffic(const playback::SourceStatus& status,
+                                     gui::RemoteView& view) const {
+  const auto rate = [this](double bytes_a_second) {
+    return running() ? ", " + gui::bit_rate_text(bytes_a_second) : std::string();
+  };
+  const PlaybackHistory::Rates rates = history_.rates();
+  view.in = gui::counted(status.packets_received, "packet") + ", " +
+            gui::bytes_text(static_cast<double>(status.bytes_received)) + rate(rates.in);
+  view.out = gui::bytes_text(static_cast<double>(status.bytes_sent)) + rate(rates.out);
+  view.protocol = status.negotiated ? "level 2" : "classic";
+  if (status.live) view.protocol += ", live";
 }
 
 gui::RemoteView WindowSession::remote_view() const {
@@ -510,14 +513,19 @@ gui::RemoteView WindowSession::remote_view() const {
   const PlaybackState state = controller_.state();
   view.activity = gui::activity_of(state, status);
   view.state = gui::state_in_words(state, status, buffers_);
-  if (went_wrong(status.end)) view.detail = status.detail;
-  view.stale = state == PlaybackState::Lost && shown_ == Shown::Playback;
+  // Without an end a detail says why it is tried again.
+  const bool tries_again =
+      status.end == playback::EndReason::NotEnded && !status.connected && status.reconnects > 0;
+  if (went_wrong(status.end) || tries_again) view.detail = status.detail;
+  const bool none_left = state == PlaybackState::Lost || (tries_again && !source_->ready());
+  view.stale = none_left && controller_.moment().keyframe > 0 && shown_ == Shown::Playback;
   view.local = dynamic_cast<const net::RemoteSource*>(source_.get()) == nullptr;
   view.receiver.fill = status.receiver_fill;
   view.playout.fill = status.playout_fill;
   if (!view.local) {
-    for (const Level& level : levels_) view.receiver_history.push_back(level.fill);
-    if (status.connected || status.packets_received > 0) view.traffic = traffic(status);
+    view.receiver_history = history_.fills();
+    view.au_history = history_.traces();
+    if (status.connected || status.packets_received > 0) describe_traffic(status, view);
   }
   const std::uint64_t keyframe = controller_.moment().keyframe;
   if (keyframe > 0) view.keyframe = "keyframe " + std::to_string(keyframe);

@@ -9,6 +9,7 @@
 
 #include "client/app/assets.h"
 #include "client/app/local_stream.h"
+#include "client/app/playback_history.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/face/face.h"
@@ -35,8 +36,8 @@ class WindowSession {
   WindowSession(const Assets& assets, const PlayerOptions& options,
                 std::unique_ptr<playback::KeyframeSource> source, PlayerStats& stats);
   ~WindowSession();
-  /// Begins with what the window remembers; before anything else.
-  void begin_with(const gui::KeptSettings& settings);
+  /// Begins with what the window remembers; before anything else. A complaint about it is shown.
+  void begin_with(const gui::KeptSettings& settings, const std::string& complaint, Instant now);
   /// What it should remember now.
   [[nodiscard]] gui::KeptSettings kept() const;
   WindowSession(const WindowSession&) = delete;
@@ -144,12 +145,12 @@ class WindowSession {
                       std::optional<Milliseconds> speed, Instant now);
   void export_keyframes(const std::filesystem::path& file, Instant now);
   void list_aus();
-  void remember_level(Instant now);
+  void remember(Instant now);
   void add_idle_life(Instant now);
   [[nodiscard]] Result<std::string> save_recording(int number);
   [[nodiscard]] gui::RemoteView remote_view() const;
   [[nodiscard]] gui::EditorView editor_view() const;
-  [[nodiscard]] std::string traffic(const playback::SourceStatus& status) const;
+  void describe_traffic(const playback::SourceStatus& status, gui::RemoteView& view) const;
   [[nodiscard]] bool running() const { return source_ != nullptr && !over(); }
 
   const Assets& assets_;
@@ -189,12 +190,8 @@ class WindowSession {
   std::vector<float> activations_;  ///< as shown, idle life included
   std::vector<float> face_now_;     ///< as shown, idle life left out
 
-  struct Level {
-    Instant at;
-    float fill = 0;
-    std::uint64_t bytes = 0;
-  };
-  std::vector<Level> levels_;  ///< of the last half minute
+  PlaybackHistory history_;
+  AuFrame aus_before_;  ///< of the keyframe before, after the rules
   gui::Composer composer_;
   std::uint64_t composed_revision_ = 0;  ///< that composer_rows_ are of
   std::shared_ptr<const std::vector<gui::TimelineRow>> composer_rows_;

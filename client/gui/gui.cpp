@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "client/gui/panels.h"
 
@@ -187,7 +188,10 @@ void leave_question(GuiCommands& commands) {
   ImGui::TextUnformatted(
       "There are changes that are not saved: in the expression or the composer.");
   ImGui::Spacing();
-  if (ImGui::Button("Stay")) {
+  // The key that asked is not an answer.
+  const bool escaped = !ImGui::IsWindowAppearing() &&
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  if (ImGui::Button("Stay") || escaped) {
     commands.push_back(Leave{false});
     ImGui::CloseCurrentPopup();
   }
@@ -279,6 +283,10 @@ void Gui::toggle_panel() {
 
 void Gui::toggle_keys() {
   state_->keys = !state_->keys;
+}
+
+bool Gui::close_keys() {
+  return std::exchange(state_->keys, false);
 }
 
 bool Gui::panel_shown() const {

@@ -47,6 +47,15 @@ struct AuRow {
   friend bool operator==(const AuRow&, const AuRow&) = default;
 };
 
+/// How strong one AU was over the last half minute.
+struct AuTrace {
+  int number = 0;
+  std::vector<float> values;  ///< in [0,1], oldest first
+  friend bool operator==(const AuTrace&, const AuTrace&) = default;
+};
+/// More lines than this nobody can tell apart.
+inline constexpr std::size_t kTracesMax = 6;
+
 struct RemoteView {
   Activity activity = Activity::Idle;
   std::string state;   ///< in words: "buffering 42 %"
@@ -56,7 +65,10 @@ struct RemoteView {
   BufferLevel receiver;
   BufferLevel playout;
   std::vector<float> receiver_history;  ///< fill in [0,1] over the last half minute, oldest first
-  std::string traffic;                  ///< "6 packets, 93 B, 1.2 kB/s"
+  std::vector<AuTrace> au_history;      ///< the strongest AUs over the same time
+  std::string in;                       ///< "6 packets, 93 B, 0.4 kbit/s"; empty: none yet
+  std::string out;                      ///< "12 B, 0.1 kbit/s"
+  std::string protocol;                 ///< "level 2", "classic"
   std::string keyframe;                 ///< "keyframe 3"; empty before the first
   std::vector<AuRow> aus;
   friend bool operator==(const RemoteView&, const RemoteView&) = default;

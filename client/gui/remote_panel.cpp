@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <vector>
 
 #include "client/gui/panels.h"
 
@@ -26,15 +28,32 @@ void number(const Look& look, const char* name, const char* id, int& value) {
   ImGui::InputInt(id, &value, 1, 10);
 }
 
-void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
-  heading(look, "Server");
+/// The address with the last ones in a list.
+bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
   label(look, "Address");
+  const float arrow = ImGui::GetFrameHeight();
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - arrow - gap);
   const bool entered = ImGui::InputText("##address", form.address.data(), form.address.size(),
                                         ImGuiInputTextFlags_EnterReturnsTrue);
   form.settings.address = form.address.data();
-  label(look, "Port");
-  ImGui::InputInt("##port", &form.settings.port, 0);
-  const auto wrong = problem(form.settings);
+  ImGui::SameLine(0, gap);
+  ImGui::BeginDisabled(model.recent.empty());
+  if (ImGui::BeginCombo("##recent", "", ImGuiComboFlags_NoPreview)) {
+    for (const std::string& recent : model.recent) {
+      RemoteSettings chosen = form.settings;
+      if (ImGui::Selectable(recent.c_str()) && take_endpoint(recent, chosen)) {
+        fill_form(chosen, form);
+      }
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::EndDisabled();
+  return entered;
+}
+
+void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered,
+                     const std::optional<std::string>& wrong, GuiCommands& commands) {
   const Activity activity = model.remote.activity;
   const bool running =
       !model.remote.local && (activity == Activity::Connecting || activity == Activity::Playing ||
@@ -42,31 +61,52 @@ void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   if (!running) {
     const bool pressed = wide_button("Connect", 0, 1, !wrong, true);
     if ((pressed || entered) && !wrong) commands.push_back(Connect{form.settings});
-  } else {
-    const bool paused = activity == Activity::Paused;
-    if (wide_button(paused ? "Resume" : "Pause", 0, 2, activity != Activity::Connecting)) {
-      if (paused) {
-        commands.push_back(Resume{});
-      } else {
-        commands.push_back(Pause{});
-      }
-    }
-    if (wide_button("Stop", 1, 2, true)) commands.push_back(Stop{});
+    return;
   }
+  const bool paused = activity == Activity::Paused;
+  if (wide_button(paused ? "Resume" : "Pause", 0, 2, activity != Activity::Connecting)) {
+    if (paused) {
+      commands.push_back(Resume{});
+    } else {
+      commands.push_back(Pause{});
+    }
+  }
+  if (wide_button("Stop", 1, 2, true)) commands.push_back(Stop{});
+}
+
+void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
+  heading(look, "Server");
+  const bool entered = address(look, model, form);
+  label(look, "Port");
+  ImGui::InputInt("##port", &form.settings.port, 0);
+  label(look, "When lost");
+  ImGui::Checkbox("connect again", &form.settings.reconnect);
+  const auto wrong = problem(form.settings);
+  connect_buttons(model, form, entered, wrong, commands);
   if (wrong) quiet_text(*wrong);
+}
+
+void said(const Look& look, const char* name, const std::string& value) {
+  label(look, name);
+  ImGui::TextUnformatted(value.c_str());
 }
 
 void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
   heading(look, "Buffers");
-  buffer_bar(look, "Receiver", model.remote.receiver);
-  buffer_bar(look, "Playout", model.remote.playout);
-  const std::vector<float>& history = model.remote.receiver_history;
-  if (!history.empty()) {
+  const RemoteView& remote = model.remote;
+  buffer_bar(look, "Receiver", remote.receiver);
+  buffer_bar(look, "Playout", remote.playout);
+  if (!remote.receiver_history.empty()) {
     label(look, "Last 30 s");
-    ImGui::PlotLines("##history", history.data(), static_cast<int>(history.size()), 0, nullptr, 0,
-                     1, ImVec2(0, 34 * look.scale));
+    const PlotLine line{&remote.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
+    plot(look, {&line, 1}, 34 * look.scale,
+         static_cast<float>(remote.receiver.threshold_percent) / 100);
   }
-  if (!model.remote.traffic.empty()) quiet_text(model.remote.traffic);
+  if (!remote.in.empty()) {
+    said(look, "Received", remote.in);
+    said(look, "Sent", remote.out);
+    said(look, "Protocol", remote.protocol);
+  }
   if (ImGui::TreeNodeEx("Sizes and speed",
                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
     number(look, "Buffer", "##buffer", form.settings.buffer);
@@ -74,6 +114,24 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
     number(look, "Threshold %", "##threshold", form.settings.threshold_percent);
     number(look, "Speed ms", "##speed", form.settings.speed_ms);
     quiet_text("For the next connection. Speed 0 is the server's own.");
+  }
+}
+
+/// The strongest AUs over the last half minute, each with its colour.
+void intensities(const Look& look, const RemoteView& remote) {
+  if (remote.au_history.empty()) return;
+  std::vector<PlotLine> lines;
+  label(look, "Last 30 s");
+  const float left = ImGui::GetCursorPosX();
+  for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
+    lines.push_back({&remote.au_history[i].values, colour_of_line(i)});
+  }
+  plot(look, lines, 48 * look.scale, 0);
+  ImGui::SetCursorPosX(left);
+  for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, 10 * look.scale);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of_line(i)), "%d",
+                       remote.au_history[i].number);
   }
 }
 
@@ -117,6 +175,7 @@ void percent(int value, bool differs) {
 
 void action_units(const Look& look, const GuiModel& model) {
   heading(look, "Action Units");
+  intensities(look, model.remote);
   if (model.remote.aus.empty()) {
     quiet_text(model.remote.keyframe.empty() ? "None yet." : "The neutral face.");
     return;
@@ -125,8 +184,8 @@ void action_units(const Look& look, const GuiModel& model) {
   if (!ImGui::BeginTable("aus", 4, kFlags)) return;
   ImGui::TableSetupColumn("AU", 0, 34 * look.scale);
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("came", 0, 40 * look.scale);
-  ImGui::TableSetupColumn("shown", 0, 44 * look.scale);
+  ImGui::TableSetupColumn("received", 0, 58 * look.scale);
+  ImGui::TableSetupColumn("shown", 0, 46 * look.scale);
   ImGui::TableHeadersRow();
   for (const AuRow& row : model.remote.aus) {
     const bool differs = row.received_percent != row.shown_percent;
@@ -135,7 +194,7 @@ void action_units(const Look& look, const GuiModel& model) {
     ImGui::TextUnformatted(row.label.c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.name.c_str());
-    if (!row.why.empty()) quiet_text("rule: " + row.why);
+    if (!row.why.empty()) quiet_text(row.why);
     ImGui::TableNextColumn();
     percent(row.received_percent, false);
     ImGui::TableNextColumn();

@@ -17,6 +17,20 @@ bool awaits_connection(PlaybackState state, const playback::SourceStatus& status
          status.end == EndReason::NotEnded;
 }
 
+/// 1234, "B": "1.2 kB".
+std::string scaled(double value, const char* unit) {
+  constexpr std::array kFactors = {"", "k", "M", "G"};
+  std::size_t factor = 0;
+  while (value >= 999.95 && factor + 1 < kFactors.size()) {
+    value /= 1000;
+    ++factor;
+  }
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), factor == 0 ? "%.0f %s%s" : "%.1f %s%s", value,
+                kFactors[factor], unit);
+  return text.data();
+}
+
 int percent(float intensity) {
   return static_cast<int>(std::lround(intensity * 100));
 }
@@ -25,17 +39,18 @@ bool names(const std::vector<int>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
-/// The rules that have to do with an AU on a side, each kind once: "dominance, cap".
+/// The rules that have to do with an AU on a side, each once: "opposition: 51 100 % and 52 40 %:
+/// 51 60 %, 52 gone".
 std::string reasons(int number, Side side, const std::vector<face::RuleFired>& fired) {
   std::string text;
   for (const face::RuleFired& one : fired) {
     const bool on_this_side = side == Side::Both || one.side == Side::Both || one.side == side;
     const bool about_it = names(one.rule->sources, number) || names(one.rule->targets, number);
     if (!on_this_side || !about_it) continue;
-    const std::string kind(face::name(one.rule->kind));
-    if (text.find(kind) != std::string::npos) continue;
-    if (!text.empty()) text += ", ";
-    text += kind;
+    const std::string why = std::string(face::name(one.rule->kind)) + ": " + one.what;
+    if (text.find(why) != std::string::npos) continue;
+    if (!text.empty()) text += "; ";
+    text += why;
   }
   return text;
 }
@@ -73,7 +88,13 @@ Activity activity_of(PlaybackState state, const playback::SourceStatus& status) 
 
 std::string state_in_words(PlaybackState state, const playback::SourceStatus& status,
                            const playback::BufferOptions& buffers) {
-  if (awaits_connection(state, status)) return "connecting";
+  if (awaits_connection(state, status)) {
+    return status.reconnects > 0 ? "reconnecting" : "connecting";
+  }
+  if (state == PlaybackState::Stalled && !status.connected && status.reconnects > 0 &&
+      status.end == EndReason::NotEnded) {
+    return "reconnecting";
+  }
   if (state == PlaybackState::Buffering) {
     const std::size_t threshold = std::max<std::size_t>(
         1, buffers.receiver_capacity * static_cast<std::size_t>(buffers.threshold_percent) / 100);
@@ -84,15 +105,15 @@ std::string state_in_words(PlaybackState state, const playback::SourceStatus& st
 }
 
 std::string bytes_text(double bytes) {
-  constexpr std::array kUnits = {"B", "kB", "MB", "GB"};
-  std::size_t unit = 0;
-  while (bytes >= 999.95 && unit + 1 < kUnits.size()) {
-    bytes /= 1000;
-    ++unit;
-  }
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", bytes, kUnits[unit]);
-  return text.data();
+  return scaled(bytes, "B");
+}
+
+std::string bit_rate_text(double bytes_a_second) {
+  return scaled(8 * bytes_a_second, "bit/s");
+}
+
+std::string counted(std::uint64_t count, std::string_view thing) {
+  return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
 }
 
 std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "client/face/au_blender.h"
@@ -17,14 +18,20 @@ namespace aucast::gui {
 [[nodiscard]] Activity activity_of(playback::PlaybackState state,
                                    const playback::SourceStatus& status);
 
-/// "connecting", "buffering 42 %", "playing", "paused", "stalled", "ended", "stopped", "lost"; the
-/// percentage is of what must be there before playing begins.
+/// "connecting", "reconnecting", "buffering 42 %", "playing", "paused", "stalled", "ended",
+/// "stopped", "lost"; the percentage is of what must be there before playing begins.
 [[nodiscard]] std::string state_in_words(playback::PlaybackState state,
                                          const playback::SourceStatus& status,
                                          const playback::BufferOptions& buffers);
 
 /// "0 B", "999 B", "1.2 kB", "3.4 MB".
 [[nodiscard]] std::string bytes_text(double bytes);
+
+/// "320 bit/s", "1.2 kbit/s".
+[[nodiscard]] std::string bit_rate_text(double bytes_a_second);
+
+/// "1 packet", "6 packets".
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view thing);
 
 /// The AUs of a keyframe before and after the rules, ascending, a side by itself where both differ.
 /// `fired` are the rules that changed something; their Rule objects must still be there.

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 
 namespace aucast::gui {
 namespace {
@@ -97,6 +98,44 @@ void buffer_bar(const Look& look, const char* name, const BufferLevel& level) {
   list->AddText(ImVec2(to.x - extent.x - 8 * look.scale, from.y + (size.y - extent.y) / 2),
                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   ImGui::Dummy(size);
+}
+
+void plot(const Look& look, std::span<const PlotLine> lines, float height, float mark) {
+  constexpr float kSamplesWide = 121;  // half a minute, four a second
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
+  const ImVec2 to(from.x + size.x, from.y + size.y);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                      ImGui::GetStyle().FrameRounding);
+  const float inset = 3 * look.scale;
+  const float bottom = to.y - inset;
+  const float reach = size.y - 2 * inset;
+  if (mark > 0) {
+    const float y = bottom - mark * reach;
+    list->AddLine(ImVec2(from.x, y), ImVec2(to.x, y), colour_of(Tone::Waiting), look.scale);
+  }
+  std::vector<ImVec2> points;
+  for (const PlotLine& line : lines) {
+    points.clear();
+    const std::size_t count = line.values->size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const float age = static_cast<float>(count - 1 - i);
+      const float x = to.x - inset - age / (kSamplesWide - 1) * (size.x - 2 * inset);
+      points.emplace_back(x, bottom - std::clamp((*line.values)[i], 0.0F, 1.0F) * reach);
+    }
+    list->AddPolyline(points.data(), static_cast<int>(points.size()), line.colour, 0,
+                      1.5F * look.scale);
+  }
+  ImGui::Dummy(size);
+}
+
+unsigned colour_of_line(std::size_t index) {
+  // Apart for most eyes, also for those that do not tell red from green.
+  constexpr std::array<unsigned, 6> kColours = {
+      IM_COL32(86, 180, 233, 255), IM_COL32(230, 159, 0, 255),   IM_COL32(0, 200, 150, 255),
+      IM_COL32(240, 228, 66, 255), IM_COL32(225, 120, 180, 255), IM_COL32(213, 94, 0, 255)};
+  return kColours[index % kColours.size()];
 }
 
 bool choice_of(const char* id, const char* const* words, int count, int& chosen) {

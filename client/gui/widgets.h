@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "client/gui/gui_model.h"
 
@@ -34,6 +36,17 @@ void quiet_text(const std::string& text);
                                bool important = false);
 /// A buffer as a bar with its fill and the mark of its threshold.
 void buffer_bar(const Look& look, const char* name, const BufferLevel& level);
+/// A line of a plot; values in [0,1], oldest first.
+struct PlotLine {
+  const std::vector<float>* values = nullptr;
+  unsigned colour = 0;
+};
+/// Lines over the last half minute, the newest at the right; `mark` in [0,1] is a level to reach, 0
+/// for none. As wide as there is room.
+void plot(const Look& look, std::span<const PlotLine> lines, float height, float mark);
+/// A colour for each of a few lines that stand together.
+[[nodiscard]] unsigned colour_of_line(std::size_t index);
+
 /// A choice among a few words on one line; true when it changed `chosen`.
 template <std::size_t N>
 [[nodiscard]] bool choice(const char* id, const std::array<const char*, N>& words, int& chosen);

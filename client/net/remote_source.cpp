@@ -1,6 +1,7 @@
 #include "client/net/remote_source.h"
 
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -54,6 +55,8 @@ std::string seconds_text(Duration time) {
 /// What the player's and the network thread both touch.
 struct RemoteSource::Shared {
   explicit Shared(const RemoteOptions& options) : reader(reader_options(options)) {}
+
+  std::atomic<std::uint64_t> bytes_sent{0};
 
   mutable std::mutex mutex;
   std::condition_variable news;
@@ -383,6 +386,7 @@ void RemoteSource::Connection::end_reader(playback::EndReason why, const std::st
 }
 
 void RemoteSource::Connection::send(std::string_view words) {
+  shared_.bytes_sent += words.size();
   if (tls_) {
     tls_->send(words);
     outgoing_ += tls_->take_output();
@@ -552,7 +556,9 @@ bool RemoteSource::wait_until(Instant until) {
 
 playback::SourceStatus RemoteSource::status() const {
   const std::lock_guard lock(shared_->mutex);
-  return shared_->reader.status();
+  playback::SourceStatus status = shared_->reader.status();
+  status.bytes_sent = shared_->bytes_sent;
+  return status;
 }
 
 void RemoteSource::stop() {

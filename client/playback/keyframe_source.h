@@ -48,6 +48,7 @@ struct SourceStatus {
   bool paused = false;                  ///< by the user, or by -1 because the buffers are full
   std::uint64_t packets_received = 0;
   std::uint64_t bytes_received = 0;
+  std::uint64_t bytes_sent = 0;  ///< answers, as the protocol has them
   std::uint64_t pauses_sent = 0;
   std::uint64_t resumes_sent = 0;
   double receive_seconds = 0;  ///< from connected to {-2} or the end

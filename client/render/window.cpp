@@ -18,6 +18,10 @@ namespace aucast::render {
 namespace {
 
 constexpr int kSamples = 4;
+/// Of events that nobody takes so many are kept.
+constexpr std::size_t kInputMax = 4096;
+/// Where a pointer is that left the window.
+constexpr double kNowhere = -1e6;
 
 /// GLFW's last complaint; it has one per process, as there is one window.
 std::string& last_complaint() {
@@ -40,8 +44,11 @@ Error no_display() {
 }
 
 Error no_opengl() {
-  return {ErrorKind::Failed, "this display cannot do OpenGL 3.3" + because() +
-                                 ": apt install libgl1 libgl1-mesa-dri, or use --headless"};
+  return {ErrorKind::Failed,
+          "this display cannot do OpenGL 3.3" + because() +
+              ": install the driver of the graphics card, or Mesa, which needs none "
+              "(apt install libgl1 libgl1-mesa-dri; LIBGL_ALWAYS_SOFTWARE=1 "
+              "chooses it); or use --headless, with --record FILE.mp4"};
 }
 
 /// The window first as wanted, then without multisampling, which some displays do not have.
@@ -50,6 +57,9 @@ GLFWwindow* open_window(int width, int height, const std::string& title) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "face-player");  // as the .desktop file has it
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "face-player");
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);  // the size is meant at 96 dots an inch
   for (const int samples : {kSamples, 0}) {
     glfwWindowHint(GLFW_SAMPLES, samples);
     GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
@@ -121,6 +131,7 @@ struct Window::State {
   view::Camera camera;
   std::deque<Key> keys;
   std::deque<std::string> dropped;
+  std::deque<InputEvent> input;
   bool redraw = true;
   bool pointer_taken = false;
   bool keys_taken = false;
@@ -140,22 +151,27 @@ struct Window::State {
   static State& of(GLFWwindow* window) {
     return *static_cast<State*>(glfwGetWindowUserPointer(window));
   }
+  void happened(const InputEvent& event) {
+    redraw = true;
+    if (input.size() < kInputMax) input.push_back(event);
+  }
   void listen();
+  void listen_to_pointer();
   void drag(double x, double y);
 };
 
 void Window::State::listen() {
   glfwSetWindowUserPointer(window, this);
   glfwGetCursorPos(window, &pointer_x, &pointer_y);
-  glfwSetKeyCallback(window, [](GLFWwindow* self, int code, int, int action, int modifiers) {
-    of(self).redraw = true;
+  glfwSetKeyCallback(window, [](GLFWwindow* self, int code, int scan, int action, int modifiers) {
+    of(self).happened({InputEvent::Kind::Key, code, scan, action, modifiers});
     const bool meant = action == GLFW_PRESS && !of(self).keys_taken;
     const Key key = meant ? key_of(code, modifiers) : Key::None;
     if (key != Key::None) of(self).keys.push_back(key);
   });
   // The place of these depends on the keyboard: they are taken as characters.
   glfwSetCharCallback(window, [](GLFWwindow* self, unsigned character) {
-    of(self).redraw = true;
+    of(self).happened({InputEvent::Kind::Character, static_cast<int>(character)});
     const Key key = key_of_character(character);
     if (key != Key::None && !of(self).keys_taken) of(self).keys.push_back(key);
   });
@@ -166,13 +182,27 @@ void Window::State::listen() {
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* self) { of(self).redraw = true; });
   glfwSetFramebufferSizeCallback(window,
                                  [](GLFWwindow* self, int, int) { of(self).redraw = true; });
-  glfwSetCursorPosCallback(window,
-                           [](GLFWwindow* self, double x, double y) { of(self).drag(x, y); });
-  glfwSetMouseButtonCallback(window,
-                             [](GLFWwindow* self, int, int, int) { of(self).redraw = true; });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* self, int) { of(self).redraw = true; });
-  glfwSetScrollCallback(window, [](GLFWwindow* self, double, double steps) {
-    of(self).redraw = true;
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* self, int focused) {
+    of(self).happened({InputEvent::Kind::Focus, focused});
+  });
+  listen_to_pointer();
+}
+
+void Window::State::listen_to_pointer() {
+  glfwSetCursorPosCallback(window, [](GLFWwindow* self, double x, double y) {
+    of(self).happened({InputEvent::Kind::Move, 0, 0, 0, 0, x, y});
+    of(self).drag(x, y);
+  });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* self, int code, int action, int modifiers) {
+    of(self).happened({InputEvent::Kind::Button, code, 0, action, modifiers});
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* self, int entered) {
+    const double x = entered == GLFW_TRUE ? of(self).pointer_x : kNowhere;
+    const double y = entered == GLFW_TRUE ? of(self).pointer_y : kNowhere;
+    of(self).happened({InputEvent::Kind::Move, 0, 0, 0, 0, x, y});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* self, double aside, double steps) {
+    of(self).happened({InputEvent::Kind::Scroll, 0, 0, 0, 0, aside, steps});
     if (!of(self).pointer_taken) view::zoom(of(self).camera, steps);
   });
 }
@@ -283,6 +313,15 @@ void Window::framebuffer_size(int& width, int& height) const {
   // A minimised window has no pixels, and a picture has at least one.
   width = std::max(width, 1);
   height = std::max(height, 1);
+}
+
+std::deque<InputEvent>& Window::input() {
+  return state_->input;
+}
+
+void Window::set_icon(view::Image picture) {
+  const GLFWimage image{picture.width, picture.height, picture.rgba.data()};
+  glfwSetWindowIcon(state_->window, 1, &image);
 }
 
 void Window::set_taken(bool pointer, bool keys) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
 
+#include "client/view/image.h"
 #include "client/view/scene.h"
 #include "common/result.h"
 
@@ -35,6 +38,18 @@ enum class Key : int {
   Save
 };
 
+/// What mouse and keyboard did, as GLFW has it, for the panels.
+struct InputEvent {
+  enum class Kind : std::uint8_t { Key, Character, Button, Move, Scroll, Focus };
+  Kind kind = Kind::Move;
+  int code = 0;  ///< of the key or the button; the character; 1 when the focus came
+  int scancode = 0;
+  int action = 0;
+  int modifiers = 0;
+  double x = 0;  ///< place of the pointer, or how far the wheel turned
+  double y = 0;
+};
+
 /// A plain GLFW window with an OpenGL 3.3 core context and 4 samples; the camera turns with the
 /// left mouse button, moves with the right one and zooms with the wheel. Thread: the main one.
 class Window {
@@ -62,6 +77,10 @@ class Window {
   void bind_framebuffer();
   void present();
   /// What lies over the face takes the pointer (the camera stands still), or the keys.
+  /// The picture of the program in task bars.
+  void set_icon(view::Image picture);
+  /// Everything that happened, in order; who reads it takes it out.
+  [[nodiscard]] std::deque<InputEvent>& input();
   void set_taken(bool pointer, bool keys);
   /// True once after something happened that may need a new picture: any input, resize, exposure.
   [[nodiscard]] bool take_redraw();

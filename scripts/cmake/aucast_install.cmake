@@ -30,6 +30,12 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE
 
 if(TARGET face-player)
   aucast_install_program(face-player)
+  if(AUCAST_BUILD_RENDER)
+    install(FILES ${PROJECT_SOURCE_DIR}/data/icons/aucast.png
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps)
+    install(FILES ${PROJECT_SOURCE_DIR}/data/icons/face-player.desktop
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+  endif()
 endif()
 if(TARGET au-transmitter)
   aucast_install_program(au-transmitter)

@@ -15,6 +15,7 @@
 #include "client/view/camera.h"
 #include "client/view/image.h"
 #include "common/files.h"
+#include "tests/golden/baseline.h"
 #include "tests/golden/render_scene.h"
 #include "tests/support/process.h"
 
@@ -55,26 +56,8 @@ class RenderGolden : public testing::Test {
   std::unique_ptr<render::FaceRenderer> renderer_;
 };
 
-/// Writes the picture as the new baseline when scripts/update_golden.sh asks for it, else compares
-/// with the committed one. The picture is left beside the test programs when they differ.
 void expect_as_baseline(const view::Image& image, const std::string& name) {
-  const auto baseline = std::filesystem::path(AUCAST_GOLDEN_SOURCE) / "baselines" / (name + ".png");
-  if (std::getenv("AUCAST_UPDATE_GOLDEN") != nullptr) {
-    const auto written = view::write_png(image, baseline);
-    ASSERT_TRUE(written.has_value()) << written.error().message;
-    return;
-  }
-  const auto wanted = view::read_png(baseline);
-  ASSERT_TRUE(wanted.has_value()) << wanted.error().message
-                                  << "\nMake it with scripts/update_golden.sh and look at it.";
-  const auto difference = view::compare(image, *wanted, kTolerance);
-  if (difference.share <= kShareMax) return;
-  const auto result = std::filesystem::path(AUCAST_GOLDEN_RESULTS) / (name + ".png");
-  const auto written = view::write_png(image, result);
-  ADD_FAILURE() << name << ": " << 100 * difference.share << " % of the pixels differ, at most by "
-                << difference.largest << ". Compare " << baseline << " with "
-                << (written.has_value() ? result.string() : written.error().message)
-                << "; if the change is meant, run scripts/update_golden.sh.";
+  test::expect_as_baseline(image, name, kTolerance, kShareMax);
 }
 
 int brightness(const view::Image& image, int x, int y) {

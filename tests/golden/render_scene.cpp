@@ -100,10 +100,7 @@ view::MovingMesh SphereHead::moving_mesh() const {
 }
 
 PosedFace::PosedFace(face::Face face)
-    : face_(std::move(face)),
-      scene_(face_),
-      deformer_(face_),
-      activations_(face_.channels.size()) {
+    : face_(std::move(face)), scene_(face_), deformer_(face_), activations_(face_.channels.size()) {
   deformed_ = &deformer_.deform(activations_);
 }
 

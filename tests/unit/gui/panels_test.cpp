@@ -26,7 +26,11 @@ GuiModel playing_model() {
   model.remote.receiver = {42, 100, 40};
   model.remote.playout = {12, 30, 0};
   model.remote.receiver_history = {0, 0.2F, 0.42F};
-  model.remote.traffic = "6 packets, 93 B";
+  model.remote.in = "6 packets, 93 B";
+  model.remote.out = "12 B";
+  model.remote.protocol = "level 2";
+  model.remote.au_history = {{12, {0, 0.5F, 1}}, {51, {1, 0.5F, 0.6F}}};
+  model.recent = {"lecture.example.org", "10.0.0.7:4651"};
   model.remote.aus = {{"51", "Head Turn Left", 100, 60, "opposition"}};
   model.editor.groups = {{"Mouth", {{"zygomaticus major", 2, 0, 1, 0.5F, 0.5F}}}};
   model.known_aus = std::make_shared<const std::vector<AuEntry>>(
@@ -151,7 +155,7 @@ TEST_F(Panels, ConnectTakesTheForm) {
   model_.remote.activity = Activity::Idle;
   model_.remote_settings.address = "lecture.example.org";
   model_.remote_settings.port = 4777;
-  const auto connect = find_by_clicking<Connect>(600, 100, 260);
+  const auto connect = find_by_clicking<Connect>(480, 100, 260);
   ASSERT_TRUE(connect.has_value());
   EXPECT_EQ(connect->settings, model_.remote_settings);
 }
@@ -159,7 +163,7 @@ TEST_F(Panels, ConnectTakesTheForm) {
 TEST_F(Panels, AFormThatIsWrongConnectsNowhere) {
   model_.remote.activity = Activity::Idle;
   model_.remote_settings.address.clear();
-  EXPECT_FALSE(find_by_clicking<Connect>(600, 100, 260).has_value());
+  EXPECT_FALSE(find_by_clicking<Connect>(480, 100, 260).has_value());
 }
 
 TEST_F(Panels, TheMixerIsChanged) {

@@ -57,6 +57,10 @@ TEST(ViewText, BytesGetTheUnitThatFits) {
   EXPECT_EQ(bytes_text(3.4e6), "3.4 MB");
   EXPECT_EQ(bytes_text(999'999), "1.0 MB");
   EXPECT_EQ(bytes_text(5e12), "5000.0 GB");
+  EXPECT_EQ(bit_rate_text(40), "320 bit/s");
+  EXPECT_EQ(bit_rate_text(150), "1.2 kbit/s");
+  EXPECT_EQ(counted(0, "packet"), "0 packets");
+  EXPECT_EQ(counted(1, "packet"), "1 packet");
 }
 
 TEST(ViewText, UnchangedAusHaveNoReason) {
@@ -86,8 +90,9 @@ TEST(ViewText, AChangedAuNamesTheRule) {
   const auto rows = au_rows(received, blended, fired);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].why, "");
-  EXPECT_EQ(rows[1], (AuRow{"51", std::string(*facs_name(51)), 100, 60, "opposition"}));
-  EXPECT_EQ(rows[2], (AuRow{"52", std::string(*facs_name(52)), 40, 0, "opposition"}));
+  const std::string why = "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone";
+  EXPECT_EQ(rows[1], (AuRow{"51", std::string(*facs_name(51)), 100, 60, why}));
+  EXPECT_EQ(rows[2], (AuRow{"52", std::string(*facs_name(52)), 40, 0, why}));
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST_F(WindowSessionTest, PlaysAndShowsWhatCameAndWhatTheRulesMadeOfIt) {
   ASSERT_EQ(model().remote.aus.size(), 2U);
   EXPECT_EQ(model().remote.aus[0].received_percent, 100);
   EXPECT_EQ(model().remote.aus[0].shown_percent, 60);
-  EXPECT_EQ(model().remote.aus[0].why, "opposition");
+  EXPECT_EQ(model().remote.aus[0].why, "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone");
   EXPECT_EQ(model().remote.keyframe, "keyframe 1");
   EXPECT_LE(session_->rest(clock_.now()), Milliseconds(2));
   go_on(Milliseconds(100));

@@ -1,0 +1,72 @@
+#include "client/app/playback_history.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aucast::app {
+namespace {
+
+constexpr Milliseconds kEvery{250};
+constexpr Milliseconds kKept{30'000};
+constexpr std::size_t kRateSamples = 9;  // two seconds
+
+}  // namespace
+
+bool PlaybackHistory::due(Instant now) const {
+  return samples_.empty() || now - samples_.back().at >= kEvery;
+}
+
+void PlaybackHistory::add(Instant now, float fill, const playback::SourceStatus& status,
+                          const AuFrame& aus) {
+  Sample sample{now, fill, status.bytes_received, status.bytes_sent, {}};
+  for (std::size_t i = 1; i < kAuCount; ++i) {
+    const float intensity = std::max(aus.left[i], aus.right[i]);
+    if (intensity > 0) sample.aus[static_cast<int>(i)] = intensity;
+  }
+  samples_.push_back(std::move(sample));
+  while (now - samples_.front().at > kKept) samples_.erase(samples_.begin());
+}
+
+std::vector<float> PlaybackHistory::fills() const {
+  std::vector<float> fills;
+  fills.reserve(samples_.size());
+  for (const Sample& sample : samples_) fills.push_back(sample.fill);
+  return fills;
+}
+
+std::vector<gui::AuTrace> PlaybackHistory::traces() const {
+  std::map<int, float> peaks;
+  for (const Sample& sample : samples_) {
+    for (const auto& [number, intensity] : sample.aus) {
+      peaks[number] = std::max(peaks[number], intensity);
+    }
+  }
+  std::vector<std::pair<float, int>> strongest;
+  for (const auto& [number, peak] : peaks) strongest.emplace_back(-peak, number);
+  std::sort(strongest.begin(), strongest.end());
+  if (strongest.size() > gui::kTracesMax) strongest.resize(gui::kTracesMax);
+  std::vector<gui::AuTrace> traces;
+  for (const auto& [peak, number] : strongest) {
+    gui::AuTrace trace{number, {}};
+    for (const Sample& sample : samples_) {
+      const auto found = sample.aus.find(number);
+      trace.values.push_back(found == sample.aus.end() ? 0.0F : found->second);
+    }
+    traces.push_back(std::move(trace));
+  }
+  std::sort(traces.begin(), traces.end(),
+            [](const gui::AuTrace& a, const gui::AuTrace& b) { return a.number < b.number; });
+  return traces;
+}
+
+PlaybackHistory::Rates PlaybackHistory::rates() const {
+  if (samples_.size() < 2) return {};
+  const Sample& last = samples_.back();
+  const Sample& first = samples_[samples_.size() - std::min(samples_.size(), kRateSamples)];
+  const double time = std::chrono::duration<double>(last.at - first.at).count();
+  if (!(time > 0)) return {};
+  return {static_cast<double>(last.bytes_in - first.bytes_in) / time,
+          static_cast<double>(last.bytes_out - first.bytes_out) / time};
+}
+
+}  // namespace aucast::app
