@@ -62,12 +62,11 @@ name=
 sleep 14
 shot play "$name"
 [ "$scale" -eq 1 ] || exit 0
-click 1004 54
+click 1003 54
 click 974 130
 sleep 4
 shot expression ""
-click 1074 54
-click 1090 252
-click 924 202
-click 1090 202
+click 1153 54
+click 1118 228
+click 1118 290
 shot view ""

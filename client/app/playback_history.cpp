@@ -8,6 +8,7 @@ namespace {
 
 constexpr Milliseconds kEvery{250};
 constexpr Milliseconds kKept{30'000};
+constexpr std::size_t kSamplesMax = 121;
 constexpr std::size_t kRateSamples = 9;  // two seconds
 
 }  // namespace
@@ -22,6 +23,14 @@ void PlaybackHistory::add(Instant now, float fill, const playback::SourceStatus&
   for (std::size_t i = 1; i < kAuCount; ++i) {
     const float intensity = std::max(aus.left[i], aus.right[i]);
     if (intensity > 0) sample.aus[static_cast<int>(i)] = intensity;
+  }
+  // Where the player was busy with other things, what was then stays for so long: the plots are
+  // even in time.
+  while (!samples_.empty() && now - samples_.back().at >= 2 * kEvery) {
+    Sample held = samples_.back();
+    held.at += kEvery;
+    samples_.push_back(std::move(held));
+    if (samples_.size() > kSamplesMax) samples_.erase(samples_.begin());
   }
   samples_.push_back(std::move(sample));
   while (now - samples_.front().at > kKept) samples_.erase(samples_.begin());

@@ -28,15 +28,19 @@ void number(const Look& look, const char* name, const char* id, int& value) {
   ImGui::InputInt(id, &value, 1, 10);
 }
 
-/// The address with the last ones in a list.
+/// Address and port, with the last ones in a list.
 bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
-  label(look, "Address");
+  label(look, "Address, port");
   const float arrow = ImGui::GetFrameHeight();
+  const float port = 58 * look.scale;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - arrow - gap);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - port - arrow - 2 * gap);
   const bool entered = ImGui::InputText("##address", form.address.data(), form.address.size(),
                                         ImGuiInputTextFlags_EnterReturnsTrue);
   form.settings.address = form.address.data();
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(port);
+  ImGui::InputInt("##port", &form.settings.port, 0);
   ImGui::SameLine(0, gap);
   ImGui::BeginDisabled(model.recent.empty());
   if (ImGui::BeginCombo("##recent", "", ImGuiComboFlags_NoPreview)) {
@@ -77,18 +81,16 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
 void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
   heading(look, "Server");
   const bool entered = address(look, model, form);
-  label(look, "Port");
-  ImGui::InputInt("##port", &form.settings.port, 0);
-  label(look, "When lost");
-  ImGui::Checkbox("connect again", &form.settings.reconnect);
   const auto wrong = problem(form.settings);
   connect_buttons(model, form, entered, wrong, commands);
   if (wrong) quiet_text(*wrong);
 }
 
+/// A fact, in less room than something to set.
 void said(const Look& look, const char* name, const std::string& value) {
-  label(look, name);
-  ImGui::TextUnformatted(value.c_str());
+  quiet_text(name);
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 112 * look.scale);
+  quiet_text(value);
 }
 
 void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
@@ -107,13 +109,15 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
     said(look, "Sent", remote.out);
     said(look, "Protocol", remote.protocol);
   }
-  if (ImGui::TreeNodeEx("Sizes and speed",
+  if (ImGui::TreeNodeEx("For the next connection",
                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
     number(look, "Buffer", "##buffer", form.settings.buffer);
     number(look, "Playout", "##playout", form.settings.playout);
     number(look, "Threshold %", "##threshold", form.settings.threshold_percent);
     number(look, "Speed ms", "##speed", form.settings.speed_ms);
-    quiet_text("For the next connection. Speed 0 is the server's own.");
+    quiet_text("Speed 0 is the server's own.");
+    label(look, "When lost");
+    ImGui::Checkbox("connect again", &form.settings.reconnect);
   }
 }
 

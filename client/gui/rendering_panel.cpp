@@ -29,7 +29,7 @@ void camera(const Look& look, GuiCommands& commands) {
   if (wide_button("Front", 0, 3, true)) commands.push_back(LookFrom{View::Front});
   if (wide_button("Three-quarter", 1, 3, true)) commands.push_back(LookFrom{View::ThreeQuarter});
   if (wide_button("Profile", 2, 3, true)) commands.push_back(LookFrom{View::Profile});
-  quiet_text("Left drag turns, right drag moves, the wheel zooms, r resets.");
+  quiet_text("Left drag turns, right drag moves, wheel zooms.");
 }
 
 /// Any combination; what is transparent needs a surface.

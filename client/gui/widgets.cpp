@@ -141,8 +141,10 @@ unsigned colour_of_line(std::size_t index) {
 bool choice_of(const char* id, const char* const* words, int count, int& chosen) {
   ImGui::PushID(id);
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float each = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(count - 1)) /
-                     static_cast<float>(count);
+  // What is left beside the words is shared evenly, so that a long one has room.
+  float left = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(count - 1);
+  for (int i = 0; i < count; ++i) left -= ImGui::CalcTextSize(words[i]).x;
+  const float around = left / static_cast<float>(count);
   bool changed = false;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(gap / 2, ImGui::GetStyle().FramePadding.y));
@@ -150,7 +152,7 @@ bool choice_of(const char* id, const char* const* words, int count, int& chosen)
     if (i > 0) ImGui::SameLine(0, gap);
     const bool on = i == chosen;
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
-    if (ImGui::Button(words[i], ImVec2(each, 0)) && !on) {
+    if (ImGui::Button(words[i], ImVec2(ImGui::CalcTextSize(words[i]).x + around, 0)) && !on) {
       chosen = i;
       changed = true;
     }

@@ -198,13 +198,18 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
 
 TEST_F(Replay, TheViewIsSetByMouse) {
   open(1, nullptr);
-  replay("click 594 54\n");  // the tab
+  // The tab, then the boxes for wireframe and muscles, then a white ground.
+  replay("click 673 54\nclick 638 228\nclick 638 290\nclick 757 390\n");
+  const gui::RenderingSettings rendering = session_->rendering();
+  EXPECT_TRUE(rendering.layers.wireframe);
+  EXPECT_TRUE(rendering.layers.muscles);
+  EXPECT_EQ(rendering.ground, gui::Ground::White);
   test::expect_as_baseline(panel(), "panel_view", kTolerance, kShareMax);
 }
 
 TEST_F(Replay, AtTwiceTheScaleAllIsTwiceAsFine) {
   open(2, small_stream());
-  replay("at 0\nat 250\nclick 594 54\n");
+  replay("at 0\nat 250\nclick 673 54\n");
   const view::Image fine = panel();
   EXPECT_EQ(fine.width, 2 * 380);
   test::expect_as_baseline(fine, "panel_view_twice", kTolerance, kShareMax);

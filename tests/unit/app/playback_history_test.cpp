@@ -35,6 +35,15 @@ TEST(PlaybackHistory, SamplesFourTimesASecondForHalfAMinute) {
   EXPECT_TRUE(history.due(at(60'001)));
 }
 
+TEST(PlaybackHistory, IsEvenInTimeWhenThePlayerWasBusy) {
+  PlaybackHistory history;
+  history.add(at(0), 0.2F, {}, {});
+  history.add(at(1000), 0.8F, {}, {});
+  EXPECT_EQ(history.fills(), (std::vector<float>{0.2F, 0.2F, 0.2F, 0.2F, 0.8F}));
+  history.add(at(3'600'000), 0.5F, {}, {});
+  EXPECT_LE(history.fills().size(), 122U);
+}
+
 TEST(PlaybackHistory, RatesAreOfTheLastTwoSeconds) {
   PlaybackHistory history;
   EXPECT_EQ(history.rates().in, 0);
