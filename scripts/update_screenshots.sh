@@ -67,6 +67,6 @@ click 974 130
 sleep 4
 shot expression ""
 click 1153 54
-click 1118 228
-click 1118 290
+click 1118 211
+click 1118 273
 shot view ""

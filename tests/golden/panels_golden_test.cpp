@@ -199,7 +199,7 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
 TEST_F(Replay, TheViewIsSetByMouse) {
   open(1, nullptr);
   // The tab, then the boxes for wireframe and muscles, then a white ground.
-  replay("click 673 54\nclick 638 228\nclick 638 290\nclick 757 390\n");
+  replay("click 673 54\nclick 638 211\nclick 638 273\nclick 757 373\n");
   const gui::RenderingSettings rendering = session_->rendering();
   EXPECT_TRUE(rendering.layers.wireframe);
   EXPECT_TRUE(rendering.layers.muscles);
