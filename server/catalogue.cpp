@@ -11,6 +11,7 @@
 #include "protocol/codec.h"
 #include "server/live_source.h"
 #include "server/source_reader.h"
+#include "server/sources/dead_band.h"
 #include "server/thinning.h"
 
 namespace aucast::server {
@@ -31,6 +32,7 @@ Result<Source> load_source(const std::filesystem::path& path, const SourceOption
   if (!content) return content.error();
   source.stream = std::move(content->stream);
   source.found = std::move(content->found);
+  if (source.found) sources::apply_dead_band(source.stream, options.dead_band);
   return source;
 }
 

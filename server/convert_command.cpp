@@ -82,7 +82,8 @@ Result<Converted> run_convert(std::vector<std::string> arguments) {
 
 std::string convert_help_text() {
   return R"(usage: au-transmitter convert [OPTIONS] IN OUT
-Writes a recording of an AU recogniser, or a stream file, as a stream file.
+Writes a recording of an AU recogniser, or a stream file, as a stream file, with
+every change: there is no dead-band here.
 
   IN                     a stream file, or a table of OpenFace 1 and 2, FACSvatar, Py-Feat,
                          LibreFace or Live Link Face; found out by its columns

@@ -220,6 +220,11 @@ constexpr OptionRow kTable[] = {
      "Which face of several in a recording; without it the "
      "most frequent.",
      of_source<read_face_id>},
+    {"dead-band", "PERCENT", Kind::Number, "2", "smaller changes of recognisers are not sent (2)",
+     "Their numbers tremble; what trembles costs half of the bytes. An intensity stays what it was "
+     "until it has changed by so much, so it is off by less than that, and what goes to 0 does so "
+     "at once. 0 sends everything. Stream files and convert are never touched.",
+     of_source<read_dead_band>},
     {"min-confidence", "C", Kind::Number, "0.5", "",
      "Rows of recordings that are less sure are "
      "no data, 0 to 1: the face holds for half a second, then goes to neutral in one.",

@@ -12,6 +12,9 @@ namespace {
 /// A camera that is faster has no face before it.
 constexpr double kFpsMax = 1000;
 
+/// More would be no face any more.
+constexpr int kDeadBandMax = 50;
+
 /// Who waits for a day waits for ever.
 constexpr double kSourceTimeoutMax = 86'400;
 
@@ -56,6 +59,10 @@ Complaint read_rate(const std::string& word, SourceOptions& options) {
   }
   options.rate = rate;
   return std::nullopt;
+}
+
+Complaint read_dead_band(const std::string& word, SourceOptions& options) {
+  return read_whole(word, 0, kDeadBandMax, options.dead_band);
 }
 
 void describe_source_options(CLI::App& app, SourceWords& words) {

@@ -15,7 +15,8 @@ namespace aucast::server {
 struct SourceOptions {
   sources::RecordingOptions recording;
   std::optional<double>
-      rate;  ///< keyframes a second, kRateMin to sources::kRateMax; else as they are
+      rate;           ///< keyframes a second, kRateMin to sources::kRateMax; else as they are
+  int dead_band = 2;  ///< percent, 0-50: smaller changes of recognisers are not sent
   friend bool operator==(const SourceOptions&, const SourceOptions&) = default;
 };
 
@@ -27,6 +28,7 @@ inline constexpr double kRateMin = 0.1;
 [[nodiscard]] Complaint read_au_scale(const std::string& word, SourceOptions& options);
 [[nodiscard]] Complaint read_face_id(const std::string& word, SourceOptions& options);
 [[nodiscard]] Complaint read_min_confidence(const std::string& word, SourceOptions& options);
+[[nodiscard]] Complaint read_dead_band(const std::string& word, SourceOptions& options);
 [[nodiscard]] Complaint read_rate(const std::string& word, SourceOptions& options);
 
 /// The words of these options as they were typed.

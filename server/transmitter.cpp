@@ -224,7 +224,7 @@ class Transmitter {
     for (const std::filesystem::path& path : options_.sources) {
       if (!is_live(path, options_.live_source.follow)) continue;
       const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
-                                        options_.keyframe_ms};
+                                        options_.source.dead_band, options_.keyframe_ms};
       auto source = std::make_unique<LiveSource>(
           io_,
           LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,

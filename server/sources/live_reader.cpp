@@ -55,7 +55,7 @@ LiveReader::LiveReader(std::string file, LiveOptions options, LoadCurves load_cu
       options_(std::move(options)),
       load_curves_(std::move(load_curves)),
       splitter_(kCsvLineBytesMax),
-      timeline_(options_.rate),
+      timeline_(options_.rate, options_.dead_band),
       clock_(options_.recording.fps),
       face_(options_.recording.face) {}
 

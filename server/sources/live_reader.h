@@ -19,6 +19,7 @@ namespace aucast::sources {
 struct LiveOptions {
   RecordingOptions recording;
   std::optional<double> rate;       ///< at most so many keyframes a second
+  int dead_band = 2;                ///< percent, as DeadBand takes it
   std::uint32_t keyframe_ms = 250;  ///< the longest time of a line that names none
 };
 

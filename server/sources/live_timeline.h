@@ -6,6 +6,7 @@
 
 #include "common/action_unit.h"
 #include "protocol/packet.h"
+#include "server/sources/dead_band.h"
 #include "server/sources/timeline.h"
 
 namespace aucast::sources {
@@ -25,7 +26,9 @@ struct LiveKeyframe {
 class LiveTimeline {
  public:
   /// `rate`: at most so many keyframes a second; the moments between them are left out.
-  explicit LiveTimeline(std::optional<double> rate) : rate_(rate) {}
+  /// `dead_band` as DeadBand takes it; it is for rows.
+  explicit LiveTimeline(std::optional<double> rate, int dead_band = 0)
+      : rate_(rate), dead_band_(dead_band) {}
 
   /// A moment of the source, later than the one before: the intensities of `update` where it is not
   /// negative. `duration` instead of the clock's, if the source says so.
@@ -48,6 +51,7 @@ class LiveTimeline {
   void emit(const AuFrame& frame, double seconds);
 
   std::optional<double> rate_;
+  DeadBand dead_band_;
   Channels channels_;
   std::vector<LiveKeyframe> keyframes_;
   std::optional<double> last_seconds_;  ///< on the source's clock
@@ -59,6 +63,7 @@ class LiveTimeline {
   bool restarted_ = true;
   bool begins_ = true;  ///< the next keyframe
   bool clocked_ = false;
+  bool verbatim_ = false;  ///< the last moment was a stream file's line
   bool said_anything_ = false;
 };
 
