@@ -200,7 +200,9 @@ Result<void> add_file(Settings& settings, std::string_view text, const std::stri
 }
 
 Result<void> add_environment(Settings& settings, const Environment& environment) {
-  for (const auto& [name, value] : environment) {
+  for (const auto& variable : environment) {
+    const std::string& name = variable.first;
+    const std::string& value = variable.second;
     if (!name.starts_with(kVariablePrefix) || value.empty()) continue;
     const auto rows = option_table();
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const OptionRow& other) {

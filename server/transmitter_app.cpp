@@ -57,7 +57,7 @@ Result<void> try_stats_file(const std::filesystem::path& path) {
 
 /// Those that are live when they are served; --check reads all of them whole.
 LiveSources live_sources(const TransmitterOptions& options) {
-  if (options.check) return LiveSources::None;
+  if (options.check || options.estimate) return LiveSources::None;
   return options.live_source.follow ? LiveSources::Files : LiveSources::Streams;
 }
 
