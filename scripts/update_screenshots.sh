@@ -11,8 +11,8 @@ out=${1:-$root/client/gui/pictures}
 mkdir -p "$out"
 
 if [ -z "${AUCAST_SCREEN:-}" ]; then
-    AUCAST_SCREEN=1 xvfb-run -a -s "-screen 0 1280x800x24" "$0" "$out"
-    AUCAST_SCREEN=2 xvfb-run -a -s "-screen 0 2560x1600x24" "$0" "$out"
+    AUCAST_SCREEN=1 xvfb-run -a -s "-screen 0 1280x800x24 -noreset" "$0" "$out"
+    AUCAST_SCREEN=2 xvfb-run -a -s "-screen 0 2560x1600x24 -noreset" "$0" "$out"
     exit
 fi
 
@@ -55,7 +55,9 @@ shot() {
     xdotool mousemove $((600 * scale)) $((20 * scale))
     sleep 1
     import -window root "$work/shot.png"
-    convert "$work/shot.png" +dither -colors 128 -strip "PNG8:$out/$1$2.png"
+    # At twice the scale the panel says it all.
+    [ "$scale" -eq 1 ] || mogrify -gravity East -crop 760x1600+0+0 +repage "$work/shot.png"
+    convert "$work/shot.png" -colors 256 -strip "PNG8:$out/$1$2.png"
 }
 name=
 [ "$scale" -eq 1 ] || name=_twice
