@@ -1,8 +1,6 @@
 #include "tests/support/fault_proxy.h"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
-#include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -15,7 +13,7 @@
 #include <list>
 #include <vector>
 
-#include "common/check.h"
+#include "tests/support/loopback.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::test {
@@ -48,14 +46,6 @@ struct Connection {
   Clock::time_point reaches_server;  ///< that it was opened
   std::array<Direction, 2> ways;
 };
-
-sockaddr_in loopback(std::uint16_t port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(port);
-  return address;
-}
 
 void read_some(Direction& way, const LinkQuality& quality, Seeded& seeded) {
   std::array<char, 1460> chunk{};
@@ -134,14 +124,10 @@ void reach_server(Connection& connection, std::uint16_t port) {
 }  // namespace
 
 FaultProxy::FaultProxy(const std::string& server, LinkQuality quality, std::uint64_t seed) {
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address = loopback(0);
-  AUCAST_CHECK(::bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
-  AUCAST_CHECK(::listen(listener_, 8) == 0);
-  socklen_t size = sizeof address;
-  ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
-  address_ = "127.0.0.1:" + std::to_string(ntohs(address.sin_port));
-  const auto port = static_cast<std::uint16_t>(std::stoi(server.substr(server.rfind(':') + 1)));
+  const LoopbackListener listener = listen_on_loopback();
+  listener_ = listener.descriptor;
+  address_ = listener.address;
+  const std::uint16_t port = port_of(server);
   thread_ = std::thread([this, port, quality, seed] { run(port, quality, seed); });
 }
 

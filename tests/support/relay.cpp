@@ -1,26 +1,16 @@
 #include "tests/support/relay.h"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
 
-#include "common/check.h"
+#include "tests/support/loopback.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::test {
 namespace {
-
-sockaddr_in loopback(std::uint16_t port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(port);
-  return address;
-}
 
 /// One direction: what was read and not yet handed on.
 struct Direction {
@@ -71,14 +61,10 @@ void relay(int client, int server, Seeded& seeded, const std::atomic<bool>& stop
 }  // namespace
 
 Relay::Relay(const std::string& server, std::uint64_t seed) {
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address = loopback(0);
-  AUCAST_CHECK(::bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
-  AUCAST_CHECK(::listen(listener_, 8) == 0);
-  socklen_t size = sizeof address;
-  ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
-  address_ = "127.0.0.1:" + std::to_string(ntohs(address.sin_port));
-  const auto port = static_cast<std::uint16_t>(std::stoi(server.substr(server.rfind(':') + 1)));
+  const LoopbackListener listener = listen_on_loopback();
+  listener_ = listener.descriptor;
+  address_ = listener.address;
+  const std::uint16_t port = port_of(server);
   thread_ = std::thread([this, port, seed] { run(port, seed); });
 }
 
