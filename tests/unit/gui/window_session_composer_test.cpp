@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "client/app/window_session.h"
 #include "common/files.h"
-#include "tests/support/manual_clock.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/gui/window_session_fixture.h"
 
 namespace aucast::app {
 namespace {
@@ -11,25 +10,14 @@ namespace {
 using gui::ComposerCommand;
 
 /// The composer on the default face.
-class ComposerSessionTest : public testing::Test {
+class ComposerSessionTest : public SessionOnDefaultFace {
  protected:
-  static void SetUpTestSuite() {
-    auto loaded = load_assets({});
-    ASSERT_TRUE(loaded) << loaded.error().message;
-    assets_ = std::move(*loaded);
-  }
-  static void TearDownTestSuite() { assets_.reset(); }
-
   void SetUp() override { session_.emplace(*assets_, options_, nullptr, stats_); }
   void compose(const ComposerCommand& command) { ask(command); }
   void ask(const gui::GuiCommand& command) {
     session_->apply(command, clock_.now());
     session_->advance(clock_.now());
   }
-  [[nodiscard]] float shown(const char* channel) {
-    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
-  }
-  [[nodiscard]] gui::GuiModel model() const { return session_->model(); }
   /// Two keyframes: jaw open, then shut.
   void make_two() {
     compose(gui::ComposeAu{26, 100, 100, false});
@@ -37,15 +25,7 @@ class ComposerSessionTest : public testing::Test {
     compose(gui::ComposeNeutral{});
     compose(gui::AddKeyframe{});
   }
-
-  static std::unique_ptr<Assets> assets_;
-  PlayerOptions options_;
-  PlayerStats stats_;
-  test::ManualClock clock_;
-  std::optional<WindowSession> session_;
 };
-
-std::unique_ptr<Assets> ComposerSessionTest::assets_;
 
 TEST_F(ComposerSessionTest, TheFaceShowsWhatIsComposedWithTheRules) {
   compose(gui::ComposeAu{51, 100, 100, false});
@@ -68,11 +48,9 @@ TEST_F(ComposerSessionTest, WhatIsComposedIsPlayed) {
   compose(gui::PlayComposition{});
   EXPECT_FALSE(model().composer.active);
   EXPECT_EQ(model().local.total, Milliseconds(1000));
-  clock_.advance(Milliseconds(500));
-  session_->advance(clock_.now());
+  go_on(Milliseconds(500));
   EXPECT_GT(shown("jaw"), 1);
-  clock_.advance(Milliseconds(600));
-  session_->advance(clock_.now());
+  go_on(Milliseconds(600));
   EXPECT_EQ(shown("jaw"), 0);
 }
 

@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "client/app/window_session.h"
 #include "client/playback/file_source.h"
 #include "common/files.h"
-#include "tests/support/manual_clock.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/gui/window_session_fixture.h"
 
 namespace aucast::app {
 namespace {
@@ -13,15 +12,8 @@ using gui::Activity;
 using gui::LocalCommand;
 
 /// The default face and a stream file of three keyframes: jaw open, jaw shut, head turned.
-class StreamSessionTest : public testing::Test {
+class StreamSessionTest : public SessionOnDefaultFace {
  protected:
-  static void SetUpTestSuite() {
-    auto loaded = load_assets({});
-    ASSERT_TRUE(loaded) << loaded.error().message;
-    assets_ = std::move(*loaded);
-  }
-  static void TearDownTestSuite() { assets_.reset(); }
-
   void SetUp() override {
     file_ = folder_.write("three.txt", "Beg_Stream\n26;100\n0;200\n51;300\nEnd_Stream\n");
     session_.emplace(*assets_, options_, nullptr, stats_);
@@ -30,29 +22,14 @@ class StreamSessionTest : public testing::Test {
     ask(gui::OpenStream{file_.string()});
     go_on(Milliseconds(0));
   }
-  void go_on(Milliseconds time) {
-    clock_.advance(time);
-    session_->advance(clock_.now());
-  }
   void ask(const gui::GuiCommand& command) {
     session_->apply(command, clock_.now());
     session_->advance(clock_.now());
   }
-  [[nodiscard]] float shown(const char* channel) {
-    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
-  }
-  [[nodiscard]] gui::GuiModel model() const { return session_->model(); }
 
-  static std::unique_ptr<Assets> assets_;
   test::TempFolder folder_;
   std::filesystem::path file_;
-  PlayerOptions options_;
-  PlayerStats stats_;
-  test::ManualClock clock_;
-  std::optional<WindowSession> session_;
 };
-
-std::unique_ptr<Assets> StreamSessionTest::assets_;
 
 TEST_F(StreamSessionTest, AFilePlaysAsSoonAsItIsOpened) {
   open();

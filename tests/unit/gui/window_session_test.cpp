@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "common/files.h"
-#include "tests/support/manual_clock.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/gui/window_session_fixture.h"
 #include "tests/unit/playback/scripted_source.h"
 
 namespace aucast::app {
@@ -23,15 +23,8 @@ AuFrame frame(std::initializer_list<AuTerm> terms) {
 }
 
 /// The default face, driven by a source that the test fills by hand.
-class WindowSessionTest : public testing::Test {
+class WindowSessionTest : public SessionOnDefaultFace {
  protected:
-  static void SetUpTestSuite() {
-    auto loaded = load_assets({});
-    ASSERT_TRUE(loaded) << loaded.error().message;
-    assets_ = std::move(*loaded);
-  }
-  static void TearDownTestSuite() { assets_.reset(); }
-
   void SetUp() override { options_.playback.endpoint = "127.0.0.1:4650"; }
 
   /// Opens a source that has these keyframes of 100 ms.
@@ -44,28 +37,13 @@ class WindowSessionTest : public testing::Test {
   }
   void open_nothing() { session_.emplace(*assets_, options_, nullptr, stats_); }
 
-  void go_on(Milliseconds time) {
-    clock_.advance(time);
-    session_->advance(clock_.now());
-  }
   void ask(const gui::GuiCommand& command) { session_->apply(command, clock_.now()); }
-  [[nodiscard]] float shown(const char* channel) {
-    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
-  }
   [[nodiscard]] static int channel(const char* name) {
     return static_cast<int>(*assets_->face.channel_index(name));
   }
-  [[nodiscard]] gui::GuiModel model() const { return session_->model(); }
 
-  static std::unique_ptr<Assets> assets_;
-  PlayerOptions options_;
-  PlayerStats stats_;
   ScriptedSource* source_ = nullptr;
-  test::ManualClock clock_;
-  std::optional<WindowSession> session_;
 };
-
-std::unique_ptr<Assets> WindowSessionTest::assets_;
 
 TEST_F(WindowSessionTest, WithoutASourceTheFaceRests) {
   open_nothing();
