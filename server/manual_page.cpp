@@ -11,6 +11,7 @@ namespace {
 void add_options(ManualPage& page) {
   page.section("OPTIONS");
   for (const OptionRow& row : option_table()) {
+    if (!row.heading.empty()) page.heading(row.heading);
     std::string tag = typed_name(row);
     if (!row.argument.empty()) tag += " " + std::string(row.argument);
     std::string text(row.more);

@@ -80,27 +80,8 @@ constexpr OptionRow kTable[] = {
      [](const std::string& word, TransmitterOptions& options) -> Complaint {
        options.sources.emplace_back(word);
        return std::nullopt;
-     }},
-    {"bind", "ADDR", Kind::Word, "127.0.0.1", "address to listen on (127.0.0.1: this host only)",
-     "An address or a name of this host. 0.0.0.0 takes connections at all its IPv4 addresses, :: "
-     "at all of both kinds. The default lets nobody in from outside.",
-     read_text<&TransmitterOptions::bind>},
-    {"port", "N", Kind::Number, "4650", "port, 0 for any free one (4650)",
-     "The TCP port. With 0 the system chooses one; the line \"listening on\" says which.",
-     [](const std::string& word, TransmitterOptions& options) {
-       return read_whole(word, 0, 65535, options.port);
-     }},
-    {"keyframe", "MS", Kind::Number, "250", "time of a keyframe that names none (250)",
-     "Milliseconds from 1 to 3600000. Clients are told in the hello, and --live goes by it.",
-     [](const std::string& word, TransmitterOptions& options) {
-       return read_whole(word, 1, protocol::kDurationMsMax, options.keyframe_ms);
-     }},
-    {"loop", "", Kind::Flag, "false", "start again at the end instead of ending",
-     "After the last keyframe comes the first, without end.", read_flag<&TransmitterOptions::loop>},
-    {"live", "", Kind::Flag, "false", "one clock for all: who comes late joins now",
-     "All clients see the same moment. The clocks begin when the transmitter is ready. Who is slow "
-     "gets the newest keyframe and misses those in between, which are counted as merged.",
-     read_flag<&TransmitterOptions::live>},
+     },
+     "Sources"},
     {"follow", "", Kind::Flag, "false", "files too are live: what is written to them from now on",
      "What a file holds already is past; its last keyframe is where the face begins. A file that "
      "is rewritten, replaced or got shorter is read anew.",
@@ -114,6 +95,49 @@ constexpr OptionRow kTable[] = {
      [](const std::string& word, TransmitterOptions& options) {
        return read_source_timeout(word, options.live_source);
      }},
+    {"skip-bad", "", Kind::Flag, "false", "leave out sources that are broken and say so",
+     "Without it one broken source ends the start with 3 or 4, and on SIGHUP nothing is changed. "
+     "When no source is left it ends all the same.",
+     read_flag<&TransmitterOptions::skip_bad>},
+    {"check", "", Kind::Flag, "false", "only say what they hold",
+     "Prints what the sources hold (format, scale, people, duration, AUs with range, gaps) and "
+     "serves nothing. Ends with 0 when all of them can be served.",
+     nullptr},
+    {"estimate", "", Kind::Flag, "false", "only say bits a second",
+     "Prints bytes and bits a second of each level, on average and in the second that needs most, "
+     "without and with headers, and serves nothing.",
+     nullptr},
+    {"rate", "HZ", Kind::Number, "", "keyframes a second",
+     "So many keyframes a second, 0.1 to 1000, in straight "
+     "lines between those there are.",
+     of_source<read_rate>, "Signals of recognisers"},
+    {"fps", "N", Kind::Number, "", "pictures a second",
+     "Pictures a second of recordings without times, or with "
+     "wrong ones.",
+     of_source<read_fps>},
+    {"au-scale", "S", Kind::Number, "auto", "1, 5, 100 (auto)",
+     "What full intensity is in recordings: 1, 5, 100 "
+     "or auto.",
+     of_source<read_au_scale>},
+    {"min-confidence", "C", Kind::Number, "0.5", "0 to 1 (0.5)",
+     "Rows of recordings that are less sure are "
+     "no data, 0 to 1: the face holds for half a second, then goes to neutral in one.",
+     of_source<read_min_confidence>},
+    {"face-id", "N", Kind::Number, "", "one of several faces",
+     "Which face of several in a recording; without it the "
+     "most frequent.",
+     of_source<read_face_id>},
+    {"dead-band", "PERCENT", Kind::Number, "2", "smaller changes are not sent (2)",
+     "Their numbers tremble; what trembles costs half of the bytes. An intensity stays what it was "
+     "until it has changed by so much, so it is off by less than that, and what goes to 0 does so "
+     "at once. 0 sends everything. Stream files and convert are never touched.",
+     of_source<read_dead_band>},
+    {"keyframe", "MS", Kind::Number, "250", "time of untimed keyframes (250)",
+     "Milliseconds from 1 to 3600000. Clients are told in the hello, and --live goes by it.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 1, protocol::kDurationMsMax, options.keyframe_ms);
+     },
+     "Sending"},
     {"classic-min", "PERCENT", Kind::Number, "20",
      "classic clients get no AU weaker than this (20)",
      "Clients of level 1 know no intensities: what is weaker is left out for them, the rest is "
@@ -121,67 +145,13 @@ constexpr OptionRow kTable[] = {
      [](const std::string& word, TransmitterOptions& options) {
        return read_whole(word, 0, 100, options.classic_min);
      }},
-    {"client-timeout", "S", Kind::Number, "0",
-     "close those that take or answer nothing so long (0: no)",
-     "Seconds, to 86400. It starts anew with every byte from the client; live, with every byte "
-     "that can be sent to it. A paused client owes nothing. A host that vanished is found by TCP "
-     "keep-alive within a minute all the same.",
-     read_client_timeout},
-    {"max-clients", "N", Kind::Number, "0", "at a time; more are refused (0: as many as come)",
-     "So many at a time; 0: as many as come. A client too many gets {error 503 ...} if it says "
-     "hello, and is closed. Each client takes "
-     "one file descriptor; the limit of these (ulimit -n) is raised to the hard one at the start.",
-     [](const std::string& word, TransmitterOptions& options) {
-       return read_whole(word, 0, kMaxClientsMost, options.max_clients);
-     }},
-    {"max-clients-per-address", "N", Kind::Number, "0", "the same from one address (0: no limit)",
-     "So many at a time from one address; 0: as many as come. Of IPv6 the first 64 bits count as "
-     "the address. Many clients behind one router have one "
-     "address.",
-     [](const std::string& word, TransmitterOptions& options) {
-       return read_whole(word, 0, kMaxClientsMost, options.max_clients_per_address);
-     }},
-    {"tls-cert", "FILE", Kind::Word, "", "speak TLS only, with this certificate (PEM)",
-     "The certificate, and after it in the same file those of the authorities between it and one "
-     "that clients know. Read again on SIGHUP, like --tls-key, --tls-client-ca and --token-file; "
-     "clients that are connected stay.",
-     [](const std::string& word, TransmitterOptions& options) -> Complaint {
-       options.credentials.tls.certificate = word;
-       return std::nullopt;
-     }},
-    {"tls-key", "FILE", Kind::Word, "", "its key (PEM, without a pass phrase)",
-     "It should be readable for the transmitter alone.",
-     [](const std::string& word, TransmitterOptions& options) -> Complaint {
-       options.credentials.tls.key = word;
-       return std::nullopt;
-     }},
-    {"tls-client-ca", "FILE", Kind::Word, "", "clients must show a certificate of these",
-     "Certificates of the authorities that clients' certificates must come from (PEM).",
-     [](const std::string& word, TransmitterOptions& options) -> Complaint {
-       options.credentials.tls.authorities = word;
-       return std::nullopt;
-     }},
-    {"token-file", "FILE", Kind::Word, "", "clients must show the token in this file",
-     "One word of at most 256 bytes. Who does not show it is refused before anything is told, "
-     "classic clients too, which have none. Without TLS everybody on the way can read it.",
-     [](const std::string& word, TransmitterOptions& options) -> Complaint {
-       options.credentials.token = word;
-       return std::nullopt;
-     }},
-    {"stats", "FILE.json", Kind::Word, "", "on exit, write packets, bytes, seconds of every client",
-     "Written whole or not at all. The totals count every client, the latest 1000 are listed.",
-     read_text<&TransmitterOptions::stats>},
-    {"http", "ADDR:PORT", Kind::Word, "", "answer /healthz, /metrics and /status.json there",
-     "HTTP for a monitor: /healthz is 200 while clients are accepted and 503 while the transmitter "
-     "stops, /metrics is Prometheus' text, /status.json the same as one object. GET only, one "
-     "request a connection, 32 connections at a time. There is no password: keep it to this host "
-     "(127.0.0.1:PORT).",
-     read_http},
-    {"skip-bad", "", Kind::Flag, "false", "leave out sources that are broken and say so",
-     "Without it one broken source ends the start with 3 or 4, and on SIGHUP nothing is changed. "
-     "When no source is left it ends all the same.",
-     read_flag<&TransmitterOptions::skip_bad>},
-    {"max-bitrate", "KBITS", Kind::Number, "0", "a second for each client, headers too (0: any)",
+    {"loop", "", Kind::Flag, "false", "start again at the end",
+     "After the last keyframe comes the first, without end.", read_flag<&TransmitterOptions::loop>},
+    {"live", "", Kind::Flag, "false", "late comers join now",
+     "All clients see the same moment. The clocks begin when the transmitter is ready. Who is slow "
+     "gets the newest keyframe and misses those in between, which are counted as merged.",
+     read_flag<&TransmitterOptions::live>},
+    {"max-bitrate", "KBITS", Kind::Number, "0", "a second for each client, with headers (0: any)",
      "Keyframes that come too soon are merged into the next one that fits: the newest wins and "
      "takes the time of all of them, so the stream keeps its length. 1 to 1000000 kilobits; "
      "counted "
@@ -199,36 +169,72 @@ constexpr OptionRow kTable[] = {
        options.batch = Milliseconds(batch_ms);
        return std::nullopt;
      }},
-    {"estimate", "", Kind::Flag, "false", "print bytes and bits a second, serve nothing",
-     "For each level, on average and in the second that needs most, without and with headers.",
-     nullptr},
-    {"check", "", Kind::Flag, "false", "check the sources, print what they hold, serve nothing",
-     "Ends with 0 when all of them can be served.", nullptr},
-    {"rate", "HZ", Kind::Number, "", "",
-     "So many keyframes a second, 0.1 to 1000, in straight "
-     "lines between those there are.",
-     of_source<read_rate>},
-    {"fps", "N", Kind::Number, "", "",
-     "Pictures a second of recordings without times, or with "
-     "wrong ones.",
-     of_source<read_fps>},
-    {"au-scale", "S", Kind::Number, "auto", "",
-     "What full intensity is in recordings: 1, 5, 100 "
-     "or auto.",
-     of_source<read_au_scale>},
-    {"face-id", "N", Kind::Number, "", "",
-     "Which face of several in a recording; without it the "
-     "most frequent.",
-     of_source<read_face_id>},
-    {"dead-band", "PERCENT", Kind::Number, "2", "smaller changes of recognisers are not sent (2)",
-     "Their numbers tremble; what trembles costs half of the bytes. An intensity stays what it was "
-     "until it has changed by so much, so it is off by less than that, and what goes to 0 does so "
-     "at once. 0 sends everything. Stream files and convert are never touched.",
-     of_source<read_dead_band>},
-    {"min-confidence", "C", Kind::Number, "0.5", "",
-     "Rows of recordings that are less sure are "
-     "no data, 0 to 1: the face holds for half a second, then goes to neutral in one.",
-     of_source<read_min_confidence>},
+    {"bind", "ADDR", Kind::Word, "127.0.0.1", "(127.0.0.1: this host only)",
+     "An address or a name of this host. 0.0.0.0 takes connections at all its IPv4 addresses, :: "
+     "at all of both kinds. The default lets nobody in from outside.",
+     read_text<&TransmitterOptions::bind>, "Connections"},
+    {"port", "N", Kind::Number, "4650", "(4650; 0: any free one)",
+     "The TCP port. With 0 the system chooses one; the line \"listening on\" says which.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 0, 65535, options.port);
+     }},
+    {"client-timeout", "S", Kind::Number, "0",
+     "close those that take or answer nothing so long (0: no)",
+     "Seconds, to 86400. It starts anew with every byte from the client; live, with every byte "
+     "that can be sent to it. A paused client owes nothing. A host that vanished is found by TCP "
+     "keep-alive within a minute all the same.",
+     read_client_timeout},
+    {"max-clients", "N", Kind::Number, "0", "at a time (0: any)",
+     "So many at a time; 0: as many as come. A client too many gets {error 503 ...} if it says "
+     "hello, and is closed. Each client takes "
+     "one file descriptor; the limit of these (ulimit -n) is raised to the hard one at the start.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 0, kMaxClientsMost, options.max_clients);
+     }},
+    {"max-clients-per-address", "N", Kind::Number, "0", "(0: any)",
+     "So many at a time from one address; 0: as many as come. Of IPv6 the first 64 bits count as "
+     "the address. Many clients behind one router have one "
+     "address.",
+     [](const std::string& word, TransmitterOptions& options) {
+       return read_whole(word, 0, kMaxClientsMost, options.max_clients_per_address);
+     }},
+    {"tls-cert", "FILE", Kind::Word, "", "certificate: TLS only",
+     "The certificate, and after it in the same file those of the authorities between it and one "
+     "that clients know. Read again on SIGHUP, like --tls-key, --tls-client-ca and --token-file; "
+     "clients that are connected stay.",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.credentials.tls.certificate = word;
+       return std::nullopt;
+     }},
+    {"tls-key", "FILE", Kind::Word, "", "its key (PEM)",
+     "It should be readable for the transmitter alone.",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.credentials.tls.key = word;
+       return std::nullopt;
+     }},
+    {"tls-client-ca", "FILE", Kind::Word, "",
+     "clients must show a certificate of these authorities",
+     "Certificates of the authorities that clients' certificates must come from (PEM).",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.credentials.tls.authorities = word;
+       return std::nullopt;
+     }},
+    {"token-file", "FILE", Kind::Word, "", "clients must show the token in this file",
+     "One word of at most 256 bytes. Who does not show it is refused before anything is told, "
+     "classic clients too, which have none. Without TLS everybody on the way can read it.",
+     [](const std::string& word, TransmitterOptions& options) -> Complaint {
+       options.credentials.token = word;
+       return std::nullopt;
+     }},
+    {"stats", "FILE.json", Kind::Word, "", "on exit: packets, bytes, seconds of every client",
+     "Written whole or not at all. The totals count every client, the latest 1000 are listed.",
+     read_text<&TransmitterOptions::stats>, "Numbers, settings, log"},
+    {"http", "ADDR:PORT", Kind::Word, "", "answer /healthz, /metrics and /status.json there",
+     "HTTP for a monitor: /healthz is 200 while clients are accepted and 503 while the transmitter "
+     "stops, /metrics is Prometheus' text, /status.json the same as one object. GET only, one "
+     "request a connection, 32 connections at a time. There is no password: keep it to this host "
+     "(127.0.0.1:PORT).",
+     read_http},
     {"config", "FILE", Kind::Word, "", "settings: these options as name = value (TOML)",
      "Read before the environment and the command line. Without it "
      "/etc/aucast/au-transmitter.toml is read if it is there; --config /dev/null reads none.",
@@ -236,9 +242,9 @@ constexpr OptionRow kTable[] = {
     {"print-config", "", Kind::Flag, "false",
      "print the settings and where each is from, and leave",
      "What is printed is a settings file that --config takes.", nullptr},
-    {"log-level", "LEVEL", Kind::Word, "info", "trace, debug, info, warning, error or off (info)",
-     "The log goes to stderr.", read_log_level},
-    {"log-format", "FORMAT", Kind::Word, "text", "text, or json: an object a line (text)",
+    {"log-level", "LEVEL", Kind::Word, "info", "trace ... off (info)", "The log goes to stderr.",
+     read_log_level},
+    {"log-format", "FORMAT", Kind::Word, "text", "or json (text)",
      "Both have the time (UTC), the level and the message. Under systemd every line begins with "
      "its priority as the journal wants it, and text leaves out what the journal knows itself.",
      read_log_format},

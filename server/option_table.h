@@ -24,10 +24,11 @@ struct OptionRow {
   std::string_view name;      ///< without dashes; SOURCE's is "source"
   std::string_view argument;  ///< what stands for its word: "ADDR"; empty for a flag
   Kind kind = Kind::Word;
-  std::string_view fallback;  ///< the default as a word; empty: not set
-  std::string_view text;      ///< for --help; empty: said there in another way
-  std::string_view more;      ///< for the manual page: whole sentences
-  Read read = nullptr;        ///< nothing: on the command line only, and none of the settings
+  std::string_view fallback;      ///< the default as a word; empty: not set
+  std::string_view text;          ///< for --help; two short ones in a row share a line there
+  std::string_view more;          ///< for the manual page: whole sentences
+  Read read = nullptr;            ///< nothing: on the command line only, and none of the settings
+  std::string_view heading = {};  ///< of the section that begins with this row; empty: goes on
 };
 
 /// All options, in the order of --help.

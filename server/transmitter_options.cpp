@@ -15,8 +15,11 @@
 namespace aucast::server {
 namespace {
 
-/// Where --help's explanations begin.
-constexpr std::size_t kTextColumn = 25;
+// === --help, in columns
+constexpr std::size_t kLineMax = 80;
+constexpr std::size_t kTextColumn = 25;  ///< where explanations begin
+constexpr std::size_t kHalfLine = 39;    ///< where the second of two options does
+constexpr std::size_t kFirstMax = 44;    ///< the first is no longer
 
 constexpr const char* kUsualConfig = "/etc/aucast/au-transmitter.toml";
 
@@ -35,6 +38,55 @@ struct Typed {
     const auto found = flags.find(name);
     return found != flags.end() && found->second;
   }
+};
+
+/// The options of --help, line by line: two of a section that are short share a line.
+class HelpLines {
+ public:
+  void add(const OptionRow& row) {
+    if (!row.heading.empty()) {
+      end_line();
+      text_ += std::string(row.heading) + "\n";
+    }
+    if (before_ != nullptr && add_beside(row)) return;
+    end_line();
+    before_ = &row;
+  }
+
+  [[nodiscard]] std::string finish() {
+    end_line();
+    return std::move(text_);
+  }
+
+ private:
+  static std::string option_of(const OptionRow& row) {
+    std::string option = "  " + typed_name(row);
+    if (!row.argument.empty()) option += " " + std::string(row.argument);
+    return option;
+  }
+
+  /// False when both are too long for one line.
+  bool add_beside(const OptionRow& row) {
+    std::string line = option_of(*before_) + "  " + std::string(before_->text);
+    if (line.size() > kFirstMax) return false;
+    line.resize(std::max(line.size() + 1, kHalfLine), ' ');
+    line += option_of(row) + "  " + std::string(row.text);
+    if (line.size() > kLineMax) return false;
+    text_ += line + "\n";
+    before_ = nullptr;
+    return true;
+  }
+
+  void end_line() {
+    if (before_ == nullptr) return;
+    std::string line = option_of(*before_);
+    line.resize(std::max(line.size() + 1, kTextColumn), ' ');
+    text_ += line + std::string(before_->text) + "\n";
+    before_ = nullptr;
+  }
+
+  std::string text_;
+  const OptionRow* before_ = nullptr;  ///< waits for another short one beside it
 };
 
 Error usage(std::string message) {
@@ -171,30 +223,18 @@ std::string help_text() {
   std::string text =
       R"(usage: au-transmitter [OPTIONS] SOURCE...   or   au-transmitter convert --help
 Streams sets of FACS Action Units over TCP to face-player and its like.
-
 )";
-  for (const OptionRow& row : option_table()) {
-    if (row.text.empty()) continue;
-    std::string line = "  " + typed_name(row);
-    if (!row.argument.empty()) line += " " + std::string(row.argument);
-    line.resize(std::max<std::size_t>(line.size() + 1, kTextColumn), ' ');
-    text += line + std::string(row.text) + "\n";
-  }
-  return text + R"(  --rate HZ, --fps N, --au-scale S, --face-id N, --min-confidence C
-                         how recordings are read: see convert --help
-  -v, --verbose          log level debug           -q, --quiet   log level error
-  -h, --help             this text                 --version     and licence
+  HelpLines lines;
+  for (const OptionRow& row : option_table()) lines.add(row);
+  return text + lines.finish() +
+         R"(  -v, --verbose   -q, --quiet   log level debug, error    -h, --help   --version
 
-Settings come from the file of --config, then AUCAST_TRANSMITTER_<OPTION> of the
-environment, then the command line; the last one wins.
+Settings: --config's, then AUCAST_TRANSMITTER_<OPTION>, then the command line.
 Prints "listening on ADDR:PORT" when ready, logs to stderr, ends with Ctrl-C.
 SIGHUP reads the sources again, SIGUSR1 logs how things are.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 
-examples:
-  au-transmitter data/streams/six_expressions.txt
   au-transmitter --bind 0.0.0.0 --live --loop talk.txt
-  au-transmitter --loop --stats sent.json talk.txt surprise.txt
   FeatureExtraction -device 0 -of - | au-transmitter -
   printf '1111111' | nc 127.0.0.1 4650     (a whole client, for six keyframes)
 )";

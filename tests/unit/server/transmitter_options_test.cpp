@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "server/option_table.h"
+
 namespace aucast::server {
 namespace {
 
@@ -153,10 +155,14 @@ TEST(TransmitterOptions, HelpIsOneScreenAndComplete) {
   const auto command = read_command_line({"--help"});
   ASSERT_TRUE(command);
   EXPECT_EQ(command->text, help_text());
-  for (const char* option :
-       {"SOURCE", "--bind", "--port", "--keyframe", "--loop", "--live", "--classic-min",
-        "--client-timeout", "--max-clients", "--stats", "--check", "--config", "--print-config",
-        "--log-level", "-v,", "-q,", "--version", "examples:"}) {
+  for (const OptionRow& row : option_table()) {
+    std::string typed = "  " + typed_name(row) + " ";
+    if (!row.argument.empty()) typed += std::string(row.argument) + " ";
+    EXPECT_NE(help_text().find(typed), std::string::npos) << typed;
+    EXPECT_FALSE(row.text.empty()) << row.name;
+    EXPECT_NE(help_text().find(row.text), std::string::npos) << row.name;
+  }
+  for (const char* option : {"-v,", "-q,", "-h,", "--version"}) {
     EXPECT_NE(help_text().find(option), std::string::npos) << option;
   }
   std::istringstream lines(help_text());
