@@ -18,6 +18,7 @@ struct Line {
   double half_width = 0.2;
   double depth = 1;          ///< darkening in the middle
   double begin_taper = 0.3;  ///< share of the length over which it starts; 0: at once
+  double end_taper = 0.4;    ///< share of the length over which it ends
 };
 
 struct Crease {
@@ -28,60 +29,105 @@ struct Crease {
 /// The lines of the left side.
 std::vector<Crease> creases() {
   return {
-      // Right and left overlap in the middle, each fading where the other is whole.
+      // Right and left overlap in the middle, each fading where the other is whole. The inner and
+      // the outer lines lie on the same curves, so that AU1 and AU2 together draw them across the
+      // whole forehead.
       {"crease_forehead_inner",
-       {{{{-0.5, 5.03}, {0.5, 4.98}, {1.2, 5.10}, {1.9, 5.34}}, 0.27, 0.60, 0.45},
-        {{{-0.5, 5.50}, {0.5, 5.45}, {1.3, 5.57}, {2.1, 5.83}}, 0.27, 0.70, 0.45},
-        {{{-0.5, 5.98}, {0.5, 5.93}, {1.2, 6.03}, {1.8, 6.22}}, 0.24, 0.45, 0.45}}},
+       {{{{-0.7, 5.06}, {0.4, 5.05}, {1.2, 5.15}, {2.0, 5.27}, {2.6, 5.26}}, 0.30, 0.60, 0.4, 0.6},
+        {{{-0.7, 5.51}, {0.4, 5.49}, {1.3, 5.59}, {2.1, 5.73}, {2.8, 5.70}}, 0.32, 0.70, 0.4, 0.6},
+        {{{-0.7, 6.00}, {0.4, 5.98}, {1.1, 6.04}, {1.7, 6.12}, {2.2, 6.12}},
+         0.29,
+         0.46,
+         0.4,
+         0.6}}},
       {"crease_forehead_outer",
-       {{{{0.9, 5.20}, {1.6, 5.40}, {2.4, 5.43}, {3.2, 5.15}}, 0.27, 0.65, 0.4},
-        {{{0.8, 5.66}, {1.6, 5.88}, {2.4, 5.91}, {3.2, 5.62}}, 0.26, 0.70, 0.4},
-        {{{0.9, 6.14}, {1.6, 6.30}, {2.3, 6.32}, {2.9, 6.10}}, 0.23, 0.45, 0.4}}},
+       {{{{0.4, 5.05}, {1.2, 5.15}, {2.0, 5.27}, {2.8, 5.22}, {3.5, 4.96}}, 0.30, 0.60, 0.5, 0.5},
+        {{{0.3, 5.49}, {1.2, 5.58}, {2.1, 5.73}, {2.9, 5.68}, {3.5, 5.46}}, 0.32, 0.70, 0.5, 0.5},
+        {{{0.4, 5.98}, {1.1, 6.04}, {1.8, 6.13}, {2.5, 6.11}, {3.1, 5.96}}, 0.29, 0.46, 0.5, 0.5}}},
       {"crease_glabella",
-       {{{{0.48, 3.55}, {0.36, 3.95}, {0.36, 4.40}, {0.46, 4.85}}, 0.24, 0.75, 0.4},
-        {{{0.10, 3.70}, {0.08, 4.00}, {0.10, 4.35}}, 0.16, 0.3, 0.4}}},
+       {{{{0.52, 3.52}, {0.38, 3.92}, {0.36, 4.38}, {0.50, 4.90}}, 0.26, 0.85, 0.5, 0.5},
+        {{{0.08, 3.70}, {0.06, 4.00}, {0.10, 4.35}}, 0.20, 0.23, 0.5, 0.5}}},
       {"crease_crows_feet",
-       {{{{3.46, 2.96}, {3.80, 3.18}, {4.14, 3.50}}, 0.17, 0.60, 0.5},
-        {{{3.48, 2.72}, {3.86, 2.76}, {4.26, 2.86}}, 0.17, 0.60, 0.5},
-        {{{3.44, 2.48}, {3.80, 2.32}, {4.16, 2.18}}, 0.17, 0.50, 0.5}}},
+       {{{{3.42, 2.98}, {3.76, 3.20}, {4.02, 3.50}, {4.18, 3.86}}, 0.18, 0.60, 0.5, 0.7},
+        {{{3.46, 2.74}, {3.80, 2.80}, {4.12, 2.92}, {4.40, 3.10}}, 0.18, 0.66, 0.5, 0.7},
+        {{{3.40, 2.50}, {3.74, 2.38}, {4.06, 2.20}, {4.30, 1.96}}, 0.18, 0.54, 0.5, 0.7}}},
       {"crease_lower_lid",
-       {{{{1.20, 2.12}, {1.70, 1.80}, {2.30, 1.70}, {2.95, 1.86}, {3.45, 2.20}}, 0.17, 0.8, 0.3}}},
+       {{{{1.20, 2.12}, {1.70, 1.80}, {2.30, 1.70}, {2.95, 1.86}, {3.45, 2.20}},
+         0.20,
+         0.71,
+         0.35,
+         0.4}}},
+      // Across the root of the nose and down its sides.
       {"crease_nose_root",
-       {{{{0.00, 2.64}, {0.40, 2.52}, {0.76, 2.24}}, 0.20, 0.60, 0.45},
-        {{{0.00, 3.07}, {0.32, 3.04}, {0.66, 2.90}}, 0.19, 0.50, 0.45},
-        {{{0.26, 2.07}, {0.58, 1.92}, {0.90, 1.58}}, 0.19, 0.55, 0.45}}},
+       {{{{-0.30, 2.70}, {0.12, 2.72}, {0.48, 2.56}, {0.86, 2.20}}, 0.24, 0.69, 0.5, 0.6},
+        {{{-0.30, 3.08}, {0.10, 3.10}, {0.42, 3.02}, {0.76, 2.82}}, 0.23, 0.63, 0.5, 0.6},
+        {{{0.20, 2.24}, {0.46, 2.10}, {0.72, 1.84}, {0.96, 1.46}}, 0.23, 0.66, 0.6, 0.6}}},
       {"crease_nasolabial",
-       {{{{2.22, -2.45}, {2.12, -1.85}, {1.80, -1.20}, {1.44, -0.55}, {1.20, 0.02}},
-         0.30,
+       {{{{2.24, -2.55}, {2.14, -1.90}, {1.82, -1.22}, {1.45, -0.56}, {1.20, 0.02}},
+         0.36,
          1.0,
-         0.35}}},
+         0.40,
+         0.45}}},
       {"crease_mouth_corner",
-       {{{{2.02, -2.95}, {2.14, -2.60}, {2.12, -2.25}, {1.98, -1.95}}, 0.17, 1.0, 0.35}}},
+       {{{{2.02, -2.95}, {2.14, -2.60}, {2.12, -2.25}, {1.98, -1.95}}, 0.22, 0.74, 0.5, 0.5}}},
       {"crease_chin",
-       {{{{-0.45, -3.42}, {0.45, -3.40}, {1.00, -3.58}, {1.32, -3.95}}, 0.20, 0.9, 0.4},
-        {{{0.30, -4.10}, {0.42, -4.25}, {0.40, -4.45}}, 0.22, 0.18, 0.5},
-        {{{0.72, -4.30}, {0.82, -4.45}, {0.80, -4.65}}, 0.22, 0.16, 0.5},
-        {{{0.10, -4.55}, {0.18, -4.68}, {0.14, -4.86}}, 0.22, 0.16, 0.5}}},
+       {{{{-0.45, -3.42}, {0.45, -3.40}, {1.00, -3.58}, {1.32, -3.95}}, 0.26, 0.95, 0.4, 0.6},
+        {{{0.30, -4.10}, {0.42, -4.25}, {0.40, -4.45}}, 0.24, 0.16, 0.5, 0.5},
+        {{{0.72, -4.30}, {0.82, -4.45}, {0.80, -4.65}}, 0.24, 0.13, 0.5, 0.5},
+        {{{0.10, -4.55}, {0.18, -4.68}, {0.14, -4.86}}, 0.24, 0.13, 0.5, 0.5}}},
       {"crease_neck",
        {{{{1.45, -5.70}, {1.30, -6.50}, {1.12, -7.40}, {0.98, -8.30}}, 0.30, 0.75, 0.4},
         {{{0.50, -5.95}, {0.48, -6.70}, {0.44, -7.50}, {0.40, -8.30}}, 0.24, 0.55, 0.4}}},
   };
 }
 
-/// One row across a line: where, how dark and how light; -1 is the side of the bulge.
+/// How one person's line on one side differs from the drawn one: no two are the same, and right is
+/// never quite left's mirror.
+class Hand {
+ public:
+  Hand(const ExpressionLines& who, int line, int side)
+      : who_(who), key_(who.seed * 1009 + line * 31 + (side > 0 ? 0 : 17)) {}
+
+  [[nodiscard]] Line drawn(Line line) const {
+    line.half_width *= who_.width;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      // Both sides meet in the middle.
+      const double free = smooth_step(0.2, 1.2, std::abs(line.points[i].x));
+      const int at = key_ + static_cast<int>(i) * 7;
+      const double forehead = smooth_step(4.8, 5.2, line.points[i].y);
+      line.points[i] += who_.uneven * mix(0.4, 1.0, forehead) * free *
+                        glm::dvec2{0.6 * (hash(at) - 0.5), hash(at + 3) - 0.5};
+      line.points[i].y += who_.forehead_up * forehead;
+    }
+    line.depth *= who_.depth * mix(0.82, 1.0, hash(key_ + 5));
+    return line;
+  }
+
+  /// Deeper here, shallower there: the share of the depth at `t` of the way.
+  [[nodiscard]] double along(double t) const {
+    return 1 - 0.4 * value_noise({4.5 * t, 0.37 * key_, 0.5});
+  }
+
+ private:
+  const ExpressionLines& who_;
+  int key_;
+};
+
+/// One row across a line: where, how dark and how light; -1 is the side of the bulge. A soft core
+/// in a wide shade: a fold, not a stroke.
 struct Across {
   double at = 0;
   double dark = 0;
   double light = 0;
 };
-constexpr std::array<Across, 8> kAcross{{{-1.9, 0, 0},
-                                         {-1.1, 0.04, 1},
-                                         {-0.6, 0.30, 0.2},
-                                         {-0.22, 0.86, 0},
+constexpr std::array<Across, 8> kAcross{{{-2.1, 0, 0},
+                                         {-1.15, 0.03, 1},
+                                         {-0.65, 0.22, 0.4},
+                                         {-0.25, 0.70, 0},
                                          {0, 1, 0},
-                                         {0.35, 0.66, 0},
-                                         {0.9, 0.24, 0},
-                                         {1.7, 0, 0}}};
+                                         {0.4, 0.62, 0},
+                                         {1.0, 0.24, 0},
+                                         {1.9, 0, 0}}};
 constexpr int kAlong = 14;
 /// Above the skin: the skin between its vertices is flat, a ribbon is finer.
 constexpr double kLift = 0.012;
@@ -150,7 +196,7 @@ glm::dvec2 along_line(const Line& line, double t) {
   return sample<glm::dvec2>(std::span(keys).first(count), t);
 }
 
-void add_line(Part& part, const Line& line, const Draper& draper, int side) {
+void add_line(Part& part, const Line& line, const Hand& hand, const Draper& draper, int side) {
   std::vector<std::uint32_t> before;
   for (int i = 0; i <= kAlong; ++i) {
     const double t = static_cast<double>(i) / kAlong;
@@ -158,15 +204,16 @@ void add_line(Part& part, const Line& line, const Draper& draper, int side) {
     const glm::dvec2 way = glm::normalize(along_line(line, std::min(1.0, t + 0.02)) -
                                           along_line(line, std::max(0.0, t - 0.02)));
     const glm::dvec2 to_bulge{-way.y, way.x};
-    const double ends = smooth_step(0, line.begin_taper, t) * smooth_step(1, 0.6, t);
+    const double ends = smooth_step(0, line.begin_taper, t) * smooth_step(1, 1 - line.end_taper, t);
+    const double depth = line.depth * ends * hand.along(t);
     const double width = line.half_width * (0.55 + 0.45 * ends);
     std::vector<std::uint32_t> row;
     for (const Across& across : kAcross) {
       const OnSkin on = draper.drape(middle - to_bulge * (across.at * width));
       const Vec3 p = on.position + on.normal * kLift;
-      row.push_back(part.add({p.x * side, p.y, p.z}, kCrease, across.dark * line.depth * ends));
+      row.push_back(part.add({p.x * side, p.y, p.z}, kCrease, across.dark * depth));
       Vertex& vertex = part.vertices.back();
-      vertex.gloss = across.light * line.depth * ends;
+      vertex.gloss = across.light * depth;
       vertex.maps = on.maps;
     }
     if (i > 0 && side > 0) part.add_band(before, row, false);
@@ -177,17 +224,22 @@ void add_line(Part& part, const Line& line, const Draper& draper, int side) {
 
 }  // namespace
 
-std::vector<Part> make_creases(const Skin& skin) {
+std::vector<Part> make_creases(const Identity& who, const Skin& skin) {
   const Draper draper(skin);
   std::vector<Part> parts;
+  int number = 0;
   for (const Crease& crease : creases()) {
     for (const int side : {1, -1}) {
       Part part;
       part.name = std::string(side > 0 ? "left_" : "right_") + std::string(crease.name);
       part.material = face::Material::Crease;
-      for (const Line& line : crease.lines) add_line(part, line, draper, side);
+      for (std::size_t i = 0; i < crease.lines.size(); ++i) {
+        const Hand hand(who.lines, number + static_cast<int>(i), side);
+        add_line(part, hand.drawn(crease.lines[i]), hand, draper, side);
+      }
       parts.push_back(std::move(part));
     }
+    number += static_cast<int>(crease.lines.size());
   }
   return parts;
 }

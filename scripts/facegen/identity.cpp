@@ -66,6 +66,7 @@ Identity young_woman() {
   form.lip_bulge = 1.15;
   form.cupids_bow = 1.2;
   form.outer_canthus_up = 0.13;
+  form.upper_lid = 0.46;
   form.brow_up = 4.12;
   form.brow_arch = 0.52;
   form.brow_width = 0.235;
@@ -76,10 +77,11 @@ Identity young_woman() {
   hair.top = 0.80;
   hair.sweep = 0.10;
   hair.front_rise = 0.32;
-  hair.softness = 0.10;
-  hair.ragged = 1.5;
+  hair.softness = 0.15;
+  hair.ragged = 2.4;
   hair.groove = 0.13;
   hair.fall = 9.4;
+  who.lines = {.seed = 1, .depth = 0.9};
   Palette& colours = who.colours;
   colours.lip = {0.66, 0.235, 0.235};
   colours.hair = {0.115, 0.058, 0.034};
@@ -109,7 +111,7 @@ Identity man_of_fifty() {
   form.nose_forward = 0.16;
   form.nose_up = -0.16;
   form.nose_hump = 0.14;
-  form.upper_lid = 0.46;
+  form.upper_lid = 0.43;
   form.inner_canthus_up = -0.14;
   form.outer_canthus_up = 0.0;
   form.lid_fold = 0.15;
@@ -137,7 +139,9 @@ Identity man_of_fifty() {
   hair.top = 0.34;
   hair.sweep = 0;
   hair.groove = 0.12;
-  hair.ragged = 1.8;
+  hair.ragged = 2.6;
+  hair.softness = 0.11;
+  who.lines = {.seed = 2, .depth = 1.12, .width = 0.94, .uneven = 0.16, .forehead_up = 0.06};
   Palette& colours = who.colours;
   colours.skin = {0.50, 0.295, 0.195};
   colours.flush = {0.50, 0.215, 0.155};

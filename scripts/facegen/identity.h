@@ -74,11 +74,21 @@ struct Haircut {
   double fall = 0;           ///< how far it hangs down behind the ears
 };
 
+/// How the lines look that expressions draw on this skin (`creases`).
+struct ExpressionLines {
+  int seed = 0;            ///< whose hand drew them
+  double depth = 1;        ///< factor on how dark they are
+  double width = 1;        ///< factor
+  double uneven = 0.12;    ///< how far they stray from the drawn line, mesh units
+  double forehead_up = 0;  ///< those of the forehead, mesh units
+};
+
 /// What makes a person: everything else of the generator is the same for all.
 struct Identity {
   std::string_view name;
   Form form;
   Haircut hair;
+  ExpressionLines lines;
   Palette colours;
 };
 

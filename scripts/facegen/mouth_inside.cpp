@@ -63,9 +63,15 @@ class ArchCurve {
   std::vector<double> lengths_;
 };
 
-Vec3 tooth_colour(double to_tip, std::size_t tooth) {
-  const Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.5, to_tip)) *
-                 (1 - 0.06 * static_cast<double>(tooth));
+/// Where crowns meet, light gets lost; more would draw black bars.
+constexpr double kLostBetweenTeeth = 0.30;
+
+/// `to_tip` from the gum to the edge, `across` 0 in the middle of the crown and 1 beside the next.
+Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
+  Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.6, to_tip)) *
+           (1 - 0.05 * static_cast<double>(tooth)) * (1 - kLostBetweenTeeth * power(across, 4));
+  // The edge is thin: what shows through is the dark of the mouth.
+  c *= 1 - 0.16 * smooth_step(0.82, 1.0, to_tip);
   return to_tip < 0.06 ? mix(c, kGum, 0.5) : c;
 }
 
@@ -89,11 +95,11 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const double bulge = 0.13 * (1 - power(across, 3)) * (1 - 0.3 * v);
       const double edge = -0.09 * power(across, 8) - 0.15 * power(v, 8);
       Vec3 p = base + out * (bulge + edge - 0.04 * (arch.up > 0 ? -v : v));
-      double toward_bite = height * v - 0.06 * power(across, 4) * v * v;
-      if (canine) toward_bite -= 0.06 * across * v;
+      double toward_bite = height * v - 0.035 * power(across, 4) * v * v;
+      if (canine) toward_bite -= 0.05 * across * v;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
-      row.push_back(part.add(p, tooth_colour(v, tooth)));
+      row.push_back(part.add(p, tooth_colour(v, across, tooth)));
     }
     if (j > 0) {
       const bool left_to_right = (side > 0) == (arch.up > 0);
@@ -133,10 +139,36 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
   }
 }
 
-/// Light gets to the front teeth, not to the throat. Not baked: with the mouth shut all is black.
-void shade_by_depth(Part& part) {
-  for (Vertex& vertex : part.vertices) {
-    vertex.occlusion = mix(0.25, 1.0, smooth_step(5.0, 7.6, vertex.position.z));
+/// How far behind the lips: 1 in the middle of the front teeth, 0 in the corners of the mouth and
+/// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
+/// all is black.
+double light_behind_lips(const Vec3& p) {
+  return smooth_step(5.9, 7.75, p.z) * smooth_step(2.0, 0.5, std::abs(p.x));
+}
+
+constexpr double kLightOnLowerTeeth = 0.72;
+
+void shade_teeth(Part& teeth, const Arch& arch) {
+  for (Vertex& vertex : teeth.vertices) {
+    const double light = light_behind_lips(vertex.position);
+    vertex.occlusion = mix(0.25, 1.0, light);
+    // The shadow of the lip that covers their necks.
+    const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
+    vertex.colour *= mix(0.30, 1.0, light) * mix(0.55, 1.0, smooth_step(0.0, 0.55, from_gum));
+    // The lower row lies in the shade of the upper one.
+    if (arch.up < 0) vertex.colour *= kLightOnLowerTeeth;
+    vertex.gloss = mix(0.2, 1.0, light);
+  }
+}
+
+/// Light gets to the tip of the tongue, not to the throat nor to its sides.
+void shade_tongue(Part& tongue) {
+  for (Vertex& vertex : tongue.vertices) {
+    const Vec3& p = vertex.position;
+    vertex.occlusion = mix(0.25, 1.0, smooth_step(5.0, 7.6, p.z));
+    vertex.colour *= mix(0.35, 1.0, smooth_step(5.2, 7.6, p.z)) *
+                     mix(0.70, 1.0, smooth_step(1.35, 0.5, std::abs(p.x))) *
+                     (1 - 0.18 * bell(p.x, 0.16));
   }
 }
 
@@ -157,7 +189,7 @@ Part make_teeth(Jawbone jawbone) {
     }
   }
   add_gum(teeth, arch, curve);
-  shade_by_depth(teeth);
+  shade_teeth(teeth, arch);
   teeth.fill(Map::Head, 1);
   teeth.fill(Map::Jaw, upper ? 0 : 1);
   return teeth;
@@ -187,7 +219,7 @@ Part make_tongue() {
     if (j > 0) tongue.add_band(ring, front, true);
     front = std::move(ring);
   }
-  shade_by_depth(tongue);
+  shade_tongue(tongue);
   tongue.fill(Map::Head, 1);
   tongue.fill(Map::Jaw, 0.9);
   for (Vertex& vertex : tongue.vertices) {
@@ -231,11 +263,12 @@ Part make_mouth_bag(const Skin& skin) {
       const Vec3 p{lip.position.x * shape.widen,
                    kMiddleY + (lip.position.y - kMiddleY) * shape.heighten,
                    mix(lip.position.z, kThroatZ, shape.back)};
-      const Vec3 colour = mix(kMouthFront, kMouthBack, smooth_step(0, 0.6, shape.back));
+      const Vec3 colour = mix(kMouthFront * 0.4, kMouthBack, smooth_step(0, 0.6, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
-      vertex.occlusion = 0.7;
+      // Little, or the lights from behind would draw the walls of the open mouth.
+      vertex.occlusion = mix(0.5, 0.12, smooth_step(0, 0.3, shape.back));
       vertex.gloss = 0.15;
       if (k > 0) {
         vertex[Map::Muscle] *= std::max(0.0, 1 - 0.3 * static_cast<double>(k));
@@ -249,7 +282,7 @@ Part make_mouth_bag(const Skin& skin) {
   const std::uint32_t end = bag.add({0, last_middle.y, kThroatZ}, kMouthBack * 0.67);
   bag.vertices[end][Map::Jaw] = 0.3;
   bag.vertices[end][Map::Head] = 1;
-  bag.vertices[end].occlusion = 0.7;
+  bag.vertices[end].occlusion = 0.12;
   bag.vertices[end].gloss = 0.15;
   for (std::size_t i = 0; i < front.size(); ++i) {
     bag.add_triangle(end, front[(i + 1) % front.size()], front[i]);

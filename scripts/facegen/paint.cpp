@@ -44,7 +44,12 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   Vec3 c =
       mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.94 : 1.04);
   if (v.ring >= kLipContactRing - 1) c = mix(c, kLipInside, 0.8);
-  if (v.ring > kLipContactRing) c = kLipInside * 0.95;
+  if (v.ring > kLipContactRing) {
+    // Into the dark of the mouth, sooner at the corners.
+    const double inwards = static_cast<double>(v.ring - kLipContactRing) /
+                           static_cast<double>(kLipLastRing - kLipContactRing);
+    c = mix(kLipInside * 0.95, kMouthFront * 0.4, inwards * mix(0.35, 0.9, to_corner));
+  }
   vertex.colour = c;
   vertex.gloss = border ? 1.0 : 1.8;
 }

@@ -99,7 +99,9 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], lower, blend);
-  vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], 1 - lower, blend);
+  // The levators lift the middle of the lip more than its ends, or it opens as a box.
+  const double end = smooth_step(2, 12, upper ? v.spoke : 24 - v.spoke);
+  vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * (1 - 0.7 * end), blend);
   const double red = smooth_step(kLipBorderRing - 3, kLipBorderRing + 1, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
   vertex[Map::LowerRed] = red * lower;
