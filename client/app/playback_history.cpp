@@ -11,7 +11,18 @@ constexpr Milliseconds kKept{30'000};
 constexpr std::size_t kSamplesMax = 121;
 constexpr std::size_t kRateSamples = 9;  // two seconds
 
+PlaybackHistory::Rates rates_of(std::uint64_t in, std::uint64_t out, Duration time) {
+  const double seconds = std::chrono::duration<double>(time).count();
+  if (!(seconds > 0)) return {};
+  return {static_cast<double>(in) / seconds, static_cast<double>(out) / seconds};
+}
+
 }  // namespace
+
+void PlaybackHistory::clear() {
+  samples_.clear();
+  begin_.reset();
+}
 
 bool PlaybackHistory::due(Instant now) const {
   return samples_.empty() || now - samples_.back().at >= kEvery;
@@ -32,6 +43,7 @@ void PlaybackHistory::add(Instant now, float fill, const playback::SourceStatus&
     samples_.push_back(std::move(held));
     if (samples_.size() > kSamplesMax) samples_.erase(samples_.begin());
   }
+  if (!begin_) begin_ = now;
   samples_.push_back(std::move(sample));
   while (now - samples_.front().at > kKept) samples_.erase(samples_.begin());
 }
@@ -69,13 +81,17 @@ std::vector<gui::AuTrace> PlaybackHistory::traces() const {
 }
 
 PlaybackHistory::Rates PlaybackHistory::rates() const {
-  if (samples_.size() < 2) return {};
+  if (samples_.empty()) return {};
   const Sample& last = samples_.back();
   const Sample& first = samples_[samples_.size() - std::min(samples_.size(), kRateSamples)];
-  const double time = std::chrono::duration<double>(last.at - first.at).count();
-  if (!(time > 0)) return {};
-  return {static_cast<double>(last.bytes_in - first.bytes_in) / time,
-          static_cast<double>(last.bytes_out - first.bytes_out) / time};
+  return rates_of(last.bytes_in - first.bytes_in, last.bytes_out - first.bytes_out,
+                  last.at - first.at);
+}
+
+PlaybackHistory::Rates PlaybackHistory::mean_rates() const {
+  if (!begin_) return {};
+  const Sample& last = samples_.back();
+  return rates_of(last.bytes_in, last.bytes_out, last.at - *begin_);
 }
 
 }  // namespace aucast::app

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,18 +21,21 @@ class PlaybackHistory {
   [[nodiscard]] bool due(Instant now) const;
   /// Takes one: `fill` of the receiver in [0,1], and the AUs as they are on the face.
   void add(Instant now, float fill, const playback::SourceStatus& status, const AuFrame& aus);
-  void clear() { samples_.clear(); }
+  void clear();
 
   /// Oldest first.
   [[nodiscard]] std::vector<float> fills() const;
   /// The AUs that were strongest, in the order of their numbers; at most gui::kTracesMax.
   [[nodiscard]] std::vector<gui::AuTrace> traces() const;
-  /// Bytes a second over the last two seconds.
+  /// Bytes a second.
   struct Rates {
     double in = 0;
     double out = 0;
   };
+  /// Over the last two seconds.
   [[nodiscard]] Rates rates() const;
+  /// Of all bytes, from the first sample to the last; 0 with less than two.
+  [[nodiscard]] Rates mean_rates() const;
 
  private:
   struct Sample {
@@ -42,6 +46,7 @@ class PlaybackHistory {
     std::map<int, float> aus;  ///< the stronger side of those that are not 0
   };
   std::vector<Sample> samples_;
+  std::optional<Instant> begin_;  ///< of the first sample since clear()
 };
 
 }  // namespace aucast::app

@@ -362,11 +362,7 @@ void WindowSession::carry_out(const gui::ShowExpression& command, Instant now) {
     say(set.error().message, true, now);
     return;
   }
-  static_cast<void>(activations(now));
-  std::vector<float> start = face_now_;
-  edit(now);
-  editor_.take(target);
-  transition_.emplace(std::move(start), std::move(target), transition_settings_, now);
+  take_slowly(std::move(target), now);
 }
 
 void WindowSession::carry_out(const gui::ChangeTransition& command, Instant) {
@@ -378,6 +374,7 @@ void WindowSession::edit(Instant now) {
   carry_out(gui::Pause{}, now);
   shown_ = Shown::Editor;
   transition_.reset();
+  compound_.clear();
 }
 
 void WindowSession::carry_out(const gui::SetChannel& command, Instant now) {
@@ -424,17 +421,21 @@ Result<std::string> WindowSession::save_recording(int number) {
 void WindowSession::carry_out(const gui::ShowAus& command, Instant now) {
   const auto aus = protocol::parse_au_set(command.aus);
   if (!aus) return say(aus.error().message, true, now);
+  std::vector<face::RuleFired> fired;
+  const AuFrame blended = face::blend(rules_, *aus, &fired);
   std::vector<float> target(face_.channels.size());
-  const AuFrame blended = face::blend(rules_, *aus);
   face::mix(face_, blended, animation_.mixer, target);
+  take_slowly(std::move(target), now);
+  compound_ = gui::au_rows(*aus, blended, fired);
+}
+
+/// The editor takes a face, on the way from the one that is shown.
+void WindowSession::take_slowly(std::vector<float> target, Instant now) {
   static_cast<void>(activations(now));
   std::vector<float> start = face_now_;
   edit(now);
   editor_.take(target);
   transition_.emplace(std::move(start), std::move(target), transition_settings_, now);
-  const std::string made = protocol::format_au_set(blended);
-  const bool same = made == protocol::format_au_set(*aus);
-  say(same ? "shown: " + made : "after the rules: " + made, false, now);
 }
 
 void WindowSession::carry_out(const gui::RevertAu&, Instant now) {
@@ -480,19 +481,18 @@ std::string WindowSession::title() const {
   if (local_) return local_->name() + " - " + title;
   const playback::SourceStatus status = source_->status();
   title += " - " + std::string(playback::name(controller_.state()));
-  if (!status.detail.empty()) title += ": " + status.detail;
+  // What plays on from the buffers has not ended, whatever the server said.
+  if (over() && !status.detail.empty()) title += ": " + status.detail;
   return title;
 }
 
 void WindowSession::describe_traffic(const playback::SourceStatus& status,
                                      gui::RemoteView& view) const {
-  const auto rate = [this](double bytes_a_second) {
-    return running() ? ", " + gui::bit_rate_text(bytes_a_second) : std::string();
-  };
-  const PlaybackHistory::Rates rates = history_.rates();
+  const PlaybackHistory::Rates rates = running() ? history_.rates() : PlaybackHistory::Rates{};
+  const PlaybackHistory::Rates means = history_.mean_rates();
   view.in = gui::counted(status.packets_received, "packet") + ", " +
-            gui::bytes_text(static_cast<double>(status.bytes_received)) + rate(rates.in);
-  view.out = gui::bytes_text(static_cast<double>(status.bytes_sent)) + rate(rates.out);
+            gui::traffic_text(status.bytes_received, rates.in, means.in);
+  view.out = gui::traffic_text(status.bytes_sent, rates.out, means.out);
   view.protocol = status.negotiated ? "level 2" : "classic";
   if (status.live) view.protocol += ", live";
 }
@@ -544,6 +544,7 @@ gui::EditorView WindowSession::editor_view() const {
   view.can_redo = editor_.can_redo();
   view.saved_to = saved_to_;
   view.save_failed = save_failed_;
+  view.compound = compound_;
   return view;
 }
 

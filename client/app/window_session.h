@@ -116,6 +116,7 @@ class WindowSession {
   void carry_out(const gui::CloseNotice&, Instant now);
 
   void edit(Instant now);
+  void take_slowly(std::vector<float> target, Instant now);
   /// `cut_at`: where the one before was left.
   void begin_keyframe(const AuFrame& aus, double cut_at = 1);
   void explain(const AuFrame& aus);
@@ -178,6 +179,7 @@ class WindowSession {
   gui::TransitionSettings transition_settings_;
   std::string saved_to_;
   bool save_failed_ = false;
+  std::vector<gui::AuRow> compound_;
 
   gui::RenderingSettings rendering_;
   std::vector<gui::ExpressionButton> buttons_;

@@ -129,7 +129,7 @@ void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) 
   word("calm", middle.x - ImGui::CalcTextSize("calm").x - gap, to.y - row - gap / 2);
   for (const PadPoint& point : *composer.pad) {
     const ImVec2 at(middle.x + point.x * reach.x, middle.y - point.y * reach.y);
-    list.AddCircleFilled(at, 3 * look.scale, ImGui::GetColorU32(ImGuiCol_SliderGrab), 16);
+    list.AddCircleFilled(at, 3 * look.scale, ImGui::GetColorU32(ImGuiCol_PlotLines), 16);
     const float width = ImGui::CalcTextSize(point.label.c_str()).x;
     // Beside the dot, towards the middle, where there is room.
     const float x = point.x > 0.3F ? at.x - width - 6 * look.scale : at.x + 6 * look.scale;

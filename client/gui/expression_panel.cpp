@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "client/gui/panels.h"
-#include "common/action_unit.h"
 
 namespace aucast::gui {
 namespace {
 
 constexpr std::array kInterpolations = {"Linear", "Cosine"};
-constexpr float kStep = 0.05F;
+constexpr int kColumns = 4;
 
-void expression_buttons(const GuiModel& model, ExpressionKind kind, GuiCommands& commands) {
-  constexpr int kColumns = 4;
+/// Returns how many there were.
+int expression_buttons(const GuiModel& model, ExpressionKind kind, GuiCommands& commands) {
   int place = 0;
   for (std::size_t i = 0; i < model.expressions.size(); ++i) {
     const ExpressionButton& button = model.expressions[i];
@@ -26,11 +24,14 @@ void expression_buttons(const GuiModel& model, ExpressionKind kind, GuiCommands&
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.what.c_str());
     ImGui::PopID();
   }
+  return place;
 }
 
-void more_expressions(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  label(look, "More");
-  if (!ImGui::BeginCombo("##more", "choose one", ImGuiComboFlags_HeightLarge)) return;
+/// Other sets of AUs for the same emotions: what the buttons leave free of their last line.
+void more_expressions(const GuiModel& model, int buttons, GuiCommands& commands) {
+  if (buttons % kColumns != 0) ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##more", "more", ImGuiComboFlags_HeightLarge)) return;
   for (std::size_t i = 0; i < model.expressions.size(); ++i) {
     const ExpressionButton& button = model.expressions[i];
     if (button.kind != ExpressionKind::Other) continue;
@@ -42,10 +43,12 @@ void more_expressions(const Look& look, const GuiModel& model, GuiCommands& comm
 
 void expressions(const Look& look, const GuiModel& model, GuiCommands& commands) {
   heading(look, "Expressions");
-  expression_buttons(model, ExpressionKind::Main, commands);
-  more_expressions(look, model, commands);
+  more_expressions(model, expression_buttons(model, ExpressionKind::Main, commands), commands);
   heading(look, "Waters' macros");
   expression_buttons(model, ExpressionKind::Macro, commands);
+}
+
+void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   heading(look, "On the way there");
   TransitionSettings settings = model.transition;
   label(look, "In between");
@@ -65,172 +68,29 @@ void expressions(const Look& look, const GuiModel& model, GuiCommands& commands)
   if (changed) commands.push_back(ChangeTransition{settings});
 }
 
-std::string title_of(const AuEntry& entry) {
-  return std::to_string(entry.number) + "  " + entry.name;
-}
-
-/// The list of all numbers; true when one was chosen.
-bool au_combo(const char* id, const GuiModel& model, const char* none, int& number) {
-  std::string shown = none;
-  for (const AuEntry& entry : *model.known_aus) {
-    if (entry.number == number) shown = title_of(entry);
-  }
-  if (number >= 0 && shown == none) shown = std::to_string(number) + "  (new)";
-  if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) return false;
-  bool chosen = false;
-  for (const AuEntry& entry : *model.known_aus) {
-    if (ImGui::Selectable(title_of(entry).c_str(), entry.number == number)) {
-      number = entry.number;
-      chosen = true;
-    }
-    if (ImGui::IsItemHovered() && !entry.muscles.empty()) {
-      ImGui::BeginTooltip();
-      ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-      if (!entry.looks.empty()) ImGui::TextUnformatted(entry.looks.c_str());
-      quiet_text(entry.muscles);
-      ImGui::PopTextWrapPos();
-      ImGui::EndTooltip();
-    }
-  }
-  ImGui::EndCombo();
-  return chosen;
-}
-
-void au_buttons(const Look& look, const GuiModel& model, ExpressionForm& form,
-                GuiCommands& commands) {
-  const EditorView& editor = model.editor;
-  heading(look, editor.unsaved ? "Action Unit  (not saved)" : "Action Unit");
-  label(look, "Edit");
-  int number = editor.au;
-  if (au_combo("##edit", model, "choose one", number)) {
-    form.save_as = -1;
-    commands.push_back(LoadAu{number});
-  }
-  for (const AuEntry& entry : *model.known_aus) {
-    if (entry.number != editor.au) continue;
-    if (!entry.looks.empty()) ImGui::TextWrapped("%s", entry.looks.c_str());
-    quiet_text(entry.muscles);
-  }
-  if (wide_button("Undo", 0, 4, editor.can_undo)) commands.push_back(Undo{});
-  if (wide_button("Redo", 1, 4, editor.can_redo)) commands.push_back(Redo{});
-  if (wide_button("Revert", 2, 4, editor.unsaved)) commands.push_back(RevertAu{});
-  if (wide_button("Neutral", 3, 4, true)) commands.push_back(NeutralFace{});
-  label(look, "Save as AU");
-  int target = std::max(0, form.save_as >= 0 ? form.save_as : editor.au);
-  const float width = ImGui::GetContentRegionAvail().x;
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SetNextItemWidth((width - gap) / 2);
-  if (ImGui::InputInt("##as", &target, 1, 10)) form.save_as = std::clamp(target, 1, kAuNumberMax);
-  target = form.save_as >= 0 ? form.save_as : editor.au;
-  ImGui::SameLine();
-  ImGui::BeginDisabled(target < 1);
-  if (ImGui::Button("Save", ImVec2((width - gap) / 2, 0))) commands.push_back(SaveAu{target});
-  ImGui::EndDisabled();
-  if (!editor.saved_to.empty()) {
-    const Tone tone = editor.save_failed ? Tone::Bad : Tone::Quiet;
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tone));
-    ImGui::TextWrapped("%s", editor.saved_to.c_str());
-    ImGui::PopStyleColor();
-  }
-}
-
-/// In hundredths, as it is shown: a file should not say 1.1499999.
-float stepped(float value, float step) {
-  return std::round((value + step) * 100) / 100;
-}
-
-/// A value with its steps: dragged, typed (control and click) or stepped.
-void channel_slider(const Look& look, const char* id, int channel, float value, float maximum,
-                    float width, GuiCommands& commands) {
-  ImGui::PushID(id);
-  const ImVec2 step_size(18 * look.scale, 0);
-  const float gap = 2 * look.scale;
-  float wanted = value;
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
-  ImGui::PushButtonRepeat(true);
-  if (ImGui::Button("-", step_size))
-    commands.push_back(SetChannel{channel, stepped(value, -kStep), false});
-  ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(width - 2 * (step_size.x + gap));
-  if (ImGui::SliderFloat("##value", &wanted, 0, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
-    // The press is the beginning of a step, what follows while it is held belongs to it.
-    const bool continued = !ImGui::IsItemActivated() && ImGui::IsMouseDown(0) &&
-                           ImGui::GetIO().MouseDownDuration[0] > 0;
-    commands.push_back(SetChannel{channel, wanted, continued});
-  }
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-    ImGui::SetTooltip("0 to %g; control and click to type", static_cast<double>(maximum));
-  }
-  ImGui::SameLine(0, gap);
-  if (ImGui::Button("+", step_size))
-    commands.push_back(SetChannel{channel, stepped(value, kStep), false});
-  ImGui::PopButtonRepeat();
-  ImGui::PopStyleVar();
-  ImGui::PopID();
-}
-
-void channel_row(const Look& look, const ChannelRow& row, bool linked, GuiCommands& commands) {
-  ImGui::PushID(row.left);
-  ImGui::AlignTextToFramePadding();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushClipRect(at, ImVec2(at.x + 158 * look.scale, at.y + 100 * look.scale), true);
-  ImGui::TextUnformatted(row.name.c_str());
-  ImGui::PopClipRect();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.name.c_str());
-  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 150 * look.scale);
-  const float width = ImGui::GetContentRegionAvail().x;
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  if (row.right < 0) {
-    channel_slider(look, "centre", row.left, row.left_value, row.maximum, width, commands);
-  } else if (linked && row.left_value == row.right_value) {
-    channel_slider(look, "both", row.left, row.left_value, row.maximum, width, commands);
-  } else {
-    // As one sees them: the subject's right is at the viewer's left.
-    const float half = (width - gap) / 2;
-    channel_slider(look, "right", row.right, row.right_value, row.maximum, half, commands);
-    ImGui::SameLine(0, gap);
-    channel_slider(look, "left", row.left, row.left_value, row.maximum, half, commands);
-  }
-  ImGui::PopID();
-}
-
 /// Several AUs at once, as mixer and rules make a face of them.
-void compound(const Look& look, ExpressionForm& form, GuiCommands& commands) {
-  label(look, "AUs together");
-  const float button = 60 * look.scale;
+void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
+              GuiCommands& commands) {
+  heading(look, "Action Units together");
+  const float button = 70 * look.scale;
   ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));
   const bool entered =
       ImGui::InputTextWithHint("##compound", "1,2,5B,L12:40", form.aus.data(), form.aus.size(),
                                ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("AUs as in a packet; mixer and rules are applied");
   ImGui::SameLine();
-  const bool pressed = ImGui::Button("Show", ImVec2(button, 0));
+  const bool pressed = ImGui::Button("Show", ImVec2(-1, 0));
   if ((pressed || entered) && form.aus[0] != 0) commands.push_back(ShowAus{form.aus.data()});
-}
-
-void muscles(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  heading(look, "Muscles");
-  bool linked = model.editor.linked;
-  if (ImGui::Checkbox("left and right together", &linked)) commands.push_back(SetLinked{linked});
-  for (const ChannelGroup& group : model.editor.groups) {
-    const std::string name(group.name);
-    ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
-    const bool open = ImGui::CollapsingHeader(name.c_str());
-    ImGui::PopStyleColor();
-    if (!open) continue;
-    for (const ChannelRow& row : group.rows) channel_row(look, row, linked, commands);
-  }
+  if (!model.editor.compound.empty()) au_table(look, "asked", model.editor.compound);
 }
 
 }  // namespace
 
 void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
                       GuiCommands& commands) {
-  if (model.known_aus == nullptr) return;
   expressions(look, model, commands);
-  compound(look, form, commands);
-  au_buttons(look, model, form, commands);
-  muscles(look, model, commands);
+  way_there(look, model, commands);
+  compound(look, model, form, commands);
 }
 
 }  // namespace aucast::gui

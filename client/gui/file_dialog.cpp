@@ -52,7 +52,7 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
     for (const FileEntry& entry : view.entries) {
       const bool chosen = !entry.folder && entry.name == form.name.data();
       const std::string shown = entry.folder ? entry.name + "/" : entry.name;
-      ImGui::PushStyleColor(ImGuiCol_Text, entry.folder ? ImGui::GetColorU32(ImGuiCol_SliderGrab)
+      ImGui::PushStyleColor(ImGuiCol_Text, entry.folder ? ImGui::GetColorU32(ImGuiCol_PlotLines)
                                                         : ImGui::GetColorU32(ImGuiCol_Text));
       const bool clicked =
           ImGui::Selectable(shown.c_str(), chosen, ImGuiSelectableFlags_AllowDoubleClick);
@@ -125,6 +125,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
   bool shown = true;
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  const FloatingStyle floating(look);
   if (!ImGui::BeginPopupModal(title.c_str(), &shown, kFlags)) {
     commands.push_back(CloseBrowser{});
     return;

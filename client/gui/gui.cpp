@@ -15,6 +15,8 @@ namespace {
 
 constexpr float kFontSize = 15;
 constexpr float kPanelWidth = 380;
+/// Half of the panel's margin, which is what ImGui lets things use of it.
+constexpr float kScrollBar = 8;
 
 struct FontFiles {
   const char* regular;
@@ -63,7 +65,7 @@ void set_style(float scale) {
   style.ItemSpacing = ImVec2(8, 6);
   style.ItemInnerSpacing = ImVec2(6, 4);
   style.CellPadding = ImVec2(4, 3);
-  style.ScrollbarSize = 11;
+  style.ScrollbarSize = kScrollBar;
   style.GrabMinSize = 9;
   style.ScaleAllSizes(scale);
   ImVec4* colours = style.Colors;
@@ -80,8 +82,9 @@ void set_style(float scale) {
   colours[ImGuiCol_Button] = ImVec4(0.19F, 0.21F, 0.24F, 1);
   colours[ImGuiCol_ButtonHovered] = ImVec4(0.25F, 0.28F, 0.32F, 1);
   colours[ImGuiCol_ButtonActive] = ImVec4(0.30F, 0.34F, 0.39F, 1);
-  colours[ImGuiCol_SliderGrab] = ImVec4(0.43F, 0.66F, 0.78F, 1);
-  colours[ImGuiCol_SliderGrabActive] = ImVec4(0.54F, 0.76F, 0.87F, 1);
+  // Dark enough for the number that is written over it.
+  colours[ImGuiCol_SliderGrab] = ImVec4(0.27F, 0.43F, 0.52F, 1);
+  colours[ImGuiCol_SliderGrabActive] = ImVec4(0.33F, 0.52F, 0.62F, 1);
   colours[ImGuiCol_CheckMark] = ImVec4(0.48F, 0.72F, 0.84F, 1);
   colours[ImGuiCol_Header] = ImVec4(0.23F, 0.35F, 0.42F, 1);
   colours[ImGuiCol_HeaderHovered] = ImVec4(0.26F, 0.39F, 0.47F, 1);
@@ -91,7 +94,9 @@ void set_style(float scale) {
   colours[ImGuiCol_TabActive] = ImVec4(0.23F, 0.35F, 0.42F, 1);
   colours[ImGuiCol_TableHeaderBg] = ImVec4(0.13F, 0.145F, 0.165F, 1);
   colours[ImGuiCol_TableRowBgAlt] = ImVec4(1, 1, 1, 0.02F);
+  // The accent, also of what the panels draw themselves.
   colours[ImGuiCol_PlotLines] = ImVec4(0.43F, 0.66F, 0.78F, 1);
+  colours[ImGuiCol_PlotLinesHovered] = ImVec4(0.54F, 0.76F, 0.87F, 1);
   colours[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.5F);
 }
 
@@ -110,7 +115,8 @@ Tone tone_of(const RemoteView& remote) {
   return Tone::Quiet;
 }
 
-/// The line that is always there: how playing stands.
+/// The line that is always there: how playing stands. What there is to be said about it stands over
+/// the face, so that no button moves away from under the pointer.
 void state_line(const Look& look, const GuiModel& model) {
   const RemoteView& remote = model.remote;
   const float radius = 4.5F * look.scale;
@@ -123,18 +129,12 @@ void state_line(const Look& look, const GuiModel& model) {
   ImGui::TextUnformatted(remote.state.c_str());
   ImGui::PopFont();
   // On the same line, so that nothing below moves when a face is edited.
-  const std::string beside = model.editor.active     ? "shown: the expression panel"
-                             : model.composer.active ? "shown: the composer"
+  const std::string beside = model.editor.active     ? "shown: your expression"
+                             : model.composer.active ? "shown: your keyframe"
                                                      : remote.keyframe;
   if (!beside.empty()) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", beside.c_str());
-  }
-  if (remote.stale) quiet_text("The face is the last one received.");
-  if (!remote.detail.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Bad));
-    ImGui::TextWrapped("%s", remote.detail.c_str());
-    ImGui::PopStyleColor();
   }
 }
 
@@ -153,8 +153,8 @@ constexpr std::array<KeyHelp, 18> kKeys = {{
     {"f", "full screen"},
     {"s", "save a picture"},
     {"v", "begin and end a video"},
-    {"Ctrl+z, Ctrl+y", "undo, redo (expression, composer)"},
-    {"Ctrl+s", "save (expression, composer)"},
+    {"Ctrl+z, Ctrl+y", "undo, redo (editor, composer)"},
+    {"Ctrl+s", "save (editor, composer)"},
     {"r", "reset the view"},
     {"?", "this list"},
     {"q, Esc", "leave"},
@@ -163,27 +163,31 @@ constexpr std::array<KeyHelp, 18> kKeys = {{
     {"wheel", "zoom"},
 }};
 
-void key_list(const Look& look, bool& shown) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+/// In the middle of what the panel leaves free.
+void key_list(const Look& look, float width, bool& shown) {
+  ImGui::SetNextWindowPos(ImVec2(width / 2, ImGui::GetIO().DisplaySize.y / 2), ImGuiCond_Always,
+                          ImVec2(0.5F, 0.5F));
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoSavedSettings;
+  const FloatingStyle floating(look);
   if (ImGui::Begin("Keys", &shown, kFlags)) {
     for (const KeyHelp& line : kKeys) {
       ImGui::TextUnformatted(line.key);
       ImGui::SameLine(120 * look.scale);
-      ImGui::TextDisabled("%s", line.meaning);
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of(Tone::Quiet)), "%s",
+                         line.meaning);
     }
   }
   ImGui::End();
 }
 
-void leave_question(GuiCommands& commands) {
+void leave_question(const Look& look, GuiCommands& commands) {
   const char* const title = "Leave without saving?";
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  const FloatingStyle floating(look);
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
   ImGui::TextUnformatted(
       "There are changes that are not saved: in the expression or the composer.");
@@ -209,7 +213,9 @@ struct Gui::State {
   Look look;
   RemoteForm remote;
   ExpressionForm expression;
+  EditorForm editor;
   FileForm file;
+  NoticeForm notice;
   ComposerForm composer;
   bool panel = true;
   bool keys = false;
@@ -232,10 +238,14 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
     state_line(look, model);
     ImGui::Spacing();
     if (ImGui::BeginTabBar("tabs")) {
-      const auto tab = [](const char* name, const auto& contents) {
+      const auto tab = [this](const char* name, const auto& contents) {
         if (!ImGui::BeginTabItem(name)) return;
+        // As wide whether it scrolls or not: the scroll bar has its place in the margin.
+        const float room = ImGui::GetContentRegionAvail().x;
+        ImGui::SetNextWindowContentSize(ImVec2(room - kScrollBar / 2 * look.scale, 0));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-        const bool visible = ImGui::BeginChild("contents");
+        const bool visible =
+            ImGui::BeginChild("contents", ImVec2(room + kScrollBar * look.scale, 0));
         ImGui::PopStyleVar();  // or what pops up from here would have none either
         if (visible) contents();
         ImGui::EndChild();
@@ -243,6 +253,7 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
       };
       tab("Play", [&] { remote_panel(look, model, remote, commands); });
       tab("Expression", [&] { expression_panel(look, model, expression, commands); });
+      tab("Editor", [&] { editor_panel(look, model, editor, commands); });
       tab("Compose", [&] { composer_panel(look, model, composer, commands); });
       tab("View", [&] { rendering_panel(look, model, commands); });
       ImGui::EndTabBar();
@@ -270,10 +281,10 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   if (state_->panel) state_->side_panel(model, commands);
   const float free = ImGui::GetIO().DisplaySize.x - covered_width();
   transport_bar(state_->look, model, free, commands);
-  notice_line(state_->look, model, free, commands);
+  notices(state_->look, model, free, state_->notice, commands);
   file_dialog(state_->look, model, state_->file, commands);
-  if (state_->keys) key_list(state_->look, state_->keys);
-  if (model.asks_to_leave) leave_question(commands);
+  if (state_->keys) key_list(state_->look, free, state_->keys);
+  if (model.asks_to_leave) leave_question(state_->look, commands);
   ImGui::Render();
 }
 

@@ -109,6 +109,7 @@ struct EditorView {
   bool can_redo = false;
   std::string saved_to;  ///< where the last saving went, or why it failed
   bool save_failed = false;
+  std::vector<AuRow> compound;  ///< the AUs that were last put together; empty: none
   friend bool operator==(const EditorView&, const EditorView&) = default;
 };
 

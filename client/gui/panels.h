@@ -20,14 +20,23 @@ struct RemoteForm {
 
 void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands);
 
-/// What is chosen in the expression panel.
+/// What is being typed in the expression panel.
 struct ExpressionForm {
   std::array<char, 512> aus{};  ///< to be shown together
-  int save_as = -1;             ///< number for "save as"; -1: the AU being edited
 };
 
+/// Named expressions, and AUs put together.
 void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
                       GuiCommands& commands);
+
+/// What is chosen in the expression editor.
+struct EditorForm {
+  int save_as = -1;     ///< number for "save as"; -1: the AU being edited
+  int opened_for = -1;  ///< the AU whose muscles were opened
+};
+
+/// The expression editor: one AU and its muscles.
+void editor_panel(const Look& look, const GuiModel& model, EditorForm& form, GuiCommands& commands);
 
 /// What belongs to the composer's widgets.
 struct ComposerForm {
@@ -38,6 +47,7 @@ struct ComposerForm {
 void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
                     GuiCommands& commands);
 
+inline constexpr float kTransportHeight = 76;
 /// The bar under the face by which a stream that is there whole is played; `width`: what the side
 /// panel leaves free.
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
@@ -45,8 +55,14 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
 void file_part(const GuiModel& model, GuiCommands& commands);
 /// Pictures, video and stream files of what is played.
 void record_part(const GuiModel& model, GuiCommands& commands);
-/// What was just done, over the face for a while.
-void notice_line(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
+/// What was read and clicked away.
+struct NoticeForm {
+  std::string trouble;
+};
+
+/// Over the face: what is wrong with the connection, and for a while what was just done.
+void notices(const Look& look, const GuiModel& model, float width, NoticeForm& form,
+             GuiCommands& commands);
 
 /// What is being typed in the file dialog.
 struct FileForm {

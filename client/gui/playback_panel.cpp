@@ -9,7 +9,6 @@
 namespace aucast::gui {
 namespace {
 
-constexpr float kBarHeight = 76;
 constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
 /// More marks than this would be a grey band.
 constexpr float kMarksApart = 5;
@@ -92,7 +91,7 @@ void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to
   const auto x_of = [&](Duration at) {
     return from.x + width * static_cast<float>(seconds_of(at) / seconds_of(local.total));
   };
-  ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
+  ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_PlotLines);
   accent.w = 0.6F;
   list.AddRectFilled(from, ImVec2(from.x + width * done, to.y), ImGui::GetColorU32(accent),
                      rounding);
@@ -113,7 +112,7 @@ void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to
     }
   }
   const ImVec2 knob(from.x + width * done, (from.y + to.y) / 2);
-  list.AddCircleFilled(knob, 7 * look.scale, ImGui::GetColorU32(ImGuiCol_SliderGrabActive), 24);
+  list.AddCircleFilled(knob, 7 * look.scale, ImGui::GetColorU32(ImGuiCol_PlotLinesHovered), 24);
 }
 
 void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
@@ -189,7 +188,7 @@ void loop_button(const LocalView& local, GuiCommands& commands) {
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {
   const LocalView& local = model.local;
   if (!local.open) return;
-  const float height = kBarHeight * look.scale;
+  const float height = kTransportHeight * look.scale;
   ImGui::SetNextWindowPos(ImVec2(0, ImGui::GetIO().DisplaySize.y - height));
   ImGui::SetNextWindowSize(ImVec2(width, height));
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -214,27 +213,6 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
   }
   ImGui::End();
   ImGui::PopStyleVar();
-}
-
-void notice_line(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {
-  if (model.notice.text.empty()) return;
-  const float above = model.local.open ? kBarHeight * look.scale : 0;
-  const ImVec2 at(width / 2, ImGui::GetIO().DisplaySize.y - above - 14 * look.scale);
-  ImGui::SetNextWindowPos(at, ImGuiCond_Always, ImVec2(0.5F, 1));
-  constexpr ImGuiWindowFlags kFlags =
-      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
-  if (ImGui::Begin("notice", nullptr, kFlags)) {
-    const unsigned colour =
-        model.notice.bad ? colour_of(Tone::Bad) : ImGui::GetColorU32(ImGuiCol_Text);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(std::max(width - 60 * look.scale, 200 * look.scale));
-    ImGui::TextUnformatted(model.notice.text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) commands.push_back(CloseNotice{});
-  }
-  ImGui::End();
 }
 
 void record_part(const GuiModel& model, GuiCommands& commands) {

@@ -56,26 +56,26 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
   return entered;
 }
 
+/// Each has its own place whatever the state: a second click on a button must never be another's.
 void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered,
                      const std::optional<std::string>& wrong, GuiCommands& commands) {
   const Activity activity = model.remote.activity;
-  const bool running =
-      !model.remote.local && (activity == Activity::Connecting || activity == Activity::Playing ||
-                              activity == Activity::Paused);
-  if (!running) {
-    const bool pressed = wide_button("Connect", 0, 1, !wrong, true);
-    if ((pressed || entered) && !wrong) commands.push_back(Connect{form.settings});
-    return;
-  }
+  const bool connecting = activity == Activity::Connecting;
   const bool paused = activity == Activity::Paused;
-  if (wide_button(paused ? "Resume" : "Pause", 0, 2, activity != Activity::Connecting)) {
-    if (paused) {
+  const bool running =
+      !model.remote.local && (connecting || paused || activity == Activity::Playing);
+  const bool may_connect = !running && !wrong;
+  const bool pressed = wide_button("Connect", 0, 3, may_connect, may_connect);
+  if ((pressed || entered) && may_connect) commands.push_back(Connect{form.settings});
+  const bool resumes = running && paused;
+  if (wide_button(resumes ? "Resume" : "Pause", 1, 3, running && !connecting)) {
+    if (resumes) {
       commands.push_back(Resume{});
     } else {
       commands.push_back(Pause{});
     }
   }
-  if (wide_button("Stop", 1, 2, true)) commands.push_back(Stop{});
+  if (wide_button("Stop", 2, 3, running)) commands.push_back(Stop{});
 }
 
 void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
@@ -167,16 +167,6 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
   if (changed) commands.push_back(ChangeAnimation{settings});
 }
 
-void percent(int value, bool differs) {
-  if (value == 0) {
-    ImGui::TextDisabled("-");
-  } else if (differs) {
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of(Tone::Waiting)), "%d", value);
-  } else {
-    ImGui::Text("%d", value);
-  }
-}
-
 void action_units(const Look& look, const GuiModel& model) {
   heading(look, "Action Units");
   intensities(look, model.remote);
@@ -184,27 +174,7 @@ void action_units(const Look& look, const GuiModel& model) {
     quiet_text(model.remote.keyframe.empty() ? "None yet." : "The neutral face.");
     return;
   }
-  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg;
-  if (!ImGui::BeginTable("aus", 4, kFlags)) return;
-  ImGui::TableSetupColumn("AU", 0, 34 * look.scale);
-  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("received", 0, 58 * look.scale);
-  ImGui::TableSetupColumn("shown", 0, 46 * look.scale);
-  ImGui::TableHeadersRow();
-  for (const AuRow& row : model.remote.aus) {
-    const bool differs = row.received_percent != row.shown_percent;
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row.label.c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row.name.c_str());
-    if (!row.why.empty()) quiet_text(row.why);
-    ImGui::TableNextColumn();
-    percent(row.received_percent, false);
-    ImGui::TableNextColumn();
-    percent(row.shown_percent, differs);
-  }
-  ImGui::EndTable();
+  au_table(look, "received", model.remote.aus);
 }
 
 }  // namespace

@@ -112,6 +112,13 @@ std::string bit_rate_text(double bytes_a_second) {
   return scaled(8 * bytes_a_second, "bit/s");
 }
 
+std::string traffic_text(std::uint64_t bytes, double rate, double mean) {
+  std::string text = bytes_text(static_cast<double>(bytes));
+  if (rate > 0) return text + ", " + bit_rate_text(rate);
+  if (mean > 0) return text + ", mean " + bit_rate_text(mean);
+  return text;
+}
+
 std::string counted(std::uint64_t count, std::string_view thing) {
   return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
 }

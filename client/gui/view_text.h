@@ -30,6 +30,10 @@ namespace aucast::gui {
 /// "320 bit/s", "1.2 kbit/s".
 [[nodiscard]] std::string bit_rate_text(double bytes_a_second);
 
+/// "893 B, 1.2 kbit/s"; while nothing moves the mean since the beginning: "893 B, mean 310 bit/s".
+/// Rates are in bytes a second.
+[[nodiscard]] std::string traffic_text(std::uint64_t bytes, double rate, double mean);
+
 /// "1 packet", "6 packets".
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view thing);
 

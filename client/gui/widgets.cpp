@@ -11,7 +11,17 @@ namespace {
 constexpr float kLabelWidth = 112;
 
 ImVec4 accent() {
-  return ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
+  return ImGui::GetStyleColorVec4(ImGuiCol_PlotLines);
+}
+
+void percent(int value, bool differs) {
+  if (value == 0) {
+    ImGui::TextDisabled("-");
+  } else if (differs) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of(Tone::Waiting)), "%d", value);
+  } else {
+    ImGui::Text("%d", value);
+  }
 }
 
 }  // namespace
@@ -28,6 +38,17 @@ unsigned colour_of(Tone tone) {
       return IM_COL32(235, 116, 104, 255);
   }
   return IM_COL32_WHITE;
+}
+
+FloatingStyle::FloatingStyle(const Look& look) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * look.scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, look.scale);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+}
+
+FloatingStyle::~FloatingStyle() {
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
 }
 
 void heading(const Look& look, const char* text) {
@@ -115,6 +136,7 @@ void plot(const Look& look, std::span<const PlotLine> lines, float height, float
     const float y = bottom - mark * reach;
     list->AddLine(ImVec2(from.x, y), ImVec2(to.x, y), colour_of(Tone::Waiting), look.scale);
   }
+  list->PushClipRect(from, to, true);
   std::vector<ImVec2> points;
   for (const PlotLine& line : lines) {
     points.clear();
@@ -127,6 +149,7 @@ void plot(const Look& look, std::span<const PlotLine> lines, float height, float
     list->AddPolyline(points.data(), static_cast<int>(points.size()), line.colour, 0,
                       1.5F * look.scale);
   }
+  list->PopClipRect();
   ImGui::Dummy(size);
 }
 
@@ -136,6 +159,30 @@ unsigned colour_of_line(std::size_t index) {
       IM_COL32(86, 180, 233, 255), IM_COL32(230, 159, 0, 255),   IM_COL32(0, 200, 150, 255),
       IM_COL32(240, 228, 66, 255), IM_COL32(225, 120, 180, 255), IM_COL32(213, 94, 0, 255)};
   return kColours[index % kColours.size()];
+}
+
+void au_table(const Look& look, const char* given, const std::vector<AuRow>& rows) {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg;
+  if (!ImGui::BeginTable("aus", 4, kFlags)) return;
+  ImGui::TableSetupColumn("AU", 0, 34 * look.scale);
+  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn(given, 0, 58 * look.scale);
+  ImGui::TableSetupColumn("shown", 0, 46 * look.scale);
+  ImGui::TableHeadersRow();
+  for (const AuRow& row : rows) {
+    const bool differs = row.received_percent != row.shown_percent;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.label.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.name.c_str());
+    if (!row.why.empty()) quiet_text(row.why);
+    ImGui::TableNextColumn();
+    percent(row.received_percent, false);
+    ImGui::TableNextColumn();
+    percent(row.shown_percent, differs);
+  }
+  ImGui::EndTable();
 }
 
 bool choice_of(const char* id, const char* const* words, int count, int& chosen) {

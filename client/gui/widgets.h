@@ -25,6 +25,15 @@ enum class Tone : std::uint8_t { Quiet, Good, Waiting, Bad };
 /// Colours by what they mean, 0xAABBGGRR as ImGui packs them.
 [[nodiscard]] unsigned colour_of(Tone tone);
 
+/// How a window looks that lies over the face or the panel; as long as it lives.
+class FloatingStyle {
+ public:
+  explicit FloatingStyle(const Look& look);
+  ~FloatingStyle();
+  FloatingStyle(const FloatingStyle&) = delete;
+  FloatingStyle& operator=(const FloatingStyle&) = delete;
+};
+
 /// A heading with room above it.
 void heading(const Look& look, const char* text);
 /// A label at the left; what comes next stands at the panel's column for values and fills the rest.
@@ -46,6 +55,9 @@ struct PlotLine {
 void plot(const Look& look, std::span<const PlotLine> lines, float height, float mark);
 /// A colour for each of a few lines that stand together.
 [[nodiscard]] unsigned colour_of_line(std::size_t index);
+
+/// AUs before and after the rules; `given` is the heading of the column before.
+void au_table(const Look& look, const char* given, const std::vector<AuRow>& rows);
 
 /// A choice among a few words on one line; true when it changed `chosen`.
 template <std::size_t N>

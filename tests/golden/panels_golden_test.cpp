@@ -9,15 +9,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <sstream>
 
 #include "client/app/window_session.h"
+#include "client/face/face_folder.h"
 #include "client/gui/gui.h"
 #include "client/render/offscreen.h"
 #include "tests/golden/baseline.h"
 #include "tests/support/manual_clock.h"
+#include "tests/support/temp_folder.h"
 #include "tests/unit/playback/scripted_source.h"
 
 namespace aucast {
@@ -63,7 +67,7 @@ class Replay : public testing::Test {
   }
 
   /// The steps, one a line: "at MS" (time passes), "click X Y", "drag X Y X Y", "type TEXT",
-  /// "wheel X Y STEPS". Places are pixels at scale 1.
+  /// "wheel X Y STEPS", "undo", "redo", "save" (the keys). Places are pixels at scale 1.
   void replay(const std::string& script) {
     std::istringstream lines(script);
     for (std::string line; std::getline(lines, line);) {
@@ -98,18 +102,28 @@ class Replay : public testing::Test {
         frames(1);
         io.MouseWheel = n[2];
         frames(2);
+      } else if (verb == "undo" || verb == "redo" || verb == "save") {
+        if (verb == "undo") session_->undo(clock_.now());
+        if (verb == "redo") session_->redo(clock_.now());
+        if (verb == "save") session_->save(clock_.now());
+        frames(2);
       } else {
         FAIL() << "no such step: " << line;
       }
     }
   }
 
-  /// The panel as it is now; the pointer out of its way.
-  view::Image panel() {
+  /// All that lies over the face, on black; the pointer out of its way.
+  view::Image overlay() {
     ImGui::GetIO().MousePos = ImVec2(1, 1);
     frames(2);
     frame(true);
-    const view::Image all = target_->read();
+    return target_->read();
+  }
+
+  /// The panel alone.
+  view::Image panel() {
+    const view::Image all = overlay();
     const int left = all.width - static_cast<int>(gui_->covered_width());
     view::Image cut = view::make_image(all.width - left, all.height);
     view::paste(cut, all, -left, 0);
@@ -199,7 +213,7 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
 TEST_F(Replay, TheViewIsSetByMouse) {
   open(1, nullptr);
   // The tab, then the boxes for wireframe and muscles, then a white ground.
-  replay("click 673 54\nclick 638 211\nclick 638 273\nclick 757 373\n");
+  replay("click 731 54\nclick 638 211\nclick 638 273\nclick 757 373\n");
   const gui::RenderingSettings rendering = session_->rendering();
   EXPECT_TRUE(rendering.layers.wireframe);
   EXPECT_TRUE(rendering.layers.muscles);
@@ -209,10 +223,119 @@ TEST_F(Replay, TheViewIsSetByMouse) {
 
 TEST_F(Replay, AtTwiceTheScaleAllIsTwiceAsFine) {
   open(2, small_stream());
-  replay("at 0\nat 250\nclick 673 54\n");
+  replay("at 0\nat 250\nclick 731 54\n");
   const view::Image fine = panel();
   EXPECT_EQ(fine.width, 2 * 380);
   test::expect_as_baseline(fine, "panel_view_twice", kTolerance, kShareMax);
+}
+
+/// What the user makes goes into a folder that is gone afterwards; pictures say "/home/anna".
+class Making : public Replay {
+ protected:
+  void SetUp() override {
+    Replay::SetUp();
+    ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
+    before_ = std::filesystem::current_path();
+    std::filesystem::create_directory(folder_.path() / "streams");
+    std::filesystem::current_path(folder_.path() / "streams");
+    dress_ = [this](gui::GuiModel& model) {
+      for (std::string* text : {&model.browser.folder, &model.editor.saved_to}) {
+        const std::string here = folder_.path().string();
+        for (auto at = text->find(here); at != std::string::npos; at = text->find(here)) {
+          text->replace(at, here.size(), "/home/anna");
+        }
+      }
+    };
+  }
+  void TearDown() override {
+    std::filesystem::current_path(before_);
+    ::unsetenv("XDG_DATA_HOME");
+    Replay::TearDown();
+  }
+  [[nodiscard]] float shown(const char* channel) {
+    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
+  }
+
+  test::TempFolder folder_;
+  std::filesystem::path before_;
+};
+
+TEST_F(Making, AnExpressionIsShownAndAusArePutTogether) {
+  open(1, nullptr);
+  // The tab, Happiness, then two AUs that the rules change.
+  replay("click 525 54\nclick 590 154\nat 300\n");
+  EXPECT_GT(shown("left_zygomaticus_major"), 0.5F);
+  replay("click 550 485\ntype 51,52:40\nclick 744 485\nat 300\n");
+  EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
+  EXPECT_EQ(shown("left_zygomaticus_major"), 0);
+  test::expect_as_baseline(panel(), "panel_expression", kTolerance, kShareMax);
+}
+
+TEST_F(Making, AnAuIsEditedAndSaved) {
+  open(1, nullptr);
+  // The tab, then AU 12 from the list: what it drives is opened.
+  replay("click 600 54\nclick 655 123\nclick 655 347\n");
+  EXPECT_EQ(session_->model().editor.au, 12);
+  const float before = shown("left_cheek_raiser");
+  // The cheeks by drag, one step more by button, which is taken back.
+  replay("drag 672 486 700 486\n");
+  const float dragged = shown("left_cheek_raiser");
+  EXPECT_GT(dragged, before + 0.2F);
+  EXPECT_EQ(shown("right_cheek_raiser"), dragged) << "left and right together";
+  replay("click 770 486\n");
+  EXPECT_NEAR(shown("left_cheek_raiser"), dragged + 0.05F, 0.006F);
+  replay("click 475 226\n");
+  EXPECT_EQ(shown("left_cheek_raiser"), dragged);
+  EXPECT_TRUE(session_->model().editor.unsaved);
+  test::expect_as_baseline(panel(), "panel_editor", kTolerance, kShareMax);
+  replay("click 727 257\n");
+  EXPECT_FALSE(session_->model().editor.unsaved);
+  const auto mine = face::load_face(folder_.path() / "aucast" / "faces" / "default", {});
+  ASSERT_TRUE(mine) << mine.error().message;
+  EXPECT_NEAR(mine->recordings.at(12).activation[*mine->channel_index("left_cheek_raiser")],
+              dragged, 0.006F);
+  test::expect_as_baseline(panel(), "panel_editor_saved", kTolerance, kShareMax);
+}
+
+TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
+  open(1, nullptr);
+  // The tab; AUs 12 and 6, of which 6 is drawn down; added. Then a face from the pad, added.
+  replay("click 665 54\nclick 436 596\nclick 607 571\ndrag 773 756 650 756\nclick 475 368\n");
+  ASSERT_EQ(session_->model().composer.rows->size(), 1U);
+  replay("click 639 434\nclick 766 399\nclick 475 368\n");
+  ASSERT_EQ(session_->model().composer.rows->size(), 2U);
+  // The first is moved behind the second, which is taken back.
+  replay("click 500 156\nclick 651 278\n");
+  EXPECT_EQ(session_->model().composer.chosen, 1);
+  replay("undo\n");
+  test::expect_as_baseline(panel(), "panel_compose", kTolerance, kShareMax);
+  // Save asks where to.
+  replay("click 651 123\n");
+  test::expect_as_baseline(overlay(), "dialog_save", kTolerance, kShareMax);
+  replay("click 550 615\n");
+  EXPECT_EQ(folder_.read("streams/composed.txt"),
+            "Beg_Stream\n6:11,12;500\n1,2,5:25,26;550\nEnd_Stream\n");
+  EXPECT_FALSE(session_->model().composer.unsaved);
+  replay("click 475 278\nat 10\nat 250\n");
+  EXPECT_EQ(session_->model().remote.state, "playing");
+  EXPECT_GT(shown("left_zygomaticus_major"), 0.3F);
+}
+
+TEST_F(Making, AFileIsChosenInTheDialog) {
+  folder_.write("streams/smile.txt", "Beg_Stream\n12\nEnd_Stream\n");
+  folder_.write("streams/talk.txt", "Beg_Stream\n25\nEnd_Stream\n");
+  std::filesystem::create_directory(folder_.path() / "streams" / "lectures");
+  open(1, nullptr);
+  session_->apply(gui::Browse{gui::Purpose::ComposeStream}, clock_.now());
+  session_->apply(gui::EnterFolder{(folder_.path() / "streams").string()}, clock_.now());
+  frames(2);
+  test::expect_as_baseline(overlay(), "dialog_open", kTolerance, kShareMax);
+}
+
+TEST_F(Making, TheKeysAreListed) {
+  open(1, nullptr);
+  gui_->toggle_keys();
+  test::expect_as_baseline(overlay(), "keys", kTolerance, kShareMax);
 }
 
 }  // namespace

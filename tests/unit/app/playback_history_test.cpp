@@ -56,6 +56,22 @@ TEST(PlaybackHistory, RatesAreOfTheLastTwoSeconds) {
   EXPECT_DOUBLE_EQ(history.rates().out, 0);
 }
 
+TEST(PlaybackHistory, MeanRatesAreOfAllThatWas) {
+  PlaybackHistory history;
+  EXPECT_EQ(history.mean_rates().in, 0);
+  history.add(at(0), 0, bytes(90, 0), {});  // quicker than the first sample
+  EXPECT_EQ(history.mean_rates().in, 0);
+  // All of it comes in the first second; a minute later the first samples are long forgotten.
+  for (int i = 1; i <= 240; ++i) {
+    history.add(at(250 * i), 0, bytes(i < 4 ? 150U * static_cast<unsigned>(i) : 600, 30), {});
+  }
+  EXPECT_EQ(history.rates().in, 0);
+  EXPECT_DOUBLE_EQ(history.mean_rates().in, 10);
+  EXPECT_DOUBLE_EQ(history.mean_rates().out, 0.5);
+  history.clear();
+  EXPECT_EQ(history.mean_rates().in, 0);
+}
+
 TEST(PlaybackHistory, TheStrongestAusAreTraced) {
   PlaybackHistory history;
   history.add(at(0), 0, {}, aus({{12, Side::Left, 40}}));

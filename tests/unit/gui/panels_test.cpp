@@ -145,10 +145,10 @@ TEST_F(Panels, ThePanelLeavesTheFaceFreeAndCanBeHidden) {
 }
 
 TEST_F(Panels, WhatPlaysCanBePausedAndStopped) {
-  EXPECT_TRUE(find_by_clicking<Pause>(500, 100, 260).has_value());
+  EXPECT_TRUE(find_by_clicking<Pause>(590, 100, 260).has_value());
   EXPECT_TRUE(find_by_clicking<Stop>(700, 100, 260).has_value());
   model_.remote.activity = Activity::Paused;
-  EXPECT_TRUE(find_by_clicking<Resume>(500, 100, 260).has_value());
+  EXPECT_TRUE(find_by_clicking<Resume>(590, 100, 260).has_value());
 }
 
 TEST_F(Panels, ConnectTakesTheForm) {
@@ -236,7 +236,7 @@ TEST_F(Panels, AFaceIsComposedByClickingAndPutInARow) {
     }
     return found;
   };
-  static_cast<void>(click(610, 54));  // the tab
+  static_cast<void>(click(665, 54));  // the tab
   std::optional<ComposeMood> mood;
   std::optional<ComposeAu> au;
   bool added = false;

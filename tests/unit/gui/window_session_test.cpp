@@ -189,7 +189,13 @@ TEST_F(WindowSessionTest, SeveralAusTogetherGoThroughRulesAndMixer) {
   clock_.advance(Milliseconds(250));
   EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
   EXPECT_TRUE(model().editor.active);
-  EXPECT_EQ(model().notice.text, "after the rules: 51:60");
+  ASSERT_EQ(model().editor.compound.size(), 2U);
+  EXPECT_EQ(model().editor.compound[0].label, "51");
+  EXPECT_EQ(model().editor.compound[0].shown_percent, 60);
+  EXPECT_EQ(model().editor.compound[1].shown_percent, 0);
+  EXPECT_NE(model().editor.compound[1].why, "");
+  ask(gui::NeutralFace{});
+  EXPECT_TRUE(model().editor.compound.empty()) << "the face is another one now";
   ask(gui::ShowAus{"no AUs"});
   EXPECT_TRUE(model().notice.bad);
 }

@@ -1,0 +1,25 @@
+#include "client/gui/redraw.h"
+
+#include <chrono>
+
+namespace aucast::gui {
+namespace {
+
+/// Ten frames a second are enough to see that time goes on.
+constexpr Milliseconds kClockStep{100};
+
+}  // namespace
+
+int frames_due(const GuiModel& shown, GuiModel now) {
+  const Duration moved = std::chrono::abs(now.local.position - shown.local.position);
+  const bool plays = shown.local.playing && now.local.playing;
+  if (plays) now.local.position = shown.local.position;
+  const bool plotted = now.remote.receiver_history != shown.remote.receiver_history ||
+                       now.remote.au_history != shown.remote.au_history;
+  now.remote.receiver_history = shown.remote.receiver_history;
+  now.remote.au_history = shown.remote.au_history;
+  if (now != shown) return kFramesAfterChange;
+  return moved >= kClockStep || plotted ? 1 : 0;
+}
+
+}  // namespace aucast::gui
