@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <memory>
 
+#include "client/app/input_pacer.h"
 #include "client/gui/gui.h"
 #include "client/render/window.h"
 
@@ -17,8 +19,11 @@ class WindowOverlay {
   WindowOverlay(const WindowOverlay&) = delete;
   WindowOverlay& operator=(const WindowOverlay&) = delete;
 
-  /// Draws over what the window shows; what was asked for goes to the end of `commands`.
+  /// Draws over what the window shows; what was asked for goes to the end of `commands`. What is
+  /// not done on a panel steers the camera: left drag turns, right drag moves, the wheel zooms.
   void draw(const gui::GuiModel& model, gui::GuiCommands& commands);
+  /// Keys pressed and not typed into something, in order; Key::None when there are no more.
+  [[nodiscard]] render::Key next_key();
   /// There is input that only the next frame may see.
   [[nodiscard]] bool input_waits() const;
   /// Pixels of the framebuffer that the panel leaves free, from the left.
@@ -26,11 +31,18 @@ class WindowOverlay {
   [[nodiscard]] gui::Gui& gui() { return gui_; }
 
  private:
+  /// Where a pointer is that left the window.
+  static constexpr float kNowhere = -1e6F;
+
   void feed();
+  void take(const render::InputEvent& event);
+  void move_to(float x, float y);
 
   render::Window& window_;
-  float pointer_x_ = -1e6F;
-  float pointer_y_ = -1e6F;
+  InputPacer pacer_;
+  std::deque<render::Key> keys_;
+  float pointer_x_ = kNowhere;
+  float pointer_y_ = kNowhere;
   std::array<bool, 3> buttons_{};
   gui::Gui gui_;
 };

@@ -17,6 +17,7 @@
 #include "client/app/window_overlay.h"
 #include "client/app/window_session.h"
 #include "client/face/face_deformer.h"
+#include "client/gui/redraw.h"
 #include "client/render/face_renderer.h"
 #include "client/render/offscreen.h"
 #include "client/render/window.h"
@@ -25,8 +26,6 @@
 namespace aucast::app {
 namespace {
 
-/// ImGui needs some frames after an input until everything is where it belongs.
-constexpr int kFramesAfterInput = 3;
 constexpr int kFramesPerPace = 20;
 /// The pictures' size is too small for a face beside the panels.
 constexpr int kWindowWidth = 1280;
@@ -110,12 +109,13 @@ class WindowRun {
     if (video_)
       rest = std::min<Duration>(rest, std::chrono::milliseconds(1000 / SessionVideo::kFps));
     window_->poll(waits_for_frames() ? 0 : seconds(rest));
-    handle_keys();
     handle_closing(stopped_from_outside);
+    handle_drops();
     session_.advance(steady_now());
     show_title();
     draw();
     record();
+    handle_keys();
     for (const gui::GuiCommand& command : commands_) carry_out(command);
     commands_.clear();
   }
@@ -135,8 +135,8 @@ class WindowRun {
 
   void handle_keys() {
     using render::Key;
-    for (Key key = window_->next_key(); key != Key::None; key = window_->next_key()) {
-      frames_due_ = kFramesAfterInput;
+    for (Key key = overlay_->next_key(); key != Key::None; key = overlay_->next_key()) {
+      frames_due_ = gui::kFramesAfterChange;
       switch (key) {
         case Key::Escape:
           if (overlay_->gui().close_keys()) break;
@@ -167,6 +167,9 @@ class WindowRun {
           break;
       }
     }
+  }
+
+  void handle_drops() {
     for (std::string file = window_->next_dropped(); !file.empty();
          file = window_->next_dropped()) {
       carry_out(gui::OpenStream{file});
@@ -214,7 +217,7 @@ class WindowRun {
   }
 
   void carry_out(const gui::GuiCommand& command) {
-    frames_due_ = kFramesAfterInput;
+    frames_due_ = gui::kFramesAfterChange;
     if (const auto* look = std::get_if<gui::LookFrom>(&command)) look_from(look->view);
     if (std::holds_alternative<gui::TakePicture>(command)) save_picture();
     if (std::holds_alternative<gui::ToggleVideo>(command)) toggle_video();
@@ -231,7 +234,7 @@ class WindowRun {
 
   void look_from(gui::View view) {
     window_->camera() = camera_preset(name_of(view), session_.face());
-    frames_due_ = kFramesAfterInput;
+    frames_due_ = gui::kFramesAfterChange;
   }
 
   /// Drawn into a framebuffer of its own, so that it does not depend on what lies over the window.
@@ -323,7 +326,8 @@ class WindowRun {
     times.mix = steady_now() - begin;
     gui::GuiModel model = session_.model();
     const bool moved = activations != shown_activations_;
-    if (window_->take_redraw() || model != shown_model_) frames_due_ = kFramesAfterInput;
+    if (window_->take_redraw()) frames_due_ = gui::kFramesAfterChange;
+    frames_due_ = std::max(frames_due_, gui::frames_due(shown_model_, model));
     if (!moved && frames_due_ == 0) return;
     frames_due_ = std::max(0, frames_due_ - 1);
     int width = 0;
@@ -339,7 +343,7 @@ class WindowRun {
     const Instant drawn = steady_now();
     overlay_->draw(model, commands_);
     shown_model_ = std::move(model);
-    if (overlay_->input_waits()) frames_due_ = kFramesAfterInput;
+    if (overlay_->input_waits()) frames_due_ = gui::kFramesAfterChange;
     window_->present();
     const Instant end = steady_now();
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
@@ -406,7 +410,7 @@ class WindowRun {
   gui::GuiModel shown_model_;
   gui::GuiCommands commands_;
   std::string title_;
-  int frames_due_ = kFramesAfterInput;
+  int frames_due_ = gui::kFramesAfterChange;
   std::unique_ptr<render::OffscreenTarget> target_;
   int target_width_ = 0;
   int target_height_ = 0;

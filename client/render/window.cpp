@@ -11,7 +11,6 @@
 #include <deque>
 #include <utility>
 
-#include "client/view/camera.h"
 #include "common/text.h"
 
 namespace aucast::render {
@@ -20,8 +19,6 @@ namespace {
 constexpr int kSamples = 4;
 /// Of events that nobody takes so many are kept.
 constexpr std::size_t kInputMax = 4096;
-/// Where a pointer is that left the window.
-constexpr double kNowhere = -1e6;
 
 /// GLFW's last complaint; it has one per process, as there is one window.
 std::string& last_complaint() {
@@ -107,6 +104,12 @@ Key key_of(int code, int modifiers) {
   }
 }
 
+/// The character that comes with the key says what it is.
+bool is_text(int code, int modifiers) {
+  constexpr int kCommands = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+  return code >= GLFW_KEY_SPACE && code < GLFW_KEY_ESCAPE && (modifiers & kCommands) == 0;
+}
+
 Key key_of_character(unsigned character) {
   switch (character) {
     case '?':
@@ -129,12 +132,9 @@ Key key_of_character(unsigned character) {
 struct Window::State {
   GLFWwindow* window = nullptr;
   view::Camera camera;
-  std::deque<Key> keys;
   std::deque<std::string> dropped;
   std::deque<InputEvent> input;
   bool redraw = true;
-  bool pointer_taken = false;
-  bool keys_taken = false;
   double pointer_x = 0;
   double pointer_y = 0;
   /// Place and size before full screen.
@@ -157,23 +157,20 @@ struct Window::State {
   }
   void listen();
   void listen_to_pointer();
-  void drag(double x, double y);
 };
 
 void Window::State::listen() {
   glfwSetWindowUserPointer(window, this);
   glfwGetCursorPos(window, &pointer_x, &pointer_y);
   glfwSetKeyCallback(window, [](GLFWwindow* self, int code, int scan, int action, int modifiers) {
-    of(self).happened({InputEvent::Kind::Key, code, scan, action, modifiers});
-    const bool meant = action == GLFW_PRESS && !of(self).keys_taken;
-    const Key key = meant ? key_of(code, modifiers) : Key::None;
-    if (key != Key::None) of(self).keys.push_back(key);
+    const Key meaning = action == GLFW_PRESS ? key_of(code, modifiers) : Key::None;
+    of(self).happened({InputEvent::Kind::Key, code, scan, action, modifiers, 0, 0, meaning,
+                       is_text(code, modifiers)});
   });
   // The place of these depends on the keyboard: they are taken as characters.
   glfwSetCharCallback(window, [](GLFWwindow* self, unsigned character) {
-    of(self).happened({InputEvent::Kind::Character, static_cast<int>(character)});
-    const Key key = key_of_character(character);
-    if (key != Key::None && !of(self).keys_taken) of(self).keys.push_back(key);
+    of(self).happened({InputEvent::Kind::Character, static_cast<int>(character), 0, 0, 0, 0, 0,
+                       key_of_character(character)});
   });
   glfwSetDropCallback(window, [](GLFWwindow* self, int count, const char** files) {
     of(self).redraw = true;
@@ -190,36 +187,20 @@ void Window::State::listen() {
 
 void Window::State::listen_to_pointer() {
   glfwSetCursorPosCallback(window, [](GLFWwindow* self, double x, double y) {
+    of(self).pointer_x = x;
+    of(self).pointer_y = y;
     of(self).happened({InputEvent::Kind::Move, 0, 0, 0, 0, x, y});
-    of(self).drag(x, y);
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* self, int code, int action, int modifiers) {
     of(self).happened({InputEvent::Kind::Button, code, 0, action, modifiers});
   });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* self, int entered) {
-    const double x = entered == GLFW_TRUE ? of(self).pointer_x : kNowhere;
-    const double y = entered == GLFW_TRUE ? of(self).pointer_y : kNowhere;
-    of(self).happened({InputEvent::Kind::Move, 0, 0, 0, 0, x, y});
+    const auto kind = entered == GLFW_TRUE ? InputEvent::Kind::Move : InputEvent::Kind::Leave;
+    of(self).happened({kind, 0, 0, 0, 0, of(self).pointer_x, of(self).pointer_y});
   });
   glfwSetScrollCallback(window, [](GLFWwindow* self, double aside, double steps) {
     of(self).happened({InputEvent::Kind::Scroll, 0, 0, 0, 0, aside, steps});
-    if (!of(self).pointer_taken) view::zoom(of(self).camera, steps);
   });
-}
-
-void Window::State::drag(double x, double y) {
-  const double right = x - std::exchange(pointer_x, x);
-  const double down = y - std::exchange(pointer_y, y);
-  redraw = true;
-  if (pointer_taken) return;
-  int width = 0;
-  int height = 0;
-  glfwGetWindowSize(window, &width, &height);
-  if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
-    view::orbit(camera, right, down, height);
-  } else if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) {
-    view::pan(camera, right, down, height);
-  }
 }
 
 Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -257,13 +238,6 @@ void Window::poll(double seconds_max) {
   } else {
     glfwPollEvents();
   }
-}
-
-Key Window::next_key() {
-  if (state_->keys.empty()) return Key::None;
-  const Key key = state_->keys.front();
-  state_->keys.pop_front();
-  return key;
 }
 
 std::string Window::next_dropped() {
@@ -322,11 +296,6 @@ std::deque<InputEvent>& Window::input() {
 void Window::set_icon(view::Image picture) {
   const GLFWimage image{picture.width, picture.height, picture.rgba.data()};
   glfwSetWindowIcon(state_->window, 1, &image);
-}
-
-void Window::set_taken(bool pointer, bool keys) {
-  state_->pointer_taken = pointer;
-  state_->keys_taken = keys;
 }
 
 float Window::scale() const {

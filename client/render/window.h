@@ -40,18 +40,19 @@ enum class Key : int {
 
 /// What mouse and keyboard did, as GLFW has it, for the panels.
 struct InputEvent {
-  enum class Kind : std::uint8_t { Key, Character, Button, Move, Scroll, Focus };
+  enum class Kind : std::uint8_t { Key, Character, Button, Move, Leave, Scroll, Focus };
   Kind kind = Kind::Move;
   int code = 0;  ///< of the key or the button; the character; 1 when the focus came
   int scancode = 0;
-  int action = 0;
+  int action = 0;  ///< 0: released
   int modifiers = 0;
   double x = 0;  ///< place of the pointer, or how far the wheel turned
   double y = 0;
+  Key meaning = Key::None;  ///< to the player, unless it is typed into something
+  bool text = false;        ///< a key that says nothing but the character it comes with
 };
 
-/// A plain GLFW window with an OpenGL 3.3 core context and 4 samples; the camera turns with the
-/// left mouse button, moves with the right one and zooms with the wheel. Thread: the main one.
+/// A plain GLFW window with an OpenGL 3.3 core context and 4 samples. Thread: the main one.
 class Window {
  public:
   /// Failed, saying what to do, when there is no display or no OpenGL 3.3.
@@ -67,8 +68,6 @@ class Window {
   void keep_open();
   /// Handles events that are there; waits at most `seconds_max` for one when it is above 0.
   void poll(double seconds_max);
-  /// Keys pressed since the last call, in order; Key::None when there are no more.
-  [[nodiscard]] Key next_key();
   /// A file that was dropped on the window since the last call; empty when there is none.
   [[nodiscard]] std::string next_dropped();
   void set_title(const std::string& title);
@@ -76,12 +75,10 @@ class Window {
   /// Makes the window's own framebuffer the one that is drawn into again.
   void bind_framebuffer();
   void present();
-  /// What lies over the face takes the pointer (the camera stands still), or the keys.
   /// The picture of the program in task bars.
   void set_icon(view::Image picture);
   /// Everything that happened, in order; who reads it takes it out.
   [[nodiscard]] std::deque<InputEvent>& input();
-  void set_taken(bool pointer, bool keys);
   /// True once after something happened that may need a new picture: any input, resize, exposure.
   [[nodiscard]] bool take_redraw();
   [[nodiscard]] view::Camera& camera();
