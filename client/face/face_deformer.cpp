@@ -75,6 +75,7 @@ const std::vector<float>* find_map(const FaceMesh& mesh, const std::string& map_
 template <typename Weight>
 WeightedBlocks gather(std::size_t vertex_count, Weight weight) {
   WeightedBlocks result;
+  result.all = BlockSet(block_count(vertex_count));
   for (std::size_t block = 0; block < block_count(vertex_count); ++block) {
     Lanes lanes{};
     for (std::size_t i = 0; i < kLanes && block * kLanes + i < vertex_count; ++i) {
@@ -83,6 +84,7 @@ WeightedBlocks gather(std::size_t vertex_count, Weight weight) {
     if (lanes == Lanes{}) continue;
     result.blocks.push_back(static_cast<std::uint32_t>(block));
     result.weights.push_back(lanes);
+    result.all.insert(block);
   }
   return result;
 }
@@ -95,10 +97,10 @@ std::string sided_name(Side side, std::string_view base) {
 }
 
 /// Takes `next`; whatever is different moves the blocks.
-void take_turn(Turn& turn, Turn next, const WeightedBlocks& part, std::span<std::uint8_t> moved) {
+void take_turn(Turn& turn, Turn next, const WeightedBlocks& part, BlockSet& moved) {
   if (next == turn) return;
   turn = next;
-  for (const std::uint32_t block : part.blocks) moved[block] = 1;
+  moved |= part.all;
 }
 
 }  // namespace
@@ -117,16 +119,16 @@ struct FaceDeformer::State {
   void move_lids();
   void move_jaw();
   void move_eyes();
-  void look(DeformedFace& out) const;
+  void look();
   [[nodiscard]] HeadTurn::Pose head_pose() const;
-  [[nodiscard]] const DeformedFace& finish();
 
   const Face& face;
   std::size_t vertex_count;
   std::vector<float> activations;  ///< clamped
   MuscleSums muscles;
-  std::vector<VertexBlock> now;     ///< before the head turns
-  std::vector<std::uint8_t> moved;  ///< one flag per block that is elsewhere than the last time
+  std::vector<VertexBlock> now;  ///< before the head turns
+  BlockSet moved;                ///< the blocks that are elsewhere than the last time
+  BlockSet shown;                ///< likewise, with the head's turn
   std::optional<std::size_t> jaw_channel;
   WeightedBlocks jaw;
   Turn jaw_turn;
@@ -136,8 +138,7 @@ struct FaceDeformer::State {
   std::vector<std::optional<std::size_t>> creases;  ///< channels of the mesh's creases
   NormalField normals;
   std::optional<HeadTurn> head;
-  DeformedFace still;   ///< before the head turns
-  DeformedFace turned;  ///< used only while it does
+  DeformedFace result;
 };
 
 FaceDeformer::State::State(const Face& driven)
@@ -146,7 +147,8 @@ FaceDeformer::State::State(const Face& driven)
       activations(driven.channels.size()),
       muscles(driven),
       now(muscles.rest()),
-      moved(now.size(), 1),
+      moved(now.size()),
+      shown(now.size()),
       normals(driven.mesh) {
   AUCAST_CHECK(face.muscles.size() <= face.channels.size());
   const auto channel = [this](std::string_view name) { return face.channel_index(name); };
@@ -194,11 +196,12 @@ FaceDeformer::State::State(const Face& driven)
                      {channel("head_up"), channel("head_down")},
                      {channel("head_tilt_left"), channel("head_tilt_right")},
                      {channel("head_forward"), channel("head_back")}};
-    head.emplace(face, normals);
+    head.emplace(face);
   }
-  still.positions = face.mesh.positions;
-  still.normals.assign(vertex_count, {0, 0, 1});  // as they stay without a triangle
-  normals.update(moved, still.normals);
+  result.positions = face.mesh.positions;
+  result.normals.resize(vertex_count);
+  for (std::size_t block = 0; block < now.size(); ++block) shown.insert(block);
+  normals.update(shown, result.normals);
 }
 
 void FaceDeformer::State::take(std::span<const float> given) {
@@ -207,7 +210,7 @@ void FaceDeformer::State::take(std::span<const float> given) {
     activations[i] =
         std::isfinite(given[i]) ? std::clamp(given[i], 0.0F, face.channels[i].activation_max) : 0;
   }
-  std::fill(moved.begin(), moved.end(), std::uint8_t{0});
+  moved.clear();
   muscles.take(activations, moved);
   for (LidField& lid : lids) {
     const float closure = value(lid.close) - face.lids->raise_max * value(lid.raise);
@@ -221,24 +224,26 @@ void FaceDeformer::State::take(std::span<const float> given) {
     const Turn turn{eye.pitch_rad * difference(eye.pitch), eye.yaw_rad * difference(eye.yaw)};
     take_turn(eye.turn, turn, eye.part, moved);
   }
+  shown = moved;
+  if (head) head->take(head_pose(), shown);
 }
 
-/// Brings `still` to these activations, its positions only.
+/// Brings positions and normals to these activations.
 void FaceDeformer::State::move(std::span<const float> given) {
   take(given);
-  if (none(moved)) return;
-  for (std::size_t block = 0; block < now.size(); ++block) {
-    if (moved[block] != 0) muscles.at(block, now[block]);
-  }
+  if (shown.empty()) return;
+  moved.for_each([this](std::size_t block) { muscles.at(block, now[block]); });
   move_lids();
   move_jaw();
   move_eyes();
-  for (std::size_t block = 0; block < now.size(); ++block) {
-    if (moved[block] == 0) continue;
-    const std::array<Four, kLanes> points = points_of(now[block]);
+  shown.for_each([this](std::size_t block) {
+    VertexBlock place = now[block];
+    if (head) head->apply(block, place);
+    const std::array<Four, kLanes> points = points_of(place);
     normals.place(block, points);
-    write_points(points, block_of(still.positions, block));
-  }
+    write_points(points, block_of(result.positions, block));
+  });
+  normals.update(shown, result.normals);
 }
 
 void FaceDeformer::State::move_lids() {
@@ -246,7 +251,7 @@ void FaceDeformer::State::move_lids() {
     if (lid.turn == Turn{}) continue;
     for (std::size_t k = 0; k < lid.angles.blocks.size(); ++k) {
       const std::uint32_t block = lid.angles.blocks[k];
-      if (moved[block] == 0) continue;
+      if (!moved.contains(block)) continue;
       pitch(now[block], lid.angles.weights[k], lid.turn.pitch, lid.centre.y, lid.centre.z);
     }
   }
@@ -256,7 +261,7 @@ void FaceDeformer::State::move_jaw() {
   if (jaw_turn == Turn{}) return;
   const float forward = face.jaw->forward_per_rad * -jaw_turn.pitch;
   for (std::size_t k = 0; k < jaw.blocks.size(); ++k) {
-    if (moved[jaw.blocks[k]] == 0) continue;
+    if (!moved.contains(jaw.blocks[k])) continue;
     VertexBlock& block = now[jaw.blocks[k]];
     const Lanes& weights = jaw.weights[k];
     pitch(block, weights, jaw_turn.pitch, face.jaw->hinge.y, face.jaw->hinge.z);
@@ -269,7 +274,7 @@ void FaceDeformer::State::move_eyes() {
     if (eye.turn == Turn{}) continue;
     for (std::size_t k = 0; k < eye.part.blocks.size(); ++k) {
       const std::uint32_t block = eye.part.blocks[k];
-      if (moved[block] == 0) continue;
+      if (!moved.contains(block)) continue;
       pitch(now[block], eye.part.weights[k], eye.turn.pitch, eye.centre.y, eye.centre.z);
       turn(now[block], eye.part.weights[k], eye.turn.yaw, eye.centre.x, eye.centre.z);
     }
@@ -281,9 +286,10 @@ HeadTurn::Pose FaceDeformer::State::head_pose() const {
           difference(head_channels.tilt), difference(head_channels.shift)};
 }
 
-void FaceDeformer::State::look(DeformedFace& out) const {
-  out.eye_centres.resize(eyes.size());
-  out.eye_forward.resize(eyes.size());
+/// Where the eyes look.
+void FaceDeformer::State::look() {
+  result.eye_centres.resize(eyes.size());
+  result.eye_forward.resize(eyes.size());
   for (std::size_t e = 0; e < eyes.size(); ++e) {
     const EyeField& eye = eyes[e];
     VertexBlock ahead;
@@ -292,28 +298,11 @@ void FaceDeformer::State::look(DeformedFace& out) const {
     wholly.fill(1);
     pitch(ahead, wholly, eye.turn.pitch, 0, 0);
     turn(ahead, wholly, eye.turn.yaw, 0, 0);
-    out.eye_centres[e] = eye.centre;
-    out.eye_forward[e] = {ahead.x[0], ahead.y[0], ahead.z[0]};
-    if (head) head->carry(head_pose(), eye.head_share, out.eye_centres[e], out.eye_forward[e]);
-    out.eye_forward[e] = glm::normalize(out.eye_forward[e]);
+    result.eye_centres[e] = eye.centre;
+    result.eye_forward[e] = {ahead.x[0], ahead.y[0], ahead.z[0]};
+    if (head) head->carry(eye.head_share, result.eye_centres[e], result.eye_forward[e]);
+    result.eye_forward[e] = glm::normalize(result.eye_forward[e]);
   }
-}
-
-/// Everything but the positions of `still`.
-const DeformedFace& FaceDeformer::State::finish() {
-  normals.update(moved, still.normals);
-  const HeadTurn::Pose pose = head_pose();
-  const bool turns = head && pose != HeadTurn::Pose{};
-  if (turns) {
-    head->apply(pose, normals.written(), now, still, turned);
-  } else if (head) {
-    head->forget();
-  }
-  DeformedFace& result = turns ? turned : still;
-  look(result);
-  result.creases.resize(creases.size());
-  for (std::size_t i = 0; i < creases.size(); ++i) result.creases[i] = value(creases[i]);
-  return result;
 }
 
 FaceDeformer::FaceDeformer(const Face& face) : state_(std::make_unique<State>(face)) {}
@@ -322,8 +311,14 @@ FaceDeformer::FaceDeformer(FaceDeformer&&) noexcept = default;
 FaceDeformer& FaceDeformer::operator=(FaceDeformer&&) noexcept = default;
 
 const DeformedFace& FaceDeformer::deform(std::span<const float> activations) {
-  state_->move(activations);
-  return state_->finish();
+  State& state = *state_;
+  state.move(activations);
+  state.look();
+  state.result.creases.resize(state.creases.size());
+  for (std::size_t i = 0; i < state.creases.size(); ++i) {
+    state.result.creases[i] = state.value(state.creases[i]);
+  }
+  return state.result;
 }
 
 }  // namespace aucast::face

@@ -1,19 +1,17 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
 #include "client/face/face.h"
-#include "client/face/face_deformer.h"
-#include "client/face/normal_field.h"
 #include "client/face/vertex_block.h"
 
 namespace aucast::face {
 
-/// Turns a deformed face with its head: tilt, nod about the axis through its own ears, turn, shift.
-/// What turns wholly takes its normals along; only where the neck bends are they computed again.
+/// Turns vertices with the head: tilt, nod about the axis through its own ears, turn, shift.
 /// Thread: one per thread.
 class HeadTurn {
  public:
@@ -26,19 +24,17 @@ class HeadTurn {
     bool operator==(const Pose&) const = default;
   };
 
-  /// `normals` is copied: of the whole mesh.
-  HeadTurn(const Face& face, const NormalField& normals);
+  explicit HeadTurn(const Face& face);
 
-  /// Writes to `turned` the face `still`, whose positions are also in `blocks`, as the head in this
-  /// pose carries it. `changed`: one flag per block that is different from the last call's.
-  void apply(const Pose& pose, std::span<const std::uint8_t> changed,
-             std::span<const VertexBlock> blocks, const DeformedFace& still, DeformedFace& turned);
+  /// The pose that counts from here on. When it is another one than before, adds to `moved` the
+  /// blocks that go with the head.
+  void take(const Pose& pose, BlockSet& moved);
+
+  /// Brings a block where the head carries it; nothing changes when the head does not turn.
+  void apply(std::size_t block, VertexBlock& place) const;
 
   /// A point and a direction that take the given part in the head's turn.
-  void carry(const Pose& pose, float share, glm::vec3& point, glm::vec3& direction) const;
-
-  /// The next apply() writes everything.
-  void forget() { last_.reset(); }
+  void carry(float share, glm::vec3& point, glm::vec3& direction) const;
 
  private:
   /// How the vertices of a block go with the head.
@@ -50,16 +46,16 @@ class HeadTurn {
     float shift = 0;
   };
 
-  [[nodiscard]] Angles angles_of(const Pose& pose) const;
-  void turn(const Angles& angles, const Lanes& weights, VertexBlock& block) const;
+  void turn_by_angles(const Lanes& weights, VertexBlock& block) const;
 
   HeadPose head_;
   std::vector<Lanes> weights_;  ///< one per block
   std::vector<Kind> kinds_;
-  std::vector<std::uint32_t> bent_;       ///< blocks of that kind
-  std::vector<std::uint32_t> near_bent_;  ///< blocks whose vertices their normals need
-  NormalField normals_;
-  std::optional<Pose> last_;
+  BlockSet carried_;  ///< not of kind Not
+  Pose pose_;
+  Angles angles_;
+  glm::mat3 rotation_{1};  ///< of what turns wholly
+  glm::vec3 offset_{0};
 };
 
 }  // namespace aucast::face

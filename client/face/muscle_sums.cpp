@@ -27,6 +27,7 @@ MuscleSums::MuscleSums(const Face& face)
     const auto* const reach = muscle.mask_alone ? nullptr : find_map(mesh, "muscle");
     const auto* const mask = muscle.mask.empty() ? nullptr : find_map(mesh, muscle.mask);
     Reach& reaches = reaches_.emplace_back();
+    reaches.blocks = BlockSet(rest_.size());
     reaches.activation_cap = std::numeric_limits<float>::infinity();
     const auto number = static_cast<std::uint32_t>(reaches_.size() - 1);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -35,9 +36,9 @@ MuscleSums::MuscleSums(const Face& face)
       const LinearInfluence linear = influence(muscle.shape, mesh.positions[i]);
       if (linear.per_unit == glm::vec3(0)) continue;
       reaches.activation_cap = linear.activation_cap;  // the same at every vertex of a muscle
-      const auto block = static_cast<std::uint32_t>(i / kLanes);
-      if (reaches.blocks.empty() || reaches.blocks.back() != block) {
-        reaches.blocks.push_back(block);
+      const std::size_t block = i / kLanes;
+      if (!reaches.blocks.contains(block)) {
+        reaches.blocks.insert(block);
         pulls[block].emplace_back();
         numbers[block].push_back(number);
       }
@@ -51,12 +52,12 @@ MuscleSums::MuscleSums(const Face& face)
   }
 }
 
-void MuscleSums::take(std::span<const float> activations, std::span<std::uint8_t> moved) {
+void MuscleSums::take(std::span<const float> activations, BlockSet& moved) {
   for (std::size_t m = 0; m < reaches_.size(); ++m) {
     const float activation = std::min(activations[m], reaches_[m].activation_cap);
     if (activation == activations_[m]) continue;
     activations_[m] = activation;
-    for (const std::uint32_t block : reaches_[m].blocks) moved[block] = 1;
+    moved |= reaches_[m].blocks;
   }
 }
 

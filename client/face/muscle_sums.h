@@ -17,9 +17,9 @@ class MuscleSums {
  public:
   explicit MuscleSums(const Face& face);
 
-  /// One activation per muscle, finite. Sets a flag in `moved`, one per block, wherever a muscle
-  /// pulls that pulls otherwise than before.
-  void take(std::span<const float> activations, std::span<std::uint8_t> moved);
+  /// One activation per muscle, finite. Adds to `moved` the blocks on which a muscle pulls that
+  /// pulls otherwise than before.
+  void take(std::span<const float> activations, BlockSet& moved);
 
   /// The block with all muscles' displacements, always summed in the muscles' order.
   void at(std::size_t block, VertexBlock& place) const;
@@ -29,7 +29,7 @@ class MuscleSums {
  private:
   struct Reach {
     float activation_cap = 0;
-    std::vector<std::uint32_t> blocks;
+    BlockSet blocks;
   };
 
   std::vector<VertexBlock> rest_;

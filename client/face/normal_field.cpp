@@ -1,41 +1,74 @@
 #include "client/face/normal_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 
 namespace aucast::face {
 namespace {
 
-/// Triangles are computed in groups, vertices in blocks: marking each alone would cost as much as
-/// it saves.
-constexpr std::size_t kGroupTriangles = 8;
+constexpr std::size_t kHalf = kLanes / 2;
 
-/// Lists of numbers, one after the other.
-struct Lists {
-  std::vector<std::uint32_t> begin{0};
-  std::vector<std::uint32_t> items;
-  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t i) const {
-    return std::span(items).subspan(begin[i], begin[i + 1] - begin[i]);
-  }
-  void end_list() { begin.push_back(static_cast<std::uint32_t>(items.size())); }
-};
+/// Blocks whose areas are added up before the first of them is made a normal: the square roots
+/// then wait for nothing.
+constexpr std::size_t kBlocksAtOnce = 16;
 
-Lists without_repetition(std::vector<std::vector<std::uint32_t>> lists) {
-  Lists result;
-  for (auto& list : lists) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    result.items.insert(result.items.end(), list.begin(), list.end());
-    result.end_list();
-  }
-  return result;
+/// Round one vertex: from a corner of a triangle to the next one, for each triangle.
+using Ring = std::multimap<std::uint32_t, std::uint32_t>;
+
+/// Takes the edges that follow each other from `start` on, until none does or they are round.
+std::vector<std::uint32_t> take_path(Ring& ring, std::uint32_t start) {
+  std::vector<std::uint32_t> path{start};
+  do {
+    const auto edge = ring.lower_bound(path.back());
+    if (edge == ring.end() || edge->first != path.back()) break;
+    path.push_back(edge->second);
+    ring.erase(edge);
+  } while (path.back() != start);
+  return path;
 }
 
-/// Elements are found by their distance in bytes from the first one, which saves a shift for every
-/// corner of every triangle.
-constexpr std::uint32_t kBytes = sizeof(Four);
+/// The corner at which a path begins that is not closed; if all are, any.
+std::uint32_t open_end(const Ring& ring) {
+  std::map<std::uint32_t, int> surplus;
+  for (const auto& [from, to] : ring) {
+    ++surplus[from];
+    --surplus[to];
+  }
+  const auto found = std::find_if(surplus.begin(), surplus.end(),
+                                  [](const auto& corner) { return corner.second > 0; });
+  return found == surplus.end() ? ring.begin()->first : found->first;
+}
+
+/// The corners that add up to the area of the triangles round `vertex`: an even number, in the
+/// order that NormalField describes.
+std::vector<std::uint32_t> corners_round(std::uint32_t vertex, Ring ring) {
+  std::vector<std::uint32_t> corners;
+  while (!ring.empty()) {
+    std::vector<std::uint32_t> path = take_path(ring, open_end(ring));
+    if (path.back() != path.front()) {
+      path.push_back(vertex);
+      path.push_back(path.front());
+    }
+    if (corners.empty()) {
+      // Seen from the first corner the last edge, back to it, has no area.
+      path.pop_back();
+    } else {
+      // Over to the next polygon without an area.
+      corners.push_back(corners[0]);
+    }
+    corners.insert(corners.end(), path.begin(), path.end());
+    if (corners.size() % 2 == 1) corners.push_back(corners.back());
+  }
+  if (corners.empty()) corners = {vertex, vertex};
+  return corners;
+}
+
+/// Two more corners that add no area.
+void stay(std::vector<std::uint32_t>& corners) {
+  corners.insert(corners.end(), {corners.front(), corners.back()});
+}
 
 const Four& at(const Four* first, std::uint32_t bytes) {
   return *reinterpret_cast<const Four*>(reinterpret_cast<const std::byte*>(first) + bytes);
@@ -45,164 +78,168 @@ Four yzx(Four v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
 
+/// Twice the area of the quadrangle from `first` over `last` and two more corners, as a vector
+/// along its normal with its coordinates turned: (z, x, y). `last` goes on to the last of them.
+Four area(const Four* points, const std::uint32_t* corners, const Four& first, Four& last) {
+  const Four next = at(points, corners[1]);
+  const Four u = at(points, corners[0]) - first;
+  const Four v = next - last;
+  last = next;
+  return u * yzx(v) - yzx(u) * v;
+}
+
+/// Four sums of areas, brought to unit length.
+void write_normals(const Four* sums, glm::vec3* out) {
+  // The coordinates side by side, so that the square roots are taken together.
+  const Four xy01 = __builtin_shufflevector(sums[0], sums[1], 1, 5, 2, 6);
+  const Four xy23 = __builtin_shufflevector(sums[2], sums[3], 1, 5, 2, 6);
+  const Four z01 = __builtin_shufflevector(sums[0], sums[1], 0, 0, 4, 4);
+  const Four z23 = __builtin_shufflevector(sums[2], sums[3], 0, 0, 4, 4);
+  Four x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5);
+  Four y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
+  Four z = __builtin_shufflevector(z01, z23, 0, 2, 4, 6);
+  const Four squared = x * x + y * y + z * z;
+  Four length;
+  for (int i = 0; i < 4; ++i) length[i] = std::sqrt(squared[i]);
+  const Four inverse = 1 / length;
+  const auto has_area = squared > 0;
+  x = has_area ? x * inverse : Four{};
+  y = has_area ? y * inverse : Four{};
+  z = has_area ? z * inverse : Four{1, 1, 1, 1};
+  const Four x02y02 = __builtin_shufflevector(x, y, 0, 2, 4, 6);
+  const Four y13z13 = __builtin_shufflevector(y, z, 1, 3, 5, 7);
+  const Four z02x13 = __builtin_shufflevector(z, x, 0, 2, 5, 7);
+  const std::array<Four, 3> packed{__builtin_shufflevector(x02y02, z02x13, 0, 2, 4, 6),
+                                   __builtin_shufflevector(y13z13, x02y02, 0, 2, 5, 7),
+                                   __builtin_shufflevector(z02x13, y13z13, 1, 3, 5, 7)};
+  std::memcpy(&out->x, packed.data(), sizeof packed);
+}
+
 }  // namespace
 
-struct NormalField::Topology {
-  std::size_t vertex_count = 0;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in bytes
-  /// Of each block: the triangles of its vertices, one vertex after the other, as often as the
-  /// vertex with the most of them needs; the others fill up with the zero area. In
-  /// bytes.
-  Lists rings;
-  Lists groups_of_block;
-  Lists neighbours;  ///< of each block: those that share a triangle with it, and itself
-};
-
 NormalField::NormalField(const FaceMesh& mesh)
-    : points_(kLanes * block_count(mesh.positions.size())) {
-  auto topology = std::make_shared<Topology>();
-  topology->vertex_count = mesh.positions.size();
-  for (const auto& [a, b, c] : mesh.triangles) {
-    topology->triangles.push_back({kBytes * a, kBytes * b, kBytes * c});
-  }
-  const std::size_t blocks = block_count(mesh.positions.size());
-  const std::size_t groups = (mesh.triangles.size() + kGroupTriangles - 1) / kGroupTriangles;
-  std::vector<std::vector<std::uint32_t>> of_vertex(blocks * kLanes);
-  std::vector<std::vector<std::uint32_t>> of_block(blocks);
-  std::vector<std::vector<std::uint32_t>> near_block(blocks);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const std::size_t group = i / kGroupTriangles;
-    for (const std::uint32_t vertex : mesh.triangles[i]) {
-      of_vertex[vertex].push_back(static_cast<std::uint32_t>(i));
-      of_block[vertex / kLanes].push_back(static_cast<std::uint32_t>(group));
-      for (const std::uint32_t other : mesh.triangles[i]) {
-        near_block[vertex / kLanes].push_back(static_cast<std::uint32_t>(other / kLanes));
-      }
-    }
-  }
-  const auto zero_area = static_cast<std::uint32_t>(mesh.triangles.size());
-  for (std::size_t block = 0; block < blocks; ++block) {
-    const std::span ring_of(of_vertex.data() + block * kLanes, kLanes);
-    std::size_t most = 0;
-    for (const auto& ring : ring_of) most = std::max(most, ring.size());
-    for (std::size_t k = 0; k < most; ++k) {
-      for (const auto& ring : ring_of) {
-        topology->rings.items.push_back(kBytes * (k < ring.size() ? ring[k] : zero_area));
-      }
-    }
-    topology->rings.end_list();
-  }
-  topology->groups_of_block = without_repetition(std::move(of_block));
-  topology->neighbours = without_repetition(std::move(near_block));
-  mesh_ = std::move(topology);
-  areas_.resize(mesh.triangles.size() + 1);
-  touched_.resize(groups);
-  written_.resize(blocks);
+    : points_(kLanes * block_count(mesh.positions.size())),
+      touched_(block_count(mesh.positions.size())) {
+  list_neighbours(mesh);
+  list_corners(mesh);
   const std::vector<VertexBlock> rest = blocks_of(mesh.positions);
-  for (std::size_t block = 0; block < blocks; ++block) place(block, points_of(rest[block]));
-  for (std::size_t group = 0; group < groups; ++group) compute_group(group);
+  for (std::size_t block = 0; block < rest.size(); ++block) place(block, points_of(rest[block]));
+}
+
+void NormalField::list_neighbours(const FaceMesh& mesh) {
+  std::vector<std::map<std::size_t, std::uint64_t>> near_block(points_.size() / kLanes);
+  for (std::size_t block = 0; block < near_block.size(); ++block) {
+    near_block[block][block / BlockSet::kWordBits] = BlockSet::bit(block);
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t one : triangle) {
+      for (const std::uint32_t other : triangle) {
+        const std::size_t block = other / kLanes;
+        near_block[one / kLanes][block / BlockSet::kWordBits] |= BlockSet::bit(block);
+      }
+    }
+  }
+  for (const auto& words : near_block) {
+    for (const auto& [word, bits] : words) neighbours_.push_back({word, bits});
+    neighbours_begin_.push_back(static_cast<std::uint32_t>(neighbours_.size()));
+  }
+}
+
+void NormalField::list_corners(const FaceMesh& mesh) {
+  std::vector<Ring> rings(points_.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    if (a == b || b == c || c == a) continue;
+    rings[a].emplace(b, c);
+    rings[b].emplace(c, a);
+    rings[c].emplace(a, b);
+  }
+  for (std::size_t begin = 0; begin < rings.size(); begin += kHalf) {
+    std::array<std::vector<std::uint32_t>, kHalf> of_four;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < kHalf; ++i) {
+      const auto vertex = static_cast<std::uint32_t>(begin + i);
+      of_four[i] = corners_round(vertex, std::move(rings[vertex]));
+      most = std::max(most, of_four[i].size());
+    }
+    for (auto& corners : of_four) {
+      while (corners.size() < most) stay(corners);
+    }
+    for (std::size_t k = 0; k < most; k += 2) {
+      for (const auto& corners : of_four) {
+        for (const std::size_t i : {k, k + 1}) {
+          corners_.push_back(static_cast<std::uint32_t>(sizeof(Four) * corners[i]));
+        }
+      }
+    }
+    corners_begin_.push_back(static_cast<std::uint32_t>(corners_.size()));
+  }
 }
 
 void NormalField::place(std::size_t block, const std::array<Four, kLanes>& at) {
   for (std::size_t i = 0; i < kLanes; ++i) points_[block * kLanes + i] = at[i];
 }
 
-/// Twice the area as a vector along the normal, with its coordinates turned: (z, x, y).
-void NormalField::compute_group(std::size_t group) {
-  const std::size_t begin = group * kGroupTriangles;
-  const std::size_t end = std::min(begin + kGroupTriangles, mesh_->triangles.size());
-  const auto* const triangles = mesh_->triangles.data();
+void NormalField::add_areas(std::size_t half, Four* sums) const {
   const Four* const points = points_.data();
-  for (std::size_t i = begin; i < end; ++i) {
-    const Four a = at(points, triangles[i][0]);
-    const Four u = at(points, triangles[i][1]) - a;
-    const Four v = at(points, triangles[i][2]) - a;
-    areas_[i] = u * yzx(v) - yzx(u) * v;
+  const std::uint32_t* corners = &corners_[corners_begin_[half]];
+  const std::uint32_t* const end = corners_.data() + corners_begin_[half + 1];
+  const Four first0 = at(points, corners[0]);
+  const Four first1 = at(points, corners[2]);
+  const Four first2 = at(points, corners[4]);
+  const Four first3 = at(points, corners[6]);
+  Four last0 = at(points, corners[1]);
+  Four last1 = at(points, corners[3]);
+  Four last2 = at(points, corners[5]);
+  Four last3 = at(points, corners[7]);
+  Four sum0{};
+  Four sum1{};
+  Four sum2{};
+  Four sum3{};
+  for (corners += 2 * kHalf; corners != end; corners += 2 * kHalf) {
+    sum0 += area(points, corners, first0, last0);
+    sum1 += area(points, corners + 2, first1, last1);
+    sum2 += area(points, corners + 4, first2, last2);
+    sum3 += area(points, corners + 6, first3, last3);
+  }
+  sums[0] = sum0;
+  sums[1] = sum1;
+  sums[2] = sum2;
+  sums[3] = sum3;
+}
+
+void NormalField::update_some(std::span<const std::size_t> blocks,
+                              std::span<glm::vec3> normals) const {
+  std::array<Four, kBlocksAtOnce * kLanes> sums;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    add_areas(2 * blocks[i], &sums[i * kLanes]);
+    add_areas(2 * blocks[i] + 1, &sums[i * kLanes + kHalf]);
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::span<glm::vec3> out = block_of(normals, blocks[i]);
+    std::array<glm::vec3, kLanes> last;  // what is beyond the end of a mesh goes nowhere
+    glm::vec3* const to = out.size() == kLanes ? out.data() : last.data();
+    write_normals(&sums[i * kLanes], to);
+    write_normals(&sums[i * kLanes + kHalf], to + kHalf);
+    if (out.size() < kLanes) std::copy_n(last.begin(), out.size(), out.begin());
   }
 }
 
-void NormalField::compute_block(std::size_t block, std::span<glm::vec3> normals) const {
-  const std::span<const std::uint32_t> ring = mesh_->rings[block];
-  const Four* const areas = areas_.data();
-  std::array<Four, kLanes> sums;
-  Lanes squared;
-  for (std::size_t half = 0; half < kLanes; half += 4) {
-    Four sum0{};
-    Four sum1{};
-    Four sum2{};
-    Four sum3{};
-    for (std::size_t k = half; k < ring.size(); k += kLanes) {
-      sum0 += at(areas, ring[k]);
-      sum1 += at(areas, ring[k + 1]);
-      sum2 += at(areas, ring[k + 2]);
-      sum3 += at(areas, ring[k + 3]);
+void NormalField::update(const BlockSet& moved, std::span<glm::vec3> normals) {
+  touched_.clear();
+  moved.for_each([&](std::size_t block) {
+    for (std::uint32_t i = neighbours_begin_[block]; i < neighbours_begin_[block + 1]; ++i) {
+      touched_.insert(neighbours_[i].word, neighbours_[i].bits);
     }
-    // The coordinates side by side, so that the square roots are taken together.
-    const Four xy01 = __builtin_shufflevector(sum0, sum1, 1, 5, 2, 6);
-    const Four xy23 = __builtin_shufflevector(sum2, sum3, 1, 5, 2, 6);
-    const Four zw01 = __builtin_shufflevector(sum0, sum1, 0, 4, 3, 7);
-    const Four zw23 = __builtin_shufflevector(sum2, sum3, 0, 4, 3, 7);
-    const Four x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5);
-    const Four y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
-    const Four z = __builtin_shufflevector(zw01, zw23, 0, 1, 4, 5);
-    const Four of_four = x * x + y * y + z * z;
-    std::memcpy(&squared[half], &of_four, sizeof of_four);
-    sums[half] = yzx(sum0);
-    sums[half + 1] = yzx(sum1);
-    sums[half + 2] = yzx(sum2);
-    sums[half + 3] = yzx(sum3);
-  }
-  Lanes inverse;
-  int flat = 0;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    inverse[i] = 1 / std::sqrt(squared[i]);
-    flat += squared[i] > 0 ? 0 : 1;
-  }
-  for (std::size_t i = 0; i < kLanes; ++i) sums[i] *= inverse[i];
-  for (std::size_t i = 0; flat > 0 && i < kLanes; ++i) {
-    if (!(squared[i] > 0)) sums[i] = Four{0, 0, 1, 0};
-  }
-  write_points(sums, block_of(normals, block));
-}
-
-void NormalField::update(std::span<const std::uint8_t> moved, std::span<glm::vec3> normals) {
-  std::fill(written_.begin(), written_.end(), std::uint8_t{0});
-  if (none(moved)) return;
-  std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
-  for (std::size_t block = 0; block < moved.size(); ++block) {
-    if (moved[block] == 0) continue;
-    for (const std::uint32_t group : mesh_->groups_of_block[block]) touched_[group] = 1;
-    for (const std::uint32_t other : mesh_->neighbours[block]) written_[other] = 1;
-  }
-  // A triangle without a moved corner is as it was.
-  for (std::size_t group = 0; group < touched_.size(); ++group) {
-    if (touched_[group] != 0) compute_group(group);
-  }
-  for (std::size_t block = 0; block < written_.size(); ++block) {
-    if (written_[block] != 0) compute_block(block, normals);
-  }
-}
-
-void NormalField::compute(std::span<const std::uint32_t> blocks, std::span<glm::vec3> normals) {
-  std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
-  for (const std::uint32_t block : blocks) {
-    for (const std::uint32_t group : mesh_->groups_of_block[block]) {
-      if (touched_[group] == 0) compute_group(group);
-      touched_[group] = 1;
-    }
-  }
-  for (const std::uint32_t block : blocks) compute_block(block, normals);
-}
-
-std::vector<std::uint32_t> NormalField::read_by(std::span<const std::uint32_t> blocks) const {
-  std::vector<std::uint32_t> read;
-  for (const std::uint32_t block : blocks) {
-    const auto near_block = mesh_->neighbours[block];
-    read.insert(read.end(), near_block.begin(), near_block.end());
-  }
-  std::sort(read.begin(), read.end());
-  read.erase(std::unique(read.begin(), read.end()), read.end());
-  return read;
+  });
+  std::array<std::size_t, kBlocksAtOnce> some;
+  std::size_t count = 0;
+  touched_.for_each([&](std::size_t block) {
+    some[count++] = block;
+    if (count < some.size()) return;
+    update_some(some, normals);
+    count = 0;
+  });
+  update_some(std::span(some).first(count), normals);
 }
 
 }  // namespace aucast::face

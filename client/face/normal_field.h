@@ -1,21 +1,22 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "client/face/block_set.h"
 #include "client/face/face_mesh.h"
 #include "client/face/vertex_block.h"
 
 namespace aucast::face {
 
 /// Vertex normals, weighted by the triangles' areas. Only what has a moved vertex near is computed
-/// again. Copies share what depends on the mesh alone.
+/// again. The triangles round a vertex make up a polygon whose area, as a vector along its normal,
+/// does not depend on how it is cut: instead of into those triangles it is cut into quadrangles,
+/// each of them one cross product, and the triangles themselves are never needed.
 /// Thread: one field per thread.
 class NormalField {
  public:
@@ -25,31 +26,35 @@ class NormalField {
   /// Puts the vertices of a block somewhere else. Normals follow with update().
   void place(std::size_t block, const std::array<Four, kLanes>& at);
 
-  /// `moved`: one flag per block whose vertices are elsewhere since the last update. Writes those
-  /// `normals` that this may change and leaves the others alone; unit length, and +z for a vertex
-  /// without a triangle that has an area.
-  void update(std::span<const std::uint8_t> moved, std::span<glm::vec3> normals);
-
-  /// One flag per block: whether the last update wrote its normals.
-  [[nodiscard]] const std::vector<std::uint8_t>& written() const { return written_; }
-
-  /// Writes the normals of these blocks, whatever moved, and no others.
-  void compute(std::span<const std::uint32_t> blocks, std::span<glm::vec3> normals);
-
-  /// The blocks whose vertices compute() with these blocks reads.
-  [[nodiscard]] std::vector<std::uint32_t> read_by(std::span<const std::uint32_t> blocks) const;
+  /// `moved`: the blocks whose vertices are elsewhere since the last update. Writes those `normals`
+  /// that this may change and leaves the others alone; unit length, and +z for a vertex without a
+  /// triangle that has an area.
+  void update(const BlockSet& moved, std::span<glm::vec3> normals);
 
  private:
-  struct Topology;
+  /// Blocks with neighbouring numbers.
+  struct Neighbours {
+    std::size_t word = 0;
+    std::uint64_t bits = 0;
+  };
 
-  void compute_group(std::size_t group);
-  void compute_block(std::size_t block, std::span<glm::vec3> normals) const;
+  void list_neighbours(const FaceMesh& mesh);
+  void list_corners(const FaceMesh& mesh);
+  void update_some(std::span<const std::size_t> blocks, std::span<glm::vec3> normals) const;
+  void add_areas(std::size_t half, Four* sums) const;
 
-  std::shared_ptr<const Topology> mesh_;
   std::vector<Four> points_;
-  std::vector<Four> areas_;            ///< one per triangle, and a zero
-  std::vector<std::uint8_t> touched_;  ///< one flag per group of triangles
-  std::vector<std::uint8_t> written_;
+  /// Corners for half block h: corners_begin_[h] to corners_begin_[h + 1]. Two of each of its
+  /// vertices, two more of each, and so on, as often as the vertex with the most of them needs, the
+  /// others repeating themselves. The first is where all is seen from, the second one begins, and
+  /// two more make a quadrangle with the first and the last one before. As distances in bytes from
+  /// the first point, which saves a shift for each of them.
+  std::vector<std::uint32_t> corners_;
+  std::vector<std::uint32_t> corners_begin_{0};
+  /// Likewise, of each block those that share a triangle with it, and itself.
+  std::vector<Neighbours> neighbours_;
+  std::vector<std::uint32_t> neighbours_begin_{0};
+  BlockSet touched_;  ///< whose normals may change
 };
 
 }  // namespace aucast::face

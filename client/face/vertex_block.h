@@ -10,6 +10,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "client/face/block_set.h"
+
 namespace aucast::face {
 
 /// Vertices are moved eight at a time, their coordinates side by side, so that the compiler makes
@@ -104,14 +106,10 @@ inline void set_lane(VertexBlock& block, std::size_t lane, const glm::vec3& poin
   return blocks;
 }
 
-/// Whether no flag is set.
-[[nodiscard]] inline bool none(std::span<const std::uint8_t> flags) {
-  return std::find(flags.begin(), flags.end(), std::uint8_t{1}) == flags.end();
-}
-
 /// Weights that are not zero somewhere in their block.
 struct WeightedBlocks {
   std::vector<std::uint32_t> blocks;
+  BlockSet all;  ///< the same blocks
   std::vector<Lanes> weights;
 };
 
