@@ -12,8 +12,6 @@
 namespace aucast::protocol {
 namespace {
 
-constexpr std::string_view kBegin = "Beg_Stream";
-constexpr std::string_view kEnd = "End_Stream";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::string_view kBlanks = " \t";
 
@@ -23,10 +21,19 @@ bool is_control(char byte) {
   return (code < 0x20 && byte != '\t') || code == 0x7f;
 }
 
+/// A line without its comment and the blanks around it.
+std::string_view content_of(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  line = line.substr(0, line.find('#'));
+  const std::size_t begin = line.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
+}
+
 /// The tag that a refused line was probably meant to be.
 std::optional<std::string> mistyped_tag(std::string_view content) {
-  if (content.size() > kBegin.size() + 3) return std::nullopt;
-  return nearest(content, {std::string(kBegin), std::string(kEnd)});
+  if (content.size() > kBeginTag.size() + 3) return std::nullopt;
+  return nearest(content, {std::string(kBeginTag), std::string(kEndTag)});
 }
 
 class StreamFileParser {
@@ -92,11 +99,10 @@ void StreamFileParser::read_line(std::string_view line) {
                     "'; a stream file is ASCII or UTF-8 text");
     return;
   }
-  std::string_view content = line.substr(0, line.find('#'));
-  const std::size_t shift = content.find_first_not_of(kBlanks);
-  if (shift == std::string_view::npos) return;
-  content = content.substr(shift, content.find_last_not_of(kBlanks) + 1 - shift);
-  if (content == kBegin || content == kEnd) {
+  const std::string_view content = content_of(line);
+  if (content.empty()) return;
+  const auto shift = static_cast<std::size_t>(content.data() - line.data());
+  if (content == kBeginTag || content == kEndTag) {
     read_tag(content, shift);
   } else if (place_ == Place::Inside) {
     read_packet(content, shift);
@@ -106,7 +112,7 @@ void StreamFileParser::read_line(std::string_view line) {
 }
 
 void StreamFileParser::read_tag(std::string_view content, std::size_t shift) {
-  const bool begins = content == kBegin;
+  const bool begins = content == kBeginTag;
   if (place_ == Place::After) {
     refuse(shift, "found " + std::string(content) + " after End_Stream; a file holds one stream");
   } else if (begins && place_ == Place::Before) {
@@ -223,14 +229,39 @@ std::optional<TextError> parse_stream_line(std::string_view content, Keyframe& o
   return std::nullopt;
 }
 
-std::string format_stream_file(const StreamFile& stream) {
-  std::string text = std::string(kBegin) + '\n';
-  for (const Keyframe& keyframe : stream.keyframes) {
-    const std::string packet = encode(keyframe);
-    text.append(packet, 1, packet.size() - 2);
-    text += '\n';
+MendedText mend_stream_text(std::string_view text) {
+  MendedText mended;
+  bool inside = false;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    // Half a line may look like a whole one.
+    if (end == std::string_view::npos) break;
+    const std::string_view content = content_of(text.substr(0, end));
+    Keyframe keyframe;
+    if (content == kEndTag) break;
+    if (inside && !content.empty() && parse_stream_line(content, keyframe)) break;
+    inside = inside || content == kBeginTag;
+    mended.text += text.substr(0, end + 1);
+    text.remove_prefix(end + 1);
   }
-  return text.append(kEnd) + '\n';
+  if (content_of(text.substr(0, text.find('\n'))) != kEndTag) {
+    const auto ends = std::count(text.begin(), text.end(), '\n');
+    mended.lines_left_out =
+        static_cast<std::size_t>(ends) + (text.empty() || text.ends_with('\n') ? 0 : 1);
+  }
+  mended.text += std::string(kEndTag) + '\n';
+  return mended;
+}
+
+std::string format_stream_line(const Keyframe& keyframe) {
+  const std::string packet = encode(keyframe);
+  return packet.substr(1, packet.size() - 2);
+}
+
+std::string format_stream_file(const StreamFile& stream) {
+  std::string text = std::string(kBeginTag) + '\n';
+  for (const Keyframe& keyframe : stream.keyframes) text += format_stream_line(keyframe) + '\n';
+  return text.append(kEndTag) + '\n';
 }
 
 std::uint64_t media_ms(const StreamFile& stream, std::uint32_t keyframe_ms) {

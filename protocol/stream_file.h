@@ -12,6 +12,10 @@
 
 namespace aucast::protocol {
 
+/// The lines that a stream stands between.
+inline constexpr std::string_view kBeginTag = "Beg_Stream";
+inline constexpr std::string_view kEndTag = "End_Stream";
+
 /// A stream file in memory: the keyframes between Beg_Stream and End_Stream, in order.
 struct StreamFile {
   std::vector<Keyframe> keyframes;  ///< at least one; none is changes-only
@@ -25,6 +29,19 @@ struct StreamFile {
 /// Reads one line between the tags, without blanks around it and without a comment: a keyframe with
 /// or without braces. On success it is in `out` and nothing is returned.
 [[nodiscard]] std::optional<TextError> parse_stream_line(std::string_view content, Keyframe& out);
+
+/// A stream file that was cut off, made whole again.
+struct MendedText {
+  std::string text;
+  std::size_t lines_left_out = 0;  ///< from the first one on that is torn
+};
+
+/// Everything before the first line that is no whole line of a stream file, and End_Stream. What
+/// else is wrong is left to parse_stream_file().
+[[nodiscard]] MendedText mend_stream_text(std::string_view text);
+
+/// One canonical packet as a line, without braces and without the line's end.
+[[nodiscard]] std::string format_stream_line(const Keyframe& keyframe);
 
 /// The same as text: tags, one canonical packet per line without braces.
 [[nodiscard]] std::string format_stream_file(const StreamFile& stream);

@@ -9,6 +9,7 @@
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
 #include "server/source_reader.h"
+#include "server/sources/resample.h"
 
 namespace aucast::server {
 namespace {
@@ -21,6 +22,7 @@ struct Typed {
   std::vector<std::string> paths;
   std::string keyframe;
   SourceWords source;
+  bool mend = false;
   bool help = false;
 };
 
@@ -47,14 +49,32 @@ Result<ConvertOptions> options_of(const Typed& typed) {
   auto source = read_source_options(typed.source);
   if (!source) return source.error();
   options.source = std::move(*source);
+  options.mend = typed.mend;
   return options;
 }
 
+/// Reads a stream file that may have been cut off; what was left out is added to `said`.
+Result<SourceContent> read_cut_off(const ConvertOptions& options, std::string& said) {
+  const auto text = read_file(options.in);
+  if (!text) return text.error();
+  const auto mended = protocol::mend_stream_text(*text);
+  auto stream = protocol::parse_stream_file(mended.text, options.in.string());
+  if (!stream) return stream.error();
+  if (mended.lines_left_out > 0) {
+    said += std::to_string(mended.lines_left_out) + " torn lines at the end left out; ";
+  }
+  if (options.source.rate) {
+    *stream = sources::resample(*stream, *options.source.rate, options.keyframe_ms);
+  }
+  return SourceContent{std::move(*stream), std::nullopt};
+}
+
 Result<Converted> convert(const ConvertOptions& options) {
-  const auto content = read_source(options.in, options.source, options.keyframe_ms);
+  std::string said = options.in.string() + ": ";
+  const auto content = options.mend ? read_cut_off(options, said)
+                                    : read_source(options.in, options.source, options.keyframe_ms);
   if (!content) return content.error();
   std::string text = protocol::format_stream_file(content->stream);
-  std::string said = options.in.string() + ": ";
   if (content->found) said += sources::found_sentence(*content->found) + "; ";
   said += std::to_string(content->stream.keyframes.size()) + " keyframes, " +
           std::to_string(protocol::media_ms(content->stream, options.keyframe_ms)) + " ms\n";
@@ -72,6 +92,7 @@ Result<Converted> run_convert(std::vector<std::string> arguments) {
   app.add_flag("-h,--help", typed.help);
   app.add_option("FILE", typed.paths);
   app.add_option("--keyframe", typed.keyframe);
+  app.add_flag("--mend", typed.mend);
   describe_source_options(app, typed.source);
   if (auto parsed = parse_command_line(app, std::move(arguments)); !parsed) return parsed.error();
   if (typed.help) return Converted{convert_help_text(), {}};
@@ -94,6 +115,7 @@ every change: there is no dead-band here.
   --face-id N            which face of several (the most frequent)
   --min-confidence C     rows less sure are no data, 0 to 1 (0.5): the face holds for 0.5 s,
                          then goes to neutral in 1 s
+  --mend                 IN is a stream file that a power cut tore: what is whole of it
   --keyframe MS          time of an untimed keyframe, for --rate (250)
 
 examples:

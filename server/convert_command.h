@@ -16,6 +16,7 @@ struct ConvertOptions {
   std::filesystem::path out;  ///< "-": stdout
   std::uint32_t keyframe_ms = 250;
   SourceOptions source;
+  bool mend = false;  ///< the input is a stream file that may have been cut off
 };
 
 /// What a conversion leaves to say.

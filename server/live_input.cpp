@@ -140,12 +140,12 @@ void LiveInput::read_stream() {
 
 /// A FIFO may get another writer; a pipe does not.
 void LiveInput::stream_ended() {
+  ended_ = path_ == "-";
   events_.on_end();
   std::error_code ignored;
   stream_.close(ignored);
-  if (path_ == "-") {
-    ended_ = true;
-  } else if (auto opened = open(); !opened) {
+  if (ended_) return;
+  if (auto opened = open(); !opened) {
     spdlog::warn("{}; nothing more comes of it", opened.error().message);
     ended_ = true;
   }

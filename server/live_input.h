@@ -42,6 +42,8 @@ class LiveInput {
   /// Nothing is read for now, or again.
   void hold(bool held);
   void stop();
+  /// Nothing comes any more: stdin has ended, or a FIFO cannot be opened again.
+  [[nodiscard]] bool ended() const { return ended_; }
 
  private:
   [[nodiscard]] Result<int> open_path() const;

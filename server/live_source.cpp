@@ -52,7 +52,16 @@ LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, OnMoment
       catching_up_(options_.follow) {}
 
 Result<void> LiveSource::start() {
-  return input_.start();
+  if (auto opened = input_.start(); !opened || options_.record.empty()) return opened;
+  auto recorder = Recorder::start(options_.record);
+  if (!recorder) return recorder.error();
+  recorder_ = std::move(*recorder);
+  return {};
+}
+
+Result<void> LiveSource::finish_record() {
+  if (!recorder_) return {};
+  return recorder_->finish();
 }
 
 void LiveSource::stop() {
@@ -118,31 +127,51 @@ void LiveSource::send_due(double moment) {
     spdlog::info("{}: {}", file_name(options_.path),
                  feed_.newest() ? "goes on" : "the first keyframe is there");
   }
-  while (const auto keyframe = queue_.pop(moment)) send(*keyframe);
+  // Rows of a recogniser with a clock of its own follow each other by that.
+  while (const auto keyframe = queue_.pop(moment)) {
+    send(*keyframe, keyframe->begins || !keyframe->clocked);
+  }
   reader_.hold_off(moment);
 }
 
-void LiveSource::send(const protocol::Keyframe& keyframe) {
-  feed_.add(keyframe);
+/// `free` as RecordTimeline has it.
+void LiveSource::send(const sources::LiveKeyframe& keyframe, bool free) {
+  feed_.add(keyframe.keyframe);
+  if (recorder_) recorder_->add(keyframe.keyframe, now(), free);
   on_moment_();
 }
 
 /// What is due while nothing comes.
 void LiveSource::rest(double moment) {
   reader_.idle(moment);
-  for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe.keyframe);
+  for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe, true);
+  if (nothing_came() && options_.timeout.count() > 0 && !feed_.ended()) {
+    spdlog::warn("{}: it ended before the first keyframe", file_name(options_.path));
+    feed_.end();
+    on_moment_();
+  }
   const auto since = reader_.silent_since();
   if (!since) return;
   if (moment - *since >= sources::kHoldSeconds && !std::exchange(silence_said_, true)) {
     spdlog::info("{}: nothing comes; the face holds, then goes to neutral",
                  file_name(options_.path));
   }
-  const double patience = seconds(options_.timeout);
-  if (patience == 0 || moment - *since < patience || feed_.ended()) return;
-  spdlog::warn("{}: nothing for {} s: the stream ends for the clients there (--source-timeout)",
-               file_name(options_.path), patience);
+  if (options_.timeout.count() == 0 || moment - *since < patience() || feed_.ended()) return;
+  if (input_.ended()) {
+    spdlog::info("{}: it has ended, and so has the stream", file_name(options_.path));
+  } else {
+    spdlog::warn("{}: nothing for {} s: the stream ends for the clients there (--source-timeout)",
+                 file_name(options_.path), patience());
+  }
+  if (recorder_) recorder_->end_of_stream();
   feed_.end();
   on_moment_();
+}
+
+/// How long a silence may be. Of what nothing can come any more, only until the face is neutral.
+double LiveSource::patience() const {
+  const double asked = seconds(options_.timeout);
+  return input_.ended() ? std::min(asked, sources::kHoldSeconds + sources::kEaseSeconds) : asked;
 }
 
 /// Until the next keyframe in the queue, or until silence brings something.
@@ -154,7 +183,7 @@ void LiveSource::wait() {
     const auto earlier = [&next](double at) { next = std::min(next.value_or(at), at); };
     if (since && !silence_said_) earlier(*since + sources::kHoldSeconds);
     if (since && options_.timeout.count() > 0 && !feed_.ended()) {
-      earlier(*since + seconds(options_.timeout));
+      earlier(*since + patience());
     }
   }
   if (!next) {

@@ -16,6 +16,7 @@
 #include "protocol/live_feed.h"
 #include "protocol/server_session.h"
 #include "server/live_input.h"
+#include "server/recorder.h"
 #include "server/sources/live_queue.h"
 #include "server/sources/live_reader.h"
 
@@ -28,6 +29,7 @@ struct LiveSourceOptions {
   int classic_min = 20;
   /// After so long a silence the clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
+  std::filesystem::path record;  ///< where it is kept; empty: nowhere
 };
 
 /// A source that is still being written, as a live stream: input -> reader -> queue -> feed. What a
@@ -45,6 +47,13 @@ class LiveSource {
 
   [[nodiscard]] Result<void> start();
   void stop();
+  /// What kept it from being recorded whole. Waits until the record is written.
+  [[nodiscard]] Result<void> finish_record();
+  /// Nothing can come any more, and everybody was told so: stdin has ended, which nobody opens
+  /// again.
+  [[nodiscard]] bool over() const { return input_.ended() && feed_.ended() && queue_.size() == 0; }
+  /// It has ended before the first keyframe.
+  [[nodiscard]] bool nothing_came() const { return input_.ended() && !feed_.newest(); }
   /// What its keyframes go to.
   [[nodiscard]] protocol::LiveFeed& feed() { return feed_; }
 
@@ -55,9 +64,10 @@ class LiveSource {
   void on_anew(const std::string& why);
   void take();
   void go_on();
-  void send(const protocol::Keyframe& keyframe);
+  void send(const sources::LiveKeyframe& keyframe, bool free);
   void send_due(double moment);
   void rest(double moment);
+  [[nodiscard]] double patience() const;
   void wait();
   void say();
 
@@ -67,6 +77,7 @@ class LiveSource {
   sources::LiveReader reader_;
   sources::LiveQueue queue_;
   LiveInput input_;
+  std::unique_ptr<Recorder> recorder_;
   asio::steady_timer timer_;
   bool catching_up_;
   bool silence_said_ = true;

@@ -95,6 +95,13 @@ constexpr OptionRow kTable[] = {
      [](const std::string& word, TransmitterOptions& options) {
        return read_source_timeout(word, options.live_source);
      }},
+    {"record", "FILE", Kind::Word, "", "keep what a live source sends (a stream file)",
+     "Written as it is served, with its times; the file is whole at any moment and brought to the "
+     "disk every second. Of several live sources the first is kept; in a folder each gets "
+     "NAME-TIME.txt. A file that holds anything is never written over. A full disk ends the "
+     "recording and not the stream; the exit code is 1 then. convert --mend reads what a power cut "
+     "tore.",
+     read_text<&TransmitterOptions::record>},
     {"skip-bad", "", Kind::Flag, "false", "leave out sources that are broken and say so",
      "Without it one broken source ends the start with 3 or 4, and on SIGHUP nothing is changed. "
      "When no source is left it ends all the same.",

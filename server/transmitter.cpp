@@ -109,12 +109,12 @@ class Transmitter {
           on_reloaded(std::move(loaded));
         }) {}
 
-  Result<void> run(const OnReady& on_ready) {
-    if (auto loaded = load_credentials_now(); !loaded) return loaded;
-    if (auto opened = open_listeners(); !opened) return opened;
-    if (auto begun = begin_sources(); !begun) return begun;
+  Result<Ending> run(const OnReady& on_ready) {
+    if (auto loaded = load_credentials_now(); !loaded) return loaded.error();
+    if (auto opened = open_listeners(); !opened) return opened.error();
+    if (auto begun = begin_sources(); !begun) return begun.error();
     const std::string address = endpoint_text(listener_.endpoint());
-    if (auto ready = on_ready(address); !ready) return ready;
+    if (auto ready = on_ready(address); !ready) return ready.error();
     if (listener_.endpoint().address().is_loopback()) {
       spdlog::info("only programs on this host can connect; --bind 0.0.0.0 lets others in");
     }
@@ -133,7 +133,7 @@ class Transmitter {
     manager_.ready(summary());
     tick();
     io_.run();
-    return {};
+    return ending();
   }
 
  private:
@@ -223,15 +223,19 @@ class Transmitter {
   Result<void> begin_sources() {
     for (const std::filesystem::path& path : options_.sources) {
       if (!is_live(path, options_.live_source.follow)) continue;
+      const std::string name = stream_name(path);
+      const auto record = options_.record.empty()
+                              ? std::nullopt
+                              : record_path(options_.record, name, live_sources_.empty());
       const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
                                         options_.source.dead_band, options_.keyframe_ms};
       auto source = std::make_unique<LiveSource>(
           io_,
           LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
-                            options_.live_source.timeout},
+                            options_.live_source.timeout, record.value_or("")},
           [this] { on_moment_of_source(); });
       if (auto begun = source->start(); !begun) return begun;
-      live_sources_.emplace(stream_name(path), std::move(source));
+      live_sources_.emplace(name, std::move(source));
     }
     attach_sources();
     return {};
@@ -248,6 +252,32 @@ class Transmitter {
   void on_moment_of_source() {
     for (const auto& old : old_programmes_) on_moment(*old);
     on_moment(*programme_);
+    // Not now: it is a source that calls.
+    if (all_over()) {
+      asio::post(io_, [this] {
+        if (!stopping_) stop("all sources have ended");
+      });
+    }
+  }
+
+  /// Nothing is served any more and nothing can come.
+  [[nodiscard]] bool all_over() const {
+    return live_sources_.size() == programme_->catalogue.streams.size() &&
+           std::all_of(live_sources_.begin(), live_sources_.end(),
+                       [](const auto& entry) { return entry.second->over(); });
+  }
+
+  /// What went wrong without stopping anything.
+  [[nodiscard]] Ending ending() {
+    Ending ending;
+    for (const auto& [name, source] : live_sources_) {
+      if (auto recorded = source->finish_record(); !recorded) ending.error = recorded.error();
+      if (source->over() && source->nothing_came()) {
+        ending.error =
+            Error{ErrorKind::BadData, name + ": the source ended before a keyframe came"};
+      }
+    }
+    return ending;
   }
 
   /// Streams that `before` has too go on where they are there.
@@ -385,12 +415,18 @@ class Transmitter {
 
   void on_end_signal(int number) {
     const char* name = name_of_signal(number);
-    if (std::exchange(stopping_, true)) {
+    if (stopping_) {
       spdlog::info("{} again: ending at once", name);
       abort_all();
       return;
     }
-    spdlog::info("{}: ending the stream of {} clients", name, connections_.size());
+    stop(name);
+    if (!connections_.empty()) await_end_signal();
+  }
+
+  void stop(const char* why) {
+    stopping_ = true;
+    spdlog::info("{}: ending the stream of {} clients", why, connections_.size());
     manager_.stopping();
     listener_.stop();
     for (const auto& [stream, source] : live_sources_) source->stop();
@@ -401,7 +437,6 @@ class Transmitter {
       end();
       return;
     }
-    await_end_signal();
     stop_timer_.expires_after(kStopTimeMax);
     stop_timer_.async_wait([this](const std::error_code& error) {
       if (!error) abort_all();
@@ -491,8 +526,8 @@ class Transmitter {
 
 }  // namespace
 
-Result<void> serve(const TransmitterOptions& options, protocol::ServerCatalogue catalogue,
-                   Stats& stats, const OnReady& on_ready, Reloader::Load load) {
+Result<Ending> serve(const TransmitterOptions& options, protocol::ServerCatalogue catalogue,
+                     Stats& stats, const OnReady& on_ready, Reloader::Load load) {
   std::signal(SIGPIPE, SIG_IGN);
   raise_descriptor_limit();
   return Transmitter(options, std::move(catalogue), stats, std::move(load)).run(on_ready);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "server/check_report.h"
 #include "server/convert_command.h"
 #include "server/estimate.h"
+#include "server/live_source.h"
 #include "server/manual_page.h"
 #include "server/stats.h"
 #include "server/transmitter.h"
@@ -119,6 +121,19 @@ Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& optio
   return catalogue;
 }
 
+/// What cannot be asked of these sources.
+Result<void> check_record(const TransmitterOptions& options) {
+  if (options.record.empty()) return {};
+  const bool any_live = std::any_of(options.sources.begin(), options.sources.end(),
+                                    [&options](const std::filesystem::path& path) {
+                                      return is_live(path, options.live_source.follow);
+                                    });
+  if (any_live) return {};
+  return Error{ErrorKind::Usage,
+               "--record keeps what is still being written (-, a FIFO, a file with --follow), and "
+               "no SOURCE is; 'au-transmitter convert' writes a recording as a stream file"};
+}
+
 int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalogue catalogue) {
   Stats stats;
   const auto served = serve(
@@ -135,7 +150,7 @@ int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalo
     const auto written = write_file_atomically(options.stats, stats.to_json());
     if (!written) return report(written.error());
   }
-  return 0;
+  return served->error ? report(*served->error) : 0;
 }
 
 int convert(std::vector<std::string> arguments) {
@@ -174,6 +189,7 @@ int run_transmitter(std::vector<std::string> arguments) {
     return report(log.error());
 
   if (options.check || options.estimate) return check(options);
+  if (auto can = check_record(options); !can) return report(can.error());
   auto catalogue = load_catalogue(options);
   if (!catalogue) return report(catalogue.error());
   return serve_until_signal(options, std::move(*catalogue));

@@ -44,6 +44,7 @@ struct TransmitterOptions {
   SourceOptions source;                         ///< how recordings are read
   bool skip_bad = false;                        ///< broken sources are left out
   std::optional<HttpAddress> http;              ///< nothing: no status by HTTP
+  std::filesystem::path record;                 ///< file or folder for live streams; empty: none
   LiveSourceSettings live_source;               ///< how those are served that are being written
   std::string log_level = "info";               ///< as common/log.h takes it
   std::string log_format = "text";              ///< or "json"

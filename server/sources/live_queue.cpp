@@ -14,8 +14,8 @@ void LiveQueue::push(LiveKeyframe keyframe, double now) {
     // A source without a clock of its own cannot be late.
     begin_ = std::max(begin_, begin);
   }
-  queue_.push_back({std::move(keyframe.keyframe), begin_ + keyframe.seconds - kLeadSeconds});
   last_seconds_ = keyframe.seconds;
+  queue_.push_back({std::move(keyframe), begin_ + last_seconds_ - kLeadSeconds});
 }
 
 std::optional<double> LiveQueue::due() const {
@@ -23,10 +23,10 @@ std::optional<double> LiveQueue::due() const {
   return queue_.front().due;
 }
 
-std::optional<protocol::Keyframe> LiveQueue::pop(double now) {
+std::optional<LiveKeyframe> LiveQueue::pop(double now) {
   const auto at = due();
   if (!at || now < *at) return std::nullopt;
-  protocol::Keyframe keyframe = std::move(queue_.front().keyframe);
+  LiveKeyframe keyframe = std::move(queue_.front().keyframe);
   queue_.pop_front();
   return keyframe;
 }

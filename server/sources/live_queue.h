@@ -16,7 +16,7 @@ class LiveQueue {
 
   void push(LiveKeyframe keyframe, double now);
   /// The next keyframe, if it is due.
-  [[nodiscard]] std::optional<protocol::Keyframe> pop(double now);
+  [[nodiscard]] std::optional<LiveKeyframe> pop(double now);
   /// When pop() has something; nothing while the queue is empty.
   [[nodiscard]] std::optional<double> due() const;
   [[nodiscard]] std::size_t size() const { return queue_.size(); }
@@ -25,7 +25,7 @@ class LiveQueue {
 
  private:
   struct Waiting {
-    protocol::Keyframe keyframe;
+    LiveKeyframe keyframe;
     double due = 0;
   };
   std::deque<Waiting> queue_;

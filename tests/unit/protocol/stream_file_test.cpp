@@ -1,5 +1,7 @@
 #include "protocol/stream_file.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "protocol/codec.h"
@@ -142,6 +144,35 @@ TEST(StreamFile, RoundTripsThroughItsTextForm) {
     const auto again = parse_stream_file(format_stream_file(stream), "f");
     ASSERT_TRUE(again.has_value()) << again.error().message;
     EXPECT_EQ(again->keyframes, stream.keyframes);
+  }
+}
+
+TEST(MendStreamText, KeepsWhatIsWholeAndEndsIt) {
+  const std::string whole = "# talk\nBeg_Stream\n1;40 # brows\n\n2;33\nEnd_Stream\n";
+  EXPECT_EQ(mend_stream_text(whole).text, whole);
+  EXPECT_EQ(mend_stream_text(whole).lines_left_out, 0U);
+  for (const char* torn : {"12:5", "12:5;33\nEnd_Str", "", "12:5;33\n12:;\n6\n6\nEnd_Stream\n"}) {
+    const auto mended = mend_stream_text("Beg_Stream\n1;40\n" + std::string(torn));
+    const auto stream = parse_stream_file(mended.text, "f");
+    ASSERT_TRUE(stream.has_value()) << torn << stream.error().message;
+    EXPECT_EQ(stream->keyframes.size(), std::string(torn).starts_with("12:5;33\n") ? 2U : 1U);
+  }
+  EXPECT_EQ(mend_stream_text("Beg_Stream\n1;40\n12:;\n6\n6").lines_left_out, 3U);
+  EXPECT_EQ(mend_stream_text(std::string("Beg_Stream\n1;40\n\0\0\0", 21)).lines_left_out, 1U);
+}
+
+TEST(MendStreamText, OfAFileThatWasCutAnywhereOnlyWhatWasCutIsLost) {
+  const std::string whole = "Beg_Stream\n1:20;40\nL2:33,R2:5;33\n0;33\nEnd_Stream\n";
+  const auto all = parse_stream_file(whole, "f")->keyframes;
+  for (std::size_t size = whole.find('\n', 11) + 1; size <= whole.size(); ++size) {
+    const auto stream = parse_stream_file(mend_stream_text(whole.substr(0, size)).text, "f");
+    ASSERT_TRUE(stream.has_value()) << size;
+    const auto lines =
+        std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size), '\n');
+    EXPECT_EQ(stream->keyframes.size(),
+              std::min<std::size_t>(static_cast<std::size_t>(lines) - 1, 3))
+        << size;
+    EXPECT_TRUE(std::equal(stream->keyframes.begin(), stream->keyframes.end(), all.begin()));
   }
 }
 
