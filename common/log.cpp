@@ -12,9 +12,9 @@
 #include <string>
 #include <utility>
 
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/details/os.h>
 
+#include "common/stderr_sink.h"
 #include "common/text.h"
 
 namespace aucast {
@@ -138,16 +138,14 @@ Result<void> set_up_log(std::string_view program, std::string_view level, LogFor
     return Error{ErrorKind::Usage, "--log-level '" + std::string(level) +
                                        "' is not one of trace, debug, info, warning, error, off"};
   }
-  const bool plain = std::getenv("NO_COLOR") != nullptr || format == LogFormat::Json;
-  auto logger =
-      plain ? std::make_shared<spdlog::logger>(std::string(program),
-                                               std::make_shared<spdlog::sinks::stderr_sink_mt>())
-            : std::make_shared<spdlog::logger>(
-                  std::string(program), std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+  const bool colours = std::getenv("NO_COLOR") == nullptr && format == LogFormat::Text &&
+                       spdlog::details::os::in_terminal(stderr) &&
+                       spdlog::details::os::is_color_terminal();
+  auto logger = std::make_shared<spdlog::logger>(
+      std::string(program), std::make_shared<StderrSink>(STDERR_FILENO, colours));
   logger->set_level(parsed);
   logger->set_formatter(
       std::make_unique<LineFormatter>(std::string(program), format, stderr_is_the_journal()));
-  logger->flush_on(spdlog::level::warn);
   spdlog::set_default_logger(std::move(logger));
   return {};
 }

@@ -297,6 +297,25 @@ TEST(ServerProgram, StatsGoToAPipeToo) {
   EXPECT_TRUE(nlohmann::json::accept(server.log())) << server.log();
 }
 
+TEST(ServerProgram, ALogThatNobodyReadsHoldsUpNobody) {
+  // Nobody looks into the pipe of stderr until the end: it is full long before.
+  RunningTransmitter server({"--log-level", "trace", stream_file("happiness.txt")});
+  for (int i = 0; i < 600; ++i) {
+    RawClient client = server.connect();
+    ASSERT_TRUE(client.send("-4")) << i;
+    ASSERT_TRUE(client.wait_for_end()) << i;
+  }
+  EXPECT_EQ(server.process().read_line(std::chrono::milliseconds(100)), std::nullopt);
+  const std::size_t before = server.log().size();
+  EXPECT_GT(before, 50'000U);
+  RawClient reader = server.connect();
+  ASSERT_TRUE(reader.send("-4"));
+  ASSERT_TRUE(reader.wait_for_end());
+  EXPECT_EQ(server.terminate(), 0);
+  EXPECT_TRUE(has(server.log().substr(before), "lines of the log were dropped here"))
+      << server.log().substr(before);
+}
+
 TEST(ServerProgram, RunsFromAnyFolder) {
   const TempFolder folder;
   folder.write("mine.txt", "Beg_Stream\n6,12\nEnd_Stream\n");

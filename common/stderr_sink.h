@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include <spdlog/sinks/base_sink.h>
+
+namespace aucast {
+
+/// Where the log goes: a descriptor, stderr as a rule, that is never waited for. A line that it
+/// does not take at once (a pipe that nobody reads, a terminal that is held) is dropped and
+/// counted, and the count is said before the next line that it takes. The descriptor stays
+/// blocking, since other programs may share it.
+class StderrSink final : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  /// `colours`: the level is coloured.
+  StderrSink(int descriptor, bool colours) : descriptor_(descriptor), colours_(colours) {}
+
+ protected:
+  void sink_it_(const spdlog::details::log_msg& entry) override;
+  void flush_() override {}
+
+ private:
+  [[nodiscard]] std::string line_of(const spdlog::details::log_msg& entry);
+  [[nodiscard]] bool write_now(std::string_view line) const;
+
+  int descriptor_;
+  bool colours_;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace aucast
