@@ -206,7 +206,8 @@ Part make_tongue() {
     const double b = kPi * j / kAlong;  // tip to root
     const double z = 5.5 + 2.15 * std::cos(b);
     const double width = 1.25 * power(std::sin(b), 0.7) * (1 - 0.18 * std::cos(b));
-    const double height = 0.42 * power(std::sin(b), 0.6);
+    // Flat in front, so that it fits between the lips.
+    const double height = 0.42 * power(std::sin(b), 0.6) * (1 - 0.5 * smooth_step(4.8, 7.2, z));
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kAround; ++i) {
       const double a = 2 * kPi * i / kAround;

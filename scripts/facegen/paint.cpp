@@ -108,6 +108,15 @@ void paint_skin(const Identity& who, Skin& skin) {
   }
 }
 
+void shade_inner_lips(Skin& skin) {
+  for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
+    const HalfVertex& v = skin.half.vertices[skin.source[i]];
+    if (v.patch != Patch::Mouth || v.ring <= kLipContactRing) continue;
+    skin.part.vertices[i].occlusion *= 0.5;
+    skin.part.vertices[i].gloss *= 0.3;
+  }
+}
+
 void tint_scalp(const Identity& who, Skin& skin, const Part& hair, std::size_t row_length) {
   constexpr double kReach2 = 1.6;
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {

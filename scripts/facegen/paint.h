@@ -7,6 +7,10 @@ namespace aucast::facegen {
 /// Stage 5: colour and gloss of the skin.
 void paint_skin(const Identity& who, Skin& skin);
 
+/// Takes light from the inner side of the lips, which the baked occlusion sees with the mouth shut
+/// and the lights from behind would draw when it opens.
+void shade_inner_lips(Skin& skin);
+
 /// Darkens the scalp under the hair, so that no light skin shows between the strands. `row_length`
 /// is the number of vertices from the hairline to the crown.
 void tint_scalp(const Identity& who, Skin& skin, const Part& hair, std::size_t row_length);

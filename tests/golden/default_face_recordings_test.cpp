@@ -94,6 +94,65 @@ class DefaultFaceRecordings : public DefaultFace {
     return count;
   }
 
+  /// Triangles of `piece` whose corners all satisfy `keep`, moved to `positions`.
+  template <typename Keep>
+  [[nodiscard]] static facegen::Part triangles_of(const face::MeshPart& piece,
+                                                  const std::vector<glm::vec3>& positions,
+                                                  Keep keep) {
+    facegen::Part part;
+    for (std::uint32_t i = 0; i < piece.vertex_count; ++i) {
+      part.add(facegen::Vec3{positions[piece.vertex_begin + i]});
+    }
+    for (std::uint32_t t = 0; t < piece.triangle_count; ++t) {
+      const auto& k = face().mesh.triangles[piece.triangle_begin + t];
+      if (!keep(k[0]) || !keep(k[1]) || !keep(k[2])) continue;
+      part.add_triangle(k[0] - piece.vertex_begin, k[1] - piece.vertex_begin,
+                        k[2] - piece.vertex_begin);
+    }
+    return part;
+  }
+
+  /// Whether a vertex belongs to the skin round the mouth that can be seen with the lips shut.
+  [[nodiscard]] static bool outside_mouth(std::uint32_t vertex) {
+    const facegen::HalfVertex& v = layout()[vertex];
+    const glm::vec3& p = face().mesh.positions[vertex];
+    return p.z > 2 && p.y < 1 && p.y > -8 && v.patch != Patch::Nostril && v.patch != Patch::Ear &&
+           (v.patch != Patch::Mouth || v.ring <= facegen::kLipContactRing);
+  }
+
+  /// Whether a vertex lies deep behind the line where the lips touch.
+  [[nodiscard]] static bool inside_lips(std::uint32_t vertex) {
+    return vertex < layout().size() && layout()[vertex].patch == Patch::Mouth &&
+           layout()[vertex].ring > facegen::kLipContactRing + 1;
+  }
+
+  /// What of teeth, tongue and the inner side of the lips runs through the skin or a lip, and by
+  /// how many edges; nothing if all stays behind.
+  [[nodiscard]] static std::string through_skin(const std::vector<glm::vec3>& positions) {
+    const facegen::Part outside = triangles_of(part("skin"), positions, outside_mouth);
+    const std::array<const facegen::Part*, 1> parts{&outside};
+    const facegen::RayScene scene(parts);
+    std::string found;
+    for (const char* name : {"upper_teeth", "lower_teeth", "tongue", "skin"}) {
+      const auto any = [](std::uint32_t) { return true; };
+      const facegen::Part piece = part(name).vertex_begin == 0
+                                      ? triangles_of(part(name), positions, inside_lips)
+                                      : triangles_of(part(name), positions, any);
+      int count = 0;
+      for (const face::Polygon& polygon : piece.polygons) {
+        for (std::size_t e = 0; e < polygon.corner_count; ++e) {
+          const std::size_t next = (e + 1) % polygon.corner_count;
+          const facegen::Vec3& from = piece.vertices[polygon.corners[e]].position;
+          const facegen::Vec3 way = piece.vertices[polygon.corners[next]].position - from;
+          const double length = glm::length(way);
+          if (length > 0 && scene.hit(from, way / length, 0, length)) ++count;
+        }
+      }
+      if (count > 0) found += std::string{name} + " " + std::to_string(count) + "; ";
+    }
+    return found;
+  }
+
   /// Depth of every crease of the mesh, in order.
   [[nodiscard]] static std::vector<float> lines(std::initializer_list<AuTerm> terms) {
     std::vector<float> activations(face().channels.size());
@@ -123,6 +182,8 @@ class DefaultFaceRecordings : public DefaultFace {
     return nearest;
   }
 
+  /// The lower face, without nostrils.
+  [[nodiscard]] static bool moves_mouth(int number) { return number >= 9 && number < 38; }
   [[nodiscard]] static bool turns_head(int number) { return number >= 51 && number <= 58; }
 };
 
@@ -190,6 +251,27 @@ TEST_F(DefaultFaceRecordings, LetsNoToothThroughTheLips) {
   EXPECT_EQ(behind_teeth(posed({{15}, {16}, {20}, {26}})), 0) << "mouth of surprise";
 }
 
+TEST_F(DefaultFaceRecordings, SeesWhatRunsThroughShutLips) {
+  EXPECT_EQ(through_skin(driven("tongue_out", 0.3F)), "");
+  EXPECT_TRUE(through_skin(driven("tongue_out", 2)).starts_with("tongue "));
+  auto turned_out = face().mesh.positions;
+  for (std::uint32_t i = 0; i < layout().size(); ++i) {
+    if (inside_lips(i)) turned_out[i].z += 1;
+  }
+  EXPECT_TRUE(through_skin(turned_out).starts_with("skin "));
+}
+
+TEST_F(DefaultFaceRecordings, KeepsTeethAndTongueOutOfTheSkin) {
+  for (const auto& [number, recording] : face().recordings) {
+    if (turns_head(number)) continue;
+    for (const std::uint8_t percent : std::initializer_list<std::uint8_t>{10, 25, 50, 80, 100}) {
+      const auto au = static_cast<std::uint8_t>(number);
+      EXPECT_EQ(through_skin(posed({{au, Side::Both, percent}})), "")
+          << "AU" << number << " at " << int{percent};
+    }
+  }
+}
+
 TEST_F(DefaultFaceRecordings, StaysWholeInEveryPairOfActionUnits) {
   std::vector<std::uint8_t> numbers;
   for (const auto& [number, recording] : face().recordings) {
@@ -201,6 +283,8 @@ TEST_F(DefaultFaceRecordings, StaysWholeInEveryPairOfActionUnits) {
       const auto positions = posed({{numbers[i]}, {numbers[j]}});
       EXPECT_EQ(turned_over(positions), 0) << int{numbers[i]} << "+" << int{numbers[j]};
       EXPECT_EQ(behind_teeth(positions), 0) << int{numbers[i]} << "+" << int{numbers[j]};
+      if (!moves_mouth(numbers[i]) || !moves_mouth(numbers[j])) continue;
+      EXPECT_EQ(through_skin(positions), "") << int{numbers[i]} << "+" << int{numbers[j]};
     }
   }
 }
