@@ -56,6 +56,7 @@ void KeyframeBuffers::set_delay(Milliseconds delay) {
 
 bool KeyframeBuffers::enough() const {
   if (ended_) return true;
+  if (live_ && options_.low_delay) return has_next() || !receiver_.empty();
   return receiver_.size() + playout_.size() >= kLiveKeyframesMin &&
          buffered() >= options_.live_delay;
 }
@@ -74,8 +75,17 @@ void KeyframeBuffers::drop_oldest() {
     ++dropped_;
   };
   while (receiver_.size() > options_.receiver_capacity) drop_one();
-  if (!starved_ || buffered() <= options_.live_delay + kLiveLagMax) return;
-  while (count() > kLiveKeyframesMin && buffered() > options_.live_delay) drop_one();
+  const Milliseconds lag = options_.low_delay ? kStandingLagMax : kLiveLagMax;
+  if (!starved_ || buffered() <= held_ready() + lag) return;
+  const std::size_t least = options_.low_delay ? 1 : kLiveKeyframesMin;
+  while (count() > least && buffered() > held_ready()) drop_one();
+}
+
+Milliseconds KeyframeBuffers::held_ready() const {
+  if (!options_.low_delay) return options_.live_delay;
+  const TimedAus& newest = receiver_.empty() ? playout_.back() : receiver_.back();
+  if (!newest.due || !newest.arrived) return time_of(newest);
+  return std::chrono::ceil<Milliseconds>(*newest.due - *newest.arrived);
 }
 
 Milliseconds KeyframeBuffers::time_of(const TimedAus& keyframe) const {
@@ -117,12 +127,12 @@ std::optional<TimedAus> KeyframeBuffers::take() {
   playout_.pop_front();
   if (playout_.empty()) fill_playout();
   const Milliseconds time = time_of(keyframe);
-  if (!live_) return keyframe;
+  if (!live_ || options_.low_delay) return keyframe;
   const Milliseconds ahead = buffered();
   if (ahead > options_.live_delay + time) {
-    keyframe.duration = (time * kFasterPercent + Milliseconds(99)) / 100;
+    keyframe.pace_percent = kFasterPercent;
   } else if (options_.adapt && ahead + 2 * time < options_.live_delay) {
-    keyframe.duration = time * kSlowerPercent / 100;
+    keyframe.pace_percent = kSlowerPercent;
   }
   return keyframe;
 }

@@ -18,6 +18,8 @@ struct BufferOptions {
   bool by_time = false;                 ///< --buffer auto or Nms: recorded streams wait for
                                         ///< `live_delay` too, and not for the threshold
   bool adapt = false;                   ///< `live_delay` is only where it begins
+  bool low_delay = false;               ///< --live: a live keyframe is played as soon as it is
+                                        ///< there; when it is due says the keyframe itself
 };
 
 /// The Receiver and the Playout buffer of the thesis (5.4.4.1-5.4.4.2, figures 5.12-5.15), first-in
@@ -30,6 +32,8 @@ struct BufferOptions {
 /// first and after a stall. Who has more plays up to 5 % faster, who has less up to 5 % slower.
 /// While it plays nothing is left out; while it stands, who is kLiveLagMax behind drops the oldest,
 /// and so does who has no room: nothing is held back from a live stream, so there is no case A.
+/// With `low_delay` playing starts with one keyframe, and who stands and has kStandingLagMax more
+/// than what is due drops the oldest.
 /// With `by_time` a recorded stream begins after `live_delay` as well; with `adapt` each stall
 /// doubles that for the next time.
 /// Thread: none of its own; the owner guards it.
@@ -82,9 +86,13 @@ class KeyframeBuffers {
  private:
   /// Beyond `live_delay`: so much more and the oldest keyframes are dropped.
   static constexpr Milliseconds kLiveLagMax{2000};
+  /// Low delay: beyond what the newest is due in.
+  static constexpr Milliseconds kStandingLagMax{100};
 
   void store_live(const TimedAus& keyframe);
   void drop_oldest();
+  /// Live: so much is held ready.
+  [[nodiscard]] Milliseconds held_ready() const;
   [[nodiscard]] Milliseconds time_of(const TimedAus& keyframe) const;
   [[nodiscard]] bool enough() const;
   void fill_playout();

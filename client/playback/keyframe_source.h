@@ -15,6 +15,9 @@ namespace aucast::playback {
 struct TimedAus {
   AuFrame aus;
   std::optional<Milliseconds> duration;  ///< the packet's own time, if it had one
+  int pace_percent = 100;                ///< live: it takes so much of its time, 95-105
+  std::optional<Instant> arrived{};      ///< live: when it came
+  std::optional<Instant> due{};          ///< --live: when the face should have reached it
 };
 
 /// Why a source has nothing more to give.
@@ -42,7 +45,8 @@ struct SourceStatus {
   bool negotiated = false;              ///< level 2
   bool live = false;                    ///< the server has one clock for all
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
-  Milliseconds delay{0};                ///< held ready, by time (live, --buffer auto or Nms)
+  Milliseconds delay{0};                ///< held ready, by time (live, --buffer auto or Nms);
+                                        ///< --live: from arrival until the face is there
   Milliseconds buffered{0};             ///< what is there, in the stream's own time
   std::uint64_t reconnects = 0;         ///< attempts after a loss (--reconnect)
   bool paused = false;                  ///< by the user, or by -1 because the buffers are full

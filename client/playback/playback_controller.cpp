@@ -19,6 +19,13 @@ std::optional<TimedAus> take_next(KeyframeSource& source, bool& ended) {
   return keyframe;
 }
 
+/// What a keyframe that begins at `begin` takes, of `time` that is its own.
+Duration time_taken(const TimedAus& keyframe, Milliseconds time, Instant begin) {
+  const Duration whole = time;
+  if (!keyframe.due) return whole * keyframe.pace_percent / 100;
+  return std::clamp(*keyframe.due - begin, whole * 95 / 100, whole * 105 / 100);
+}
+
 PlaybackState state_after(EndReason reason) {
   switch (reason) {
     case EndReason::EndOfStream:
@@ -62,6 +69,7 @@ std::string_view name(PlaybackState state) {
 PlaybackController::PlaybackController(std::optional<Milliseconds> speed) : speed_(speed) {}
 
 std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSource& source) {
+  if (state_ == PlaybackState::Lost) return hold(now);
   if (state_ == PlaybackState::Paused || over()) return std::nullopt;
   if (state_ == PlaybackState::Stalled || state_ == PlaybackState::Stale) {
     return advance_stalled(now, source);
@@ -70,31 +78,47 @@ std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSo
 
   move_to(now);
   if (moment_.position < kPositionsPerKeyframe) return std::nullopt;
-  finish_keyframe();
+  finish_keyframe(now);
   return begin_next(last_position_at_, now, source);
 }
 
 std::optional<KeyframeBegun> PlaybackController::advance_stalled(Instant now,
                                                                  KeyframeSource& source) {
-  if (state_ == PlaybackState::Stale) {
-    const Duration eased = std::min<Duration>(now - ease_begin_, kEaseTime);
-    moment_.mu = static_cast<double>(eased.count()) /
-                 static_cast<double>(std::chrono::duration_cast<Duration>(kEaseTime).count());
-    moment_.position = static_cast<int>(moment_.mu * kPositionsPerKeyframe);
-  }
-  const double cut_at = state_ == PlaybackState::Stale ? moment_.mu : 1;
+  count_stall(now);
+  move_easing(now);
+  const double cut_at = eased_ ? moment_.mu : 1;
   if (auto begun = begin_next(now, now, source)) {
     begun->cut_at = cut_at;
     return begun;
   }
-  if (state_ != PlaybackState::Stalled || !hold_ || now - stalled_since_ < *hold_) {
-    return std::nullopt;
-  }
-  state_ = PlaybackState::Stale;
+  return hold(now);
+}
+
+/// Nothing comes: begins the easing when it is time for it.
+std::optional<KeyframeBegun> PlaybackController::hold(Instant now) {
+  move_easing(now);
+  if (eased_ || !hold_ || !first_begin_ || now - stalled_since_ < *hold_) return std::nullopt;
+  if (state_ == PlaybackState::Stalled) state_ = PlaybackState::Stale;
+  eased_ = true;
   ease_begin_ = now;
   moment_.mu = 0;
   moment_.position = 0;
   return KeyframeBegun{{AuFrame{}, kEaseTime}, kEaseTime};
+}
+
+void PlaybackController::move_easing(Instant now) {
+  if (!eased_) return;
+  const Duration eased = std::min<Duration>(now - ease_begin_, kEaseTime);
+  moment_.mu = static_cast<double>(eased.count()) /
+               static_cast<double>(std::chrono::duration_cast<Duration>(kEaseTime).count());
+  moment_.position = static_cast<int>(moment_.mu * kPositionsPerKeyframe);
+}
+
+void PlaybackController::count_stall(Instant now) {
+  const Duration least = due_ ? kStallMin : Milliseconds::zero();
+  if (stall_counted_ || now - stalled_since_ < least) return;
+  stall_counted_ = true;
+  ++stalls_;
 }
 
 std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Instant now,
@@ -102,12 +126,14 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
   bool ended = false;
   auto keyframe = take_next(source, ended);
   if (!keyframe) {
+    const bool played = state_ == PlaybackState::Playing;
+    if (played) stalled_since_ = now;
     if (ended) {
       state_ = state_after(source.status().end);
-    } else if (state_ == PlaybackState::Playing) {
+    } else if (played) {
       state_ = PlaybackState::Stalled;
-      stalled_since_ = now;
-      ++stalls_;
+      stall_counted_ = false;
+      count_stall(now);
     }
     return std::nullopt;
   }
@@ -116,6 +142,15 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
               : speed_           ? *speed_
                                  : source.status().keyframe_time;
   AUCAST_CHECK(duration_ >= Milliseconds::zero());
+  if (film_clock_) {
+    keyframe->pace_percent = 100;
+    keyframe->arrived.reset();
+    keyframe->due.reset();
+  }
+  takes_ = time_taken(*keyframe, duration_, begin);
+  arrived_ = keyframe->arrived;
+  due_ = keyframe->due;
+  eased_ = false;
   state_ = PlaybackState::Playing;
   keyframe_begin_ = begin;
   if (!first_begin_) first_begin_ = begin;
@@ -124,13 +159,15 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
   return KeyframeBegun{std::move(*keyframe), duration_};
 }
 
-void PlaybackController::finish_keyframe() {
+void PlaybackController::finish_keyframe(Instant now) {
+  if (arrived_) delays_.add(now - *arrived_);
+  if (arrived_ && due_) delays_meant_.add(*due_ - *arrived_);
   ++keyframes_played_;
   media_time_ += duration_;
 }
 
 void PlaybackController::move_to(Instant now) {
-  const Duration whole = duration_;
+  const Duration whole = takes_;
   const Duration elapsed = std::clamp(now - keyframe_begin_, Duration::zero(), whole);
   if (elapsed == whole) {
     moment_.position = kPositionsPerKeyframe;
@@ -143,7 +180,8 @@ void PlaybackController::move_to(Instant now) {
 }
 
 PlaybackState PlaybackController::state() const {
-  return state_;
+  const bool waits = state_ == PlaybackState::Stalled && !stall_counted_;
+  return waits ? PlaybackState::Playing : state_;
 }
 
 PlaybackMoment PlaybackController::moment() const {
@@ -151,9 +189,12 @@ PlaybackMoment PlaybackController::moment() const {
 }
 
 std::optional<Instant> PlaybackController::next_position_at() const {
-  if (state_ != PlaybackState::Playing) return std::nullopt;
+  const bool neutral_next = state_ == PlaybackState::Stale || state_ == PlaybackState::Lost;
+  const bool eases = eased_ && neutral_next && moment_.mu < 1;
+  if (state_ != PlaybackState::Playing && !eases) return std::nullopt;
+  const Duration whole = eases ? Duration(kEaseTime) : takes_;
   const int next = std::min(moment_.position + 1, kPositionsPerKeyframe);
-  return keyframe_begin_ + Duration(duration_) * next / kPositionsPerKeyframe;
+  return (eases ? ease_begin_ : keyframe_begin_) + whole * next / kPositionsPerKeyframe;
 }
 
 void PlaybackController::pause(Instant now) {
@@ -177,7 +218,8 @@ void PlaybackController::stop(Instant now) {
   if (over()) return;
   if (state_ == PlaybackState::Playing) move_to(now);
   const PlaybackState at = state_ == PlaybackState::Paused ? paused_from_ : state_;
-  if (at == PlaybackState::Playing && moment_.position == kPositionsPerKeyframe) finish_keyframe();
+  if (at == PlaybackState::Playing && moment_.position == kPositionsPerKeyframe)
+    finish_keyframe(now);
   state_ = PlaybackState::Stopped;
 }
 

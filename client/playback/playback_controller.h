@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "client/playback/delay_meter.h"
 #include "client/playback/keyframe_source.h"
 #include "common/time.h"
 
@@ -20,15 +21,17 @@ enum class PlaybackState : std::uint8_t {
   Paused,   ///< by the user
   Ended,    ///< the last keyframe's position 50 is reached and the stream had ended
   Stopped,  ///< the user left
-  Lost,     ///< everything received is played and the connection was lost before the end
+  Lost,     ///< everything received is played and the connection was lost before the end; the face
+            ///< holds and eases to neutral as in Stale
 };
 
 [[nodiscard]] std::string_view name(PlaybackState state);
 
-/// A keyframe that has just begun: the face goes from where it is to `target` in `duration`.
+/// A keyframe that has just begun: the face goes from where it is to `target`.
 struct KeyframeBegun {
   TimedAus target;
-  Milliseconds duration{0};  ///< the one in force: packet, --speed, server's default
+  Milliseconds duration{0};  ///< its time: packet, --speed, server's default; live it may take 5 %
+                             ///< more or less
   double cut_at = 1;         ///< where the one before was left: 1, or less within the easing
 };
 
@@ -42,7 +45,8 @@ struct PlaybackMoment {
 /// The playback controller of figure 5.15 on a given clock. The end frame of one keyframe is the
 /// start frame of the next, which begins exactly where the last one ended, so that nothing drifts:
 /// N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe of 0 ms
-/// is a jump: it is over as soon as it has begun.
+/// is a jump: it is over as soon as it has begun. A live keyframe that says when it is due is
+/// reached then, if that makes it at most 5 % faster or slower than its own time.
 /// The moments handed in must not go back.
 /// Thread: the player's.
 class PlaybackController {
@@ -56,15 +60,24 @@ class PlaybackController {
   /// The easing to neutral is returned as a keyframe too, but counts as none.
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now, KeyframeSource& source);
 
-  /// After a stall of so long the face eases to neutral, within kEaseTime. Without: never.
+  /// After a stall or a loss of so long the face eases to neutral, within kEaseTime. Without:
+  /// never.
   void set_hold(Milliseconds hold) { hold_ = hold; }
   static constexpr Milliseconds kEaseTime{1000};
+  /// The moments handed in are a film's and not those of arrivals: every keyframe takes its own
+  /// time, live or not, and no delay is measured.
+  void set_film_clock() { film_clock_ = true; }
+  /// The face has left the last keyframe for neutral.
+  [[nodiscard]] bool eased() const { return eased_; }
+  /// Where keyframes come just in time, a wait shorter than this is seen by nobody: it is no stall.
+  static constexpr Milliseconds kStallMin{20};
 
   [[nodiscard]] PlaybackState state() const;
   /// True in Ended, Stopped and Lost: nothing moves any more.
   [[nodiscard]] bool over() const;
   [[nodiscard]] PlaybackMoment moment() const;
-  /// When position k+1 of the current keyframe is reached; nothing when the clock stands.
+  /// When position k+1 of the current keyframe, or of the easing, is reached; nothing when the
+  /// clock stands.
   [[nodiscard]] std::optional<Instant> next_position_at() const;
 
   /// The user holds the face where it is at `now`; resume() goes on from that very fraction.
@@ -77,6 +90,10 @@ class PlaybackController {
 
   [[nodiscard]] std::uint64_t keyframes_played() const;  ///< whole ones
   [[nodiscard]] std::uint64_t stalls() const;
+  /// Live: from the arrival of each keyframe to the call that found it reached.
+  [[nodiscard]] const DelayMeter& delays() const { return delays_; }
+  /// The same as it was meant to be, where keyframes said when they were due.
+  [[nodiscard]] const DelayMeter& delays_meant() const { return delays_meant_; }
   /// From position 0 of the first keyframe to the last position reached, on the given clock, stalls
   /// and pauses included. Exact: the moment of the position, not that of the call that noticed it.
   [[nodiscard]] Duration playback_time() const;
@@ -90,17 +107,28 @@ class PlaybackController {
   [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant begin, Instant now,
                                                         KeyframeSource& source);
   [[nodiscard]] std::optional<KeyframeBegun> advance_stalled(Instant now, KeyframeSource& source);
-  void finish_keyframe();
+  [[nodiscard]] std::optional<KeyframeBegun> hold(Instant now);
+  void move_easing(Instant now);
+  void count_stall(Instant now);
+  void finish_keyframe(Instant now);
 
   std::optional<Milliseconds> speed_;
   PlaybackState state_ = PlaybackState::Buffering;
   PlaybackMoment moment_;
   Instant keyframe_begin_{};
   Milliseconds duration_{0};
+  Duration takes_{0};  ///< as it is played: more or less than duration_
+  std::optional<Instant> arrived_;
+  std::optional<Instant> due_;
+  DelayMeter delays_;
+  DelayMeter delays_meant_;
   std::optional<Instant> first_begin_;
   Instant last_position_at_{};
   std::optional<Milliseconds> hold_;
-  Instant stalled_since_{};
+  bool film_clock_ = false;
+  Instant stalled_since_{};  ///< or lost
+  bool stall_counted_ = true;
+  bool eased_ = false;
   Instant ease_begin_{};
   Instant paused_since_{};
   PlaybackState paused_from_ = PlaybackState::Buffering;

@@ -95,6 +95,59 @@ TEST_F(Holding, NeverWithoutAHold) {
   EXPECT_EQ(other.state(), PlaybackState::Stalled);
 }
 
+TEST_F(Holding, ALossIsHeldAndEasedAsWell) {
+  EXPECT_FALSE(advance(3s));
+  source_.now.end = EndReason::ConnectionLost;
+  EXPECT_FALSE(advance(0s));
+  EXPECT_EQ(controller_.state(), PlaybackState::Lost);
+  EXPECT_FALSE(controller_.eased());
+  EXPECT_FALSE(advance(1999ms)) << "five seconds since something came";
+  EXPECT_FALSE(controller_.next_position_at());
+  const auto easing = advance(1ms);
+  ASSERT_TRUE(easing);
+  EXPECT_EQ(easing->target.aus, AuFrame{});
+  EXPECT_EQ(controller_.state(), PlaybackState::Lost) << "it remains what it is";
+  EXPECT_TRUE(controller_.over());
+  EXPECT_TRUE(controller_.eased());
+  EXPECT_EQ(controller_.next_position_at(), clock_.now() + 20ms);
+  EXPECT_FALSE(advance(500ms));
+  EXPECT_EQ(controller_.moment().mu, 0.5);
+  EXPECT_FALSE(advance(1h));
+  EXPECT_EQ(controller_.moment().mu, 1.0);
+  EXPECT_FALSE(controller_.next_position_at());
+  EXPECT_EQ(controller_.keyframes_played(), 1U);
+}
+
+TEST_F(Holding, ALossWithinTheEasingEndsTheEasingFirst) {
+  EXPECT_TRUE(advance(5s));
+  source_.now.end = EndReason::ConnectionLost;
+  EXPECT_FALSE(advance(400ms));
+  EXPECT_EQ(controller_.state(), PlaybackState::Lost);
+  EXPECT_EQ(controller_.moment().mu, 0.4);
+  EXPECT_FALSE(advance(300ms));
+  EXPECT_EQ(controller_.moment().mu, 0.7);
+}
+
+TEST_F(Holding, WhatEndedWellStaysAsItIs) {
+  source_.now.end = EndReason::EndOfStream;
+  EXPECT_FALSE(advance(0s));
+  EXPECT_FALSE(advance(1h));
+  EXPECT_EQ(controller_.state(), PlaybackState::Ended);
+  EXPECT_FALSE(controller_.eased());
+}
+
+TEST(HoldingNothing, ALossBeforeTheFirstKeyframeMovesNothing) {
+  aucast::test::ManualClock clock;
+  ScriptedSource source;
+  source.now.end = EndReason::Unreachable;
+  PlaybackController controller(std::nullopt);
+  controller.set_hold(5s);
+  EXPECT_FALSE(controller.advance(clock.now(), source));
+  EXPECT_EQ(controller.state(), PlaybackState::Lost);
+  clock.advance(1h);
+  EXPECT_FALSE(controller.advance(clock.now(), source));
+}
+
 /// The face never moves faster than from one keyframe to the next within a keyframe's time: no
 /// frame jumps, whenever the stream breaks off and comes again.
 TEST_F(Holding, NoFrameJumps) {

@@ -1,0 +1,241 @@
+// --live from arrival to face: playout, buffers and controller together over links of every kind.
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include <gtest/gtest.h>
+
+#include "client/playback/interpolator.h"
+#include "client/playback/keyframe_buffers.h"
+#include "client/playback/live_playout.h"
+#include "client/playback/playback_controller.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/seeded.h"
+#include "tests/unit/playback/marked.h"
+
+namespace aucast::playback {
+namespace {
+
+using namespace std::chrono_literals;
+using aucast::test::ManualClock;
+using aucast::test::Seeded;
+using test::mark_of;
+using test::marked;
+
+BufferOptions low_delay() {
+  BufferOptions options;
+  options.low_delay = true;
+  return options;
+}
+
+/// What the network thread makes of a live stream: keyframes that say when they came and are due.
+class LinkSource final : public KeyframeSource {
+ public:
+  explicit LinkSource(Milliseconds time) : time_(time) { buffers_.set_live(time); }
+
+  void arrive(Instant now) {
+    TimedAus keyframe = marked(++sent_, time_);
+    keyframe.arrived = now;
+    keyframe.due = playout_.arrived(now, time_);
+    EXPECT_EQ(buffers_.store(keyframe), KeyframeBuffers::Stored::Yes);
+  }
+
+  [[nodiscard]] std::optional<TimedAus> take() override { return buffers_.take(); }
+  [[nodiscard]] bool ready() const override { return buffers_.has_next(); }
+  bool wait_until(Instant /*until*/) override { return ready(); }
+  [[nodiscard]] SourceStatus status() const override { return {}; }
+  void stop() override {}
+  [[nodiscard]] std::uint64_t dropped() const { return buffers_.dropped(); }
+
+ private:
+  Milliseconds time_;
+  LivePlayout playout_;
+  KeyframeBuffers buffers_{low_delay()};
+  int sent_ = 0;
+};
+
+/// A live stream being watched. Looks at the face every millisecond and checks each time that it
+/// goes on in order, no faster and no slower than 5 % from its own speed, and never beyond.
+class Watching {
+ public:
+  explicit Watching(Milliseconds time) : time_(time), source_(time) {}
+
+  /// Sends for so long; `late` gives how late each keyframe comes.
+  template <typename Late>
+  void send(Duration how_long, const Late& late) {
+    const Instant end = now_ + how_long;
+    while (now_ < end) {
+      if (now_ >= next_sent_) {
+        const Instant before = under_way_.empty() ? now_ : under_way_.back();
+        under_way_.push_back(std::max(before, next_sent_ + late()));
+        next_sent_ += time_;
+      }
+      while (!under_way_.empty() && under_way_.front() <= now_) {
+        source_.arrive(under_way_.front());
+        under_way_.pop_front();
+      }
+      look();
+      now_ += 1ms;
+    }
+  }
+
+  [[nodiscard]] DelaySummary lately() const { return controller_.delays().lately(); }
+  [[nodiscard]] const PlaybackController& controller() const { return controller_; }
+  [[nodiscard]] std::uint64_t dropped() const { return source_.dropped(); }
+
+ private:
+  void look() {
+    while (const auto begun = controller_.advance(now_, source_)) {
+      EXPECT_GT(mark_of(begun->target), last_mark_);
+      last_mark_ = mark_of(begun->target);
+      EXPECT_EQ(begun->duration, time_);
+      from_ = to_;
+      to_ = static_cast<float>(last_mark_ % 2);
+      before_ = -1;
+    }
+    const PlaybackMoment moment = controller_.moment();
+    if (moment.keyframe == 0) return;
+    if (before_ >= 0 && moment.mu < 1) {
+      const double own = 1.0 / static_cast<double>(time_.count());  // in a millisecond
+      EXPECT_GE(moment.mu - before_, own / 1.051);
+      EXPECT_LE(moment.mu - before_, own / 0.949);
+    }
+    before_ = moment.mu;
+    float shown = 0;
+    interpolate({&from_, 1}, {&to_, 1}, ease(Interpolation::Cosine, moment.mu), {&shown, 1});
+    EXPECT_GE(shown, std::min(from_, to_));
+    EXPECT_LE(shown, std::max(from_, to_));
+  }
+
+  Milliseconds time_;
+  LinkSource source_;
+  PlaybackController controller_{std::nullopt};
+  Instant now_ = ManualClock().now();
+  Instant next_sent_ = now_;
+  std::deque<Instant> under_way_;
+  int last_mark_ = 0;
+  double before_ = -1;
+  float from_ = 0;
+  float to_ = 0;
+};
+
+constexpr auto kInTime = [] { return Duration(0ms); };
+
+TEST(LowDelay, IsOneKeyframeOnALinkWithoutJitter) {
+  Watching watching(40ms);
+  watching.send(10s, kInTime);
+  EXPECT_LE(watching.lately().median, 43ms);
+  EXPECT_LE(watching.lately().longest, 43ms);
+  EXPECT_EQ(watching.controller().stalls(), 0U);
+  EXPECT_EQ(watching.dropped(), 0U);
+}
+
+TEST(LowDelay, IsThereWithinSecondsWhoeverJoinsWhen) {
+  Watching watching(100ms);
+  bool first = true;
+  watching.send(5s, [&] { return std::exchange(first, false) ? Duration(90ms) : Duration(0ms); });
+  watching.send(20s, kInTime);
+  EXPECT_LE(watching.lately().median, 103ms);
+}
+
+TEST(LowDelay, CatchesUpAfterAnOutageWithoutAJump) {
+  Watching watching(40ms);
+  watching.send(20s, kInTime);
+  const Duration outage = 1s;
+  // One is lost, and all behind it come together with it.
+  bool lost = true;
+  watching.send(1s, [&] { return std::exchange(lost, false) ? outage : Duration(0ms); });
+  EXPECT_EQ(watching.controller().stalls(), 1U);
+  watching.send(4s, kInTime);
+  EXPECT_GT(watching.dropped(), 10U) << "the face stood: what is past is left out";
+  watching.send(11s, kInTime);
+  EXPECT_LE(watching.lately().median, 44ms);
+  EXPECT_LE(watching.lately().longest, 44ms) << "for ten seconds";
+  EXPECT_EQ(watching.controller().stalls(), 1U);
+}
+
+TEST(LowDelay, FollowsJitterOfEveryKind) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 20; ++run) {
+    const Milliseconds time(seeded.integer(8, 120));
+    const int jitter_us = seeded.integer(0, 100'000);
+    SCOPED_TRACE(::testing::Message() << time.count() << " ms, jitter " << jitter_us << " us");
+    Watching watching(time);
+    const auto late = [&] { return Duration(seeded.integer(0, jitter_us) * 1us); };
+    watching.send(60s, late);
+    const std::uint64_t stalls = watching.controller().stalls();
+    watching.send(60s, late);
+    EXPECT_LE(watching.lately().median, time + jitter_us * 1us + 5ms);
+    EXPECT_LE(watching.controller().stalls() - stalls, 4U) << "in a minute";
+  }
+}
+
+/// However bad it is: the checks of every look hold, and it is as near as 5 % allow.
+TEST(LowDelay, KeepsItsRulesOverAWildLink) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 10; ++run) {
+    Watching watching(Milliseconds(seeded.integer(5, 150)));
+    for (int part = 0; part < 20; ++part) {
+      const int jitter_us = seeded.integer(0, 300'000);
+      const double outages = seeded.chance(0.3) ? 0.01 : 0;
+      watching.send(Milliseconds(seeded.integer(100, 5000)), [&] {
+        const int lost_ms = seeded.chance(outages) ? seeded.integer(200, 3000) : 0;
+        return Duration(seeded.integer(0, jitter_us) * 1us + lost_ms * 1ms);
+      });
+    }
+    EXPECT_GT(watching.controller().keyframes_played(), 10U);
+  }
+}
+
+TEST(LowDelay, AWaitThatNobodySeesIsNoStall) {
+  for (const auto& [wait, stalls] : {std::pair(19ms, 0U), std::pair(20ms, 1U)}) {
+    LinkSource source(40ms);
+    PlaybackController controller(std::nullopt);
+    Instant now = ManualClock().now();
+    source.arrive(now);
+    EXPECT_TRUE(controller.advance(now, source));
+    now += 42ms;
+    EXPECT_FALSE(controller.advance(now, source));
+    EXPECT_EQ(controller.moment().mu, 1.0);
+    EXPECT_FALSE(controller.next_position_at());
+    EXPECT_EQ(controller.state(), PlaybackState::Playing);
+    now += wait;
+    EXPECT_FALSE(controller.advance(now, source));
+    EXPECT_EQ(controller.state(), stalls == 1 ? PlaybackState::Stalled : PlaybackState::Playing);
+    source.arrive(now);
+    EXPECT_TRUE(controller.advance(now, source));
+    EXPECT_EQ(controller.state(), PlaybackState::Playing);
+    EXPECT_EQ(controller.stalls(), stalls);
+  }
+}
+
+TEST(LowDelay, CountsFromTheArrivalToTheFace) {
+  LinkSource source(40ms);
+  PlaybackController controller(std::nullopt);
+  Instant now = ManualClock().now();
+  source.arrive(now);
+  now += 5ms;
+  EXPECT_TRUE(controller.advance(now, source));
+  now += 50ms;
+  EXPECT_FALSE(controller.advance(now, source));
+  EXPECT_EQ(controller.delays().all().longest, 55ms) << "seen by the call, not by the clock";
+  EXPECT_EQ(controller.delays_meant().all().median, 42ms);
+}
+
+TEST(LowDelay, OfAFilmIsNone) {
+  LinkSource source(40ms);
+  PlaybackController controller(std::nullopt);
+  controller.set_film_clock();
+  source.arrive(ManualClock().now());
+  Instant film{};
+  EXPECT_TRUE(controller.advance(film, source));
+  film += 40ms;
+  EXPECT_FALSE(controller.advance(film, source));
+  EXPECT_EQ(controller.keyframes_played(), 1U) << "after its own time";
+  EXPECT_EQ(controller.delays().all().keyframes, 0U);
+}
+
+}  // namespace
+}  // namespace aucast::playback
