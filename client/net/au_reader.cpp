@@ -146,6 +146,7 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   session_ = protocol::ClientSession(std::move(again));
   measured_since_.reset();
   jitter_.begin_again();
+  playout_.begin_again();
   status_.connected = false;
   status_.negotiated = false;
   ++status_.reconnects;
@@ -210,7 +211,7 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
   const Milliseconds time = keyframe.duration.value_or(status_.keyframe_time);
   place_ms_ += static_cast<std::uint64_t>(time.count());
-  note_arrival(time);
+  if (status_.live) note_live(event, keyframe);
 
   ++owed_;
   if (!settled_ && negotiate_ && !negotiated() && !first_) {
@@ -231,7 +232,8 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   buffers_.set_live(status_.live ? std::optional(options_.speed.value_or(status_.keyframe_time))
                                  : std::nullopt);
   buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
-  if (options_.buffers.adapt && status_.live) buffers_.set_delay(first_delay_);
+  if (options_.buffers.adapt && !options_.buffers.low_delay && status_.live)
+    buffers_.set_delay(first_delay_);
   place_ms_ = event.hello.from_ms;
   answer(reaction.send);  // the user may have paused already
 }
@@ -262,9 +264,24 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
   end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));
 }
 
+void AuReader::note_live(const protocol::DeliverKeyframe& event, TimedAus& keyframe) {
+  keyframe.arrived = now_;
+  const Milliseconds time =
+      keyframe.duration.value_or(options_.speed.value_or(status_.keyframe_time));
+  if (!options_.buffers.low_delay) {
+    note_arrival(time);
+  } else if (user_paused_) {
+    playout_.begin_again();
+  } else {
+    std::optional<Milliseconds> place;
+    if (event.place_ms) place = Milliseconds(*event.place_ms);
+    keyframe.due = playout_.arrived(now_, time, place);
+  }
+}
+
 /// Measures the jitter. The first keyframe tells nothing: who joins is sent one that has begun.
 void AuReader::note_arrival(Milliseconds time) {
-  if (!options_.buffers.adapt || !status_.live || user_paused_) {
+  if (!options_.buffers.adapt || user_paused_) {
     measured_since_.reset();
     return;
   }
@@ -378,7 +395,10 @@ bool AuReader::has_words() const {
 }
 
 void AuReader::set_paused(bool paused) {
-  if (user_paused_ && !paused) jitter_.begin_again();
+  if (user_paused_ && !paused) {
+    jitter_.begin_again();
+    playout_.begin_again();
+  }
   user_paused_ = paused;
 }
 
@@ -399,6 +419,9 @@ playback::SourceStatus AuReader::status() const {
   status.bytes_received = bytes_before_ + session_.payload_bytes();
   status.keyframes_dropped = buffers_.dropped();
   status.delay = buffers_.delay();
+  if (status_.live && options_.buffers.low_delay) {
+    status.delay = std::chrono::round<Milliseconds>(playout_.delay());
+  }
   status.buffered = buffers_.buffered();
   return status;
 }

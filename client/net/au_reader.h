@@ -13,6 +13,7 @@
 #include "client/playback/jitter_meter.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
+#include "client/playback/live_playout.h"
 #include "common/time.h"
 #include "protocol/client_session.h"
 
@@ -56,6 +57,7 @@ struct Reaction {
 /// a recorded one at the place where it was cut off, if the server knows how, a live one now.
 /// With BufferOptions::adapt a live stream is held back by what its jitter asks for, and before
 /// that is known by the round trip: a packet that was lost takes one and more to come again.
+/// With BufferOptions::low_delay each keyframe of a live stream says when it is due instead.
 /// Thread: none of its own; the owner guards it.
 class AuReader {
  public:
@@ -106,6 +108,7 @@ class AuReader {
   void handle(const protocol::ReconnectClassic& event, Reaction& reaction);
   void handle(const protocol::SessionFailed& event, Reaction& reaction);
 
+  void note_live(const protocol::DeliverKeyframe& event, playback::TimedAus& keyframe);
   void note_arrival(Milliseconds time);
   void take_in(const playback::TimedAus& keyframe);
   void store_kept();
@@ -133,6 +136,7 @@ class AuReader {
   playback::SourceStatus status_;  ///< without what can be asked from the others
   Instant connected_at_{};
   Instant now_{};  ///< of the call that is being worked on
+  playback::LivePlayout playout_;
   playback::JitterMeter jitter_;
   Milliseconds first_delay_{0};            ///< before the jitter is known
   std::optional<Instant> measured_since_;  ///< nothing: the next keyframe tells nothing of it

@@ -80,6 +80,86 @@ TEST_F(LiveReading, IsAStreamWithAThresholdWhenNotLive) {
   EXPECT_FALSE(reader_->ready());
 }
 
+class LowDelay : public LiveReading {
+ protected:
+  LowDelay() {
+    AuReaderOptions options;
+    options.buffers.low_delay = true;
+    options.buffers.adapt = true;
+    start(options);
+  }
+};
+
+TEST_F(LowDelay, PlaysWithTheFirstKeyframeAndSaysWhenItIsDue) {
+  feed(kLive + "{1}");
+  ASSERT_TRUE(reader_->ready());
+  const auto first = reader_->take();
+  EXPECT_EQ(first->arrived, clock_.now());
+  EXPECT_GE(*first->due - clock_.now(), 200ms);
+  EXPECT_LE(*first->due - clock_.now(), 205ms);
+  EXPECT_EQ(status().delay, 202ms);
+  clock_.advance(39ms);
+  feed("{1;40}");
+  EXPECT_EQ(reader_->take()->arrived, clock_.now()) << "one by one";
+}
+
+TEST_F(LowDelay, GoesByTheTimesAndPlacesOfTheStream) {
+  feed(kLive + "{1;40@5000}");
+  clock_.advance(119ms);
+  feed("{2;40@5120}");  // two were left out
+  static_cast<void>(reader_->take());
+  EXPECT_EQ(*reader_->take()->due, clock_.now() + 42ms);
+}
+
+TEST_F(LowDelay, SkipsToThePresentWhileTheFaceStands) {
+  feed(kLive);
+  for (int i = 0; i < 100; ++i) {
+    clock_.advance(39ms);
+    feed("{1;40}");
+    static_cast<void>(reader_->take());
+  }
+  EXPECT_FALSE(reader_->take());
+  clock_.advance(2s);
+  std::string burst;
+  for (int i = 0; i < 50; ++i) burst += i == 49 ? "{9;40}" : "{2;40}";
+  EXPECT_EQ(feed(burst), std::string(50, '1')) << "answered in one write";
+  std::optional<playback::TimedAus> last;
+  int left = 0;
+  while (const auto next = reader_->take()) {
+    last = next;
+    ++left;
+  }
+  EXPECT_LE(left, 3);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->aus.left[9], 1.0F) << "the newest is what counts";
+  EXPECT_EQ(status().keyframes_dropped, 50U - static_cast<unsigned>(left));
+}
+
+TEST_F(LowDelay, IsNothingForARecordedStream) {
+  feed("{hello v=2 window=4 keyframe=200}{1}{2}");
+  EXPECT_FALSE(reader_->ready()) << "the threshold holds";
+  static_cast<void>(close());
+  EXPECT_FALSE(reader_->take()->due);
+}
+
+TEST_F(LowDelay, BeginsAgainAfterThePauseOfTheUser) {
+  feed(kLive + "{1;40}{1;40}");
+  reader_->set_paused(true);
+  clock_.advance(10s);
+  reader_->set_paused(false);
+  while (reader_->take()) {
+  }
+  feed("{1;40}");
+  EXPECT_EQ(*reader_->take()->due, clock_.now() + 42ms) << "and not ten seconds ago";
+}
+
+TEST_F(LiveReading, SaysWhenKeyframesCame) {
+  start({});
+  feed(kLive + "{1}{2}");
+  EXPECT_EQ(reader_->take()->arrived, clock_.now());
+  EXPECT_FALSE(reader_->take()->due);
+}
+
 class Reconnecting : public LiveReading {
  protected:
   Reconnecting() {
