@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <thread>
 
+#include "client/app/live_text.h"
 #include "client/app/steady.h"
 #include "client/pipeline/face_pipeline.h"
 #include "client/playback/playback_controller.h"
@@ -38,7 +40,10 @@ void run_clocked(const Assets& assets, const PlayerOptions& options,
     const std::uint64_t played = controller.keyframes_played();
     const auto begun = controller.advance(now, source);
     // The end is measured where it is noticed, right after the position was due.
-    if (controller.keyframes_played() != played) stats.playback_seconds = seconds(now - *first);
+    if (controller.keyframes_played() != played) {
+      stats.playback_seconds = seconds(now - *first);
+      trace_reached(pipeline.received(), now);
+    }
     if (controller.state() != state) {
       state = controller.state();
       spdlog::info("{}", playback::name(state));
@@ -49,6 +54,8 @@ void run_clocked(const Assets& assets, const PlayerOptions& options,
       if (!first) {
         first = now;
         stats.first_frame_ms = since_start_ms();
+        const std::string objection = live_objection(options.playback, source.status());
+        if (!objection.empty()) spdlog::warn("{}", objection);
       }
       continue;
     }
@@ -59,9 +66,7 @@ void run_clocked(const Assets& assets, const PlayerOptions& options,
       source.wait_until(now + kSleepMax);
     }
   }
-  stats.keyframes_played = controller.keyframes_played();
-  stats.stalls = controller.stalls();
-  stats.media_seconds = seconds(controller.media_time());
+  stats.take(controller);
 }
 
 }  // namespace aucast::app

@@ -163,8 +163,8 @@ class Film {
     if (const auto& seed = options_.playback.idle_seed) {
       idle_.stir(playback::idle_moment(*seed, film_ms / 1000.0), activations_);
     }
-    if (const auto& seed = options_.playback.blink_seed) {
-      idle_.blink(playback::blink_closure(*seed, film_ms / 1000.0), activations_);
+    if (const auto& blink = options_.playback.blink) {
+      idle_.blink(playback::blink_closure(*blink, film_ms / 1000.0), activations_);
     }
     view::Image image = maker_->picture(activations_);
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
@@ -196,6 +196,7 @@ Result<void> run_film(const Assets& assets, const PlayerOptions& options,
   Film film(assets, options, stop, stats);
   if (auto opened = film.open(); !opened) return opened;
   playback::PlaybackController controller(options.playback.speed);
+  controller.set_film_clock();
   Instant film_now{};
   std::optional<Instant> first;
   std::int64_t begin_ms = 0;

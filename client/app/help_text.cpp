@@ -19,7 +19,7 @@ Receiving
   --buffer N (100)  --playout N (30)  --threshold PERCENT (40)   Receiver and Playout buffer,
                       sets, and how full the first must be before playing starts
   --buffer auto | Nms by time instead: as the link needs, or so many milliseconds
-  --live-delay MS     of a live stream so much is there instead; else as the link needs
+  --live              lowest delay of a live stream    --live-delay MS  so much (as the link needs)
   --hold S (5)        after a stall of so long the face eases to neutral
   --stream NAME       which of the server's streams (its first)     --list   print their names
   --protocol auto|classic     classic never sends a hello
@@ -30,8 +30,8 @@ Receiving
   --reconnect         hold the face and try again after 1, 2, 4 ... 30 s when the server is lost
 Animating
   --speed MS          time of a keyframe that brings none of its own, 1-1000
-  --mixer maximum|average     --rules facs|kumar2010|none|FILE
-  --interpolation linear|cosine     --blink SEED: blinks     --idle SEED: also looks about, breathes
+  --mixer maximum|average    --rules facs|kumar2010|none|FILE    --interpolation linear|cosine
+  --blink SEED[:INTERVAL_MS[:CLOSING_MS]]: blinks (4000, 100)    --idle SEED: also looks, breathes
   --face DIR|NAME (default)         --data DIR     where faces, rules and streams are
 Pictures and numbers (these run on the film clock, like --fast)
   --frames DIR        frame_000001.png ...: 50 a keyframe, or --fps N a second
@@ -65,8 +65,8 @@ constexpr std::string_view kPlay =
   face-player play FILE --headless [OPTIONS]  without a display
 
   --speed MS          time of a keyframe that brings none of its own, 1-1000 (250)
-  --mixer maximum|average     --rules facs|kumar2010|none|FILE
-  --interpolation linear|cosine     --blink SEED: blinks     --idle SEED: also looks about, breathes
+  --mixer maximum|average    --rules facs|kumar2010|none|FILE    --interpolation linear|cosine
+  --blink SEED[:INTERVAL_MS[:CLOSING_MS]]: blinks (4000, 100)    --idle SEED: also looks, breathes
   --face DIR|NAME (default)         --data DIR     where faces, rules and streams are
   --frames DIR        frame_000001.png ...: 50 a keyframe, or --fps N a second
   --record FILE       .mp4, .webm or .gif, 30 pictures a second unless --fps N

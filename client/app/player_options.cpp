@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <string_view>
 
 #include "client/app/help_text.h"
 #include "common/command_line.h"
@@ -25,7 +27,7 @@ struct Raw {
   std::string background;
   std::string show;
   std::string protocol = "auto";
-  std::uint64_t blink_seed = 0;
+  std::string blink;
   std::uint64_t idle_seed = 0;
   std::vector<std::string> muscles;
   int verbose = 0;
@@ -66,7 +68,7 @@ void add_playback(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("--speed", raw.speed_ms)->check(CLI::Range(1, 1000));
   cli.add_option("--interpolation", options.playback.interpolation)
       ->transform(CLI::CheckedTransformer(kInterpolations));
-  cli.add_option("--blink", raw.blink_seed);
+  cli.add_option("--blink", raw.blink);
   cli.add_option("--idle", raw.idle_seed);
   cli.add_option("--frames", options.output.frames);
   cli.add_option("--record", options.output.record);
@@ -83,6 +85,7 @@ void add_network(CLI::App& cli, PlayerOptions& options, Raw& raw) {
   cli.add_option("--threshold", options.playback.buffers.threshold_percent)
       ->check(CLI::Range(1, 100));
   cli.add_option("--live-delay", raw.live_delay_ms)->check(CLI::Range(0, 60000));
+  cli.add_flag("--live", options.playback.buffers.low_delay);
   net::SecurityOptions& security = options.playback.security_options;
   cli.add_flag("--tls", security.tls);
   cli.add_option("--tls-ca", security.files.authorities);
@@ -183,10 +186,37 @@ Result<void> read_muscles(const std::vector<std::string>& texts, PoseOptions& po
   return {};
 }
 
-bool read_whole(const std::string& text, int low, int high, int& out) {
+template <typename Number>
+bool read_whole(std::string_view text, Number low, Number high, Number& out) {
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, out);
   return read.ec == std::errc() && read.ptr == end && out >= low && out <= high;
+}
+
+/// SEED[:INTERVAL_MS[:CLOSING_MS]]
+Result<void> read_blink(const std::string& text, PlaybackOptions& playback) {
+  playback::BlinkOptions blink;
+  std::string_view rest = text;
+  const auto next = [&rest] {
+    const std::size_t colon = rest.find(':');
+    const std::string_view word = rest.substr(0, colon);
+    rest = colon == std::string_view::npos ? std::string_view() : rest.substr(colon + 1);
+    return word;
+  };
+  const auto colons = std::count(text.begin(), text.end(), ':');
+  const bool good =
+      colons <= 2 &&
+      read_whole(next(), std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(), blink.seed) &&
+      (colons < 1 || read_whole(next(), 500, 60'000, blink.interval_ms)) &&
+      (colons < 2 || read_whole(next(), 25, 500, blink.closing_ms)) &&
+      blink.closing_ms * 6 <= blink.interval_ms;
+  if (!good) {
+    return usage("--blink '" + escaped(text) +
+                 "' is not SEED[:INTERVAL[:CLOSING]]: a number, then ms, 500 to 60000 between "
+                 "blinks and 25 to 500, at most a sixth of that, to close the lids");
+  }
+  playback.blink = blink;
+  return {};
 }
 
 Error bad_buffer(const std::string& text) {
@@ -200,6 +230,9 @@ constexpr int kBufferSetsByTime = 2000;
 Result<void> read_buffers(const CLI::App& cli, const Raw& raw, playback::BufferOptions& buffers) {
   buffers.live_delay = Milliseconds(raw.live_delay_ms);
   buffers.adapt = cli.count("--live-delay") == 0;
+  if (buffers.low_delay && !buffers.adapt) {
+    return usage("--live takes the lowest delay and --live-delay another: give one of them");
+  }
   int sets = kBufferSetsByTime;
   if (raw.buffer == "auto") {
     buffers.by_time = true;
@@ -207,6 +240,9 @@ Result<void> read_buffers(const CLI::App& cli, const Raw& raw, playback::BufferO
     int time_ms = 0;
     if (!read_whole(raw.buffer.substr(0, raw.buffer.size() - 2), 0, 60'000, time_ms)) {
       return bad_buffer(raw.buffer);
+    }
+    if (buffers.low_delay) {
+      return usage("--live takes the lowest delay and --buffer " + raw.buffer + " another");
     }
     if (!buffers.adapt) return usage("--live-delay and --buffer " + raw.buffer + " say the same");
     buffers.by_time = true;
@@ -241,12 +277,17 @@ Result<void> settle(const CLI::App& cli, const Raw& raw, PlayerOptions& options)
   if (options.command == Command::Watch || options.command == Command::Play) {
     if (cli.count("--idle") > 0) {
       options.playback.idle_seed = raw.idle_seed;
-      options.playback.blink_seed = raw.idle_seed;
+      options.playback.blink = playback::BlinkOptions{raw.idle_seed};
     }
-    if (cli.count("--blink") > 0) options.playback.blink_seed = raw.blink_seed;
+    if (cli.count("--blink") > 0) {
+      if (auto blink = read_blink(raw.blink, options.playback); !blink) return blink;
+    }
     if (auto buffers = read_buffers(cli, raw, options.playback.buffers); !buffers) return buffers;
     if (options.output.pictures()) options.output.fast = true;
     if (options.output.fast) options.headless = true;
+    if (options.output.fast && options.playback.buffers.low_delay) {
+      return usage("--live is for watching; --fast and pictures run on the film clock");
+    }
   }
   options.playback.classic = raw.protocol == "classic";
   options.playback.hold = Milliseconds(std::llround(raw.hold_s * 1000));

@@ -10,6 +10,7 @@
 
 #include "client/face/muscle_mixer.h"
 #include "client/net/security.h"
+#include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/view/style.h"
@@ -48,9 +49,9 @@ struct PlaybackOptions {
   bool reconnect = false;
   Milliseconds hold{5'000};  ///< --hold: after a stall of so long the face eases to neutral
   net::SecurityOptions security_options;
-  net::Security security;                   ///< from security_options; loaded by the player
-  std::optional<std::uint64_t> blink_seed;  ///< --blink or --idle; nothing: no blinking
-  std::optional<std::uint64_t> idle_seed;   ///< --idle; nothing: no saccades and no breath
+  net::Security security;                       ///< from security_options; loaded by the player
+  std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nothing: no blinking
+  std::optional<std::uint64_t> idle_seed;       ///< --idle; nothing: no saccades and no breath
 };
 
 /// Where pictures and numbers go.

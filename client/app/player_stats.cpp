@@ -1,10 +1,30 @@
 #include "client/app/player_stats.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
-#include "client/playback/playback_controller.h"
+#include "client/app/steady.h"
 
 namespace aucast::app {
+
+namespace {
+
+/// In ms, to the microsecond.
+double milliseconds(Duration time) {
+  return std::round(seconds(time) * 1e6) / 1000;
+}
+
+}  // namespace
+
+void PlayerStats::take(const playback::PlaybackController& controller) {
+  keyframes_played = controller.keyframes_played();
+  stalls = controller.stalls();
+  media_seconds = seconds(controller.media_time());
+  live_delay = controller.delays().all();
+  const playback::DelaySummary meant = controller.delays_meant().all();
+  if (meant.keyframes > 0) live_delay_target = meant.median;
+}
 
 void PlayerStats::take(const playback::SourceStatus& status) {
   packets_received = status.packets_received;
@@ -14,6 +34,7 @@ void PlayerStats::take(const playback::SourceStatus& status) {
   resumes_sent = status.resumes_sent;
   negotiated = status.negotiated;
   live = status.live;
+  if (live && !live_delay_target) live_delay_target = status.delay;
   keyframes_dropped = status.keyframes_dropped;
   reconnects = status.reconnects;
   if (status.end != playback::EndReason::NotEnded) end_reason = name(status.end);
@@ -41,6 +62,13 @@ std::string to_json(const PlayerStats& stats) {
   json["first_frame_ms"] = stats.first_frame_ms;
   json["protocol_level"] = stats.negotiated ? 2 : 1;
   json["live"] = stats.live;
+  const bool measured = stats.live_delay.keyframes > 0;
+  const auto delay = [measured](Duration time) {
+    return measured ? nlohmann::ordered_json(milliseconds(time)) : nlohmann::ordered_json();
+  };
+  json["live_delay_p50_ms"] = delay(stats.live_delay.median);
+  json["live_delay_max_ms"] = delay(stats.live_delay.longest);
+  json["live_delay_target_ms"] = delay(stats.live_delay_target.value_or(Duration::zero()));
   json["keyframes_dropped"] = stats.keyframes_dropped;
   json["reconnects"] = stats.reconnects;
   json["end_reason"] = stats.end_reason;

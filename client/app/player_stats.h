@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "client/playback/keyframe_source.h"
+#include "client/playback/playback_controller.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -26,13 +28,18 @@ struct PlayerStats {
   double first_frame_ms = 0;  ///< from program start
   bool negotiated = false;    ///< level 2
   bool live = false;
-  std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
-  std::uint64_t reconnects = 0;         ///< attempts after a loss
-  std::string end_reason = "failed";    ///< a name of EndReason, or failed for what went wrong here
+  /// Live: from the arrival of a keyframe until the face had reached it.
+  playback::DelaySummary live_delay;
+  std::optional<Duration> live_delay_target;  ///< what was aimed at: the usual, or that of the end
+  std::uint64_t keyframes_dropped = 0;        ///< live: to catch up
+  std::uint64_t reconnects = 0;               ///< attempts after a loss
+  std::string end_reason = "failed";  ///< a name of EndReason, or failed for what went wrong here
   std::string detail;
 
   /// Takes over what a source counted.
   void take(const playback::SourceStatus& status);
+  /// Takes over what playing it came to.
+  void take(const playback::PlaybackController& controller);
 };
 
 [[nodiscard]] std::string to_json(const PlayerStats& stats);

@@ -346,6 +346,7 @@ class WindowRun {
     if (overlay_->input_waits()) frames_due_ = gui::kFramesAfterChange;
     window_->present();
     const Instant end = steady_now();
+    spdlog::trace("drawn at {:.6f}", seconds(end.time_since_epoch()));
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
     stats_.draw_seconds += seconds(end - before);
     times.deform = deformed - before;

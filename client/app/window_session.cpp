@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "client/app/live_text.h"
 #include "client/app/steady.h"
 #include "client/face/au_blender.h"
 #include "client/gui/channel_groups.h"
@@ -23,11 +24,11 @@ using playback::PlaybackState;
 
 /// An hour of a live stream at 25 a second.
 constexpr std::size_t kKeyframesKept = 90'000;
-constexpr std::uint64_t kBlinkSeed = 1;
 /// Buffers and bytes change without anything moving: so often they are looked at.
 constexpr Milliseconds kLookEvery{50};
 constexpr Milliseconds kRest{250};
 constexpr Milliseconds kFrameMax{20};
+constexpr Milliseconds kJustInTime{2};
 /// Of a stream that is there whole.
 constexpr Milliseconds kLocalFrame{10};
 
@@ -108,8 +109,8 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
   pad_ = std::make_shared<const std::vector<gui::PadPoint>>(pad_of(assets.expressions));
   show_composed();
   list_aus();
-  rendering_.blinking = options.playback.blink_seed.has_value();
-  rendering_.blink.seed = options.playback.blink_seed.value_or(kBlinkSeed);
+  rendering_.blinking = options.playback.blink.has_value();
+  rendering_.blink = options.playback.blink.value_or(playback::BlinkOptions{});
   rendering_.layers = options.output.layers;
   if (const auto* file = dynamic_cast<const playback::FileSource*>(source_.get())) {
     play_local(options.playback.file.filename().string(), file->keyframes());
@@ -160,16 +161,34 @@ void WindowSession::advance(Instant now) {
   if (local_) return advance_local(now);
   const std::uint64_t played = controller_.keyframes_played();
   while (const auto begun = controller_.advance(now, *source_)) {
+    trace_progress(now);
     begin_keyframe(begun->target.aus, begun->cut_at);
     if (received_.size() < kKeyframesKept) {
       received_.push_back({begun->target.aus, static_cast<std::uint32_t>(begun->duration.count())});
     }
-    if (!first_begin_) first_begin_ = now;
+    if (!first_begin_) begin_stream(now);
   }
+  trace_progress(now);
   if (controller_.keyframes_played() != played) {
     stats_.playback_seconds = seconds(now - *first_begin_);
   }
   remember(now);
+}
+
+void WindowSession::begin_stream(Instant now) {
+  first_begin_ = now;
+  const std::string objection = live_objection(options_.playback, source_->status());
+  if (objection.empty()) return;
+  spdlog::warn("{}", objection);
+  say(objection, false, now);
+}
+
+/// A keyframe that was reached is still the pipeline's.
+void WindowSession::trace_progress(Instant now) {
+  if (std::exchange(traced_, controller_.keyframes_played()) == controller_.keyframes_played()) {
+    return;
+  }
+  trace_reached(pipeline_->received(), now);
 }
 
 void WindowSession::remember(Instant now) {
@@ -230,6 +249,11 @@ Duration WindowSession::rest(Instant now) const {
     rest = kLocalFrame;
   } else if (shown_ == Shown::Playback) {
     at_most(controller_.next_position_at());
+    if (options_.playback.buffers.low_delay && running() && !controller_.next_position_at()) {
+      // Keyframes that come just in time are waited for between two positions.
+      const bool waits = controller_.state() == PlaybackState::Playing;
+      rest = std::min<Duration>(rest, waits ? kJustInTime : kFrameMax);
+    }
   } else if (transition_) {
     at_most(transition_->next_frame_at(now));
   }
@@ -249,9 +273,7 @@ std::unique_ptr<playback::KeyframeSource> WindowSession::finish(Instant now) {
     }
     return std::move(source_);
   }
-  stats_.keyframes_played = controller_.keyframes_played();
-  stats_.stalls = controller_.stalls();
-  stats_.media_seconds = seconds(controller_.media_time());
+  stats_.take(controller_);
   return std::move(source_);
 }
 
@@ -295,6 +317,7 @@ void WindowSession::replace_source(std::unique_ptr<playback::KeyframeSource> sou
   local_.reset();
   received_.clear();
   local_played_ = 0;
+  traced_ = 0;
   shown_ = Shown::Playback;
   transition_.reset();
   controller_ = playback::PlaybackController(speed);
@@ -519,6 +542,7 @@ gui::RemoteView WindowSession::remote_view() const {
   if (went_wrong(status.end) || tries_again) view.detail = status.detail;
   const bool none_left = state == PlaybackState::Lost || (tries_again && !source_->ready());
   view.stale = none_left && controller_.moment().keyframe > 0 && shown_ == Shown::Playback;
+  view.eased = controller_.eased() && shown_ == Shown::Playback;
   view.local = dynamic_cast<const net::RemoteSource*>(source_.get()) == nullptr;
   view.receiver.fill = status.receiver_fill;
   view.playout.fill = status.playout_fill;
@@ -527,6 +551,7 @@ gui::RemoteView WindowSession::remote_view() const {
     view.au_history = history_.traces();
     if (status.connected || status.packets_received > 0) describe_traffic(status, view);
   }
+  view.delay = delay_text(controller_.delays().lately(), status.delay);
   const std::uint64_t keyframe = controller_.moment().keyframe;
   if (keyframe > 0) view.keyframe = "keyframe " + std::to_string(keyframe);
   view.aus = aus_;

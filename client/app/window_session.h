@@ -120,6 +120,8 @@ class WindowSession {
   /// `cut_at`: where the one before was left.
   void begin_keyframe(const AuFrame& aus, double cut_at = 1);
   void explain(const AuFrame& aus);
+  void begin_stream(Instant now);
+  void trace_progress(Instant now);
   void advance_local(Instant now);
   // Of the composer.
   void compose(const gui::ComposeAu& command, Instant now);
@@ -171,6 +173,7 @@ class WindowSession {
   playback::PlaybackController controller_;
   std::optional<pipeline::FacePipeline> pipeline_;  ///< always there; made anew for a new source
   std::optional<Instant> first_begin_;
+  std::uint64_t traced_ = 0;  ///< keyframes reached
   std::vector<gui::AuRow> aus_;
 
   Shown shown_ = Shown::Playback;

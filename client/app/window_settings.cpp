@@ -44,6 +44,10 @@ void copy_given(const std::set<std::string>& given, const KeptSettings& from, Ke
     copy(
         option, [](auto& s) -> auto& { return s.rendering.blink.seed; });
   }
+  copy(
+      "--blink", [](auto& s) -> auto& { return s.rendering.blink.interval_ms; });
+  copy(
+      "--blink", [](auto& s) -> auto& { return s.rendering.blink.closing_ms; });
 }
 
 KeptSettings settings_of(const PlayerOptions& options) {
@@ -56,8 +60,8 @@ KeptSettings settings_of(const PlayerOptions& options) {
   settings.remote.reconnect = playback.reconnect;
   settings.animation = {options.face.mixer, options.face.rules, playback.interpolation};
   settings.rendering.layers = options.output.layers;
-  settings.rendering.blinking = playback.blink_seed.has_value();
-  settings.rendering.blink.seed = playback.blink_seed.value_or(settings.rendering.blink.seed);
+  settings.rendering.blinking = playback.blink.has_value();
+  settings.rendering.blink = playback.blink.value_or(settings.rendering.blink);
   return settings;
 }
 

@@ -61,6 +61,7 @@ struct RemoteView {
   std::string state;   ///< in words: "buffering 42 %"
   std::string detail;  ///< why it ended, a sentence; empty unless it went wrong
   bool stale = false;  ///< the face shown is the last of a lost connection
+  bool eased = false;  ///< nothing came for long: the face has gone to neutral
   bool local = false;  ///< a stream file: no buffers, no bytes
   BufferLevel receiver;
   BufferLevel playout;
@@ -69,6 +70,7 @@ struct RemoteView {
   std::string in;                       ///< "6 packets, 93 B, 0.4 kbit/s"; empty: none yet
   std::string out;                      ///< "12 B, 0.1 kbit/s"
   std::string protocol;                 ///< "level 2", "classic"
+  std::string delay;                    ///< "42 ms, 57 ms at most; 41 ms wanted"; empty: not live
   std::string keyframe;                 ///< "keyframe 3"; empty before the first
   std::vector<AuRow> aus;
   friend bool operator==(const RemoteView&, const RemoteView&) = default;

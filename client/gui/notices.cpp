@@ -33,8 +33,10 @@ bool sentence(const Look& look, const char* id, const Notice& notice, float widt
 
 std::string trouble_of(const RemoteView& remote) {
   std::string text = remote.detail;
-  if (remote.stale)
-    text += std::string(text.empty() ? "" : "\n") + "The face is the last one received.";
+  const char* face = "";
+  if (remote.stale) face = "The face is the last one received.";
+  if (remote.eased) face = "Nothing has come for a while: the face has gone to neutral.";
+  if (*face != 0) text += std::string(text.empty() ? "" : "\n") + face;
   return text;
 }
 

@@ -108,6 +108,7 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
     said(look, "Received", remote.in);
     said(look, "Sent", remote.out);
     said(look, "Protocol", remote.protocol);
+    if (!remote.delay.empty()) said(look, "Delay", remote.delay);
   }
   if (ImGui::TreeNodeEx("For the next connection",
                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {

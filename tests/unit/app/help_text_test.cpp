@@ -29,6 +29,7 @@ TEST(HelpText, NamesEveryOptionAndAnExample) {
                              "--list",
                              "--protocol",
                              "--connect-timeout",
+                             "--live",
                              "--live-delay",
                              "--reconnect",
                              "--tls",

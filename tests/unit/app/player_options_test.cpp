@@ -39,7 +39,8 @@ TEST(PlayerOptions, DefaultsAreThoseOfTheContract) {
   EXPECT_EQ(options.output.width, 800);
   EXPECT_EQ(options.output.height, 600);
   EXPECT_FALSE(options.output.fast);
-  EXPECT_FALSE(options.playback.blink_seed.has_value());
+  EXPECT_FALSE(options.playback.blink.has_value());
+  EXPECT_FALSE(options.playback.buffers.low_delay);
 }
 
 TEST(PlayerOptions, ARepeatedOptionTakesOneWordEachTime) {
@@ -97,19 +98,42 @@ TEST(PlayerOptions, ReadEverythingAWatcherMaySay) {
   EXPECT_EQ(options.output.fps, 25);
   EXPECT_EQ(options.output.width, 64);
   EXPECT_EQ(options.output.height, 48);
-  EXPECT_EQ(options.playback.blink_seed, 7U);
+  EXPECT_EQ(options.playback.blink, playback::BlinkOptions{7});
 }
 
 TEST(PlayerOptions, IdleLifeBlinksWithItsOwnSeedUnlessToldOtherwise) {
   EXPECT_FALSE(accepted({"play", "x.txt"}).playback.idle_seed.has_value());
   const PlayerOptions idle = accepted({"play", "x.txt", "--idle", "5"});
   EXPECT_EQ(idle.playback.idle_seed, 5U);
-  EXPECT_EQ(idle.playback.blink_seed, 5U);
+  EXPECT_EQ(idle.playback.blink, playback::BlinkOptions{5});
   const PlayerOptions both = accepted({"play", "x.txt", "--blink", "6", "--idle", "5"});
   EXPECT_EQ(both.playback.idle_seed, 5U);
-  EXPECT_EQ(both.playback.blink_seed, 6U);
+  EXPECT_EQ(both.playback.blink, playback::BlinkOptions{6});
   const PlayerOptions blinks = accepted({"play", "x.txt", "--blink", "6"});
   EXPECT_FALSE(blinks.playback.idle_seed.has_value());
+}
+
+TEST(PlayerOptions, BlinkingHasAnIntervalAndAClosingTime) {
+  EXPECT_EQ(accepted({"h", "--blink", "7:2000"}).playback.blink,
+            (playback::BlinkOptions{.seed = 7, .interval_ms = 2000}));
+  EXPECT_EQ(accepted({"h", "--blink", "7:600:75"}).playback.blink,
+            (playback::BlinkOptions{.seed = 7, .interval_ms = 600, .closing_ms = 75}));
+  for (const char* wrong : {"", "x", "-1", "7:", "7:499", "7:60001", "7:600:24", "7:600:101",
+                            "7:600:75:1", "7:600:", ":600", "7 "}) {
+    EXPECT_NE(refused({"h", "--blink", wrong}).find("SEED[:INTERVAL[:CLOSING]]"), std::string::npos)
+        << wrong;
+  }
+}
+
+TEST(PlayerOptions, LiveIsTheLowestDelayAndNoOther) {
+  const auto live = accepted({"h", "--live"}).playback.buffers;
+  EXPECT_TRUE(live.low_delay);
+  EXPECT_TRUE(accepted({"h", "--live", "--buffer", "auto"}).playback.buffers.by_time)
+      << "which is for recorded streams";
+  EXPECT_NE(refused({"h", "--live", "--live-delay", "100"}).find("--live"), std::string::npos);
+  EXPECT_NE(refused({"h", "--live", "--buffer", "100ms"}).find("--live"), std::string::npos);
+  EXPECT_NE(refused({"h", "--live", "--sheet", "s.png"}).find("film clock"), std::string::npos);
+  EXPECT_NE(refused({"h", "--live", "--fast"}).find("film clock"), std::string::npos);
 }
 
 TEST(PlayerOptions, PicturesRunOnTheFilmClock) {

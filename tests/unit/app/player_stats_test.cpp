@@ -1,5 +1,8 @@
 #include "client/app/player_stats.h"
 
+#include <optional>
+#include <utility>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -43,8 +46,50 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   EXPECT_EQ(json["live"], true);
   EXPECT_EQ(json["keyframes_dropped"], 4);
   EXPECT_EQ(json["reconnects"], 5);
+  EXPECT_EQ(json["live_delay_p50_ms"], nullptr) << "nothing was played";
   EXPECT_EQ(json["end_reason"], "unreachable");
   EXPECT_EQ(json["fps"], 0.0);
+}
+
+/// Gives one live keyframe.
+class OneKeyframe final : public playback::KeyframeSource {
+ public:
+  explicit OneKeyframe(playback::TimedAus keyframe) : keyframe_(std::move(keyframe)) {}
+  [[nodiscard]] std::optional<playback::TimedAus> take() override {
+    return std::exchange(keyframe_, std::nullopt);
+  }
+  [[nodiscard]] bool ready() const override { return keyframe_.has_value(); }
+  bool wait_until(Instant /*until*/) override { return ready(); }
+  [[nodiscard]] playback::SourceStatus status() const override { return {}; }
+  void stop() override {}
+
+ private:
+  std::optional<playback::TimedAus> keyframe_;
+};
+
+TEST(PlayerStats, HasTheDelayOfALiveStream) {
+  const auto json_of = [](std::optional<Duration> due) {
+    playback::TimedAus keyframe{{}, Milliseconds(40)};
+    keyframe.arrived = Instant{};
+    if (due) keyframe.due = Instant{} + *due;
+    OneKeyframe source(keyframe);
+    playback::PlaybackController controller(std::nullopt);
+    EXPECT_TRUE(controller.advance(Instant{} + std::chrono::microseconds(2'500), source));
+    EXPECT_FALSE(controller.advance(Instant{} + std::chrono::milliseconds(45), source));
+    PlayerStats stats;
+    stats.take(controller);
+    playback::SourceStatus status;
+    status.live = true;
+    status.delay = Milliseconds(300);
+    stats.take(status);
+    EXPECT_EQ(stats.keyframes_played, 1U);
+    return nlohmann::json::parse(to_json(stats));
+  };
+  const auto low = json_of(std::chrono::milliseconds(42));
+  EXPECT_EQ(low["live_delay_p50_ms"], 45);
+  EXPECT_EQ(low["live_delay_max_ms"], 45);
+  EXPECT_EQ(low["live_delay_target_ms"], 42);
+  EXPECT_EQ(json_of(std::nullopt)["live_delay_target_ms"], 300) << "without --live";
 }
 
 }  // namespace

@@ -109,6 +109,38 @@ TEST_F(WindowSessionTest, ALostConnectionKeepsTheLastFaceAndSaysSo) {
   EXPECT_TRUE(model().remote.stale);
   EXPECT_EQ(model().remote.state, "lost");
   EXPECT_EQ(model().remote.detail, "the server has gone");
+  EXPECT_FALSE(model().remote.eased);
+}
+
+TEST_F(WindowSessionTest, AFaceThatIsLostForLongGoesToNeutralAndSaysSo) {
+  options_.playback.hold = Milliseconds(2000);
+  open({frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  source_->now.end = EndReason::ConnectionLost;
+  go_on(Milliseconds(250));
+  const float held = shown("jaw");
+  go_on(Milliseconds(2000));
+  EXPECT_EQ(shown("jaw"), held) << "it sets out";
+  EXPECT_TRUE(model().remote.eased);
+  EXPECT_LE(session_->rest(clock_.now()), Milliseconds(20)) << "and is drawn on its way";
+  go_on(Milliseconds(500));
+  EXPECT_FLOAT_EQ(shown("jaw"), held / 2);
+  go_on(Milliseconds(500));
+  EXPECT_EQ(shown("jaw"), 0);
+  EXPECT_EQ(model().remote.state, "lost");
+  EXPECT_TRUE(model().remote.aus.empty());
+  EXPECT_GT(session_->rest(clock_.now()), Milliseconds(20));
+}
+
+TEST_F(WindowSessionTest, TheDelayOfALiveStreamIsShown) {
+  open({frame({{26, Side::Both, 100}})});
+  source_->now.connected = true;
+  source_->now.delay = Milliseconds(300);
+  source_->keyframes.front().arrived = clock_.now();
+  go_on(Milliseconds(10));
+  EXPECT_EQ(model().remote.delay, "") << "nothing is measured yet";
+  go_on(Milliseconds(250));
+  EXPECT_EQ(model().remote.delay, "260 ms, 260 ms at most; 300 ms wanted");
 }
 
 TEST_F(WindowSessionTest, MixerRulesAndInterpolationChangeDuringPlay) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "client/app/player_options.h"
+#include "client/playback/delay_meter.h"
+#include "client/playback/keyframe_source.h"
+
+namespace aucast::app {
+
+/// Why --live changes nothing for this stream, a sentence; empty when it does, or was not asked
+/// for.
+[[nodiscard]] std::string live_objection(const PlaybackOptions& options,
+                                         const playback::SourceStatus& status);
+
+/// "42 ms, 57 ms at most; 41 ms wanted"; empty when nothing was measured.
+[[nodiscard]] std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted);
+
+/// For the log at level trace: which face was reached when, by the clock that all programs of this
+/// computer share (CLOCK_MONOTONIC).
+void trace_reached(const AuFrame& aus, Instant now);
+
+}  // namespace aucast::app
