@@ -22,6 +22,8 @@ std::size_t InputPacer::next(const std::deque<render::InputEvent>& waiting) {
         break;
       case Kind::Button:
         if (clicked || scrolled) return count;
+        // What is dragged goes to where it was let go only if it is seen there before.
+        if (event.action == 0 && moved) return count;
         clicked = true;
         focus_may_move_ = true;
         break;

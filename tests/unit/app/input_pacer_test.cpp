@@ -49,7 +49,11 @@ TEST(InputPacer, ATapTakesTwoFrames) {
 }
 
 TEST(InputPacer, AClickIsWhereThePointerWas) {
-  EXPECT_EQ(frames({move(), button(1), move(), move(), button(0), move()}), (Shares{2, 3, 1}));
+  EXPECT_EQ(frames({move(), button(1), button(0), move()}), (Shares{2, 1, 1}));
+}
+
+TEST(InputPacer, WhatIsDraggedIsLetGoWhereThePointerIs) {
+  EXPECT_EQ(frames({move(), button(1), move(), move(), button(0), move()}), (Shares{2, 2, 1, 1}));
 }
 
 TEST(InputPacer, TheWheelTurnsWhatThePointerIsOver) {
