@@ -101,6 +101,17 @@ std::string with_new_au(std::string_view text, int number, const Drive& drive) {
   return result;
 }
 
+/// What the table names already stays in its order; what is new follows.
+Drive in_order_of(const TomlValue& table, Drive drive) {
+  const auto place = [&table](const auto& one) {
+    return std::find_if(table.entries.begin(), table.entries.end(),
+                        [&one](const TomlValue::Entry& entry) { return entry.key == one.first; });
+  };
+  std::stable_sort(drive.begin(), drive.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  return drive;
+}
+
 }  // namespace
 
 Drive drive_of(const face::Face& face, const std::vector<float>& activations) {
@@ -160,7 +171,7 @@ Result<std::string> with_au(std::string_view text, std::string_view file, int nu
                               "again")};
   }
   std::string result(text.substr(0, *begin));
-  result += drive_text(drive);
+  result += drive_text(in_order_of(old->value, drive));
   result += text.substr(*end);
   return result;
 }

@@ -44,6 +44,12 @@ TEST(AusFile, OnlyTheDriveOfTheAuChanges) {
             face::test::replaced(std::string(kFile), "{zygomaticus_major=1.05,\"a}b\"=0.5}", "{}"));
 }
 
+TEST(AusFile, TheOrderInADriveStays) {
+  EXPECT_EQ(changed(kFile, 1, {{"brow", 1}, {"inner_brow", 1.6F}, {"frontalis_inner", 0.2F}}),
+            face::test::replaced(std::string(kFile), "{ frontalis_inner = 0.15, inner_brow = 1.6 }",
+                                 "{ frontalis_inner = 0.2, inner_brow = 1.6, brow = 1.0 }"));
+}
+
 TEST(AusFile, TextBeforeTheDriveMayBeOfAnyLanguage) {
   const std::string text = "[[au]]\n\"number\" = 3\n";
   const std::string line = "au = [ { note = \"größer\", number = 4, drive = { jaw = 1.0 } } ]\n";
