@@ -58,6 +58,7 @@ void WindowSession::carry_out(const gui::OpenStream& command, Instant now) {
     return;
   }
   browser_.close();
+  notice_ = {};
   last_folder_ = file.parent_path();
   replace_source(std::make_unique<playback::FileSource>(*keyframes), options_.playback.speed, now);
   play_local(file.filename().string(), *keyframes);

@@ -72,6 +72,23 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
   ImGui::PopStyleColor();
 }
 
+/// Why it was not done; empty: nothing is wrong.
+std::string objection(const BrowserView& view) {
+  if (!view.problem.empty()) return view.problem;
+  return view.replaces.empty() ? std::string() : view.replaces + " is there already.";
+}
+
+/// What decide() takes: the buttons stay where they are when there is an objection.
+float height_of_decision(const BrowserView& view) {
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  float height = ImGui::GetFrameHeight() + gap;
+  if (is_saving(view.purpose)) height += ImGui::GetFrameHeight() + gap;
+  const std::string text = objection(view);
+  if (text.empty()) return height;
+  const float width = ImGui::GetContentRegionAvail().x;
+  return height + ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y + gap;
+}
+
 void decide(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
   const bool saving = is_saving(view.purpose);
   bool entered = false;
@@ -80,14 +97,11 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
     entered = ImGui::InputText("##name", form.name.data(), form.name.size(),
                                ImGuiInputTextFlags_EnterReturnsTrue);
   }
-  if (!view.problem.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Bad));
-    ImGui::TextWrapped("%s", view.problem.c_str());
-    ImGui::PopStyleColor();
-  }
-  if (!view.replaces.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Waiting));
-    ImGui::TextWrapped("%s is there already.", view.replaces.c_str());
+  const std::string text = objection(view);
+  if (!text.empty()) {
+    const Tone tone = view.problem.empty() ? Tone::Waiting : Tone::Bad;
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tone));
+    ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
   }
   const char* action = !saving ? "Open" : view.replaces.empty() ? "Save" : "Replace it";
@@ -131,8 +145,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     return;
   }
   folder_line(look, view, form, commands);
-  const float below = ImGui::GetFrameHeightWithSpacing() * (is_saving(view.purpose) ? 2.2F : 1.2F) +
-                      (view.problem.empty() && view.replaces.empty() ? 0 : 70 * look.scale);
+  const float below = height_of_decision(view);
   entry_list(look, view, form, std::max(ImGui::GetContentRegionAvail().y - below, 60.0F), commands);
   decide(look, view, form, commands);
   const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));

@@ -10,6 +10,8 @@ namespace aucast::gui {
 namespace {
 
 constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
+constexpr float kSpeedWidth = 78;
+constexpr float kLoopWidth = 76;
 /// More marks than this would be a grey band.
 constexpr float kMarksApart = 5;
 
@@ -86,7 +88,7 @@ bool icon_button(const Look& look, const char* id, Icon icon, const char* tip) {
 void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to, float done) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = 3 * look.scale;
-  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), rounding);
   const float width = to.x - from.x;
   const auto x_of = [&](Duration at) {
     return from.x + width * static_cast<float>(seconds_of(at) / seconds_of(local.total));
@@ -103,6 +105,12 @@ void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to
       last = x;
       list.AddRectFilled(ImVec2(x, from.y), ImVec2(x + look.scale, to.y),
                          ImGui::GetColorU32(ImGuiCol_WindowBg));
+    }
+    if (local.loop_begin && local.loop_end) {
+      ImVec4 between = ImGui::ColorConvertU32ToFloat4(colour_of(Tone::Waiting));
+      between.w = 0.35F;
+      list.AddRectFilled(ImVec2(x_of(*local.loop_begin), from.y),
+                         ImVec2(x_of(*local.loop_end), to.y), ImGui::GetColorU32(between));
     }
     for (const auto& mark : {local.loop_begin, local.loop_end}) {
       if (!mark) continue;
@@ -159,7 +167,7 @@ void steps(const Look& look, const LocalView& local, GuiCommands& commands) {
 }
 
 void speed_choice(const Look& look, const LocalView& local, GuiCommands& commands) {
-  ImGui::SetNextItemWidth(78 * look.scale);
+  ImGui::SetNextItemWidth(kSpeedWidth * look.scale);
   if (ImGui::BeginCombo("##speed", speed_text(local.speed_percent).c_str(),
                         ImGuiComboFlags_HeightLarge)) {
     for (const int percent : kSpeeds) {
@@ -172,14 +180,16 @@ void speed_choice(const Look& look, const LocalView& local, GuiCommands& command
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("speed ([ and ])");
 }
 
-void loop_button(const LocalView& local, GuiCommands& commands) {
+void loop_button(const Look& look, const LocalView& local, GuiCommands& commands) {
   const char* text = "Loop A";
   const char* tip = "a loop begins here (l)";
   if (local.loop_begin) {
     text = local.loop_end ? "No loop" : "Loop B";
     tip = local.loop_end ? "plays on to the end (l)" : "the loop ends here (l)";
   }
-  if (ImGui::Button(text)) commands.push_back(LocalCommand(MarkLoop{}));
+  if (ImGui::Button(text, ImVec2(kLoopWidth * look.scale, 0))) {
+    commands.push_back(LocalCommand(MarkLoop{}));
+  }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
 }
 
@@ -201,7 +211,9 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
     steps(look, local, commands);
     ImGui::AlignTextToFramePadding();
     ImGui::Text("%s / %s", time_text(local.position).c_str(), time_text(local.total).c_str());
-    const float right = ImGui::GetWindowWidth() - 170 * look.scale;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float right = ImGui::GetWindowWidth() - style.WindowPadding.x - style.ItemSpacing.x -
+                        (kSpeedWidth + kLoopWidth) * look.scale;
     if (width > 560 * look.scale) {
       ImGui::SameLine();
       ImGui::TextDisabled("%s", local.name.c_str());
@@ -209,7 +221,7 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
     ImGui::SameLine(std::max(right, 0.0F));
     speed_choice(look, local, commands);
     ImGui::SameLine();
-    loop_button(local, commands);
+    loop_button(look, local, commands);
   }
   ImGui::End();
   ImGui::PopStyleVar();

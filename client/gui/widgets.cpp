@@ -81,13 +81,16 @@ bool wide_button(const char* text, int share, int shares, bool enabled, bool imp
   const float each = (width - gap * (count - 1)) / count;
   if (share > 0) ImGui::SameLine();
   if (important) {
+    const ImVec4 lighter = ImGui::GetStyleColorVec4(ImGuiCol_PlotLinesHovered);
     ImGui::PushStyleColor(ImGuiCol_Button, accent());
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, lighter);
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, lighter);
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.06F, 0.08F, 0.10F, 1));
   }
   ImGui::BeginDisabled(!enabled);
   const bool pressed = ImGui::Button(text, ImVec2(each, 0));
   ImGui::EndDisabled();
-  if (important) ImGui::PopStyleColor(2);
+  if (important) ImGui::PopStyleColor(4);
   return pressed;
 }
 

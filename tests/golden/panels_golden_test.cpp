@@ -312,7 +312,7 @@ TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   // Save asks where to.
   replay("click 651 123\n");
   test::expect_as_baseline(overlay(), "dialog_save", kTolerance, kShareMax);
-  replay("click 550 615\n");
+  replay("click 550 630\n");
   EXPECT_EQ(folder_.read("streams/composed.txt"),
             "Beg_Stream\n6:11,12;500\n1,2,5:25,26;550\nEnd_Stream\n");
   EXPECT_FALSE(session_->model().composer.unsaved);

@@ -105,6 +105,10 @@ TEST_F(StreamSessionTest, AFileThatIsNoStreamIsSaidWithItsPlace) {
   EXPECT_TRUE(model().notice.bad);
   EXPECT_NE(model().notice.text.find("wrong.txt:2:"), std::string::npos) << model().notice.text;
   EXPECT_EQ(model().local.name, "three.txt") << "what plays stays";
+  const auto right = folder_.write("right.txt", "Beg_Stream\n1\nEnd_Stream\n");
+  ask(gui::OpenStream{right.string()});
+  EXPECT_TRUE(model().notice.text.empty()) << "it was about another file";
+  ask(gui::OpenStream{wrong.string()});
   go_on(std::chrono::seconds(60));
   EXPECT_TRUE(model().notice.text.empty());
 }
