@@ -103,12 +103,14 @@ Reaction AuReader::closed(Instant now) {
 
 Reaction AuReader::time(Instant now) {
   Reaction reaction;
+  if (!waiting_.empty()) return reaction;
   react(session_.on_time(now), reaction, now);
   return reaction;
 }
 
 std::optional<Instant> AuReader::deadline() const {
-  if (status_.end != EndReason::NotEnded) return std::nullopt;
+  // What waits for room is not silence of the server's.
+  if (status_.end != EndReason::NotEnded || !waiting_.empty()) return std::nullopt;
   return session_.deadline();
 }
 

@@ -273,6 +273,32 @@ TEST_F(Reconnecting, TriesAgainAfterSilence) {
   EXPECT_EQ(reader_->time(clock_.now()).next, Next::ReconnectLater);
 }
 
+/// The buffers and what was kept aside are full of the connection before: what the new one brings
+/// has to wait, for minutes if keyframes are long.
+TEST_F(Reconnecting, TakesFullBuffersForNoSilenceOfTheServer) {
+  AuReaderOptions options;
+  options.reconnect = true;
+  options.buffers = {4, 2, 50};
+  start(options);
+  feed("{hello v=2 window=4 keyframe=1000}{1}{1}{1}{1}{1}{1}{1}{1}{1}");
+  EXPECT_EQ(close().next, Next::ReconnectLater);
+  static_cast<void>(reader_->connected(clock_.now()));
+  EXPECT_EQ(feed("{hello v=2 window=4 keyframe=1000 from=9000}{2}"), "");
+  EXPECT_FALSE(reader_->deadline());
+  clock_.advance(1min);
+  EXPECT_EQ(reader_->time(clock_.now()).next, Next::GoOn);
+  int taken = 0;
+  std::string said;
+  for (int i = 0; i < 20; ++i) {
+    if (reader_->take()) ++taken;
+    if (reader_->has_words()) said += reader_->speak(clock_.now()).send;
+  }
+  EXPECT_EQ(taken, 10);
+  EXPECT_EQ(said, "1");
+  EXPECT_TRUE(status().negotiated);
+  EXPECT_EQ(status().packets_received, 10U);
+}
+
 TEST_F(Reconnecting, DropsTheHalfPacketThatWasUnderWay) {
   feed("{hello v=2 window=4}{1}{2,");
   close();
