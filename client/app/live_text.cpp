@@ -8,7 +8,7 @@ namespace aucast::app {
 namespace {
 
 std::string ms_text(Duration time) {
-  return std::to_string(std::chrono::round<Milliseconds>(time).count()) + " ms";
+  return std::to_string(std::chrono::round<Milliseconds>(time).count());
 }
 
 }  // namespace
@@ -24,8 +24,8 @@ std::string live_objection(const PlaybackOptions& options, const playback::Sourc
 
 std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted) {
   if (delay.keyframes == 0) return {};
-  return ms_text(delay.median) + ", " + ms_text(delay.longest) + " at most; " + ms_text(wanted) +
-         " wanted";
+  return ms_text(delay.median) + " ms (at most " + ms_text(delay.longest) + ", wanted " +
+         ms_text(wanted) + ")";
 }
 
 void trace_reached(const AuFrame& aus, Instant now) {

@@ -13,7 +13,7 @@ namespace aucast::app {
 [[nodiscard]] std::string live_objection(const PlaybackOptions& options,
                                          const playback::SourceStatus& status);
 
-/// "42 ms, 57 ms at most; 41 ms wanted"; empty when nothing was measured.
+/// "42 ms (at most 57, wanted 41)"; empty when nothing was measured.
 [[nodiscard]] std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted);
 
 /// For the log at level trace: which face was reached when, by the clock that all programs of this

@@ -70,7 +70,7 @@ struct RemoteView {
   std::string in;                       ///< "6 packets, 93 B, 0.4 kbit/s"; empty: none yet
   std::string out;                      ///< "12 B, 0.1 kbit/s"
   std::string protocol;                 ///< "level 2", "classic"
-  std::string delay;                    ///< "42 ms, 57 ms at most; 41 ms wanted"; empty: not live
+  std::string delay;                    ///< "42 ms (at most 57, wanted 41)"; empty: not live
   std::string keyframe;                 ///< "keyframe 3"; empty before the first
   std::vector<AuRow> aus;
   friend bool operator==(const RemoteView&, const RemoteView&) = default;

@@ -190,7 +190,8 @@ void as_from_a_server(gui::GuiModel& model) {
   remote.playout = {12, 30, 0};
   remote.in = "54 packets, 893 B, 1.2 kbit/s";
   remote.out = "54 B, 80 bit/s";
-  remote.protocol = "level 2";
+  remote.protocol = "level 2, live";
+  remote.delay = "42 ms (at most 57, wanted 41)";
   remote.receiver_history.clear();
   remote.au_history = {{6, {}}, {12, {}}};
   for (int i = 0; i < 100; ++i) {

@@ -24,7 +24,7 @@ TEST(LiveObjection, IsSaidWhereLiveChangesNothing) {
 
 TEST(DelayText, SaysUsualLongestAndWanted) {
   EXPECT_EQ(delay_text({}, 41ms), "");
-  EXPECT_EQ(delay_text({250, 42ms, 57'400us}, 41ms), "42 ms, 57 ms at most; 41 ms wanted");
+  EXPECT_EQ(delay_text({250, 42ms, 57'400us}, 41ms), "42 ms (at most 57, wanted 41)");
 }
 
 }  // namespace

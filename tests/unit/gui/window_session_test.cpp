@@ -140,7 +140,7 @@ TEST_F(WindowSessionTest, TheDelayOfALiveStreamIsShown) {
   go_on(Milliseconds(10));
   EXPECT_EQ(model().remote.delay, "") << "nothing is measured yet";
   go_on(Milliseconds(250));
-  EXPECT_EQ(model().remote.delay, "260 ms, 260 ms at most; 300 ms wanted");
+  EXPECT_EQ(model().remote.delay, "260 ms (at most 260, wanted 300)");
 }
 
 TEST_F(WindowSessionTest, MixerRulesAndInterpolationChangeDuringPlay) {
