@@ -66,7 +66,7 @@ Identity young_woman() {
   form.lip_bulge = 1.15;
   form.cupids_bow = 1.2;
   form.outer_canthus_up = 0.13;
-  form.upper_lid = 0.46;
+  form.upper_lid = 0.44;
   form.brow_up = 4.12;
   form.brow_arch = 0.52;
   form.brow_width = 0.235;
@@ -111,7 +111,7 @@ Identity man_of_fifty() {
   form.nose_forward = 0.16;
   form.nose_up = -0.16;
   form.nose_hump = 0.14;
-  form.upper_lid = 0.43;
+  form.upper_lid = 0.42;
   form.inner_canthus_up = -0.14;
   form.outer_canthus_up = 0.0;
   form.lid_fold = 0.15;
