@@ -41,6 +41,7 @@ LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, OnMoment
       on_moment_(std::move(on_moment)),
       feed_(options_.reader.keyframe_ms, options_.classic_min),
       reader_(file_name(options_.path), options_.reader, load_arkit_table),
+      thinning_(options_.reader.keyframe_ms, options_.max_kbits),
       input_(io, options_.path, options_.follow,
              {[this](std::string_view bytes) { on_bytes(bytes); }, [this] { on_caught_up(); },
               [this] {
@@ -118,6 +119,7 @@ void LiveSource::go_on() {
   send_due(moment);
   input_.hold(queue_.size() >= kQueueMost);
   if (queue_.size() == 0) rest(moment);
+  send_thinned(moment);
   wait();
 }
 
@@ -129,22 +131,33 @@ void LiveSource::send_due(double moment) {
   }
   // Rows of a recogniser with a clock of its own follow each other by that.
   while (const auto keyframe = queue_.pop(moment)) {
-    send(*keyframe, keyframe->begins || !keyframe->clocked);
+    send(*keyframe, keyframe->begins || !keyframe->clocked, moment);
   }
   reader_.hold_off(moment);
 }
 
-/// `free` as RecordTimeline has it.
-void LiveSource::send(const sources::LiveKeyframe& keyframe, bool free) {
-  feed_.add(keyframe.keyframe);
+/// `free` as RecordTimeline has it. What is kept is not thinned.
+void LiveSource::send(const sources::LiveKeyframe& keyframe, bool free, double moment) {
   if (recorder_) recorder_->add(keyframe.keyframe, now(), free);
+  thinning_.push(keyframe.keyframe);
+  send_thinned(moment);
+}
+
+void LiveSource::send_thinned(double moment) {
+  if (const auto keyframe = thinning_.pop(moment)) show(*keyframe);
+}
+
+void LiveSource::show(const protocol::Keyframe& keyframe) {
+  feed_.add(keyframe);
   on_moment_();
 }
 
 /// What is due while nothing comes.
 void LiveSource::rest(double moment) {
   reader_.idle(moment);
-  for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe, true);
+  for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) {
+    send(keyframe, true, moment);
+  }
   if (nothing_came() && options_.timeout.count() > 0 && !feed_.ended()) {
     spdlog::warn("{}: it ended before the first keyframe", file_name(options_.path));
     feed_.end();
@@ -164,6 +177,7 @@ void LiveSource::rest(double moment) {
                  file_name(options_.path), patience());
   }
   if (recorder_) recorder_->end_of_stream();
+  if (const auto last = thinning_.take_last()) show(*last);
   feed_.end();
   on_moment_();
 }
@@ -186,6 +200,7 @@ void LiveSource::wait() {
       earlier(*since + patience());
     }
   }
+  if (const auto due = thinning_.due()) next = std::min(next.value_or(*due), *due);
   if (!next) {
     timer_.cancel();
     return;

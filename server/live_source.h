@@ -19,6 +19,7 @@
 #include "server/recorder.h"
 #include "server/sources/live_queue.h"
 #include "server/sources/live_reader.h"
+#include "server/thinning.h"
 
 namespace aucast::server {
 
@@ -30,13 +31,13 @@ struct LiveSourceOptions {
   /// After so long a silence the clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
   std::filesystem::path record;  ///< where it is kept; empty: nowhere
+  std::uint32_t max_kbits = 0;   ///< a second for each client; 0: any
 };
 
-/// A source that is still being written, as a live stream: input -> reader -> queue -> feed. What a
-/// followed file holds already is past: only its last row is sent. When nothing comes the face
-/// holds, goes to neutral, and after the time-out the stream ends for those who are there; it goes
-/// on when something comes.
-/// Thread: that of the io_context, which must outlive it.
+/// A source that is still being written, as a live stream: input -> reader -> queue -> thinning ->
+/// feed. What a followed file holds already is past: only its last row is sent. When nothing comes
+/// the face holds, goes to neutral, and after the time-out the stream ends for those who are there;
+/// it goes on when something comes. Thread: that of the io_context, which must outlive it.
 class LiveSource {
  public:
   using OnMoment = std::function<void()>;
@@ -64,7 +65,9 @@ class LiveSource {
   void on_anew(const std::string& why);
   void take();
   void go_on();
-  void send(const sources::LiveKeyframe& keyframe, bool free);
+  void send(const sources::LiveKeyframe& keyframe, bool free, double moment);
+  void send_thinned(double moment);
+  void show(const protocol::Keyframe& keyframe);
   void send_due(double moment);
   void rest(double moment);
   [[nodiscard]] double patience() const;
@@ -76,6 +79,7 @@ class LiveSource {
   protocol::LiveFeed feed_;
   sources::LiveReader reader_;
   sources::LiveQueue queue_;
+  LiveThinning thinning_;
   LiveInput input_;
   std::unique_ptr<Recorder> recorder_;
   asio::steady_timer timer_;

@@ -161,9 +161,9 @@ constexpr OptionRow kTable[] = {
     {"max-bitrate", "KBITS", Kind::Number, "0", "a second for each client, with headers (0: any)",
      "Keyframes that come too soon are merged into the next one that fits: the newest wins and "
      "takes the time of all of them, so the stream keeps its length. 1 to 1000000 kilobits; "
-     "counted "
-     "are packets of level 2 with 52 bytes of TCP and IP headers each. --check and --estimate show "
-     "what is left. Sources that are still being written are not thinned.",
+     "counted are packets of level 2 with 52 bytes of TCP and IP headers each. --check and "
+     "--estimate show what is left. A keyframe of a source that is still being written waits until "
+     "there are bits for it, and a newer one takes its place.",
      [](const std::string& word, TransmitterOptions& options) {
        return read_whole(word, 0, 1'000'000, options.max_kbits);
      }},

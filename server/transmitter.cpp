@@ -232,7 +232,7 @@ class Transmitter {
       auto source = std::make_unique<LiveSource>(
           io_,
           LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
-                            options_.live_source.timeout, record.value_or("")},
+                            options_.live_source.timeout, record.value_or(""), options_.max_kbits},
           [this] { on_moment_of_source(); });
       if (auto begun = source->start(); !begun) return begun;
       live_sources_.emplace(name, std::move(source));

@@ -98,6 +98,36 @@ TEST_F(LiveSources, ASilentSourceGoesToNeutralAndEndsUntilItComesBack) {
   EXPECT_EQ(server.terminate(), 0);
 }
 
+/// 75 rows of 3 s at 4 kbit/s: some eight a second of 63 bytes, headers included, and a second's
+/// more, are sent, the same to everybody. The newest wins and takes the time of all.
+TEST_F(LiveSources, AreThinnedOnceForAllClients) {
+  const auto path = folder_.path() / "face.fifo";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  RunningTransmitter server({"--source-timeout", "3", "--max-bitrate", "4", path.string()});
+  RawClient one = join(server);
+  RawClient other = join(server);
+  std::string rows = kHeader;
+  for (int i = 0; i < 75; ++i) rows += row(i, std::to_string(i % 5 + 1));
+  append(path, rows);
+  const std::string all = one.receive_all();
+  EXPECT_EQ(other.receive_all(), all);
+  // After the last row, which ends at 3 s, the face goes to neutral.
+  int count = 0;
+  int time_ms = 0;
+  std::size_t begin = 0;
+  while (time_ms < 75 * 40 && all.find(';', begin) != std::string::npos) {
+    const std::size_t time = all.find(';', begin);
+    time_ms += std::stoi(all.substr(time + 1));
+    ++count;
+    if (time_ms < 75 * 40) begin = all.find('{', time);
+  }
+  EXPECT_EQ(time_ms, 75 * 40) << all;
+  EXPECT_EQ(all.substr(begin, 4), "{12;") << all;
+  EXPECT_GE(count, 15) << all;
+  EXPECT_LE(count, 36) << all;
+  EXPECT_EQ(server.terminate(), 0);
+}
+
 TEST_F(LiveSources, AMissingFileIsRefused) {
   const Finished missing = run({program("au-transmitter"), "--follow", "--port", "0",
                                 (folder_.path() / "missing.csv").string()});

@@ -79,5 +79,73 @@ TEST(Thinning, KeepsToTheBitrate) {
   }
 }
 
+TEST(LiveThinning, LetsThroughAtOnceWhatFits) {
+  for (const std::uint32_t kbits : {0U, 1000U}) {
+    LiveThinning thinning(250, kbits);
+    for (int i = 0; i < 100; ++i) {
+      thinning.push(full_of(i, 40));
+      EXPECT_EQ(thinning.pop(i * 0.04), full_of(i, 40));
+      EXPECT_FALSE(thinning.due());
+    }
+  }
+}
+
+TEST(LiveThinning, TheNewestTakesPlaceAndTimeOfTheOneThatWaits) {
+  LiveThinning thinning(250, 8);
+  thinning.push(full_of(0, 40));
+  while (thinning.pop(0)) thinning.push(full_of(0, 40));
+  thinning.push(full_of(1, std::nullopt));
+  thinning.push(full_of(2, 30));
+  ASSERT_TRUE(thinning.due());
+  const double due = *thinning.due();
+  EXPECT_GT(due, 0);
+  EXPECT_EQ(thinning.pop(due * 0.99), std::nullopt);
+  EXPECT_EQ(thinning.pop(due), full_of(2, 40 + 250 + 30));
+  EXPECT_EQ(thinning.take_last(), std::nullopt);
+}
+
+/// A timer that pops when it is due, and arrivals as they like: nothing is lost but what was
+/// merged, and no stretch holds more bits than its time brings, with a second's beside.
+TEST(LiveThinning, KeepsToTheBitrateInEveryStretch) {
+  test::Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 50; ++run) {
+    const auto kbits = static_cast<std::uint32_t>(seeded.integer(4, 200));
+    LiveThinning thinning(250, kbits);
+    std::vector<std::pair<double, double>> sent;  // when, bits
+    std::uint64_t time_ms = 0;
+    double now = 1000;
+    Keyframe newest;
+    const auto pop_at = [&](double at) {
+      const auto keyframe = thinning.pop(at);
+      if (!keyframe) return;
+      EXPECT_EQ(keyframe->terms, newest.terms);
+      sent.emplace_back(at, static_cast<double>((encode(*keyframe).size() + kHeaderBytes) * 8));
+      time_ms += *keyframe->duration_ms;
+    };
+    std::uint64_t given_ms = 0;
+    for (int i = 0; i < 200; ++i) {
+      const int wait_ms = seeded.integer(0, 80);
+      given_ms += static_cast<std::uint64_t>(wait_ms);
+      const double next = now + wait_ms / 1000.0;
+      if (const auto due = thinning.due(); due && *due < next) pop_at(*due);
+      now = next;
+      newest = full_of(i, static_cast<std::uint32_t>(wait_ms));
+      thinning.push(newest);
+      pop_at(now);
+    }
+    if (const auto due = thinning.due()) pop_at(*due);
+    EXPECT_EQ(time_ms, given_ms);
+    const double second = std::max(kbits * 1000.0, sent.front().second + 100);
+    for (std::size_t from = 0; from < sent.size(); ++from) {
+      double bits = 0;
+      for (std::size_t to = from; to < sent.size(); ++to) {
+        bits += sent[to].second;
+        ASSERT_LE(bits, kbits * 1000.0 * (sent[to].first - sent[from].first) + second + 1);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace aucast::server
