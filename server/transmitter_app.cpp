@@ -114,9 +114,14 @@ Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& optio
   say_what_was_found(*sources);
   protocol::StreamList list;
   for (const Source& source : *sources) list.names.push_back(source.name);
-  if (protocol::encode(list).size() > protocol::kPacketBytesMax) {
-    spdlog::warn("{} names are more than one packet can list: --list will not work, --stream does",
-                 list.names.size());
+  // Each name that there is room for comes after a blank.
+  const std::string packet = protocol::encode(list);
+  const auto listed = static_cast<std::size_t>(std::count(packet.begin(), packet.end(), ' '));
+  if (listed < list.names.size()) {
+    spdlog::warn(
+        "the list of {} streams is cut after '{}', for it is one packet: --list shows {}, "
+        "--stream plays the others too",
+        list.names.size(), list.names[listed - 1], listed);
   }
   return catalogue;
 }
