@@ -1,18 +1,16 @@
-// Any texts as the files of a face folder of ours, of Waters' classic one, or as a rules file: an
-// error with a file's name, or a face that moves and stays finite. The first byte says which, lines
-// of "====" lie between the files.
-
-#include <unistd.h>
+// Any texts as the files of a face folder of ours or of Waters' classic one: an error with a file's
+// name, or a face that moves and stays finite. The first byte says which, lines of "====" lie
+// between the files.
 
 #include <cmath>
 #include <filesystem>
 #include <string>
 
-#include "client/face/co_occurrence_rules.h"
 #include "client/face/face_deformer.h"
 #include "client/face/ply.h"
 #include "common/check.h"
 #include "common/files.h"
+#include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace aucast;
@@ -21,32 +19,6 @@ using namespace aucast::face;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of this process, gone with it.
-class Folder {
- public:
-  explicit Folder(const std::string& name)
-      : path_(fs::temp_directory_path() / ("aucast_fuzz_" + std::to_string(::getpid()) + name)) {
-    fs::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-  void write(const char* name, std::string_view text) const {
-    std::FILE* file = std::fopen((path_ / name).c_str(), "wb");
-    AUCAST_CHECK(file != nullptr);
-    AUCAST_CHECK(std::fwrite(text.data(), 1, text.size(), file) == text.size());
-    AUCAST_CHECK(std::fclose(file) == 0);
-  }
-
- private:
-  fs::path path_;
-};
 
 std::string_view next_file(std::string_view& rest) {
   constexpr std::string_view kBetween = "====\n";
@@ -82,7 +54,7 @@ void check_error(const Error& error, const fs::path& folder) {
                error.message.find('/') != std::string::npos);
 }
 
-void check_face(const Folder& folder, const fs::path& data) {
+void check_face(const fuzz::Folder& folder, const fs::path& data) {
   const auto face = load_face(folder.path(), data);
   if (!face) return check_error(face.error(), folder.path());
   for (const auto& [number, recording] : face->recordings) {
@@ -103,19 +75,12 @@ void check_face(const Folder& folder, const fs::path& data) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Folder kOurs("_ours");
-  static const Folder kClassic("_classic");
-  static const Folder kRules("_rules");
+  static const fuzz::Folder kOurs("_ours");
+  static const fuzz::Folder kClassic("_classic");
   static const fs::path kData = AUCAST_FUZZ_DATA;
   std::string_view rest = fuzz::text_of(data, size);
   const char kind = rest.empty() ? 'o' : rest.front();
   rest.remove_prefix(rest.empty() ? 0 : 1);
-  if (kind == 'r') {
-    kRules.write("rules.toml", rest);
-    const auto rules = load_rules(kRules.path() / "rules.toml");
-    if (!rules) check_error(rules.error(), kRules.path());
-    return 0;
-  }
   if (kind == 'c') {
     for (const char* name : {"faceline.dat", "index.dat", "muscle.dat", "jaw.dat"}) {
       kClassic.write(name, next_file(rest));
