@@ -59,6 +59,8 @@ bool LinkQueue::loses_one() {
   const double stop = 1 / std::max(quality_.burst, 1.0);
   const double begin = stop * part / std::max(1 - part, 1e-9);
   losing_ = losing_ ? random() >= stop : random() < begin;
+  run_ = losing_ ? run_ + 1 : 0;
+  longest_ = std::max(longest_, run_);
   return losing_;
 }
 

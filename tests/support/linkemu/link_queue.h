@@ -36,6 +36,8 @@ class LinkQueue {
 
   [[nodiscard]] std::uint64_t passed() const { return passed_; }
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
+  /// The most that chance took in a row.
+  [[nodiscard]] std::uint64_t longest_loss() const { return longest_; }
   [[nodiscard]] std::uint64_t too_many() const { return too_many_; }  ///< for the queue
 
  private:
@@ -57,6 +59,8 @@ class LinkQueue {
   bool down_ = false;
   std::uint64_t passed_ = 0;
   std::uint64_t lost_ = 0;
+  std::uint64_t run_ = 0;  ///< lost in a row just now
+  std::uint64_t longest_ = 0;
   std::uint64_t too_many_ = 0;
 };
 

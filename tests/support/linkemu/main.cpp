@@ -100,9 +100,10 @@ class Link {
       for (std::size_t way : {0U, 1U}) pass(way);
     }
     for (std::size_t way : {0U, 1U}) {
-      std::printf("direction %zu: %llu passed, %llu lost, %llu did not fit\n", way + 1,
-                  static_cast<unsigned long long>(ways_[way].passed()),
+      std::printf("direction %zu: %llu passed, %llu lost, %llu in a row, %llu did not fit\n",
+                  way + 1, static_cast<unsigned long long>(ways_[way].passed()),
                   static_cast<unsigned long long>(ways_[way].lost()),
+                  static_cast<unsigned long long>(ways_[way].longest_loss()),
                   static_cast<unsigned long long>(ways_[way].too_many()));
     }
   }

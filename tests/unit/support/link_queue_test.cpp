@@ -47,6 +47,8 @@ TEST(LinkQueue, LosesSoManyInBurstsOfSuchALength) {
   }
   EXPECT_NEAR(static_cast<double>(lost) / kPackets, 0.1, 0.01);
   EXPECT_NEAR(static_cast<double>(lost) / bursts, 5, 0.5);
+  EXPECT_GT(link.longest_loss(), 20U);
+  EXPECT_LT(link.longest_loss(), 100U);
 }
 
 TEST(LinkQueue, LosesWhatItsQueueCannotHoldAndWhatComesWhileItIsDown) {
