@@ -15,7 +15,7 @@ namespace {
 
 std::string rubbish(test::Seeded& seeded) {
   std::string bytes;
-  switch (seeded.integer(0, 5)) {
+  switch (seeded.integer(0, 7)) {
     case 0:
       bytes.resize(static_cast<std::size_t>(seeded.integer(1, 65536)));
       for (char& byte : bytes) byte = static_cast<char>(seeded.integer(0, 255));
@@ -32,6 +32,13 @@ std::string rubbish(test::Seeded& seeded) {
       break;
     case 4:
       bytes = "{hello v=2 window=0}";
+      break;
+    case 5:
+      bytes = "GET /metrics HTTP/1.1\r\nHost: x\r\n\r\n";
+      break;
+    case 6:
+      bytes = "GET /status.json HTTP/1.1\r\nCookie: " +
+              std::string(static_cast<std::size_t>(seeded.integer(0, 6000)), 'c');
       break;
     default:
       break;

@@ -7,7 +7,8 @@
 namespace aucast::bench {
 
 /// Peers that come, say rubbish and go, as fast as they can, on a thread of their own: random
-/// bytes, hellos that never end, floods of codes, nothing at all; leaving in order or by a reset.
+/// bytes, hellos and HTTP heads that never end, floods of codes, requests, nothing at all; leaving
+/// in order or by a reset.
 class Flood {
  public:
   /// `at_a_time`: connections that are open; each is replaced when it has said its piece.

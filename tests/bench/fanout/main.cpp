@@ -34,7 +34,8 @@ aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
   app.add_flag("--alone", alone, "compare with none");
   app.add_flag("--from-said", plan.from_said,
                "latency of the others from when their publisher said a message, not from its time");
-  app.add_option("--flood", plan.flood, "hostile connections at a time, at ours only (0)")
+  app.add_option("--flood", plan.flood,
+                 "hostile connections at a time, and as many at --http; at ours only (0)")
       ->check(CLI::Range(0, 1000));
   auto parsed = aucast::parse_command_line(app, {argv + 1, argv + argc});
   help = app.get_help_ptr()->count() > 0;
@@ -61,8 +62,9 @@ void print(int round, const std::string& server, const Measurement& m) {
               m.deliveries, m.per_processor_second(), m.p50_ms, m.p99_ms, m.bytes_per_client / 1024,
               static_cast<long long>(m.missed), m.disturbed, load_average());
   if (m.flood_peers > 0) {
-    std::printf("       meanwhile %lld hostile peers said %lld bytes\n",
-                static_cast<long long>(m.flood_peers), static_cast<long long>(m.flood_bytes));
+    std::printf("       meanwhile %lld hostile peers, and %lld at --http, said %lld bytes\n",
+                static_cast<long long>(m.flood_peers), static_cast<long long>(m.http_flood_peers),
+                static_cast<long long>(m.flood_bytes));
   }
   std::fflush(stdout);
 }

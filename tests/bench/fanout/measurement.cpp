@@ -56,6 +56,7 @@ std::optional<Measurement> measure(const std::string& name, const Plan& plan,
 
   Measurement result;
   Flood flood(server.port(), publishes_itself ? plan.flood : 0);
+  Flood http_flood(server.http_port(), server.http_port() != 0 ? plan.flood : 0);
   crowd.listen(Clock::now() + 1s, nullptr);
   // What was left out while they gathered is not the question.
   const std::int64_t missed_before = crowd.missed();
@@ -69,7 +70,8 @@ std::optional<Measurement> measure(const std::string& name, const Plan& plan,
   result.bytes_per_client =
       static_cast<double>(server.private_bytes() - bytes_before) / plan.clients;
   result.flood_peers = flood.peers();
-  result.flood_bytes = flood.bytes();
+  result.http_flood_peers = http_flood.peers();
+  result.flood_bytes = flood.bytes() + http_flood.bytes();
   if (publisher) publisher->stop();
   result.deliveries = static_cast<double>(deliveries.size());
   result.processor_seconds =

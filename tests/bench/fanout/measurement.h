@@ -17,6 +17,7 @@ struct Measurement {
   std::int64_t missed = 0;      ///< messages left out, doubled or out of order
   int disturbed = 0;            ///< subscribers who lost their connection
   std::int64_t flood_peers = 0;
+  std::int64_t http_flood_peers = 0;
   std::int64_t flood_bytes = 0;
 
   [[nodiscard]] double per_processor_second() const { return deliveries / processor_seconds; }

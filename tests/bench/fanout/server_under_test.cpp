@@ -99,8 +99,13 @@ void ServerUnderTest::start_transmitter(const Plan& plan) {
     stream += line.substr(1, line.size() - 2) + '\n';
   }
   const std::string file = folder_.write("numbered.txt", stream + "End_Stream\n");
-  process_ = std::make_unique<test::Process>(std::vector<std::string>{
-      test::program("au-transmitter"), "--live", "--port", "0", "--log-level", "error", file});
+  std::vector<std::string> command = {
+      test::program("au-transmitter"), "--live", "--port", "0", "--log-level", "error", file};
+  if (plan.flood > 0) {
+    http_port_ = free_port();
+    command.insert(command.end(), {"--http", "127.0.0.1:" + std::to_string(http_port_)});
+  }
+  process_ = std::make_unique<test::Process>(std::move(command));
   const auto line = process_->read_line(20s);
   if (!line) {
     failure_ = "au-transmitter did not start: " + process_->err();

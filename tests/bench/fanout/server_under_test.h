@@ -35,6 +35,8 @@ class ServerUnderTest {
   /// Empty when it runs, else why not.
   [[nodiscard]] const std::string& failure() const { return failure_; }
   [[nodiscard]] std::uint16_t port() const { return port_; }
+  /// Of au-transmitter's --http, when it is to be flooded; else 0.
+  [[nodiscard]] std::uint16_t http_port() const { return http_port_; }
   [[nodiscard]] const Dialect& dialect() const { return dialect_; }
   /// Processor time of the process so far, in user mode and in the system.
   [[nodiscard]] std::chrono::nanoseconds processor_time() const;
@@ -52,6 +54,7 @@ class ServerUnderTest {
   std::unique_ptr<test::Process> process_;
   std::string failure_;
   std::uint16_t port_ = 0;
+  std::uint16_t http_port_ = 0;
   Dialect dialect_;
 };
 
