@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -15,6 +17,7 @@
 #include "client/app/picture_maker.h"
 #include "client/app/picture_sinks.h"
 #include "client/app/progress_line.h"
+#include "client/app/steady.h"
 #include "client/view/video_encoder.h"
 #include "common/files.h"
 
@@ -60,14 +63,31 @@ bool ffmpeg_is_there() {
 /// Draws a plan into its folder, one picture at a time.
 class GalleryWriter {
  public:
-  GalleryWriter(const Assets& assets, const PlayerOptions& options, const GalleryPlan& plan)
+  GalleryWriter(const Assets& assets, const PlayerOptions& options, const GalleryPlan& plan,
+                const std::function<bool()>& stop)
       : assets_(assets),
         options_(options),
         plan_(plan),
+        stop_(stop),
         progress_(!options.quiet),
         activations_(assets.face.channels.size()) {}
 
+  /// When it was stopped that is the reason, whatever broke because of it.
   Result<void> write() {
+    auto written = draw_all();
+    if (written) return write_texts();
+    if (!stop_()) return written;
+    return Error{ErrorKind::Failed, "stopped after " + count_text(drawn_) +
+                                        "; the page and the manifest are written last, run it "
+                                        "again for all"};
+  }
+
+ private:
+  [[nodiscard]] std::string count_text(std::size_t drawn) const {
+    return std::to_string(drawn) + " of " + std::to_string(plan_.pictures.size()) + " pictures";
+  }
+
+  Result<void> draw_all() {
     auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
                                       camera_preset(options_.pose.camera, assets_.face),
                                       backdrop(options_.output.background));
@@ -85,11 +105,11 @@ class GalleryWriter {
     for (std::size_t i = 0; i < plan_.sweeps.size(); ++i) {
       if (auto swept = sweep(i, with_videos); !swept) return swept;
     }
-    return write_texts();
+    return {};
   }
 
- private:
   Result<void> draw(std::size_t index, view::VideoEncoder* video) {
+    if (stop_()) return Error{ErrorKind::Failed, "stopped"};
     const GalleryPicture& picture = plan_.pictures[index];
     face::mix(assets_.face, picture.shown, picture.mixer, activations_);
     Expression muscles;
@@ -105,11 +125,20 @@ class GalleryWriter {
     if (video != nullptr) {
       if (auto added = video->add(image); !added) return added;
     }
-    const std::size_t whole = plan_.pictures.size();
-    progress_.show(
-        [&] { return std::to_string(index + 1) + " of " + std::to_string(whole) + " pictures"; },
-        index + 1 == whole);
+    ++drawn_;
+    progress_.show([&] { return count_text(drawn_) + time_left(); },
+                   drawn_ == plan_.pictures.size());
     return {};
+  }
+
+  /// Told once it is worth telling.
+  [[nodiscard]] std::string time_left() const {
+    const auto passed = std::chrono::duration<double>(steady_now() - begin_).count();
+    const auto drawn = static_cast<double>(drawn_);
+    const double left = passed / drawn * (static_cast<double>(plan_.pictures.size()) - drawn);
+    if (left < 10) return "";
+    return left < 90 ? ", " + std::to_string(std::lround(left)) + " s left"
+                     : ", " + std::to_string(std::lround(left / 60)) + " min left";
   }
 
   Result<void> sweep(std::size_t number, bool with_video) {
@@ -140,6 +169,7 @@ class GalleryWriter {
       std::snprintf(text.data(), text.size(), "%06X", *options_.output.background);
       setting.background = text.data();
     }
+    setting.layers = view::format_layers(options_.output.layers);
     setting.version = AUCAST_VERSION;
     setting.width = options_.output.width;
     setting.height = options_.output.height;
@@ -153,31 +183,37 @@ class GalleryWriter {
   const Assets& assets_;
   const PlayerOptions& options_;
   const GalleryPlan& plan_;
+  const std::function<bool()>& stop_;
   ProgressLine progress_;
+  Instant begin_ = steady_now();
+  std::size_t drawn_ = 0;
   std::unique_ptr<PictureMaker> maker_;
   std::vector<float> activations_;
   std::vector<std::size_t> videos_;
 };
 
-/// What there is now, and which AUs the face lacks.
+/// What there is now, and which AUs the face lacks or cannot show well.
 void print_summary(const std::filesystem::path& folder, const GalleryPlan& plan) {
   std::size_t recorded = 0;
   std::string missing;
+  std::string limited;
+  const auto list = [](std::string& numbers, int number) {
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+  };
   for (const Coverage& row : plan.coverage) {
-    if (row.recorded) {
-      ++recorded;
-    } else {
-      missing += (missing.empty() ? "" : ", ") + std::to_string(row.number);
-    }
+    if (row.recorded) ++recorded;
+    if (!row.recorded) list(missing, row.number);
+    if (is_limited(row)) list(limited, row.number);
   }
-  std::printf("%s: %zu pictures; %zu of %zu Action Units are recorded%s%s\n",
+  std::printf("%s: %zu pictures; %zu of %zu Action Units are recorded%s%s%s%s\n",
               (folder / "index.html").c_str(), plan.pictures.size(), recorded, plan.coverage.size(),
-              missing.empty() ? "" : ", not ", missing.c_str());
+              missing.empty() ? "" : ", not ", missing.c_str(),
+              limited.empty() ? "" : "; in their best form only: ", limited.c_str());
 }
 
 }  // namespace
 
-Result<void> run_gallery(const PlayerOptions& options) {
+Result<void> run_gallery(const PlayerOptions& options, const std::function<bool()>& stop) {
   auto assets = load_assets(options.face);
   if (!assets) return assets.error();
   auto rules = load_rules(**assets);
@@ -191,7 +227,7 @@ Result<void> run_gallery(const PlayerOptions& options) {
   auto plan = plan_gallery(input);
   if (!plan) return plan.error();
   if (auto made = make_folders(options.gallery.folder, *plan); !made) return made;
-  auto written = GalleryWriter(**assets, options, *plan).write();
+  auto written = GalleryWriter(**assets, options, *plan, stop).write();
   if (!written) return written;
   print_summary(options.gallery.folder, *plan);
   return {};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kNames =
     "file,aus,intensities,sides,aus_after_rules,expression,muscles,face,mixer,rules,camera,width,"
-    "height,background,version,frame,time_ms,onset_ms,apex_ms,offset_ms,end_ms\r\n";
+    "height,background,show,version,frame,time_ms,strength,onset_ms,apex_ms,offset_ms,end_ms\r\n";
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -30,6 +30,13 @@ std::string muscles_text(const std::vector<ExpressionMuscle>& muscles) {
     words.emplace_back(text.data());
   }
   return joined(words);
+}
+
+std::string strength_text(int time_ms) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.1f",
+                100 * static_cast<double>(sweep_strength(time_ms)));
+  return text.data();
 }
 
 /// The fields from aus to rules; a face that is muscles alone went through no rules and no mixer.
@@ -65,16 +72,17 @@ std::string line(const std::string& file, const GalleryPicture& picture,
   fields.insert(fields.end(), shown.begin(), shown.end());
   fields.insert(fields.end(),
                 {setting.camera, std::to_string(setting.width), std::to_string(setting.height),
-                 setting.background, setting.version});
+                 setting.background, setting.layers, setting.version});
   if (picture.moment) {
     const bool still = !video;
     fields.push_back(still ? std::to_string(picture.moment->frame) : "");
     fields.push_back(still ? std::to_string(picture.moment->time_ms) : "");
+    fields.push_back(still ? strength_text(picture.moment->time_ms) : "");
     for (const int ms : {kOnsetMs, kApexMs, kOffsetMs, kSweepEndMs}) {
       fields.push_back(std::to_string(ms));
     }
   } else {
-    fields.resize(fields.size() + 6);
+    fields.resize(fields.size() + 7);
   }
   std::string text;
   for (const std::string& field : fields) {

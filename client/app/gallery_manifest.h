@@ -13,6 +13,7 @@ struct GallerySetting {
   std::string face;
   std::string camera;
   std::string background;  ///< RRGGBB or default
+  std::string layers;      ///< as --show takes them
   std::string version;
   int width = 0;
   int height = 0;
@@ -25,7 +26,7 @@ struct GallerySetting {
 /// written (`videos`: indexes into GalleryPlan::sweeps). Lines end with CR LF. Fields with several
 /// values (aus, intensities in percent, sides, expression, muscles) have blanks between them, in
 /// the same order; what does not apply is empty. The times say where each phase of a sweep
-/// begins.
+/// begins, strength what percentage of the intensities a frame of it has.
 [[nodiscard]] std::string format_manifest(const GalleryPlan& plan, const GallerySetting& setting,
                                           const std::vector<std::size_t>& videos);
 

@@ -1,6 +1,7 @@
 #include "client/app/gallery_page.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "protocol/codec.h"
 
@@ -71,8 +72,13 @@ std::string in_pairs(const std::vector<std::string>& channels) {
   return text;
 }
 
-/// A word of a recording's note by which its author says that the mesh cannot show this AU well.
-constexpr std::string_view kLimited = "best form";
+/// Whether a note says no more than the name does.
+bool repeats(std::string_view note, std::string_view name) {
+  return std::equal(note.begin(), note.end(), name.begin(), name.end(), [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  });
+}
 
 /// Builds the page piece by piece; each function adds one kind of element.
 class Page {
@@ -218,15 +224,14 @@ class Page {
   }
 
   void coverage_row(const Coverage& row) {
-    const bool limited = row.note.find(kLimited) != std::string::npos;
-    const char* mark = !row.recorded ? "<span class=\"mark missing\">not recorded</span>"
-                       : limited     ? "<span class=\"mark limited\">best form</span>"
-                                     : "<span class=\"mark\">recorded</span>";
+    const char* mark = !row.recorded     ? "<span class=\"mark missing\">not recorded</span>"
+                       : is_limited(row) ? "<span class=\"mark limited\">best form</span>"
+                                         : "<span class=\"mark\">recorded</span>";
     const std::string drives = in_pairs(row.drives);
     html_ += "<tr><td>" + std::to_string(row.number) + "</td><td>" + html_escaped(row.name) +
              "</td><td>" + mark + "</td><td>" + (row.sided ? "left, right" : "") + "</td><td>" +
-             html_escaped(row.note) + "</td><td class=\"drives\">" + html_escaped(drives) +
-             "</td></tr>\n";
+             html_escaped(repeats(row.note, row.name) ? "" : row.note) +
+             "</td><td class=\"drives\">" + html_escaped(drives) + "</td></tr>\n";
   }
 
   const GalleryPlan& plan_;

@@ -89,6 +89,9 @@ struct Coverage {
   std::string note;
 };
 
+/// True when the recording's author says that the mesh cannot show this AU well.
+[[nodiscard]] bool is_limited(const Coverage& row);
+
 /// Everything that `gallery` makes, before a single picture is drawn.
 struct GalleryPlan {
   std::vector<GalleryPicture> pictures;  ///< every file once, in the order of drawing

@@ -131,9 +131,16 @@ void GalleryPlanner::add_aus() {
                          "Every Action Unit that this face has, from a trace (A) to the maximum "
                          "(E). Left and right are the subject's own.",
                          {}};
+  const std::size_t neutral = picture("au/neutral.png", {{}, AuFrame{}, {}});
+  section.blocks.push_back({"Neutral", {}, {{"", {{neutral, "", "0", 0}}}}});
+  std::vector<std::string> columns;
+  for (const char letter : kLetters) {
+    columns.push_back(std::string(1, letter) + ", " +
+                      std::to_string(percent_of_letter(letter).value_or(0)) + " %");
+  }
   for (const auto& [number, recording] : input_.face.recordings) {
     if (number == 0) continue;
-    GalleryBlock block{au_title(number), {"A", "B", "C", "D", "E"}, {}};
+    GalleryBlock block{au_title(number), columns, {}};
     for (const Side side : sides_of(input_.face, number)) {
       GalleryRow row;
       if (is_sided(input_.face, number)) row.heading = word(side);

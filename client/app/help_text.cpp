@@ -130,7 +130,8 @@ constexpr std::string_view kGallery =
 Writes DIR/index.html, which opens from disk, DIR/manifest.csv with a line for each picture, and the
 pictures: Action Units A to E, both sides and each alone (au/), prototypes (prototypes/), pairs of
 basic expressions (combinations/), the thesis' appendices A and B (appendix_b/). The same options
-and face give the same bytes. DIR may be there; what an earlier run left in it stays.
+and face give the same bytes. DIR may be there; what an earlier run left in it stays. Stopped with
+Ctrl-C it ends with code 1, without a half picture; page and manifest are written last.
 
   --only SECTION[,..] aus, prototypes, combinations, appendix-a, appendix-b, sweeps, coverage
   --sweep AUS|NAME    neutral, apex and back as frames, and as a video if ffmpeg is there: a set of

@@ -31,6 +31,10 @@ void on_signal(int) {
   g_interrupted = 1;
 }
 
+bool stop_asked() {
+  return g_interrupted != 0;
+}
+
 /// SIGINT and SIGTERM end the playing in good order; a broken pipe is an error, not a death.
 void set_up_signals() {
   struct sigaction action {};
@@ -113,14 +117,13 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
     if (!opened) return opened.error();
     source = std::move(*opened);
   }
-  const auto stop = [] { return g_interrupted != 0; };
   Result<void> done;
   if (!options.headless) {
-    done = run_window(**assets, options, source, settings, stop, stats);
+    done = run_window(**assets, options, source, settings, stop_asked, stats);
   } else if (options.output.fast) {
-    done = run_film(**assets, options, *source, stop, stats);
+    done = run_film(**assets, options, *source, stop_asked, stats);
   } else {
-    run_clocked(**assets, options, *source, stop, stats);
+    run_clocked(**assets, options, *source, stop_asked, stats);
   }
   if (source == nullptr) {
     stats.end_reason = "stopped";
@@ -168,7 +171,8 @@ Result<void> run(PlayerOptions options) {
     case Command::Rules:
       return run_rules(options);
     case Command::Gallery:
-      return run_gallery(options);
+      set_up_signals();
+      return run_gallery(options, stop_asked);
     case Command::Watch:
     case Command::Play:
       break;

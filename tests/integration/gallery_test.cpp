@@ -1,7 +1,10 @@
 // face-player gallery as a program; needs OpenGL (in software will do).
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +70,27 @@ TEST(Gallery, WithoutFfmpegTheFramesAreEnough) {
   EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
   EXPECT_NE(run.finished.err.find("install ffmpeg"), std::string::npos);
   EXPECT_EQ(files_below(folder.path() / "g").size(), 41U + 2U);
+}
+
+TEST(Gallery, StoppedInTheMiddleItSaysSoAndLeavesNothingHalfWritten) {
+  const TempFolder folder;
+  const auto gallery = folder.path() / "g";
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Process player({program("face-player"), "gallery", gallery.string(), "--only", "sweeps",
+                    "--sweep", "all", "--size", "48x60"});
+    const auto some = gallery / "sweeps" / "au01" / "frame_000005.png";
+    for (int i = 0; i < 600 && !std::filesystem::exists(some); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    player.signal(signal);
+    EXPECT_EQ(player.wait(std::chrono::seconds(30)), 1);
+    EXPECT_NE(player.err().find("stopped after "), std::string::npos) << player.err();
+    EXPECT_FALSE(files_below(gallery).empty());
+    for (const std::string& file : files_below(gallery)) {
+      EXPECT_TRUE(file.ends_with(".mp4") || view::read_png(gallery / file).has_value()) << file;
+    }
+    std::filesystem::remove_all(gallery);
+  }
 }
 
 TEST(Gallery, TheBackgroundIsTheOneThatWasAskedFor) {

@@ -10,7 +10,7 @@
 namespace aucast::app {
 namespace {
 
-const GallerySetting kSetting{"small", "front", "808080", "1.2.3", 300, 375};
+const GallerySetting kSetting{"small", "front", "808080", "creases", "1.2.3", 300, 375};
 
 /// Reads CSV as RFC 4180 has it.
 std::vector<std::vector<std::string>> read_csv(std::string_view text) {
@@ -85,17 +85,21 @@ TEST(Manifest, SaysWhatAPictureShows) {
   ASSERT_TRUE(plan.has_value());
   const std::string text = format_manifest(*plan, kSetting, {0});
   for (const char* line :
-       {"au/au12_C_left.png,12,50,left,L12:50,,,small,maximum,facs,front,300,375,808080,1.2.3,,,,,,"
+       {"au/"
+        "au12_C_left.png,12,50,left,L12:50,,,small,maximum,facs,front,300,375,808080,creases,1.2.3,"
+        ",,,,,,"
         "\r\n",
         "appendix_b/fear_average_none.png,12 26,100 100,both both,\"12,26\",thesis-fear,,small,"
-        "average,none,front,300,375,808080,1.2.3,,,,,,\r\n",
+        "average,none,front,300,375,808080,creases,1.2.3,,,,,,,\r\n",
         "prototypes/waters-fear.png,,,,,waters-fear,zygomaticus_major=1/0.5,small,,,front,300,375,"
-        "808080,1.2.3,,,,,,\r\n",
+        "808080,creases,1.2.3,,,,,,,\r\n",
         "sweeps/au12_au26-30/frame_000016.png,12 26,100 30,both both,\"12,26:30\",,,small,maximum,"
-        "facs,front,300,375,808080,1.2.3,16,600,0,600,1000,1600\r\n",
+        "facs,front,300,375,808080,creases,1.2.3,16,600,100.0,0,600,1000,1600\r\n",
+        "sweeps/au12_au26-30/frame_000036.png,12 26,100 30,both both,\"12,26:30\",,,small,maximum,"
+        "facs,front,300,375,808080,creases,1.2.3,36,1400,25.0,0,600,1000,1600\r\n",
         "sweeps/au12_au26-30.mp4,12 26,100 30,both "
         "both,\"12,26:30\",,,small,maximum,facs,front,300,"
-        "375,808080,1.2.3,,,0,600,1000,1600\r\n"}) {
+        "375,808080,creases,1.2.3,,,,0,600,1000,1600\r\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }
 }

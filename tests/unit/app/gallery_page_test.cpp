@@ -9,7 +9,7 @@
 namespace aucast::app {
 namespace {
 
-const GallerySetting kSetting{"small", "front", "default", "1.2.3", 300, 375};
+const GallerySetting kSetting{"small", "front", "default", "creases", "1.2.3", 300, 375};
 
 /// The values of an attribute, in order.
 std::vector<std::string> values_of(const std::string& html, const std::string& attribute) {
@@ -69,6 +69,17 @@ TEST(GalleryPage, MarksWhatIsMissingAndWhatIsLimited) {
             std::string::npos);
   // Both sides of AU 12 at once.
   EXPECT_NE(html.find("<td class=\"drives\">zygomaticus_major</td>"), std::string::npos);
+}
+
+TEST(GalleryPage, ANoteThatIsTheNameAgainIsLeftOut) {
+  PlannedGallery gallery;
+  gallery.face.recordings.at(12).note = "lip corner puller";
+  const auto plan = gallery.plan({"coverage"});
+  ASSERT_TRUE(plan.has_value());
+  const std::string html = format_page(*plan, kSetting, {});
+  EXPECT_EQ(html.find("lip corner puller"), std::string::npos);
+  EXPECT_NE(html.find("Lip Corner Puller"), std::string::npos);
+  EXPECT_NE(html.find("its best form on this mesh"), std::string::npos);
 }
 
 TEST(GalleryPage, EscapesWhatComesFromFiles) {
