@@ -18,7 +18,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "mesh files are little-endian");
 
 constexpr std::string_view kMaterialNames[] = {"skin", "eye",   "teeth", "mouth",
-                                               "hair", "cloth", "brow", "crease"};
+                                               "hair", "cloth", "brow",  "crease"};
 constexpr std::string_view kCoordinates[] = {"x", "y", "z"};
 constexpr std::string_view kColourNames[] = {"red", "green", "blue", "alpha"};
 constexpr std::size_t kHeaderBytesMax = 64 * 1024;
@@ -337,10 +337,13 @@ class BodyReader {
       std::vector<float> map(header_.vertex_count);
       for (std::size_t i = 0; i < map.size(); ++i) {
         map[i] = vertex_value<float>(i, property);
-        const std::string place = "vertex " + std::to_string(i) + ": " + escaped(property.name);
-        if (!std::isfinite(map[i])) return bad(place + " is not a finite number");
+        // The place costs more than the reading: only for an error.
+        const auto place = [&] {
+          return "vertex " + std::to_string(i) + ": " + escaped(property.name);
+        };
+        if (!std::isfinite(map[i])) return bad(place() + " is not a finite number");
         if (range != std::end(kMapRanges) && (map[i] < range->low || map[i] > range->high)) {
-          return bad(place + " is " + std::to_string(map[i]) + ", outside " +
+          return bad(place() + " is " + std::to_string(map[i]) + ", outside " +
                      std::to_string(range->low) + " to " + std::to_string(range->high));
         }
       }
@@ -364,24 +367,24 @@ class BodyReader {
   Result<void> read_polygons(std::size_t position) {
     std::vector<std::vector<std::array<std::uint32_t, 3>>> by_part(mesh_.parts.size());
     for (std::size_t i = 0; i < header_.polygon_count; ++i) {
-      const std::string place = "polygon " + std::to_string(i) + ": ";
-      if (position >= bytes_.size()) return bad(place + "the file ends here");
+      const auto place = [i] { return "polygon " + std::to_string(i) + ": "; };
+      if (position >= bytes_.size()) return bad(place() + "the file ends here");
       const auto count = read_at<std::uint8_t>(bytes_, position++);
       if (count != 3 && count != 4) {
-        return bad(place + "it has " + std::to_string(count) + " corners, not 3 or 4");
+        return bad(place() + "it has " + std::to_string(count) + " corners, not 3 or 4");
       }
       if (bytes_.size() - position < count * sizeof(std::uint32_t)) {
-        return bad(place + "the file ends here");
+        return bad(place() + "the file ends here");
       }
       std::array<std::uint32_t, 4> corners{};
       std::memcpy(corners.data(), bytes_.data() + position, count * sizeof(std::uint32_t));
       position += count * sizeof(std::uint32_t);
       for (std::size_t k = 0; k < count; ++k) {
         if (corners[k] >= header_.vertex_count) {
-          return bad(place + "there is no vertex " + std::to_string(corners[k]));
+          return bad(place() + "there is no vertex " + std::to_string(corners[k]));
         }
         if (part_of(corners[k]) != part_of(corners[0])) {
-          return bad(place + "it joins the parts " + mesh_.parts[part_of(corners[0])].name +
+          return bad(place() + "it joins the parts " + mesh_.parts[part_of(corners[0])].name +
                      " and " + mesh_.parts[part_of(corners[k])].name);
         }
       }
