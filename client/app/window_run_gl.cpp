@@ -13,6 +13,7 @@
 #include "client/app/face_scene.h"
 #include "client/app/picture_maker.h"
 #include "client/app/session_video.h"
+#include "client/app/start_times.h"
 #include "client/app/steady.h"
 #include "client/app/window_overlay.h"
 #include "client/app/window_session.h"
@@ -83,6 +84,7 @@ class WindowRun {
         deformer_(session_.face()),
         diagram_(session_.face()) {
     session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
+    start_times_.passed("session");
   }
 
   Result<void> open() {
@@ -92,15 +94,18 @@ class WindowRun {
                                output.size_given ? output.height : kWindowHeight, "AUcast");
     if (!window) return window.error();
     window_ = std::move(*window);
+    start_times_.passed("window and OpenGL");
     look_from(gui::View::Front);
     auto renderer = render::FaceRenderer::create();
     if (!renderer) return renderer.error();
     renderer_ = std::move(*renderer);
     renderer_->load(scene_.still());
+    start_times_.passed("face in OpenGL");
     overlay_ = std::make_unique<WindowOverlay>(*window_);
     if (auto icon = view::read_png(data_folder_ / "icons" / "aucast.png")) {
       window_->set_icon(std::move(*icon));
     }
+    start_times_.passed("panels");
     return {};
   }
 
@@ -347,7 +352,11 @@ class WindowRun {
     window_->present();
     const Instant end = steady_now();
     spdlog::trace("drawn at {:.6f}", seconds(end.time_since_epoch()));
-    if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
+    if (stats_.frames_drawn++ == 0) {
+      stats_.first_frame_ms = since_start_ms();
+      start_times_.passed("picture");
+      spdlog::debug("{}", start_times_.text());
+    }
     stats_.draw_seconds += seconds(end - before);
     times.deform = deformed - before;
     times.face = drawn - deformed;
@@ -395,6 +404,7 @@ class WindowRun {
     pace_ = {};
   }
 
+  StartTimes start_times_;
   const PlayerOptions& options_;
   std::filesystem::path data_folder_;
   WindowSettings& settings_;

@@ -269,6 +269,7 @@ Gui::Gui(float scale) : state_(std::make_unique<State>()) {
   ImGui::GetIO().LogFilename = nullptr;
   state_->look.scale = scale;
   state_->look.bold = load_fonts(scale);
+  ImGui::GetIO().Fonts->Build();
   set_style(scale);
 }
 

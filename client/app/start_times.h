@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "client/app/steady.h"
+
+namespace aucast::app {
+
+/// What the time from the start of the program to its first picture went into.
+class StartTimes {
+ public:
+  /// Begins with what went on before, of which nothing is known but its length.
+  StartTimes();
+  /// `stage` is over.
+  void passed(const char* stage);
+  /// "first picture after 612 ms: files 45, window 220, ..."
+  [[nodiscard]] std::string text() const;
+
+ private:
+  double total_ms_;
+  Instant last_;
+  std::string stages_;
+};
+
+}  // namespace aucast::app
