@@ -111,7 +111,7 @@ Identity man_of_fifty() {
   form.nose_forward = 0.16;
   form.nose_up = -0.16;
   form.nose_hump = 0.14;
-  form.upper_lid = 0.42;
+  form.upper_lid = 0.44;
   form.inner_canthus_up = -0.14;
   form.outer_canthus_up = 0.0;
   form.lid_fold = 0.15;

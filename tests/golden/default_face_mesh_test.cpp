@@ -174,6 +174,20 @@ TEST_F(DefaultFaceMesh, OpensTheEyesByAFriendlyAmount) {
   EXPECT_LT(aperture(face().mesh.positions, 1), 1.0F);
 }
 
+TEST_F(DefaultFaceMesh, CoversTheTopOfTheIrisUntilTheLidIsRaised) {
+  // A lid that leaves the iris free stares; that is what AU5 is for.
+  constexpr float kIrisRadius = 0.60F;
+  constexpr float kMmPerUnit = 14;
+  const auto covered_mm = [](const std::vector<glm::vec3>& positions) {
+    constexpr int kMiddle = 4;
+    const float margin = positions[skin_vertex(Patch::Eye, facegen::kLidInnerRing, kMiddle)].y;
+    return kMmPerUnit * (static_cast<float>(facegen::kEyeCentre.y) + kIrisRadius - margin);
+  };
+  EXPECT_GT(covered_mm(face().mesh.positions), 1.5F);
+  EXPECT_LT(covered_mm(face().mesh.positions), 3.5F);
+  EXPECT_LT(covered_mm(posed(5)), -0.5F);
+}
+
 TEST_F(DefaultFaceMesh, ClosesTheLidsOnTheEyeballWithoutHoles) {
   float before = 10;
   for (const float closure : {0.0F, 0.25F, 0.5F, 0.75F, 1.0F}) {
