@@ -59,11 +59,12 @@ Result<fs::path> user_faces_folder(const char* xdg_data_home, const char* home) 
 
 Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user_faces) {
   const fs::path from = face_folder.has_filename() ? face_folder : face_folder.parent_path();
+  fs::path unfinished;
   try {
     if (lies_in(from, user_faces)) return from;
     const fs::path copy = user_faces / fs::weakly_canonical(from).filename();
     if (fs::exists(copy)) return copy;
-    const fs::path unfinished = copy.string() + ".unfinished";
+    unfinished = copy.string() + ".unfinished";
     fs::create_directories(user_faces);
     fs::remove_all(unfinished);
     fs::copy(from, unfinished, fs::copy_options::recursive);
@@ -74,6 +75,9 @@ Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user
     fs::rename(unfinished, copy);
     return copy;
   } catch (const fs::filesystem_error& error) {
+    // Half a face is of no use, and the disk may be full.
+    std::error_code ignored;
+    if (!unfinished.empty()) fs::remove_all(unfinished, ignored);
     return failed("this face cannot be copied to", user_faces, error.code());
   }
 }

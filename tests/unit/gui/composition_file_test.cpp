@@ -1,11 +1,5 @@
 #include "client/app/composition_file.h"
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <csignal>
-
 #include <gtest/gtest.h>
 
 #include "common/files.h"
@@ -73,33 +67,6 @@ TEST_F(CompositionFile, AFolderThatIsNotThereIsSaid) {
   const auto saved = save_stream(composer_.keyframes(), "/no/such/folder/x.txt");
   ASSERT_FALSE(saved.has_value());
   EXPECT_EQ(saved.error().kind, ErrorKind::Failed);
-}
-
-/// What RLIMIT_FSIZE does to a write is what a full disk does: it fails half-way.
-TEST_F(CompositionFile, AFullDiskLosesNothing) {
-  const test::TempFolder folder;
-  const std::string before = "Beg_Stream\n1;500\nEnd_Stream\n";
-  const auto file = folder.write("mine.txt", before);
-  make(60);
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{100, 100};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-    const auto saved = save_stream(composer_.keyframes(), file);
-    const bool told = !saved && saved.error().kind == ErrorKind::Failed;
-    ::_exit(told ? 0 : 1);
-  }
-  int status = 0;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_EQ(status, 0);
-  EXPECT_EQ(*read_file(file), before);
-  std::size_t files = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-    ++files;
-  }
-  EXPECT_EQ(files, 2U) << "the file and the version before it, and no leavings";
 }
 
 }  // namespace

@@ -1,12 +1,6 @@
 #include "client/gui/user_face.h"
 
-#include <csignal>
-#include <functional>
-
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "tests/support/temp_folder.h"
 #include "tests/unit/face/small_face.h"
@@ -81,8 +75,7 @@ TEST_F(UserFace, SavingTheSameAgainKeepsTheOlderVersion) {
   EXPECT_EQ(folder_.read("shipped/plain/aus.toml~"), before);
 }
 
-/// A folder in the file's place cannot be written, whoever runs the test; so it is with a full
-/// disk.
+/// A folder in the file's place cannot be written, whoever runs the test.
 TEST_F(UserFace, AFailedSavingLeavesTheFileAsItWas) {
   const std::string before = folder_.read("shipped/plain/aus.toml");
   fs::create_directory(shipped_ / "aus.toml~");
@@ -91,44 +84,6 @@ TEST_F(UserFace, AFailedSavingLeavesTheFileAsItWas) {
   EXPECT_EQ(file.error().kind, ErrorKind::Failed);
   EXPECT_NE(file.error().message.find("aus.toml~"), std::string::npos) << file.error().message;
   EXPECT_EQ(folder_.read("shipped/plain/aus.toml"), before);
-}
-
-/// Saves in another process, which `limit` has taken something from; true when the failure is said.
-bool failure_is_said(const fs::path& face, const std::function<void()>& limit) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    limit();
-    const auto file = save_au(face, 77, {{"jaw", 1.5F}});
-    ::_exit(!file && file.error().kind == ErrorKind::Failed ? 0 : 1);
-  }
-  int status = 1;
-  return child > 0 && ::waitpid(child, &status, 0) == child && status == 0;
-}
-
-TEST_F(UserFace, AReadOnlyFolderIsSaid) {
-  const std::string before = folder_.read("shipped/plain/aus.toml");
-  fs::permissions(folder_.path(), fs::perms::others_exec | fs::perms::others_read,
-                  fs::perm_options::add);
-  fs::permissions(shipped_, fs::perms::owner_write, fs::perm_options::remove);
-  EXPECT_TRUE(failure_is_said(shipped_, [] {
-    // Root may write everywhere, so it becomes nobody.
-    if (::geteuid() == 0 && ::setuid(65534) != 0) ::_exit(2);
-  }));
-  fs::permissions(shipped_, fs::perms::owner_write, fs::perm_options::add);
-  EXPECT_EQ(folder_.read("shipped/plain/aus.toml"), before);
-}
-
-/// What RLIMIT_FSIZE does to a write is what a full disk does: it fails half-way.
-TEST_F(UserFace, AFullDiskLosesNothing) {
-  const std::string before = folder_.read("shipped/plain/aus.toml");
-  const auto files = std::distance(fs::directory_iterator(shipped_), {});
-  EXPECT_TRUE(failure_is_said(shipped_, [&] {
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{before.size() / 2, before.size() / 2};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }));
-  EXPECT_EQ(folder_.read("shipped/plain/aus.toml"), before);
-  EXPECT_EQ(std::distance(fs::directory_iterator(shipped_), {}), files) << "no leavings";
 }
 
 TEST_F(UserFace, ACopyThatCannotBeMadeIsSaid) {
