@@ -164,7 +164,7 @@ TEST(Loopback, ReconnectOutlivesAServer) {
   auto first = std::make_unique<Served>(
       std::vector<std::string>{"--live", "--loop", stream_file("talk.txt")});
   const std::string address = first->address();
-  Process player({program("face-player"), "--headless", "--reconnect", address, "--stats",
+  Process player({program("face-player"), "--headless", "--reconnect", "-v", address, "--stats",
                   (folder.path() / "stats.json").string()});
   // Not before it plays: however slow this machine is, it has met the first server then.
   for (int tenth = 0; player.err().find("playing") == std::string::npos; ++tenth) {
