@@ -36,7 +36,7 @@ import threading
 
 SERVER, CLIENT = f"aucast{os.getpid()}s", f"aucast{os.getpid()}c"
 DEVICES = (f"auls{os.getpid() % 100000}", f"aulc{os.getpid() % 100000}")
-SEEDS = range(1, 6)
+SEEDS = (21, 58, 51, 59, 30)  # of those by which the chance takes some of the first 50 packets
 SERVER_ADDRESS, CLIENT_ADDRESS = "10.78.0.1", "10.78.0.2"
 SATELLITE = ("--delay", "300", "--jitter", "50", "--loss", "1", "--rate", "64")
 
