@@ -69,6 +69,7 @@ std::string_view name(PlaybackState state) {
 PlaybackController::PlaybackController(std::optional<Milliseconds> speed) : speed_(speed) {}
 
 std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSource& source) {
+  looked_before_ = std::exchange(looked_at_, now);
   if (state_ == PlaybackState::Lost) return hold(now);
   if (state_ == PlaybackState::Paused || over()) return std::nullopt;
   if (state_ == PlaybackState::Stalled || state_ == PlaybackState::Stale) {
@@ -147,6 +148,9 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
     keyframe->arrived.reset();
     keyframe->due.reset();
   }
+  if (state_ == PlaybackState::Stalled && keyframe->due && keyframe->arrived) {
+    begin = std::clamp(*keyframe->arrived, looked_before_, now);
+  }
   takes_ = time_taken(*keyframe, duration_, begin);
   arrived_ = keyframe->arrived;
   due_ = keyframe->due;
@@ -212,6 +216,7 @@ void PlaybackController::resume(Instant now) {
   keyframe_begin_ += now - paused_since_;
   stalled_since_ += now - paused_since_;
   ease_begin_ += now - paused_since_;
+  looked_at_ = now;
 }
 
 void PlaybackController::stop(Instant now) {

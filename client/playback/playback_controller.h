@@ -46,7 +46,8 @@ struct PlaybackMoment {
 /// start frame of the next, which begins exactly where the last one ended, so that nothing drifts:
 /// N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe of 0 ms
 /// is a jump: it is over as soon as it has begun. A live keyframe that says when it is due is
-/// reached then, if that makes it at most 5 % faster or slower than its own time.
+/// reached then, if that makes it at most 5 % faster or slower than its own time; one that was
+/// waited for began when it came, however late that is looked at.
 /// The moments handed in must not go back.
 /// Thread: the player's.
 class PlaybackController {
@@ -126,6 +127,8 @@ class PlaybackController {
   Instant last_position_at_{};
   std::optional<Milliseconds> hold_;
   bool film_clock_ = false;
+  Instant looked_at_{};      ///< by the last advance()
+  Instant looked_before_{};  ///< by the one before
   Instant stalled_since_{};  ///< or lost
   bool stall_counted_ = true;
   bool eased_ = false;

@@ -211,6 +211,37 @@ TEST(LowDelay, AWaitThatNobodySeesIsNoStall) {
   }
 }
 
+/// A slow display makes the face late by the time between two of its frames, and by no more.
+TEST(LowDelay, DoesNotGrowWhereTheFaceIsSeldomLookedAt) {
+  LinkSource source(40ms);
+  PlaybackController controller(std::nullopt);
+  Instant now = ManualClock().now();
+  for (int i = 0; i < 2000; ++i, now += 40ms) {
+    source.arrive(now);
+    if (i % 8 != 7) continue;
+    while (controller.advance(now + 1ms, source)) {
+    }
+  }
+  EXPECT_LE(controller.delays().lately().longest, 42ms + 8 * 40ms + 1ms);
+  EXPECT_LE(controller.delays().lately().median, 250ms);
+}
+
+TEST(LowDelay, WhatCameWhileTheUserPausedBeginsNow) {
+  LinkSource source(40ms);
+  PlaybackController controller(std::nullopt);
+  Instant now = ManualClock().now();
+  source.arrive(now);
+  EXPECT_TRUE(controller.advance(now, source));
+  now += 50ms;
+  EXPECT_FALSE(controller.advance(now, source));
+  controller.pause(now);
+  source.arrive(now + 5ms);
+  now += 10s;
+  controller.resume(now);
+  EXPECT_TRUE(controller.advance(now, source));
+  EXPECT_EQ(controller.moment().mu, 0.0) << "and not long ago";
+}
+
 TEST(LowDelay, CountsFromTheArrivalToTheFace) {
   LinkSource source(40ms);
   PlaybackController controller(std::nullopt);
