@@ -144,6 +144,20 @@ TEST_F(DefaultFaceMesh, PartsAndSealsTheLipsAlongTheWholeMouth) {
   EXPECT_GT(gap(posed(27), 0), 1.5F);
 }
 
+TEST_F(DefaultFaceMesh, KeepsTheLipsShutWhereNoActionUnitPartsThem) {
+  // 0.4 mm: less than the lips bulge before their line of contact.
+  constexpr float kUnseen = 0.03F;
+  for (const int number : {4, 6, 11, 12, 13, 14, 15, 17, 18, 20, 23, 24, 28, 34, 36, 38}) {
+    const auto positions = posed(number);
+    for (int spoke = 0; spoke <= 10; ++spoke) {
+      const float gap =
+          positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)].y -
+          positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, 24 - spoke)].y;
+      EXPECT_LT(gap, kUnseen) << "AU" << number << " spoke " << spoke;
+    }
+  }
+}
+
 TEST_F(DefaultFaceMesh, KeepsTheCornerOfTheMouthTogetherAtFullStretch) {
   const auto wide = driven("jaw", 4);
   for (int spoke = 10; spoke < 14; ++spoke) {
