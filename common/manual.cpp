@@ -167,13 +167,18 @@ std::vector<std::string> options_in(std::string_view text) {
   return {options.begin(), options.end()};
 }
 
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+}  // namespace
+
 std::string bash_completion(std::string_view program, const std::vector<std::string>& options,
                             const std::vector<std::string>& commands) {
-  const auto joined = [](const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-    return text;
-  };
   const std::string name(program);
   std::string function = "_" + name;
   std::replace(function.begin(), function.end(), '-', '_');
@@ -193,6 +198,49 @@ std::string bash_completion(std::string_view program, const std::vector<std::str
          "}\n"
          "complete -o default -F " +
          function + " " + name + "\n";
+}
+
+std::string zsh_completion(std::string_view program, const std::vector<std::string>& options,
+                           const std::vector<std::string>& commands) {
+  const std::string name(program);
+  return "#compdef " + name + "\n" +
+         "if [[ $PREFIX == -* ]]; then\n"
+         "  compadd -- " +
+         joined(options) +
+         "\n"
+         "else\n"
+         "  (( CURRENT == 2 )) && compadd -- " +
+         joined(commands) +
+         "\n"
+         "  _files\n"
+         "fi\n";
+}
+
+std::string fish_completion(std::string_view program, const std::vector<std::string>& options,
+                            const std::vector<std::string>& commands) {
+  const std::string name(program);
+  std::string text = "# fish completion for " + name + "\n";
+  for (const std::string& command : commands) {
+    text += "complete -c " + name + " -n __fish_use_subcommand -a " + command + "\n";
+  }
+  for (const std::string& option : options) {
+    text += "complete -c " + name + " -l " + option.substr(2) + "\n";
+  }
+  return text;
+}
+
+std::optional<std::string> asked_completion(const std::vector<std::string>& arguments,
+                                            std::string_view program,
+                                            const std::vector<std::string>& options,
+                                            const std::vector<std::string>& commands) {
+  if (arguments.empty() || arguments.size() > 2 || arguments[0] != "--help-completion") {
+    return std::nullopt;
+  }
+  const std::string shell = arguments.size() == 2 ? arguments[1] : "bash";
+  if (shell == "bash") return bash_completion(program, options, commands);
+  if (shell == "zsh") return zsh_completion(program, options, commands);
+  if (shell == "fish") return fish_completion(program, options, commands);
+  return std::nullopt;
 }
 
 }  // namespace aucast

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,5 +40,19 @@ void add_help_page(ManualPage& page, std::string_view program, std::string_view 
 [[nodiscard]] std::string bash_completion(std::string_view program,
                                           const std::vector<std::string>& options,
                                           const std::vector<std::string>& commands);
+/// The same for zsh and for fish.
+[[nodiscard]] std::string zsh_completion(std::string_view program,
+                                         const std::vector<std::string>& options,
+                                         const std::vector<std::string>& commands);
+[[nodiscard]] std::string fish_completion(std::string_view program,
+                                          const std::vector<std::string>& options,
+                                          const std::vector<std::string>& commands);
+
+/// What `PROGRAM --help-completion [bash|zsh|fish]` prints; nothing when that was not asked for, or
+/// for another shell.
+[[nodiscard]] std::optional<std::string> asked_completion(const std::vector<std::string>& arguments,
+                                                          std::string_view program,
+                                                          const std::vector<std::string>& options,
+                                                          const std::vector<std::string>& commands);
 
 }  // namespace aucast

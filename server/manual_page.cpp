@@ -45,8 +45,9 @@ void add_the_rest(ManualPage& page) {
             "Nobody is accepted any more, every client gets {-2}, and it ends within 2 seconds. "
             "Another one ends it at once.");
   page.item("SIGHUP",
-            "Certificates, token and sources are read again. Who is connected keeps what it has; "
-            "what is broken is said in the log and changes nothing.");
+            "Certificates, token and sources are read again, from where the start found them; the "
+            "settings file, the environment and all other options are not. Who is connected keeps "
+            "what it has; what is broken is said in the log and changes nothing.");
   page.item("SIGUSR1", "Writes to the log how things are, at the level info.");
   page.section("SYSTEMD");
   page.paragraph(
@@ -91,9 +92,9 @@ std::string manual_page() {
   return page.text();
 }
 
-std::string completion() {
-  return bash_completion("au-transmitter", options_in(help_text() + convert_help_text()),
-                         {"convert"});
+std::optional<std::string> completion(const std::vector<std::string>& arguments) {
+  return asked_completion(arguments, "au-transmitter",
+                          options_in(help_text() + convert_help_text()), {"convert"});
 }
 
 }  // namespace aucast::server

@@ -178,8 +178,8 @@ int run_transmitter(std::vector<std::string> arguments) {
     const auto printed = print(manual_page());
     return printed ? 0 : report(printed.error());
   }
-  if (arguments == std::vector<std::string>{"--help-completion"}) {
-    const auto printed = print(completion());
+  if (const auto script = completion(arguments)) {
+    const auto printed = print(*script);
     return printed ? 0 : report(printed.error());
   }
   const auto command = read_command_line(std::move(arguments), surroundings_of_process());

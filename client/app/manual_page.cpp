@@ -28,10 +28,10 @@ std::string manual_page() {
   return page.text();
 }
 
-std::string completion() {
+std::optional<std::string> completion(const std::vector<std::string>& arguments) {
   std::string help(help_text(""));
   for (const std::string& command : commands()) help += help_text(command);
-  return bash_completion("face-player", options_in(help), commands());
+  return asked_completion(arguments, "face-player", options_in(help), commands());
 }
 
 }  // namespace aucast::app

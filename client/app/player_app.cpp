@@ -188,8 +188,9 @@ Result<void> run(PlayerOptions options) {
 int run_player(std::vector<std::string> arguments) {
   // For the build, which installs both.
   const bool page = arguments == std::vector<std::string>{"--help-man"};
-  if (page || arguments == std::vector<std::string>{"--help-completion"}) {
-    std::fputs((page ? manual_page() : completion()).c_str(), stdout);
+  const std::optional<std::string> script = page ? manual_page() : completion(arguments);
+  if (script) {
+    std::fputs(script->c_str(), stdout);
     return std::fflush(stdout) == 0 ? 0 : 1;
   }
   auto options = parse_player_options(std::move(arguments));

@@ -7,12 +7,15 @@ include(GNUInstallDirs)
 function(aucast_install_program name)
   set(page ${PROJECT_BINARY_DIR}/man/${name}.1)
   set(completion ${PROJECT_BINARY_DIR}/completion/${name})
+  set(zsh ${PROJECT_BINARY_DIR}/completion/_${name})
   add_custom_command(
-    OUTPUT ${page} ${completion}
+    OUTPUT ${page} ${completion} ${zsh} ${completion}.fish
     COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
             ${PROJECT_BINARY_DIR}/completion
     COMMAND ${name} --help-man > ${page}
     COMMAND ${name} --help-completion > ${completion}
+    COMMAND ${name} --help-completion zsh > ${zsh}
+    COMMAND ${name} --help-completion fish > ${completion}.fish
     DEPENDS ${name}
     COMMENT "Writing the manual page of ${name}")
   add_custom_target(${name}_manual ALL DEPENDS ${page} ${completion})
@@ -20,6 +23,9 @@ function(aucast_install_program name)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   install(FILES ${completion}
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${completion}.fish
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endfunction()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast

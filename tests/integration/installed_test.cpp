@@ -54,12 +54,17 @@ TEST(Manual, HasEveryOptionOfHelpAndSoHasTheCompletion) {
   for (const Pages& pages : kPrograms) {
     const auto manual = options_of(plain(out_of(pages.program, {"--help-man"})));
     const auto completion = options_of(out_of(pages.program, {"--help-completion"}));
+    const auto zsh = options_of(out_of(pages.program, {"--help-completion", "zsh"}));
+    const std::string fish = out_of(pages.program, {"--help-completion", "fish"});
     for (const auto& arguments : pages.help) {
       const auto help = options_of(out_of(pages.program, arguments));
       EXPECT_GT(help.size(), 2U) << "of " << pages.program;
       for (const std::string& option : help) {
         EXPECT_TRUE(manual.contains(option)) << pages.program << " " << option;
         EXPECT_TRUE(completion.contains(option)) << pages.program << " " << option;
+        EXPECT_TRUE(zsh.contains(option)) << pages.program << " " << option;
+        EXPECT_NE(fish.find(" -l " + option.substr(2) + "\n"), std::string::npos)
+            << pages.program << " " << option;
       }
     }
   }
@@ -115,7 +120,10 @@ TEST_F(Installed, EverythingIsInItsPlaceAndWorksThere) {
        {"bin/au-transmitter", "bin/face-player", "share/aucast/faces", "share/aucast/rules",
         "share/man/man1/au-transmitter.1", "share/man/man1/face-player.1",
         "share/bash-completion/completions/au-transmitter",
-        "share/bash-completion/completions/face-player",
+        "share/bash-completion/completions/face-player", "share/zsh/site-functions/_au-transmitter",
+        "share/zsh/site-functions/_face-player",
+        "share/fish/vendor_completions.d/au-transmitter.fish",
+        "share/fish/vendor_completions.d/face-player.fish",
         "lib/systemd/system/au-transmitter.service", "lib/systemd/system/au-transmitter.socket"}) {
     EXPECT_TRUE(fs::exists(at(path))) << path;
   }

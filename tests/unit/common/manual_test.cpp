@@ -42,6 +42,26 @@ TEST(Completion, NamesTheProgramAndItsOptions) {
   EXPECT_NE(script.find("compgen -W '--x --y' "), std::string::npos);
   EXPECT_NE(script.find("compgen -W 'play' "), std::string::npos);
   EXPECT_TRUE(script.ends_with("complete -o default -F _a_b a-b\n"));
+  const std::string zsh = zsh_completion("a-b", {"--x", "--y"}, {"play"});
+  EXPECT_TRUE(zsh.starts_with("#compdef a-b\n"));
+  EXPECT_NE(zsh.find("compadd -- --x --y\n"), std::string::npos);
+  EXPECT_NE(zsh.find("compadd -- play\n"), std::string::npos);
+  EXPECT_EQ(fish_completion("a-b", {"--x"}, {"play"}),
+            "# fish completion for a-b\ncomplete -c a-b -n __fish_use_subcommand -a play\n"
+            "complete -c a-b -l x\n");
+}
+
+TEST(Completion, IsForTheShellThatIsAskedFor) {
+  const auto asked = [](const std::vector<std::string>& arguments) {
+    return asked_completion(arguments, "p", {"--x"}, {});
+  };
+  EXPECT_EQ(asked({"--help-completion"}), bash_completion("p", {"--x"}, {}));
+  EXPECT_EQ(asked({"--help-completion", "bash"}), bash_completion("p", {"--x"}, {}));
+  EXPECT_EQ(asked({"--help-completion", "zsh"}), zsh_completion("p", {"--x"}, {}));
+  EXPECT_EQ(asked({"--help-completion", "fish"}), fish_completion("p", {"--x"}, {}));
+  EXPECT_EQ(asked({"--help-completion", "csh"}), std::nullopt);
+  EXPECT_EQ(asked({"--help"}), std::nullopt);
+  EXPECT_EQ(asked({}), std::nullopt);
 }
 
 }  // namespace
