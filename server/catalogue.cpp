@@ -17,23 +17,36 @@
 namespace aucast::server {
 namespace {
 
-Result<Source> load_source(const std::filesystem::path& path, const SourceOptions& options,
-                           std::uint32_t keyframe_ms, LiveSources live) {
-  Source source{path, stream_name(path), {}, std::nullopt, false};
-  if (!protocol::is_stream_name(source.name)) {
-    return Error{ErrorKind::Usage,
-                 path.string() + ": '" + escaped(source.name) +
-                     "' cannot be a stream's name; rename the file: 1 to 64 letters, digits, "
-                     "'.', '_' or '-' before the extension"};
+Result<void> check_name(const std::filesystem::path& path, const std::string& name) {
+  if (protocol::is_stream_name(name)) return {};
+  return Error{ErrorKind::Usage,
+               path.string() + ": '" + escaped(name) +
+                   "' cannot be a stream's name; rename the file: 1 to 64 letters, digits, "
+                   "'.', '_' or '-' before the extension"};
+}
+
+/// The streams of one file: one, or one for each face.
+Result<std::vector<Source>> load_source(const std::filesystem::path& path,
+                                        const SourceOptions& options, std::uint32_t keyframe_ms,
+                                        LiveSources live) {
+  std::vector<Source> streams;
+  const std::string stem = stream_name(path);
+  if (auto can = check_name(path, stem); !can) return can.error();
+  if (live != LiveSources::None && is_live(path, live == LiveSources::Files)) {
+    streams.push_back({path, stem, {}, std::nullopt, true});
+    return streams;
   }
-  source.live = live != LiveSources::None && is_live(path, live == LiveSources::Files);
-  if (source.live) return source;
-  auto content = read_source(path, options, keyframe_ms);
-  if (!content) return content.error();
-  source.stream = std::move(content->stream);
-  source.found = std::move(content->found);
-  if (source.found) sources::apply_dead_band(source.stream, options.dead_band);
-  return source;
+  auto contents = read_streams(path, options, keyframe_ms);
+  if (!contents) return contents.error();
+  for (SourceContent& content : *contents) {
+    const bool one_of_several = content.found && content.found->all_taken;
+    const std::string name = one_of_several ? face_stream_name(stem, content.found->face) : stem;
+    if (auto can = check_name(path, name); !can) return can.error();
+    streams.push_back({path, name, std::move(content.stream), std::move(content.found), false});
+    Source& source = streams.back();
+    if (source.found) sources::apply_dead_band(source.stream, options.dead_band);
+  }
+  return streams;
 }
 
 /// A folder may hold a README too.
@@ -138,14 +151,18 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
       continue;
     }
     for (const std::filesystem::path& file : *files) {
-      auto source =
+      auto streams =
           load_source(file, options, keyframe_ms, file == path ? live : LiveSources::None);
-      if (!source) {
-        errors.push_back(source.error());
-      } else if (auto taken = taken_name(sources, *source)) {
-        errors.push_back(std::move(*taken));
-      } else {
-        sources.push_back(std::move(*source));
+      if (!streams) {
+        errors.push_back(streams.error());
+        continue;
+      }
+      for (Source& source : *streams) {
+        if (auto taken = taken_name(sources, source)) {
+          errors.push_back(std::move(*taken));
+        } else {
+          sources.push_back(std::move(source));
+        }
       }
     }
   }

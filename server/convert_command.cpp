@@ -50,6 +50,9 @@ Result<ConvertOptions> options_of(const Typed& typed) {
   if (!source) return source.error();
   options.source = std::move(*source);
   options.mend = typed.mend;
+  if (options.source.recording.all_faces) {
+    return usage("convert writes one stream; --face-id all is for serving, name one face");
+  }
   return options;
 }
 

@@ -30,66 +30,89 @@ struct LiveSourceOptions {
   int classic_min = 20;
   /// After so long a silence the clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
-  std::filesystem::path record;  ///< where it is kept; empty: nowhere
-  std::uint32_t max_kbits = 0;   ///< a second for each client; 0: any
+  std::filesystem::path record;  ///< what --record says; empty: nothing is kept
+  bool record_first = true;      ///< this is the one that a file is for
+  std::uint32_t max_kbits = 0;   ///< a second for each client and stream; 0: any
 };
 
-/// A source that is still being written, as a live stream: input -> reader -> queue -> thinning ->
-/// feed. What a followed file holds already is past: only its last row is sent. When nothing comes
-/// the face holds, goes to neutral, and after the time-out the stream ends for those who are there;
-/// it goes on when something comes. Thread: that of the io_context, which must outlive it.
+/// A source that is still being written, as live streams: input -> reader -> queue -> thinning
+/// -> feed. What a followed file holds already is past: only its last row is sent. When nothing
+/// comes the face holds, goes to neutral, and after the time-out the stream ends for those who are
+/// there; it goes on when something comes.
+///
+/// The first stream is there from the beginning; with --face-id all each face that is seen gets
+/// another one, read from the same bytes by a reader of its own.
+/// Thread: that of the io_context, which must outlive it.
 class LiveSource {
  public:
-  using OnMoment = std::function<void()>;
+  /// More faces than this are not told apart.
+  static constexpr std::size_t kFacesMost = 16;
 
-  LiveSource(asio::io_context& io, LiveSourceOptions options, OnMoment on_moment);
+  struct Events {
+    std::function<void()> on_moment;  ///< a feed has something new
+    /// A face is seen for the first time; its feed is the last of feeds().
+    std::function<void()> on_face;
+  };
+  /// A stream by its name; the feed is there as long as the source is.
+  struct NamedFeed {
+    std::string name;
+    protocol::LiveFeed* feed;
+  };
+
+  LiveSource(asio::io_context& io, LiveSourceOptions options, Events events);
+  ~LiveSource();
   LiveSource(const LiveSource&) = delete;
   LiveSource& operator=(const LiveSource&) = delete;
 
   [[nodiscard]] Result<void> start();
   void stop();
-  /// What kept it from being recorded whole. Waits until the record is written.
+  /// What kept it from being recorded whole. Waits until the records are written.
   [[nodiscard]] Result<void> finish_record();
   /// Nothing can come any more, and everybody was told so: stdin has ended, which nobody opens
   /// again.
-  [[nodiscard]] bool over() const { return input_.ended() && feed_.ended() && queue_.size() == 0; }
+  [[nodiscard]] bool over() const;
   /// It has ended before the first keyframe.
-  [[nodiscard]] bool nothing_came() const { return input_.ended() && !feed_.newest(); }
-  /// What its keyframes go to.
-  [[nodiscard]] protocol::LiveFeed& feed() { return feed_; }
+  [[nodiscard]] bool nothing_came() const;
+  [[nodiscard]] std::vector<NamedFeed> feeds() const;
 
  private:
+  struct Stream;
+
   [[nodiscard]] static double now();
   void on_bytes(std::string_view bytes);
+  void read_line_by_line(std::string_view bytes);
+  void add_faces(std::string_view line);
+  [[nodiscard]] Result<void> record(Stream& stream, bool first);
   void on_caught_up();
   void on_anew(const std::string& why);
-  void take();
+  void on_end();
   void go_on();
-  void send(const sources::LiveKeyframe& keyframe, bool free, double moment);
-  void send_thinned(double moment);
-  void show(const protocol::Keyframe& keyframe);
-  void send_due(double moment);
-  void rest(double moment);
+  void send(Stream& stream, const sources::LiveKeyframe& keyframe, bool free, double moment);
+  void send_thinned(Stream& stream, double moment);
+  void show(Stream& stream, const protocol::Keyframe& keyframe);
+  void send_due(Stream& stream, double moment);
+  void rest(Stream& stream, double moment);
+  void end(Stream& stream);
+  [[nodiscard]] std::optional<double> next_of(const Stream& stream) const;
   [[nodiscard]] double patience() const;
   void wait();
   void say();
 
   LiveSourceOptions options_;
-  OnMoment on_moment_;
-  protocol::LiveFeed feed_;
-  sources::LiveReader reader_;
-  sources::LiveQueue queue_;
-  LiveThinning thinning_;
+  Events events_;
+  std::vector<std::unique_ptr<Stream>> streams_;  ///< the first one's reader speaks for all
   LiveInput input_;
-  std::unique_ptr<Recorder> recorder_;
   asio::steady_timer timer_;
+  std::optional<Error> not_recorded_;
   bool catching_up_;
-  bool silence_said_ = true;
   bool stopped_ = false;
 };
 
 /// The name of the stream that a source is served as: the file's stem.
 [[nodiscard]] std::string stream_name(const std::filesystem::path& path);
+
+/// The name of one face's stream with --face-id all: STEM-FACE.
+[[nodiscard]] std::string face_stream_name(const std::string& stem, std::int64_t face);
 
 /// Whether a path is a live source: stdin, a FIFO or another stream; and files, with `follow`.
 [[nodiscard]] bool is_live(const std::filesystem::path& path, bool follow);

@@ -130,9 +130,12 @@ constexpr OptionRow kTable[] = {
      "Rows of recordings that are less sure are "
      "no data, 0 to 1: the face holds for half a second, then goes to neutral in one.",
      of_source<read_min_confidence>},
-    {"face-id", "N", Kind::Number, "", "one of several faces",
-     "Which face of several in a recording; without it the "
-     "most frequent.",
+    {"face-id", "N", Kind::Number, "", "one face, or all",
+     "Which face of several; without it the most frequent of a recording, and of a live source the "
+     "first that is seen. With all, each is a stream of its own, STEM-FACE such as webcam-0: of a "
+     "recording the most frequent comes first, 64 at most; of a live source a face's stream begins "
+     "when it is first seen, 16 at most, after the one without a number, which is there from the "
+     "beginning and follows one of them.",
      of_source<read_face_id>},
     {"dead-band", "PERCENT", Kind::Number, "2", "smaller changes are not sent (2)",
      "Their numbers tremble; what trembles costs half of the bytes. An intensity stays what it was "

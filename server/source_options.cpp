@@ -39,9 +39,11 @@ Complaint read_au_scale(const std::string& word, SourceOptions& options) {
 }
 
 Complaint read_face_id(const std::string& word, SourceOptions& options) {
-  const auto face = number_of<std::int64_t>(word);
-  if (!face) return "is not a whole number";
-  options.recording.face = face;
+  options.recording.all_faces = word == "all";
+  options.recording.face = number_of<std::int64_t>(word);
+  if (!options.recording.face && !options.recording.all_faces) {
+    return "is neither a whole number nor all";
+  }
   return std::nullopt;
 }
 

@@ -11,26 +11,33 @@
 namespace aucast::server {
 namespace {
 
-Result<SourceContent> read_table(std::string_view text, const std::string& file,
-                                 const SourceOptions& options, sources::ContentKind kind) {
+Result<std::vector<SourceContent>> read_table(std::string_view text, const std::string& file,
+                                              const SourceOptions& options,
+                                              sources::ContentKind kind) {
   sources::ArkitTable curves;
   if (kind == sources::ContentKind::LiveLinkFace) {
     auto table = load_arkit_table();
     if (!table) return table.error();
     curves = std::move(*table);
   }
-  auto recording = sources::read_recording(text, file, options.recording, curves);
-  if (!recording) return recording.error();
-  return SourceContent{std::move(recording->stream), std::move(recording->found)};
+  auto faces = sources::read_faces(text, file, options.recording, curves);
+  if (!faces) return faces.error();
+  std::vector<SourceContent> contents;
+  for (sources::Recording& recording : *faces) {
+    contents.push_back({std::move(recording.stream), std::move(recording.found)});
+  }
+  return contents;
 }
 
-Result<SourceContent> read_content(std::string_view text, const std::string& file,
-                                   const SourceOptions& options) {
+Result<std::vector<SourceContent>> read_content(std::string_view text, const std::string& file,
+                                                const SourceOptions& options) {
   const sources::ContentKind kind = sources::content_kind(text);
   if (kind != sources::ContentKind::StreamFile) return read_table(text, file, options, kind);
   auto stream = protocol::parse_stream_file(text, file);
   if (!stream) return stream.error();
-  return SourceContent{std::move(*stream), std::nullopt};
+  std::vector<SourceContent> contents;
+  contents.push_back({std::move(*stream), std::nullopt});
+  return contents;
 }
 
 }  // namespace
@@ -46,13 +53,24 @@ Result<sources::ArkitTable> load_arkit_table() {
 
 Result<SourceContent> read_source(const std::filesystem::path& path, const SourceOptions& options,
                                   std::uint32_t keyframe_ms) {
+  SourceOptions of_one = options;
+  of_one.recording.all_faces = false;
+  auto streams = read_streams(path, of_one, keyframe_ms);
+  if (!streams) return streams.error();
+  return std::move(streams->front());
+}
+
+Result<std::vector<SourceContent>> read_streams(const std::filesystem::path& path,
+                                                const SourceOptions& options,
+                                                std::uint32_t keyframe_ms) {
   const auto text = read_file(path == "-" ? "/dev/stdin" : path);
   if (!text) return text.error();
-  auto content = read_content(*text, path == "-" ? "stdin" : path.string(), options);
-  if (content && options.rate) {
-    content->stream = sources::resample(content->stream, *options.rate, keyframe_ms);
+  auto contents = read_content(*text, path == "-" ? "stdin" : path.string(), options);
+  if (!contents || !options.rate) return contents;
+  for (SourceContent& content : *contents) {
+    content.stream = sources::resample(content.stream, *options.rate, keyframe_ms);
   }
-  return content;
+  return contents;
 }
 
 }  // namespace aucast::server

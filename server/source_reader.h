@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "common/result.h"
 #include "protocol/stream_file.h"
@@ -26,5 +27,10 @@ struct SourceContent {
 [[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
                                                 const SourceOptions& options,
                                                 std::uint32_t keyframe_ms);
+
+/// The same as one stream for each face when options.recording.all_faces, the most frequent first.
+[[nodiscard]] Result<std::vector<SourceContent>> read_streams(const std::filesystem::path& path,
+                                                              const SourceOptions& options,
+                                                              std::uint32_t keyframe_ms);
 
 }  // namespace aucast::server

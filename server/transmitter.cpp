@@ -223,30 +223,59 @@ class Transmitter {
   Result<void> begin_sources() {
     for (const std::filesystem::path& path : options_.sources) {
       if (!is_live(path, options_.live_source.follow)) continue;
-      const std::string name = stream_name(path);
-      const auto record = options_.record.empty()
-                              ? std::nullopt
-                              : record_path(options_.record, name, live_sources_.empty());
       const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
                                         options_.source.dead_band, options_.keyframe_ms};
       auto source = std::make_unique<LiveSource>(
           io_,
           LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
-                            options_.live_source.timeout, record.value_or(""), options_.max_kbits},
-          [this] { on_moment_of_source(); });
+                            options_.live_source.timeout, options_.record, live_sources_.empty(),
+                            options_.max_kbits},
+          LiveSource::Events{[this] { on_moment_of_source(); }, [this] { on_face(); }});
       if (auto begun = source->start(); !begun) return begun;
-      live_sources_.emplace(name, std::move(source));
+      live_sources_.push_back(std::move(source));
     }
     attach_sources();
     return {};
   }
 
   void attach_sources() {
-    for (protocol::ServedStream& stream : programme_->catalogue.streams) {
-      const auto source = live_sources_.find(stream.name);
-      if (source == live_sources_.end()) continue;
-      source->second->feed().attach(std::shared_ptr<protocol::ServedStream>(programme_, &stream));
+    for (const auto& [name, feed] : feeds()) {
+      for (protocol::ServedStream& stream : programme_->catalogue.streams) {
+        // A face's stream may have the name of a file's, which was there before.
+        const bool free = stream.clock == nullptr && stream.classic.empty();
+        if (stream.name != name || (!free && stream.clock != feed)) continue;
+        feed->attach(std::shared_ptr<protocol::ServedStream>(programme_, &stream));
+      }
     }
+  }
+
+  /// Of all live sources.
+  [[nodiscard]] std::vector<LiveSource::NamedFeed> feeds() const {
+    std::vector<LiveSource::NamedFeed> all;
+    for (const auto& source : live_sources_) {
+      for (LiveSource::NamedFeed& feed : source->feeds()) all.push_back(std::move(feed));
+    }
+    return all;
+  }
+
+  /// A catalogue knows the faces of a live source only when they are seen.
+  void add_faces(protocol::ServerCatalogue& catalogue) const {
+    for (const auto& [name, feed] : feeds()) {
+      const bool known = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
+                                     [&name](const auto& stream) { return stream.name == name; });
+      if (known) continue;
+      protocol::ServedStream stream;
+      stream.name = name;
+      catalogue.streams.push_back(std::move(stream));
+    }
+  }
+
+  /// A live source sees a face that has no stream yet.
+  void on_face() {
+    if (stopping_) return;
+    protocol::ServerCatalogue catalogue = programme_->catalogue;
+    add_faces(catalogue);
+    serve_from_now(std::move(catalogue));
   }
 
   void on_moment_of_source() {
@@ -262,19 +291,19 @@ class Transmitter {
 
   /// Nothing is served any more and nothing can come.
   [[nodiscard]] bool all_over() const {
-    return live_sources_.size() == programme_->catalogue.streams.size() &&
+    return feeds().size() == programme_->catalogue.streams.size() &&
            std::all_of(live_sources_.begin(), live_sources_.end(),
-                       [](const auto& entry) { return entry.second->over(); });
+                       [](const auto& source) { return source->over(); });
   }
 
   /// What went wrong without stopping anything.
   [[nodiscard]] Ending ending() {
     Ending ending;
-    for (const auto& [name, source] : live_sources_) {
+    for (const auto& source : live_sources_) {
       if (auto recorded = source->finish_record(); !recorded) ending.error = recorded.error();
       if (source->over() && source->nothing_came()) {
-        ending.error =
-            Error{ErrorKind::BadData, name + ": the source ended before a keyframe came"};
+        ending.error = Error{ErrorKind::BadData, source->feeds().front().name +
+                                                     ": the source ended before a keyframe came"};
       }
     }
     return ending;
@@ -398,13 +427,19 @@ class Transmitter {
       return;
     }
     ++reloads_;
+    add_faces(*loaded);
     if (same_streams(*loaded, programme_->catalogue)) {
       spdlog::info("the sources hold what they held");
       return;
     }
+    loaded->token = programme_->catalogue.token;
+    serve_from_now(std::move(*loaded));
+  }
+
+  /// To who comes from now on.
+  void serve_from_now(protocol::ServerCatalogue catalogue) {
     const std::shared_ptr<Programme> before = programme_;
-    loaded->token = before->catalogue.token;
-    programme_ = std::make_shared<Programme>(io_, std::move(*loaded));
+    programme_ = std::make_shared<Programme>(io_, std::move(catalogue));
     attach_sources();
     if (options_.live) begin_live(before.get());
     old_programmes_.push_back(before);
@@ -429,7 +464,7 @@ class Transmitter {
     spdlog::info("{}: ending the stream of {} clients", why, connections_.size());
     manager_.stopping();
     listener_.stop();
-    for (const auto& [stream, source] : live_sources_) source->stop();
+    for (const auto& source : live_sources_) source->stop();
     programme_->beat.stop();
     for (const auto& old : old_programmes_) old->beat.stop();
     for (const auto& connection : everybody()) connection->stop();
@@ -502,7 +537,7 @@ class Transmitter {
   asio::steady_timer tick_timer_;
   ServiceManager manager_;
   Listener listener_;
-  std::map<std::string, std::unique_ptr<LiveSource>> live_sources_;  ///< by their streams' names
+  std::vector<std::unique_ptr<LiveSource>> live_sources_;
   std::shared_ptr<Programme> programme_;
   std::vector<std::shared_ptr<Programme>> old_programmes_;  ///< that clients are still served from
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;

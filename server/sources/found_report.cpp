@@ -40,7 +40,7 @@ std::string faces_of(const Found& found) {
     const Found::Face& face = found.faces[index];
     text += index == 0 ? ": " : ", ";
     text += "face " + std::to_string(face.id) + " in " + std::to_string(face.rows) + " rows";
-    if (face.id == found.face) text += " (taken)";
+    if (face.id == found.face) text += found.all_taken ? " (this one)" : " (taken)";
   }
   return text + (found.faces.size() > kShown ? ", ..." : "");
 }

@@ -101,6 +101,10 @@ std::vector<LiveMessage> LiveReader::take_messages() {
   return std::exchange(messages_, {});
 }
 
+std::string LiveReader::header() const {
+  return table_ ? table_->header + '\n' : "";
+}
+
 void LiveReader::complain(std::string text) {
   ++complaints_;
   if (complaints_ <= kSaidMax) messages_.push_back({true, std::move(text)});
@@ -256,6 +260,11 @@ void LiveReader::take_row(double now) {
 /// The face that was asked for, or the first one that is seen, until it is gone.
 bool LiveReader::is_chosen(bool sure, double now) {
   const std::int64_t id = table_->names.of(table_->row);
+  // Who says anything only; after as many as can be followed, the others are no news.
+  if (options_.recording.all_faces && sure && faces_seen_.size() <= kFacesMax &&
+      faces_seen_.insert(id).second) {
+    new_faces_.push_back(id);
+  }
   if (options_.recording.face) return id == *face_;
   if (!face_ || (id != *face_ && sure && now - face_seen_ > kHoldSeconds + kEaseSeconds)) {
     if (face_) say(file_ + ": face " + std::to_string(id) + " from now on");

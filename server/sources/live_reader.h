@@ -4,8 +4,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/result.h"
@@ -65,6 +67,11 @@ class LiveReader {
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
   [[nodiscard]] std::vector<LiveMessage> take_messages();
+  /// With all_faces: the faces that are seen for the first time since the last call. Each is for a
+  /// reader of its own, which begins with header().
+  [[nodiscard]] std::vector<std::int64_t> take_new_faces() { return std::exchange(new_faces_, {}); }
+  /// The line that names the columns, with its end; empty when there is none.
+  [[nodiscard]] std::string header() const;
 
  private:
   struct Table;
@@ -95,6 +102,8 @@ class LiveReader {
   std::optional<double> silent_since_;
   std::optional<std::int64_t> face_;  ///< the one that is followed
   double face_seen_ = 0;
+  std::set<std::int64_t> faces_seen_;
+  std::vector<std::int64_t> new_faces_;
   std::size_t complaints_ = 0;  ///< since the last line that was understood
   std::vector<LiveMessage> messages_;
 };

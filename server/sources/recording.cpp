@@ -25,55 +25,58 @@ void count_gap(double seconds, Found& found) {
   found.gap_seconds_max = std::max(found.gap_seconds_max, seconds);
 }
 
+/// One face on its way through the second pass.
+struct Track {
+  Found found;
+  Timeline timeline;
+  FaceMoments moments;
+  double last_seconds = 0;
+  double last_sure = 0;
+};
+
 class RecordingReader {
  public:
   RecordingReader(CsvReader& table, Format& format, std::string_view file,
                   const RecordingOptions& options)
       : table_(table), format_(format), file_(file), options_(options) {}
 
-  Result<Recording> read();
+  Result<std::vector<Recording>> read();
 
  private:
   void survey();
   [[nodiscard]] std::optional<Error> settle();
+  [[nodiscard]] std::optional<Error> choose();
   [[nodiscard]] bool sure(const Observation& row) const {
     return is_sure(row, options_.confidence_min);
   }
   void play();
-  void take(const Observation& row, Timeline& timeline);
+  void take(const Observation& row, Track& track);
+  [[nodiscard]] Result<std::vector<Recording>> finish();
   [[nodiscard]] Error need(const std::string& reason) const;
 
   CsvReader& table_;
   Format& format_;
   std::string_view file_;
   const RecordingOptions& options_;
-  Recording recording_;
+  Found found_;                       ///< what the faces have in common
+  std::vector<std::int64_t> chosen_;  ///< faces to be read, the most frequent first
+  std::unordered_map<std::int64_t, Track> tracks_;
   bool timed_ = false;  ///< some row has a time
   SourceClock clock_{options_.fps};
-  double last_seconds_ = 0;
-  double last_sure_ = 0;
 };
 
-Result<Recording> RecordingReader::read() {
+Result<std::vector<Recording>> RecordingReader::read() {
   survey();
   if (auto error = settle()) return *error;
   table_.rewind();
   play();
   if (table_.has_errors()) return table_.error();
-  if (recording_.stream.keyframes.empty()) {
-    return need("no row has a time; say how many pictures a second there are, such as --fps 30");
-  }
-  if (recording_.stream.keyframes.size() == 1 && recording_.found.rows > 1) {
-    return need(
-        "all rows have the same time; say how many pictures a second there are, such as "
-        "--fps 30");
-  }
-  return std::move(recording_);
+  return finish();
 }
 
 /// First pass: everything that only the whole file can tell.
 void RecordingReader::survey() {
-  Found& found = recording_.found;
+  Found& found = found_;
   found.format = format_.name();
   found.approximate = format_.approximate();
   FaceNames names;
@@ -100,7 +103,7 @@ void RecordingReader::survey() {
 
 /// Decides what was open; an error when the file cannot be played.
 std::optional<Error> RecordingReader::settle() {
-  Found& found = recording_.found;
+  Found& found = found_;
   if (table_.has_errors()) return table_.error();
   if (found.faces.empty()) {
     return Error{ErrorKind::BadData,
@@ -112,59 +115,101 @@ std::optional<Error> RecordingReader::settle() {
   }
   found.scale_asked = options_.au_scale.has_value();
   found.scale = options_.au_scale.value_or(scale_for(format_.native_scale(), found.largest));
-  const auto most =
-      std::max_element(found.faces.begin(), found.faces.end(),
-                       [](const Found::Face& a, const Found::Face& b) { return a.rows < b.rows; });
-  found.face = options_.face.value_or(most->id);
-  const auto chosen =
-      std::find_if(found.faces.begin(), found.faces.end(),
-                   [&found](const Found::Face& face) { return face.id == found.face; });
-  if (chosen != found.faces.end()) return std::nullopt;
-  return need("there is no face " + std::to_string(found.face) + "; the most frequent one is " +
-              std::to_string(most->id));
+  return choose();
+}
+
+/// Which faces are read.
+std::optional<Error> RecordingReader::choose() {
+  std::vector<Found::Face> faces = found_.faces;
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const Found::Face& a, const Found::Face& b) { return a.rows > b.rows; });
+  if (options_.all_faces) {
+    faces.resize(std::min(faces.size(), kFacesMax));
+    for (const Found::Face& face : faces) chosen_.push_back(face.id);
+    return std::nullopt;
+  }
+  const std::int64_t face = options_.face.value_or(faces.front().id);
+  chosen_.push_back(face);
+  if (std::any_of(faces.begin(), faces.end(),
+                  [face](const Found::Face& other) { return other.id == face; })) {
+    return std::nullopt;
+  }
+  return need("there is no face " + std::to_string(face) + "; the most frequent one is " +
+              std::to_string(faces.front().id));
 }
 
 Error RecordingReader::need(const std::string& reason) const {
   return {ErrorKind::Usage, at_place(file_, 0, 0, reason)};
 }
 
-/// Second pass: the keyframes of the chosen face.
+/// Second pass: the keyframes of the chosen faces.
 void RecordingReader::play() {
+  for (const std::int64_t face : chosen_) {
+    Track& track = tracks_[face];
+    track.found = found_;
+    track.found.face = face;
+    track.found.all_taken = options_.all_faces;
+  }
   FaceNames names;
   Observation row;
-  Timeline timeline;
   for (auto next = table_.next(); next != CsvReader::Next::End; next = table_.next()) {
     if (next == CsvReader::Next::RepeatedHeader) clock_.restart();
     if (next != CsvReader::Next::Row) continue;
     row.clear();
     format_.read(table_, row);
-    if (names.of(row) == recording_.found.face) take(row, timeline);
+    const auto track = tracks_.find(names.of(row));
+    if (track != tracks_.end()) take(row, track->second);
   }
-  count_gap(last_seconds_ - last_sure_, recording_.found);
-  recording_.stream = timeline.finish();
 }
 
-void RecordingReader::take(const Observation& row, Timeline& timeline) {
-  Found& found = recording_.found;
+void RecordingReader::take(const Observation& row, Track& track) {
+  Found& found = track.found;
   ++found.rows;
-  const auto moment = clock_.moment(row);
+  const auto moment = clock_.moment(row, track.moments);
   if (!moment) {
     ++found.left_out;
     return;
   }
-  if (*moment - last_seconds_ > kGapSecondsMax) {
+  if (*moment - track.last_seconds > kGapSecondsMax) {
     table_.refuse(std::nullopt, "the time jumps by more than a day");
-    last_seconds_ = *moment;
+    track.last_seconds = *moment;
     return;
   }
-  if (!timeline.add(*moment, update_of(row, found.scale, sure(row)))) ++found.left_out;
-  last_seconds_ = *moment;
+  // Who comes late was neutral until then.
+  if (found.rows == 1 && *moment > 0) {
+    static_cast<void>(track.timeline.add(0, update_of({}, found.scale, false)));
+  }
+  if (!track.timeline.add(*moment, update_of(row, found.scale, sure(row)))) ++found.left_out;
+  track.last_seconds = *moment;
   if (sure(row)) {
-    count_gap(*moment - last_sure_, found);
-    last_sure_ = *moment;
+    count_gap(*moment - track.last_sure, found);
+    track.last_sure = *moment;
   } else {
     ++found.lost;
   }
+}
+
+Result<std::vector<Recording>> RecordingReader::finish() {
+  std::vector<Recording> recordings;
+  bool one_time = false;
+  for (const std::int64_t face : chosen_) {
+    Track& track = tracks_[face];
+    count_gap(track.last_seconds - track.last_sure, track.found);
+    Recording recording{track.timeline.finish(), std::move(track.found)};
+    const std::size_t keyframes = recording.stream.keyframes.size();
+    // A tracker's passing mistakes are no people, as long as there are people.
+    const bool nobody = options_.all_faces && recording.found.lost == recording.found.rows;
+    one_time = one_time || (keyframes == 1 && recording.found.rows > 1);
+    if (keyframes > 0 && !nobody) recordings.push_back(std::move(recording));
+  }
+  if (one_time && recordings.size() == 1) {
+    return need(
+        "all rows have the same time; say how many pictures a second there are, such as "
+        "--fps 30");
+  }
+  if (!recordings.empty()) return recordings;
+  if (timed_ || options_.fps) return need("no face is seen in any row");
+  return need("no row has a time; say how many pictures a second there are, such as --fps 30");
 }
 
 }  // namespace
@@ -191,6 +236,16 @@ ContentKind content_kind(std::string_view text) {
 
 Result<Recording> read_recording(std::string_view text, std::string_view file,
                                  const RecordingOptions& options, const ArkitTable& curves) {
+  RecordingOptions of_one = options;
+  of_one.all_faces = false;
+  auto faces = read_faces(text, file, of_one, curves);
+  if (!faces) return faces.error();
+  return std::move(faces->front());
+}
+
+Result<std::vector<Recording>> read_faces(std::string_view text, std::string_view file,
+                                          const RecordingOptions& options,
+                                          const ArkitTable& curves) {
   auto table = CsvReader::open(text, file);
   if (!table) return table.error();
   const auto format = open_format(*table, curves);

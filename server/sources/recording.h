@@ -17,6 +17,7 @@ struct RecordingOptions {
   std::optional<double> fps;         ///< the clock is the picture's number by this, (0, 1000]
   std::optional<double> au_scale;    ///< 1, 5 or 100: what full intensity is in the file
   std::optional<std::int64_t> face;  ///< which of several; else the most frequent
+  bool all_faces = false;            ///< each as a stream of its own
   double confidence_min = 0.5;       ///< [0,1]; less sure rows are no data
   friend bool operator==(const RecordingOptions&, const RecordingOptions&) = default;
 };
@@ -35,6 +36,7 @@ struct Found {
   double largest = 0;        ///< of the file's own AU values
   std::vector<Face> faces;   ///< in order of appearance
   std::int64_t face = 0;     ///< the one that was taken
+  bool all_taken = false;    ///< it is one of several streams
   std::size_t rows = 0;      ///< of that face
   std::size_t lost = 0;      ///< of them: not tracked, not sure, or without any AU
   std::size_t left_out = 0;  ///< of them: no time, not ascending, same millisecond
@@ -65,6 +67,17 @@ enum class ContentKind : std::uint8_t {
 [[nodiscard]] Result<Recording> read_recording(std::string_view text, std::string_view file,
                                                const RecordingOptions& options,
                                                const ArkitTable& curves = {});
+
+/// More people are not told apart by any tracker; with all_faces the rest is left out and counted.
+inline constexpr std::size_t kFacesMax = 64;
+
+/// The same with options.all_faces: one recording for each face that says anything, the most
+/// frequent first, kFacesMax at most. Their times are those of the file, so that faces seen
+/// together are together: who comes late is neutral until then.
+[[nodiscard]] Result<std::vector<Recording>> read_faces(std::string_view text,
+                                                        std::string_view file,
+                                                        const RecordingOptions& options,
+                                                        const ArkitTable& curves = {});
 
 /// What was found, one line each: "  format      OpenFace 2".
 [[nodiscard]] std::string found_lines(const Found& found);

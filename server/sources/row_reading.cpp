@@ -55,19 +55,20 @@ std::int64_t FaceNames::of(const Observation& row) {
   return ordinal_;
 }
 
-std::optional<double> SourceClock::moment(const Observation& row) {
-  const double ordinal = ordinal_++;
+std::optional<double> SourceClock::moment(const Observation& row, FaceMoments& face) {
+  const double ordinal = face.rows++;
   std::optional<double> now = row.seconds;
   if (fps_) now = row.frame.value_or(ordinal) / *fps_;
   if (!now || std::abs(*now) > kClockSecondsMax) return std::nullopt;
   if (!begin_) begin_ = *now;
   double seconds = *now - *begin_;
   const bool again = std::exchange(restarted_, false);
-  if (last_ && again && seconds + shift_ <= *last_) shift_ = *last_ + step_ - seconds;
+  if (latest_ && again && seconds + shift_ <= *latest_) shift_ = *latest_ + step_ - seconds;
   seconds += shift_;
-  if (last_ && seconds <= *last_) return std::nullopt;
-  if (last_) step_ = seconds - *last_;
-  last_ = seconds;
+  if (face.last && seconds <= *face.last) return std::nullopt;
+  if (face.last) step_ = seconds - *face.last;
+  face.last = seconds;
+  latest_ = std::max(latest_.value_or(seconds), seconds);
   return seconds;
 }
 

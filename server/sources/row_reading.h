@@ -44,7 +44,14 @@ class FaceNames {
   std::int64_t ordinal_ = 0;
 };
 
-/// Moments from the first row on, by the source's own clock or by the pictures' numbers.
+/// Where a face is on a SourceClock.
+struct FaceMoments {
+  std::optional<double> last;
+  double rows = 0;
+};
+
+/// Moments from the first row on, by the source's own clock or by the pictures' numbers. Faces of
+/// one source share it, so that what they did together stays together.
 class SourceClock {
  public:
   explicit SourceClock(std::optional<double> fps) : fps_(fps) {}
@@ -52,16 +59,18 @@ class SourceClock {
   /// Another recording was appended: if its clock starts again, it follows one step later.
   void restart() { restarted_ = true; }
 
-  /// Nothing when the row has no time or one that is not later than the last.
-  std::optional<double> moment(const Observation& row);
+  /// Nothing when the row has no time or one that is not later than the last of its face.
+  std::optional<double> moment(const Observation& row, FaceMoments& face);
+  /// Of a source of whose faces only one is read.
+  std::optional<double> moment(const Observation& row) { return moment(row, only_); }
 
  private:
   std::optional<double> fps_;
   std::optional<double> begin_;
-  std::optional<double> last_;
+  std::optional<double> latest_;  ///< of all faces
+  FaceMoments only_;
   double shift_ = 0;
   double step_ = 0.04;
-  double ordinal_ = 0;
   bool restarted_ = false;
 };
 

@@ -128,6 +128,39 @@ TEST_F(LiveSources, AreThinnedOnceForAllClients) {
   EXPECT_EQ(server.terminate(), 0);
 }
 
+TEST_F(LiveSources, EveryFaceGetsAStreamWhenItIsFirstSeen) {
+  const auto path = folder_.path() / "room.fifo";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  std::filesystem::create_directory(folder_.path() / "kept");
+  RunningTransmitter server({"--source-timeout", "0", "--face-id", "all", "--record",
+                             (folder_.path() / "kept").string(), path.string()});
+  std::string reply;
+  RawClient followed = say_hello(server, "{hello v=2 window=0 stream=room}", reply);
+  RawClient early = say_hello(server, "{hello v=2 window=0 stream=room-1}", reply);
+  EXPECT_TRUE(reply.starts_with("{error 404")) << reply;
+  const int writer = ::open(path.c_str(), O_WRONLY);
+  const auto write = [writer](const std::string& text) {
+    EXPECT_EQ(::write(writer, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  };
+  write(std::string(kHeader) + "0,0,1,1\n");
+  EXPECT_EQ(followed.receive_until("}"), "{12:20;40}");
+  write("1,0.04,1,4\n0,0.04,1,2\n");
+  EXPECT_NE(followed.receive_until("{12:40;").find("{12:40;"), std::string::npos);
+  // Who was there before goes on; who comes now finds each face.
+  RawClient one = say_hello(server, "{hello v=2 window=0 stream=room-1}", reply);
+  EXPECT_TRUE(reply.starts_with("{hello")) << reply;
+  RawClient zero = say_hello(server, "{hello v=2 window=0 stream=room-0}", reply);
+  EXPECT_TRUE(reply.starts_with("{hello")) << reply;
+  write("1,0.08,1,5\n0,0.08,1,3\n");
+  EXPECT_NE(followed.receive_until("{12:60;").find("{12:60;"), std::string::npos);
+  EXPECT_NE(one.receive_until("{12;").find("{12;"), std::string::npos);
+  EXPECT_NE(zero.receive_until("{12:60;").find("{12:60;"), std::string::npos);
+  ::close(writer);
+  EXPECT_EQ(server.terminate(), 0);
+  const auto kept = std::distance(std::filesystem::directory_iterator(folder_.path() / "kept"), {});
+  EXPECT_EQ(kept, 3);
+}
+
 TEST_F(LiveSources, AMissingFileIsRefused) {
   const Finished missing = run({program("au-transmitter"), "--follow", "--port", "0",
                                 (folder_.path() / "missing.csv").string()});

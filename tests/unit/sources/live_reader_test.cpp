@@ -226,6 +226,20 @@ TEST_F(LiveReaderTest, TheFaceIsTheOneThatWasAskedForOrTheFirstUntilItIsGone) {
   EXPECT_NE(messages().find("face.csv: face 1 from now on"), std::string::npos);
 }
 
+TEST_F(LiveReaderTest, EveryFaceIsSaidOnceWhenAllAreAskedFor) {
+  LiveOptions options;
+  options.recording.all_faces = true;
+  start(options);
+  static_cast<void>(fed(kOpenFace2Header));
+  EXPECT_EQ(reader_->header(), kOpenFace2Header);
+  EXPECT_TRUE(reader_->take_new_faces().empty());
+  static_cast<void>(fed(openface2_row(1, "0.000", "0,1,0,0,0,0,0", "7") +
+                        openface2_row(1, "0.000", "0,2,0,0,0,0,0", "3")));
+  EXPECT_EQ(reader_->take_new_faces(), (std::vector<std::int64_t>{7, 3}));
+  static_cast<void>(fed(openface2_row(2, "0.033", "0,1,0,0,0,0,0", "7")));
+  EXPECT_TRUE(reader_->take_new_faces().empty());
+}
+
 TEST_F(LiveReaderTest, RowsWithoutAClockTakeTheTimeOfTheirArrival) {
   start();
   EXPECT_EQ(fed("frame,FaceScore,AU12\n0,1,0.5\n", 10), Texts{"{12:50;40}"});

@@ -113,6 +113,80 @@ TEST(Recording, MostFrequentFaceIsTakenUnlessAsked) {
   EXPECT_EQ(error.message, "f.csv: there is no face 4; the most frequent one is 3");
 }
 
+/// Rows of three faces: 0 all the time, 1 from the third picture on, 2 never sure.
+std::string three_faces() {
+  std::string text = "frame,face_id,timestamp,confidence,success,AU12_r\n";
+  const auto row = [&text](int frame, int face, const char* rest) {
+    text += std::to_string(frame) + "," + std::to_string(face) + ",0." + std::to_string(frame) +
+            "," + rest + "\n";
+  };
+  for (int frame = 0; frame < 5; ++frame) {
+    row(frame, 2, "0.1,0,5");
+    row(frame, 0, frame < 3 ? "0.9,1,1" : "0.9,1,2");
+    if (frame >= 2 && frame < 4) row(frame, 1, "0.9,1,5");
+  }
+  return text;
+}
+
+TEST(Recording, AllFacesAreStreamsOnOneClock) {
+  RecordingOptions options;
+  options.all_faces = true;
+  const auto faces = read_faces(three_faces(), "f", options);
+  ASSERT_TRUE(faces) << faces.error().message;
+  ASSERT_EQ(faces->size(), 2U);
+  EXPECT_EQ(faces->at(0).found.face, 0);
+  EXPECT_EQ(protocol::format_stream_file(faces->at(0).stream),
+            "Beg_Stream\n12:20;100\n12:20;100\n12:20;100\n12:40;100\n12:40;100\nEnd_Stream\n");
+  // Face 1 comes two pictures later: neutral until then, so that the places agree.
+  EXPECT_EQ(faces->at(1).found.face, 1);
+  EXPECT_EQ(protocol::format_stream_file(faces->at(1).stream),
+            "Beg_Stream\n0;200\n12;200\n12;100\nEnd_Stream\n");
+  EXPECT_NE(found_lines(faces->at(1).found).find("face 1 in 2 rows (this one)"), std::string::npos);
+}
+
+TEST(Recording, EachOfAllFacesIsWhatFaceIdGives) {
+  RecordingOptions all;
+  all.all_faces = true;
+  const auto faces = read_faces(three_faces(), "f", all);
+  ASSERT_TRUE(faces);
+  RecordingOptions one;
+  one.face = 0;
+  const auto alone = read_recording(three_faces(), "f", one);
+  ASSERT_TRUE(alone);
+  EXPECT_EQ(faces->front().stream.keyframes, alone->stream.keyframes);
+}
+
+TEST(Recording, AppendedRecordingsOfSeveralFacesStayTogether) {
+  const std::string first = three_faces();
+  RecordingOptions options;
+  options.all_faces = true;
+  const auto faces = read_faces(first + first, "f", options);
+  ASSERT_TRUE(faces) << faces.error().message;
+  // The second one begins 0.1 s after the first; face 1 is there 0.2 s after each beginning.
+  EXPECT_EQ(protocol::media_ms(faces->at(0).stream, 0), 100U + 900U);
+  std::uint64_t place = 0;
+  std::vector<std::uint64_t> full;
+  for (const auto& keyframe : faces->at(1).stream.keyframes) {
+    place += *keyframe.duration_ms;
+    if (keyframe.terms == std::vector<AuTerm>{{12, Side::Both, 100}}) full.push_back(place);
+  }
+  const std::uint64_t begin = *faces->at(1).stream.keyframes.front().duration_ms;
+  EXPECT_EQ(full.front(), begin + 200);
+  EXPECT_EQ(full.back(), begin + 800);
+}
+
+TEST(Recording, AManyFacedRecordingIsLimited) {
+  std::string text = "frame,face_id,timestamp,confidence,success,AU12_r\n";
+  for (int face = 0; face < 100; ++face) {
+    text += "1," + std::to_string(face) + ",0,1,1,1\n";
+  }
+  RecordingOptions options;
+  options.all_faces = true;
+  const auto faces = read_faces(text, "f", options);
+  ASSERT_TRUE(faces);
+  EXPECT_EQ(faces->size(), kFacesMax);
+}
+
 TEST(Recording, FacesWithoutNamesAreCountedWithinThePicture) {
   RecordingOptions options;
   options.fps = 10;

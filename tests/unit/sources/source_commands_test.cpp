@@ -75,6 +75,24 @@ TEST(LoadSources, UnknownTablesAreRefusedAsTables) {
             std::string::npos);
 }
 
+TEST(LoadSources, AllFacesAreStreamsNamedAfterThem) {
+  const TempFolder folder;
+  const auto both = folder.write("two.csv",
+                                 "frame,face_id,timestamp,confidence,success,AU12_r\n"
+                                 "1,4,0,1,1,1\n2,4,0.1,1,1,1\n2,-1,0.1,1,1,2\n2,9,0.1,1,1,2\n"
+                                 "3,9,0.2,1,1,2\n3,4,0.2,1,1,2\n");
+  const auto plain = folder.write("talk.txt", "Beg_Stream\n1\nEnd_Stream\n");
+  SourceOptions options;
+  options.recording.all_faces = true;
+  const auto sources = load_sources({both, plain}, options);
+  ASSERT_TRUE(sources) << sources.error().message;
+  std::vector<std::string> names;
+  for (const Source& source : *sources) names.push_back(source.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"two-4", "two-9", "two--1", "talk"}));
+  const auto taken = folder.write("two-9.txt", "Beg_Stream\n1\nEnd_Stream\n");
+  EXPECT_EQ(load_sources({both, taken}, options).error().kind, ErrorKind::Usage);
+}
+
 TEST(LoadSources, RateIsForStreamFilesToo) {
   const TempFolder folder;
   SourceOptions options;
@@ -126,6 +144,9 @@ TEST(Convert, WrongCommandLinesAreRefused) {
   EXPECT_EQ(run_convert({"--rat", "3", "a", "b"}).error().message,
             "unknown option --rat; did you mean --rate? (try --help)");
   EXPECT_EQ(run_convert({"--fps", "x", "a", "b"}).error().kind, ErrorKind::Usage);
+  EXPECT_EQ(run_convert({"--face-id", "all", "a", "b"}).error().message,
+            "convert writes one stream; --face-id all is for serving, name one face (try convert "
+            "--help)");
   const TempFolder folder;
   EXPECT_EQ(run_convert({(folder.path() / "none").string(), "-"}).error().kind,
             ErrorKind::Unreadable);
