@@ -43,11 +43,7 @@ bool is_live(const std::filesystem::path& path, bool follow) {
 /// One stream of the source.
 struct LiveSource::Stream {
   Stream(std::string stream_name, const LiveSourceOptions& options,
-         const sources::LiveOptions& reading)
-      : name(std::move(stream_name)),
-        feed(reading.keyframe_ms, options.classic_min),
-        reader(file_name(options.path), reading, load_arkit_table),
-        thinning(reading.keyframe_ms, options.max_kbits) {}
+         const sources::LiveOptions& reading);
 
   void take(double moment) {
     for (sources::LiveKeyframe& keyframe : reader.take_keyframes()) {
@@ -64,6 +60,13 @@ struct LiveSource::Stream {
   bool silence_said = true;
 };
 
+LiveSource::Stream::Stream(std::string stream_name, const LiveSourceOptions& options,
+                           const sources::LiveOptions& reading)
+    : name(std::move(stream_name)),
+      feed(reading.keyframe_ms, options.classic_min),
+      reader(file_name(options.path), reading, load_arkit_table),
+      thinning(reading.keyframe_ms, options.max_kbits) {}
+
 LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, Events events)
     : options_(std::move(options)),
       events_(std::move(events)),
@@ -71,14 +74,13 @@ LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, Events e
              {[this](std::string_view bytes) { on_bytes(bytes); }, [this] { on_caught_up(); },
               [this] { on_end(); }, [this](const std::string& why) { on_anew(why); }}),
       timer_(io),
-      catching_up_(options_.follow) {
-  streams_.push_back(
-      std::make_unique<Stream>(stream_name(options_.path), options_, options_.reader));
-}
+      catching_up_(options_.follow) {}
 
 LiveSource::~LiveSource() = default;
 
 Result<void> LiveSource::start() {
+  streams_.push_back(
+      std::make_unique<Stream>(stream_name(options_.path), options_, options_.reader));
   if (auto opened = input_.start(); !opened) return opened;
   return record(*streams_.front(), options_.record_first);
 }

@@ -44,7 +44,8 @@ TEST(SourceOptions, WrongWordsAreNamedWithTheirRange) {
   EXPECT_EQ(message({"30fps", "", "", "", ""}), "--fps '30fps'" + fps);
   EXPECT_EQ(message({"", "7", "", "", ""}),
             "--au-scale '7' is not one of 1, 5, 100 and auto (try --help)");
-  EXPECT_EQ(message({"", "", "a", "", ""}), "--face-id 'a' is neither a whole number nor all (try --help)");
+  EXPECT_EQ(message({"", "", "a", "", ""}),
+            "--face-id 'a' is neither a whole number nor all (try --help)");
   EXPECT_EQ(message({"", "", "", "50", ""}),
             "--min-confidence '50' is not a number from 0 to 1 (try --help)");
   EXPECT_EQ(message({"", "", "", "", "0.01"}),
