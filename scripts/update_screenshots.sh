@@ -18,13 +18,16 @@ fi
 
 scale=$AUCAST_SCREEN
 work=$(mktemp -d)
+streams=/tmp/streams  # is seen in the picture of the file dialog
+mkdir -p "$streams"
+cp "$bin"/data/streams/*.txt "$streams"
 server=
 player=
 finish() {
     [ -z "$player" ] || kill -INT "$player" 2>/dev/null || true
     [ -z "$server" ] || kill "$server" 2>/dev/null || true
     wait
-    rm -rf "$work"
+    rm -rf "$work" "$streams"
 }
 trap finish EXIT
 
@@ -49,26 +52,70 @@ click() {
     xdotool mousemove $(($1 * scale)) $(($2 * scale))
     sleep 0.3
     xdotool click 1
-    sleep 0.7
+    settle
+}
+# Until what stands still stands still; software OpenGL may be slow.
+settle() {
+    local before= now=
+    for i in $(seq 40); do
+        sleep 0.5
+        now=$(import -window root rgb:- | md5sum)
+        [ "$now" != "$before" ] || break
+        before=$now
+    done
 }
 shot() {
     xdotool mousemove $((600 * scale)) $((20 * scale))
     sleep 1
+    [ "$1" = play ] || settle
     import -window root "$work/shot.png"
     # At twice the scale the panel says it all.
     [ "$scale" -eq 1 ] || mogrify -gravity East -crop 760x1600+0+0 +repage "$work/shot.png"
-    convert "$work/shot.png" -colors 256 -strip "PNG8:$out/$1$2.png"
+    convert "$work/shot.png" -colors 256 -strip "PNG8:$out/$1$name.png"
 }
 name=
 [ "$scale" -eq 1 ] || name=_twice
 sleep 14
-shot play "$name"
+shot play
+# The Expression tab: Happiness. It pauses what plays.
+click 1005 54
+click 1070 154
+[ "$scale" -ne 1 ] || shot expression
+# The Editor tab, AU 12 from the list.
+if [ "$scale" -eq 1 ]; then
+    click 1080 54
+    click 1135 123
+    click 1135 347
+    shot editor
+fi
+# The Compose tab: a smile of AUs 6 and 12, then surprise from the pad.
+click 1145 54
+click 1087 571
+click 916 596
+click 955 368
+click 1119 434
+click 955 368
+click 980 156
+shot compose
 [ "$scale" -eq 1 ] || exit 0
-click 1003 54
-click 974 130
-sleep 4
-shot expression ""
-click 1153 54
+# Over the face: the file dialog and the list of keys.
+xdotool key o
+settle
+click 580 192
+xdotool key ctrl+a
+xdotool type "$streams"
+xdotool key Return
+settle
+shot open
+xdotool key Escape
+settle
+xdotool key question
+settle
+shot keys
+xdotool key Escape
+settle
+# The View tab: wireframe and muscles.
+click 1211 54
 click 1118 211
 click 1118 273
-shot view ""
+shot view

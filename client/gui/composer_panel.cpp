@@ -61,7 +61,8 @@ void timeline(const Look& look, const ComposerView& composer, GuiCommands& comma
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopClipRect();
         ImGui::SameLine(right);
-        ImGui::TextDisabled("%s", row.time.c_str());
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of(Tone::Quiet)), "%s",
+                           row.time.c_str());
         ImGui::PopID();
       }
     }

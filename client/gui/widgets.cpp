@@ -24,6 +24,25 @@ void percent(int value, bool differs) {
   }
 }
 
+/// Broken at spaces alone: ImGui would break "0.7" as well. A longer word is left to it.
+std::string in_lines(const std::string& text, float width) {
+  std::string lines;
+  std::size_t line_begin = 0;
+  std::size_t word_begin = 0;
+  while (word_begin < text.size()) {
+    const std::size_t word_end = std::min(text.find(' ', word_begin), text.size());
+    const float reach = ImGui::CalcTextSize(text.data() + line_begin, text.data() + word_end).x;
+    if (reach > width && word_begin > line_begin) {
+      lines.back() = '\n';
+      line_begin = word_begin;
+    }
+    lines.append(text, word_begin, word_end - word_begin);
+    if (word_end < text.size()) lines += ' ';
+    word_begin = word_end + 1;
+  }
+  return lines;
+}
+
 }  // namespace
 
 unsigned colour_of(Tone tone) {
@@ -67,9 +86,10 @@ void label(const Look& look, const char* text) {
 }
 
 void quiet_text(const std::string& text) {
+  const std::string lines = in_lines(text, ImGui::GetContentRegionAvail().x - 1);
   ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Quiet));
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::TextUnformatted(lines.data(), lines.data() + lines.size());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }

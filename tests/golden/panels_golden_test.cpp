@@ -322,6 +322,13 @@ TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   EXPECT_GT(shown("left_zygomaticus_major"), 0.3F);
 }
 
+TEST_F(Making, TheComposerAtTwiceTheScale) {
+  open(2, nullptr);
+  replay("click 665 54\nclick 436 596\nclick 607 571\nclick 475 368\nclick 639 434\n");
+  ASSERT_EQ(session_->model().composer.rows->size(), 1U);
+  test::expect_as_baseline(panel(), "panel_compose_twice", kTolerance, kShareMax);
+}
+
 TEST_F(Making, AFileIsChosenInTheDialog) {
   folder_.write("streams/smile.txt", "Beg_Stream\n12\nEnd_Stream\n");
   folder_.write("streams/talk.txt", "Beg_Stream\n25\nEnd_Stream\n");
