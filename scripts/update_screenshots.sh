@@ -18,16 +18,16 @@ fi
 
 scale=$AUCAST_SCREEN
 work=$(mktemp -d)
-streams=/tmp/streams  # is seen in the picture of the file dialog
-mkdir -p "$streams"
-cp "$bin"/data/streams/*.txt "$streams"
+data=/tmp/aucast  # is seen in the picture of the file dialog
+rm -rf "$data"
+cp -r "$bin/data" "$data"
 server=
 player=
 finish() {
     [ -z "$player" ] || kill -INT "$player" 2>/dev/null || true
     [ -z "$server" ] || kill "$server" 2>/dev/null || true
     wait
-    rm -rf "$work" "$streams"
+    rm -rf "$work" "$data"
 }
 trap finish EXIT
 
@@ -44,7 +44,7 @@ for i in $(seq 100); do
     [ -z "$port" ] || break
     sleep 0.1
 done
-"$bin/face-player" "127.0.0.1:$port" --speed 1000 &
+"$bin/face-player" "127.0.0.1:$port" --data "$data" --speed 1000 &
 player=$!
 
 # Places are those of a window of 1280 x 800.
@@ -56,11 +56,12 @@ click() {
 }
 # Until what stands still stands still; software OpenGL may be slow.
 settle() {
-    local before= now=
+    local before= now= alike=0
     for i in $(seq 40); do
         sleep 0.5
         now=$(import -window root rgb:- | md5sum)
-        [ "$now" != "$before" ] || break
+        if [ "$now" = "$before" ]; then alike=$((alike + 1)); else alike=0; fi
+        [ "$alike" -lt 3 ] || break
         before=$now
     done
 }
@@ -80,14 +81,13 @@ shot play
 # The Expression tab: Happiness. It pauses what plays.
 click 1005 54
 click 1070 154
-[ "$scale" -ne 1 ] || shot expression
+shot expression
+[ "$scale" -eq 1 ] || exit 0
 # The Editor tab, AU 12 from the list.
-if [ "$scale" -eq 1 ]; then
-    click 1080 54
-    click 1135 123
-    click 1135 347
-    shot editor
-fi
+click 1080 54
+click 1135 123
+click 1135 347
+shot editor
 # The Compose tab: a smile of AUs 6 and 12, then surprise from the pad.
 click 1145 54
 click 1087 571
@@ -97,14 +97,8 @@ click 1119 434
 click 955 368
 click 980 156
 shot compose
-[ "$scale" -eq 1 ] || exit 0
 # Over the face: the file dialog and the list of keys.
 xdotool key o
-settle
-click 580 192
-xdotool key ctrl+a
-xdotool type "$streams"
-xdotool key Return
 settle
 shot open
 xdotool key Escape
