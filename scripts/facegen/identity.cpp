@@ -157,7 +157,7 @@ Identity man_of_fifty() {
   colours.iris_outer = {0.13, 0.065, 0.03};
   colours.cloth = {0.30, 0.055, 0.06};
   colours.collar = {0.24, 0.045, 0.05};
-  colours.beard = 0.30;
+  colours.beard = 0.20;
   return who;
 }
 

@@ -147,7 +147,7 @@ TEST_F(DefaultFaceMesh, PartsAndSealsTheLipsAlongTheWholeMouth) {
 TEST_F(DefaultFaceMesh, KeepsTheLipsShutWhereNoActionUnitPartsThem) {
   // 0.4 mm: less than the lips bulge before their line of contact.
   constexpr float kUnseen = 0.03F;
-  for (const int number : {4, 6, 11, 12, 13, 14, 15, 17, 18, 20, 23, 24, 28, 34, 36, 38}) {
+  for (const int number : {4, 6, 11, 12, 13, 14, 15, 17, 18, 20, 23, 24, 28, 33, 34, 35, 36, 38}) {
     const auto positions = posed(number);
     for (int spoke = 0; spoke <= 10; ++spoke) {
       const float gap =
