@@ -260,12 +260,13 @@ class Transmitter {
 
   /// A catalogue knows the faces of a live source only when they are seen.
   void add_faces(protocol::ServerCatalogue& catalogue) const {
-    for (const auto& [name, feed] : feeds()) {
-      const bool known = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
-                                     [&name](const auto& stream) { return stream.name == name; });
+    for (const LiveSource::NamedFeed& feed : feeds()) {
+      const bool known =
+          std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
+                      [&feed](const auto& stream) { return stream.name == feed.name; });
       if (known) continue;
       protocol::ServedStream stream;
-      stream.name = name;
+      stream.name = feed.name;
       catalogue.streams.push_back(std::move(stream));
     }
   }
