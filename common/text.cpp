@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <numeric>
+#include <system_error>
+
+#include "common/check.h"
 
 namespace aucast {
 namespace {
@@ -50,6 +54,13 @@ std::optional<std::string> nearest(std::string_view word, const std::vector<std:
     }
   }
   return best;
+}
+
+std::string number_text(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  AUCAST_CHECK(error == std::errc());
+  return {digits.data(), end};
 }
 
 std::string at_place(std::string_view file, std::size_t line, std::size_t column,

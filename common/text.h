@@ -16,6 +16,9 @@ namespace aucast {
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  const std::vector<std::string>& known);
 
+/// Shortest text that is read back as the same number.
+[[nodiscard]] std::string number_text(double value);
+
 /// "file:line:column: text"; line and column count from 1 and 0 leaves them out.
 [[nodiscard]] std::string at_place(std::string_view file, std::size_t line, std::size_t column,
                                    std::string_view text);

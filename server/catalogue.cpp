@@ -27,8 +27,9 @@ Result<void> check_name(const std::filesystem::path& path, const std::string& na
 
 /// The streams of one file: one, or one for each face.
 Result<std::vector<Source>> load_source(const std::filesystem::path& path,
-                                        const SourceOptions& options, std::uint32_t keyframe_ms,
-                                        LiveSources live) {
+                                        const SourceOptions& options,
+                                        const sources::ConditioningSettings& conditioning,
+                                        std::uint32_t keyframe_ms, LiveSources live) {
   std::vector<Source> streams;
   const std::string stem = stream_name(path);
   if (auto can = check_name(path, stem); !can) return can.error();
@@ -36,7 +37,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path,
     streams.push_back({path, stem, {}, std::nullopt, true});
     return streams;
   }
-  auto contents = read_streams(path, options, keyframe_ms);
+  auto contents = read_streams(path, options, conditioning, keyframe_ms);
   if (!contents) return contents.error();
   for (SourceContent& content : *contents) {
     const bool one_of_several = content.found && content.found->all_taken;
@@ -44,7 +45,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path,
     if (auto can = check_name(path, name); !can) return can.error();
     streams.push_back({path, name, std::move(content.stream), std::move(content.found), false});
     Source& source = streams.back();
-    if (source.found) sources::apply_dead_band(source.stream, options.dead_band);
+    if (source.found) sources::apply_dead_band(source.stream, conditioning.profile.dead_band);
   }
   return streams;
 }
@@ -142,6 +143,8 @@ bool same_stream(const protocol::ServedStream& a, const protocol::ServedStream& 
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
                                          const SourceOptions& options, std::uint32_t keyframe_ms,
                                          std::vector<Error>* skipped, LiveSources live) {
+  const auto conditioning = conditioning_of(options.signal);
+  if (!conditioning) return conditioning.error();
   std::vector<Source> sources;
   std::vector<Error> errors;
   for (const std::filesystem::path& path : paths) {
@@ -151,8 +154,8 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
       continue;
     }
     for (const std::filesystem::path& file : *files) {
-      auto streams =
-          load_source(file, options, keyframe_ms, file == path ? live : LiveSources::None);
+      auto streams = load_source(file, options, *conditioning, keyframe_ms,
+                                 file == path ? live : LiveSources::None);
       if (!streams) {
         errors.push_back(streams.error());
         continue;

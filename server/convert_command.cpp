@@ -73,10 +73,23 @@ Result<SourceContent> read_cut_off(const ConvertOptions& options, std::string& s
 }
 
 Result<Converted> convert(const ConvertOptions& options) {
+  const SignalOptions& signal = options.source.signal;
+  const auto conditioning = conditioning_of(signal);
+  if (!conditioning) return conditioning.error();
   std::string said = options.in.string() + ": ";
-  const auto content = options.mend ? read_cut_off(options, said)
-                                    : read_source(options.in, options.source, options.keyframe_ms);
+  const auto content =
+      options.mend ? read_cut_off(options, said)
+                   : read_source(options.in, options.source, *conditioning, options.keyframe_ms);
   if (!content) return content.error();
+  if (!signal.save_profile.empty()) {
+    if (measures_neutral(signal) && !content->found) {
+      return Error{ErrorKind::Usage,
+                   options.in.string() + ": a stream file has no neutral face to measure and save"};
+    }
+    const auto saved =
+        save_profile(signal, content->found ? content->found->neutral : std::nullopt);
+    if (!saved) return saved.error();
+  }
   std::string text = protocol::format_stream_file(content->stream);
   if (content->found) said += sources::found_sentence(*content->found) + "; ";
   said += std::to_string(content->stream.keyframes.size()) + " keyframes, " +
@@ -120,6 +133,8 @@ every change: there is no dead-band here.
                          then goes to neutral in 1 s
   --mend                 IN is a stream file that a power cut tore: what is whole of it
   --keyframe MS          time of an untimed keyframe, for --rate (250)
+  --neutral SECONDS   --gain LIST   --filter CUTOFF[,BETA]   --distance
+  --profile FILE   --save-profile FILE   the signals: see au-transmitter --help
 
 examples:
   au-transmitter convert webcam.csv talk.txt

@@ -7,6 +7,7 @@
 
 #include "common/log.h"
 #include "server/source_reader.h"
+#include "server/sources/profile.h"
 
 namespace aucast::server {
 namespace {
@@ -191,6 +192,23 @@ void LiveSource::on_anew(const std::string& why) {
   catching_up_ = true;
 }
 
+void LiveSource::condition(const sources::ConditioningSettings& settings) {
+  options_.reader.conditioning = settings;
+  for (const auto& stream : streams_) stream->reader.condition(settings);
+}
+
+/// Each face has a neutral one of its own; the first stream's is what a profile is made of.
+void LiveSource::say_neutral() {
+  for (const auto& stream : streams_) {
+    const auto neutral = stream->reader.take_neutral();
+    if (!neutral) continue;
+    const bool first = stream == streams_.front();
+    spdlog::info("{}: neutral face {}", first ? file_name(options_.path) : stream->name,
+                 sources::measured_text(*neutral));
+    if (first && options_.on_neutral) options_.on_neutral(*neutral);
+  }
+}
+
 void LiveSource::on_end() {
   for (const auto& stream : streams_) stream->reader.end_input(now());
   go_on();
@@ -198,6 +216,7 @@ void LiveSource::on_end() {
 
 /// The readers of single faces would only say the same.
 void LiveSource::say() {
+  say_neutral();
   for (const auto& stream : streams_) {
     const auto messages = stream->reader.take_messages();
     if (stream != streams_.front()) continue;

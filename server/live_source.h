@@ -33,6 +33,8 @@ struct LiveSourceOptions {
   std::filesystem::path record;  ///< what --record says; empty: nothing is kept
   bool record_first = true;      ///< this is the one that a file is for
   std::uint32_t max_kbits = 0;   ///< a second for each client and stream; 0: any
+  /// Called when the neutral face of the first stream was asked for and has been measured.
+  std::function<void(const sources::MeasuredNeutral&)> on_neutral;
 };
 
 /// A source that is still being written, as live streams: input -> reader -> queue -> thinning
@@ -74,6 +76,8 @@ class LiveSource {
   /// It has ended before the first keyframe.
   [[nodiscard]] bool nothing_came() const;
   [[nodiscard]] std::vector<NamedFeed> feeds() const;
+  /// Other settings of the signals from the next row on.
+  void condition(const sources::ConditioningSettings& settings);
 
  private:
   struct Stream;
@@ -97,6 +101,7 @@ class LiveSource {
   [[nodiscard]] double patience() const;
   void wait();
   void say();
+  void say_neutral();
 
   LiveSourceOptions options_;
   Events events_;

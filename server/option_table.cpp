@@ -70,6 +70,11 @@ Complaint of_source(const std::string& word, TransmitterOptions& options) {
   return read(word, options.source);
 }
 
+template <Complaint (*read)(const std::string&, SignalOptions&)>
+Complaint of_signal(const std::string& word, TransmitterOptions& options) {
+  return read(word, options.source.signal);
+}
+
 constexpr OptionRow kTable[] = {
     {"source", "", Kind::Words, "", "files, recordings, folders; - (stdin), FIFOs are live",
      "A stream file, or a recording of an AU recogniser, told by what is in it, or a folder: "
@@ -137,11 +142,51 @@ constexpr OptionRow kTable[] = {
      "when it is first seen, 16 at most, after the one without a number, which is there from the "
      "beginning and follows one of them.",
      of_source<read_face_id>},
-    {"dead-band", "PERCENT", Kind::Number, "2", "smaller changes are not sent (2)",
-     "Their numbers tremble; what trembles costs half of the bytes. An intensity stays what it was "
-     "until it has changed by so much, so it is off by less than that, and what goes to 0 does so "
-     "at once. 0 sends everything. Stream files and convert are never touched.",
-     of_source<read_dead_band>},
+    {"distance", "", Kind::Flag, "false", "the head's is AUs 57, 58",
+     "OpenFace's distance of the head from the camera becomes AUs 57 (forward) and 58 (back), 100 "
+     "% "
+     "for 14 mm, compared with the neutral face's or, without one, with the first second's. Heads "
+     "move by more than that: with --gain 57=0.1,58=0.1 it is 14 cm.",
+     of_signal<read_distance>},
+    {"neutral", "SECONDS", Kind::Number, "", "the first seconds' median face is taken off",
+     "Up to 60 seconds from the first row with a face on: the median of each AU and of the turns "
+     "of "
+     "head and eyes is the neutral face, and is taken off from the first row to the last. A live "
+     "source takes off the median so far while it measures. 0: no neutral face, whatever the "
+     "profile "
+     "says.",
+     of_signal<read_neutral>},
+    {"gain", "LIST", Kind::Number, "", "times so much: 1.2, or 45=1.6,L12=1.2 (1)",
+     "Numbers from 0 to 10 with commas between them: one alone is for every AU, 45=1.6 for AU 45, "
+     "L12=1.2 for one side of AU 12; the later one wins. Applied after the neutral face was taken "
+     "off; what goes beyond 100 % is 100 %.",
+     of_signal<read_gain>},
+    {"filter", "CUTOFF[,BETA]", Kind::Number, "", "One Euro filter, such as 1,2 (none)",
+     "CUTOFF[,BETA[,CUTOFF]]: the cutoff in Hz of what stands still, above 0 to 100; how many Hz "
+     "more "
+     "a speed of 100 % a second makes it, 0 to 100 (1); the cutoff of the speed in Hz (1). Less "
+     "cutoff is smoother, more beta less late. Casiez, Roussel and Vogel 2012. 0: no filter, "
+     "whatever "
+     "the profile says.",
+     of_signal<read_filter>},
+    {"dead-band", "LIST", Kind::Number, "", "smaller changes are not sent: 2, or 2,45=0 (2)",
+     "Whole percents from 0 to 50, for every AU or for some, as --gain has them; every AU has 2 "
+     "unless it is told otherwise. What trembles costs half of the bytes. An intensity stays what "
+     "it "
+     "was until it has changed by so much, so it is off by less than that, and what goes to 0 does "
+     "so at once. 0 sends everything. Stream files and convert are never touched.",
+     of_signal<read_dead_band>},
+    {"profile", "FILE", Kind::Word, "", "all these of a person",
+     "Neutral face, gain, dead band and filter of one person before one camera, as --save-profile "
+     "writes them (TOML); the options above win over it. Read again on SIGHUP, for live sources "
+     "too.",
+     of_signal<read_profile_name>},
+    {"save-profile", "FILE", Kind::Word, "", "and into a file",
+     "Writes what the profile and the options come to, whole or not at all: with --neutral, when "
+     "the neutral face has been measured, which takes one source of a recogniser; else at the "
+     "start. "
+     "Next time --profile FILE is enough.",
+     of_signal<read_save_profile>},
     {"keyframe", "MS", Kind::Number, "250", "time of untimed keyframes (250)",
      "Milliseconds from 1 to 3600000. Clients are told in the hello, and --live goes by it.",
      [](const std::string& word, TransmitterOptions& options) {

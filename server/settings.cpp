@@ -1,11 +1,8 @@
 #include "server/settings.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <optional>
 
-#include "common/check.h"
 #include "common/text.h"
 
 namespace aucast::server {
@@ -27,14 +24,6 @@ std::vector<std::string> split(std::string_view text, char separator) {
     if (end == std::string_view::npos) return words;
     text.remove_prefix(end + 1);
   }
-}
-
-/// Shortest text that is read back as the same number.
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  AUCAST_CHECK(error == std::errc());
-  return {digits.data(), end};
 }
 
 /// A value of the file as the word that the command line would have; nothing: of another type.

@@ -12,11 +12,13 @@ namespace {
 /// A camera that is faster has no face before it.
 constexpr double kFpsMax = 1000;
 
-/// More would be no face any more.
-constexpr int kDeadBandMax = 50;
-
 /// Who waits for a day waits for ever.
 constexpr double kSourceTimeoutMax = 86'400;
+
+template <Complaint (*read)(const std::string&, SignalOptions&)>
+Complaint of_signal(const std::string& word, SourceOptions& options) {
+  return read(word, options.signal);
+}
 
 }  // namespace
 
@@ -63,16 +65,18 @@ Complaint read_rate(const std::string& word, SourceOptions& options) {
   return std::nullopt;
 }
 
-Complaint read_dead_band(const std::string& word, SourceOptions& options) {
-  return read_whole(word, 0, kDeadBandMax, options.dead_band);
-}
-
 void describe_source_options(CLI::App& app, SourceWords& words) {
   app.add_option("--fps", words.fps);
   app.add_option("--au-scale", words.au_scale);
   app.add_option("--face-id", words.face);
   app.add_option("--min-confidence", words.confidence);
   app.add_option("--rate", words.rate);
+  app.add_option("--neutral", words.neutral);
+  app.add_option("--gain", words.gain);
+  app.add_option("--filter", words.filter);
+  app.add_option("--profile", words.profile);
+  app.add_option("--save-profile", words.save_profile);
+  app.add_flag("--distance", words.distance);
 }
 
 Result<SourceOptions> read_source_options(const SourceWords& words) {
@@ -85,8 +89,14 @@ Result<SourceOptions> read_source_options(const SourceWords& words) {
                         {"--au-scale", words.au_scale, read_au_scale},
                         {"--face-id", words.face, read_face_id},
                         {"--min-confidence", words.confidence, read_min_confidence},
-                        {"--rate", words.rate, read_rate}};
+                        {"--rate", words.rate, read_rate},
+                        {"--neutral", words.neutral, of_signal<read_neutral>},
+                        {"--gain", words.gain, of_signal<read_gain>},
+                        {"--filter", words.filter, of_signal<read_filter>},
+                        {"--profile", words.profile, of_signal<read_profile_name>},
+                        {"--save-profile", words.save_profile, of_signal<read_save_profile>}};
   SourceOptions options;
+  options.signal.distance = words.distance;
   for (const Item& item : items) {
     if (item.word.empty()) continue;
     if (const Complaint wrong = item.read(item.word, options)) {

@@ -7,6 +7,7 @@
 #include "common/result.h"
 #include "common/time.h"
 #include "server/option_word.h"
+#include "server/signal_options.h"
 #include "server/sources/recording.h"
 
 namespace aucast::server {
@@ -15,8 +16,8 @@ namespace aucast::server {
 struct SourceOptions {
   sources::RecordingOptions recording;
   std::optional<double>
-      rate;           ///< keyframes a second, kRateMin to sources::kRateMax; else as they are
-  int dead_band = 2;  ///< percent, 0-50: smaller changes of recognisers are not sent
+      rate;  ///< keyframes a second, kRateMin to sources::kRateMax; else as they are
+  SignalOptions signal;
   friend bool operator==(const SourceOptions&, const SourceOptions&) = default;
 };
 
@@ -28,7 +29,6 @@ inline constexpr double kRateMin = 0.1;
 [[nodiscard]] Complaint read_au_scale(const std::string& word, SourceOptions& options);
 [[nodiscard]] Complaint read_face_id(const std::string& word, SourceOptions& options);
 [[nodiscard]] Complaint read_min_confidence(const std::string& word, SourceOptions& options);
-[[nodiscard]] Complaint read_dead_band(const std::string& word, SourceOptions& options);
 [[nodiscard]] Complaint read_rate(const std::string& word, SourceOptions& options);
 
 /// The words of these options as they were typed.
@@ -38,9 +38,15 @@ struct SourceWords {
   std::string face;
   std::string confidence;
   std::string rate;
+  std::string neutral = {};
+  std::string gain = {};
+  std::string filter = {};
+  std::string profile = {};
+  std::string save_profile = {};
+  bool distance = false;
 };
 
-/// Binds --fps, --au-scale, --face-id, --min-confidence and --rate to `words`.
+/// Binds the options of source and signal to `words`: --fps, --au-scale, ...
 void describe_source_options(CLI::App& app, SourceWords& words);
 
 /// Usage error, one line, for a word that is none of what its option takes.

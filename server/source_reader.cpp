@@ -13,6 +13,7 @@ namespace {
 
 Result<std::vector<SourceContent>> read_table(std::string_view text, const std::string& file,
                                               const SourceOptions& options,
+                                              const sources::ConditioningSettings& conditioning,
                                               sources::ContentKind kind) {
   sources::ArkitTable curves;
   if (kind == sources::ContentKind::LiveLinkFace) {
@@ -20,7 +21,7 @@ Result<std::vector<SourceContent>> read_table(std::string_view text, const std::
     if (!table) return table.error();
     curves = std::move(*table);
   }
-  auto faces = sources::read_faces(text, file, options.recording, curves);
+  auto faces = sources::read_faces(text, file, options.recording, curves, conditioning);
   if (!faces) return faces.error();
   std::vector<SourceContent> contents;
   for (sources::Recording& recording : *faces) {
@@ -30,9 +31,12 @@ Result<std::vector<SourceContent>> read_table(std::string_view text, const std::
 }
 
 Result<std::vector<SourceContent>> read_content(std::string_view text, const std::string& file,
-                                                const SourceOptions& options) {
+                                                const SourceOptions& options,
+                                                const sources::ConditioningSettings& conditioning) {
   const sources::ContentKind kind = sources::content_kind(text);
-  if (kind != sources::ContentKind::StreamFile) return read_table(text, file, options, kind);
+  if (kind != sources::ContentKind::StreamFile) {
+    return read_table(text, file, options, conditioning, kind);
+  }
   auto stream = protocol::parse_stream_file(text, file);
   if (!stream) return stream.error();
   std::vector<SourceContent> contents;
@@ -52,20 +56,22 @@ Result<sources::ArkitTable> load_arkit_table() {
 }
 
 Result<SourceContent> read_source(const std::filesystem::path& path, const SourceOptions& options,
+                                  const sources::ConditioningSettings& conditioning,
                                   std::uint32_t keyframe_ms) {
   SourceOptions of_one = options;
   of_one.recording.all_faces = false;
-  auto streams = read_streams(path, of_one, keyframe_ms);
+  auto streams = read_streams(path, of_one, conditioning, keyframe_ms);
   if (!streams) return streams.error();
   return std::move(streams->front());
 }
 
 Result<std::vector<SourceContent>> read_streams(const std::filesystem::path& path,
                                                 const SourceOptions& options,
+                                                const sources::ConditioningSettings& conditioning,
                                                 std::uint32_t keyframe_ms) {
   const auto text = read_file(path == "-" ? "/dev/stdin" : path);
   if (!text) return text.error();
-  auto contents = read_content(*text, path == "-" ? "stdin" : path.string(), options);
+  auto contents = read_content(*text, path == "-" ? "stdin" : path.string(), options, conditioning);
   if (!contents || !options.rate) return contents;
   for (SourceContent& content : *contents) {
     content.stream = sources::resample(content.stream, *options.rate, keyframe_ms);

@@ -216,26 +216,52 @@ class Transmitter {
     } else {
       spdlog::info("certificates and token were read again");
     }
+    condition_sources_anew();
     reloader_.start();
+  }
+
+  /// The profile may have changed.
+  void condition_sources_anew() {
+    if (options_.source.signal.profile.empty() || live_sources_.empty()) return;
+    const auto conditioning = conditioning_of(options_.source.signal);
+    if (!conditioning) {
+      spdlog::error("{}; the profile in use stays", conditioning.error().message);
+      return;
+    }
+    for (const auto& source : live_sources_) source->condition(*conditioning);
+    spdlog::info("the profile was read again");
   }
 
   /// Those that are still being written; they stay the same when others are read again.
   Result<void> begin_sources() {
+    const auto conditioning = conditioning_of(options_.source.signal);
+    if (!conditioning) return conditioning.error();
     for (const std::filesystem::path& path : options_.sources) {
       if (!is_live(path, options_.live_source.follow)) continue;
       const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
-                                        options_.source.dead_band, options_.keyframe_ms};
+                                        *conditioning, options_.keyframe_ms};
       auto source = std::make_unique<LiveSource>(
           io_,
           LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
                             options_.live_source.timeout, options_.record, live_sources_.empty(),
-                            options_.max_kbits},
+                            options_.max_kbits,
+                            [this](const auto& neutral) { on_neutral(neutral); }},
           LiveSource::Events{[this] { on_moment_of_source(); }, [this] { on_face(); }});
       if (auto begun = source->start(); !begun) return begun;
       live_sources_.push_back(std::move(source));
     }
     attach_sources();
     return {};
+  }
+
+  void on_neutral(const sources::MeasuredNeutral& neutral) {
+    const SignalOptions& signal = options_.source.signal;
+    if (signal.save_profile.empty()) return;
+    if (const auto saved = save_profile(signal, neutral); !saved) {
+      spdlog::error("{}", saved.error().message);
+    } else {
+      spdlog::info("the profile was written to {}", signal.save_profile.string());
+    }
   }
 
   void attach_sources() {

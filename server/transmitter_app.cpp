@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -75,6 +76,22 @@ Result<std::vector<Source>> load(const TransmitterOptions& options) {
   return sources;
 }
 
+/// Writes the profile that was asked for, unless it waits for a live source's neutral face.
+Result<void> save_profile_of(const SignalOptions& options, const std::vector<Source>& sources) {
+  if (options.save_profile.empty()) return {};
+  if (!measures_neutral(options)) return save_profile(options, std::nullopt);
+  const auto is_measured = [](const Source& source) { return source.found || source.live; };
+  const auto measured = std::find_if(sources.begin(), sources.end(), is_measured);
+  const auto count = std::count_if(sources.begin(), sources.end(), is_measured);
+  if (count != 1) {
+    return Error{ErrorKind::Usage,
+                 "--save-profile with --neutral takes one source of a recogniser, and there are " +
+                     std::to_string(count) + " (try --help)"};
+  }
+  if (measured->live) return {};
+  return save_profile(options, measured->found->neutral);
+}
+
 CatalogueOptions catalogue_options(const TransmitterOptions& options) {
   return {options.keyframe_ms, options.classic_min, options.loop, options.max_kbits};
 }
@@ -82,6 +99,9 @@ CatalogueOptions catalogue_options(const TransmitterOptions& options) {
 int check(const TransmitterOptions& options) {
   const auto sources = load(options);
   if (!sources) return report(sources.error());
+  if (const auto saved = save_profile_of(options.source.signal, *sources); !saved) {
+    return report(saved.error());
+  }
   const auto catalogue = make_catalogue(*sources, catalogue_options(options));
   for (std::size_t index = 0; index < sources->size(); ++index) {
     const Source& source = (*sources)[index];
@@ -112,6 +132,7 @@ Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& optio
     if (auto can = check_live(catalogue); !can) return can.error();
   }
   say_what_was_found(*sources);
+  if (auto saved = save_profile_of(options.source.signal, *sources); !saved) return saved.error();
   protocol::StreamList list;
   for (const Source& source : *sources) list.names.push_back(source.name);
   // Each name that there is room for comes after a blank.

@@ -1,6 +1,7 @@
 #include <array>
 #include <charconv>
 
+#include "server/sources/profile.h"
 #include "server/sources/recording.h"
 
 namespace aucast::sources {
@@ -57,6 +58,7 @@ std::string found_lines(const Found& found) {
   text += line("gaps", found.gaps == 0 ? "none over 0.5 s"
                                        : std::to_string(found.gaps) + " over 0.5 s, the longest " +
                                              fixed(found.gap_seconds_max, 2) + " s");
+  if (found.neutral) text += line("neutral", measured_text(*found.neutral));
   if (found.headers > 0) {
     text += line("appended", std::to_string(found.headers) + " header lines in the middle");
   }
@@ -74,6 +76,7 @@ std::string found_sentence(const Found& found) {
             " rows without data";
   }
   if (found.truncated) text += ", the truncated last line left out";
+  if (found.neutral) text += ", neutral face " + measured_text(*found.neutral);
   return text;
 }
 

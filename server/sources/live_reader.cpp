@@ -55,7 +55,7 @@ LiveReader::LiveReader(std::string file, LiveOptions options, LoadCurves load_cu
       options_(std::move(options)),
       load_curves_(std::move(load_curves)),
       splitter_(kCsvLineBytesMax),
-      timeline_(options_.rate, options_.dead_band),
+      timeline_(options_.rate, options_.conditioning),
       clock_(options_.recording.fps),
       face_(options_.recording.face) {}
 
@@ -284,6 +284,7 @@ void LiveReader::settle_scale() {
   const double scale = scale_for(table_->format->native_scale(), table_->largest);
   if (scale == table_->scale) return;
   table_->scale = scale;
+  timeline_.forget_neutral();
   say(at_place(file_, table_->csv.line(), 0,
                "AU scale 0-" + std::to_string(static_cast<int>(scale)) +
                    " from now on; --au-scale says so from the beginning"));

@@ -20,8 +20,8 @@ namespace aucast::sources {
 
 struct LiveOptions {
   RecordingOptions recording;
-  std::optional<double> rate;       ///< at most so many keyframes a second
-  int dead_band = 2;                ///< percent, as DeadBand takes it
+  std::optional<double> rate;  ///< at most so many keyframes a second
+  ConditioningSettings conditioning;
   std::uint32_t keyframe_ms = 250;  ///< the longest time of a line that names none
 };
 
@@ -72,6 +72,10 @@ class LiveReader {
   [[nodiscard]] std::vector<std::int64_t> take_new_faces() { return std::exchange(new_faces_, {}); }
   /// The line that names the columns, with its end; empty when there is none.
   [[nodiscard]] std::string header() const;
+  /// The neutral face, once, when it was asked for and has been measured.
+  [[nodiscard]] std::optional<MeasuredNeutral> take_neutral() { return timeline_.take_neutral(); }
+  /// Other settings from the next row on; what was measured stays measured.
+  void condition(const ConditioningSettings& settings) { timeline_.change(settings); }
 
  private:
   struct Table;

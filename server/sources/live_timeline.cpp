@@ -52,17 +52,21 @@ void LiveTimeline::add(double seconds, const AuFrame& update,
   said_anything_ = true;
   age_clock_ += step;
   place_ += step;
-  channels_.take(age_clock_, update);
+  channels_.take(age_clock_, verbatim_ ? update : conditioning_.apply(age_clock_, update));
   const double since = place_ - static_cast<double>(emitted_ms_) / 1000;
   if (rate_ && since < 1 / *rate_ - step * kEarlyShare) return;
   emit(channels_.at(age_clock_), seconds);
+}
+
+void LiveTimeline::change(const ConditioningSettings& settings) {
+  conditioning_.change(settings);
+  dead_band_.change(settings.profile.dead_band);
 }
 
 void LiveTimeline::emit(const AuFrame& frame, double seconds) {
   const std::int64_t place = milliseconds(place_);
   if (place <= emitted_ms_) return;
   protocol::Keyframe keyframe;
-  // Lines of a stream file say what they mean.
   keyframe.terms = canonical_terms(verbatim_ ? frame : dead_band_.settle(frame));
   keyframe.duration_ms = static_cast<std::uint32_t>(place - emitted_ms_);
   emitted_ms_ = place;

@@ -6,6 +6,7 @@
 
 #include "common/action_unit.h"
 #include "protocol/packet.h"
+#include "server/sources/conditioning.h"
 #include "server/sources/dead_band.h"
 #include "server/sources/timeline.h"
 
@@ -26,15 +27,23 @@ struct LiveKeyframe {
 class LiveTimeline {
  public:
   /// `rate`: at most so many keyframes a second; the moments between them are left out.
-  /// `dead_band` as DeadBand takes it; it is for rows.
-  explicit LiveTimeline(std::optional<double> rate, int dead_band = 0)
-      : rate_(rate), dead_band_(dead_band) {}
+  /// `settings` are for rows: lines of a stream file say what they mean.
+  explicit LiveTimeline(std::optional<double> rate, const ConditioningSettings& settings = {})
+      : rate_(rate), conditioning_(settings), dead_band_(settings.profile.dead_band) {}
 
   /// A moment of the source, later than the one before: the intensities of `update` where it is not
   /// negative. `duration` instead of the clock's, if the source says so.
   void add(double seconds, const AuFrame& update, std::optional<std::uint32_t> duration_ms = {});
   /// The clock began anew: the next moment comes one usual step after the last.
   void restart() { restarted_ = true; }
+  /// Other settings from the next moment on; a neutral face that was measured stays measured.
+  void change(const ConditioningSettings& settings);
+  /// The scale of what comes is another: what was measured is measured anew.
+  void forget_neutral() { conditioning_.forget_neutral(); }
+  /// The neutral face, once, when it has been measured.
+  [[nodiscard]] std::optional<MeasuredNeutral> take_neutral() {
+    return conditioning_.take_neutral();
+  }
   /// For the moments to come.
   void set_clocked(bool clocked) { clocked_ = clocked; }
 
@@ -51,6 +60,7 @@ class LiveTimeline {
   void emit(const AuFrame& frame, double seconds);
 
   std::optional<double> rate_;
+  Conditioning conditioning_;
   DeadBand dead_band_;
   Channels channels_;
   std::vector<LiveKeyframe> keyframes_;

@@ -21,6 +21,7 @@ void Observation::clear() {
   face.reset();
   confidence = 1;
   tracked = true;
+  distance_mm.reset();
   aus.clear();
 }
 

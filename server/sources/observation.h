@@ -14,6 +14,8 @@ inline constexpr double kPitchDegrees = 22;
 inline constexpr double kTiltDegrees = 22;
 inline constexpr double kGazeYawDegrees = 28;
 inline constexpr double kGazePitchDegrees = 22;
+/// A unit of our face's mesh, which 100 % of AUs 57 and 58 move the head by.
+inline constexpr double kMillimetresPerUnit = 14;
 inline constexpr double kRadPerDegree = 0.017453292519943295;
 
 /// What a recogniser that says only "present" is taken to mean: FACS intensity C.
@@ -36,12 +38,13 @@ struct Turn {
 
 /// What one row says of one face. Reused from row to row.
 struct Observation {
-  std::optional<double> seconds;     ///< on the source's clock
-  std::optional<double> frame;       ///< number of the picture, where there is one
-  std::optional<std::int64_t> face;  ///< where the format names faces
-  double confidence = 1;             ///< [0,1]
-  bool tracked = true;               ///< the source says that it saw the face
-  std::vector<AuValue> aus;          ///< what has no data is not in it
+  std::optional<double> seconds;      ///< on the source's clock
+  std::optional<double> frame;        ///< number of the picture, where there is one
+  std::optional<std::int64_t> face;   ///< where the format names faces
+  double confidence = 1;              ///< [0,1]
+  bool tracked = true;                ///< the source says that it saw the face
+  std::optional<double> distance_mm;  ///< of the head from the camera
+  std::vector<AuValue> aus;           ///< what has no data is not in it
 
   /// Empties it without giving its memory back.
   void clear();

@@ -23,6 +23,7 @@ OpenFaceColumns::OpenFaceColumns(const CsvReader& table)
       timestamp_(table.column("timestamp")),
       confidence_(table.column("confidence")),
       success_(table.column("success")),
+      distance_(table.column("pose_Tz")),
       pose_{table.column("pose_Rx"), table.column("pose_Ry"), table.column("pose_Rz")},
       gaze_angle_{table.column("gaze_angle_x"), table.column("gaze_angle_y")},
       gaze_vector_{table.column("gaze_0_x"), table.column("gaze_0_y"), table.column("gaze_0_z"),
@@ -44,6 +45,7 @@ void OpenFaceColumns::read(CsvReader& row, Observation& out) const {
   out.tracked = row.number(success_).value_or(1) > 0.5;
   intensities_.read(row, out);
   if (!out.aus.empty()) presences_.read_presence(row, out);
+  out.distance_mm = row.number(distance_);
   read_turns(row, out);
 }
 

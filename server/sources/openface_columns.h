@@ -10,8 +10,8 @@ namespace aucast::sources {
 /// The columns that OpenFace 1.x, OpenFace 2 and FACSvatar's cleaned form share. Pose: radians,
 /// R = Rx Ry Rz in camera space (x right in the image, y down, z away), so that a positive pitch is
 /// down, a positive yaw the subject's right, a positive roll the subject's left; checked against
-/// the landmarks of a recording. Gaze: a positive angle is the image's right, the subject's left,
-/// and down.
+/// the landmarks of a recording. pose_Tz is the distance from the camera in millimetres. Gaze: a
+/// positive angle is the image's right, the subject's left, and down.
 class OpenFaceColumns {
  public:
   explicit OpenFaceColumns(const CsvReader& table);
@@ -31,6 +31,7 @@ class OpenFaceColumns {
   AuColumns presences_;
   bool has_presences_ = false;
   std::optional<std::size_t> frame_, face_, timestamp_, confidence_, success_;
+  std::optional<std::size_t> distance_;
   std::array<std::optional<std::size_t>, 3> pose_;
   std::array<std::optional<std::size_t>, 2> gaze_angle_;
   std::array<std::optional<std::size_t>, 6> gaze_vector_;

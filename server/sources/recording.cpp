@@ -37,8 +37,12 @@ struct Track {
 class RecordingReader {
  public:
   RecordingReader(CsvReader& table, Format& format, std::string_view file,
-                  const RecordingOptions& options)
-      : table_(table), format_(format), file_(file), options_(options) {}
+                  const RecordingOptions& options, const ConditioningSettings& conditioning)
+      : table_(table),
+        format_(format),
+        file_(file),
+        options_(options),
+        conditioning_(conditioning) {}
 
   Result<std::vector<Recording>> read();
 
@@ -49,6 +53,8 @@ class RecordingReader {
   [[nodiscard]] bool sure(const Observation& row) const {
     return is_sure(row, options_.confidence_min);
   }
+  void prepare(std::int64_t face);
+  void measure(std::int64_t face, Track& track);
   void play();
   void take(const Observation& row, Track& track);
   [[nodiscard]] Result<std::vector<Recording>> finish();
@@ -61,6 +67,7 @@ class RecordingReader {
   Found found_;                       ///< what the faces have in common
   std::vector<std::int64_t> chosen_;  ///< faces to be read, the most frequent first
   std::unordered_map<std::int64_t, Track> tracks_;
+  ConditioningSettings conditioning_;
   bool timed_ = false;  ///< some row has a time
   SourceClock clock_{options_.fps};
 };
@@ -68,6 +75,7 @@ class RecordingReader {
 Result<std::vector<Recording>> RecordingReader::read() {
   survey();
   if (auto error = settle()) return *error;
+  for (const std::int64_t face : chosen_) prepare(face);
   table_.rewind();
   play();
   if (table_.has_errors()) return table_.error();
@@ -142,14 +150,47 @@ Error RecordingReader::need(const std::string& reason) const {
   return {ErrorKind::Usage, at_place(file_, 0, 0, reason)};
 }
 
+void RecordingReader::prepare(std::int64_t face) {
+  Track& track = tracks_[face];
+  track.found = found_;
+  track.found.face = face;
+  track.found.all_taken = options_.all_faces;
+  track.timeline = Timeline(conditioning_);
+  measure(face, track);
+}
+
+/// What is taken off, if it is to be measured: from the first seconds of each chosen face.
+void RecordingReader::measure(std::int64_t face, Track& track) {
+  const auto seconds = seconds_to_measure(conditioning_);
+  if (!seconds) return;
+  NeutralMeter meter(*seconds);
+  FaceNames names;
+  SourceClock clock(options_.fps);
+  FaceMoments moments;
+  Observation row;
+  table_.rewind();
+  for (auto next = table_.next(); next != CsvReader::Next::End && !meter.done();
+       next = table_.next()) {
+    if (next == CsvReader::Next::RepeatedHeader) clock.restart();
+    if (next != CsvReader::Next::Row) continue;
+    row.clear();
+    format_.read(table_, row);
+    if (names.of(row) != face) continue;
+    const auto moment = clock.moment(row, moments);
+    if (!moment) continue;
+    const AuFrame update = update_of(row, found_.scale, sure(row));
+    meter.add(*moment, raw_signals(update, conditioning_));
+  }
+  const MeasuredNeutral measured = meter.measured();
+  if (conditioning_.neutral_seconds) track.found.neutral = measured;
+  ConditioningSettings settled = conditioning_;
+  settled.profile.neutral = neutral_with(conditioning_, measured);
+  settled.neutral_seconds.reset();
+  track.timeline = Timeline(settled);
+}
+
 /// Second pass: the keyframes of the chosen faces.
 void RecordingReader::play() {
-  for (const std::int64_t face : chosen_) {
-    Track& track = tracks_[face];
-    track.found = found_;
-    track.found.face = face;
-    track.found.all_taken = options_.all_faces;
-  }
   FaceNames names;
   Observation row;
   for (auto next = table_.next(); next != CsvReader::Next::End; next = table_.next()) {
@@ -235,17 +276,18 @@ ContentKind content_kind(std::string_view text) {
 }
 
 Result<Recording> read_recording(std::string_view text, std::string_view file,
-                                 const RecordingOptions& options, const ArkitTable& curves) {
+                                 const RecordingOptions& options, const ArkitTable& curves,
+                                 const ConditioningSettings& conditioning) {
   RecordingOptions of_one = options;
   of_one.all_faces = false;
-  auto faces = read_faces(text, file, of_one, curves);
+  auto faces = read_faces(text, file, of_one, curves, conditioning);
   if (!faces) return faces.error();
   return std::move(faces->front());
 }
 
 Result<std::vector<Recording>> read_faces(std::string_view text, std::string_view file,
-                                          const RecordingOptions& options,
-                                          const ArkitTable& curves) {
+                                          const RecordingOptions& options, const ArkitTable& curves,
+                                          const ConditioningSettings& conditioning) {
   auto table = CsvReader::open(text, file);
   if (!table) return table.error();
   const auto format = open_format(*table, curves);
@@ -253,7 +295,7 @@ Result<std::vector<Recording>> read_faces(std::string_view text, std::string_vie
     table->refuse(std::nullopt, std::string(kUnknownTable));
     return table->error();
   }
-  return RecordingReader(*table, *format, file, options).read();
+  return RecordingReader(*table, *format, file, options, conditioning).read();
 }
 
 }  // namespace aucast::sources

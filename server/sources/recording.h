@@ -9,6 +9,7 @@
 #include "common/result.h"
 #include "protocol/stream_file.h"
 #include "server/sources/arkit_table.h"
+#include "server/sources/conditioning.h"
 
 namespace aucast::sources {
 
@@ -44,6 +45,7 @@ struct Found {
   bool truncated = false;    ///< the last line had no end and was not counted
   std::size_t gaps = 0;      ///< stretches longer than kHoldSeconds without a sure row
   double gap_seconds_max = 0;
+  std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
 };
 
 /// A recording as keyframes.
@@ -63,10 +65,13 @@ enum class ContentKind : std::uint8_t {
 
 /// Reads a recogniser's recording whole, in two passes that hold one row each. `file` is what
 /// messages call it. BadData with one line file:line:column for each of the first 20 errors; Usage
-/// when only an option can help (--fps, --face-id). `curves` is used for Live Link Face alone.
+/// when only an option can help (--fps, --face-id). `curves` is used for Live Link Face alone. What
+/// `conditioning` measures is measured before the first keyframe; its dead band is not applied
+/// here.
 [[nodiscard]] Result<Recording> read_recording(std::string_view text, std::string_view file,
                                                const RecordingOptions& options,
-                                               const ArkitTable& curves = {});
+                                               const ArkitTable& curves = {},
+                                               const ConditioningSettings& conditioning = {});
 
 /// More people are not told apart by any tracker; with all_faces the rest is left out and counted.
 inline constexpr std::size_t kFacesMax = 64;
@@ -74,10 +79,9 @@ inline constexpr std::size_t kFacesMax = 64;
 /// The same with options.all_faces: one recording for each face that says anything, the most
 /// frequent first, kFacesMax at most. Their times are those of the file, so that faces seen
 /// together are together: who comes late is neutral until then.
-[[nodiscard]] Result<std::vector<Recording>> read_faces(std::string_view text,
-                                                        std::string_view file,
-                                                        const RecordingOptions& options,
-                                                        const ArkitTable& curves = {});
+[[nodiscard]] Result<std::vector<Recording>> read_faces(
+    std::string_view text, std::string_view file, const RecordingOptions& options,
+    const ArkitTable& curves = {}, const ConditioningSettings& conditioning = {});
 
 /// What was found, one line each: "  format      OpenFace 2".
 [[nodiscard]] std::string found_lines(const Found& found);

@@ -5,9 +5,14 @@
 #include <utility>
 
 #include "server/sources/live_link_face.h"
+#include "server/sources/signals.h"
 
 namespace aucast::sources {
 namespace {
+
+/// Turns beyond are no head's, distances (in units of the mesh, here 100 m) no camera's.
+constexpr double kSignalMax = 10;
+constexpr double kDistanceMax = 100'000 / kMillimetresPerUnit;
 
 /// Latest moment that a source's clock may show.
 constexpr double kClockSecondsMax = 1e10;
@@ -41,9 +46,16 @@ AuFrame update_of(const Observation& row, double scale, bool sure) {
   if (!sure) return update;
   for (const AuValue& au : row.aus) {
     const double intensity = au.native ? au.value / scale : au.value;
-    const auto value = static_cast<float>(std::clamp(intensity, 0.0, 1.0));
+    const double most = opposite_of(au.number) != 0 ? kSignalMax : 1.0;
+    const auto value = static_cast<float>(std::clamp(intensity, 0.0, most));
     if (au.side != Side::Right) update.left[au.number] = value;
     if (au.side != Side::Left) update.right[au.number] = value;
+  }
+  // A lost face has 0 millimetres.
+  if (row.distance_mm && *row.distance_mm > 0) {
+    const double units = std::min(*row.distance_mm / kMillimetresPerUnit, kDistanceMax);
+    update.left[57] = update.right[57] = 0;
+    update.left[58] = update.right[58] = static_cast<float>(units);
   }
   return update;
 }

@@ -30,7 +30,9 @@ inline constexpr std::string_view kUnknownTable =
 /// Whether the row says anything of a face.
 [[nodiscard]] bool is_sure(const Observation& row, double confidence_min);
 
-/// The row's intensities in [0,1]; -1 where it has no data, and everywhere if it is not sure.
+/// The row's intensities; -1 where it has no data, and everywhere if it is not sure. Those of turns
+/// may be above 1, and the distance is the head's way back from the camera: a Conditioning makes of
+/// them what can be shown.
 [[nodiscard]] AuFrame update_of(const Observation& row, double scale, bool sure);
 
 /// Which face a row is of. A format that does not name faces writes one row for each, with the same

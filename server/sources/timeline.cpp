@@ -51,7 +51,7 @@ bool Timeline::add(double seconds, const AuFrame& update) {
     bridge(seconds);
     usual_seconds_ = std::min(seconds - *last_seconds_, kReturnSecondsMax);
   }
-  channels_.take(seconds, update);
+  channels_.take(seconds, conditioning_.apply(seconds, update));
   store(seconds);
   return true;
 }

@@ -6,13 +6,10 @@
 
 #include "common/action_unit.h"
 #include "protocol/stream_file.h"
+#include "server/sources/conditioning.h"
+#include "server/sources/hold.h"
 
 namespace aucast::sources {
-
-/// A channel without data keeps its last value for so long,
-inline constexpr double kHoldSeconds = 0.5;
-/// and is then led to neutral in so long.
-inline constexpr double kEaseSeconds = 1.0;
 
 /// The latest data of every channel (an AU on a side) and when it came.
 class Channels {
@@ -30,9 +27,12 @@ class Channels {
 
 /// Rows on the source's clock become keyframes. Durations are differences of places rounded to
 /// whole milliseconds, so that nothing drifts. A channel (an AU on a side) without data holds, then
-/// eases to neutral; where whole rows are missing, keyframes are put in to do so.
+/// eases to neutral; where whole rows are missing, keyframes are put in to do so. What there is
+/// goes through a Conditioning first.
 class Timeline {
  public:
+  explicit Timeline(const ConditioningSettings& settings = {}) : conditioning_(settings) {}
+
   /// Takes a moment: the intensities of `update` where it is not negative, the rest has no data.
   /// `seconds` from the first moment on, ascending; false when it falls into the same millisecond
   /// as the last one and is left out.
@@ -45,6 +45,7 @@ class Timeline {
   void bridge(double until);
   void store(double seconds);
 
+  Conditioning conditioning_;
   Channels channels_;
   protocol::StreamFile stream_;
   std::optional<double> last_seconds_;

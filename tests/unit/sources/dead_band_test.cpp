@@ -23,7 +23,7 @@ int shown(DeadBand& band, int percent) {
 }
 
 TEST(DeadBand, SmallChangesAreNotSeenLargeOnesWhole) {
-  DeadBand band(3);
+  DeadBand band(PerAu(3));
   EXPECT_EQ(shown(band, 50), 50);
   EXPECT_EQ(shown(band, 52), 50);
   EXPECT_EQ(shown(band, 48), 50);
@@ -33,14 +33,14 @@ TEST(DeadBand, SmallChangesAreNotSeenLargeOnesWhole) {
 }
 
 TEST(DeadBand, ASlowChangeIsFollowedWithinTheBand) {
-  DeadBand band(2);
+  DeadBand band(PerAu(2));
   for (int percent = 0; percent <= 100; ++percent) {
     EXPECT_LE(std::abs(shown(band, percent) - percent), 1) << percent;
   }
 }
 
 TEST(DeadBand, NothingIsLeftOfWhatGoesToZero) {
-  DeadBand band(10);
+  DeadBand band(PerAu(10));
   EXPECT_EQ(shown(band, 12), 12);
   EXPECT_EQ(shown(band, 5), 12);
   EXPECT_EQ(shown(band, 0), 0);
@@ -48,9 +48,19 @@ TEST(DeadBand, NothingIsLeftOfWhatGoesToZero) {
 
 TEST(DeadBand, ZeroAndOneLeaveEverything) {
   for (const int percent : {0, 1}) {
-    DeadBand band(percent);
+    DeadBand band{PerAu(percent)};
     for (const int value : {50, 51, 50, 1, 0, 100}) EXPECT_EQ(shown(band, value), value);
   }
+}
+
+TEST(DeadBand, EachAuAndSideHasItsOwn) {
+  PerAu percent(0);
+  percent.set({12, Side::Left}, 10);
+  DeadBand band(percent);
+  static_cast<void>(band.settle(smile(50)));
+  const AuFrame shown = band.settle(smile(45));
+  EXPECT_FLOAT_EQ(shown.left[12], 0.5F);
+  EXPECT_FLOAT_EQ(shown.right[12], 0.45F);
 }
 
 TEST(DeadBand, AStreamKeepsItsTimes) {
@@ -61,7 +71,7 @@ TEST(DeadBand, AStreamKeepsItsTimes) {
     keyframe.duration_ms = percent;
     stream.keyframes.push_back(keyframe);
   }
-  apply_dead_band(stream, 2);
+  apply_dead_band(stream, PerAu(2));
   ASSERT_EQ(stream.keyframes.size(), 3U);
   EXPECT_EQ(stream.keyframes[1].terms, (std::vector<AuTerm>{{12, Side::Both, 50}}));
   EXPECT_EQ(stream.keyframes[1].duration_ms, 51U);

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "common/action_unit.h"
+
+namespace aucast::sources {
+
+/// An AU on a side: the left side's by number, then the right side's.
+inline constexpr std::size_t kChannels = 2 * std::size_t{kAuCount};
+
+[[nodiscard]] constexpr std::size_t channel_of(std::size_t number, bool right) {
+  return right ? kAuCount + number : number;
+}
+
+/// One moment of a face as signals, one for each channel; 1 is full intensity. AUs that are the two
+/// directions of one movement (head left and right, eyes up and down) are one signal, with the
+/// number of the first; it is negative for the second, which has none of its own.
+using Signals = std::array<float, kChannels>;
+
+inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
+
+[[nodiscard]] inline bool is_signal(float value) {
+  return !std::isnan(value);
+}
+
+/// Without any data.
+[[nodiscard]] Signals no_signals();
+
+/// The other direction of the same movement: 52 for 51 and back, ... 64 for 63; else 0.
+[[nodiscard]] std::size_t opposite_of(std::size_t number);
+
+/// Whether the AU is the second direction: 52, 54, 56, 58, 62, 64.
+[[nodiscard]] bool is_second_direction(std::size_t number);
+
+/// From intensities; a negative one is no data.
+[[nodiscard]] Signals signals_of(const AuFrame& update);
+
+/// Back to intensities in [0,1]; -1 where there is no data.
+[[nodiscard]] AuFrame update_of(const Signals& signals);
+
+}  // namespace aucast::sources
