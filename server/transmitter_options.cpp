@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "common/command_line.h"
 #include "common/files.h"
+#include "common/text.h"
 #include "server/option_table.h"
 #include "server/settings.h"
+#include "server/sources/profile.h"
 
 namespace aucast::server {
 namespace {
@@ -161,6 +164,22 @@ Result<Settings> settings_of(const Typed& typed, const Surroundings& surrounding
   return settings;
 }
 
+/// The settings, and as comments what a profile makes of them.
+Result<CommandLine> printed_config(const Settings& settings, const TransmitterOptions& options) {
+  std::string text = print_config(settings);
+  const SignalOptions& signal = options.source.signal;
+  if (!signal.profile.empty()) {
+    const auto conditioning = conditioning_of(signal);
+    if (!conditioning) return conditioning.error();
+    text += "\n# What " + escaped(signal.profile.string(), 200) + " and these come to:\n";
+    std::istringstream lines(sources::format_profile(conditioning->profile));
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.empty() && line.front() != '#') text += "#   " + line + "\n";
+    }
+  }
+  return CommandLine{std::move(text), {}};
+}
+
 }  // namespace
 
 Surroundings surroundings_of_process() {
@@ -193,7 +212,7 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
   if (!options) return options.error();
   options->check = typed.flag("check");
   options->estimate = typed.flag("estimate");
-  if (typed.flag("print-config")) return CommandLine{print_config(*settings), {}};
+  if (typed.flag("print-config")) return printed_config(*settings, *options);
   if (auto valid = validate(*options); !valid) return valid.error();
   return CommandLine{{}, std::move(*options)};
 }

@@ -158,6 +158,30 @@ TEST(Settings, PrintedOnesCanBeFedBack) {
   EXPECT_EQ(read({"--config", again}, {}), options);
 }
 
+TEST(Settings, PrintedOnesSayWhatAProfileMakesOfThem) {
+  const TempFolder folder;
+  const auto profile = folder.write("p.toml", "[gain]\nall = 2\n45 = 3\n[filter]\nbeta = 4\n");
+  const std::vector<std::string> arguments{"--profile",   profile, "--gain",        "45=1.5",
+                                           "--dead-band", "3",     "--print-config"};
+  const auto printed = read_command_line(arguments);
+  ASSERT_TRUE(printed) << printed.error().message;
+  for (const char* line :
+       {"\ngain = \"45=1.5\"  # command line\n", "\ndead-band = 3  # command line\n",
+        "\n# filter is not set\n", "\n#   all = 2\n#   45 = 1.5\n",
+        "\n#   [dead-band]\n#   all = 3\n", "\n#   beta = 4\n"}) {
+    EXPECT_NE(printed->text.find(line), std::string::npos) << line << printed->text;
+  }
+  const auto again = folder.write("again.toml", printed->text);
+  TransmitterOptions expected;
+  expected.source.signal.profile = profile;
+  expected.source.signal.gain = {{sources::AuName{45, Side::Both}, 1.5}};
+  expected.source.signal.dead_band = {{std::nullopt, 3}};
+  expected.sources = {"a"};
+  EXPECT_EQ(read({"--config", again, "a"}, {}), expected);
+  EXPECT_EQ(read_command_line({"--profile", folder.path() / "none", "--print-config"}).error().kind,
+            ErrorKind::Unreadable);
+}
+
 TEST(Settings, PrintingNeedsNoSource) {
   const auto printed = read_command_line({"--print-config"});
   ASSERT_TRUE(printed) << printed.error().message;
