@@ -161,10 +161,10 @@ constexpr OptionRow kTable[] = {
      "L12=1.2 for one side of AU 12; the later one wins. Applied after the neutral face was taken "
      "off; what goes beyond 100 % is 100 %.",
      of_signal<read_gain>},
-    {"filter", "CUTOFF[,BETA]", Kind::Number, "", "One Euro filter, such as 1,2 (none)",
+    {"filter", "CUTOFF[,BETA]", Kind::Number, "", "One Euro filter, such as 1,5 (none)",
      "CUTOFF[,BETA[,CUTOFF]]: the cutoff in Hz of what stands still, above 0 to 100; how many Hz "
      "more "
-     "a speed of 100 % a second makes it, 0 to 100 (1); the cutoff of the speed in Hz (1). Less "
+     "a speed of 100 % a second makes it, 0 to 100 (5); the cutoff of the speed in Hz (1). Less "
      "cutoff is smoother, more beta less late. Casiez, Roussel and Vogel 2012. 0: no filter, "
      "whatever "
      "the profile says.",

@@ -80,7 +80,7 @@ Complaint read_dead_band(const std::string& word, SignalOptions& options) {
 
 Complaint read_filter(const std::string& word, SignalOptions& options) {
   constexpr const char* kWrong =
-      "is not CUTOFF[,BETA[,CUTOFF]], Hz to 100 and 0 to 100, such as 1,2; 0 is no filter";
+      "is not CUTOFF[,BETA[,CUTOFF]], Hz to 100 and 0 to 100, such as 1,5; 0 is no filter";
   const auto parts = split(word);
   std::array<double, 3> values{0, sources::OneEuroSettings().beta,
                                sources::OneEuroSettings().derivative_cutoff_hz};

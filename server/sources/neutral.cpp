@@ -8,6 +8,9 @@ namespace {
 /// No median gets better by more values than this; a faster source gives every second row or less.
 constexpr double kRowsMax = 2000;
 
+/// What moments, which are sums of steps, may be off by.
+constexpr double kRounding = 1e-6;
+
 float median(const std::vector<float>& sorted) {
   if (sorted.empty()) return kNoSignal;
   const std::size_t middle = sorted.size() / 2;
@@ -25,7 +28,7 @@ void take_off(Signals& signals, const Signals& neutral) {
 
 bool NeutralMeter::add(double seconds, const Signals& signals) {
   if (done_) return false;
-  if (begin_ && seconds - *begin_ >= wanted_) {
+  if (begin_ && seconds - *begin_ >= wanted_ - kRounding) {
     done_ = true;
     return false;
   }

@@ -10,7 +10,7 @@ namespace aucast::sources {
 /// a second has a speed of 2 a second.
 struct OneEuroSettings {
   double min_cutoff_hz = 1;         ///< of what stands still, (0, 100]
-  double beta = 1;                  ///< Hz that the cutoff rises by at a speed of 1, [0, 100]
+  double beta = 5;                  ///< Hz that the cutoff rises by at a speed of 1, [0, 100]
   double derivative_cutoff_hz = 1;  ///< of the speed, (0, 100]
   friend bool operator==(const OneEuroSettings&, const OneEuroSettings&) = default;
 };

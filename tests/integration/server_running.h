@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <csignal>
 #include <optional>
 #include <string>
@@ -62,6 +63,23 @@ inline RawClient say_hello(const RunningTransmitter& server, std::string_view he
     const bool in_time = reply.starts_with("{hello") || reply.starts_with("{error");
     if (in_time || attempt == 20) return client;
   }
+}
+
+/// Reads the log until `text` is in it `times` times.
+inline bool logs(RunningTransmitter& server, const std::string& text, int times = 1) {
+  const auto count = [&] {
+    int found = 0;
+    for (std::size_t at = server.log().find(text); at != std::string::npos;
+         at = server.log().find(text, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (count() < times && std::chrono::steady_clock::now() < until) {
+    if (server.process().wait(std::chrono::milliseconds(20))) break;
+  }
+  return count() >= times;
 }
 
 /// Plays the six expressions as a classic client that answers each packet, and wants them exactly.

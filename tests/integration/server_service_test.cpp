@@ -13,23 +13,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Reads the log until `text` is in it `times` times.
-bool logs(RunningTransmitter& server, const std::string& text, int times = 1) {
-  const auto count = [&] {
-    int found = 0;
-    for (std::size_t at = server.log().find(text); at != std::string::npos;
-         at = server.log().find(text, at + 1)) {
-      ++found;
-    }
-    return found;
-  };
-  const auto until = std::chrono::steady_clock::now() + kPatience;
-  while (count() < times && std::chrono::steady_clock::now() < until) {
-    if (server.process().wait(20ms)) break;
-  }
-  return count() >= times;
-}
-
 class ServerReload : public ::testing::Test {
  protected:
   std::string write(const std::string& packets) {

@@ -44,7 +44,7 @@ TEST(Profile, IsReadByTables) {
   EXPECT_EQ(profile.gain.of(12, false), 1.2);
   EXPECT_EQ(profile.dead_band.of(12, true), 4);
   EXPECT_EQ(profile.dead_band.of(12, false), 2);
-  EXPECT_EQ(profile.filter, (OneEuroSettings{0.5, 1, 1}));
+  EXPECT_EQ(profile.filter, (OneEuroSettings{0.5, 5, 1}));
 }
 
 TEST(Profile, GoesThereAndBack) {

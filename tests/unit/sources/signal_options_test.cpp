@@ -45,7 +45,7 @@ TEST(SignalOptions, AreRead) {
             (std::vector<AuNumber>{
                 {std::nullopt, 0.5}, {AuName{45, Side::Both}, 1.6}, {AuName{12, Side::Left}, 2}}));
   EXPECT_EQ(read_one<read_dead_band>("0").dead_band, (std::vector<AuNumber>{{std::nullopt, 0}}));
-  EXPECT_EQ(read_one<read_filter>("0.5").filter, (OneEuroSettings{0.5, 1, 1}));
+  EXPECT_EQ(read_one<read_filter>("0.5").filter, (OneEuroSettings{0.5, 5, 1}));
   EXPECT_EQ(read_one<read_filter>("0.5,0").filter, (OneEuroSettings{0.5, 0, 1}));
   EXPECT_EQ(read_one<read_filter>("0.5,2,3").filter, (OneEuroSettings{0.5, 2, 3}));
   EXPECT_TRUE(read_one<read_distance>("true").distance);
@@ -66,7 +66,7 @@ TEST(SignalOptions, WrongWordsAreNamedWithTheirForm) {
   }
   for (const char* word : {"", "-1", "101", "1,", "1,2,0", "1,2,3,4", "nan", "1;2"}) {
     EXPECT_EQ(complaint<read_filter>(word),
-              "is not CUTOFF[,BETA[,CUTOFF]], Hz to 100 and 0 to 100, such as 1,2; 0 is no filter");
+              "is not CUTOFF[,BETA[,CUTOFF]], Hz to 100 and 0 to 100, such as 1,5; 0 is no filter");
   }
 }
 
