@@ -9,6 +9,7 @@
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
 #include "server/source_reader.h"
+#include "server/sources/openface_table.h"
 #include "server/sources/resample.h"
 
 namespace aucast::server {
@@ -72,6 +73,11 @@ Result<SourceContent> read_cut_off(const ConvertOptions& options, std::string& s
   return SourceContent{std::move(*stream), std::nullopt};
 }
 
+std::string sides_sentence(std::size_t uneven) {
+  if (uneven == 0) return {};
+  return "; it knows no sides: the stronger one of " + std::to_string(uneven) + " keyframes";
+}
+
 Result<Converted> convert(const ConvertOptions& options) {
   const SignalOptions& signal = options.source.signal;
   const auto conditioning = conditioning_of(signal);
@@ -90,10 +96,18 @@ Result<Converted> convert(const ConvertOptions& options) {
         save_profile(signal, content->found ? content->found->neutral : std::nullopt);
     if (!saved) return saved.error();
   }
-  std::string text = protocol::format_stream_file(content->stream);
+  std::string text;
   if (content->found) said += sources::found_sentence(*content->found) + "; ";
   said += std::to_string(content->stream.keyframes.size()) + " keyframes, " +
           std::to_string(protocol::media_ms(content->stream, options.keyframe_ms)) + " ms\n";
+  if (options.out.extension() == ".csv") {
+    auto table = sources::write_openface_table(content->stream, options.keyframe_ms);
+    text = std::move(table.text);
+    said += options.out.string() + ": a table of OpenFace 2, " + std::to_string(table.rows) +
+            " rows" + sides_sentence(table.uneven) + "\n";
+  } else {
+    text = protocol::format_stream_file(content->stream);
+  }
   if (options.out == "-") return Converted{std::move(text), std::move(said)};
   if (auto written = write_file_atomically(options.out, text); !written) return written.error();
   return Converted{{}, std::move(said)};
@@ -119,12 +133,13 @@ Result<Converted> run_convert(std::vector<std::string> arguments) {
 
 std::string convert_help_text() {
   return R"(usage: au-transmitter convert [OPTIONS] IN OUT
-Writes a recording of an AU recogniser, or a stream file, as a stream file, with
-every change: there is no dead-band here.
+Writes a recording of an AU recogniser, or a stream file, as a stream file or as a
+table, with every change: there is no dead-band here.
 
   IN                     a stream file, or a table of OpenFace 1 and 2, FACSvatar, Py-Feat,
                          LibreFace or Live Link Face; found out by its columns
-  OUT                    the stream file to write; - for stdout
+  OUT                    the stream file to write; - for stdout; a name in .csv is written
+                         as a table of OpenFace 2
   --rate HZ              so many keyframes a second, in straight lines between those there are
   --fps N                pictures a second, for tables without times (Py-Feat) or with wrong ones
   --au-scale S           full intensity in the table: 1, 5, 100 or auto (auto)
@@ -140,6 +155,7 @@ examples:
   au-transmitter convert webcam.csv talk.txt
   au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt
   au-transmitter convert webcam.csv - | head
+  au-transmitter convert talk.txt talk.csv
 )";
 }
 

@@ -26,8 +26,9 @@ struct Converted {
 };
 
 /// `au-transmitter convert` from its arguments (without that word): reads a recording or a stream
-/// file and writes a stream file, whole or not at all. Nothing is lost but what a stream file
-/// cannot say: intensities are whole percent, times whole milliseconds.
+/// file and writes a stream file or, to a name in .csv, a table of OpenFace 2, whole or not at all.
+/// Nothing is lost but what a stream file cannot say (intensities are whole percent, times whole
+/// milliseconds) and, of a table, the sides.
 [[nodiscard]] Result<Converted> run_convert(std::vector<std::string> arguments);
 
 [[nodiscard]] std::string convert_help_text();

@@ -47,4 +47,17 @@ Turn gaze_in_head(const CameraVector& sight, double pitch, double yaw, double ro
   return {std::atan2(x3, -z2), -std::atan2(y3, -z2), 0};
 }
 
+CameraVector sight_in_room(const Turn& eyes, double pitch, double yaw, double roll) {
+  // gaze_in_head() backwards: by z, then y, then x.
+  const double x3 = std::tan(eyes.left_rad);
+  const double y3 = -std::tan(eyes.up_rad);
+  const double x2 = std::cos(roll) * x3 - std::sin(roll) * y3;
+  const double y1 = std::sin(roll) * x3 + std::cos(roll) * y3;
+  const double z2 = -1;
+  const double x = std::cos(yaw) * x2 + std::sin(yaw) * z2;
+  const double z1 = -std::sin(yaw) * x2 + std::cos(yaw) * z2;
+  return {x, std::cos(pitch) * y1 - std::sin(pitch) * z1,
+          std::sin(pitch) * y1 + std::cos(pitch) * z1};
+}
+
 }  // namespace aucast::sources

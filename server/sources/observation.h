@@ -64,5 +64,7 @@ struct CameraVector {
 /// Eyes in the head from the line of sight in camera space: the head's rotation is taken back.
 /// `pitch`, `yaw`, `roll` in radians as OpenFace has them, R = Rx Ry Rz.
 [[nodiscard]] Turn gaze_in_head(const CameraVector& sight, double pitch, double yaw, double roll);
+/// The other way round: the line of sight of eyes that are turned so in a head that is turned so.
+[[nodiscard]] CameraVector sight_in_room(const Turn& eyes, double pitch, double yaw, double roll);
 
 }  // namespace aucast::sources

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "protocol/stream_file.h"
+
+namespace aucast::sources {
+
+/// Between two rows of a written table lies so much at most: a reader takes longer gaps for rows
+/// that are missing.
+inline constexpr std::uint32_t kRowMsMax = 100;
+
+/// A stream as a table.
+struct OpenFaceTable {
+  std::string text;
+  std::size_t rows = 0;
+  std::size_t uneven = 0;  ///< keyframes whose sides differ: the stronger side is written
+};
+
+/// The stream as OpenFace 2 would have recorded it: one face, a row where each keyframe is reached
+/// and rows in straight lines between those that lie further apart (an untimed one takes
+/// `keyframe_ms`); of keyframes that are reached in the same millisecond the last. AUs 51-56 and
+/// 61-64 become pose and gaze, 57 and 58 millimetres about 600 (read with --distance), everything
+/// else AUnn_r from 0 to 5, also what OpenFace does not know. Read again as a recording, the
+/// keyframes have the same percent.
+[[nodiscard]] OpenFaceTable write_openface_table(const protocol::StreamFile& stream,
+                                                 std::uint32_t keyframe_ms);
+
+}  // namespace aucast::sources
