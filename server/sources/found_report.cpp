@@ -46,6 +46,12 @@ std::string faces_of(const Found& found) {
   return text + (found.faces.size() > kShown ? ", ..." : "");
 }
 
+/// Nothing for a clock that a camera can have.
+std::string hasty_clock(const Found& found) {
+  if (found.rows_a_second <= kRowsASecondMax) return {};
+  return fixed(found.rows_a_second, 0) + " rows a second are no camera's: --fps says how many";
+}
+
 }  // namespace
 
 std::string found_lines(const Found& found) {
@@ -58,6 +64,7 @@ std::string found_lines(const Found& found) {
   text += line("gaps", found.gaps == 0 ? "none over 0.5 s"
                                        : std::to_string(found.gaps) + " over 0.5 s, the longest " +
                                              fixed(found.gap_seconds_max, 2) + " s");
+  if (const std::string clock = hasty_clock(found); !clock.empty()) text += line("clock", clock);
   if (found.neutral) text += line("neutral", measured_text(*found.neutral));
   if (found.headers > 0) {
     text += line("appended", std::to_string(found.headers) + " header lines in the middle");
@@ -76,6 +83,7 @@ std::string found_sentence(const Found& found) {
             " rows without data";
   }
   if (found.truncated) text += ", the truncated last line left out";
+  if (const std::string clock = hasty_clock(found); !clock.empty()) text += ", " + clock;
   if (found.neutral) text += ", neutral face " + measured_text(*found.neutral);
   return text;
 }

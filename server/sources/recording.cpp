@@ -236,6 +236,10 @@ Result<std::vector<Recording>> RecordingReader::finish() {
   for (const std::int64_t face : chosen_) {
     Track& track = tracks_[face];
     count_gap(track.last_seconds - track.last_sure, track.found);
+    if (track.last_seconds > 0) {
+      const auto steps = static_cast<double>(track.found.rows - 1);
+      track.found.rows_a_second = steps / track.last_seconds;
+    }
     Recording recording{track.timeline.finish(), std::move(track.found)};
     const std::size_t keyframes = recording.stream.keyframes.size();
     // A tracker's passing mistakes are no people, as long as there are people.

@@ -23,6 +23,9 @@ struct RecordingOptions {
   friend bool operator==(const RecordingOptions&, const RecordingOptions&) = default;
 };
 
+/// More rows a second than that are no camera's: the times are in other units, or wrong.
+inline constexpr double kRowsASecondMax = 250;
+
 /// What was found in a recording.
 struct Found {
   struct Face {
@@ -45,6 +48,7 @@ struct Found {
   bool truncated = false;    ///< the last line had no end and was not counted
   std::size_t gaps = 0;      ///< stretches longer than kHoldSeconds without a sure row
   double gap_seconds_max = 0;
+  double rows_a_second = 0;                ///< on the recording's clock; 0 of a single row
   std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
 };
 

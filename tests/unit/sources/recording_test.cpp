@@ -322,5 +322,16 @@ TEST(Recording, AnyTextCutAnywhereIsAnErrorOrALegalStream) {
   }
 }
 
+TEST(Recording, AClockThatNoCameraHasIsSaid) {
+  const std::string rows = row(1, "0.001") + row(2, "0.002") + row(3, "0.003");
+  const Recording hasty = read(rows);
+  const std::string said = "1000 rows a second are no camera's: --fps says how many";
+  EXPECT_NE(found_sentence(hasty.found).find(said), std::string::npos);
+  EXPECT_NE(found_lines(hasty.found).find("clock       " + said), std::string::npos);
+  RecordingOptions thirty;
+  thirty.fps = 30;
+  EXPECT_EQ(found_sentence(read(rows, thirty).found).find("no camera"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace aucast::sources

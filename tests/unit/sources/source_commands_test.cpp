@@ -124,6 +124,21 @@ TEST(Convert, KeepsAStreamFileWhole) {
   EXPECT_EQ(converted->text, text);
 }
 
+TEST(Convert, ANameInCsvIsWrittenAsATableThatSaysTheSame) {
+  const TempFolder folder;
+  const std::string text = "Beg_Stream\n6:40,L12:50,R12:80;40\n51:20,63:70;40\nEnd_Stream\n";
+  const std::string table = (folder.path() / "out.csv").string();
+  const auto written = run_convert({folder.write("in.txt", text).string(), table});
+  ASSERT_TRUE(written) << written.error().message;
+  EXPECT_NE(written->said.find("out.csv: a table of OpenFace 2, 2 rows; it knows no sides: the "
+                               "stronger one of 1 keyframes\n"),
+            std::string::npos)
+      << written->said;
+  const auto again = run_convert({table, "-"});
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->text, "Beg_Stream\n6:40,12:80;40\n51:20,63:70;40\nEnd_Stream\n");
+}
+
 TEST(Convert, ResamplesAndTakesTheSourcesOptions) {
   const TempFolder folder;
   const auto in = folder.write("in.csv", sources::tables::kPyFeat1).string();
