@@ -61,22 +61,21 @@ Result<int> LiveInput::open_path() const {
   return Error{ErrorKind::Unreadable, path_.string() + ": cannot be read: " + reason(errno)};
 }
 
-Result<void> LiveInput::open() {
-  const auto descriptor = open_path();
-  if (!descriptor) return descriptor.error();
-  if (can_be_waited_for(*descriptor)) {
+void LiveInput::take(int descriptor) {
+  if (can_be_waited_for(descriptor)) {
     std::error_code error;
-    stream_.assign(*descriptor, error);
-    if (!error) return {};
+    stream_.assign(descriptor, error);
+    if (!error) return;
   }
-  file_ = *descriptor;
+  file_ = descriptor;
   position_ = 0;
   tail_.clear();
-  return {};
 }
 
 Result<void> LiveInput::start() {
-  if (auto opened = open(); !opened) return opened;
+  const auto descriptor = open_path();
+  if (!descriptor) return descriptor.error();
+  take(*descriptor);
   if (file_ >= 0) watch();
   await();
   return {};
@@ -143,10 +142,18 @@ void LiveInput::stream_ended() {
   ended_ = path_ == "-";
   events_.on_end();
   std::error_code ignored;
+  if (ended_) {
+    stream_.close(ignored);
+    return;
+  }
+  // Opened before the old end is closed: a FIFO that nobody holds forgets what the next writer has
+  // already said.
+  const auto descriptor = open_path();
   stream_.close(ignored);
-  if (ended_) return;
-  if (auto opened = open(); !opened) {
-    spdlog::warn("{}; nothing more comes of it", opened.error().message);
+  if (descriptor) {
+    take(*descriptor);
+  } else {
+    spdlog::warn("{}; nothing more comes of it", descriptor.error().message);
     ended_ = true;
   }
 }

@@ -47,7 +47,7 @@ class LiveInput {
 
  private:
   [[nodiscard]] Result<int> open_path() const;
-  [[nodiscard]] Result<void> open();
+  void take(int descriptor);
   void watch();
   void await();
   void read_stream();
