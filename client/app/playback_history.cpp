@@ -25,27 +25,29 @@ void PlaybackHistory::clear() {
 }
 
 bool PlaybackHistory::due(Instant now) const {
-  return samples_.empty() || now - samples_.back().at >= kEvery;
+  return samples_.empty() || now - samples_.back().slot >= kEvery;
 }
 
 void PlaybackHistory::add(Instant now, float fill, const playback::SourceStatus& status,
                           const AuFrame& aus) {
-  Sample sample{now, fill, status.bytes_received, status.bytes_sent, {}};
+  Sample sample{now, now, fill, status.bytes_received, status.bytes_sent, {}};
   for (std::size_t i = 1; i < kAuCount; ++i) {
     const float intensity = std::max(aus.left[i], aus.right[i]);
     if (intensity > 0) sample.aus[static_cast<int>(i)] = intensity;
   }
   // Where the player was busy with other things, what was then stays for so long: the plots are
   // even in time.
-  while (!samples_.empty() && now - samples_.back().at >= 2 * kEvery) {
+  while (!samples_.empty() && now - samples_.back().slot >= 2 * kEvery) {
     Sample held = samples_.back();
-    held.at += kEvery;
+    held.slot += kEvery;
+    held.at = held.slot;
     samples_.push_back(std::move(held));
     if (samples_.size() > kSamplesMax) samples_.erase(samples_.begin());
   }
   if (!begin_) begin_ = now;
+  if (!samples_.empty()) sample.slot = samples_.back().slot + kEvery;
   samples_.push_back(std::move(sample));
-  while (now - samples_.front().at > kKept) samples_.erase(samples_.begin());
+  while (now - samples_.front().slot > kKept) samples_.erase(samples_.begin());
 }
 
 std::vector<float> PlaybackHistory::fills() const {

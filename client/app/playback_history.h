@@ -39,6 +39,7 @@ class PlaybackHistory {
 
  private:
   struct Sample {
+    Instant slot;  ///< where it stands in the plots, which are even in time
     Instant at;
     float fill = 0;
     std::uint64_t bytes_in = 0;

@@ -44,6 +44,14 @@ TEST(PlaybackHistory, IsEvenInTimeWhenThePlayerWasBusy) {
   EXPECT_LE(history.fills().size(), 122U);
 }
 
+TEST(PlaybackHistory, CoversHalfAMinuteHoweverSlowTheDrawing) {
+  PlaybackHistory history;
+  for (int ms = 0; ms <= 60'000; ms += 380) {
+    if (history.due(at(ms))) history.add(at(ms), 0.5F, {}, {});
+  }
+  EXPECT_GE(history.fills().size(), 120U);
+}
+
 TEST(PlaybackHistory, RatesAreOfTheLastTwoSeconds) {
   PlaybackHistory history;
   EXPECT_EQ(history.rates().in, 0);
