@@ -306,14 +306,12 @@ TEST(ServerProgram, ALogThatNobodyReadsHoldsUpNobody) {
     ASSERT_TRUE(client.wait_for_end()) << i;
   }
   EXPECT_EQ(server.process().read_line(std::chrono::milliseconds(100)), std::nullopt);
-  const std::size_t before = server.log().size();
-  EXPECT_GT(before, 50'000U);
+  EXPECT_GT(server.log().size(), 50'000U);
   RawClient reader = server.connect();
   ASSERT_TRUE(reader.send("-4"));
   ASSERT_TRUE(reader.wait_for_end());
   EXPECT_EQ(server.terminate(), 0);
-  EXPECT_TRUE(has(server.log().substr(before), "lines of the log were dropped here"))
-      << server.log().substr(before);
+  EXPECT_TRUE(has(server.log(), "lines of the log were dropped here"));
 }
 
 TEST(ServerProgram, RunsFromAnyFolder) {

@@ -158,7 +158,8 @@ TEST(MendStreamText, KeepsWhatIsWholeAndEndsIt) {
     EXPECT_EQ(stream->keyframes.size(), std::string(torn).starts_with("12:5;33\n") ? 2U : 1U);
   }
   EXPECT_EQ(mend_stream_text("Beg_Stream\n1;40\n12:;\n6\n6").lines_left_out, 3U);
-  EXPECT_EQ(mend_stream_text(std::string("Beg_Stream\n1;40\n\0\0\0", 21)).lines_left_out, 1U);
+  const std::string zeros(3, '\0');
+  EXPECT_EQ(mend_stream_text("Beg_Stream\n1;40\n" + zeros).lines_left_out, 1U);
 }
 
 TEST(MendStreamText, OfAFileThatWasCutAnywhereOnlyWhatWasCutIsLost) {
