@@ -47,6 +47,8 @@ FaceScene::FaceScene(const face::Face& face) : face_(face) {
     range.triangle_count = part.triangle_count;
     range.eye = eye_of(face, part.name);
     if (part.material == face::Material::Crease) range.crease = creases++;
+    // Waters' own mask stays the polygons that he drew.
+    range.rounded = !face.classic && part.material == face::Material::Skin;
     const auto begin = face.mesh.colours.begin() + part.vertex_begin;
     range.translucent = std::any_of(begin, begin + part.vertex_count,
                                     [](const glm::vec4& colour) { return colour.a < 1.0F; });

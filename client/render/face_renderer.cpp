@@ -13,9 +13,11 @@
 
 #include "client/render/gl_objects.h"
 #include "client/render/lit_program.h"
+#include "client/render/look.h"
 #include "client/render/segment_renderer.h"
 #include "client/render/shaders.h"
 #include "client/view/camera.h"
+#include "client/view/rounded_mesh.h"
 #include "common/check.h"
 
 namespace aucast::render {
@@ -41,46 +43,12 @@ constexpr GLuint kNormalSlot = 1;
 constexpr GLuint kColourSlot = 2;
 constexpr GLuint kOcclusionGlossSlot = 3;
 
-enum class Faces : std::uint8_t { Both, Front, Back };
-
-/// How a kind of surface answers the light; values from face.md 5.
-struct Look {
-  float wrap = 1;
-  float specular = 0;
-  float power = 20;
-  Faces faces = Faces::Both;
-  bool casts_shadow = false;
-  float shadow_kept = 0;
-};
-
-Look look_of(Shading shading) {
-  switch (shading) {
-    case Shading::Skin:
-      return {1.0F, 0.19F, 20, Faces::Front, true};
-    case Shading::Eye:
-      return {0.25F, 0, 60, Faces::Front, false};
-    case Shading::Teeth:
-      // Teeth behind a lip are lit through and from all sides; in true shadow they look grey.
-      return {0.8F, 0.5F, 40, Faces::Both, false, 0.5F};
-    case Shading::Mouth:
-      return {0.7F, 0.4F, 24, Faces::Both, false};
-    case Shading::Hair:
-      return {0.35F, 0.20F, 14, Faces::Both, true};
-    case Shading::Cloth:
-      return {0.15F, 0.06F, 8, Faces::Both, true};
-    case Shading::Brow:
-      return {0.2F, 0.05F, 10, Faces::Both, false};
-    case Shading::Crease:
-      return {};  // has a program of its own
-  }
-  return {};
-}
-
 /// A run of indices with one look.
 struct Draw {
   Shading shading = Shading::Skin;
   Faces faces = Faces::Both;
   int index = -1;  ///< of the eye or the crease
+  bool rounded = false;
   std::size_t first_index = 0;
   GLsizei index_count = 0;
 };
@@ -175,7 +143,9 @@ struct FaceRenderer::State {
   ShadowMatrices shadow{};
 
   std::size_t vertex_count = 0;
+  view::RoundedMesh rounded;
   std::vector<Draw> solid;
+  std::vector<Draw> plain;  ///< the same without rounding
   std::vector<Draw> translucent;
   std::vector<Draw> creases;
 
@@ -192,6 +162,7 @@ struct FaceRenderer::State {
         segments(std::move(segment_renderer)) {}
 
   void set_up();
+  void round_off(std::vector<std::array<std::uint32_t, 3>>& triangles);
   void upload_moving(const view::MovingMesh& mesh);
   void set_programs(const view::Style& style, const view::CameraMatrices& matrices,
                     const glm::mat4& world_to_clip);
@@ -204,6 +175,10 @@ struct FaceRenderer::State {
   void draw_segments(const view::Style& style, const glm::mat4& world_to_clip, int width,
                      int height);
   [[nodiscard]] LitProgram& program_for(Shading shading);
+  /// The mesh's own lines and points lie on its own triangles.
+  [[nodiscard]] const std::vector<Draw>& runs(const view::Layers& layers) const {
+    return layers.wireframe || layers.vertices ? plain : solid;
+  }
   void draw_shadow_map();
   void draw_backdrop(const view::Background& background);
   void draw_runs(const std::vector<Draw>& draws, const view::MovingMesh& mesh);
@@ -264,7 +239,7 @@ void FaceRenderer::State::draw_shadow_map() {
   glDisable(GL_CULL_FACE);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kShadowSlopeBias, 0);
-  for (const Draw& draw : solid) {
+  for (const Draw& draw : plain) {
     if (!look_of(draw.shading).casts_shadow || draw.faces == Faces::Back) continue;
     glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
@@ -330,11 +305,12 @@ void FaceRenderer::State::draw_creases(std::span<const float> strengths,
 }
 
 void FaceRenderer::State::upload_moving(const view::MovingMesh& mesh) {
+  rounded.place(mesh.positions, mesh.normals);
   glBindVertexArray(vertices.id());
   glBindBuffer(GL_ARRAY_BUFFER, positions.id());
-  upload(GL_ARRAY_BUFFER, mesh.positions, GL_STREAM_DRAW);
+  upload(GL_ARRAY_BUFFER, rounded.positions(), GL_STREAM_DRAW);
   glBindBuffer(GL_ARRAY_BUFFER, normals.id());
-  upload(GL_ARRAY_BUFFER, mesh.normals, GL_STREAM_DRAW);
+  upload(GL_ARRAY_BUFFER, rounded.normals(), GL_STREAM_DRAW);
 }
 
 void FaceRenderer::State::set_programs(const view::Style& style,
@@ -360,7 +336,7 @@ void FaceRenderer::State::draw_surface(const view::MovingMesh& mesh, const view:
   if (style.layers.transparent) {
     draw_transparent(mesh, style, world_to_clip);
   } else {
-    draw_runs(solid, mesh);
+    draw_runs(runs(style.layers), mesh);
     draw_backdrop(style.background);
   }
   if (!style.layers.textured) return;  // what is left is nothing but colour
@@ -382,7 +358,7 @@ void FaceRenderer::State::draw_transparent(const view::MovingMesh& mesh, const v
                                            const glm::mat4& world_to_clip) {
   std::vector<Draw> inner;
   std::vector<Draw> outer;
-  for (const Draw& draw : solid) {
+  for (const Draw& draw : runs(style.layers)) {
     const bool encloses = look_of(draw.shading).casts_shadow;
     (encloses ? outer : inner).push_back(draw);
   }
@@ -430,7 +406,7 @@ void FaceRenderer::State::draw_lines(const view::Style& style, const glm::mat4& 
     const GLenum offset = mode == GL_LINE ? GL_POLYGON_OFFSET_LINE : GL_POLYGON_OFFSET_POINT;
     glPolygonMode(GL_FRONT_AND_BACK, mode);
     glEnable(offset);
-    for (const Draw& draw : solid) {
+    for (const Draw& draw : plain) {
       if (draw.faces == Faces::Back) continue;  // the inside of what is drawn already
       glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
@@ -497,6 +473,23 @@ Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
   return std::unique_ptr<FaceRenderer>(new FaceRenderer(std::move(state)));
 }
 
+/// Appends the rounded triangles of the solid runs that ask for it, and points these runs there.
+void FaceRenderer::State::round_off(std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  plain = solid;
+  std::vector<std::array<std::uint32_t, 3>> corners;
+  std::size_t first = 3 * triangles.size();
+  for (Draw& draw : solid) {
+    if (!draw.rounded) continue;
+    const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(draw.first_index / 3);
+    corners.insert(corners.end(), begin, begin + draw.index_count / 3);
+    draw.first_index = first;
+    draw.index_count *= 4;
+    first += static_cast<std::size_t>(draw.index_count);
+  }
+  rounded = view::RoundedMesh(corners, vertex_count);
+  triangles.insert(triangles.end(), rounded.triangles().begin(), rounded.triangles().end());
+}
+
 void FaceRenderer::load(const view::StaticMesh& mesh) {
   State& state = *state_;
   state.vertex_count = mesh.colours.size();
@@ -530,17 +523,20 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
       }
       const std::size_t count = sorted.size() - first;
       if (count == 0) continue;
-      const Draw draw{range.shading, look_of(range.shading).faces, index_of(range), 3 * first,
-                      static_cast<GLsizei>(3 * count)};
+      const Draw draw{range.shading, look_of(range.shading).faces,   index_of(range), range.rounded,
+                      3 * first,     static_cast<GLsizei>(3 * count)};
       (crease ? state.creases : blended ? state.translucent : state.solid).push_back(draw);
     }
   }
   order_solids(state.solid);
+  state.round_off(sorted);
 
   glBindVertexArray(state.vertices.id());
   glBindBuffer(GL_ARRAY_BUFFER, state.colours.id());
-  upload(GL_ARRAY_BUFFER, mesh.colours, GL_STATIC_DRAW);
+  const auto colours = state.rounded.with_edges(mesh.colours);
+  upload(GL_ARRAY_BUFFER, std::span<const glm::vec4>(colours), GL_STATIC_DRAW);
   glBindBuffer(GL_ARRAY_BUFFER, state.occlusion_gloss.id());
+  occlusion_gloss = state.rounded.with_edges(std::span<const glm::vec2>(occlusion_gloss));
   upload(GL_ARRAY_BUFFER, std::span<const glm::vec2>(occlusion_gloss), GL_STATIC_DRAW);
   upload(GL_ELEMENT_ARRAY_BUFFER, std::span<const std::array<std::uint32_t, 3>>(sorted),
          GL_STATIC_DRAW);
@@ -571,7 +567,7 @@ void FaceRenderer::draw(const view::MovingMesh& mesh, const view::Camera& camera
   } else {
     state.draw_backdrop(style.background);
     // Lines that the face itself would hide are left out.
-    if (!style.layers.transparent) state.draw_depth(state.solid, world_to_clip);
+    if (!style.layers.transparent) state.draw_depth(state.runs(style.layers), world_to_clip);
   }
   state.draw_lines(style, world_to_clip);
   state.draw_segments(style, world_to_clip, width, height);

@@ -139,8 +139,11 @@ void main() {
 #endif
 
   vec3 wrap = kKeyWrap * u_wrap;
-  vec3 lit = clamp((dot(normal, u_key_direction) + wrap) / (1.0 + wrap), 0.0, 1.0);
-  float arriving = key_arriving();
+  float towards_key = dot(normal, u_key_direction);
+  vec3 lit = clamp((towards_key + wrap) / (1.0 + wrap), 0.0, 1.0);
+  // Where the surface turns away from the key it is its own shadow; the map would only draw its
+  // texels there.
+  float arriving = mix(1.0, key_arriving(), smoothstep(-0.05, 0.30, towards_key));
   vec3 through = mix(max(kShadowKept * u_wrap, vec3(u_shadow_kept)), vec3(1.0), arriving);
   vec3 key = kKey * u_key_strength;
   vec3 light = lit * through * key * (0.55 + 0.45 * occlusion) + v_ambient;
@@ -168,8 +171,9 @@ void main() {
   float specular = (0.65 * broad + 0.35 * narrow) * shone * v_shine.y + v_shine.z;
 
   float facing = 1.0 - max(dot(normal, view), 0.0);
+  // Never to the full: the last pixel of an ear would be a white thread.
   float edge = facing * facing;
-  edge = edge * edge * sqrt(facing);
+  edge = min(edge * edge * sqrt(facing), 0.45);
   vec3 rim = vec3(0.75, 0.80, 0.95) *
                  (0.75 * max(dot(normal, u_rim_direction) + 0.15, 0.0)) +
              vec3(0.90, 0.75, 0.60) *

@@ -20,6 +20,7 @@ struct ShadedRange {
   int eye = -1;              ///< for Eye: index into eye_centres
   bool translucent = false;  ///< some vertex has alpha below 1: drawn after the solid ones
   int crease = -1;           ///< for Crease: index into creases
+  bool rounded = false;      ///< drawn with a smoother outline than its triangles have
 };
 
 /// What does not change while a face is shown. Spans borrow from the caller.
