@@ -2,11 +2,13 @@
 #include <limits>
 
 #include "client/app/picture_maker.h"
+#include "client/view/camera.h"
 
 namespace aucast::app {
 
 view::Camera camera_preset(std::string_view name, const face::Face& face) {
-  view::Camera camera;
+  view::Camera camera =
+      view::portrait_camera(view::camera_preset(name).value_or(view::CameraPreset::Front));
   if (face.classic) {
     // Waters' mask has its own height and nothing around it.
     float low = std::numeric_limits<float>::max();
@@ -18,8 +20,6 @@ view::Camera camera_preset(std::string_view name, const face::Face& face) {
     camera.target.y = (low + high) / 2;
     camera.half_height = std::max(0.1F, (high - low) * 0.55F);
   }
-  if (name == "three-quarter") camera.yaw_rad = 0.6F;
-  if (name == "profile") camera.yaw_rad = 1.5708F;
   return camera;
 }
 
