@@ -40,9 +40,7 @@ bool is_sure(const Observation& row, double confidence_min) {
 }
 
 AuFrame update_of(const Observation& row, double scale, bool sure) {
-  AuFrame update;
-  update.left.fill(-1);
-  update.right.fill(-1);
+  AuFrame update = no_data();
   if (!sure) return update;
   for (const AuValue& au : row.aus) {
     const double intensity = au.native ? au.value / scale : au.value;

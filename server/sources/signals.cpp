@@ -20,6 +20,13 @@ Signals no_signals() {
   return signals;
 }
 
+AuFrame no_data() {
+  AuFrame update;
+  update.left.fill(-1);
+  update.right.fill(-1);
+  return update;
+}
+
 std::size_t opposite_of(std::size_t number) {
   for (const std::size_t first : kFirstDirections) {
     if (number == first) return first + 1;
@@ -49,9 +56,7 @@ Signals signals_of(const AuFrame& update) {
 }
 
 AuFrame update_of(const Signals& signals) {
-  AuFrame update;
-  update.left.fill(-1);
-  update.right.fill(-1);
+  AuFrame update = no_data();
   for (const bool right : {false, true}) {
     auto& values = right ? update.right : update.left;
     for (std::size_t number = 1; number < kAuCount; ++number) {

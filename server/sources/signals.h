@@ -30,6 +30,9 @@ inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
 /// Without any data.
 [[nodiscard]] Signals no_signals();
 
+/// As intensities the same: -1 everywhere.
+[[nodiscard]] AuFrame no_data();
+
 /// The other direction of the same movement: 52 for 51 and back, ... 64 for 63; else 0.
 [[nodiscard]] std::size_t opposite_of(std::size_t number);
 

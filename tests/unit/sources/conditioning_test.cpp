@@ -9,15 +9,8 @@
 namespace aucast::sources {
 namespace {
 
-AuFrame nothing() {
-  AuFrame frame;
-  frame.left.fill(-1);
-  frame.right.fill(-1);
-  return frame;
-}
-
 AuFrame face(std::initializer_list<std::pair<std::size_t, float>> aus) {
-  AuFrame frame = nothing();
+  AuFrame frame = no_data();
   for (const auto& [number, value] : aus) frame.left[number] = frame.right[number] = value;
   return frame;
 }
@@ -31,7 +24,7 @@ TEST(Conditioning, WithoutSettingsNothingHappensButTheBounds) {
   SCOPED_TRACE(seeded.trace());
   Conditioning off;
   for (int row = 0; row < 100; ++row) {
-    AuFrame update = nothing();
+    AuFrame update = no_data();
     for (std::size_t number = 1; number < kAuCount; ++number) {
       if (number == 57 || number == 58) continue;
       update.left[number] = static_cast<float>(seeded.real(0, 1));
@@ -170,7 +163,7 @@ TEST(Conditioning, ARecordingAndALiveSourceAreConditionedAlike) {
   Timeline recording(settings);
   LiveTimeline live({}, settings);
   for (int row = 0; row < 60; ++row) {
-    const AuFrame update = row % 7 == 3 ? nothing() : face({{12, row % 20 < 10 ? 0.6F : 0.1F}});
+    const AuFrame update = row % 7 == 3 ? no_data() : face({{12, row % 20 < 10 ? 0.6F : 0.1F}});
     EXPECT_TRUE(recording.add(row * 0.04, update));
     live.add(row * 0.04, update);
   }

@@ -5,11 +5,10 @@
 namespace aucast::sources {
 namespace {
 
-AuFrame nothing() {
-  AuFrame frame;
-  frame.left.fill(-1);
-  frame.right.fill(-1);
-  return frame;
+TEST(Signals, NoDataIsBelowEveryIntensity) {
+  for (const auto& side : {no_data().left, no_data().right}) {
+    for (const float value : side) EXPECT_EQ(value, -1);
+  }
 }
 
 TEST(Signals, DirectionsOfOneMovementAreOneSignal) {
@@ -21,7 +20,7 @@ TEST(Signals, DirectionsOfOneMovementAreOneSignal) {
   EXPECT_TRUE(is_second_direction(58));
   EXPECT_FALSE(is_second_direction(57));
   EXPECT_FALSE(is_second_direction(12));
-  AuFrame update = nothing();
+  AuFrame update = no_data();
   update.left[51] = 0;
   update.left[52] = 0.25F;
   update.right[51] = 0.5F;
@@ -33,7 +32,7 @@ TEST(Signals, DirectionsOfOneMovementAreOneSignal) {
 }
 
 TEST(Signals, GoThereAndBackWithoutLoss) {
-  AuFrame update = nothing();
+  AuFrame update = no_data();
   update.left[12] = 0.75F;
   update.right[12] = 0.5F;
   for (const std::size_t number : {1U, 53U, 58U, 61U}) {
@@ -43,7 +42,7 @@ TEST(Signals, GoThereAndBackWithoutLoss) {
     }
   }
   EXPECT_EQ(update_of(signals_of(update)), update);
-  EXPECT_EQ(update_of(no_signals()), nothing()) << "no data stays no data";
+  EXPECT_EQ(update_of(no_signals()), no_data()) << "no data stays no data";
 }
 
 TEST(Signals, WhatIsShownIsFromNoneToFull) {

@@ -7,15 +7,8 @@
 namespace aucast::sources {
 namespace {
 
-AuFrame nothing() {
-  AuFrame frame;
-  frame.left.fill(-1);
-  frame.right.fill(-1);
-  return frame;
-}
-
 AuFrame smile(float intensity) {
-  AuFrame frame = nothing();
+  AuFrame frame = no_data();
   frame.left[12] = frame.right[12] = intensity;
   return frame;
 }
@@ -93,7 +86,7 @@ TEST(Timeline, RemainingHoldsThenEasesThenIsGone) {
 TEST(Timeline, RowsWithoutDataHoldThenEaseToNeutral) {
   Timeline timeline;
   timeline.add(0, smile(0.8F));
-  for (int row = 1; row <= 20; ++row) timeline.add(row / 10.0, nothing());
+  for (int row = 1; row <= 20; ++row) timeline.add(row / 10.0, no_data());
   const auto stream = timeline.finish();
   EXPECT_EQ(percent_of_12(stream.keyframes[5]), 80) << "held for half a second";
   EXPECT_EQ(percent_of_12(stream.keyframes[10]), 40) << "half way";
