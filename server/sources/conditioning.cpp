@@ -6,14 +6,11 @@
 namespace aucast::sources {
 namespace {
 
-constexpr std::size_t kForward = 57;
-constexpr std::size_t kBack = 58;
-
 /// The distance means nothing without one to compare it with.
 constexpr double kDistanceSeconds = 1;
 
-constexpr std::array<std::size_t, 2> kDistanceChannels{channel_of(kForward, false),
-                                                       channel_of(kForward, true)};
+constexpr std::array<std::size_t, 2> kDistanceChannels{channel_of(kHeadForward, false),
+                                                       channel_of(kHeadForward, true)};
 
 bool knows_distance(const Signals& neutral) {
   return is_signal(neutral[kDistanceChannels[0]]);
@@ -30,7 +27,7 @@ bool is_off(const ConditioningSettings& settings) {
 AuFrame within_bounds(AuFrame update) {
   for (auto* side : {&update.left, &update.right}) {
     for (float& value : *side) value = std::min(value, 1.0F);
-    (*side)[kForward] = (*side)[kBack] = -1;
+    (*side)[kHeadForward] = (*side)[kHeadBack] = -1;
   }
   return update;
 }
@@ -41,9 +38,8 @@ void amplify(Signals& signals, const PerAu& gain) {
     for (std::size_t number = 1; number < kAuCount; ++number) {
       float& signal = signals[channel_of(number, right)];
       if (!is_signal(signal)) continue;
-      const std::size_t opposite = opposite_of(number);
-      const std::size_t shown = signal < 0 && opposite != 0 ? opposite : number;
-      signal = std::clamp(signal * static_cast<float>(gain.of(shown, right)), -1.0F, 1.0F);
+      const double factor = gain.of(shown_by(number, signal), right);
+      signal = std::clamp(signal * static_cast<float>(factor), -1.0F, 1.0F);
     }
   }
 }

@@ -14,7 +14,6 @@ namespace aucast::sources {
 namespace {
 
 constexpr std::string_view kDistanceKey = "distance-mm";
-constexpr std::size_t kForward = 57;
 
 /// Millimetres from the camera that nobody is beyond.
 constexpr double kDistanceMax = 100'000;
@@ -71,7 +70,7 @@ class ProfileReader {
     if (item.key == kDistanceKey) {
       const auto distance = number(item, 0, kDistanceMax);
       if (!distance) return;
-      set_neutral({kForward, Side::Both}, static_cast<float>(-*distance / kMillimetresPerUnit));
+      set_neutral({kHeadForward, Side::Both}, static_cast<float>(-*distance / kMillimetresPerUnit));
       return;
     }
     const auto au = au_of(item, {std::string(kDistanceKey)});
@@ -79,7 +78,7 @@ class ProfileReader {
     if (!percent) return;
     const bool second = is_second_direction(au->number);
     const AuName signal{static_cast<std::uint8_t>(second ? au->number - 1 : au->number), au->side};
-    if (signal.number == kForward) {
+    if (signal.number == kHeadForward) {
       return refuse(item.place, "the distance is said as " + std::string(kDistanceKey));
     }
     if (set_neutral(signal, static_cast<float>(*percent / (second ? -100 : 100)))) return;
@@ -180,11 +179,9 @@ PerAu neutral_percents(const Signals& neutral) {
   for (const bool right : {false, true}) {
     for (std::size_t number = 1; number < kAuCount; ++number) {
       const float signal = neutral[channel_of(number, right)];
-      if (!is_signal(signal) || number == kForward) continue;
-      const std::size_t opposite = opposite_of(number);
-      const std::size_t shown = signal < 0 && opposite != 0 ? opposite : number;
-      percents.set({static_cast<std::uint8_t>(shown), right ? Side::Right : Side::Left},
-                   rounded(std::abs(signal) * 100, 100));
+      if (!is_signal(signal) || number == kHeadForward) continue;
+      const auto shown = static_cast<std::uint8_t>(shown_by(number, signal));
+      percents.set({shown, right ? Side::Right : Side::Left}, rounded(std::abs(signal) * 100, 100));
     }
   }
   return percents;
@@ -211,7 +208,8 @@ std::string format_profile(const Profile& profile) {
   for (const auto& [au, percent] : neutral_percents(profile.neutral).exceptions()) {
     text += au_name_text(au) + " = " + number_text(percent) + "\n";
   }
-  if (const float distance = profile.neutral[channel_of(kForward, false)]; is_signal(distance)) {
+  if (const float distance = profile.neutral[channel_of(kHeadForward, false)];
+      is_signal(distance)) {
     text += std::string(kDistanceKey) + " = " +
             number_text(rounded(-distance * kMillimetresPerUnit, 10)) + "\n";
   }

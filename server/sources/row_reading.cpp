@@ -52,8 +52,8 @@ AuFrame update_of(const Observation& row, double scale, bool sure) {
   // A lost face has 0 millimetres.
   if (row.distance_mm && *row.distance_mm > 0) {
     const double units = std::min(*row.distance_mm / kMillimetresPerUnit, kDistanceMax);
-    update.left[57] = update.right[57] = 0;
-    update.left[58] = update.right[58] = static_cast<float>(units);
+    update.left[kHeadForward] = update.right[kHeadForward] = 0;
+    update.left[kHeadBack] = update.right[kHeadBack] = static_cast<float>(units);
   }
   return update;
 }

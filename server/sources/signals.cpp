@@ -6,7 +6,7 @@ namespace aucast::sources {
 namespace {
 
 /// Head: left and right, up and down, tilt, forward and back; eyes: left and right, up and down.
-constexpr std::array<std::size_t, 6> kFirstDirections{51, 53, 55, 57, 61, 63};
+constexpr std::array<std::size_t, 6> kFirstDirections{51, 53, 55, kHeadForward, 61, 63};
 
 float intensity(float signal) {
   return std::clamp(signal, 0.0F, 1.0F);
@@ -38,6 +38,11 @@ std::size_t opposite_of(std::size_t number) {
 bool is_second_direction(std::size_t number) {
   const std::size_t opposite = opposite_of(number);
   return opposite != 0 && opposite < number;
+}
+
+std::size_t shown_by(std::size_t number, float signal) {
+  const std::size_t opposite = opposite_of(number);
+  return signal < 0 && opposite != 0 ? opposite : number;
 }
 
 Signals signals_of(const AuFrame& update) {

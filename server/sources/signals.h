@@ -16,6 +16,10 @@ inline constexpr std::size_t kChannels = 2 * std::size_t{kAuCount};
   return right ? kAuCount + number : number;
 }
 
+/// The distance of the head: AUs 57 and 58, of which the first has the signal.
+inline constexpr std::size_t kHeadForward = 57;
+inline constexpr std::size_t kHeadBack = 58;
+
 /// One moment of a face as signals, one for each channel; 1 is full intensity. AUs that are the two
 /// directions of one movement (head left and right, eyes up and down) are one signal, with the
 /// number of the first; it is negative for the second, which has none of its own.
@@ -38,6 +42,10 @@ inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
 
 /// Whether the AU is the second direction: 52, 54, 56, 58, 62, 64.
 [[nodiscard]] bool is_second_direction(std::size_t number);
+
+/// The AU that shows this signal of AU `number`: its opposite where there is one and it is
+/// negative.
+[[nodiscard]] std::size_t shown_by(std::size_t number, float signal);
 
 /// From intensities; a negative one is no data.
 [[nodiscard]] Signals signals_of(const AuFrame& update);
