@@ -16,6 +16,8 @@ inline constexpr double kGazeYawDegrees = 28;
 inline constexpr double kGazePitchDegrees = 22;
 /// A unit of our face's mesh, which 100 % of AUs 57 and 58 move the head by.
 inline constexpr double kMillimetresPerUnit = 14;
+/// Nobody is further from the camera.
+inline constexpr double kDistanceMmMax = 100'000;
 inline constexpr double kRadPerDegree = 0.017453292519943295;
 
 /// What a recogniser that says only "present" is taken to mean: FACS intensity C.

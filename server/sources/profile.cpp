@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::string_view kDistanceKey = "distance-mm";
 
-/// Millimetres from the camera that nobody is beyond.
-constexpr double kDistanceMax = 100'000;
-
 double rounded(double value, double parts) {
   return std::round(value * parts) / parts;
 }
@@ -68,7 +65,7 @@ class ProfileReader {
 
   void read_neutral(const Entry& item) {
     if (item.key == kDistanceKey) {
-      const auto distance = number(item, 0, kDistanceMax);
+      const auto distance = number(item, 0, kDistanceMmMax);
       if (!distance) return;
       set_neutral({kHeadForward, Side::Both}, static_cast<float>(-*distance / kMillimetresPerUnit));
       return;

@@ -10,9 +10,8 @@
 namespace aucast::sources {
 namespace {
 
-/// Turns beyond are no head's, distances (in units of the mesh, here 100 m) no camera's.
-constexpr double kSignalMax = 10;
-constexpr double kDistanceMax = 100'000 / kMillimetresPerUnit;
+/// Turns beyond are no head's.
+constexpr double kTurnMax = 10;
 
 /// Latest moment that a source's clock may show.
 constexpr double kClockSecondsMax = 1e10;
@@ -44,14 +43,14 @@ AuFrame update_of(const Observation& row, double scale, bool sure) {
   if (!sure) return update;
   for (const AuValue& au : row.aus) {
     const double intensity = au.native ? au.value / scale : au.value;
-    const double most = opposite_of(au.number) != 0 ? kSignalMax : 1.0;
+    const double most = opposite_of(au.number) != 0 ? kTurnMax : 1.0;
     const auto value = static_cast<float>(std::clamp(intensity, 0.0, most));
     if (au.side != Side::Right) update.left[au.number] = value;
     if (au.side != Side::Left) update.right[au.number] = value;
   }
   // A lost face has 0 millimetres.
   if (row.distance_mm && *row.distance_mm > 0) {
-    const double units = std::min(*row.distance_mm / kMillimetresPerUnit, kDistanceMax);
+    const double units = std::min(*row.distance_mm, kDistanceMmMax) / kMillimetresPerUnit;
     update.left[kHeadForward] = update.right[kHeadForward] = 0;
     update.left[kHeadBack] = update.right[kHeadBack] = static_cast<float>(units);
   }
