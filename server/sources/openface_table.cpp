@@ -9,6 +9,7 @@
 
 #include "common/action_unit.h"
 #include "server/sources/observation.h"
+#include "server/sources/signals.h"
 
 namespace aucast::sources {
 namespace {
@@ -21,10 +22,6 @@ constexpr double kFull = 5;
 
 /// From the camera to a head that leans neither forward nor back.
 constexpr double kUsualDistanceMm = 600;
-
-bool moves_head_or_eyes(std::size_t number) {
-  return (number >= 51 && number <= 58) || (number >= 61 && number <= 64);
-}
 
 using Intensities = std::array<double, kAuCount>;
 
@@ -49,7 +46,8 @@ class Writer {
     for (const std::size_t number : kOpenFaceAus) columns_.set(number);
     for (const protocol::Keyframe& keyframe : stream.keyframes) {
       for (const AuTerm& term : keyframe.terms) {
-        if (term.number != 0 && !moves_head_or_eyes(term.number)) columns_.set(term.number);
+        // AUs with an opposite turn the head or the eyes: they are pose and gaze.
+        if (term.number != 0 && opposite_of(term.number) == 0) columns_.set(term.number);
       }
     }
     table_.text =
