@@ -16,6 +16,10 @@ namespace aucast {
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  const std::vector<std::string>& known);
 
+/// The parts between separators, as many as there are of these and one; they may be empty. They are
+/// views into `text`.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
 /// Shortest text that is read back as the same number.
 [[nodiscard]] std::string number_text(double value);
 

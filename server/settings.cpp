@@ -16,16 +16,6 @@ bool is_setting(const OptionRow& row) {
   return row.read != nullptr;
 }
 
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> words;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    words.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos) return words;
-    text.remove_prefix(end + 1);
-  }
-}
-
 /// A value of the file as the word that the command line would have; nothing: of another type.
 std::optional<std::string> word_of(const TomlValue& value, Kind kind) {
   switch (value.kind) {
@@ -206,11 +196,12 @@ Result<void> add_environment(Settings& settings, const Environment& environment)
       return Error{ErrorKind::Usage,
                    name + ": " + typed_name(*row) + " is for the command line only (try --help)"};
     }
-    settings[std::string(row->name)] = {
-        row->kind == Kind::Words ? split(value, ',') : std::vector<std::string>{value},
-        Setting::Layer::Environment,
-        {},
-        {}};
+    std::vector<std::string> words{value};
+    if (row->kind == Kind::Words) {
+      const auto parts = split(value, ',');
+      words.assign(parts.begin(), parts.end());
+    }
+    settings[std::string(row->name)] = {std::move(words), Setting::Layer::Environment, {}, {}};
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "common/files.h"
+#include "common/text.h"
 #include "server/sources/profile.h"
 
 namespace aucast::server {
@@ -12,20 +13,10 @@ namespace {
 /// Nobody keeps a face still for longer.
 constexpr double kNeutralSecondsMax = 60;
 
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t comma = text.find(',');
-    parts.push_back(text.substr(0, comma));
-    if (comma == std::string_view::npos) return parts;
-    text.remove_prefix(comma + 1);
-  }
-}
-
 /// "2,12=4,L45=0"; nothing when it is not of that form.
 std::optional<std::vector<AuNumber>> read_au_numbers(std::string_view word, double most) {
   std::vector<AuNumber> numbers;
-  for (std::string_view part : split(word)) {
+  for (std::string_view part : split(word, ',')) {
     AuNumber number;
     if (const std::size_t equals = part.find('='); equals != std::string_view::npos) {
       number.au = sources::parse_au_name(part.substr(0, equals));
@@ -81,7 +72,7 @@ Complaint read_dead_band(const std::string& word, SignalOptions& options) {
 Complaint read_filter(const std::string& word, SignalOptions& options) {
   constexpr const char* kWrong =
       "is not CUTOFF[,BETA[,CUTOFF]], Hz to 100 and 0 to 100, such as 1,5; 0 is no filter";
-  const auto parts = split(word);
+  const auto parts = split(word, ',');
   std::array<double, 3> values{0, sources::OneEuroSettings().beta,
                                sources::OneEuroSettings().derivative_cutoff_hz};
   if (parts.size() > values.size()) return kWrong;

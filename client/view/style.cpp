@@ -11,9 +11,7 @@ namespace aucast::view {
 Result<Layers> parse_layers(std::string_view text) {
   Layers layers;
   layers.textured = false;
-  while (true) {
-    const std::size_t comma = text.find(',');
-    const std::string_view word = text.substr(0, comma);
+  for (const std::string_view word : split(text, ',')) {
     const auto* const found = std::find_if(kLayerNames.begin(), kLayerNames.end(),
                                            [&](const LayerName& one) { return one.name == word; });
     if (found == kLayerNames.end()) {
@@ -24,8 +22,6 @@ Result<Layers> parse_layers(std::string_view text) {
       return Error{ErrorKind::Usage, "'" + escaped(word) + "' is not one of " + names};
     }
     layers.*found->member = true;
-    if (comma == std::string_view::npos) break;
-    text.remove_prefix(comma + 1);
   }
   if (layers.transparent && !layers.polygons) layers.textured = true;
   return layers;

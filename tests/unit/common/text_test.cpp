@@ -23,6 +23,14 @@ TEST(Nearest, FindsTheTypoAndNothingFar) {
   EXPECT_FALSE(nearest("x", {}).has_value());
 }
 
+TEST(Split, KeepsEmptyParts) {
+  using Parts = std::vector<std::string_view>;
+  EXPECT_EQ(split("1,5,", ','), (Parts{"1", "5", ""}));
+  EXPECT_EQ(split(",a:b", ','), (Parts{"", "a:b"}));
+  EXPECT_EQ(split("a:b", ':'), (Parts{"a", "b"}));
+  EXPECT_EQ(split("", ','), Parts{""});
+}
+
 TEST(AtPlace, LeavesOutWhatIsNotKnown) {
   EXPECT_EQ(at_place("a.txt", 3, 7, "bad"), "a.txt:3:7: bad");
   EXPECT_EQ(at_place("a.txt", 3, 0, "bad"), "a.txt:3: bad");
