@@ -11,12 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "common/text.h"
+
 namespace aucast {
 namespace {
-
-std::string reason(int error_number) {
-  return std::generic_category().message(error_number);
-}
 
 Error unreadable(const std::filesystem::path& path, std::string_view why) {
   return {ErrorKind::Unreadable, path.string() + ": cannot be read: " + std::string(why)};
@@ -57,16 +55,16 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t bytes_max) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) return unreadable(path, reason(errno));
+  if (file.get() < 0) return unreadable(path, system_reason(errno));
   struct stat status {};
-  if (::fstat(file.get(), &status) != 0) return unreadable(path, reason(errno));
+  if (::fstat(file.get(), &status) != 0) return unreadable(path, system_reason(errno));
   if (S_ISDIR(status.st_mode)) return unreadable(path, "it is a folder");
   std::string bytes;
   std::vector<char> chunk(std::size_t{1} << 16U);
   for (;;) {
     const ssize_t got = ::read(file.get(), chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return unreadable(path, reason(errno));
+    if (got < 0) return unreadable(path, system_reason(errno));
     if (got == 0) return bytes;
     bytes.append(chunk.data(), static_cast<std::size_t>(got));
     if (bytes.size() > bytes_max) {
@@ -85,16 +83,16 @@ Result<void> write_file_atomically(const std::filesystem::path& path, std::strin
   if (!special) temporary += ".part-" + std::to_string(::getpid());
   const int flags = special ? O_WRONLY | O_CLOEXEC : O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
   Descriptor file(::open(temporary.c_str(), flags, 0644));
-  if (file.get() < 0) return unwritable(path, reason(errno));
+  if (file.get() < 0) return unwritable(path, system_reason(errno));
   if (!write_all(file.get(), bytes) || (!special && ::fsync(file.get()) != 0) || !file.close()) {
     const int error_number = errno;
     if (!special) ::unlink(temporary.c_str());
-    return unwritable(path, reason(error_number));
+    return unwritable(path, system_reason(error_number));
   }
   if (!special && ::rename(temporary.c_str(), path.c_str()) != 0) {
     const int error_number = errno;
     ::unlink(temporary.c_str());
-    return unwritable(path, reason(error_number));
+    return unwritable(path, system_reason(error_number));
   }
   return {};
 }

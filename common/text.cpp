@@ -73,6 +73,10 @@ std::string number_text(double value) {
   return {digits.data(), end};
 }
 
+std::string system_reason(int error_number) {
+  return std::generic_category().message(error_number);
+}
+
 std::string at_place(std::string_view file, std::size_t line, std::size_t column,
                      std::string_view text) {
   std::string place(file);

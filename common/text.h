@@ -23,6 +23,9 @@ namespace aucast {
 /// Shortest text that is read back as the same number.
 [[nodiscard]] std::string number_text(double value);
 
+/// What the system says of an errno: "No such file or directory".
+[[nodiscard]] std::string system_reason(int error_number);
+
 /// "file:line:column: text"; line and column count from 1 and 0 leaves them out.
 [[nodiscard]] std::string at_place(std::string_view file, std::size_t line, std::size_t column,
                                    std::string_view text);

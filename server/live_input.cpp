@@ -13,6 +13,7 @@
 #include <asio/post.hpp>
 
 #include "common/log.h"
+#include "common/text.h"
 
 namespace aucast::server {
 namespace {
@@ -29,10 +30,6 @@ bool can_be_waited_for(int descriptor) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) return false;
   return S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || ::isatty(descriptor) != 0;
-}
-
-std::string reason(int error_number) {
-  return std::generic_category().message(error_number);
 }
 
 }  // namespace
@@ -58,7 +55,7 @@ Result<int> LiveInput::open_path() const {
   const int descriptor = path_ == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
                                       : ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor >= 0) return descriptor;
-  return Error{ErrorKind::Unreadable, path_.string() + ": cannot be read: " + reason(errno)};
+  return Error{ErrorKind::Unreadable, path_.string() + ": cannot be read: " + system_reason(errno)};
 }
 
 void LiveInput::take(int descriptor) {
@@ -131,7 +128,7 @@ void LiveInput::read_stream() {
   if (got > 0) {
     events_.on_bytes({chunk_.data(), static_cast<std::size_t>(got)});
   } else if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
-    if (got < 0) spdlog::warn("{}: cannot be read: {}", path_.string(), reason(errno));
+    if (got < 0) spdlog::warn("{}: cannot be read: {}", path_.string(), system_reason(errno));
     stream_ended();
   }
   await();

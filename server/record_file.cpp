@@ -7,17 +7,13 @@
 
 #include <cerrno>
 #include <string>
-#include <system_error>
 #include <utility>
 
+#include "common/text.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::server {
 namespace {
-
-std::string reason(int error_number) {
-  return std::generic_category().message(error_number);
-}
 
 Error cannot_record(const std::filesystem::path& path, const std::string& why) {
   return {ErrorKind::Failed, path.string() + ": cannot be recorded to: " + why};
@@ -41,7 +37,7 @@ std::string end_line() {
 /// Why an open file cannot be taken; empty: it can.
 std::string objection(int descriptor) {
   struct stat status {};
-  if (::fstat(descriptor, &status) != 0) return reason(errno);
+  if (::fstat(descriptor, &status) != 0) return system_reason(errno);
   if (!S_ISREG(status.st_mode)) return "it is no plain file";
   if (status.st_size > 0) return "it holds something already, which --record never writes over";
   // Two that write at once would make one that nobody can read.
@@ -68,7 +64,7 @@ RecordFile::~RecordFile() {
 Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
   // Not blocking: a FIFO that nobody reads would be waited for.
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0644);
-  if (descriptor < 0) return cannot_record(path, reason(errno));
+  if (descriptor < 0) return cannot_record(path, system_reason(errno));
   if (const std::string why = objection(descriptor); !why.empty()) {
     ::close(descriptor);
     return cannot_record(path, why);
@@ -77,7 +73,7 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
 }
 
 Error RecordFile::failed() const {
-  return {ErrorKind::Failed, path_.string() + ": cannot be written: " + reason(errno)};
+  return {ErrorKind::Failed, path_.string() + ": cannot be written: " + system_reason(errno)};
 }
 
 Result<void> RecordFile::add(std::string_view line) {

@@ -14,6 +14,7 @@
 #include "common/files.h"
 #include "common/log.h"
 #include "common/result.h"
+#include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
 #include "server/catalogue.h"
@@ -41,8 +42,7 @@ int report(const Error& error) {
 Result<void> print(const std::string& text) {
   errno = 0;
   if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
-  return Error{ErrorKind::Failed,
-               "stdout: cannot be written: " + std::generic_category().message(errno)};
+  return Error{ErrorKind::Failed, "stdout: cannot be written: " + system_reason(errno)};
 }
 
 /// Tries the file before anything is served: at the end it would be too late to choose another.
@@ -52,8 +52,7 @@ Result<void> try_stats_file(const std::filesystem::path& path) {
   const bool special = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
   if (special && !std::filesystem::is_directory(status)) {
     if (::access(path.c_str(), W_OK) == 0) return {};
-    return Error{ErrorKind::Failed,
-                 path.string() + ": cannot be written: " + std::generic_category().message(errno)};
+    return Error{ErrorKind::Failed, path.string() + ": cannot be written: " + system_reason(errno)};
   }
   return write_file_atomically(path, Stats().to_json());
 }

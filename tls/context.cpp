@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "common/text.h"
+
 namespace aucast::tls {
 namespace {
 
@@ -23,8 +25,7 @@ std::string cause_and_clear() {
 Result<void> readable(const std::filesystem::path& path, const std::string& what) {
   if (::access(path.c_str(), R_OK) == 0) return {};
   return Error{ErrorKind::Unreadable,
-               path.string() + ": cannot be read: " + std::generic_category().message(errno) +
-                   " (" + what + ")"};
+               path.string() + ": cannot be read: " + system_reason(errno) + " (" + what + ")"};
 }
 
 Error bad_file(const std::filesystem::path& path, const std::string& what) {

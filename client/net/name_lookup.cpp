@@ -6,11 +6,12 @@
 #include <cerrno>
 #include <cstring>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <utility>
 
 #include <asio/post.hpp>
+
+#include "common/text.h"
 
 namespace aucast::net {
 
@@ -30,7 +31,7 @@ std::string look_up(const std::string& host, std::uint16_t port, NameLookup::Add
   wanted.ai_flags = AI_ADDRCONFIG | AI_NUMERICSERV;
   addrinfo* list = nullptr;
   const int failure = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &wanted, &list);
-  if (failure == EAI_SYSTEM) return std::generic_category().message(errno);
+  if (failure == EAI_SYSTEM) return system_reason(errno);
   if (failure != 0) return ::gai_strerror(failure);
   for (const addrinfo* one = list; one != nullptr; one = one->ai_next) {
     asio::ip::tcp::endpoint endpoint;

@@ -10,9 +10,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <system_error>
 
 #include "common/check.h"
+#include "common/text.h"
 
 namespace aucast::view {
 namespace {
@@ -59,8 +59,7 @@ int spawn(const std::vector<std::string>& arguments, int input, int errors, pid_
 }
 
 Error cannot_start(const std::string& program, int error_number) {
-  return {ErrorKind::Failed,
-          program + " cannot be started: " + std::generic_category().message(error_number)};
+  return {ErrorKind::Failed, program + " cannot be started: " + system_reason(error_number)};
 }
 
 }  // namespace

@@ -37,10 +37,6 @@ Error unwritable(const std::filesystem::path& path, const std::string& why) {
   return {ErrorKind::Failed, path.string() + ": cannot be written: " + why};
 }
 
-std::string system_reason(int error_number) {
-  return std::generic_category().message(error_number);
-}
-
 std::vector<std::string> format_arguments(Format format, int fps) {
   // Said in full: without it players guess the colours from the size, and guess differently.
   const std::string colours =

@@ -1,5 +1,7 @@
 #include "common/text.h"
 
+#include <cerrno>
+
 #include <gtest/gtest.h>
 
 namespace aucast {
@@ -29,6 +31,10 @@ TEST(Split, KeepsEmptyParts) {
   EXPECT_EQ(split(",a:b", ','), (Parts{"", "a:b"}));
   EXPECT_EQ(split("a:b", ':'), (Parts{"a", "b"}));
   EXPECT_EQ(split("", ','), Parts{""});
+}
+
+TEST(SystemReason, IsTheSystems) {
+  EXPECT_EQ(system_reason(ENOENT), "No such file or directory");
 }
 
 TEST(AtPlace, LeavesOutWhatIsNotKnown) {
