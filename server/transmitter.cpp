@@ -316,11 +316,12 @@ class Transmitter {
     }
   }
 
-  /// Nothing is served any more and nothing can come.
+  /// Nothing is served any more and nothing can come. Asked at every keyframe: while a source
+  /// lasts, no list of feeds is made.
   [[nodiscard]] bool all_over() const {
-    return feeds().size() == programme_->catalogue.streams.size() &&
-           std::all_of(live_sources_.begin(), live_sources_.end(),
-                       [](const auto& source) { return source->over(); });
+    return std::all_of(live_sources_.begin(), live_sources_.end(),
+                       [](const auto& source) { return source->over(); }) &&
+           feeds().size() == programme_->catalogue.streams.size();
   }
 
   /// What went wrong without stopping anything.
