@@ -77,9 +77,8 @@ Complaint of_signal(const std::string& word, TransmitterOptions& options) {
 
 constexpr OptionRow kTable[] = {
     {"source", "", Kind::Words, "", "files, recordings, folders; - (stdin), FIFOs are live",
-     "A stream file, or a recording of an AU recogniser, told by what is in it, or a folder: "
-     "its .txt and .csv files are sources then, by name. A stream's name is its file's name "
-     "without "
+     "A stream file, or a recording of an AU recogniser, told by what is in it, or a folder: its "
+     ".txt and .csv files are sources then, by name. A stream's name is its file's name without "
      "the extension; a client that names none, and every classic one, gets the first. - (named "
      "live) and FIFOs are sent as they are written, each keyframe to all clients at once.",
      [](const std::string& word, TransmitterOptions& options) -> Complaint {
@@ -120,20 +119,15 @@ constexpr OptionRow kTable[] = {
      "without and with headers, and serves nothing.",
      nullptr},
     {"rate", "HZ", Kind::Number, "", "keyframes a second",
-     "So many keyframes a second, 0.1 to 1000, in straight "
-     "lines between those there are.",
+     "So many keyframes a second, 0.1 to 1000, in straight lines between those there are.",
      of_source<read_rate>, "Signals of recognisers"},
     {"fps", "N", Kind::Number, "", "pictures a second",
-     "Pictures a second of recordings without times, or with "
-     "wrong ones.",
-     of_source<read_fps>},
+     "Pictures a second of recordings without times, or with wrong ones.", of_source<read_fps>},
     {"au-scale", "S", Kind::Number, "auto", "1, 5, 100 (auto)",
-     "What full intensity is in recordings: 1, 5, 100 "
-     "or auto.",
-     of_source<read_au_scale>},
+     "What full intensity is in recordings: 1, 5, 100 or auto.", of_source<read_au_scale>},
     {"min-confidence", "C", Kind::Number, "0.5", "0 to 1 (0.5)",
-     "Rows of recordings that are less sure are "
-     "no data, 0 to 1: the face holds for half a second, then goes to neutral in one.",
+     "Rows of recordings that are less sure are no data, 0 to 1: the face holds for half a second, "
+     "then goes to neutral in one.",
      of_source<read_min_confidence>},
     {"face-id", "N", Kind::Number, "", "one face, or all",
      "Which face of several; without it the most frequent of a recording, and of a live source the "
@@ -144,17 +138,14 @@ constexpr OptionRow kTable[] = {
      of_source<read_face_id>},
     {"distance", "", Kind::Flag, "false", "the head's is AUs 57, 58",
      "OpenFace's distance of the head from the camera becomes AUs 57 (forward) and 58 (back), 100 "
-     "% "
-     "for 14 mm, compared with the neutral face's or, without one, with the first second's. Heads "
-     "move by more than that: with --gain 57=0.1,58=0.1 it is 14 cm.",
+     "% for 14 mm, compared with the neutral face's or, without one, with the first second's. "
+     "Heads move by more than that: with --gain 57=0.1,58=0.1 it is 14 cm.",
      of_signal<read_distance>},
     {"neutral", "SECONDS", Kind::Number, "", "the first seconds' median face is taken off",
      "Up to 60 seconds from the first row with a face on: the median of each AU and of the turns "
-     "of "
-     "head and eyes is the neutral face, and is taken off from the first row to the last. A live "
-     "source takes off the median so far while it measures. 0: no neutral face, whatever the "
-     "profile "
-     "says.",
+     "of head and eyes is the neutral face, and is taken off from the first row to the last. A "
+     "live source takes off the median so far while it measures. 0: no neutral face, whatever the "
+     "profile says.",
      of_signal<read_neutral>},
     {"gain", "LIST", Kind::Number, "", "times so much: 1.2, or 45=1.6,L12=1.2 (1)",
      "Numbers from 0 to 10 with commas between them: one alone is for every AU, 45=1.6 for AU 45, "
@@ -163,18 +154,15 @@ constexpr OptionRow kTable[] = {
      of_signal<read_gain>},
     {"filter", "CUTOFF[,BETA]", Kind::Number, "", "One Euro filter, such as 1,5 (none)",
      "CUTOFF[,BETA[,CUTOFF]]: the cutoff in Hz of what stands still, above 0 to 100; how many Hz "
-     "more "
-     "a speed of 100 % a second makes it, 0 to 100 (5); the cutoff of the speed in Hz (1). Less "
-     "cutoff is smoother, more beta less late. Casiez, Roussel and Vogel 2012. 0: no filter, "
-     "whatever "
-     "the profile says.",
+     "more a speed of 100 % a second makes it, 0 to 100 (5); the cutoff of the speed in Hz (1). "
+     "Less cutoff is smoother, more beta less late. Casiez, Roussel and Vogel 2012. 0: no filter, "
+     "whatever the profile says.",
      of_signal<read_filter>},
     {"dead-band", "LIST", Kind::Number, "", "smaller changes are not sent: 2, or 2,45=0 (2)",
      "Whole percents from 0 to 50, for every AU or for some, as --gain has them; every AU has 2 "
      "unless it is told otherwise. What trembles costs half of the bytes. An intensity stays what "
-     "it "
-     "was until it has changed by so much, so it is off by less than that, and what goes to 0 does "
-     "so at once. 0 sends everything. Stream files and convert are never touched.",
+     "it was until it has changed by so much, so it is off by less than that, and what goes to 0 "
+     "does so at once. 0 sends everything. Stream files and convert are never touched.",
      of_signal<read_dead_band>},
     {"profile", "FILE", Kind::Word, "", "all these of a person",
      "Neutral face, gain, dead band and filter of one person before one camera, as --save-profile "
@@ -184,8 +172,7 @@ constexpr OptionRow kTable[] = {
     {"save-profile", "FILE", Kind::Word, "", "and into a file",
      "Writes what the profile and the options come to, whole or not at all: with --neutral, when "
      "the neutral face has been measured, which takes one source of a recogniser; else at the "
-     "start. "
-     "Next time --profile FILE is enough.",
+     "start. Next time --profile FILE is enough.",
      of_signal<read_save_profile>},
     {"keyframe", "MS", Kind::Number, "250", "time of untimed keyframes (250)",
      "Milliseconds from 1 to 3600000. Clients are told in the hello, and --live goes by it.",
@@ -241,15 +228,14 @@ constexpr OptionRow kTable[] = {
      read_client_timeout},
     {"max-clients", "N", Kind::Number, "0", "at a time (0: any)",
      "So many at a time; 0: as many as come. A client too many gets {error 503 ...} if it says "
-     "hello, and is closed. Each client takes "
-     "one file descriptor; the limit of these (ulimit -n) is raised to the hard one at the start.",
+     "hello, and is closed. Each client takes one file descriptor; the limit of these (ulimit -n) "
+     "is raised to the hard one at the start.",
      [](const std::string& word, TransmitterOptions& options) {
        return read_whole(word, 0, kMaxClientsMost, options.max_clients);
      }},
     {"max-clients-per-address", "N", Kind::Number, "0", "(0: any)",
      "So many at a time from one address; 0: as many as come. Of IPv6 the first 64 bits count as "
-     "the address. Many clients behind one router have one "
-     "address.",
+     "the address. Many clients behind one router have one address.",
      [](const std::string& word, TransmitterOptions& options) {
        return read_whole(word, 0, kMaxClientsMost, options.max_clients_per_address);
      }},
@@ -291,8 +277,8 @@ constexpr OptionRow kTable[] = {
      "(127.0.0.1:PORT).",
      read_http},
     {"config", "FILE", Kind::Word, "", "settings: these options as name = value (TOML)",
-     "Read before the environment and the command line. Without it "
-     "/etc/aucast/au-transmitter.toml is read if it is there; --config /dev/null reads none.",
+     "Read before the environment and the command line. Without it /etc/aucast/au-transmitter.toml "
+     "is read if it is there; --config /dev/null reads none.",
      nullptr},
     {"print-config", "", Kind::Flag, "false",
      "print the settings and where each is from, and leave",
