@@ -40,7 +40,7 @@ out vec3 v_shadow;
 
 const vec3 kGround = vec3(0.29, 0.215, 0.18);
 const vec3 kSky = vec3(0.37, 0.385, 0.42);
-const vec3 kFill = vec3(0.28, 0.28, 0.31);
+const vec3 kFill = vec3(0.34, 0.32, 0.33);
 const float kFillWrap = 0.35;
 const float kShadowLift = 0.06;  // along the normal, against a surface shading itself
 
@@ -100,7 +100,7 @@ uniform vec3 u_eyeball_forward;
 out vec4 o_colour;
 
 const vec3 kKey = vec3(1.05, 0.97, 0.88);
-const vec3 kKeyWrap = vec3(0.35, 0.16, 0.10);
+const vec3 kKeyWrap = vec3(0.32, 0.17, 0.12);
 const vec3 kShadowKept = vec3(0.30, 0.13, 0.10);  // shadows on skin go red, not grey
 
 // Four bilinear comparisons weighted as a 3 x 3 tent would weigh nine single ones. They are a third
@@ -159,8 +159,8 @@ void main() {
   vec3 middle = u_eyeball_forward * 0.6 + view * 0.4;
   vec3 first = normalize(middle - side * 0.16 + up * 0.22);
   vec3 second = normalize(middle + side * 0.17 - up * 0.20);
-  result += vec3(1.0, 0.98, 0.95) * (2.2 * smoothstep(0.9905, 0.9945, dot(normal, first)) +
-                                     0.18 * smoothstep(0.993, 0.997, dot(normal, second)));
+  result += vec3(1.0, 0.98, 0.95) * (1.9 * smoothstep(0.9935, 0.9968, dot(normal, first)) +
+                                     0.12 * smoothstep(0.992, 0.998, dot(normal, second)));
 #else
   // exp(n (c - 1)) is cos to the n near its top, for half the work.
   vec3 halfway = u_key_direction + view;

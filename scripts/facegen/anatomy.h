@@ -12,6 +12,10 @@ namespace aucast::facegen {
 inline constexpr double kEyeRadius = 1.27;
 inline constexpr Vec3 kEyeCentre{2.18, 2.72, 6.18};
 
+/// A little larger than in life, where it spans two fifths of the opening; much larger looks like a
+/// doll's.
+inline constexpr double kIrisRadius = 0.54;
+
 /// Corners of the eye relative to kEyeCentre.x: towards the nose and towards the temple.
 inline constexpr double kInnerCanthus = -1.09;
 inline constexpr double kOuterCanthus = 1.16;

@@ -1,6 +1,7 @@
 #include <span>
 
 #include "scripts/facegen/layout_builder.h"
+#include "scripts/facegen/sculpt.h"
 
 namespace aucast::facegen {
 namespace {
@@ -25,39 +26,47 @@ constexpr std::array<Key<double>, 15> kOutline{{{0, 1.42},
                                                 {305, 1.74},
                                                 {332, 1.45}}};
 
-constexpr std::array<double, 9> kAngles{0, 60, 100, 140, 170, 205, 235, 270, 310};
+constexpr std::size_t kAngleCount = 11;
+constexpr std::array<double, kAngleCount> kAngles{0,   45,  90,  120, 145, 165,
+                                                  185, 205, 230, 270, 315};
 
 /// One ring of the ear: at each of kAngles its share of the outline's radius and its height above
-/// the side of the head.
+/// the plate of the ear.
 struct EarRing {
-  std::array<double, 9> scale;
-  std::array<double, 9> height;
+  std::array<double, kAngleCount> scale;
+  std::array<double, kAngleCount> height;
 };
 
 constexpr std::array<EarRing, kEarRings> kEar{{
     // behind the ear
-    {{.78, .80, .84, .98, 1.12, 1.12, 1.02, .88, .80},
-     {.10, .12, .12, .06, .02, .04, .05, .12, .12}},
-    {{.97, .97, .97, .97, .97, .98, .97, .97, .97}, {.34, .34, .30, .14, .05, .10, .14, .24, .28}},
-    // the rim
-    {{1.00, 1.00, 1.00, .93, .88, .90, .92, .99, 1.00},
-     {.52, .54, .48, .27, .11, .24, .24, .34, .42}},
-    {{.95, .95, .94, .86, .79, .80, .85, .93, .95}, {.62, .64, .60, .42, .15, .36, .33, .40, .48}},
-    {{.88, .88, .87, .77, .69, .70, .76, .84, .87}, {.50, .52, .50, .40, .15, .42, .38, .42, .46}},
+    {{.78, .80, .82, .90, 1.06, 1.14, 1.16, 1.14, 1.04, .88, .80},
+     {-.12, -.12, -.10, -.04, .00, .00, .00, .01, .00, -.02, -.10}},
+    {{.96, .96, .96, .97, 1.00, 1.02, 1.03, 1.02, .99, .97, .96},
+     {.18, .18, .16, .12, .05, .03, .02, .05, .08, .10, .14}},
+    // the rim, which runs down in front into the shell
+    {{1.0, 1.0, 1.0, .99, .95, .93, .92, .92, .94, 1.0, 1.0},
+     {.36, .38, .36, .30, .18, .10, .08, .16, .17, .22, .30}},
+    {{.955, .955, .95, .93, .87, .83, .81, .82, .87, .95, .96},
+     {.46, .50, .50, .44, .32, .20, .12, .27, .24, .30, .38}},
+    {{.89, .89, .88, .85, .78, .72, .70, .72, .79, .88, .90},
+     {.40, .44, .46, .44, .36, .26, .10, .34, .27, .34, .38}},
     // the furrow inside the rim
-    {{.80, .80, .78, .68, .58, .59, .66, .74, .78}, {.26, .26, .27, .32, .11, .38, .38, .40, .40}},
-    {{.71, .70, .68, .59, .48, .49, .56, .64, .68}, {.30, .26, .24, .26, .05, .18, .34, .40, .40}},
-    // the inner ridge
-    {{.61, .59, .56, .50, .40, .40, .46, .53, .58}, {.50, .42, .30, .20, -.01, .02, .26, .40, .46}},
-    {{.52, .48, .44, .41, .33, .32, .36, .44, .49},
-     {.40, .34, .30, .18, -.07, -.08, .10, .28, .38}},
-    // down into the ear
-    {{.44, .39, .34, .32, .25, .25, .27, .35, .40},
-     {.02, .02, .05, .02, -.18, -.16, -.08, .06, .12}},
-    {{.30, .27, .22, .21, .17, .17, .18, .24, .28},
-     {-.16, -.14, -.10, -.10, -.26, -.24, -.20, -.06, -.01}},
-    {{.12, .11, .10, .09, .08, .07, .08, .10, .12},
-     {-.24, -.22, -.22, -.24, -.36, -.32, -.28, -.14, -.08}},
+    {{.82, .81, .80, .76, .67, .60, .58, .61, .70, .79, .82},
+     {.20, .20, .22, .26, .28, .24, .04, .34, .28, .34, .32}},
+    {{.73, .72, .71, .66, .56, .49, .47, .50, .60, .69, .73},
+     {.16, .12, .08, .08, .12, .18, -.06, .22, .30, .33, .26}},
+    // the inner ridge; in front the tragus
+    {{.63, .62, .61, .55, .45, .39, .37, .40, .49, .58, .62},
+     {.34, .26, .12, .04, .04, .12, -.16, .02, .30, .28, .32}},
+    {{.54, .52, .49, .44, .36, .31, .30, .31, .39, .48, .52},
+     {.40, .34, .20, .08, .00, .06, -.22, -.12, .20, .20, .36}},
+    // down into the shell
+    {{.46, .43, .39, .34, .28, .24, .23, .24, .29, .38, .43},
+     {.08, .10, .06, .00, -.06, .02, -.28, -.22, -.04, .02, .08}},
+    {{.31, .28, .25, .22, .19, .16, .16, .17, .19, .25, .29},
+     {-.16, -.12, -.10, -.10, -.12, -.08, -.32, -.34, -.24, -.14, -.12}},
+    {{.12, .11, .10, .09, .08, .07, .07, .08, .09, .10, .12},
+     {-.26, -.24, -.22, -.22, -.22, -.24, -.38, -.40, -.34, -.26, -.26}},
 }};
 
 /// The keys continued round the circle, so that the curve closes smoothly.
@@ -69,11 +78,40 @@ double round_sample(std::span<const Key<double>> keys, double degrees) {
   return sample<double>(turns, degrees);
 }
 
-double round_sample(const std::array<double, 9>& values, double degrees) {
-  std::array<Key<double>, 9> keys;
+double round_sample(const std::array<double, kAngleCount>& values, double degrees) {
+  std::array<Key<double>, kAngleCount> keys;
   for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = {kAngles[i], values[i]};
   return round_sample(keys, degrees);
 }
+
+/// The plate that carries the ear: it hangs on the cheek in front and stands off the head behind.
+class Plate {
+ public:
+  Plate(const Identity& who, const Vec3& centre) : centre_(centre), head_(head_of(who)) {}
+
+  /// `back` and `up` along the side of the head from the middle of the ear, `height` off the plate.
+  [[nodiscard]] Vec3 at(double back, double up, double height) const {
+    const Vec3 place = along(back, up);
+    const double hinge = side(along(kHinge, std::clamp(up, -1.5, 1.7)));
+    const double stands_off = hinge + (back - kHinge) * std::tan(kTurn);
+    const double x = mix(side(place), stands_off, smooth_step(kHinge - 0.2, kHinge + 0.3, back));
+    return Vec3{x, place.y, place.z} + Vec3{std::cos(kTurn), 0, std::sin(kTurn)} * (height + 0.02);
+  }
+
+ private:
+  static constexpr double kHinge = -0.70;
+  static constexpr double kTurn = 0.28;
+
+  [[nodiscard]] Vec3 along(double back, double up) const {
+    return centre_ + Vec3{0, -0.06, -0.95} * back + Vec3{0, 0.97, -0.20} * up;
+  }
+  [[nodiscard]] double side(const Vec3& p) const {
+    return leave({0, p.y, p.z}, {1, 0, 0}, head_).x;
+  }
+
+  Vec3 centre_;
+  Distance head_;
+};
 
 }  // namespace
 
@@ -81,11 +119,7 @@ void add_ear_patch(LayoutBuilder& builder) {
   Ring outer = builder.nodes(border_of(kEarBlock));
   Vec3 centre{0};
   for (const std::uint32_t i : outer) centre += builder.position(i) / double{kEarSpokes};
-  const Vec3 back = glm::normalize(Vec3{0.40, -0.06, -0.9});
-  const Vec3 out = glm::normalize(glm::cross(Vec3{0.06, 0.97, -0.20}, back));
-  const Vec3 up = glm::normalize(glm::cross(back, out));
-  const Vec3 outward = out.x < 0 ? -out : out;
-  const Vec3 upward = up.y < 0 ? -up : up;
+  const Plate plate(builder.who(), centre);
   for (int ring = 1; ring <= kEarRings; ++ring) {
     const EarRing& shape = kEar[static_cast<std::size_t>(ring - 1)];
     Ring inner;
@@ -93,10 +127,9 @@ void add_ear_patch(LayoutBuilder& builder) {
       double degrees = 120 - spoke * 360.0 / kEarSpokes;
       if (degrees < -60) degrees += 360;
       const double radius = round_sample(kOutline, degrees) * round_sample(shape.scale, degrees);
-      const double height = round_sample(shape.height, degrees);
       const double angle = radians(degrees);
-      const Vec3 p = centre + back * (radius * std::cos(angle)) +
-                     upward * (radius * std::sin(angle) - 0.05) + outward * (height + 0.02);
+      const Vec3 p = plate.at(radius * std::cos(angle), radius * std::sin(angle) - 0.05,
+                              round_sample(shape.height, degrees));
       inner.push_back(builder.add(p, Patch::Ear, ring, spoke));
     }
     builder.add_strip(outer, inner, true);
@@ -104,7 +137,7 @@ void add_ear_patch(LayoutBuilder& builder) {
   }
   Vec3 middle{0};
   for (const std::uint32_t i : outer) middle += builder.position(i) / double{kEarSpokes};
-  builder.add_lid(outer, builder.add(middle - outward * 0.05, Patch::Ear, kEarRings + 1));
+  builder.add_lid(outer, builder.add(middle - Vec3{0.05, 0, 0}, Patch::Ear, kEarRings + 1));
 }
 
 }  // namespace aucast::facegen

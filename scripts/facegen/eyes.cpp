@@ -7,14 +7,13 @@ namespace aucast::facegen {
 namespace {
 
 constexpr int kSectors = 48;
-constexpr double kIris = 0.60;
-constexpr double kPupilRadius = 0.24;
+constexpr double kPupilRadius = 0.20;
 
 /// Colour at `radius` from the eye's axis and `angle` about it.
 Vec3 eye_colour(const Identity& who, double radius, int sector, double angle) {
   if (radius < kPupilRadius) return kPupil;
-  if (radius < kIris) {
-    const double t = (radius - kPupilRadius) / (kIris - kPupilRadius);
+  if (radius < kIrisRadius) {
+    const double t = (radius - kPupilRadius) / (kIrisRadius - kPupilRadius);
     const double streak = hash(sector * 13 + 7) * 0.5 + hash(sector / 2 * 31 + 3) * 0.5;
     Vec3 c = mix(who.colours.iris_inner, who.colours.iris_outer,
                  smooth_step(0.1, 0.65, t + 0.25 * (streak - 0.5)));
@@ -24,7 +23,7 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle) {
     return t < 0.08 ? c * 0.35 : c;
   }
   const Vec3 c = mix(kSclera, kScleraCorner, 0.45 * smooth_step(0.7, 1.1, radius));
-  return radius < kIris + 0.05 ? mix(kLimbus, c, 0.35) : c;
+  return radius < kIrisRadius + 0.05 ? mix(kLimbus, c, 0.35) : c;
 }
 
 }  // namespace
@@ -33,12 +32,12 @@ Part make_eye(const Identity& who, int side) {
   static constexpr std::array kFrontRings{0.10,
                                           kPupilRadius - 0.015,
                                           kPupilRadius + 0.015,
-                                          0.30,
+                                          0.26,
+                                          0.32,
                                           0.38,
-                                          0.45,
-                                          0.49,
-                                          kIris - 0.01,
-                                          kIris + 0.03,
+                                          0.44,
+                                          kIrisRadius - 0.01,
+                                          kIrisRadius + 0.03,
                                           0.66,
                                           0.76,
                                           0.88,

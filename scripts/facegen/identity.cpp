@@ -66,7 +66,8 @@ Identity young_woman() {
   form.lip_bulge = 1.15;
   form.cupids_bow = 1.2;
   form.outer_canthus_up = 0.13;
-  form.upper_lid = 0.44;
+  form.upper_lid = 0.415;
+  form.furrow = 0.022;
   form.brow_up = 4.12;
   form.brow_arch = 0.52;
   form.brow_width = 0.235;
@@ -83,7 +84,7 @@ Identity young_woman() {
   hair.fall = 9.4;
   who.lines = {.seed = 1, .depth = 0.9};
   Palette& colours = who.colours;
-  colours.lip = {0.66, 0.235, 0.235};
+  colours.lip = {0.60, 0.225, 0.215};
   colours.hair = {0.115, 0.058, 0.034};
   colours.hair_light = {0.36, 0.19, 0.10};
   return who;
@@ -111,7 +112,7 @@ Identity man_of_fifty() {
   form.nose_forward = 0.16;
   form.nose_up = -0.16;
   form.nose_hump = 0.14;
-  form.upper_lid = 0.44;
+  form.upper_lid = 0.415;
   form.inner_canthus_up = -0.14;
   form.outer_canthus_up = 0.0;
   form.lid_fold = 0.15;

@@ -10,15 +10,32 @@ namespace {
 /// (any finer and the quads would show).
 double flush(const HalfVertex& v, const Vec3& mirrored_position) {
   const Vec3& p = v.position;
-  double f = 0.10 * (value_noise(mirrored_position * 0.7) - 0.5);
+  double f = 0.14 * (value_noise(mirrored_position * 0.7) - 0.5) +
+             0.08 * (value_noise(mirrored_position * 1.7) - 0.5);
   if (p.z > 3) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
     f += 0.55 * bell(Vec3{p.x / 0.75, (p.y - 0.05) / 0.6, 0}) * smooth_step(8.4, 9.3, p.z);
     f += 0.30 * bell(Vec3{(p.x - 0.95) / 0.4, (p.y + 0.25) / 0.4, 0});
     f += 0.22 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
   }
-  if (v.patch == Patch::Ear) f += 0.42 * smooth_step(0, 4, v.ring);
+  if (v.patch == Patch::Ear) f += 0.50 * smooth_step(0, 4, v.ring);
   return saturate(f);
+}
+
+/// The thin skin round the eye and over the temple is cooler and a little darker.
+Vec3 cooled(const Vec3& colour, const Vec3& p) {
+  if (p.z < 2) return colour;
+  const double socket = bell(Vec3{(p.x - 1.75) / 0.95, (p.y - 3.1) / 0.8, 0}) +
+                        0.75 * bell(Vec3{(p.x - 1.9) / 0.85, (p.y - 1.95) / 0.42, 0});
+  const double temple = bell(Vec3{(p.x - 4.3) / 0.9, (p.y - 3.4) / 1.3, (p.z - 4) / 1.6});
+  return colour * mix(Vec3{1}, Vec3{0.86, 0.80, 0.84}, saturate(socket + 0.35 * temple));
+}
+
+/// Deep in the ear little light arrives, and what does is red.
+void paint_ear(Vertex& vertex, const HalfVertex& v) {
+  const double deep = smooth_step(8, 12, v.ring);
+  vertex.colour *= mix(Vec3{1}, Vec3{0.50, 0.36, 0.34}, deep);
+  vertex.gloss *= 1 - 0.7 * deep;
 }
 
 void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
@@ -33,16 +50,22 @@ void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
     c = mix(c, kCaruncle, 0.8);
   }
   vertex.colour = c;
-  vertex.gloss = 1.2;
+  // The edge of the lower lid is moist.
+  const bool edge = v.ring == kLidMarginRing || v.ring == kLidInnerRing;
+  vertex.gloss = edge && !upper ? 3.0 : 1.2;
 }
 
 void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
+  if (v.ring == kLipBorderRing - 1) {
+    // A pale line goes round the red of the lips.
+    vertex.colour *= mix(1.06, 1.0, smooth_step(0.5, 1.0, v.position.x / kMouthCorner));
+  }
   if (v.ring < kLipBorderRing) return;
   const bool border = v.ring == kLipBorderRing;
   const double to_corner = saturate(v.position.x / kMouthCorner);
-  const double strength = (border ? 0.55 : 1.0) * (1 - 0.25 * to_corner * to_corner);
+  const double strength = (border ? 0.70 : 1.0) * (1 - 0.25 * to_corner * to_corner);
   Vec3 c =
-      mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.94 : 1.04);
+      mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.88 : 1.04);
   if (v.ring >= kLipContactRing - 1) c = mix(c, kLipInside, 0.8);
   if (v.ring > kLipContactRing) {
     // Into the dark of the mouth, sooner at the corners.
@@ -98,11 +121,12 @@ void paint_skin(const Identity& who, Skin& skin) {
     if (p.z > 4)
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
-    c *= 1 - 0.24 * under_jaw(p);
+    c = cooled(c, p) * (1 - 0.24 * under_jaw(p));
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);
     if (v.patch == Patch::Mouth) paint_mouth(who, vertex, v);
+    if (v.patch == Patch::Ear) paint_ear(vertex, v);
     if (v.patch == Patch::Nostril) paint_nostril(vertex, v);
     vertex.gloss *= shine(p);
   }

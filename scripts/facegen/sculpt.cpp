@@ -43,7 +43,7 @@ double face_mass(const Form& form, const Vec3& p) {
   d = melt(d, ellipsoid(p - Vec3{2.1, -0.8, 5.6}, Vec3{1.75, 2.2, 1.95} + form.cheek),
            1.6);  // cheek
   d = melt(d,
-           ellipsoid(rotated_y(p - Vec3{2.9 + form.cheekbone, 0.95, 5.3}, 0.5), {1.45, 1.0, 1.35}),
+           ellipsoid(rotated_y(p - Vec3{2.9 + form.cheekbone, 0.80, 5.3}, 0.5), {1.45, 1.25, 1.4}),
            1.5);
   d = melt(d, round_cone(p, {3.6 + form.cheekbone, 1.2, 4.6}, {4.0, 1.4, 1.8}, 0.55, 0.55),
            1.6);  // zygomatic arch
@@ -53,8 +53,10 @@ double face_mass(const Form& form, const Vec3& p) {
   const Vec3 mandible{0.58 + 0.7 * form.chin_width, chin.y + 0.05, chin.z - 0.4};
   d = melt(d, round_cone(p, angle, mandible, 0.84, 0.78), 1.6);
   d = melt(d, ellipsoid(p - Vec3{2.2, -1.5, 4.2}, {1.28, 1.9, 2.2}), 1.5);  // below the cheekbone
+  d = melt(d, ellipsoid(rotated_x(p - Vec3{2.75, -0.9, 3.1}, -0.25), {1.1, 2.1, 1.3}),
+           1.2);  // masseter
   d = melt(d, ellipsoid(p - chin, {0.95 + form.chin_width, 0.92, 1.02}), 1.0);
-  return melt(d, ellipsoid(p - Vec3{0, -4.0 - form.throat_drop, 4.6}, {2.0, 1.2, 2.8}),
+  return melt(d, ellipsoid(p - Vec3{0, -3.8 - form.throat_drop, 4.5}, {2.0, 1.1, 2.7}),
               1.2);  // floor of the mouth
 }
 
@@ -66,14 +68,17 @@ double with_brow_ridge(const Form& form, double d, const Vec3& p) {
   return melt(d, ellipsoid(p - Vec3{0, 4.0, 7.4}, Vec3{0.9, 0.75, 0.85} + ridge), 0.8);
 }
 
+/// It leans forward, so that the throat falls back from the floor of the mouth.
 double neck(const Form& form, const Vec3& p) {
-  double d = round_cone(p, {0, -1.5, 0.7}, {0, -11.5, -0.6}, 2.5 * form.neck_width,
-                        2.62 * form.neck_width);
-  d = melt(d, round_cone(p, {0, -2.5, -1.5}, {3.0, -12.6, -2.2}, 1.8, 2.0), 1.5);     // trapezius
-  d = melt(d, round_cone(p, {2.0, -13.2, -0.6}, {8.0, -14.6, -1.0}, 2.2, 2.0), 2.5);  // shoulder
-  d = melt(d, round_cone(p, {2.5, -1.5, -0.6}, {0.75, -10.8, 2.5}, 0.5, 0.42),
-           1.6);  // sternomastoid
-  return melt(d, ellipsoid(p - Vec3{0, -7.6, 2.3}, Vec3{0.5, 1.1, 0.6} + form.larynx),
+  const double wide = form.neck_width;
+  double d = round_cone(p, {0, -1.5, 0.55}, {0, -11.5, -1.25}, 2.5 * wide, 2.62 * wide);
+  d = melt(d, round_cone(p, {0, -2.5, -1.5}, {3.0, -12.6, -2.7}, 1.8, 2.0), 1.5);     // trapezius
+  d = melt(d, round_cone(p, {2.0, -13.2, -1.1}, {8.0, -14.6, -1.5}, 2.2, 2.0), 2.5);  // shoulder
+  d = melt(d,
+           round_cone(p, {2.30 * wide, -1.0, -0.4}, {0.62, -10.8, 2.3 * wide - 1.35}, 0.46, 0.40),
+           0.9);  // sternomastoid
+  return melt(d,
+              ellipsoid(p - Vec3{0, -7.3, 2.35 * wide - 0.62}, Vec3{0.5, 1.0, 0.6} + form.larynx),
               0.9);  // larynx
 }
 
@@ -211,12 +216,11 @@ double head_distance(const Identity& who, const Vec3& p) {
   return d + alar_groove(who.form, p) + mouth_relief(who, p) + set_lines(who.form, p);
 }
 
-double torso_distance(const Vec3& p) {
+double torso_distance(const Form& form, const Vec3& p) {
   const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
-  double collar = round_cone(q, {0, -1.5, 0.4}, {0, -11.5, -0.6}, 2.75, 2.95);
-  collar = melt(collar, round_cone(q, {0, -2.5, -1.5}, {3.0, -12.6, -2.2}, 1.9, 2.2), 1.5);
-  double body = round_cone(q, {2.2, -13.6, -0.9}, {8.3, -14.6, -1.3}, 2.6, 2.2);
-  body = melt(body, ellipsoid(q - Vec3{0, -16.5, 0.2}, {7.5, 5.2, 4.4}), 2.0);
+  const double collar = neck(form, q) - 0.05;
+  double body = round_cone(q, {2.2, -13.6, -1.2}, {8.3, -14.6, -1.6}, 2.6, 2.2);
+  body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {7.5, 5.2, 4.4}), 2.0);
   return melt(collar, body, 2.2);
 }
 

@@ -18,8 +18,8 @@ using Distance = std::function<double(const Vec3&)>;
 /// The same for one person.
 [[nodiscard]] Distance head_of(const Identity& who);
 
-/// Distance from a torso in a shirt, for the shirt alone.
-[[nodiscard]] double torso_distance(const Vec3& p);
+/// Distance from neck and torso in a shirt, for the shirt alone.
+[[nodiscard]] double torso_distance(const Form& form, const Vec3& p);
 
 /// Unit vector away from the head, by differences over `step`.
 [[nodiscard]] Vec3 head_normal(const Identity& who, const Vec3& p, double step = 0.01);

@@ -13,24 +13,24 @@ struct ShirtRing {
 };
 
 constexpr std::array<ShirtRing, 16> kRings{{// the collar, from inside over its roll
-                                            {0, -0.15},
-                                            {0, 0.12},
-                                            {0, 0.30},
-                                            {0.06, 0.36},
-                                            {0.12, 0.36},
-                                            {0.19, 0.33},
-                                            {0.22, 0.24},
+                                            {0.02, -0.10},
+                                            {0, 0.05},
+                                            {-0.012, 0.16},
+                                            {-0.012, 0.25},
+                                            {0.01, 0.33},
+                                            {0.06, 0.35},
+                                            {0.12, 0.34},
+                                            {0.17, 0.29},
+                                            {0.20, 0.22},
                                             // the body
-                                            {0.25, 0.20},
+                                            {0.24, 0.20},
                                             {0.32, 0.20},
-                                            {0.42, 0.20},
-                                            {0.52, 0.20},
-                                            {0.62, 0.20},
+                                            {0.44, 0.20},
+                                            {0.58, 0.20},
                                             {0.72, 0.20},
-                                            {0.82, 0.20},
-                                            {0.91, 0.20},
+                                            {0.86, 0.20},
                                             {1.0, 0.20}}};
-constexpr std::size_t kCollarRings = 7;
+constexpr std::size_t kCollarRings = 9;
 
 }  // namespace
 
@@ -39,6 +39,7 @@ Part make_shirt(const Identity& who) {
   Part shirt;
   shirt.name = "shirt";
   shirt.material = face::Material::Cloth;
+  const Distance torso = [&who](const Vec3& at) { return torso_distance(who.form, at); };
   std::vector<std::uint32_t> above;
   for (std::size_t k = 0; k < kRings.size(); ++k) {
     const double elevation = mix(0.02, -0.95, kRings[k].down);
@@ -51,7 +52,7 @@ Part make_shirt(const Identity& who) {
       const Vec3 direction{std::sin(angle) * std::cos(elevation),
                            std::sin(elevation) - 0.10 * front * (1 - kRings[k].down),
                            front * std::cos(elevation)};
-      Vec3 p = leave(origin, direction, torso_distance);
+      Vec3 p = leave(origin, direction, torso);
       p += glm::normalize(Vec3{p.x - origin.x, 0.6, p.z - origin.z}) * kRings[k].off;
       ring.push_back(shirt.add(p, k < kCollarRings ? who.colours.collar : who.colours.cloth));
     }

@@ -190,12 +190,11 @@ TEST_F(DefaultFaceMesh, OpensTheEyesByAFriendlyAmount) {
 
 TEST_F(DefaultFaceMesh, CoversTheTopOfTheIrisUntilTheLidIsRaised) {
   // A lid that leaves the iris free stares; that is what AU5 is for.
-  constexpr float kIrisRadius = 0.60F;
   constexpr float kMmPerUnit = 14;
   const auto covered_mm = [](const std::vector<glm::vec3>& positions) {
     constexpr int kMiddle = 4;
     const float margin = positions[skin_vertex(Patch::Eye, facegen::kLidInnerRing, kMiddle)].y;
-    return kMmPerUnit * (static_cast<float>(facegen::kEyeCentre.y) + kIrisRadius - margin);
+    return kMmPerUnit * (static_cast<float>(facegen::kEyeCentre.y + facegen::kIrisRadius) - margin);
   };
   EXPECT_GT(covered_mm(face().mesh.positions), 1.5F);
   EXPECT_LT(covered_mm(face().mesh.positions), 3.5F);
