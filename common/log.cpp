@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -148,6 +149,15 @@ Result<void> set_up_log(std::string_view program, std::string_view level, LogFor
       std::make_unique<LineFormatter>(std::string(program), format, stderr_is_the_journal()));
   spdlog::set_default_logger(std::move(logger));
   return {};
+}
+
+void print_error(std::string_view text) {
+  const std::array<char, 4> prefix{'<', priority(spdlog::level::err), '>', '\0'};
+  const char* before = stderr_is_the_journal() ? prefix.data() : "";
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    std::fprintf(stderr, "%s%s\n", before, line.c_str());
+  }
 }
 
 }  // namespace aucast

@@ -24,4 +24,8 @@ enum class LogFormat : std::uint8_t {
 [[nodiscard]] Result<void> set_up_log(std::string_view program, std::string_view level,
                                       LogFormat format = LogFormat::Text);
 
+/// Writes `text` to stderr, where the journal is there with the priority of an error before each
+/// line: why a program ends is no entry of the log, but the journal should know how bad it is.
+void print_error(std::string_view text);
+
 }  // namespace aucast

@@ -34,7 +34,7 @@ namespace {
 /// file:line:column, as editors and compilers have them.
 int report(const Error& error) {
   const char* prefix = error.kind == ErrorKind::BadData ? "" : "au-transmitter: ";
-  std::fprintf(stderr, "%s%s\n", prefix, error.message.c_str());
+  print_error(prefix + error.message);
   return exit_code(error);
 }
 

@@ -212,6 +212,23 @@ TEST(ServerService, JournalLinesBeginWithTheirPriority) {
   EXPECT_GE(count, 2);
 }
 
+TEST(ServerService, JournalKnowsThatWhatEndsItIsAnError) {
+  const TempFolder folder;
+  const auto bad = folder.write("bad.txt", "Beg_Stream\nnonsense\n1,,2\nEnd_Stream\n");
+  const std::string start =
+      "JOURNAL_STREAM=$(stat -Lc %d:%i /proc/self/fd/2) exec \"$0\" --port 0 \"$1\"";
+  for (const auto& [source, code] : {std::pair{bad.string(), 3}, {bad.string() + "not", 4}}) {
+    const Finished ended = run({"sh", "-c", start, program("au-transmitter"), source});
+    EXPECT_EQ(ended.exit_code, code);
+    std::istringstream lines(ended.err);
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) {
+      EXPECT_TRUE(line.starts_with("<3>")) << line;
+    }
+    EXPECT_EQ(count, code == 3 ? 2 : 1) << ended.err;
+  }
+}
+
 TEST(ServerService, JournalOfAnotherIsNoneOfOurs) {
   Process process({program("au-transmitter"), "--port", "0", stream_file("happiness.txt")},
                   {"JOURNAL_STREAM=1:1"});
