@@ -46,8 +46,11 @@ endif()
 if(TARGET au-transmitter)
   aucast_install_program(au-transmitter)
   set(systemd ${PROJECT_SOURCE_DIR}/server/systemd)
-  configure_file(${systemd}/au-transmitter.service.in
-                 ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service @ONLY)
+  # Only the installation knows its prefix: `cmake --install --prefix` may change it.
+  install(CODE "set(bindir ${CMAKE_INSTALL_BINDIR})
+cmake_path(ABSOLUTE_PATH bindir BASE_DIRECTORY \"\${CMAKE_INSTALL_PREFIX}\")
+configure_file(${systemd}/au-transmitter.service.in
+               ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service @ONLY)")
   install(FILES ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service
                 ${systemd}/au-transmitter.socket
           DESTINATION lib/systemd/system)
