@@ -1,7 +1,6 @@
 #include "server/http_server.h"
 
 #include <array>
-#include <set>
 #include <utility>
 
 #include <asio/buffer.hpp>
@@ -16,7 +15,7 @@ using asio::ip::tcp;
 /// What the exchanges need of their server; they may live a handler longer than it.
 struct HttpServer::Shared {
   Answer answer;
-  std::set<Exchange*> open;
+  std::size_t open = 0;
 };
 
 /// One request and its reply.
@@ -24,9 +23,9 @@ class HttpServer::Exchange : public std::enable_shared_from_this<Exchange> {
  public:
   Exchange(tcp::socket socket, std::shared_ptr<Shared> shared)
       : socket_(std::move(socket)), timer_(socket_.get_executor()), shared_(std::move(shared)) {
-    shared_->open.insert(this);
+    ++shared_->open;
   }
-  ~Exchange() { shared_->open.erase(this); }
+  ~Exchange() { --shared_->open; }
   Exchange(const Exchange&) = delete;
   Exchange& operator=(const Exchange&) = delete;
 
@@ -122,14 +121,9 @@ Result<void> HttpServer::open(const std::string& address, std::uint16_t port) {
 
 void HttpServer::start() {
   listener_.start([this](tcp::socket socket, const tcp::endpoint&) {
-    if (shared_->open.size() >= kHttpConnectionsMax) return;  // the socket closes
+    if (shared_->open >= kHttpConnectionsMax) return;  // the socket closes
     std::make_shared<Exchange>(std::move(socket), shared_)->start();
   });
-}
-
-void HttpServer::stop() {
-  listener_.stop();
-  for (Exchange* exchange : shared_->open) exchange->close();
 }
 
 }  // namespace aucast::server

@@ -33,8 +33,6 @@ class HttpServer {
   /// Network error naming address, cause and what to do.
   [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port);
   void start();
-  /// No more connections; those that are open are closed.
-  void stop();
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return listener_.endpoint(); }
 
  private:

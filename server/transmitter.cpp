@@ -510,15 +510,9 @@ class Transmitter {
     for (const auto& connection : everybody()) connection->abort();
   }
 
-  /// Nothing is left to wait for, so io_.run() returns.
-  void end() {
-    std::error_code ignored;
-    end_signals_.cancel(ignored);
-    other_signals_.cancel(ignored);
-    stop_timer_.cancel();
-    tick_timer_.cancel();
-    if (http_) http_->stop();
-  }
+  /// io_.run() returns, whatever is still waited for. To cancel all of it would not do: what has
+  /// come already, such as a SIGUSR1 together with the last signal, would wait for the next.
+  void end() { io_.stop(); }
 
   [[nodiscard]] Status status() const {
     const Instant now = std::chrono::steady_clock::now();

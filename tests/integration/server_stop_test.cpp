@@ -84,6 +84,20 @@ TEST(ServerStop, SecondSignalEndsAtOnce) {
   EXPECT_NE(log.find(said), std::string::npos) << log;
 }
 
+TEST(ServerStop, AnyOtherSignalAtTheSameTimeDoesNotHoldTheExit) {
+  for (const int other : {SIGUSR1, SIGHUP}) {
+    for (const int end : {SIGINT, SIGTERM}) {
+      RunningTransmitter server({stream_file("talk.txt")});
+      // Both are there when it goes on.
+      server.process().signal(SIGSTOP);
+      server.process().signal(other);
+      server.process().signal(end);
+      server.process().signal(SIGCONT);
+      EXPECT_EQ(server.process().wait(kPatience), 0) << other << " and " << end;
+    }
+  }
+}
+
 TEST(ServerStop, NobodyIsAcceptedAnyMore) {
   RunningTransmitter server({stream_file("talk.txt")});
   RawClient client = server.connect();
