@@ -16,10 +16,6 @@ namespace {
 
 using asio::ip::tcp;
 
-/// Connections taken in a row before the clients have their turn: one at a time would take a loop
-/// of events each, which is long while thousands are sent something.
-constexpr int kAcceptsInARow = 64;
-
 /// Long enough to leave the processor to the clients, short enough not to be felt by new ones.
 constexpr std::chrono::milliseconds kAcceptPause{200};
 
@@ -165,7 +161,7 @@ void Listener::accept() {
 
 /// Whoever is waiting already. An error is left for accept() to meet.
 void Listener::accept_waiting() {
-  for (int taken = 1; taken < kAcceptsInARow && acceptor_.is_open(); ++taken) {
+  for (int taken = 1; taken < kInARowMax && acceptor_.is_open(); ++taken) {
     std::error_code error;
     tcp::socket socket = acceptor_.accept(peer_, error);
     if (error) return;

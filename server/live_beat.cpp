@@ -43,6 +43,10 @@ void LiveBeat::stop() {
   timer_.cancel();
 }
 
+void LiveBeat::catch_up() {
+  if (!stopped_ && now() >= timer_.expiry()) beat();
+}
+
 void LiveBeat::beat() {
   const Instant moment = now();
   bool moved = false;

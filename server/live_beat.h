@@ -28,6 +28,9 @@ class LiveBeat {
   void start(protocol::ServerCatalogue& catalogue, const protocol::ServerCatalogue* before,
              OnMoment on_moment);
   void stop();
+  /// Tells now of what is due. For who is about to do something that takes time, such as letting
+  /// in one of many newcomers: the timer is only looked at when all of that is done.
+  void catch_up();
 
   /// How late the latest moment was told of.
   [[nodiscard]] Duration lag() const { return lag_; }

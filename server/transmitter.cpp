@@ -364,6 +364,7 @@ class Transmitter {
   }
 
   void welcome(tcp::socket socket, const tcp::endpoint& peer) {
+    serve_before_newcomers();
     const protocol::Admission admission = admission_of(peer);
     const bool refused = admission != protocol::Admission::Welcome;
     if (refused && refused_.size() >= kRefusalsMax) {
@@ -386,6 +387,12 @@ class Transmitter {
     connections_.emplace(number, connection);
     forget_audience();
     connection->start();
+  }
+
+  /// However many knock at once, those who watch are not kept waiting for them.
+  void serve_before_newcomers() {
+    for (const auto& old : old_programmes_) old->beat.catch_up();
+    programme_->beat.catch_up();
   }
 
   [[nodiscard]] bool any_live() const { return options_.live || !live_sources_.empty(); }

@@ -1,0 +1,29 @@
+#include "server/listener.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast::server {
+namespace {
+
+using asio::ip::tcp;
+
+TEST(Listener, LetsOthersHaveTheirTurnWhenManyKnock) {
+  asio::io_context io;
+  Listener listener(io);
+  ASSERT_TRUE(listener.open("127.0.0.1", 0));
+  std::vector<tcp::socket> knocking;
+  for (int n = 0; n < 3 * Listener::kInARowMax; ++n) {
+    knocking.emplace_back(io).connect(listener.endpoint());
+  }
+  int taken = 0;
+  listener.start([&taken](tcp::socket, const tcp::endpoint&) { ++taken; });
+  ASSERT_EQ(io.run_one(), 1U);
+  EXPECT_EQ(taken, Listener::kInARowMax);
+  while (taken < 3 * Listener::kInARowMax) ASSERT_EQ(io.run_one(), 1U);
+  listener.stop();
+  io.run();
+  EXPECT_EQ(taken, 3 * Listener::kInARowMax);
+}
+
+}  // namespace
+}  // namespace aucast::server
