@@ -1,5 +1,8 @@
 #pragma once
 
+#include <sys/types.h>
+
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,7 +15,8 @@ namespace aucast::bench {
 /// A message that arrived at one subscriber.
 struct Delivery {
   std::int64_t number = 0;
-  Clock::time_point at;
+  Clock::time_point arrived;  ///< when the system had it for the subscriber
+  Clock::time_point read;     ///< when the subscriber had read it
 };
 
 /// Many subscribers on one thread and one epoll. Each must get every message from its first on, in
@@ -46,6 +50,7 @@ class Crowd {
   };
 
   void receive(Subscriber& subscriber, std::vector<Delivery>* deliveries);
+  [[nodiscard]] ssize_t read(int socket, Clock::time_point& arrived);
   [[nodiscard]] std::size_t take_welcome(Subscriber& subscriber, std::string_view bytes);
   void take_message(Subscriber& subscriber, std::int64_t number);
   void disturb(Subscriber& subscriber, const std::string& how);
@@ -55,6 +60,7 @@ class Crowd {
   int epoll_ = -1;
   std::vector<Subscriber> subscribers_;
   std::vector<char> input_;
+  std::chrono::nanoseconds real_ahead_{};  ///< the system's time of day, of our clock
   int welcomed_ = 0;
   int disturbed_ = 0;
   std::int64_t missed_ = 0;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/bench/fanout/crowd.h"
+#include "tests/bench/fanout/processors.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::bench {
@@ -66,6 +67,8 @@ Flood::~Flood() {
 }
 
 void Flood::run(std::uint16_t port, int at_a_time) {
+  // The crowd shares the machine with this thread, and real floods come from another one.
+  stand_back();
   test::Seeded seeded;
   std::deque<int> open;
   while (!stop_) {

@@ -7,20 +7,27 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "common/command_line.h"
 #include "tests/bench/fanout/measurement.h"
+#include "tests/bench/fanout/processors.h"
 
 namespace {
 
 using aucast::bench::Measurement;
+using aucast::bench::OnProcessor;
 using aucast::bench::Plan;
+using aucast::bench::usable_processors;
 
 constexpr const char* kOurs = "au-transmitter";
+constexpr const char* kFlooded = "flooded";  ///< the same
 
 aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
   Plan plan;
   bool alone = false;
+  bool pin = false;
   CLI::App app("Measures how au-transmitter serves a crowd, as ratios to other servers.",
                "bench_fanout");
   app.add_option("--clients", plan.clients, "subscribers (1000)")->check(CLI::Range(1, 19000));
@@ -34,14 +41,22 @@ aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
   app.add_flag("--alone", alone, "compare with none");
   app.add_flag("--from-said", plan.from_said,
                "latency of the others from when their publisher said a message, not from its time");
+  app.add_flag("--pin", pin, "the server on one processor, everything else on another");
   app.add_option("--flood", plan.flood,
-                 "hostile connections at a time, and as many at --http; at ours only (0)")
+                 "ours once more, with so many hostile connections at a time, and at --http (0)")
       ->check(CLI::Range(0, 1000));
   auto parsed = aucast::parse_command_line(app, {argv + 1, argv + argc});
   help = app.get_help_ptr()->count() > 0;
   if (help) std::fputs(app.help().c_str(), stdout);
   if (!parsed && !help) return parsed.error();
   if (alone) plan.against.clear();
+  if (pin) {
+    const auto processors = usable_processors();
+    if (processors.size() < 2)
+      return aucast::Error{aucast::ErrorKind::Failed, "--pin needs two processors"};
+    plan.server_processor = processors[0];
+    plan.crowd_processor = processors[1];
+  }
   return plan;
 }
 
@@ -57,57 +72,78 @@ double load_average() {
   return load;
 }
 
-void print(int round, const std::string& server, const Measurement& m) {
-  std::printf("%5d  %-15s %9.0f %10.0f %8.2f %8.2f %7.1f %7lld %6d %6.2f\n", round, server.c_str(),
-              m.deliveries, m.per_processor_second(), m.p50_ms, m.p99_ms, m.bytes_per_client / 1024,
-              static_cast<long long>(m.missed), m.disturbed, load_average());
+/// What is measured in each round.
+struct Contender {
+  std::string name;
+  std::string server;
+  Plan plan;
+};
+
+std::vector<Contender> contenders(const Plan& plan) {
+  Plan in_peace = plan;
+  in_peace.flood = 0;
+  std::vector<Contender> all{{kOurs, kOurs, in_peace}};
+  if (plan.flood > 0) all.push_back({kFlooded, kOurs, plan});
+  for (const std::string& server : plan.against) all.push_back({server, server, in_peace});
+  return all;
+}
+
+void print(int round, const std::string& name, const Measurement& m, int seconds) {
+  std::printf("%5d  %-15s %9.0f %10.0f %8.2f %8.2f %9.2f %7.1f %7lld %6d %6.2f\n", round,
+              name.c_str(), m.deliveries, m.per_processor_second(), m.p50_ms, m.p99_ms,
+              m.arrived_p99_ms, m.bytes_per_client / 1024, static_cast<long long>(m.missed),
+              m.disturbed, load_average());
   if (m.flood_peers > 0) {
-    std::printf("       meanwhile %lld hostile peers, and %lld at --http, said %lld bytes\n",
-                static_cast<long long>(m.flood_peers), static_cast<long long>(m.http_flood_peers),
-                static_cast<long long>(m.flood_bytes));
+    std::printf(
+        "       meanwhile, a second: %lld hostile peers, and %lld at --http, said %lld bytes\n",
+        static_cast<long long>(m.flood_peers / seconds),
+        static_cast<long long>(m.http_flood_peers / seconds),
+        static_cast<long long>(m.flood_bytes / seconds));
   }
   std::fflush(stdout);
 }
 
-/// The median over the rounds of ours / theirs, as each round had them one after the other.
-void print_ratios(const std::string& server, const std::vector<Measurement>& ours,
-                  const std::vector<Measurement>& theirs) {
+/// The median over the rounds of one / other, as each round had them one after the other.
+void print_ratios(const std::string& one_name, const std::vector<Measurement>& one,
+                  const std::string& other_name, const std::vector<Measurement>& other) {
   std::vector<double> deliveries;
   std::vector<double> latency;
-  for (std::size_t round = 0; round < theirs.size(); ++round) {
-    deliveries.push_back(ours[round].per_processor_second() / theirs[round].per_processor_second());
-    latency.push_back(ours[round].p99_ms / theirs[round].p99_ms);
+  for (std::size_t round = 0; round < one.size(); ++round) {
+    deliveries.push_back(one[round].per_processor_second() / other[round].per_processor_second());
+    latency.push_back(one[round].p99_ms / other[round].p99_ms);
   }
-  std::printf("%s to %s, median of %zu: deliveries per CPU second x %.2f, p99 x %.2f\n", kOurs,
-              server.c_str(), theirs.size(), median(deliveries), median(latency));
+  std::printf("%s to %s, median of %zu: deliveries per CPU second x %.2f, p99 x %.2f\n",
+              one_name.c_str(), other_name.c_str(), one.size(), median(deliveries),
+              median(latency));
 }
 
 int run(const Plan& plan) {
-  std::vector<std::string> servers{kOurs};
-  servers.insert(servers.end(), plan.against.begin(), plan.against.end());
+  const std::vector<Contender> all = contenders(plan);
   std::map<std::string, std::vector<Measurement>> measured;
+  int disturbed = 0;
+  const OnProcessor placed(plan.crowd_processor);
   std::printf("%d subscribers, %d messages at once every %d ms, %d s a round\n", plan.clients,
               plan.burst, plan.period_ms(), plan.seconds);
   std::printf(
-      "round  server         deliveries per CPU s   p50 ms   p99 ms KiB/cl.  missed  lost"
-      "   load\n");
+      "round  server         deliveries per CPU s   p50 ms   p99 ms   arrived KiB/cl.  missed"
+      "   lost   load\n");
   for (int round = 1; round <= plan.rounds; ++round) {
-    for (const std::string& server : servers) {
+    for (const Contender& contender : all) {
       std::string failure;
-      const auto measurement = aucast::bench::measure(server, plan, failure);
+      const auto measurement = aucast::bench::measure(contender.server, contender.plan, failure);
       if (!measurement) {
-        std::fprintf(stderr, "bench_fanout: %s: %s\n", server.c_str(), failure.c_str());
+        std::fprintf(stderr, "bench_fanout: %s: %s\n", contender.name.c_str(), failure.c_str());
         return 1;
       }
-      print(round, server, *measurement);
-      measured[server].push_back(*measurement);
+      print(round, contender.name, *measurement, plan.seconds);
+      measured[contender.name].push_back(*measurement);
+      if (contender.server == kOurs) disturbed += measurement->disturbed;
     }
   }
+  if (plan.flood > 0) print_ratios(kFlooded, measured[kFlooded], kOurs, measured[kOurs]);
   for (const std::string& server : plan.against) {
-    print_ratios(server, measured[kOurs], measured[server]);
+    print_ratios(kOurs, measured[kOurs], server, measured[server]);
   }
-  int disturbed = 0;
-  for (const Measurement& measurement : measured[kOurs]) disturbed += measurement.disturbed;
   if (disturbed > 0) std::printf("%d subscribers of %s were disturbed\n", disturbed, kOurs);
   return disturbed == 0 ? 0 : 1;
 }

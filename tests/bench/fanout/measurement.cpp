@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 Clock::time_point beginning(const std::vector<Delivery>& alone, const Plan& plan) {
   auto begin = Clock::time_point::max();
   for (const Delivery& delivery : alone) {
-    begin = std::min(begin, delivery.at - plan.place(delivery.number));
+    begin = std::min(begin, delivery.arrived - plan.place(delivery.number));
   }
   return begin;
 }
@@ -63,15 +63,18 @@ std::optional<Measurement> measure(const std::string& name, const Plan& plan,
   std::vector<Delivery> deliveries;
   deliveries.reserve(
       static_cast<std::size_t>(plan.rate * plan.burst * plan.clients * (plan.seconds + 1)));
+  const std::int64_t peers_before = flood.peers();
+  const std::int64_t http_peers_before = http_flood.peers();
+  const std::int64_t bytes_before_flood = flood.bytes() + http_flood.bytes();
   const auto processor_before = server.processor_time();
   crowd.listen(Clock::now() + std::chrono::seconds(plan.seconds), &deliveries);
   const auto processor_after = server.processor_time();
 
   result.bytes_per_client =
       static_cast<double>(server.private_bytes() - bytes_before) / plan.clients;
-  result.flood_peers = flood.peers();
-  result.http_flood_peers = http_flood.peers();
-  result.flood_bytes = flood.bytes() + http_flood.bytes();
+  result.flood_peers = flood.peers() - peers_before;
+  result.http_flood_peers = http_flood.peers() - http_peers_before;
+  result.flood_bytes = flood.bytes() + http_flood.bytes() - bytes_before_flood;
   if (publisher) publisher->stop();
   result.deliveries = static_cast<double>(deliveries.size());
   result.processor_seconds =
@@ -79,18 +82,23 @@ std::optional<Measurement> measure(const std::string& name, const Plan& plan,
   result.missed = crowd.missed() - missed_before;
   result.disturbed = crowd.disturbed();
   const auto begin = beginning(alone, plan);
-  std::vector<double> latencies;
-  latencies.reserve(deliveries.size());
+  std::vector<double> arrived;
+  std::vector<double> read;
+  arrived.reserve(deliveries.size());
+  read.reserve(deliveries.size());
   for (const Delivery& delivery : deliveries) {
     auto said = begin + plan.place(delivery.number);
     if (publisher) {
       said = plan.from_said ? publisher->said(delivery.number) : publisher->due(delivery.number);
     }
-    latencies.push_back(std::chrono::duration<double, std::milli>(delivery.at - said).count());
+    arrived.push_back(std::chrono::duration<double, std::milli>(delivery.arrived - said).count());
+    read.push_back(std::chrono::duration<double, std::milli>(delivery.read - said).count());
   }
-  std::sort(latencies.begin(), latencies.end());
-  result.p50_ms = percentile(latencies, 0.5);
-  result.p99_ms = percentile(latencies, 0.99);
+  std::sort(arrived.begin(), arrived.end());
+  std::sort(read.begin(), read.end());
+  result.p50_ms = percentile(read, 0.5);
+  result.p99_ms = percentile(read, 0.99);
+  result.arrived_p99_ms = percentile(arrived, 0.99);
   return result;
 }
 

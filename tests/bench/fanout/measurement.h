@@ -11,8 +11,9 @@ namespace aucast::bench {
 struct Measurement {
   double deliveries = 0;         ///< messages that arrived at a subscriber in the time measured
   double processor_seconds = 0;  ///< of the server in that time
-  double p50_ms = 0;             ///< from being due to being received
+  double p50_ms = 0;             ///< from being due to being read by the subscriber
   double p99_ms = 0;
+  double arrived_p99_ms = 0;    ///< to being there for the subscriber to read
   double bytes_per_client = 0;  ///< memory of the server's own
   std::int64_t missed = 0;      ///< messages left out, doubled or out of order
   int disturbed = 0;            ///< subscribers who lost their connection

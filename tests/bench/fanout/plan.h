@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,8 @@ struct Plan {
   int rounds = 5;
   bool from_said = false;  ///< latency of the others from being said, not from being due
   int flood = 0;  ///< connections at a time that say rubbish meanwhile; au-transmitter only
+  std::optional<std::size_t> server_processor{};  ///< that alone; nothing: any
+  std::optional<std::size_t> crowd_processor{};   ///< of this program
   std::vector<std::string> against{"redis", "mosquitto"};
 
   [[nodiscard]] int period_ms() const { return static_cast<int>(1000 / rate); }

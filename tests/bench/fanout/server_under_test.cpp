@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "tests/bench/fanout/message.h"
+#include "tests/bench/fanout/processors.h"
 #include "tests/support/served.h"
 
 namespace aucast::bench {
@@ -68,6 +69,8 @@ bool can_connect(std::uint16_t port) {
 }  // namespace
 
 ServerUnderTest::ServerUnderTest(const std::string& name, const Plan& plan) {
+  // A child has the processors of who starts it.
+  const OnProcessor placed(plan.server_processor);
   if (name == "au-transmitter") {
     start_transmitter(plan);
   } else if (name == "redis") {
