@@ -19,14 +19,18 @@ struct Arch {
   std::array<double, kTeethPerSide> heights{};
 };
 
-constexpr Arch kUpperArch{
-    1, 2.05, 3.05, -1.72, {.60, .48, .52, .48, .48, .66, .62}, {.86, .81, .86, .78, .74, .68, .60}};
+constexpr Arch kUpperArch{1,
+                          2.14,
+                          3.05,
+                          -1.72,
+                          {.60, .49, .53, .49, .49, .68, .64},
+                          {.86, .835, .85, .80, .76, .69, .60}};
 constexpr Arch kLowerArch{-1,
-                          1.92,
+                          2.02,
                           2.82,
                           -3.30,
-                          {.40, .43, .48, .48, .48, .68, .62},
-                          {.80, .79, .82, .74, .70, .64, .58}};
+                          {.41, .44, .49, .49, .49, .70, .64},
+                          {.80, .80, .81, .77, .72, .65, .58}};
 constexpr double kArchBack = 4.8;
 
 /// The arch as a polyline, to walk along it by length.
@@ -64,23 +68,29 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr double kLostBetweenTeeth = 0.30;
+constexpr double kLostBetweenTeeth = 0.22;
 
 /// `to_tip` from the gum to the edge, `across` 0 in the middle of the crown and 1 beside the next.
 Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
   Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.6, to_tip)) *
-           (1 - 0.05 * static_cast<double>(tooth)) * (1 - kLostBetweenTeeth * power(across, 4));
+           (1 - 0.05 * static_cast<double>(tooth)) * (1 - kLostBetweenTeeth * power(across, 6));
   // The edge is thin: what shows through is the dark of the mouth.
-  c *= 1 - 0.16 * smooth_step(0.82, 1.0, to_tip);
+  c *= 1 - 0.08 * smooth_step(0.82, 1.0, to_tip);
   return to_tip < 0.06 ? mix(c, kGum, 0.5) : c;
+}
+
+/// How long a crown is at `u` of its width: neighbours meet at one height, or the row looks torn.
+double crown_height(const Arch& arch, std::size_t tooth, double u) {
+  const double own = arch.heights[tooth];
+  const std::size_t towards =
+      u < 0.5 ? (tooth == 0 ? 0 : tooth - 1) : std::min(tooth + 1, kTeethPerSide - 1);
+  return mix(own, (own + arch.heights[towards]) / 2, std::abs(2 * u - 1));
 }
 
 /// A crown of 7 x 7 vertices from `begin` along the arch, on the side of the sign of `side`.
 void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t tooth,
                double begin, int side) {
   constexpr int kSteps = 6;
-  const bool canine = tooth == 2;
-  const double height = arch.heights[tooth];
   std::vector<std::uint32_t> above;
   for (int j = 0; j <= kSteps; ++j) {
     const double v = static_cast<double>(j) / kSteps;  // gum to edge
@@ -89,14 +99,13 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const double u = static_cast<double>(i) / kSteps;
       const double across = std::abs(2 * u - 1);
       const double tapered = 0.5 + (u - 0.5) * (1 - 0.05 * (1 - v));
-      const double width = arch.widths[tooth] + 0.012;
-      const Vec3 base = curve.at(begin - 0.006 + width * tapered);
+      const double width = arch.widths[tooth] + 0.03;
+      const Vec3 base = curve.at(begin - 0.015 + width * tapered);
       const Vec3 out = glm::normalize(Vec3{base.x / 2.0, 0, (base.z - 4.9) / 3.0});
-      const double bulge = 0.13 * (1 - power(across, 3)) * (1 - 0.3 * v);
-      const double edge = -0.09 * power(across, 8) - 0.15 * power(v, 8);
+      const double bulge = 0.10 * (1 - power(across, 4)) * (1 - 0.3 * v);
+      const double edge = -0.05 * power(across, 8) - 0.15 * power(v, 8);
       Vec3 p = base + out * (bulge + edge - 0.04 * (arch.up > 0 ? -v : v));
-      double toward_bite = height * v - 0.035 * power(across, 4) * v * v;
-      if (canine) toward_bite -= 0.05 * across * v;
+      const double toward_bite = crown_height(arch, tooth, u) * v - 0.02 * power(across, 6) * v * v;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
       row.push_back(part.add(p, tooth_colour(v, across, tooth)));
@@ -117,7 +126,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
 void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
   constexpr int kSteps = 40;
   static constexpr std::array kHeights{0.55, 0.28, 0.05, -0.06, -0.75};
-  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.06, -0.14};
+  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.16, -0.30};
   std::vector<std::uint32_t> above;
   for (std::size_t k = 0; k < kHeights.size(); ++k) {
     std::vector<std::uint32_t> row;
@@ -143,7 +152,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.9, 7.75, p.z) * smooth_step(2.0, 0.5, std::abs(p.x));
+  return smooth_step(5.4, 7.4, p.z) * smooth_step(2.15, 0.7, std::abs(p.x));
 }
 
 constexpr double kLightOnLowerTeeth = 0.72;
@@ -154,7 +163,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     vertex.occlusion = mix(0.25, 1.0, light);
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
-    vertex.colour *= mix(0.30, 1.0, light) * mix(0.55, 1.0, smooth_step(0.0, 0.55, from_gum));
+    vertex.colour *= mix(0.45, 1.0, light) * mix(0.65, 1.0, smooth_step(0.0, 0.55, from_gum));
     // The lower row lies in the shade of the upper one.
     if (arch.up < 0) vertex.colour *= kLightOnLowerTeeth;
     vertex.gloss = mix(0.2, 1.0, light);
@@ -234,22 +243,28 @@ Part make_mouth_bag(const Skin& skin) {
     double back;      // share of the way to the throat
     double widen;     // factor on x
     double heighten;  // factor on y about the line of the mouth
+    double least;     // half of the height beside its corners, round the rows of teeth
+    double muscle;    // how far it goes with the lips and cheeks that it lines
   };
-  static constexpr std::array<BagRing, 6> kRings{{{0, 1, 1},
-                                                  {.10, 1.03, 1.02},
-                                                  {.25, 1.15, 1.25},
-                                                  {.45, 1.15, 1.6},
-                                                  {.68, .95, 1.5},
-                                                  {.88, .5, .8}}};
+  static constexpr std::array<BagRing, 6> kRings{{{0, 1, 1, 0, 1},
+                                                  {.10, 1.08, 1.02, .1, .8},
+                                                  {.25, 1.26, 1.25, .5, .7},
+                                                  {.45, 1.42, 1.6, .8, .6},
+                                                  {.68, 1.45, 1.5, .8, .4},
+                                                  {.88, .9, .8, .5, 0}}};
   constexpr double kThroatZ = 3.6;
   constexpr double kMiddleY = -2.45;
-  std::vector<std::uint32_t> loop;
-  for (int s = 0; s < kMouthSpokes; ++s) {
-    loop.push_back(skin.find(Patch::Mouth, kLipLastRing, s, 1));
-  }
-  for (int s = kMouthSpokes - 2; s > 0; --s) {
-    loop.push_back(skin.find(Patch::Mouth, kLipLastRing, s, -1));
-  }
+  struct LipPlace {
+    std::uint32_t vertex;
+    int up;  // 1 for the upper lip, -1 for the lower, 0 in the corners
+  };
+  std::vector<LipPlace> loop;
+  const auto go_by = [&](int s, int side) {
+    const int up = s == kMouthCornerSpoke ? 0 : s < kMouthCornerSpoke ? 1 : -1;
+    loop.push_back({skin.find(Patch::Mouth, kLipLastRing, s, side), up});
+  };
+  for (int s = 0; s < kMouthSpokes; ++s) go_by(s, 1);
+  for (int s = kMouthSpokes - 2; s > 0; --s) go_by(s, -1);
   Part bag;
   bag.name = "mouth_bag";
   bag.material = face::Material::Mouth;
@@ -259,12 +274,14 @@ Part make_mouth_bag(const Skin& skin) {
     const BagRing& shape = kRings[k];
     std::vector<std::uint32_t> ring;
     last_middle = Vec3{0};
-    for (const std::uint32_t i : loop) {
-      const Vertex& lip = skin.part.vertices[i];
-      const Vec3 p{lip.position.x * shape.widen,
-                   kMiddleY + (lip.position.y - kMiddleY) * shape.heighten,
+    for (const LipPlace& place : loop) {
+      const Vertex& lip = skin.part.vertices[place.vertex];
+      double high = (lip.position.y - kMiddleY) * shape.heighten;
+      if (place.up > 0) high = std::max(high, shape.least);
+      if (place.up < 0) high = std::min(high, -shape.least);
+      const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
-      const Vec3 colour = mix(kMouthFront * 0.4, kMouthBack, smooth_step(0, 0.6, shape.back));
+      const Vec3 colour = mix(kMouthFront * 0.6, kMouthBack, smooth_step(0.1, 0.7, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
@@ -272,7 +289,7 @@ Part make_mouth_bag(const Skin& skin) {
       vertex.occlusion = mix(0.5, 0.12, smooth_step(0, 0.3, shape.back));
       vertex.gloss = 0.15;
       if (k > 0) {
-        vertex[Map::Muscle] *= std::max(0.0, 1 - 0.3 * static_cast<double>(k));
+        vertex[Map::Muscle] *= shape.muscle;
         vertex[Map::Jaw] = mix(vertex[Map::Jaw], smooth_step(0.5, -0.8, p.y + 2.5), 0.5);
       }
       last_middle += p / static_cast<double>(loop.size());

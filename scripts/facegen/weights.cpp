@@ -35,11 +35,11 @@ double nose_tip_field(const Vec3& p) {
 /// 1 on the furrow from the wing of the nose to beside the corner of the mouth.
 double nasolabial_field(const Vec3& p) {
   if (p.z < 5) return 0;
-  static constexpr std::array<Vec3, 5> kLine{{{1.18, 0.05, 0.4},
-                                              {1.42, -0.55, 1.0},
-                                              {1.78, -1.25, 1.0},
-                                              {2.10, -1.90, 0.8},
-                                              {2.28, -2.50, 0.0}}};  // x, y, depth
+  static constexpr std::array<Vec3, 5> kLine{{{1.14, -0.25, 0.3},
+                                              {1.38, -0.80, 1.0},
+                                              {1.72, -1.38, 1.0},
+                                              {2.02, -1.88, 0.7},
+                                              {2.16, -2.25, 0.0}}};  // x, y, depth
   const double x = std::abs(p.x);
   double best = 0;
   for (std::size_t i = 0; i + 1 < kLine.size(); ++i) {
@@ -95,13 +95,13 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   const double blend = smooth_step(0, 4, v.ring);
   const bool upper = v.spoke <= kMouthCornerSpoke;
   const double to_corner = (upper ? v.spoke : 24 - v.spoke) / 12.0;
-  const double jaw = upper ? 0.40 * power(to_corner, 3.8) : 1 - 0.60 * power(to_corner, 4.2);
+  const double jaw = upper ? 0.40 * power(to_corner, 2.4) : 1 - 0.60 * power(to_corner, 3.2);
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], lower, blend);
   // The levators lift the middle of the lip more than its ends, or it opens as a box.
-  const double end = smooth_step(2, 12, upper ? v.spoke : 24 - v.spoke);
-  vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * (1 - 0.7 * end), blend);
+  const double end = smooth_step(1, 11, upper ? v.spoke : 24 - v.spoke);
+  vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * (1 - 0.9 * end), blend);
   const double red = smooth_step(kLipBorderRing - 3, kLipBorderRing + 1, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
   vertex[Map::LowerRed] = red * lower;

@@ -40,6 +40,14 @@ class DefaultFaceMesh : public DefaultFace {
     return largest;
   }
 
+  /// 0.4 mm: less than the lips bulge before their line of contact.
+  static constexpr float kUnseen = 0.03F;
+  /// How far the lips are apart where they touch at rest, spokes 0 (middle) to 12 (corner).
+  [[nodiscard]] static float lip_gap(const std::vector<glm::vec3>& positions, int spoke) {
+    return positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)].y -
+           positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, 24 - spoke)].y;
+  }
+
   /// Least distance of the lids' vertices from the eyeball; negative when the ball pokes through.
   [[nodiscard]] static double clearance(const std::vector<glm::vec3>& positions) {
     double least = 1e9;
@@ -131,30 +139,43 @@ TEST_F(DefaultFaceMesh, SealsTheLipsAtRest) {
 }
 
 TEST_F(DefaultFaceMesh, PartsAndSealsTheLipsAlongTheWholeMouth) {
-  const auto gap = [](const std::vector<glm::vec3>& positions, int spoke) {
-    return positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)].y -
-           positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, 24 - spoke)].y;
-  };
   const auto open = posed(25);
   const auto dropped = posed(26);
   for (int spoke = 0; spoke <= 9; ++spoke) {
-    EXPECT_GT(gap(open, spoke), 0.02F) << spoke;
-    EXPECT_GT(gap(dropped, spoke), gap(open, spoke)) << spoke;
+    EXPECT_GT(lip_gap(open, spoke), 0.02F) << spoke;
+    EXPECT_GT(lip_gap(dropped, spoke), lip_gap(open, spoke)) << spoke;
   }
-  EXPECT_GT(gap(posed(27), 0), 1.5F);
+  EXPECT_GT(lip_gap(posed(27), 0), 1.5F);
 }
 
 TEST_F(DefaultFaceMesh, KeepsTheLipsShutWhereNoActionUnitPartsThem) {
-  // 0.4 mm: less than the lips bulge before their line of contact.
-  constexpr float kUnseen = 0.03F;
-  for (const int number : {4, 6, 11, 12, 13, 14, 15, 17, 18, 20, 23, 24, 28, 33, 34, 35, 36, 38}) {
+  for (const int number : {4, 6, 11, 12, 13, 14, 15, 17, 18, 20, 23, 24, 28, 34, 35, 36, 38}) {
     const auto positions = posed(number);
     for (int spoke = 0; spoke <= 10; ++spoke) {
-      const float gap =
-          positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)].y -
-          positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, 24 - spoke)].y;
-      EXPECT_LT(gap, kUnseen) << "AU" << number << " spoke " << spoke;
+      EXPECT_LT(lip_gap(positions, spoke), kUnseen) << "AU" << number << " spoke " << spoke;
     }
+  }
+}
+
+TEST_F(DefaultFaceMesh, BlowsThroughTheMiddleOfTheMouth) {
+  // FACS lets 25 be scored with 33, not with 34 or 24: the air leaves, the cheeks stay round.
+  const auto blown = posed(33);
+  for (int spoke = 0; spoke <= 3; ++spoke) {
+    EXPECT_GT(lip_gap(blown, spoke), kUnseen) << spoke;
+    EXPECT_LT(lip_gap(blown, spoke), 0.2F) << spoke;
+  }
+  for (int spoke = 6; spoke <= 10; ++spoke) EXPECT_LT(lip_gap(blown, spoke), kUnseen) << spoke;
+}
+
+TEST_F(DefaultFaceMesh, HidesTheRedWhenTheLipsAreSucked) {
+  const auto sucked = posed(28);
+  const auto red = [](const std::vector<glm::vec3>& positions, int spoke) {
+    return positions[skin_vertex(Patch::Mouth, facegen::kLipBorderRing, spoke)].y -
+           positions[skin_vertex(Patch::Mouth, facegen::kLipBorderRing, 24 - spoke)].y;
+  };
+  for (int spoke = 0; spoke <= 8; ++spoke) {
+    EXPECT_LT(red(sucked, spoke), 0.3F * red(face().mesh.positions, spoke)) << spoke;
+    EXPECT_LT(red(sucked, spoke), 0.5F * red(posed(24), spoke)) << "24 shows more: " << spoke;
   }
 }
 

@@ -454,7 +454,8 @@ TEST_F(DefaultFaceRecordings, DrawsTheLinesThatFacsNames) {
   const std::vector<std::pair<int, std::string>> named{
       {1, "forehead_inner"}, {2, "forehead_outer"}, {4, "glabella"},    {6, "crows_feet"},
       {7, "lower_lid"},      {9, "nose_root"},      {10, "nasolabial"}, {11, "nasolabial"},
-      {12, "nasolabial"},    {14, "mouth_corner"},  {17, "chin"},       {21, "neck"}};
+      {12, "nasolabial"},    {14, "mouth_corner"},  {17, "chin"},       {21, "neck"},
+      {23, "lips"}};
   for (const auto& [number, name] : named) {
     float before = 0;
     for (const std::uint8_t percent : std::initializer_list<std::uint8_t>{10, 25, 50, 80, 100}) {
