@@ -29,7 +29,7 @@ Result<TokenFile> read_token_file(const std::filesystem::path& path) {
   std::error_code ignored;
   using std::filesystem::perms;
   const auto status = std::filesystem::status(path, ignored);
-  if (!ignored && (status.permissions() & (perms::group_all | perms::others_all)) != perms::none) {
+  if (!ignored && (status.permissions() & perms::others_all) != perms::none) {
     token.warning = path.string() + ": others on this computer can use the token (chmod 600)";
   }
   return token;

@@ -10,7 +10,9 @@ namespace aucast::protocol {
 /// A token as a hello shows it, from a file of one line.
 struct TokenFile {
   std::string word;
-  std::string warning;  ///< for the log: others on this computer can read the file; else empty
+  /// For the log: everybody on this computer can use the file; else empty. A group may, for a
+  /// service is often let in as one.
+  std::string warning;
 };
 
 /// Reads the file: one word of printable ASCII without braces, at most kTokenBytesMax, blanks and

@@ -26,5 +26,19 @@ TEST(TokenFile, ReadsOneWordAndNeverQuotesIt) {
   EXPECT_EQ(read_token_file("/nowhere").error().kind, ErrorKind::Unreadable);
 }
 
+TEST(TokenFile, ThatEverybodyCanUseIsSaid) {
+  namespace fs = std::filesystem;
+  const test::TempFolder folder;
+  const auto path = folder.write("token", "word");
+  for (const auto& [mode, is_said] :
+       {std::pair{0600U, false}, {0640U, false}, {0644U, true}, {0602U, true}}) {
+    fs::permissions(path, static_cast<fs::perms>(mode));
+    const auto token = read_token_file(path);
+    ASSERT_TRUE(token);
+    EXPECT_EQ(!token->warning.empty(), is_said) << std::oct << mode;
+    EXPECT_EQ(token->warning.find("word"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace aucast::protocol
