@@ -3,12 +3,12 @@
 
     scripts/unit_in_vm.py [--build FOLDER] [--folder FOLDER] [--only NAME[,NAME...]]
 
-Takes what `cmake --install` installs from a build (--build, default build/release) to a small Debian
-of this host's release, made by debootstrap, and boots it in qemu, which emulates the processor: no
-/dev/kvm is needed, and nothing of the guest touches this host. unit_in_vm_checks.py runs inside and
-says what held; at its end a face-player of this host plays what the guest serves. Needs root (for
-debootstrap), what packages_vm.txt lists, and some three minutes; with --folder the Debian is kept there,
-and the next run takes half as long.
+Takes what `cmake --install` installs from a build (--build, default build/release) to a small
+Debian of this host's release, made by debootstrap, and boots it in qemu, which emulates the
+processor: no /dev/kvm is needed, and nothing of the guest touches this host. unit_in_vm_checks.py
+runs inside and says what held; at its end a face-player of this host plays what the guest serves.
+Needs root (for debootstrap), what packages_vm.txt lists, and some six minutes; with --folder the
+Debian is kept there for the next run, which takes two minutes less.
 
 Prints a line for each check and exits 1 when something did not hold. The console's log is printed
 when the guest did not come to its end.
@@ -106,6 +106,7 @@ def make_disk(options, debian, folder):
         shutil.copy(ROOT / path, checks)
     (root / "etc/systemd/system/aucast-checks.service").write_text(CHECKS_UNIT % options.only,
                                                                   encoding="ascii")
+    (root / "etc/hosts").write_text("127.0.0.1 localhost\n", encoding="ascii")
     (root / "etc/systemd/network/ether.network").write_text(NETWORK, encoding="ascii")
     run("chroot", root, "sh", "-c", AS_THE_README_SAYS)
     disk = folder / "disk"
@@ -180,7 +181,7 @@ def main():
     missing = [name for name in ("debootstrap", "qemu-system-x86_64", "mke2fs")
                if not shutil.which(name)]
     if missing:
-        sys.exit(f"not here: {', '.join(missing)} (scripts/install_deps.sh scripts/packages_vm.txt)")
+        sys.exit(f"not here: {', '.join(missing)}; scripts/install_deps.sh scripts/packages_vm.txt")
     if os.geteuid() != 0:
         sys.exit("debootstrap needs root")
     packages = {*PACKAGES, *libraries_of(options.build / "bin/au-transmitter")}
