@@ -163,7 +163,8 @@ void WindowSession::advance(Instant now) {
   while (const auto begun = controller_.advance(now, *source_)) {
     trace_progress(now);
     begin_keyframe(begun->target.aus, begun->cut_at);
-    if (received_.size() < kKeyframesKept) {
+    // The easing to neutral was not received.
+    if (!controller_.eased() && received_.size() < kKeyframesKept) {
       received_.push_back({begun->target.aus, static_cast<std::uint32_t>(begun->duration.count())});
     }
     if (!first_begin_) begin_stream(now);

@@ -68,6 +68,23 @@ TEST_F(WindowSessionTest, PlaysAndShowsWhatCameAndWhatTheRulesMadeOfIt) {
   EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
 }
 
+TEST_F(WindowSessionTest, ExportsWhatWasReceivedAndNotTheEasingToNeutral) {
+  open({frame({{12, Side::Both, 100}}), frame({{4, Side::Both, 50}})});
+  for (int step = 0; step < 3; ++step) go_on(Milliseconds(100));
+  EXPECT_FALSE(model().remote.eased);
+  go_on(options_.playback.hold);
+  go_on(Milliseconds(500));
+  EXPECT_TRUE(model().remote.eased);
+  source_->keyframes.push_back({frame({{26, Side::Both, 100}}), Milliseconds(300)});
+  go_on(Milliseconds(10));
+  EXPECT_FALSE(model().remote.eased);
+  const test::TempFolder folder;
+  const auto file = folder.path() / "exported.txt";
+  ask(gui::Browse{gui::Purpose::ExportKeyframes});
+  ask(gui::ChooseFile{file.string()});
+  EXPECT_EQ(*read_file(file), "Beg_Stream\n12;100\n4:50;100\n26;300\nEnd_Stream\n");
+}
+
 TEST_F(WindowSessionTest, PauseHoldsTheFaceAndResumeGoesOn) {
   open({frame({{26, Side::Both, 100}})});
   go_on(Milliseconds(0));
