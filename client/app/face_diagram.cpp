@@ -151,11 +151,6 @@ Sketch sketch_of(const face::Face& face) {
   return sketch;
 }
 
-const std::vector<float>* find_map(const face::Face& face, const char* name) {
-  const auto found = face.mesh.maps.find(name);
-  return found == face.mesh.maps.end() ? nullptr : &found->second;
-}
-
 /// Vertex of the rest face that is nearest to `point`.
 std::size_t nearest_vertex(const face::FaceMesh& mesh, const glm::vec3& point) {
   std::size_t nearest = 0;
@@ -180,7 +175,7 @@ face::Face carrier_of(const face::Face& face, const Sketch& sketch) {
   carrier.channels = face.channels;
   carrier.jaw = face.jaw;
   carrier.head = face.head;
-  const std::vector<float>* jaw = find_map(face, "jaw");
+  const std::vector<float>* jaw = find_map(face.mesh, "jaw");
   std::vector<float>& carried = carrier.mesh.maps["jaw"];
   carried.resize(sketch.points.size());
   std::vector<float> by_muscle(face.muscles.size(), -1);
@@ -275,7 +270,7 @@ void FaceDiagram::State::draw_muscles(std::span<const float> activations) {
 }
 
 void FaceDiagram::State::tag(const char* map_name, const face::DeformedFace& deformed) {
-  const std::vector<float>* const weights = find_map(face, map_name);
+  const std::vector<float>* const weights = find_map(face.mesh, map_name);
   if (weights == nullptr) return;
   float most = 0;
   for (const float weight : *weights) most = std::max(most, std::abs(weight));

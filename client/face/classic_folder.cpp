@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <map>
-#include <numbers>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -28,7 +27,6 @@ constexpr std::size_t kRowsMax = 200'000;
 constexpr std::size_t kMusclesMax = 1000;
 constexpr std::size_t kTriangleMark = 1000;
 constexpr float kActivationMax = 4;
-constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 constexpr glm::vec4 kSkinColour{0.74F, 0.505F, 0.385F, 1.0F};
 
 using Row = std::vector<std::uint32_t>;

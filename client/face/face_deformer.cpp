@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,8 +18,6 @@
 
 namespace aucast::face {
 namespace {
-
-constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 /// Two channels that pull opposite ways; a missing one is nothing.
 struct OpposedChannels {
@@ -60,16 +57,6 @@ struct HeadChannels {
   OpposedChannels tilt;
   OpposedChannels shift;
 };
-
-/// The map's value, or `missing` when the mesh does not have it.
-float map_at(const std::vector<float>* map, std::size_t vertex, float missing) {
-  return map == nullptr ? missing : (*map)[vertex];
-}
-
-const std::vector<float>* find_map(const FaceMesh& mesh, const std::string& map_name) {
-  const auto found = mesh.maps.find(map_name);
-  return found == mesh.maps.end() ? nullptr : &found->second;
-}
 
 /// Gathers the blocks in which `weight(vertex)` is not zero everywhere.
 template <typename Weight>
@@ -123,7 +110,6 @@ struct FaceDeformer::State {
   [[nodiscard]] HeadTurn::Pose head_pose() const;
 
   const Face& face;
-  std::size_t vertex_count;
   std::vector<float> activations;  ///< clamped
   MuscleSums muscles;
   std::vector<VertexBlock> now;  ///< before the head turns
@@ -143,7 +129,6 @@ struct FaceDeformer::State {
 
 FaceDeformer::State::State(const Face& driven)
     : face(driven),
-      vertex_count(driven.mesh.positions.size()),
       activations(driven.channels.size()),
       muscles(driven),
       now(muscles.rest()),
@@ -151,6 +136,7 @@ FaceDeformer::State::State(const Face& driven)
       shown(now.size()),
       normals(driven.mesh) {
   AUCAST_CHECK(face.muscles.size() <= face.channels.size());
+  const std::size_t vertex_count = face.mesh.positions.size();
   const auto channel = [this](std::string_view name) { return face.channel_index(name); };
   const auto* const jaw_map = find_map(face.mesh, "jaw");
   if (face.jaw) {

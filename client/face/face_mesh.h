@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -39,5 +40,18 @@ struct FaceMesh {
   /// the masks that muscles name.
   std::map<std::string, std::vector<float>> maps;
 };
+
+/// The weights of that name; nothing when the mesh has none.
+[[nodiscard]] inline const std::vector<float>* find_map(const FaceMesh& mesh,
+                                                        const std::string& name) {
+  const auto found = mesh.maps.find(name);
+  return found == mesh.maps.end() ? nullptr : &found->second;
+}
+
+/// The vertex's weight in what find_map() found, `missing` where that is nothing.
+[[nodiscard]] inline float map_at(const std::vector<float>* map, std::size_t vertex,
+                                  float missing) {
+  return map == nullptr ? missing : (*map)[vertex];
+}
 
 }  // namespace aucast::face

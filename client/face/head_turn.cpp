@@ -1,13 +1,10 @@
 #include "client/face/head_turn.h"
 
-#include <numbers>
-
 #include "client/face/block_turns.h"
 
 namespace aucast::face {
 namespace {
 
-constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 constexpr Lanes kAllLanes{1, 1, 1, 1, 1, 1, 1, 1};
 
 glm::vec3 lane(const VertexBlock& block, std::size_t i) {
@@ -30,11 +27,9 @@ void turn_rigidly(const glm::mat3& rotation, const glm::vec3& offset, VertexBloc
 HeadTurn::HeadTurn(const Face& face) : head_(*face.head) {
   weights_.resize(block_count(face.mesh.positions.size()));
   carried_ = BlockSet(weights_.size());
-  const auto map = face.mesh.maps.find("head");
-  if (map != face.mesh.maps.end()) {
-    for (std::size_t i = 0; i < map->second.size(); ++i) {
-      weights_[i / kLanes][i % kLanes] = map->second[i];
-    }
+  const auto* const map = find_map(face.mesh, "head");
+  for (std::size_t i = 0; i < face.mesh.positions.size(); ++i) {
+    weights_[i / kLanes][i % kLanes] = map_at(map, i, 0);
   }
   for (const Lanes& weights : weights_) {
     kinds_.push_back(weights == Lanes{}     ? Kind::Not

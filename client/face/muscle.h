@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
@@ -8,6 +9,9 @@
 #include <glm/vec3.hpp>
 
 namespace aucast::face {
+
+/// Files say degrees.
+inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 // Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
 // displacement(m, p, a) is the way that point `p` of the rest face goes at activation `a` (0..2;
@@ -76,7 +80,7 @@ using MuscleShape =
 struct Muscle {
   std::string name;
   MuscleShape shape;
-  std::string mask;  ///< a map of the mesh that multiplies the displacement; empty: none
+  std::string mask;         ///< a map of the mesh that multiplies the displacement; empty: none
   bool mask_alone = false;  ///< the map `muscle` does not count: tongue and teeth move too
 };
 

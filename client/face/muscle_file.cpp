@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,8 +12,6 @@
 
 namespace aucast::face {
 namespace {
-
-constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 void check_ends(TableReader& reader, const glm::vec3& attachment, const glm::vec3& insertion) {
   if (attachment == insertion) reader.wrong("insertion", "must differ from the attachment");

@@ -4,19 +4,6 @@
 #include <limits>
 
 namespace aucast::face {
-namespace {
-
-/// The map's value, or 1 when the mesh does not have it.
-float factor_at(const std::vector<float>* map, std::size_t vertex) {
-  return map == nullptr ? 1.0F : (*map)[vertex];
-}
-
-const std::vector<float>* find_map(const FaceMesh& mesh, const std::string& map_name) {
-  const auto found = mesh.maps.find(map_name);
-  return found == mesh.maps.end() ? nullptr : &found->second;
-}
-
-}  // namespace
 
 MuscleSums::MuscleSums(const Face& face)
     : rest_(blocks_of(face.mesh.positions)), activations_(face.muscles.size()) {
@@ -31,7 +18,7 @@ MuscleSums::MuscleSums(const Face& face)
     reaches.activation_cap = std::numeric_limits<float>::infinity();
     const auto number = static_cast<std::uint32_t>(reaches_.size() - 1);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      const float factor = factor_at(reach, i) * factor_at(mask, i);
+      const float factor = map_at(reach, i, 1) * map_at(mask, i, 1);
       if (factor == 0) continue;
       const LinearInfluence linear = influence(muscle.shape, mesh.positions[i]);
       if (linear.per_unit == glm::vec3(0)) continue;

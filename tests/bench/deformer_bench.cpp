@@ -30,6 +30,8 @@ using aucast::face::DeformedFace;
 using aucast::face::Face;
 using aucast::face::FaceDeformer;
 using aucast::face::FaceMesh;
+using aucast::face::find_map;
+using aucast::face::map_at;
 
 constexpr int kRounds = 100;
 constexpr int kColdRounds = 51;
@@ -83,11 +85,6 @@ double cold_microseconds(Call call) {
   return taken[kColdRounds / 2];
 }
 
-float map_at(const FaceMesh& mesh, const std::string& map, std::size_t vertex, float missing) {
-  const auto found = mesh.maps.find(map);
-  return found == mesh.maps.end() ? missing : found->second[vertex];
-}
-
 /// Turns (u, v) by `angle` with the library's sine and cosine.
 void turn(float& u, float& v, float angle, float u0, float v0) {
   const float du = u - u0;
@@ -105,12 +102,13 @@ class PlainFace {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       for (std::size_t m = 0; m < face.muscles.size(); ++m) {
         const std::string& mask = face.muscles[m].mask;
-        const float reach = face.muscles[m].mask_alone ? 1.0F : map_at(mesh, "muscle", i, 1);
-        masks_[m].push_back(reach * (mask.empty() ? 1.0F : map_at(mesh, mask, i, 1)));
+        const float reach =
+            face.muscles[m].mask_alone ? 1.0F : map_at(find_map(mesh, "muscle"), i, 1);
+        masks_[m].push_back(reach * (mask.empty() ? 1.0F : map_at(find_map(mesh, mask), i, 1)));
       }
-      masks_[face.muscles.size()].push_back(map_at(mesh, "jaw", i, 0));
-      masks_[face.muscles.size() + 1].push_back(map_at(mesh, "lid_angle", i, 0));
-      masks_[face.muscles.size() + 2].push_back(map_at(mesh, "head", i, 0));
+      masks_[face.muscles.size()].push_back(map_at(find_map(mesh, "jaw"), i, 0));
+      masks_[face.muscles.size() + 1].push_back(map_at(find_map(mesh, "lid_angle"), i, 0));
+      masks_[face.muscles.size() + 2].push_back(map_at(find_map(mesh, "head"), i, 0));
     }
   }
 
