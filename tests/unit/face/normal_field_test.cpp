@@ -1,6 +1,7 @@
 #include "client/face/normal_field.h"
 
 #include <array>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -135,28 +136,6 @@ TEST(NormalField, WritesOnlyWhatAMovedVertexMayChange) {
   normals.assign(60, glm::vec3(7));
   field.update(moved, normals);
   EXPECT_EQ(normals, std::vector<glm::vec3>(60, glm::vec3(7)));
-}
-
-TEST(BlockSet, HoldsWhatWasPutIn) {
-  Seeded seeded;
-  SCOPED_TRACE(seeded.trace());
-  for (const int count : {1, 63, 64, 65, 200}) {
-    BlockSet set(static_cast<std::size_t>(count));
-    BlockSet other = set;
-    EXPECT_TRUE(set.empty());
-    std::vector<std::size_t> expected;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      if (!seeded.chance(0.4)) continue;
-      expected.push_back(i);
-      (seeded.chance(0.5) ? set : other).insert(i);
-    }
-    set |= other;
-    std::vector<std::size_t> seen;
-    set.for_each([&](std::size_t block) { seen.push_back(block); });
-    EXPECT_EQ(seen, expected);
-    EXPECT_EQ(set.empty(), expected.empty());
-    for (const std::size_t block : expected) EXPECT_TRUE(set.contains(block));
-  }
 }
 
 }  // namespace

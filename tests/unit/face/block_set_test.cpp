@@ -1,0 +1,33 @@
+#include "client/face/block_set.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/seeded.h"
+
+namespace aucast::face {
+namespace {
+
+TEST(BlockSet, HoldsWhatWasPutIn) {
+  test::Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (const int count : {1, 63, 64, 65, 200}) {
+    BlockSet set(static_cast<std::size_t>(count));
+    BlockSet other = set;
+    EXPECT_TRUE(set.empty());
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      if (!seeded.chance(0.4)) continue;
+      expected.push_back(i);
+      (seeded.chance(0.5) ? set : other).insert(i);
+    }
+    set |= other;
+    std::vector<std::size_t> seen;
+    set.for_each([&](std::size_t block) { seen.push_back(block); });
+    EXPECT_EQ(seen, expected);
+    EXPECT_EQ(set.empty(), expected.empty());
+    for (const std::size_t block : expected) EXPECT_TRUE(set.contains(block));
+  }
+}
+
+}  // namespace
+}  // namespace aucast::face
