@@ -61,8 +61,7 @@ void timeline(const Look& look, const ComposerView& composer, GuiCommands& comma
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopClipRect();
         ImGui::SameLine(right);
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of(Tone::Quiet)), "%s",
-                           row.time.c_str());
+        toned_line(Tone::Quiet, row.time);
         ImGui::PopID();
       }
     }

@@ -77,9 +77,7 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
     quiet_text(
         "Saving goes into your own copy of the face; the one that came with the player stays.");
   } else if (editor.save_failed) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Bad));
-    ImGui::TextWrapped("%s", editor.saved_to.c_str());
-    ImGui::PopStyleColor();
+    toned_text(Tone::Bad, editor.saved_to);
   } else {
     quiet_text(editor.saved_to);
   }

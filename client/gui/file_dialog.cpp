@@ -98,12 +98,7 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
                                ImGuiInputTextFlags_EnterReturnsTrue);
   }
   const std::string text = objection(view);
-  if (!text.empty()) {
-    const Tone tone = view.problem.empty() ? Tone::Waiting : Tone::Bad;
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tone));
-    ImGui::TextWrapped("%s", text.c_str());
-    ImGui::PopStyleColor();
-  }
+  if (!text.empty()) toned_text(view.problem.empty() ? Tone::Waiting : Tone::Bad, text);
   const char* action = !saving ? "Open" : view.replaces.empty() ? "Save" : "Replace it";
   const bool named = form.name[0] != 0;
   if (wide_button("Cancel", 0, 2, true)) commands.push_back(CloseBrowser{});

@@ -175,8 +175,7 @@ void key_list(const Look& look, float width, bool& shown) {
     for (const KeyHelp& line : kKeys) {
       ImGui::TextUnformatted(line.key);
       ImGui::SameLine(120 * look.scale);
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of(Tone::Quiet)), "%s",
-                         line.meaning);
+      toned_line(Tone::Quiet, line.meaning);
     }
   }
   ImGui::End();

@@ -47,6 +47,7 @@ struct ComposerForm {
 void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
                     GuiCommands& commands);
 
+/// Of the bar below, at scale 1.
 inline constexpr float kTransportHeight = 76;
 /// The bar under the face by which a stream that is there whole is played; `width`: what the side
 /// panel leaves free.
@@ -55,6 +56,7 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
 void file_part(const GuiModel& model, GuiCommands& commands);
 /// Pictures, video and stream files of what is played.
 void record_part(const GuiModel& model, GuiCommands& commands);
+
 /// What was read and clicked away.
 struct NoticeForm {
   std::string trouble;

@@ -18,7 +18,7 @@ void percent(int value, bool differs) {
   if (value == 0) {
     ImGui::TextDisabled("-");
   } else if (differs) {
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of(Tone::Waiting)), "%d", value);
+    toned_line(Tone::Waiting, std::to_string(value));
   } else {
     ImGui::Text("%d", value);
   }
@@ -68,6 +68,18 @@ FloatingStyle::FloatingStyle(const Look& look) {
 FloatingStyle::~FloatingStyle() {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
+}
+
+void toned_line(Tone tone, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tone));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void toned_text(Tone tone, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tone));
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
 }
 
 void heading(const Look& look, const char* text) {

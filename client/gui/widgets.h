@@ -34,6 +34,11 @@ class FloatingStyle {
   FloatingStyle& operator=(const FloatingStyle&) = delete;
 };
 
+/// A line in the tone's colour.
+void toned_line(Tone tone, const std::string& text);
+/// The same, broken into as many lines as it needs.
+void toned_text(Tone tone, const std::string& text);
+
 /// A heading with room above it.
 void heading(const Look& look, const char* text);
 /// A label at the left; what comes next stands at the panel's column for values and fills the rest.
