@@ -196,20 +196,13 @@ bool read_whole(std::string_view text, Number low, Number high, Number& out) {
 /// SEED[:INTERVAL_MS[:CLOSING_MS]]
 Result<void> read_blink(const std::string& text, PlaybackOptions& playback) {
   playback::BlinkOptions blink;
-  std::string_view rest = text;
-  const auto next = [&rest] {
-    const std::size_t colon = rest.find(':');
-    const std::string_view word = rest.substr(0, colon);
-    rest = colon == std::string_view::npos ? std::string_view() : rest.substr(colon + 1);
-    return word;
-  };
-  const auto colons = std::count(text.begin(), text.end(), ':');
-  const bool good =
-      colons <= 2 &&
-      read_whole(next(), std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(), blink.seed) &&
-      (colons < 1 || read_whole(next(), 500, 60'000, blink.interval_ms)) &&
-      (colons < 2 || read_whole(next(), 25, 500, blink.closing_ms)) &&
-      blink.closing_ms * 6 <= blink.interval_ms;
+  const auto parts = split(text, ':');
+  constexpr auto kSeedMax = std::numeric_limits<std::uint64_t>::max();
+  const bool good = parts.size() <= 3 &&
+                    read_whole(parts[0], std::uint64_t{0}, kSeedMax, blink.seed) &&
+                    (parts.size() < 2 || read_whole(parts[1], 500, 60'000, blink.interval_ms)) &&
+                    (parts.size() < 3 || read_whole(parts[2], 25, 500, blink.closing_ms)) &&
+                    blink.closing_ms * 6 <= blink.interval_ms;
   if (!good) {
     return usage("--blink '" + escaped(text) +
                  "' is not SEED[:INTERVAL[:CLOSING]]: a number, then ms, 500 to 60000 between "

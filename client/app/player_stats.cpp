@@ -7,7 +7,6 @@
 #include "client/app/steady.h"
 
 namespace aucast::app {
-
 namespace {
 
 /// In ms, to the microsecond.
