@@ -86,6 +86,12 @@ class Items {
   std::string text_;
 };
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 }  // namespace
 
 ManualPage::ManualPage(std::string_view program, std::string_view version, std::string_view says) {
@@ -167,16 +173,6 @@ std::vector<std::string> options_in(std::string_view text) {
   return {options.begin(), options.end()};
 }
 
-namespace {
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
-}  // namespace
-
 std::string bash_completion(std::string_view program, const std::vector<std::string>& options,
                             const std::vector<std::string>& commands) {
   const std::string name(program);
@@ -191,12 +187,12 @@ std::string bash_completion(std::string_view program, const std::vector<std::str
          joined(options) +
          "' -- \"$word\"))\n"
          "  elif [[ $COMP_CWORD -eq 1 ]]; then\n"
-         "    COMPREPLY=($(compgen -W '" +
+         "    mapfile -t COMPREPLY < <(compgen -W '" +
          joined(commands) +
-         "' -- \"$word\"))\n"
+         "' -- \"$word\"; compgen -f -- \"$word\")\n"
          "  fi\n"
          "}\n"
-         "complete -o default -F " +
+         "complete -o filenames -o default -F " +
          function + " " + name + "\n";
 }
 
@@ -204,7 +200,9 @@ std::string zsh_completion(std::string_view program, const std::vector<std::stri
                            const std::vector<std::string>& commands) {
   const std::string name(program);
   return "#compdef " + name + "\n" +
-         "if [[ $PREFIX == -* ]]; then\n"
+         "if compset -P '--*='; then\n"
+         "  _files\n"
+         "elif [[ $PREFIX == -* ]]; then\n"
          "  compadd -- " +
          joined(options) +
          "\n"
@@ -219,13 +217,12 @@ std::string zsh_completion(std::string_view program, const std::vector<std::stri
 std::string fish_completion(std::string_view program, const std::vector<std::string>& options,
                             const std::vector<std::string>& commands) {
   const std::string name(program);
+  const std::string begin = "complete -c " + name;
   std::string text = "# fish completion for " + name + "\n";
   for (const std::string& command : commands) {
-    text += "complete -c " + name + " -n __fish_use_subcommand -a " + command + "\n";
+    text += begin + " -n 'test (count (commandline -opc)) -eq 1' -a " + command + "\n";
   }
-  for (const std::string& option : options) {
-    text += "complete -c " + name + " -l " + option.substr(2) + "\n";
-  }
+  for (const std::string& option : options) text += begin + " -l " + option.substr(2) + "\n";
   return text;
 }
 

@@ -36,7 +36,8 @@ void add_help_page(ManualPage& page, std::string_view program, std::string_view 
 /// The options (--name) that a text mentions, sorted, each once.
 [[nodiscard]] std::vector<std::string> options_in(std::string_view text);
 
-/// What makes bash complete the program's options and commands; other words are files.
+/// What makes bash complete the program's options and, where they may stand, its commands; other
+/// words are files.
 [[nodiscard]] std::string bash_completion(std::string_view program,
                                           const std::vector<std::string>& options,
                                           const std::vector<std::string>& commands);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/integration/installed.h"
 #include "tests/support/process.h"
 #include "tests/support/raw_client.h"
 #include "tests/support/temp_folder.h"
@@ -85,34 +86,6 @@ TEST(Manual, IsReadWithoutAWarning) {
     EXPECT_NE(checked.out.find("(1)"), std::string::npos) << "its title";
   }
 }
-
-TEST(Completion, CompletesInBash) {
-  const TempFolder folder;
-  const auto script = folder.write("completion", out_of("au-transmitter", {"--help-completion"}));
-  const auto complete = [&](const std::string& words, int index) {
-    return run({"bash", "-c",
-                "source '" + script.string() + "'; COMP_WORDS=(" + words + "); COMP_CWORD=" +
-                    std::to_string(index) + "; _au_transmitter; echo \"${COMPREPLY[*]}\""})
-        .out;
-  };
-  EXPECT_EQ(complete("au-transmitter --classic", 1), "--classic-min\n");
-  EXPECT_EQ(complete("au-transmitter --loop --key", 2), "--keyframe\n");
-  EXPECT_EQ(complete("au-transmitter conv", 1), "convert\n");
-}
-
-class Installed : public ::testing::Test {
- protected:
-  void SetUp() override {
-    const Finished installed =
-        run({"cmake", "--install", AUCAST_BUILD_FOLDER, "--prefix", folder_.path().string()});
-    ASSERT_EQ(installed.exit_code, 0) << installed.err;
-  }
-  [[nodiscard]] std::string at(const std::string& path) const {
-    return (folder_.path() / path).string();
-  }
-
-  TempFolder folder_;
-};
 
 TEST_F(Installed, EverythingIsInItsPlaceAndWorksThere) {
   namespace fs = std::filesystem;

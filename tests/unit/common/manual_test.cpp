@@ -41,13 +41,14 @@ TEST(Completion, NamesTheProgramAndItsOptions) {
   const std::string script = bash_completion("a-b", {"--x", "--y"}, {"play"});
   EXPECT_NE(script.find("compgen -W '--x --y' "), std::string::npos);
   EXPECT_NE(script.find("compgen -W 'play' "), std::string::npos);
-  EXPECT_TRUE(script.ends_with("complete -o default -F _a_b a-b\n"));
+  EXPECT_TRUE(script.ends_with("complete -o filenames -o default -F _a_b a-b\n"));
   const std::string zsh = zsh_completion("a-b", {"--x", "--y"}, {"play"});
   EXPECT_TRUE(zsh.starts_with("#compdef a-b\n"));
   EXPECT_NE(zsh.find("compadd -- --x --y\n"), std::string::npos);
   EXPECT_NE(zsh.find("compadd -- play\n"), std::string::npos);
   EXPECT_EQ(fish_completion("a-b", {"--x"}, {"play"}),
-            "# fish completion for a-b\ncomplete -c a-b -n __fish_use_subcommand -a play\n"
+            "# fish completion for a-b\n"
+            "complete -c a-b -n 'test (count (commandline -opc)) -eq 1' -a play\n"
             "complete -c a-b -l x\n");
 }
 
