@@ -147,6 +147,8 @@ def main():
         if rows.get(face, -1) > last:
             last = rows[face]
             delays.append(1000 * (end - written[face]))
+    if not delays:
+        sys.exit("no row was reached")
     delays.sort()
     interval = 1000 / options.rate
     aim = interval + DISPLAY_FRAME_MS

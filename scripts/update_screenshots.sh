@@ -19,8 +19,8 @@ fi
 scale=$AUCAST_SCREEN
 work=$(mktemp -d)
 data=/tmp/aucast  # is seen in the picture of the file dialog
-rm -rf "$data"
-cp -r "$bin/data" "$data"
+mkdir "$data"     # not what somebody else has there
+cp -r "$bin/data/." "$data"
 server=
 player=
 finish() {
