@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/log.h"
 #include "server/catalogue.h"
 
 namespace aucast::server {
@@ -15,6 +16,11 @@ constexpr int kBreath = 4;
 
 Instant now() {
   return std::chrono::steady_clock::now();
+}
+
+/// Moments so far, those that were left out too.
+std::uint64_t begun(const protocol::LiveClock& clock) {
+  return clock.newest() ? clock.newest()->number + 1 : 0;
 }
 
 }  // namespace
@@ -50,11 +56,21 @@ void LiveBeat::catch_up() {
 void LiveBeat::beat() {
   const Instant moment = now();
   bool moved = false;
+  std::uint64_t left_out = 0;
+  Duration latest{0};
   for (protocol::LiveClock& clock : clocks_) {
     const Duration late = moment - clock.next_at().value_or(moment);
+    const std::uint64_t before = begun(clock);
     if (!clock.advance_all(moment)) continue;
     moved = true;
     lag_ = late;
+    latest = std::max(latest, late);
+    left_out += begun(clock) - before - clock.passed().size();
+  }
+  // Once a second at most: less late than that nothing is left out.
+  if (left_out > 0) {
+    spdlog::warn("late by {:.1f} s: {} moments of live streams were left out",
+                 std::chrono::duration<double>(latest).count(), left_out);
   }
   if (moved) on_moment_();
   const Instant done = now();

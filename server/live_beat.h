@@ -12,7 +12,7 @@
 
 namespace aucast::server {
 
-/// Keeps the clocks of the live streams going and tells of each moment.
+/// Keeps the clocks of the live streams going, tells of each moment and warns of those left out.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class LiveBeat {
  public:

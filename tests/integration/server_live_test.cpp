@@ -1,4 +1,7 @@
-// au-transmitter --live. A client that is never behind is the clock of these tests: nobody sleeps.
+// au-transmitter --live. A client that is never behind is the clock of these tests: nobody sleeps
+// but a transmitter that is made to.
+#include <thread>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -118,6 +121,19 @@ TEST_F(ServerLive, WhoTakesNothingIsSkippedForCountedAndClosedInTime) {
   EXPECT_NE(server.log().find(closed), std::string::npos) << server.log();
   const auto stats = nlohmann::json::parse(folder_.read("s.json"));
   EXPECT_GT(stats["packets_merged"].get<int>(), 0);
+}
+
+TEST_F(ServerLive, WhatATransmitterThatStoodStillLeavesOutIsSaid) {
+  RunningTransmitter server(arguments(file_, {"--loop"}));
+  std::string reply;
+  RawClient client = say_hello(server, "{hello v=2 window=0}", reply);
+  EXPECT_FALSE(client.receive_until("}").empty()) << "the clock goes";
+  server.process().signal(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  server.process().signal(SIGCONT);
+  EXPECT_TRUE(logs(server, " moments of live streams were left out")) << server.log();
+  client.reset();
+  EXPECT_EQ(server.terminate(), 0);
 }
 
 TEST_F(ServerLive, ALoopWithoutTimeIsBadData) {

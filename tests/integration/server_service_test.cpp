@@ -1,6 +1,8 @@
 // au-transmitter as an operator keeps it: signals, reloads, logs.
+#include <cstdlib>
 #include <regex>
 #include <sstream>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -93,44 +95,67 @@ TEST_F(ServerReload, UnchangedFilesChangeNothing) {
   EXPECT_EQ(server.terminate(), 0);
 }
 
-TEST_F(ServerReload, LiveStreamsThatStayGoOnWithoutAGap) {
-  // The second file changes, the first one's clock must not notice.
-  const auto other = folder_.write("other.txt", "Beg_Stream\n7;50\nEnd_Stream\n");
-  std::string packets;
-  for (int au = 1; au <= 99; ++au) packets += std::to_string(au) + ";20\n";
-  RunningTransmitter server({"--live", "--loop", write(packets), other});
+/// The AUs of keyframes that have one each.
+std::vector<int> aus_of(const std::string& packets) {
+  std::vector<int> aus;
+  for (std::size_t at = packets.find('{'); at != std::string::npos;
+       at = packets.find('{', at + 1)) {
+    const int au = std::atoi(packets.c_str() + at + 1);
+    if (au > 0) aus.push_back(au);
+  }
+  return aus;
+}
+
+/// The keyframes of a live stream that everybody saw, over a reload in which another one changed.
+struct SeenOverReload {
+  std::vector<int> before;  ///< by who was there before it
+  std::vector<int> after;   ///< by who came after it
+  bool left_out = false;    ///< the transmitter was held up for too long to send every one
+};
+
+SeenOverReload reload_while_live(const TempFolder& folder, const std::string& live) {
+  const auto other = folder.write("other.txt", "Beg_Stream\n7;50\nEnd_Stream\n");
+  RunningTransmitter server({"--live", "--loop", live, other});
   std::string hello;
   RawClient before = say_hello(server, "{hello v=2 window=0}", hello);
-  const auto next = [](RawClient& client) {
-    const std::string packet = client.receive_until("}");
-    return packet.size() > 1 ? std::stoi(packet.substr(1)) : -1;
-  };
-  const int first = next(before);
-  folder_.write("other.txt", "Beg_Stream\n8;50\nEnd_Stream\n");
+  std::string of_before;
+  for (int count = 0; count < 20; ++count) of_before += before.receive_until("}");
+  folder.write("other.txt", "Beg_Stream\n8;50\nEnd_Stream\n");
   server.process().signal(SIGHUP);
-  ASSERT_TRUE(logs(server, "serving 2 streams now")) << server.log();
+  EXPECT_TRUE(logs(server, "serving 2 streams now")) << server.log();
   RawClient after = say_hello(server, "{hello v=2 window=0}", hello);
-  const int joined = next(after);
-  // The one that was here is sent every keyframe, in order, and comes by where the other joined
-  // within one round: 99 keyframes lie between two that are the same.
-  int passed = 0;
-  for (int au = first % 99 + 1, seen = next(before); passed < 200; ++passed) {
-    ASSERT_EQ(seen, au);
-    if (seen == joined) break;
-    au = au % 99 + 1;
-    seen = next(before);
-  }
-  EXPECT_LT(passed, 200);
-  for (int au = joined % 99 + 1, count = 0; count < 20; ++count, au = au % 99 + 1) {
-    ASSERT_EQ(next(before), au);
-    ASSERT_EQ(next(after), au) << "the same moment";
-  }
+  std::string of_after;
+  for (int count = 0; count < 20; ++count) of_after += after.receive_until("}");
   RawClient changed = say_hello(server, "{hello v=2 window=0 stream=other}", hello);
-  EXPECT_EQ(next(changed), 8);
+  EXPECT_EQ(aus_of(changed.receive_until("}")), std::vector{8});
+  changed.reset();
+  // For both the stream is stopped at one moment.
+  server.process().signal(SIGTERM);
+  of_before += before.receive_all();
+  of_after += after.receive_all();
+  EXPECT_TRUE(of_before.ends_with(kEnd) && of_after.ends_with(kEnd));
   before.reset();
   after.reset();
-  changed.reset();
-  EXPECT_EQ(server.terminate(), 0);
+  EXPECT_EQ(server.process().wait(kPatience), 0);
+  const bool left_out = server.log().find("were left out") != std::string::npos;
+  return {aus_of(of_before), aus_of(of_after), left_out};
+}
+
+TEST_F(ServerReload, LiveStreamsThatStayGoOnWithoutAGap) {
+  std::string packets;
+  for (int au = 1; au <= 99; ++au) packets += std::to_string(au) + ";20\n";
+  const std::string live = write(packets);
+  // A computer that lets nobody run for a second makes a gap of its own, which is not meant here.
+  SeenOverReload seen = reload_while_live(folder_, live);
+  for (int more = 0; seen.left_out && more < 4; ++more) seen = reload_while_live(folder_, live);
+  ASSERT_FALSE(seen.left_out);
+  for (const auto& aus : {seen.before, seen.after}) {
+    ASSERT_GE(aus.size(), 20U);
+    for (std::size_t i = 1; i < aus.size(); ++i) ASSERT_EQ(aus[i], aus[i - 1] % 99 + 1);
+  }
+  // One clock may have been asked just before the end, the other just after.
+  const int apart = (seen.before.back() - seen.after.back() + 99) % 99;
+  EXPECT_TRUE(apart <= 1 || apart == 98) << apart << " keyframes apart";
 }
 
 TEST_F(ServerReload, ManyHangupsDisturbNobody) {
