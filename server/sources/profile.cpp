@@ -151,7 +151,7 @@ class ProfileReader {
              item.key + " is not from " + number_text(low) + " to " + number_text(high));
       return std::nullopt;
     }
-    return value.real;
+    return value.real + 0.0;  // which makes 0 of -0
   }
 
   void refuse_key(const Entry& entry, const std::string& why,
