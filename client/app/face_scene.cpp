@@ -57,8 +57,10 @@ FaceScene::FaceScene(const face::Face& face) : face_(face) {
 }
 
 view::StaticMesh FaceScene::still() const {
-  return {face_.mesh.triangles, face_.mesh.colours, face_.mesh.occlusion, face_.mesh.gloss,
-          ranges_};
+  view::StaticMesh mesh{face_.mesh.triangles, face_.mesh.colours, face_.mesh.occlusion,
+                        face_.mesh.gloss, ranges_};
+  if (!face_.classic) mesh.rest = face_.mesh.positions;
+  return mesh;
 }
 
 view::MovingMesh FaceScene::moving(const face::DeformedFace& deformed) {

@@ -16,6 +16,7 @@
 #include "client/render/look.h"
 #include "client/render/segment_renderer.h"
 #include "client/render/shaders.h"
+#include "client/render/skin_grain.h"
 #include "client/view/camera.h"
 #include "client/view/rounded_mesh.h"
 #include "common/check.h"
@@ -42,6 +43,7 @@ constexpr GLuint kPositionSlot = 0;
 constexpr GLuint kNormalSlot = 1;
 constexpr GLuint kColourSlot = 2;
 constexpr GLuint kOcclusionGlossSlot = 3;
+constexpr GLuint kGrainSlot = 4;
 
 /// A run of indices with one look.
 struct Draw {
@@ -137,12 +139,15 @@ struct FaceRenderer::State {
   Buffer normals;
   Buffer colours;
   Buffer occlusion_gloss;
+  Buffer grain_places;
   Buffer indices;
   Texture shadow_texture;
+  SkinGrain grain;
   Framebuffer shadow_framebuffer;
   ShadowMatrices shadow{};
 
   std::size_t vertex_count = 0;
+  bool grained = false;
   view::RoundedMesh rounded;
   std::vector<Draw> solid;
   std::vector<Draw> plain;  ///< the same without rounding
@@ -188,11 +193,12 @@ struct FaceRenderer::State {
 
 void FaceRenderer::State::set_up() {
   glBindVertexArray(vertices.id());
-  const std::array<std::pair<const Buffer*, std::pair<GLuint, GLint>>, 4> attributes{
+  const std::array<std::pair<const Buffer*, std::pair<GLuint, GLint>>, 5> attributes{
       {{&positions, {kPositionSlot, 3}},
        {&normals, {kNormalSlot, 3}},
        {&colours, {kColourSlot, 4}},
-       {&occlusion_gloss, {kOcclusionGlossSlot, 2}}}};
+       {&occlusion_gloss, {kOcclusionGlossSlot, 2}},
+       {&grain_places, {kGrainSlot, 2}}}};
   for (const auto& [buffer, layout] : attributes) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer->id());
     attribute(layout.first, layout.second);
@@ -265,7 +271,8 @@ void FaceRenderer::State::draw_runs(const std::vector<Draw>& draws, const view::
   for (const Draw& draw : draws) {
     const Look look = look_of(draw.shading);
     LitProgram& program = program_for(draw.shading);
-    program.use({look.wrap, look.specular, look.power, look.shadow_kept});
+    program.use(
+        {look.wrap, look.specular, look.power, look.shadow_kept, grained ? look.grain : 0.0F});
     if (draw.index >= 0) {
       const auto at = static_cast<std::size_t>(draw.index);
       AUCAST_CHECK(at < mesh.eye_centres.size() && at < mesh.eye_forward.size());
@@ -320,6 +327,8 @@ void FaceRenderer::State::set_programs(const view::Style& style,
     program->set_camera(world_to_clip, shadow.world_to_texture, matrices.eye);
     program->set_key_light(glm::normalize(style.light.direction), style.light.strength);
   }
+  glActiveTexture(GL_TEXTURE1);
+  grain.bind();
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, shadow_texture.id());
   if (style.layers.textured) {
@@ -538,6 +547,12 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   glBindBuffer(GL_ARRAY_BUFFER, state.occlusion_gloss.id());
   occlusion_gloss = state.rounded.with_edges(std::span<const glm::vec2>(occlusion_gloss));
   upload(GL_ARRAY_BUFFER, std::span<const glm::vec2>(occlusion_gloss), GL_STATIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, state.grain_places.id());
+  state.grained = !mesh.rest.empty();
+  auto places = SkinGrain::places(mesh.rest);
+  places.resize(state.vertex_count);
+  places = state.rounded.with_edges(std::span<const glm::vec2>(places));
+  upload(GL_ARRAY_BUFFER, std::span<const glm::vec2>(places), GL_STATIC_DRAW);
   upload(GL_ELEMENT_ARRAY_BUFFER, std::span<const std::array<std::uint32_t, 3>>(sorted),
          GL_STATIC_DRAW);
 }

@@ -38,6 +38,7 @@ LitProgram::LitProgram(Program program) : program_(std::move(program)) {
   specular_ = find("u_specular");
   power_ = find("u_power");
   shadow_kept_ = find("u_shadow_kept");
+  grain_ = find("u_grain");
   eyeball_centre_ = find("u_eyeball_centre");
   eyeball_forward_ = find("u_eyeball_forward");
   glUseProgram(program_.id());
@@ -48,6 +49,7 @@ LitProgram::LitProgram(Program program) : program_(std::move(program)) {
   set("u_rim_direction", kRimDirection);
   set("u_second_rim_direction", kSecondRimDirection);
   glUniform1i(find("u_shadow_map"), 0);
+  glUniform1i(find("u_grain_map"), 1);
   glUniform2f(find("u_shadow_texel"), 1.0F / kShadowSide, 1.0F / kShadowSide);
 }
 
@@ -71,6 +73,7 @@ void LitProgram::use(const Answer& answer) {
   glUniform1f(specular_, answer.specular);
   glUniform1f(power_, answer.power);
   glUniform1f(shadow_kept_, answer.shadow_kept);
+  glUniform1f(grain_, answer.grain);
 }
 
 void LitProgram::set_eyeball(const glm::vec3& centre, const glm::vec3& forward) {

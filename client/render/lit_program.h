@@ -17,6 +17,7 @@ struct Answer {
   float specular = 0;
   float power = 20;
   float shadow_kept = 0;
+  float grain = 0;
 };
 
 /// The program of lit surfaces for one of the materials of shaders.h. Needs a current context.
@@ -45,6 +46,7 @@ class LitProgram {
   GLint specular_ = -1;
   GLint power_ = -1;
   GLint shadow_kept_ = -1;
+  GLint grain_ = -1;
   GLint eyeball_centre_ = -1;
   GLint eyeball_forward_ = -1;
 };

@@ -7,7 +7,7 @@ using view::Shading;
 Look look_of(Shading shading) {
   switch (shading) {
     case Shading::Skin:
-      return {1.0F, 0.19F, 20, Faces::Front, true};
+      return {1.0F, 0.19F, 20, Faces::Front, true, 0, 1};
     case Shading::Eye:
       return {0.25F, 0, 60, Faces::Front, false};
     case Shading::Teeth:

@@ -16,6 +16,7 @@ struct Look {
   Faces faces = Faces::Both;
   bool casts_shadow = false;
   float shadow_kept = 0;
+  float grain = 0;
 };
 
 [[nodiscard]] Look look_of(view::Shading shading);

@@ -20,6 +20,10 @@ layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_colour;
 layout(location = 3) in vec2 a_occlusion_gloss;
+#ifdef SURFACE
+layout(location = 4) in vec2 a_grain;
+out vec2 v_grain;
+#endif
 
 uniform mat4 u_world_to_clip;
 uniform mat4 u_world_to_shadow;  // into [0,1] of the shadow map
@@ -53,6 +57,9 @@ void main() {
 #ifdef EYE
   v_position = a_position;
 #endif
+#ifdef SURFACE
+  v_grain = a_grain;
+#endif
   v_view = normalize(u_eye - a_position);
   v_normal = a_normal;
   v_colour = a_colour;
@@ -77,6 +84,11 @@ vec3 to_screen(vec3 light) {
 inline constexpr const char* kLitFragment = R"(
 #ifdef EYE
 in vec3 v_position;
+#endif
+#ifdef SURFACE
+in vec2 v_grain;
+uniform float u_grain;  // 1 is skin's
+uniform sampler2D u_grain_map;
 #endif
 in vec3 v_view;
 in vec3 v_normal;
@@ -135,6 +147,8 @@ void main() {
   colour *= gl_FrontFacing ? 1.0 : 0.35;
 #else
   normal = gl_FrontFacing ? normal : -normal;
+  vec2 grain = u_grain * (texture(u_grain_map, v_grain).rg - 128.0 / 255.0);
+  colour *= 1.0 + grain.r * vec3(0.11, 0.17, 0.19);  // more blood or less: red changes least
 #endif
 #endif
 
@@ -181,7 +195,7 @@ void main() {
 #ifdef HAIR
   result += vec3(1.0, 0.80, 0.60) * specular + rim * (edge * occlusion * 0.35);
 #else
-  result += vec3(1.0, 0.98, 0.95) * specular +
+  result += vec3(1.0, 0.98, 0.95) * (specular * (1.0 + 1.3 * grain.g)) +
             rim * (edge * occlusion * (0.35 + 0.39 * length(colour)));
 #endif
 #endif

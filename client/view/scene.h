@@ -30,6 +30,7 @@ struct StaticMesh {
   std::span<const float> occlusion;                         ///< ambient light that arrives, [0,1]
   std::span<const float> gloss;                             ///< factor on the highlight
   std::span<const ShadedRange> ranges;
+  std::span<const glm::vec3> rest = {};  ///< positions that skin's grain clings to; none, no grain
 };
 
 /// What changes with every frame.

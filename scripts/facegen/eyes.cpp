@@ -22,7 +22,7 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle) {
     c = mix(c, kIrisEdge, smooth_step(0.72, 1.0, t));
     return t < 0.08 ? c * 0.35 : c;
   }
-  const Vec3 c = mix(kSclera, kScleraCorner, 0.45 * smooth_step(0.7, 1.1, radius));
+  const Vec3 c = mix(kSclera, kScleraCorner, 0.85 * smooth_step(0.58, 1.12, radius));
   return radius < kIrisRadius + 0.05 ? mix(kLimbus, c, 0.35) : c;
 }
 

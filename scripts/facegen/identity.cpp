@@ -97,14 +97,14 @@ Identity man_of_fifty() {
   Form& form = who.form;
   form.narrowing = 0.02;
   form.jaw_width = 0.38;
-  form.jaw_drop = 0.35;
-  form.chin_width = 0.32;
+  form.jaw_drop = 0.28;
+  form.chin_width = 0.24;
   form.chin_drop = 0.28;
   form.chin_forward = 0.10;
   form.cheek = -0.10;
   form.cheekbone = 0.10;
   form.brow_ridge = 0.13;
-  form.throat_drop = 0.35;
+  form.throat_drop = 0.25;
   form.neck_width = 1.12;
   form.larynx = 0.12;
   form.nose_width = 1.17;
@@ -158,7 +158,7 @@ Identity man_of_fifty() {
   colours.iris_outer = {0.13, 0.065, 0.03};
   colours.cloth = {0.30, 0.055, 0.06};
   colours.collar = {0.24, 0.045, 0.05};
-  colours.beard = 0.20;
+  colours.beard = 0.32;
   return who;
 }
 

@@ -45,8 +45,8 @@ inline constexpr Vec3 kLash{0.045, 0.028, 0.022};
 inline constexpr Vec3 kPupil{0.012, 0.011, 0.012};
 inline constexpr Vec3 kIrisEdge{0.03, 0.035, 0.035};
 inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
-inline constexpr Vec3 kSclera{0.83, 0.80, 0.775};
-inline constexpr Vec3 kScleraCorner{0.80, 0.60, 0.55};
+inline constexpr Vec3 kSclera{0.74, 0.71, 0.685};
+inline constexpr Vec3 kScleraCorner{0.62, 0.42, 0.38};
 /// What is left of the light in the deepest line.
 inline constexpr Vec3 kCrease{0.52, 0.36, 0.31};
 

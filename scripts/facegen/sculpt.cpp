@@ -218,7 +218,10 @@ double head_distance(const Identity& who, const Vec3& p) {
 
 double torso_distance(const Form& form, const Vec3& p) {
   const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
-  const double collar = neck(form, q) - 0.05;
+  const double wide = form.neck_width;
+  double collar =
+      round_cone(q, {0, -1.5, 0.55}, {0, -11.5, -1.25}, 2.5 * wide + 0.12, 2.62 * wide + 0.2);
+  collar = melt(collar, round_cone(q, {0, -2.5, -1.5}, {3.0, -12.6, -2.7}, 1.9, 2.2), 1.5);
   double body = round_cone(q, {2.2, -13.6, -1.2}, {8.3, -14.6, -1.6}, 2.6, 2.2);
   body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {7.5, 5.2, 4.4}), 2.0);
   return melt(collar, body, 2.2);

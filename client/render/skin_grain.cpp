@@ -1,0 +1,103 @@
+#include "client/render/skin_grain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace aucast::render {
+namespace {
+
+constexpr int kSide = 256;
+/// Mesh units that one turn of the texture covers: a pore of three texels measures 0.8 mm.
+constexpr float kTurn = 5.0F;
+constexpr int kPores = 3600;
+
+/// A fixed pseudo-random number in [0, 1).
+float hash(std::uint32_t n) {
+  n = n * 747796405U + 2891336453U;
+  n = ((n >> ((n >> 28U) + 4U)) ^ n) * 277803737U;
+  return static_cast<float>((n >> 22U) ^ n) / 4294967296.0F;
+}
+
+/// Smooth noise in [0, 1) with features of `cell` texels; it goes on beyond the edges.
+float noise(int x, int y, int cell, std::uint32_t seed) {
+  const int cells = kSide / cell;
+  const auto corner = [&](int i, int j) {
+    return hash(seed + static_cast<std::uint32_t>((j % cells) * cells + i % cells));
+  };
+  const auto eased = [cell](int v) {
+    const float t = static_cast<float>(v % cell) / static_cast<float>(cell);
+    return t * t * (3 - 2 * t);
+  };
+  const int i = x / cell;
+  const int j = y / cell;
+  const float low = std::lerp(corner(i, j), corner(i + 1, j), eased(x));
+  const float high = std::lerp(corner(i, j + 1), corner(i + 1, j + 1), eased(x));
+  return std::lerp(low, high, eased(y));
+}
+
+using Texels = std::vector<std::array<std::uint8_t, 2>>;
+
+/// Colour in the first channel, shine in the second; 128 is no change.
+Texels texels() {
+  std::vector<float> pores(std::size_t{kSide} * kSide, 0.0F);
+  for (std::uint32_t n = 0; n < kPores; ++n) {
+    const float x = hash(3 * n) * kSide;
+    const float y = hash(3 * n + 1) * kSide;
+    const float depth = 0.4F + 0.6F * hash(3 * n + 2);
+    for (int dy = -2; dy <= 2; ++dy) {
+      for (int dx = -2; dx <= 2; ++dx) {
+        const int i = static_cast<int>(x) + dx;
+        const int j = static_cast<int>(y) + dy;
+        const float away = std::hypot(static_cast<float>(i) - x, static_cast<float>(j) - y);
+        auto& pore = pores[static_cast<std::size_t>((j & (kSide - 1)) * kSide + (i & (kSide - 1)))];
+        pore = std::max(pore, depth * std::exp(-away * away));
+      }
+    }
+  }
+  Texels all(pores.size());
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const auto at = static_cast<std::size_t>(y * kSide + x);
+      const float blotch =
+          0.45F * (noise(x, y, 16, 11) - 0.5F) + 0.35F * (noise(x, y, 8, 977) - 0.5F);
+      const float fine = 0.35F * (noise(x, y, 2, 5003) - 0.5F);
+      const auto byte = [](float v) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(0.5F + v, 0.0F, 1.0F)));
+      };
+      all[at] = {byte(blotch + fine - 0.35F * pores[at] + 0.05F),
+                 byte(0.5F * blotch + 2 * fine - 0.8F * pores[at] + 0.12F)};
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+SkinGrain::SkinGrain() {
+  bind();
+  const Texels all = texels();
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kSide, kSide, 0, GL_RG, GL_UNSIGNED_BYTE, all.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+std::vector<glm::vec2> SkinGrain::places(std::span<const glm::vec3> rest) {
+  std::vector<glm::vec2> places;
+  places.reserve(rest.size());
+  for (const glm::vec3& p : rest) {
+    // Round an axis through the middle of the head, and slanting, so that what faces down or aside
+    // is not drawn out.
+    const float round = 5.0F * std::abs(std::atan2(p.x, p.z - 1.5F)) - 0.6F * p.z;
+    places.emplace_back(round / kTurn, (p.y - 0.5F * p.z + 0.5F * p.x) / kTurn);
+  }
+  return places;
+}
+
+void SkinGrain::bind() const {
+  glBindTexture(GL_TEXTURE_2D, texture_.id());
+}
+
+}  // namespace aucast::render
