@@ -1,6 +1,4 @@
 // The test client itself, against a listening socket of the test.
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -8,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/loopback.h"
 #include "tests/support/raw_client.h"
 
 namespace aucast::test {
@@ -18,26 +17,16 @@ using namespace std::chrono_literals;
 /// A listener on the loopback and the connection it took last.
 class Peer {
  public:
-  Peer() : listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    address_.sin_family = AF_INET;
-    address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t length = sizeof(address_);
-    auto* address = reinterpret_cast<sockaddr*>(&address_);
-    EXPECT_EQ(::bind(listener_, address, length), 0);
-    EXPECT_EQ(::listen(listener_, 4), 0);
-    EXPECT_EQ(::getsockname(listener_, address, &length), 0);
-  }
+  Peer() = default;
   ~Peer() {
-    ::close(listener_);
+    ::close(listener_.descriptor);
     close();
   }
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
 
-  [[nodiscard]] std::string address() const {
-    return "127.0.0.1:" + std::to_string(ntohs(address_.sin_port));
-  }
-  void accept() { connection_ = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC); }
+  [[nodiscard]] std::string address() const { return listener_.address(); }
+  void accept() { connection_ = ::accept4(listener_.descriptor, nullptr, nullptr, SOCK_CLOEXEC); }
   void say(std::string_view bytes) const {
     EXPECT_EQ(::send(connection_, bytes.data(), bytes.size(), MSG_NOSIGNAL),
               static_cast<ssize_t>(bytes.size()));
@@ -53,9 +42,8 @@ class Peer {
   }
 
  private:
-  int listener_;
+  LoopbackSocket listener_ = listen_on_loopback();
   int connection_ = -1;
-  sockaddr_in address_{};
 };
 
 TEST(RawClient, TakesWhatIsAskedForAndKeepsTheRest) {

@@ -124,9 +124,9 @@ void reach_server(Connection& connection, std::uint16_t port) {
 }  // namespace
 
 FaultProxy::FaultProxy(const std::string& server, LinkQuality quality, std::uint64_t seed) {
-  const LoopbackListener listener = listen_on_loopback();
+  const LoopbackSocket listener = listen_on_loopback();
   listener_ = listener.descriptor;
-  address_ = listener.address;
+  address_ = listener.address();
   const std::uint16_t port = port_of(server);
   thread_ = std::thread([this, port, quality, seed] { run(port, quality, seed); });
 }

@@ -19,16 +19,21 @@ std::uint16_t port_of(const std::string& address) {
   return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
 }
 
-LoopbackListener listen_on_loopback() {
-  LoopbackListener listener;
-  listener.descriptor = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+LoopbackSocket bind_to_loopback() {
+  LoopbackSocket bound;
+  bound.descriptor = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address = loopback(0);
   auto* general = reinterpret_cast<sockaddr*>(&address);
-  AUCAST_CHECK(::bind(listener.descriptor, general, sizeof address) == 0);
-  AUCAST_CHECK(::listen(listener.descriptor, 8) == 0);
   socklen_t size = sizeof address;
-  ::getsockname(listener.descriptor, general, &size);
-  listener.address = "127.0.0.1:" + std::to_string(ntohs(address.sin_port));
+  AUCAST_CHECK(::bind(bound.descriptor, general, size) == 0);
+  AUCAST_CHECK(::getsockname(bound.descriptor, general, &size) == 0);
+  bound.port = ntohs(address.sin_port);
+  return bound;
+}
+
+LoopbackSocket listen_on_loopback(int backlog) {
+  const LoopbackSocket listener = bind_to_loopback();
+  AUCAST_CHECK(::listen(listener.descriptor, backlog) == 0);
   return listener;
 }
 

@@ -12,11 +12,14 @@ namespace aucast::test {
 /// The port of HOST:PORT.
 [[nodiscard]] std::uint16_t port_of(const std::string& address);
 
-/// A socket that listens on a free port of this host; who asks for it closes it.
-struct LoopbackListener {
+/// A socket that has a free port of this host; who asks for it closes it.
+struct LoopbackSocket {
   int descriptor = -1;
-  std::string address;  ///< 127.0.0.1:PORT
+  std::uint16_t port = 0;
+  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port); }
 };
-[[nodiscard]] LoopbackListener listen_on_loopback();
+/// Nobody else takes the port, and nobody is heard there.
+[[nodiscard]] LoopbackSocket bind_to_loopback();
+[[nodiscard]] LoopbackSocket listen_on_loopback(int backlog = 8);
 
 }  // namespace aucast::test

@@ -61,9 +61,9 @@ void relay(int client, int server, Seeded& seeded, const std::atomic<bool>& stop
 }  // namespace
 
 Relay::Relay(const std::string& server, std::uint64_t seed) {
-  const LoopbackListener listener = listen_on_loopback();
+  const LoopbackSocket listener = listen_on_loopback();
   listener_ = listener.descriptor;
-  address_ = listener.address;
+  address_ = listener.address();
   const std::uint16_t port = port_of(server);
   thread_ = std::thread([this, port, seed] { run(port, seed); });
 }

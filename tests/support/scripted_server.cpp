@@ -1,8 +1,6 @@
 #include "tests/support/scripted_server.h"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
-#include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -15,6 +13,7 @@
 
 #include "common/check.h"
 #include "common/text.h"
+#include "tests/support/loopback.h"
 
 namespace aucast::test {
 namespace {
@@ -25,17 +24,9 @@ constexpr int kStepPatienceMs = 20'000;
 
 ScriptedServer::ScriptedServer(std::vector<Step> steps) {
   AUCAST_CHECK(::pipe2(quit_, O_CLOEXEC) == 0);
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  AUCAST_CHECK(listener_ >= 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  auto* const generic = reinterpret_cast<sockaddr*>(&address);
-  AUCAST_CHECK(::bind(listener_, generic, size) == 0);
-  AUCAST_CHECK(::listen(listener_, 8) == 0);
-  AUCAST_CHECK(::getsockname(listener_, generic, &size) == 0);
-  port_ = ntohs(address.sin_port);
+  const LoopbackSocket listener = listen_on_loopback();
+  listener_ = listener.descriptor;
+  port_ = listener.port;
   thread_ = std::jthread([this, script = std::move(steps)] { play(script); });
 }
 

@@ -1,8 +1,6 @@
 // Servers that cannot be reached, fall silent, break off or talk nonsense: each ends with its
 // reason and a sentence that names the place, and what came before is still played.
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -11,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "client/net/remote_source.h"
+#include "tests/support/loopback.h"
 #include "tests/support/scripted_server.h"
 #include "tests/unit/net/remote_fixture.h"
 
@@ -27,25 +26,15 @@ using Aus = std::vector<int>;
 /// A port on which nobody listens: bound, so that nobody else takes it meanwhile.
 class DeafPort {
  public:
-  DeafPort() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    auto* const generic = reinterpret_cast<sockaddr*>(&address);
-    EXPECT_EQ(::bind(socket_, generic, size), 0);
-    EXPECT_EQ(::getsockname(socket_, generic, &size), 0);
-    port_ = ntohs(address.sin_port);
-  }
-  ~DeafPort() { ::close(socket_); }
+  DeafPort() = default;
+  ~DeafPort() { ::close(socket_.descriptor); }
   DeafPort(const DeafPort&) = delete;
   DeafPort& operator=(const DeafPort&) = delete;
 
-  [[nodiscard]] std::uint16_t port() const { return port_; }
+  [[nodiscard]] std::uint16_t port() const { return socket_.port; }
 
  private:
-  int socket_;
-  std::uint16_t port_ = 0;
+  LoopbackSocket socket_ = bind_to_loopback();
 };
 
 bool holds(const SourceStatus& status, const std::string& text) {
@@ -122,19 +111,12 @@ TEST(RemoteSourceFailure, SilentServer) {
 
 // A listener whose queue is full answers nothing: what a firewall that drops looks like.
 TEST(RemoteSourceFailure, NoAnswerAtAll) {
-  const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  auto* const generic = reinterpret_cast<sockaddr*>(&address);
-  ASSERT_EQ(::bind(listener, generic, size), 0);
-  ASSERT_EQ(::listen(listener, 0), 0);
-  ASSERT_EQ(::getsockname(listener, generic, &size), 0);
+  const LoopbackSocket listener = listen_on_loopback(0);
+  const sockaddr_in address = loopback(listener.port);
   const int filler = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  ASSERT_EQ(::connect(filler, generic, size), 0);
+  ASSERT_EQ(::connect(filler, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
 
-  RemoteOptions options = options_for(ntohs(address.sin_port));
+  RemoteOptions options = options_for(listener.port);
   options.connect_timeout = 50ms;
   RemoteSource source(options);
   EXPECT_TRUE(source.wait_until(patience()));
@@ -143,7 +125,7 @@ TEST(RemoteSourceFailure, NoAnswerAtAll) {
               holds(source.status(), "nothing came from the server within 50 ms"))
       << source.status().detail;
   ::close(filler);
-  ::close(listener);
+  ::close(listener.descriptor);
 }
 
 TEST(RemoteSourceFailure, ClosedMidPacket) {
