@@ -6,13 +6,14 @@
 #include <utility>
 
 #include "common/text.h"
+#include "common/text_file.h"
 #include "protocol/codec.h"
+#include "protocol/error_list.h"
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::string_view kBlanks = " \t";
 
 /// A byte that no text file has: a control character other than a tab.
@@ -24,10 +25,7 @@ bool is_control(char byte) {
 /// A line without its comment and the blanks around it.
 std::string_view content_of(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
-  line = line.substr(0, line.find('#'));
-  const std::size_t begin = line.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
+  return trimmed(line.substr(0, line.find('#')), kBlanks);
 }
 
 /// The tag that a refused line was probably meant to be.
@@ -38,7 +36,7 @@ std::optional<std::string> mistyped_tag(std::string_view content) {
 
 class StreamFileParser {
  public:
-  StreamFileParser(std::string_view text, std::string_view file) : text_(text), file_(file) {}
+  StreamFileParser(std::string_view text, std::string_view file) : text_(text), errors_(file) {}
 
   Result<StreamFile> parse();
 
@@ -54,10 +52,9 @@ class StreamFileParser {
   void refuse(std::size_t position, const std::string& reason);
   /// A line of which nothing can be made: it hides whether there is a packet or a tag.
   void refuse_line(std::size_t position, const std::string& reason);
-  [[nodiscard]] Error error() const;
 
   std::string_view text_;
-  std::string_view file_;
+  ErrorList errors_;
   StreamFile stream_;
   Place place_ = Place::Before;
   std::size_t line_number_ = 0;
@@ -65,8 +62,6 @@ class StreamFileParser {
   bool packet_seen_ = false;   ///< between the tags, right or wrong
   bool outside_said_ = false;  ///< of the running region outside the tags
   std::uint64_t last_place_ms_ = 0;
-  std::vector<std::string> errors_;
-  std::size_t error_count_ = 0;
 };
 
 Result<StreamFile> StreamFileParser::parse() {
@@ -81,7 +76,7 @@ Result<StreamFile> StreamFileParser::parse() {
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   finish();
-  if (error_count_ > 0) return error();
+  if (!errors_.empty()) return errors_.error();
   return std::move(stream_);
 }
 
@@ -176,26 +171,13 @@ void StreamFileParser::finish() {
 }
 
 void StreamFileParser::refuse(std::size_t position, const std::string& reason) {
-  ++error_count_;
-  if (errors_.size() == kReportedErrorsMax) return;
-  errors_.push_back(at_place(file_, line_number_, position + 1, reason));
+  errors_.add(line_number_, position + 1, reason);
 }
 
 void StreamFileParser::refuse_line(std::size_t position, const std::string& reason) {
   refuse(position, reason);
   packet_seen_ = true;
   outside_said_ = true;
-}
-
-Error StreamFileParser::error() const {
-  std::string message;
-  for (const std::string& line : errors_) message += (message.empty() ? "" : "\n") + line;
-  if (error_count_ > errors_.size()) {
-    message +=
-        '\n' + at_place(file_, 0, 0,
-                        "and " + std::to_string(error_count_ - errors_.size()) + " more errors");
-  }
-  return {ErrorKind::BadData, message};
 }
 
 }  // namespace

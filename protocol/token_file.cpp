@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "common/files.h"
+#include "common/text_file.h"
 #include "protocol/limits.h"
 #include "protocol/word_packet.h"
 
@@ -16,10 +17,9 @@ Result<TokenFile> read_token_file(const std::filesystem::path& path) {
     return Error{ErrorKind::BadData, path.string() + ": " + what};
   };
   constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t begin = text->find_first_not_of(kBlanks);
-  if (begin == std::string::npos) return wrong("the token file is empty");
   TokenFile token;
-  token.word = text->substr(begin, text->find_last_not_of(kBlanks) + 1 - begin);
+  token.word = trimmed(*text, kBlanks);
+  if (token.word.empty()) return wrong("the token file is empty");
   if (token.word.size() > kTokenBytesMax) {
     return wrong("the token is longer than " + std::to_string(kTokenBytesMax) + " bytes");
   }

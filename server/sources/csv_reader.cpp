@@ -4,26 +4,18 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "common/text.h"
-#include "protocol/limits.h"
+#include "common/text_file.h"
 
 namespace aucast::sources {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-}
 
 std::string_view unquoted(std::string_view cell) {
   if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return cell;
-  return trimmed(cell.substr(1, cell.size() - 2));
+  return trimmed(cell.substr(1, cell.size() - 2), kBlanks);
 }
 
 char separator_of(std::string_view header) {
@@ -95,8 +87,8 @@ Result<void> CsvReader::read_header() {
       refuse_at(0, "the file holds nothing; expected a line with the names of columns");
       return error();
     }
-  } while (trimmed(content_).empty());
-  header_ = trimmed(content_);
+  } while (trimmed(content_, kBlanks).empty());
+  header_ = trimmed(content_, kBlanks);
   separator_ = separator_of(header_);
   if (content_.size() > kCsvLineBytesMax) {
     refuse_at(kCsvLineBytesMax,
@@ -133,7 +125,7 @@ bool CsvReader::take_line() {
 CsvReader::Next CsvReader::next() {
   do {
     if (!take_line()) return Next::End;
-  } while (trimmed(content_).empty());
+  } while (trimmed(content_, kBlanks).empty());
   return read_row();
 }
 
@@ -145,7 +137,7 @@ CsvReader::Next CsvReader::take(std::string_view content, std::size_t line) {
 }
 
 CsvReader::Next CsvReader::read_row() {
-  if (trimmed(content_) == header_) return Next::RepeatedHeader;
+  if (trimmed(content_, kBlanks) == header_) return Next::RepeatedHeader;
   if (content_.size() > kCsvLineBytesMax) {
     refuse_at(kCsvLineBytesMax,
               "the line is longer than " + std::to_string(kCsvLineBytesMax) + " bytes");
@@ -175,7 +167,7 @@ void CsvReader::split() {
   for (std::size_t at = 0; at <= content_.size() && cells_.size() <= kCsvColumnsMax; ++at) {
     if (at < content_.size() && content_[at] == '"') quoted = !quoted;
     if (at < content_.size() && (quoted || content_[at] != separator_)) continue;
-    cells_.push_back(trimmed(content_.substr(begin, at - begin)));
+    cells_.push_back(trimmed(content_.substr(begin, at - begin), kBlanks));
     begin = at + 1;
   }
 }
@@ -200,25 +192,7 @@ void CsvReader::refuse(std::optional<std::size_t> column, const std::string& rea
 }
 
 void CsvReader::refuse_at(std::size_t byte, const std::string& reason) {
-  ++error_count_;
-  if (errors_.size() == protocol::kReportedErrorsMax) return;
-  errors_.push_back(at_place(file_, std::max<std::size_t>(line_, 1), byte + 1, reason));
-}
-
-Error CsvReader::error() const {
-  std::string message;
-  for (const std::string& line : errors_) message += (message.empty() ? "" : "\n") + line;
-  if (error_count_ > errors_.size()) {
-    message +=
-        '\n' + at_place(file_, 0, 0,
-                        "and " + std::to_string(error_count_ - errors_.size()) + " more errors");
-  }
-  return {ErrorKind::BadData, message};
-}
-
-std::vector<std::string> CsvReader::take_errors() {
-  error_count_ = 0;
-  return std::exchange(errors_, {});
+  errors_.add(std::max<std::size_t>(line_, 1), byte + 1, reason);
 }
 
 }  // namespace aucast::sources

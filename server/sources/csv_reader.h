@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/result.h"
+#include "protocol/error_list.h"
 
 namespace aucast::sources {
 
@@ -55,14 +56,14 @@ class CsvReader {
   [[nodiscard]] std::size_t line() const { return line_; }
   /// Notes that something is wrong with a cell of this row.
   void refuse(std::optional<std::size_t> column, const std::string& reason);
-  [[nodiscard]] bool has_errors() const { return error_count_ > 0; }
+  [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
   /// Everything noted, one "file:line:column: reason" a line.
-  [[nodiscard]] Error error() const;
+  [[nodiscard]] Error error() const { return errors_.error(); }
   /// Everything noted, which is then forgotten.
-  [[nodiscard]] std::vector<std::string> take_errors();
+  [[nodiscard]] std::vector<std::string> take_errors() { return errors_.take(); }
 
  private:
-  CsvReader(std::string_view text, std::string_view file) : text_(text), file_(file) {}
+  CsvReader(std::string_view text, std::string_view file) : text_(text), errors_(file) {}
 
   [[nodiscard]] Result<void> read_header();
   [[nodiscard]] bool take_line();
@@ -71,7 +72,6 @@ class CsvReader {
   void refuse_at(std::size_t byte, const std::string& reason);
 
   std::string_view text_;
-  std::string_view file_;
   std::size_t position_ = 0;    ///< of the next line
   std::size_t rows_begin_ = 0;  ///< of the line after the header
   std::size_t rows_line_ = 0;   ///< number of the header's line
@@ -82,8 +82,7 @@ class CsvReader {
   std::string header_;
   std::vector<std::string> columns_;
   std::vector<std::string_view> cells_;
-  std::vector<std::string> errors_;
-  std::size_t error_count_ = 0;
+  protocol::ErrorList errors_;
 };
 
 /// A number as recognisers and spreadsheets write it: 1.5, 1,5 and 1,234.5 (`commas`). Nothing

@@ -5,25 +5,19 @@
 #include <utility>
 
 #include "common/text.h"
+#include "common/text_file.h"
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::sources {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::string_view kBlanks = " \t";
 
 /// What comes closer together came at once: no recogniser is that fast.
 constexpr double kAtOnceSeconds = 0.005;
 /// The time of a row that came at once with the one before and has no clock.
 constexpr double kRowSeconds = 0.04;
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-}
 
 /// Rows of a table are numbers; names of columns are not. Saves opening a table at every row.
 bool may_be_header(std::string_view line) {
@@ -123,8 +117,8 @@ void LiveReader::read_line(LineSplitter::Line& line, double now) {
         "the line is longer than " + std::to_string(kCsvLineBytesMax) + " bytes; it was left out"));
     return;
   }
-  if (trimmed(line.text).empty()) return;
-  if (trimmed(line.text) == "Beg_Stream" && table_) {
+  if (trimmed(line.text, kBlanks).empty()) return;
+  if (trimmed(line.text, kBlanks) == "Beg_Stream" && table_) {
     table_.reset();
     timeline_.restart();
   }
@@ -138,7 +132,7 @@ void LiveReader::read_line(LineSplitter::Line& line, double now) {
 
 /// True when the line names the columns of a recogniser: a table begins, or begins again.
 bool LiveReader::begin_table(const LineSplitter::Line& line) {
-  if (table_ && trimmed(line.text) == trimmed(table_->header)) {
+  if (table_ && trimmed(line.text, kBlanks) == trimmed(table_->header, kBlanks)) {
     say(at_place(file_, line.number, 0, "the header once more: another recording begins"));
     clock_.restart();
     timeline_.restart();
@@ -179,7 +173,7 @@ bool LiveReader::begin_table(const LineSplitter::Line& line) {
 /// False when the line is none of a stream file.
 bool LiveReader::read_text(const LineSplitter::Line& line, double now) {
   const std::string_view content =
-      trimmed(std::string_view(line.text).substr(0, line.text.find('#')));
+      trimmed(std::string_view(line.text).substr(0, line.text.find('#')), kBlanks);
   if (content.empty()) return true;
   if (content == "Beg_Stream" || content == "End_Stream") {
     text_ = true;
