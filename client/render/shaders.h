@@ -173,7 +173,7 @@ void main() {
   vec3 middle = u_eyeball_forward * 0.6 + view * 0.4;
   vec3 first = normalize(middle - side * 0.16 + up * 0.22);
   vec3 second = normalize(middle + side * 0.17 - up * 0.20);
-  result += vec3(1.0, 0.98, 0.95) * (1.9 * smoothstep(0.9935, 0.9968, dot(normal, first)) +
+  result += vec3(1.0, 0.98, 0.95) * (1.7 * smoothstep(0.9938, 0.9982, dot(normal, first)) +
                                      0.12 * smoothstep(0.992, 0.998, dot(normal, second)));
 #else
   // exp(n (c - 1)) is cos to the n near its top, for half the work.

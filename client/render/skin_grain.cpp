@@ -91,7 +91,7 @@ std::vector<glm::vec2> SkinGrain::places(std::span<const glm::vec3> rest) {
     // Round an axis through the middle of the head, and slanting, so that what faces down or aside
     // is not drawn out.
     const float round = 5.0F * std::abs(std::atan2(p.x, p.z - 1.5F)) - 0.6F * p.z;
-    places.emplace_back(round / kTurn, (p.y - 0.5F * p.z + 0.5F * p.x) / kTurn);
+    places.emplace_back(round / kTurn, (p.y - 0.35F * p.z + 0.25F * p.x) / kTurn);
   }
   return places;
 }

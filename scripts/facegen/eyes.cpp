@@ -9,8 +9,8 @@ namespace {
 constexpr int kSectors = 48;
 constexpr double kPupilRadius = 0.20;
 
-/// Colour at `radius` from the eye's axis and `angle` about it.
-Vec3 eye_colour(const Identity& who, double radius, int sector, double angle) {
+/// Colour at `radius` from the eye's axis and `angle` about it; the nose lies at `nasal` 1.
+Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, double nasal) {
   if (radius < kPupilRadius) return kPupil;
   if (radius < kIrisRadius) {
     const double t = (radius - kPupilRadius) / (kIrisRadius - kPupilRadius);
@@ -22,7 +22,9 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle) {
     c = mix(c, kIrisEdge, smooth_step(0.72, 1.0, t));
     return t < 0.08 ? c * 0.35 : c;
   }
-  const Vec3 c = mix(kSclera, kScleraCorner, 0.85 * smooth_step(0.58, 1.12, radius));
+  const double corner = smooth_step(0.58, 1.12, radius);
+  Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
+  c = mix(c, kCaruncle, 0.9 * smooth_step(0.93, 1.03, radius) * smooth_step(0.6, 0.9, nasal));
   return radius < kIrisRadius + 0.05 ? mix(kLimbus, c, 0.35) : c;
 }
 
@@ -40,9 +42,9 @@ Part make_eye(const Identity& who, int side) {
                                           kIrisRadius + 0.03,
                                           0.66,
                                           0.76,
-                                          0.88,
-                                          1.02,
-                                          1.14,
+                                          0.86,
+                                          0.95,
+                                          1.03,
                                           1.23};
   static constexpr std::array kBackDepths{0.0, -0.6, -1.0};
   Part eye;
@@ -56,7 +58,8 @@ Part make_eye(const Identity& who, int side) {
     for (int i = 0; i < kSectors; ++i) {
       const double angle = 2 * kPi * i / kSectors;
       const Vec3 offset{radius * std::cos(angle), radius * std::sin(angle), z};
-      ring.push_back(eye.add(centre + offset, eye_colour(who, radius, i, angle)));
+      ring.push_back(
+          eye.add(centre + offset, eye_colour(who, radius, i, angle, -side * std::cos(angle))));
     }
     if (inner.empty()) {
       for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -50,9 +50,9 @@ Identity young_woman() {
   Identity who;
   who.name = "default";
   Form& form = who.form;
-  form.narrowing = 0.075;
-  form.jaw_width = -0.12;
-  form.chin_width = -0.12;
+  form.narrowing = 0.065;
+  form.jaw_width = -0.06;
+  form.chin_width = -0.08;
   form.cheek = 0.06;
   form.brow_ridge = -0.10;
   form.neck_width = 0.88;

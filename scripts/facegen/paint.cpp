@@ -2,6 +2,7 @@
 
 #include "scripts/facegen/anatomy.h"
 #include "scripts/facegen/palette.h"
+#include "scripts/facegen/sculpt.h"
 
 namespace aucast::facegen {
 namespace {
@@ -26,7 +27,7 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position) {
 Vec3 cooled(const Vec3& colour, const Vec3& p) {
   if (p.z < 2) return colour;
   const double socket = bell(Vec3{(p.x - 1.75) / 0.95, (p.y - 3.1) / 0.8, 0}) +
-                        0.75 * bell(Vec3{(p.x - 1.9) / 0.85, (p.y - 1.95) / 0.42, 0});
+                        0.40 * bell(Vec3{(p.x - 1.9) / 0.85, (p.y - 1.95) / 0.42, 0});
   const double temple = bell(Vec3{(p.x - 4.3) / 0.9, (p.y - 3.4) / 1.3, (p.z - 4) / 1.6});
   return colour * mix(Vec3{1}, Vec3{0.86, 0.80, 0.84}, saturate(socket + 0.35 * temple));
 }
@@ -122,6 +123,7 @@ void paint_skin(const Identity& who, Skin& skin) {
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
     c = cooled(c, p) * (1 - 0.24 * under_jaw(p));
+    c *= Vec3{1} - Vec3{1.5, 2.2, 2.2} * std::max(0.0, fold_depth(who, p));
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);

@@ -202,6 +202,10 @@ double set_lines(const Form& form, const Vec3& p) {
 
 }  // namespace
 
+double fold_depth(const Identity& who, const Vec3& p) {
+  return alar_groove(who.form, p) + set_lines(who.form, p);
+}
+
 double head_distance(const Identity& who, const Vec3& p) {
   // Everything below the cheekbones is narrowed a little; it did more for the looks than any other
   // single number.
@@ -213,7 +217,7 @@ double head_distance(const Identity& who, const Vec3& p) {
   d = with_orbit(d, q);
   d += lid_relief(who, p);
   d = with_nose(who.form, d, q);
-  return d + alar_groove(who.form, p) + mouth_relief(who, p) + set_lines(who.form, p);
+  return d + fold_depth(who, p) + mouth_relief(who, p);
 }
 
 double torso_distance(const Form& form, const Vec3& p) {

@@ -12,6 +12,9 @@ namespace aucast::facegen {
 /// Distance from the skin: negative inside the head. Symmetric in x.
 [[nodiscard]] double head_distance(const Identity& who, const Vec3& p);
 
+/// How deep the folds beside nose and mouth are at a place of the skin.
+[[nodiscard]] double fold_depth(const Identity& who, const Vec3& p);
+
 /// A distance as `leave` takes it.
 using Distance = std::function<double(const Vec3&)>;
 
