@@ -15,7 +15,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kPitchMax_rad = 80.0F * kPi / 180.0F;
 constexpr float kHalfHeightMin = 0.5F;
 constexpr float kHalfHeightMax = 40.0F;
-constexpr float kNarrowestFull = 0.75F;
+constexpr float kNarrowestFull = 0.87F;
 /// Half the depth that is drawn, around the target: a head with shoulders from any side.
 constexpr float kHalfDepth = 30.0F;
 

@@ -18,8 +18,8 @@ struct CameraMatrices {
   glm::vec3 eye{0};         ///< where the camera stands, world
 };
 
-/// Sizes below 1 count as 1. A picture narrower than 3:4 sees as much in width as one of 3:4, so
-/// that a face is never cut at its sides.
+/// Sizes below 1 count as 1. A picture narrower than 0.87 of its height sees as much in width as
+/// one of that shape, so that a face is never cut at its sides, its head tilted or not.
 [[nodiscard]] CameraMatrices camera_matrices(const Camera& camera, int width, int height);
 
 enum class CameraPreset : std::uint8_t { Front, ThreeQuarter, Profile };

@@ -69,8 +69,8 @@ TEST(CameraMatrices, StandOnTheSubjectsLeftForAPositiveYaw) {
 
 TEST(CameraMatrices, NeverCutTheSidesOfANarrowPicture) {
   Camera camera;
-  const glm::vec3 cheek = camera.target + glm::vec3(camera.half_height * 0.75F, 0, 0);
-  EXPECT_NEAR(place(camera, 300, 400, cheek).x, 1, 1e-4);
+  const glm::vec3 cheek = camera.target + glm::vec3(camera.half_height * 0.87F, 0, 0);
+  EXPECT_NEAR(place(camera, 300, 375, cheek).x, 1, 1e-4);
   EXPECT_NEAR(place(camera, 100, 400, cheek).x, 1, 1e-4);
 }
 
