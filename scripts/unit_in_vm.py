@@ -7,7 +7,7 @@ Takes what `cmake --install` installs from a build (--build, default build/relea
 Debian of this host's release, made by debootstrap, and boots it in qemu, which emulates the
 processor: no /dev/kvm is needed, and nothing of the guest touches this host. unit_in_vm_checks.py
 runs inside and says what held; at its end a face-player of this host plays what the guest serves.
-Needs root (for debootstrap), what packages_vm.txt lists, and some six minutes; with --folder the
+Needs root (for debootstrap), what packages_vm.txt lists, and up to ten minutes; with --folder the
 Debian is kept there for the next run, which takes two minutes less.
 
 Prints a line for each check and exits 1 when something did not hold. The console's log is printed
