@@ -60,6 +60,8 @@ view::StaticMesh FaceScene::still() const {
   view::StaticMesh mesh{face_.mesh.triangles, face_.mesh.colours, face_.mesh.occlusion,
                         face_.mesh.gloss, ranges_};
   if (!face_.classic) mesh.rest = face_.mesh.positions;
+  const auto strand = face_.mesh.maps.find("strand");
+  if (strand != face_.mesh.maps.end()) mesh.strand = strand->second;
   return mesh;
 }
 

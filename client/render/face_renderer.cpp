@@ -44,6 +44,7 @@ constexpr GLuint kNormalSlot = 1;
 constexpr GLuint kColourSlot = 2;
 constexpr GLuint kOcclusionGlossSlot = 3;
 constexpr GLuint kGrainSlot = 4;
+constexpr GLuint kStrandSlot = 5;
 
 /// A run of indices with one look.
 struct Draw {
@@ -61,12 +62,11 @@ int index_of(const view::ShadedRange& range) {
 }
 
 /// Outermost first, so that what lies beneath is never shaded: hair over skin over eyes and teeth.
-/// The inside of the hair, seen only from below, comes last.
 void order_solids(std::vector<Draw>& draws) {
   const auto layer = [](const Draw& draw) {
     switch (draw.shading) {
       case Shading::Hair:
-        return draw.faces == Faces::Back ? 4 : 0;
+        return 0;
       case Shading::Cloth:
         return 1;
       case Shading::Skin:
@@ -75,14 +75,6 @@ void order_solids(std::vector<Draw>& draws) {
         return 3;
     }
   };
-  std::vector<Draw> insides;
-  for (Draw& draw : draws) {
-    if (draw.shading != Shading::Hair) continue;
-    draw.faces = Faces::Front;
-    insides.push_back(draw);
-    insides.back().faces = Faces::Back;
-  }
-  draws.insert(draws.end(), insides.begin(), insides.end());
   std::stable_sort(draws.begin(), draws.end(),
                    [&layer](const Draw& a, const Draw& b) { return layer(a) < layer(b); });
 }
@@ -140,6 +132,7 @@ struct FaceRenderer::State {
   Buffer colours;
   Buffer occlusion_gloss;
   Buffer grain_places;
+  Buffer strand;
   Buffer indices;
   Texture shadow_texture;
   SkinGrain grain;
@@ -193,12 +186,13 @@ struct FaceRenderer::State {
 
 void FaceRenderer::State::set_up() {
   glBindVertexArray(vertices.id());
-  const std::array<std::pair<const Buffer*, std::pair<GLuint, GLint>>, 5> attributes{
+  const std::array<std::pair<const Buffer*, std::pair<GLuint, GLint>>, 6> attributes{
       {{&positions, {kPositionSlot, 3}},
        {&normals, {kNormalSlot, 3}},
        {&colours, {kColourSlot, 4}},
        {&occlusion_gloss, {kOcclusionGlossSlot, 2}},
-       {&grain_places, {kGrainSlot, 2}}}};
+       {&grain_places, {kGrainSlot, 2}},
+       {&strand, {kStrandSlot, 1}}}};
   for (const auto& [buffer, layout] : attributes) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer->id());
     attribute(layout.first, layout.second);
@@ -246,7 +240,7 @@ void FaceRenderer::State::draw_shadow_map() {
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kShadowSlopeBias, 0);
   for (const Draw& draw : plain) {
-    if (!look_of(draw.shading).casts_shadow || draw.faces == Faces::Back) continue;
+    if (!look_of(draw.shading).casts_shadow) continue;
     glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
   }
@@ -282,7 +276,7 @@ void FaceRenderer::State::draw_runs(const std::vector<Draw>& draws, const view::
       glDisable(GL_CULL_FACE);
     } else {
       glEnable(GL_CULL_FACE);
-      glCullFace(draw.faces == Faces::Front ? GL_BACK : GL_FRONT);
+      glCullFace(GL_BACK);
     }
     glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
@@ -333,7 +327,10 @@ void FaceRenderer::State::set_programs(const view::Style& style,
   glBindTexture(GL_TEXTURE_2D, shadow_texture.id());
   if (style.layers.textured) {
     glEnableVertexAttribArray(kColourSlot);
+    glEnableVertexAttribArray(kStrandSlot);
   } else {
+    glDisableVertexAttribArray(kStrandSlot);
+    glVertexAttrib1f(kStrandSlot, 0);
     glDisableVertexAttribArray(kColourSlot);
     glVertexAttrib4f(kColourSlot, kClay.r, kClay.g, kClay.b, 1);
   }
@@ -416,7 +413,6 @@ void FaceRenderer::State::draw_lines(const view::Style& style, const glm::mat4& 
     glPolygonMode(GL_FRONT_AND_BACK, mode);
     glEnable(offset);
     for (const Draw& draw : plain) {
-      if (draw.faces == Faces::Back) continue;  // the inside of what is drawn already
       glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
     }
@@ -553,6 +549,11 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   places.resize(state.vertex_count);
   places = state.rounded.with_edges(std::span<const glm::vec2>(places));
   upload(GL_ARRAY_BUFFER, std::span<const glm::vec2>(places), GL_STATIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, state.strand.id());
+  std::vector<float> strand(mesh.strand.begin(), mesh.strand.end());
+  strand.resize(state.vertex_count);
+  strand = state.rounded.with_edges(std::span<const float>(strand));
+  upload(GL_ARRAY_BUFFER, std::span<const float>(strand), GL_STATIC_DRAW);
   upload(GL_ELEMENT_ARRAY_BUFFER, std::span<const std::array<std::uint32_t, 3>>(sorted),
          GL_STATIC_DRAW);
 }

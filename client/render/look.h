@@ -6,7 +6,7 @@
 
 namespace aucast::render {
 
-enum class Faces : std::uint8_t { Both, Front, Back };
+enum class Faces : std::uint8_t { Both, Front };
 
 /// How a kind of surface answers the light; values from face.md 5.
 struct Look {

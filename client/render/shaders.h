@@ -35,6 +35,10 @@ uniform float u_power;          // of the broad highlight; the narrow one has fo
 #ifdef EYE
 out vec3 v_position;
 #endif
+#ifdef HAIR
+layout(location = 5) in float a_strand;
+out float v_strand;
+#endif
 out vec3 v_view;
 out vec3 v_normal;
 out vec4 v_colour;
@@ -59,6 +63,9 @@ void main() {
 #endif
 #ifdef SURFACE
   v_grain = a_grain;
+#endif
+#ifdef HAIR
+  v_strand = a_strand;
 #endif
   v_view = normalize(u_eye - a_position);
   v_normal = a_normal;
@@ -90,6 +97,9 @@ in vec2 v_grain;
 uniform float u_grain;  // 1 is skin's
 uniform sampler2D u_grain_map;
 #endif
+#ifdef HAIR
+in float v_strand;
+#endif
 in vec3 v_view;
 in vec3 v_normal;
 in vec4 v_colour;
@@ -114,6 +124,46 @@ out vec4 o_colour;
 const vec3 kKey = vec3(1.05, 0.97, 0.88);
 const vec3 kKeyWrap = vec3(0.32, 0.17, 0.12);
 const vec3 kShadowKept = vec3(0.30, 0.13, 0.10);  // shadows on skin go red, not grey
+
+#ifdef HAIR
+uniform vec3 u_fill_direction;
+const float kStrands = 900.0;  // side by side round the head
+
+// A fixed pseudo-random number in [-1, 1] for each whole number, smooth between them; fades where
+// strands are finer than pixels.
+float strand_noise(float at) {
+  vec2 cell = floor(at) + vec2(0.0, 1.0);
+  uvec2 n = uvec2(cell) * 747796405u + 2891336453u;
+  n = ((n >> ((n >> 28u) + 4u)) ^ n) * 277803737u;
+  vec2 value = vec2((n >> 22u) ^ n) / 2147483648.0 - 1.0;
+  float finest = 1.0 - smoothstep(0.5, 1.4, fwidth(at));
+  return mix(value.x, value.y, smoothstep(0.0, 1.0, fract(at))) * finest;
+}
+
+// Strands and, about four times as wide, tufts of them.
+float strand_light(float at) {
+  return 0.55 * strand_noise(at) + 0.55 * strand_noise(at * 0.27 + 5000.0);
+}
+
+// Strands shine like wires: across themselves in every direction, so that the highlight becomes a
+// band. They fall downhill over the head, each tilted a little by its own way.
+float strand_shine(vec3 normal, vec3 view, float strand, float key) {
+  vec3 along = vec3(0.0, -1.0, 0.0) - normal * (-normal.y - 0.10 * strand);
+  float slope = dot(along, along);
+  along *= inversesqrt(max(slope, 1e-4));
+  vec3 halfway = u_key_direction + view;
+  vec3 fill_halfway = u_fill_direction + view;
+  float tilt = dot(along, halfway) * inversesqrt(dot(halfway, halfway));
+  float fill_tilt = dot(along, fill_halfway) * inversesqrt(dot(fill_halfway, fill_halfway));
+  float lit = clamp(dot(normal, u_key_direction) + 0.3, 0.0, 1.0);
+  float fill_lit = clamp(dot(normal, u_fill_direction) + 0.3, 0.0, 1.0);
+  float broad = exp(-u_power * tilt * tilt);
+  float narrow = broad * broad * broad * broad;
+  float shine = (0.4 * broad + 0.6 * narrow * (1.0 + strand)) * lit * key +
+                0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit;
+  return shine * smoothstep(0.0, 0.3, slope);
+}
+#endif
 
 // Four bilinear comparisons weighted as a 3 x 3 tent would weigh nine single ones. They are a third
 // of the cost of a pixel in software; the large texels do the rest of the softening.
@@ -144,7 +194,8 @@ void main() {
 #else
   vec3 normal = normalize(v_normal);
 #ifdef HAIR
-  colour *= gl_FrontFacing ? 1.0 : 0.35;
+  float strand = strand_light(v_strand * kStrands);
+  colour *= 1.0 + 0.42 * strand;
 #else
   normal = gl_FrontFacing ? normal : -normal;
   vec2 grain = u_grain * (texture(u_grain_map, v_grain).rg - 128.0 / 255.0);
@@ -176,6 +227,9 @@ void main() {
   result += vec3(1.0, 0.98, 0.95) * (1.7 * smoothstep(0.9938, 0.9982, dot(normal, first)) +
                                      0.12 * smoothstep(0.992, 0.998, dot(normal, second)));
 #else
+#ifdef HAIR
+  float specular = strand_shine(normal, view, strand, arriving * u_key_strength) * v_shine.y;
+#else
   // exp(n (c - 1)) is cos to the n near its top, for half the work.
   vec3 halfway = u_key_direction + view;
   float aligned = dot(normal, halfway) * inversesqrt(dot(halfway, halfway));
@@ -183,6 +237,7 @@ void main() {
   float narrow = broad * broad * broad * broad;
   float shone = arriving * u_key_strength;
   float specular = (0.65 * broad + 0.35 * narrow) * shone * v_shine.y + v_shine.z;
+#endif
 
   float facing = 1.0 - max(dot(normal, view), 0.0);
   // Never to the full: the last pixel of an ear would be a white thread.
@@ -193,7 +248,7 @@ void main() {
              vec3(0.90, 0.75, 0.60) *
                  (0.28 * max(dot(normal, u_second_rim_direction) + 0.15, 0.0));
 #ifdef HAIR
-  result += vec3(1.0, 0.80, 0.60) * specular + rim * (edge * occlusion * 0.35);
+  result += (0.25 + 2.0 * colour) * specular + rim * (edge * occlusion * 0.18);
 #else
   result += vec3(1.0, 0.98, 0.95) * (specular * (1.0 + 1.3 * grain.g)) +
             rim * (edge * occlusion * (0.35 + 0.39 * length(colour)));

@@ -31,6 +31,9 @@ struct StaticMesh {
   std::span<const float> gloss;                             ///< factor on the highlight
   std::span<const ShadedRange> ranges;
   std::span<const glm::vec3> rest = {};  ///< positions that skin's grain clings to; none, no grain
+  /// Where across the hair a vertex lies, [0,1]: strands run where it is the same. Empty: no
+  /// strands.
+  std::span<const float> strand = {};
 };
 
 /// What changes with every frame.
