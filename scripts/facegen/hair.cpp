@@ -2,26 +2,25 @@
 
 #include "scripts/facegen/distance.h"
 #include "scripts/facegen/sculpt.h"
-#include "scripts/facegen/weights.h"
 
 namespace aucast::facegen {
 namespace {
 
 constexpr Vec3 kInside{0, 3.2, 0.6};
-/// Share of a flow line that hangs freely where hair falls behind the ears.
-constexpr double kHanging = 0.45;
 
-/// Outside of hair that hangs down behind the ears.
-double hanging_distance(const Vec3& p) {
-  const Vec3 q{p.x * 0.70, p.y, p.z};
-  return round_cone(q, {0, 2.0, -1.5}, {0, -4.2, -1.4}, 3.30, 2.75);
-}
+constexpr std::size_t kShellColumns = 145;
+constexpr std::size_t kShellRows = 17;
+constexpr std::size_t kLiningColumns = 37;
+constexpr std::size_t kLiningRows = 9;
+constexpr std::size_t kLocks = 190;
+constexpr std::size_t kLockRows = 11;
+constexpr std::size_t kLockAcross = 3;
 
-/// A haircut over one head. s runs round the hairline in [-12, 12), negative on the right; t along
-/// a flow line from the hairline or the tips (0) to the crown (1).
-class Growth {
+/// Where hair grows: s runs round the hairline in [-12, 12), negative on the right; `inside` from
+/// the hairline (0) to the crown (1).
+class Scalp {
  public:
-  explicit Growth(const Identity& who) : cut_(who.hair), head_(head_of(who)) {}
+  explicit Scalp(const Identity& who) : cut_(who.hair), head_(head_of(who)) {}
 
   [[nodiscard]] Vec3 hairline(double s) const {
     Vec3 p = sample<Vec3>(cut_.hairline, std::abs(s));
@@ -29,158 +28,300 @@ class Growth {
     return p;
   }
 
-  /// Share of the flow line that hangs freely.
-  [[nodiscard]] double hanging(double s) const {
-    return cut_.fall > 0 ? kHanging * smooth_step(7.15, 7.95, std::abs(s)) : 0.0;
-  }
-
-  /// Angle about the axis through the crown: a coordinate for noise without a seam.
-  [[nodiscard]] double azimuth(double s) const {
-    const Vec3 axis = glm::normalize(cut_.crown - kInside);
-    const Vec3 across = glm::normalize(glm::cross(Vec3{1, 0, 0}, axis));
-    const Vec3 other = glm::cross(axis, across);
-    const Vec3 d = glm::normalize(hairline(s) - kInside);
-    return std::atan2(glm::dot(d, other), glm::dot(d, across));
-  }
-
-  /// A ray from inside the head through the place of (s, t).
-  struct Ray {
-    Vec3 origin{0};
-    Vec3 direction{0};
-  };
-  [[nodiscard]] Ray ray(double s, double t) const {
-    const double free = hanging(s);
+  /// From inside the head through the place.
+  [[nodiscard]] Vec3 direction(double s, double inside) const {
     const Vec3 from = glm::normalize(hairline(s) - kInside);
-    if (t < free) {
-      const double way = (free - t) / kHanging;
-      return {kInside - Vec3{0, cut_.fall * way, 0.9 * way}, from};
-    }
-    // On the head: along the sphere towards the crown.
     const Vec3 to = glm::normalize(cut_.crown - kInside);
     const double whole = std::acos(std::clamp(glm::dot(from, to), -1.0, 1.0));
-    const double eased = power((t - free) / (1 - free), 1.2);
-    return {kInside,
-            glm::normalize((from * std::sin((1 - eased) * whole) + to * std::sin(eased * whole)) /
-                           std::sin(whole))};
+    const double way = inside < 0 ? inside : power(inside, 1.2);
+    return glm::normalize((from * std::sin((1 - way) * whole) + to * std::sin(way * whole)) /
+                          std::sin(whole));
   }
 
-  struct Place {
-    Vec3 root{0};  ///< on the skin
-    Vec3 direction{0};
-    double top = 0;       ///< 0 at the sides, 1 on top
-    double parting = 0;   ///< 1 in the parting
-    double from_end = 0;  ///< t, faster on hair that hangs: its ends are as short as the hairline
-    double edge = 0;      ///< 0 at the hairline, 1 where the hair has its thickness
-    double thickness = 0;
-  };
-  [[nodiscard]] Place place(double s, double t) const {
-    const Ray along = ray(s, t);
-    Place at;
-    at.direction = along.direction;
-    at.root = leave(along.origin, along.direction, head_);
-    const Vec3 line = hairline(s);
-    const double width =
-        0.13 + cut_.front_rise * smooth_step(5.5, 7.0, line.y) * smooth_step(3, 5, line.z);
-    // The hair lies flat where it is still translucent, or the background shows through at the
-    // far temple.
-    at.from_end = t * mix(1.0, 2.6, hanging(s) / kHanging);
-    at.edge = (1 - power(1 - saturate((at.from_end - 0.075) / width), 2.1)) *
-              smooth_step(0.07, 0.13, at.from_end);
-    at.top = smooth_step(3.5, 8.0, at.root.y);
-    const double from_parting = s - cut_.parting;
-    at.parting = bell(from_parting, 0.20 + 0.25 * t) * (1 - smooth_step(0.45, 0.75, t)) * at.top;
-    const double long_side = smooth_step(0.15, -2.6, from_parting) * smooth_step(-6.5, -3.0, s) *
-                             at.top * smooth_step(2.0, 6.5, at.root.z);
-    at.thickness = mix(cut_.side, cut_.top, at.top) + cut_.sweep * long_side * bell(t - 0.20, 0.30);
-    at.thickness *= 1 - cut_.parting_depth * at.parting * smooth_step(0.02, 0.14, t);
-    at.thickness *= 1 - 0.4 * smooth_step(7, 12, std::abs(s)) * (1 - at.top);
-    if (cut_.fall > 0 && std::abs(s) > 6.5) {
-      const double root = glm::length(at.root - along.origin);
-      const Vec3 outside = leave(along.origin, along.direction, hanging_distance);
-      const double hang = glm::dot(outside - along.origin, along.direction) - root;
-      // Close to the neck in front, full at the back.
-      const double behind = smooth_step(6.9, 9.3, std::abs(s));
-      at.thickness = -melt(-at.thickness, -std::max(hang, 0.0) * behind, 0.5);
-    }
-    return at;
+  [[nodiscard]] Vec3 root(double s, double inside) const {
+    return leave(kInside, direction(s, inside), head_);
   }
-
-  [[nodiscard]] const Haircut& cut() const { return cut_; }
 
  private:
   const Haircut& cut_;
   Distance head_;
 };
 
-/// Strands as noise about the crown; they sweep away from the parting.
-class Strands {
+/// The outside of a haircut as a sheet: s from 0 to 1 across the hair, t from the roots (0) to the
+/// tips (1).
+class Sheet {
  public:
-  Strands(const Growth& growth, double s, double t, double top) : t_(t) {
-    const double from_parting = s - growth.cut().parting;
-    const double sweep = (from_parting < 0 ? 1.0 : -0.6) *
-                         smooth_step(0, 0.2, std::abs(from_parting)) * top * 2.4 * t *
-                         (1 - 0.35 * t) * smooth_step(6, 2.5, std::abs(s));
-    const double angle = growth.azimuth(s) + sweep * kPi / 12;
-    cos_ = std::cos(angle);
-    sin_ = std::sin(angle);
+  explicit Sheet(const Identity& who)
+      : cut_(who.hair), head_(head_of(who)), scalp_(who), who_(who) {}
+
+  [[nodiscard]] bool hangs() const { return !cut_.guides.empty(); }
+
+  [[nodiscard]] Vec3 place(double s, double t) const {
+    return hangs() ? hanging(s, t) : cropped(s, t);
   }
 
-  [[nodiscard]] double noise(double round, double along, double shift) const {
-    return value_noise({cos_ * round + shift, sin_ * round, t_ * along + shift}) - 0.5;
+  [[nodiscard]] Vec3 across(double s, double t) const {
+    constexpr double kStep = 0.004;
+    return glm::normalize(place(s + kStep, t) - place(s - kStep, t));
   }
 
-  /// The ragged hairline: where along the flow line the hair becomes visible.
-  [[nodiscard]] double fringe() const {
-    return 0.035 *
-               (value_noise({cos_ * 95, sin_ * 95, 1}) + value_noise({cos_ * 210, sin_ * 210, 7})) -
-           0.012;
+  [[nodiscard]] Vec3 along(double s, double t) const {
+    constexpr double kStep = 0.01;
+    return glm::normalize(place(s, std::min(t + kStep, 1.0)) - place(s, std::max(t - kStep, 0.0)));
+  }
+
+  /// Away from the head.
+  [[nodiscard]] Vec3 up(double s, double t) const {
+    return glm::normalize(glm::cross(along(s, t), across(s, t)));
   }
 
  private:
-  double t_;
-  double cos_ = 1;
-  double sin_ = 0;
+  [[nodiscard]] Vec3 guide(std::size_t i, double t) const {
+    const std::span<const Vec3> points = cut_.guides[i];
+    std::vector<Key<Vec3>> keys;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      keys.push_back({static_cast<double>(k) / static_cast<double>(points.size() - 1), points[k]});
+    }
+    return sample<Vec3>(keys, t);
+  }
+
+  [[nodiscard]] Vec3 hanging(double s, double t) const {
+    const std::size_t last = cut_.guides.size() - 1;
+    std::vector<Key<Vec3>> keys;
+    for (std::size_t i = 0; i <= last; ++i) {
+      keys.push_back({static_cast<double>(i) / static_cast<double>(last), guide(i, t)});
+    }
+    Vec3 p = sample<Vec3>(keys, saturate(s));
+    if (s < 0) p += (keys[0].value - keys[1].value) * (-s * static_cast<double>(last));
+    if (s > 1)
+      p += (keys[last].value - keys[last - 1].value) * ((s - 1) * static_cast<double>(last));
+    const double middle = smooth_step(0, 0.12, s) * smooth_step(1, 0.88, s);
+    const double clearance = mix(0.03, mix(0.12, cut_.side, middle), smooth_step(0, 0.2, t));
+    for (int i = 0; i < 5; ++i) {
+      const double within = clearance - head_(p);
+      if (within < 1e-3) break;
+      p += head_normal(who_, p) * within;
+    }
+    return p;
+  }
+
+  [[nodiscard]] Vec3 cropped(double s, double t) const {
+    const double round = (s - std::floor(s)) * 24 - 12;
+    const double inside = 1 - t;
+    const Vec3 direction = scalp_.direction(round, inside);
+    const Vec3 root = leave(kInside, direction, head_);
+    const double top = smooth_step(4.5, 8.0, root.y);
+    const double edge = 1 - power(1 - saturate((inside - 0.03) / cut_.rise), 2.0);
+    return root + direction * (0.012 + mix(cut_.side, cut_.top, top) * edge);
+  }
+
+  const Haircut& cut_;
+  Distance head_;
+  Scalp scalp_;
+  const Identity& who_;
 };
 
-void add_hair_vertex(Part& hair, const Identity& who, const Growth& growth, double s, double t) {
-  const Growth::Place at = growth.place(s, t);
-  const Strands strands(growth, s, t, at.top);
-  const double groove = 1.15 * strands.noise(14, 1.0, 3) + 0.95 * strands.noise(34, 1.4, 17) +
-                        0.65 * strands.noise(80, 2.0, 41);
-  const double groove_depth = growth.cut().groove * smooth_step(0.02, 0.2, t) *
-                              (1 - smooth_step(0.8, 1.0, t)) * (0.55 + 0.45 * at.top);
-  const double height = (at.thickness + groove_depth * groove) * at.edge + 0.012;
-  const double light = saturate(0.36 + 0.75 * groove + 0.55 * strands.noise(150, 2.5, 7));
-  const Vec3 colour = mix(who.colours.hair, who.colours.hair_light, light) *
-                      (0.70 + 0.30 * at.edge) * (1 - 0.45 * at.parting);
-  // Softly only over the forehead: at the sides and the ends the background would show through.
-  const double front = smooth_step(3.8, 2.2, std::abs(s));
-  const double visible = at.from_end - mix(1, growth.cut().ragged, front) * strands.fringe();
-  hair.add(at.root + at.direction * height, colour,
-           smooth_step(0, mix(0.045, growth.cut().softness, front), visible));
+Vec3 shade_of(const Identity& who, double light) {
+  return mix(who.colours.hair, who.colours.hair_light, saturate(light));
+}
+
+void add_shell(Part& hair, const Identity& who, const Sheet& sheet) {
+  std::vector<std::vector<std::uint32_t>> rows(kShellRows);
+  for (std::size_t i = 0; i < kShellColumns; ++i) {
+    const double s = static_cast<double>(i) / (kShellColumns - 1);
+    for (std::size_t j = 0; j < kShellRows; ++j) {
+      const double t = static_cast<double>(j) / (kShellRows - 1);
+      const double way = sheet.hangs() ? 0.965 * t : power(t, 0.7);
+      Vec3 p = sheet.place(s, way);
+      // Under the locks.
+      if (sheet.hangs()) p -= sheet.up(s, way) * (0.14 * smooth_step(0, 0.15, t));
+      const double shade = 0.20 + 0.25 * value_noise({s * 60, 1.5 * t, 0.5});
+      double alpha = 1;
+      if (sheet.hangs()) {
+        alpha = smooth_step(1, 0.97, t);
+      } else {
+        const double fringe = 0.05 * (value_noise({s * 150, 1, 3}) + value_noise({s * 420, 1, 5}));
+        alpha = smooth_step(0, who.hair.softness, 1 - way - who.hair.ragged * fringe);
+      }
+      rows[j].push_back(hair.add(p, shade_of(who, shade), alpha));
+      hair.vertices.back()[Map::Strand] = s;
+    }
+  }
+  for (std::size_t j = 1; j < kShellRows; ++j) hair.add_band(rows[j], rows[j - 1], false);
+}
+
+/// What shows where one looks under hanging hair; short hair has it inside the head.
+void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
+  std::vector<std::vector<std::uint32_t>> rows(kLiningRows);
+  for (std::size_t i = 0; i < kLiningColumns; ++i) {
+    const double s = static_cast<double>(i) / (kLiningColumns - 1);
+    for (std::size_t j = 0; j < kLiningRows; ++j) {
+      const double t = 0.95 * static_cast<double>(j) / (kLiningRows - 1);
+      Vec3 p = sheet.place(s, t);
+      p = sheet.hangs() ? p - sheet.up(s, t) * 0.17 : mix(p, kInside, 0.2);
+      rows[j].push_back(hair.add(p, who.colours.hair * 0.5));
+      hair.vertices.back().gloss = 0;
+    }
+  }
+  for (std::size_t j = 1; j < kLiningRows; ++j) hair.add_band(rows[j - 1], rows[j], false);
+}
+
+struct Lock {
+  double s = 0;
+  double drift = 0;  ///< to larger s on its way
+  double from = 0;   ///< t
+  double to = 1;
+  double half_width = 0.3;
+  double lift = 0.05;      ///< over the sheet, in its middle
+  double tip_lift = 0.05;  ///< at its end
+  double shade = 0.5;
+  double strand = 0;
+  double bluntness = 3;  ///< how late it gets pointed
+  double pointed = 1;    ///< 0: as wide at its end as before
+  double crowded = 1;    ///< above 1: more vertices near the root
+};
+
+void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& lock) {
+  std::vector<std::vector<std::uint32_t>> rows(kLockRows);
+  for (std::size_t j = 0; j < kLockRows; ++j) {
+    const double step = static_cast<double>(j) / (kLockRows - 1);
+    const double f = j + 2 == kLockRows ? 0.965 : power(step, lock.crowded);
+    const double t = mix(lock.from, lock.to, f);
+    // Neighbours wave together.
+    const double wave = 0.014 * t * std::sin(9.5 * t + 5 * value_noise({lock.s * 7, 2.5, 0.5}));
+    const double s = lock.s + lock.drift * f * f + (sheet.hangs() ? wave : 0);
+    const Vec3 middle = sheet.place(s, t);
+    const Vec3 across = sheet.across(s, t);
+    const Vec3 up = sheet.up(s, t);
+    const double taper = (0.22 + 0.78 * smooth_step(0, 0.35, f)) *
+                         mix(1, power(1 - power(f, lock.bluntness), 0.7), lock.pointed);
+    const double half = lock.half_width * taper + 0.008;
+    const double lift =
+        lock.lift * std::sin(kPi * std::min(1.0, f * 1.4 + 0.05) * 0.5) + lock.tip_lift * f * f;
+    for (std::size_t k = 0; k < kLockAcross; ++k) {
+      const double side = static_cast<double>(k) - 1;
+      const double belly = 0.30 * half * (1 - side * side);
+      // At the roots all have the same shade, or they would look patched where they cross.
+      const double light =
+          mix(0.36, lock.shade, smooth_step(0, 0.4, f)) + 0.10 * (1 - std::abs(side)) + 0.10 * f;
+      const double root = 0.72 + 0.28 * smooth_step(0, 0.25, t);
+      const double alpha = j + 1 == kLockRows ? 0 : 1;
+      rows[j].push_back(hair.add(middle + across * (half * side) + up * (lift + belly),
+                                 shade_of(who, light) * root, alpha));
+      hair.vertices.back()[Map::Strand] =
+          saturate(lock.strand + side * 0.03 * lock.half_width / 0.3);
+    }
+  }
+  for (std::size_t j = 1; j < kLockRows; ++j) hair.add_band(rows[j], rows[j - 1], false);
+}
+
+/// What the n-th lock throws its dice for.
+double dice(std::size_t lock, int what) {
+  return hash(static_cast<std::int64_t>(lock) * 31 + what * 7919 + 11);
+}
+
+/// Long hair: a layer from root to tip, a lighter one that begins lower, and wisps.
+Lock hanging_lock(std::size_t i) {
+  const auto any = [i](int what) { return dice(i, what); };
+  const auto spread = [&](std::size_t first, std::size_t count) {
+    return (static_cast<double>(i - first) + any(0)) / static_cast<double>(count);
+  };
+  Lock lock;
+  lock.crowded = 1.25;
+  lock.drift = 0.05 * (any(1) - 0.5);
+  lock.shade = 0.12 + 0.5 * any(2);
+  lock.strand = 0.05 + 0.9 * any(3);
+  if (i < 84) {
+    lock.s = spread(0, 84);
+    lock.from = 0.01 + 0.03 * any(4);
+    lock.to = 0.955 + 0.045 * any(5);
+    lock.half_width = 0.24 + 0.16 * any(6);
+    lock.lift = 0.02 + 0.10 * any(7);
+    lock.tip_lift = -0.10 + 0.15 * any(8);
+    lock.bluntness = 5;
+    lock.pointed = 0.6;
+  } else if (i < 144) {
+    lock.s = spread(84, 60);
+    lock.from = 0.06 + 0.36 * any(4);
+    lock.to = 0.84 + 0.16 * any(5);
+    lock.half_width = 0.14 + 0.14 * any(6);
+    lock.lift = 0.12 + 0.12 * any(7);
+    lock.tip_lift = -0.05 + 0.2 * any(8);
+    lock.shade += 0.12;
+    lock.bluntness = 4;
+  } else if (i < 162) {
+    lock.s = spread(144, 18);
+    lock.drift *= 1.8;
+    lock.from = 0.02 + 0.4 * any(4);
+    lock.to = std::min(1.0, lock.from + 0.4 + 0.4 * any(5));
+    lock.half_width = 0.03 + 0.04 * any(6);
+    lock.lift = 0.16 + 0.10 * any(7);
+    lock.tip_lift = 0.05 + 0.20 * any(8);
+    lock.shade += 0.2;
+  } else {
+    // Loose at the edges of the face.
+    const double in = -0.012 + 0.05 * any(9);
+    lock.s = i % 2 == 0 ? in : 1 - in;
+    lock.drift = (i % 2 == 0 ? -0.02 : 0.02) * any(1);
+    lock.from = 0.02 + 0.25 * any(4);
+    lock.to = std::min(1.0, lock.from + 0.35 + 0.4 * any(5));
+    lock.half_width = 0.03 + 0.06 * any(6);
+    lock.lift = 0.02 + 0.10 * any(7);
+    lock.tip_lift = 0.10 * any(8);
+    lock.shade += 0.1;
+  }
+  return lock;
+}
+
+/// Short hair: locks all over the shell, longer and more of them on top.
+Lock cropped_lock(std::size_t i) {
+  const auto any = [i](int what) { return dice(i, what); };
+  constexpr double kGolden = 0.6180339887498949;
+  // Evenly over the scalp: few near the crown, where flow lines meet.
+  const double row = std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(kLocks));
+  const double from_front = 2 * std::fmod(static_cast<double>(i) * kGolden, 1.0) - 1;
+  Lock lock;
+  lock.s = 0.5 + 0.5 * from_front * power(std::abs(from_front), 0.25);
+  lock.drift = 0.03 * (any(1) - 0.5);
+  const double top = smooth_step(5.2 / 24, 3.2 / 24, std::abs(lock.s - 0.5));
+  const double length = mix(0.15, 0.30, top) * (0.7 + 0.6 * any(5));
+  lock.to = mix(0.12, 1.0, row) - 0.03 * any(4);
+  lock.from = std::max(0.02, lock.to - length);
+  lock.half_width = mix(0.08, 0.15, top) * (0.6 + 0.8 * any(6));
+  lock.lift = 0.03 + 0.05 * any(7);
+  lock.tip_lift = mix(0.02, 0.24, top) * any(8);
+  lock.shade = mix(0.24, 0.18, top) + mix(0.40, 0.65, top) * any(2);
+  lock.strand = 0.05 + 0.9 * any(3);
+  return lock;
 }
 
 }  // namespace
 
 Part make_hair(const Identity& who) {
-  const Growth growth(who);
+  const Sheet sheet(who);
   Part hair;
   hair.name = "hair";
   hair.material = face::Material::Hair;
-  std::vector<std::vector<std::uint32_t>> rows(kHairRowLength);
-  for (std::size_t i = 0; i < kHairStrands; ++i) {
-    const double s = static_cast<double>(i) / kHairStrands * 24 - 12;
-    for (std::size_t j = 0; j < kHairRowLength; ++j) {
-      const double t = static_cast<double>(j) / (kHairRowLength - 1);
-      rows[j].push_back(static_cast<std::uint32_t>(hair.vertices.size()));
-      add_hair_vertex(hair, who, growth, s, t);
-      hair.vertices.back()[Map::Head] = head_field(hair.vertices.back().position);
+  // From the outside in, so that little is shaded that the next lock hides.
+  for (std::size_t i = kLocks; i > 0; --i) {
+    add_lock(hair, who, sheet, sheet.hangs() ? hanging_lock(i - 1) : cropped_lock(i - 1));
+  }
+  add_shell(hair, who, sheet);
+  add_lining(hair, who, sheet);
+  hair.fill(Map::Head, 1);
+  return hair;
+}
+
+std::vector<ScalpPoint> scalp_of(const Identity& who) {
+  const Scalp scalp(who);
+  std::vector<ScalpPoint> points;
+  for (int i = 0; i < 288; ++i) {
+    for (int j = 0; j <= 32; ++j) {
+      const double inside = j / 32.0;
+      points.push_back({scalp.root(i / 12.0 - 12, inside), inside});
     }
   }
-  // From the crown to the hairline, so that the translucent fringe is drawn over the hair behind it
-  // and not the other way round.
-  for (std::size_t j = kHairRowLength - 1; j > 0; --j) hair.add_band(rows[j - 1], rows[j], true);
-  return hair;
+  return points;
 }
 
 }  // namespace aucast::facegen

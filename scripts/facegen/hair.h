@@ -5,10 +5,17 @@
 
 namespace aucast::facegen {
 
-inline constexpr std::size_t kHairStrands = 288;   ///< flow lines round the head
-inline constexpr std::size_t kHairRowLength = 33;  ///< vertices along a flow line
-
-/// A short haircut with a side parting: a shell of flow lines from the hairline to the crown.
+/// Hair: tapering locks with a shade of their own, which break the outline and the hairline, over a
+/// shell; a lining shows where one looks under it. All heads have the same number of each.
 [[nodiscard]] Part make_hair(const Identity& who);
+
+/// A place on the scalp where hair grows.
+struct ScalpPoint {
+  Vec3 place{0};
+  double inside = 0;  ///< how far behind the hairline: 0 at it, 1 at the crown
+};
+
+/// A net of such places over the scalp.
+[[nodiscard]] std::vector<ScalpPoint> scalp_of(const Identity& who);
 
 }  // namespace aucast::facegen

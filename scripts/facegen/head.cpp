@@ -26,7 +26,7 @@ std::vector<Part> make_head(const Identity& who) {
   Part right_eye = make_eye(who, -1);
   Part hair = make_hair(who);
   Part shirt = make_shirt(who);
-  tint_scalp(who, skin, hair, kHairRowLength);
+  tint_scalp(who, skin, scalp_of(who));
   {
     // The hair darkens itself but not the skin: that gives blocky patches along the hairline.
     const RayScene body(std::array<const Part*, 4>{&skin.part, &left_eye, &right_eye, &shirt});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -57,21 +58,19 @@ struct Form {
   double chin_fold = 0.16;  ///< between lower lip and chin
 };
 
-/// A haircut: how it grows over the head.
+/// A haircut: where it grows and how it falls.
 struct Haircut {
   /// From the middle of the forehead (0) over temple, sideburn and ear to the nape (12).
   std::span<const Key<Vec3>> hairline;
   Vec3 crown{0.9, 9.9, -2.6};
-  double parting = 2.25;       ///< where on the hairline
-  double parting_depth = 0.8;  ///< share of the thickness
-  double side = 0.30;          ///< thickness
-  double top = 0.72;
-  double sweep = 0.50;       ///< more of it beside the parting
-  double front_rise = 0.10;  ///< how slowly it rises from the forehead
-  double groove = 0.16;      ///< depth between strands
-  double ragged = 1;         ///< unevenness of the hairline
-  double softness = 0.045;   ///< over which share of a flow line it fades in
-  double fall = 0;           ///< how far it hangs down behind the ears
+  /// How long hair falls: lines from root to tip at equal steps across the hair, from the front of
+  /// the left side over the back to the front of the right one. None: short hair along the scalp.
+  std::span<const std::array<Vec3, 9>> guides;
+  double side = 0.30;       ///< thickness over the skin
+  double top = 0.72;        ///< the same, of short hair on top
+  double rise = 0.13;       ///< over which share of the way from the hairline it gets there
+  double ragged = 1;        ///< unevenness of the hairline
+  double softness = 0.045;  ///< over which share of the way it fades in
 };
 
 /// How the lines look that expressions draw on this skin (`creases`).

@@ -143,28 +143,25 @@ void shade_inner_lips(Skin& skin) {
   }
 }
 
-void tint_scalp(const Identity& who, Skin& skin, const Part& hair, std::size_t row_length) {
+void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> scalp) {
   constexpr double kReach2 = 1.6;
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
     Vertex& vertex = skin.part.vertices[i];
     if (vertex.position.y < -3.5) continue;
     if (skin.half.vertices[skin.source[i]].patch == Patch::Ear) continue;
     double nearest2 = kReach2;
-    std::size_t nearest = hair.vertices.size();
-    for (std::size_t j = 0; j < hair.vertices.size(); ++j) {
-      const Vec3 way = hair.vertices[j].position - vertex.position;
+    double inside = 0;
+    for (const ScalpPoint& point : scalp) {
+      const Vec3 way = point.place - vertex.position;
       const double distance2 = glm::dot(way, way);
       if (distance2 < nearest2) {
         nearest2 = distance2;
-        nearest = j;
+        inside = point.inside;
       }
     }
-    if (nearest == hair.vertices.size()) continue;
     // The tint starts behind the hairline; at the line itself it would show the grid in steps.
-    const double along =
-        static_cast<double>(nearest % row_length) / static_cast<double>(row_length - 1);
     vertex.colour =
-        mix(vertex.colour, who.colours.hair * 1.1, 0.85 * smooth_step(0.03, 0.14, along));
+        mix(vertex.colour, who.colours.hair * 1.1, 0.85 * smooth_step(0.01, 0.12, inside));
   }
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "scripts/facegen/hair.h"
 #include "scripts/facegen/skin.h"
 
 namespace aucast::facegen {
@@ -11,8 +14,7 @@ void paint_skin(const Identity& who, Skin& skin);
 /// and the lights from behind would draw when it opens.
 void shade_inner_lips(Skin& skin);
 
-/// Darkens the scalp under the hair, so that no light skin shows between the strands. `row_length`
-/// is the number of vertices from the hairline to the crown.
-void tint_scalp(const Identity& who, Skin& skin, const Part& hair, std::size_t row_length);
+/// Darkens the scalp under the hair, so that no light skin shows between the strands.
+void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> scalp);
 
 }  // namespace aucast::facegen

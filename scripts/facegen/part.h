@@ -27,10 +27,12 @@ enum class Map : std::uint8_t {
   Nasolabial,  ///< mask: the furrow from the wing of the nose to beside the mouth
   Glabella,    ///< mask: the two upright lines between the brows
   Tongue,      ///< mask: the free part of the tongue
+  Strand,      ///< where across the hair; strands run where it is the same
 };
-inline constexpr std::array<std::string_view, 14> kMapNames{
-    "muscle",    "jaw",       "head",      "lid_angle", "smile",      "forehead", "upper_lip",
-    "lower_lip", "upper_red", "lower_red", "lower_lid", "nasolabial", "glabella", "tongue"};
+inline constexpr std::array<std::string_view, 15> kMapNames{
+    "muscle",    "jaw",        "head",      "lid_angle", "smile",
+    "forehead",  "upper_lip",  "lower_lip", "upper_red", "lower_red",
+    "lower_lid", "nasolabial", "glabella",  "tongue",    "strand"};
 
 using Maps = std::array<double, kMapNames.size()>;
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -85,6 +86,29 @@ TEST_F(DefaultFaceMesh, HasAllPartsWithTheSkinFirst) {
   for (const char* name : {"left_eye", "right_eye", "upper_teeth", "lower_teeth", "tongue",
                            "mouth_bag", "left_brow", "right_brow", "lashes", "hair", "shirt"}) {
     EXPECT_GT(part(name).triangle_count, 0U) << name;
+  }
+}
+
+TEST_F(DefaultFaceMesh, LaysStrandsAcrossTheHairAlone) {
+  const std::vector<float>& strand = face().mesh.maps.at("strand");
+  for (const face::MeshPart& piece : face().mesh.parts) {
+    const auto begin = strand.begin() + piece.vertex_begin;
+    const auto [least, most] = std::minmax_element(begin, begin + piece.vertex_count);
+    const bool hair = piece.material == face::Material::Hair;
+    EXPECT_EQ(*least, 0) << piece.name;
+    EXPECT_EQ(*most, hair ? 1 : 0) << piece.name;
+  }
+}
+
+TEST_F(DefaultFaceMesh, MovesHairWithTheSkullAlone) {
+  const face::MeshPart& hair = part("hair");
+  const std::vector<float>& head = face().mesh.maps.at("head");
+  for (const int number : {1, 2, 27}) {
+    const auto positions = posed(number);
+    for (std::uint32_t i = hair.vertex_begin; i < hair.vertex_begin + hair.vertex_count; ++i) {
+      ASSERT_EQ(head[i], 1);
+      ASSERT_LT(glm::length(positions[i] - face().mesh.positions[i]), 1e-5F) << "AU" << number;
+    }
   }
 }
 
