@@ -300,10 +300,6 @@ bool Gui::close_keys() {
   return std::exchange(state_->keys, false);
 }
 
-bool Gui::panel_shown() const {
-  return state_->panel;
-}
-
 float Gui::covered_width() const {
   return state_->panel ? state_->panel_width() : 0;
 }

@@ -28,7 +28,6 @@ class Gui {
   void toggle_keys();
   /// Hides the list of keys; false when it was not shown.
   bool close_keys();
-  [[nodiscard]] bool panel_shown() const;
   /// Width of what the panel hides at the right of the window, in its units; 0 when it is hidden.
   [[nodiscard]] float covered_width() const;
   /// A text is being typed or a question asked: keys are not for the player.

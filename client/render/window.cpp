@@ -309,8 +309,4 @@ GLFWwindow* Window::native() {
   return state_->window;
 }
 
-void Window::wake() {
-  glfwPostEmptyEvent();
-}
-
 }  // namespace aucast::render

@@ -87,8 +87,6 @@ class Window {
   [[nodiscard]] float scale() const;
   /// For what draws over the face; stays the window's.
   [[nodiscard]] GLFWwindow* native();
-  /// Wakes poll() from any thread.
-  static void wake();
 
  private:
   struct State;
