@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <ostream>
 #include <sstream>
 
 #include <glm/geometric.hpp>
@@ -13,6 +12,7 @@
 #include "client/face/muscle_mixer.h"
 #include "tests/support/seeded.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/face/bad_file.h"
 #include "tests/unit/face/small_face.h"
 
 namespace aucast::face {
@@ -20,6 +20,7 @@ namespace {
 
 using aucast::test::Seeded;
 using aucast::test::TempFolder;
+using test::BadFile;
 using test::replaced;
 
 const std::filesystem::path kData = AUCAST_TEST_DATA;
@@ -154,17 +155,6 @@ TEST(ClassicFolder, AJawComesFromItsTagFileOnly) {
   EXPECT_NEAR(out[4].y, -2 * std::cos(angle) - 8.5 * std::sin(angle), 1e-5);
   EXPECT_NEAR(out[4].z, -2 * std::sin(angle) + 8.5 * std::cos(angle), 1e-5);
   EXPECT_EQ(out[3], face.mesh.positions[3]);
-}
-
-struct BadFile {
-  std::string file;
-  std::string from;
-  std::string to;
-  std::string message;
-};
-
-void PrintTo(const BadFile& bad, std::ostream* out) {
-  *out << bad.file << bad.message;
 }
 
 class BadClassicFile : public ::testing::TestWithParam<BadFile> {};

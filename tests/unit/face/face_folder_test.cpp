@@ -3,15 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <ostream>
 
 #include "client/face/face.h"
+#include "tests/unit/face/bad_file.h"
 #include "tests/unit/face/small_face.h"
 
 namespace aucast::face {
 namespace {
 
 using aucast::test::TempFolder;
+using test::BadFile;
+using test::case_name;
 using test::replaced;
 
 std::vector<std::string> names_of(const std::vector<Channel>& channels) {
@@ -152,18 +154,6 @@ TEST(FaceFolder, AMissingFileIsUnreadable) {
   }
 }
 
-/// One change to one file and the message that must come of it, after the file's path.
-struct BadFile {
-  std::string file;
-  std::string from;
-  std::string to;
-  std::string message;
-};
-
-void PrintTo(const BadFile& bad, std::ostream* out) {
-  *out << bad.file << bad.message;
-}
-
 std::string text_of(const std::string& file) {
   if (file == "face.toml") return test::small_face_toml();
   return file == "muscles.toml" ? test::small_muscles_toml() : test::small_aus_toml();
@@ -251,10 +241,6 @@ const std::vector<BadFile> kBadAus = {
     {"aus.toml", "note", "notes", ":4:1: unknown key 'notes'; did you mean note?"},
     {"aus.toml", "{ jaw = 2.2 }", "[ 2.2 ]", ":12:9: drive must be a table"},
 };
-
-std::string case_name(const ::testing::TestParamInfo<BadFile>& info) {
-  return std::to_string(info.index);
-}
 
 INSTANTIATE_TEST_SUITE_P(FaceToml, BadFaceFile, ::testing::ValuesIn(kBadFaceToml), case_name);
 INSTANTIATE_TEST_SUITE_P(Muscles, BadFaceFile, ::testing::ValuesIn(kBadMuscles), case_name);

@@ -5,8 +5,12 @@
 #include <cstring>
 #include <limits>
 
+#include "tests/unit/face/small_face.h"
+
 namespace aucast::face {
 namespace {
+
+using test::replaced;
 
 /// Two parts: a skin quad and triangle, an eye triangle; one mask.
 FaceMesh small_mesh() {
@@ -25,12 +29,6 @@ const std::vector<Polygon> kPolygons = {{{0, 1, 2, 3}, 4}, {{5, 6, 7, 0}, 3}, {{
 
 std::string small_file() {
   return format_ply(small_mesh(), kPolygons);
-}
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
 }
 
 std::string error_of(std::string_view bytes) {
