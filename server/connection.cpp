@@ -76,7 +76,8 @@ Connection::Connection(tcp::socket socket,
 }
 
 void Connection::start() {
-  spdlog::info("client {} {}: connected", record_.number, record_.peer);
+  settings_.log->say(now(), spdlog::level::info, "client {} {}: connected", record_.number,
+                     record_.peer);
   std::error_code ignored;
   // Stop-and-wait would otherwise wait for the peer's delayed acknowledgement at every packet.
   socket_.set_option(tcp::no_delay(true), ignored);
@@ -113,8 +114,8 @@ void Connection::stop() {
 void Connection::abort() {
   if (finished_) return;
   if (!output_done()) {
-    spdlog::warn("client {} {}: {} bytes were not taken in time", record_.number, record_.peer,
-                 output_bytes());
+    settings_.log->say(now(), spdlog::level::warn, "client {} {}: {} bytes were not taken in time",
+                       record_.number, record_.peer, output_bytes());
   }
   if (!lingering_) carry_out(session_.on_lost(now()));
   finish();
@@ -170,10 +171,10 @@ void Connection::session_closed(std::string_view end_reason, std::string_view re
   measure_sending();
   record_ = so_far();
   record_.end_reason = std::string(end_reason);
-  spdlog::log(in_order ? spdlog::level::info : spdlog::level::warn,
-              "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)", record_.number,
-              record_.peer, end_reason, reason.empty() ? "" : ": ", reason, record_.packets,
-              record_.bytes, seconds(record_.send_time));
+  settings_.log->say(now(), in_order ? spdlog::level::info : spdlog::level::warn,
+                     "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)",
+                     record_.number, record_.peer, end_reason, reason.empty() ? "" : ": ", reason,
+                     record_.packets, record_.bytes, seconds(record_.send_time));
 }
 
 ClientRecord Connection::so_far() const {

@@ -16,6 +16,7 @@
 
 #include "common/time.h"
 #include "protocol/server_session.h"
+#include "server/client_log.h"
 #include "server/stats.h"
 #include "tls/channel.h"
 #include "tls/context.h"
@@ -43,6 +44,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   struct Settings {
     std::uint64_t number = 0;  ///< of the client, for the log and the record
     std::string peer;          ///< ADDR:PORT
+    ClientLog* log = nullptr;  ///< outlives the connection
     /// Longest wait for an answer that is owed, or for the socket to take anything; 0: for ever.
     Milliseconds client_timeout{0};
     protocol::Admission admission = protocol::Admission::Welcome;

@@ -12,6 +12,9 @@
 
 namespace aucast::server {
 
+/// A descriptor a client: takes as many as the system lets this process have.
+void raise_descriptor_limit();
+
 /// ADDR:PORT, with brackets around an IPv6 address.
 [[nodiscard]] std::string endpoint_text(const asio::ip::tcp::endpoint& endpoint);
 

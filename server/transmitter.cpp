@@ -1,7 +1,5 @@
 #include "server/transmitter.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -56,14 +54,6 @@ constexpr Milliseconds kStatusAge{250};
 
 /// How often the service manager hears of it.
 constexpr std::chrono::seconds kStatusEvery{10};
-
-/// A descriptor a client: take as many as the system lets us have.
-void raise_descriptor_limit() {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == limit.rlim_max) return;
-  limit.rlim_cur = limit.rlim_max;
-  ::setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 double seconds(Duration time) {
   return std::chrono::duration<double>(time).count();
@@ -133,6 +123,7 @@ class Transmitter {
     manager_.ready(summary());
     tick();
     io_.run();
+    client_log_.say_left_out();
     return ending();
   }
 
@@ -376,8 +367,9 @@ class Transmitter {
     auto connection = std::make_shared<Connection>(
         std::move(socket),
         std::shared_ptr<const protocol::ServerCatalogue>(programme_, &programme_->catalogue),
-        Connection::Settings{number, endpoint_text(peer), options_.client_timeout, admission,
-                             any_live() ? programme_->unsent_bytes_max : 0, tls_, options_.batch},
+        Connection::Settings{number, endpoint_text(peer), &client_log_, options_.client_timeout,
+                             admission, any_live() ? programme_->unsent_bytes_max : 0, tls_,
+                             options_.batch},
         [this](const ClientRecord& record) { farewell(record); });
     if (refused) {
       refused_.insert(number);
@@ -559,6 +551,7 @@ class Transmitter {
 
   const TransmitterOptions& options_;
   Stats& stats_;
+  ClientLog client_log_;
   asio::io_context io_{1};
   asio::signal_set end_signals_;
   asio::signal_set other_signals_;

@@ -212,6 +212,29 @@ TEST(ServerService, LogLinesAreJsonWhenAsked) {
   EXPECT_GE(warnings, 1) << server.log();
 }
 
+TEST(ServerService, FloodOfClientsIsLoggedInPartAndCounted) {
+  constexpr int kClients = 400;
+  RunningTransmitter server({stream_file("happiness.txt")});
+  for (int client = 0; client < kClients; ++client) {
+    RawClient rude = server.connect();
+    rude.send("x");
+    EXPECT_EQ(rude.receive_all(), "");
+  }
+  EXPECT_EQ(server.terminate(), 0);
+  std::istringstream lines(server.log());
+  int said = 0;
+  int left_out = 0;
+  std::smatch count;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(": client ") != std::string::npos) ++said;
+    if (std::regex_search(line, count, std::regex("([0-9]+) lines about clients"))) {
+      left_out += std::stoi(count[1]);
+    }
+  }
+  EXPECT_GE(said, 300);
+  EXPECT_EQ(said + left_out, 2 * kClients) << "each comes and goes";
+}
+
 /// Takes a whole stream, so that the server is known to go round its loop.
 void take_stream(const std::string& ready_line) {
   RawClient client(ready_line.substr(ready_line.rfind(' ') + 1));

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "common/log.h"
+#include "common/time.h"
+
+namespace aucast::server {
+
+/// What the log says of single clients. Of a flood of them only so much: it would fill the disk,
+/// and the journal drops all that a service says beyond 10,000 lines in 30 s, errors too. What is
+/// left out is counted and said. At the level debug nothing is left out.
+/// Thread: none of its own.
+class ClientLog {
+ public:
+  static constexpr std::uint64_t kLinesASecondMax = 300;
+
+  template <typename... Args>
+  void say(Instant now, spdlog::level::level_enum level, spdlog::format_string_t<Args...> format,
+           Args&&... args) {
+    if (spdlog::should_log(level) && may_say(now))
+      spdlog::log(level, format, std::forward<Args>(args)...);
+  }
+
+  /// Counts one line: whether it is to be said. What was left out before is said first.
+  [[nodiscard]] bool may_say(Instant now);
+
+  /// How many were left out, if any, at the end for example.
+  void say_left_out();
+
+ private:
+  Instant second_{};  ///< its begin
+  std::uint64_t lines_ = 0;
+  std::uint64_t left_out_ = 0;
+};
+
+}  // namespace aucast::server
