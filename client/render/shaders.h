@@ -161,7 +161,8 @@ float strand_shine(vec3 normal, vec3 view, float strand, float key) {
   float narrow = broad * broad * broad * broad;
   float shine = (0.4 * broad + 0.6 * narrow * (1.0 + strand)) * lit * key +
                 0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit;
-  return shine * smoothstep(0.0, 0.3, slope);
+  // Not at the very outline, where single pixels would sparkle.
+  return shine * smoothstep(0.0, 0.3, slope) * smoothstep(0.0, 0.3, dot(normal, view));
 }
 #endif
 

@@ -10,9 +10,9 @@ constexpr Vec3 kInside{0, 3.2, 0.6};
 
 constexpr std::size_t kShellColumns = 145;
 constexpr std::size_t kShellRows = 17;
-constexpr std::size_t kLiningColumns = 37;
-constexpr std::size_t kLiningRows = 9;
-constexpr std::size_t kLocks = 190;
+constexpr std::size_t kLiningColumns = 73;
+constexpr std::size_t kLiningRows = 7;
+constexpr std::size_t kLocks = 220;
 constexpr std::size_t kLockRows = 11;
 constexpr std::size_t kLockAcross = 3;
 
@@ -121,6 +121,11 @@ class Sheet {
   const Identity& who_;
 };
 
+/// Of short hair: 1 over the forehead, 0 behind the temples.
+double on_top(double s) {
+  return smooth_step(5.2 / 24, 3.2 / 24, std::abs(s - 0.5));
+}
+
 Vec3 shade_of(const Identity& who, double light) {
   return mix(who.colours.hair, who.colours.hair_light, saturate(light));
 }
@@ -132,16 +137,25 @@ void add_shell(Part& hair, const Identity& who, const Sheet& sheet) {
     for (std::size_t j = 0; j < kShellRows; ++j) {
       const double t = static_cast<double>(j) / (kShellRows - 1);
       const double way = sheet.hangs() ? 0.965 * t : power(t, 0.7);
+      // Short hair is tufts of pepper and salt, with furrows between them.
+      const double tuft = value_noise({s * 65, (sheet.hangs() ? 1.5 : 5.0) * t, 0.5});
       Vec3 p = sheet.place(s, way);
       // Under the locks.
-      if (sheet.hangs()) p -= sheet.up(s, way) * (0.14 * smooth_step(0, 0.15, t));
-      const double shade = 0.20 + 0.25 * value_noise({s * 60, 1.5 * t, 0.5});
+      if (sheet.hangs()) {
+        p -= sheet.up(s, way) * (0.14 * smooth_step(0, 0.15, t));
+      } else {
+        p += glm::normalize(p - kInside) * (0.10 * tuft * smooth_step(1, 0.75, t));
+      }
+      const double shade =
+          sheet.hangs() ? 0.32 + 0.25 * tuft : 0.02 + 0.62 * tuft * smooth_step(0, 0.3, t);
       double alpha = 1;
       if (sheet.hangs()) {
         alpha = smooth_step(1, 0.97, t);
       } else {
         const double fringe = 0.05 * (value_noise({s * 150, 1, 3}) + value_noise({s * 420, 1, 5}));
-        alpha = smooth_step(0, who.hair.softness, 1 - way - who.hair.ragged * fringe);
+        // Shaved shorter and shorter behind the temples.
+        const double softness = who.hair.softness * mix(2.4, 1.0, on_top(s));
+        alpha = smooth_step(0, softness, 1 - way - who.hair.ragged * fringe);
       }
       rows[j].push_back(hair.add(p, shade_of(who, shade), alpha));
       hair.vertices.back()[Map::Strand] = s;
@@ -154,13 +168,16 @@ void add_shell(Part& hair, const Identity& who, const Sheet& sheet) {
 void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
   std::vector<std::vector<std::uint32_t>> rows(kLiningRows);
   for (std::size_t i = 0; i < kLiningColumns; ++i) {
-    const double s = static_cast<double>(i) / (kLiningColumns - 1);
+    const double s = mix(0.015, 0.985, static_cast<double>(i) / (kLiningColumns - 1));
     for (std::size_t j = 0; j < kLiningRows; ++j) {
-      const double t = 0.95 * static_cast<double>(j) / (kLiningRows - 1);
+      const bool end = j + 1 == kLiningRows;
+      const double t = end ? 0.90 + 0.07 * hash(static_cast<std::int64_t>(i))
+                           : 0.88 * static_cast<double>(j) / (kLiningRows - 2);
       Vec3 p = sheet.place(s, t);
       p = sheet.hangs() ? p - sheet.up(s, t) * 0.17 : mix(p, kInside, 0.2);
-      rows[j].push_back(hair.add(p, who.colours.hair * 0.5));
+      rows[j].push_back(hair.add(p, who.colours.hair * 0.8));
       hair.vertices.back().gloss = 0;
+      hair.vertices.back()[Map::Strand] = s;
     }
   }
   for (std::size_t j = 1; j < kLiningRows; ++j) hair.add_band(rows[j - 1], rows[j], false);
@@ -281,16 +298,16 @@ Lock cropped_lock(std::size_t i) {
   const double row = std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(kLocks));
   const double from_front = 2 * std::fmod(static_cast<double>(i) * kGolden, 1.0) - 1;
   Lock lock;
-  lock.s = 0.5 + 0.5 * from_front * power(std::abs(from_front), 0.25);
-  lock.drift = 0.03 * (any(1) - 0.5);
-  const double top = smooth_step(5.2 / 24, 3.2 / 24, std::abs(lock.s - 0.5));
-  const double length = mix(0.15, 0.30, top) * (0.7 + 0.6 * any(5));
-  lock.to = mix(0.12, 1.0, row) - 0.03 * any(4);
+  lock.s = 0.5 + 0.5 * from_front * power(std::abs(from_front), 0.3);
+  const double top = on_top(lock.s);
+  lock.drift = mix(0.008, 0.03, top) * (any(1) - 0.5);
+  const double length = mix(0.24, 0.25, top) * (0.7 + 0.6 * any(5));
+  lock.to = mix(0.12, mix(0.88, 1.0, top), row) - 0.03 * any(4);
   lock.from = std::max(0.02, lock.to - length);
-  lock.half_width = mix(0.08, 0.15, top) * (0.6 + 0.8 * any(6));
-  lock.lift = 0.03 + 0.05 * any(7);
-  lock.tip_lift = mix(0.02, 0.24, top) * any(8);
-  lock.shade = mix(0.24, 0.18, top) + mix(0.40, 0.65, top) * any(2);
+  lock.half_width = mix(0.09, 0.105, top) * (0.6 + 0.8 * any(6));
+  lock.lift = mix(0.03, 0.04, top) + 0.05 * any(7);
+  lock.tip_lift = mix(-0.03, 0.20, top) * any(8);
+  lock.shade = 0.08 + mix(0.50, 0.58, top) * any(2);
   lock.strand = 0.05 + 0.9 * any(3);
   return lock;
 }
