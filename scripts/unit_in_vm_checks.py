@@ -456,12 +456,16 @@ def activation():
     systemctl("stop", SERVICE)
     systemctl("start", SOCKET)
     expect(show("ActiveState") == "inactive", "the socket alone starts it")
+    since = Journal()
     peers = [Client(PORT, "{hello v=2}") for _ in range(100)]
     for peer in peers:
         expect(isinstance(peer.packet(PATIENCE), Hello), "no hello")
         got = [keyframe.text for keyframe in peer.rest(seconds=PATIENCE)]
         expect(got == ["{1,6,12,14}"], got)
         peer.socket.close()
+    since.wait_for(r"client 1 127\.0\.0\.1:\d+: connected")
+    with socket.create_connection(("::1", PORT), PATIENCE):
+        since.wait_for(r"client 101 \[::1\]:\d+: connected")
     first = show("MainPID")
     with Client(PORT, "{hello v=2}") as peer:
         peer.packets(2)
@@ -475,7 +479,7 @@ def activation():
     expect(show("MainPID") != first, "the same process")
     systemctl("stop", SERVICE)
     expect(played() == ["{1,6,12,14}"], "does not start again")
-    return "100 clients at once, 20 during a restart, one after a stop"
+    return "100 clients at once, one by IPv6, 20 during a restart, one after a stop"
 
 
 @check
