@@ -14,6 +14,8 @@ allowed it says so, and only `proxy` is run, which needs no rights. What is run:
   classic     the same link with --protocol classic: everything arrives, as slow as stop-and-wait is
   down        the link is down for 20 s (--seconds): nothing of a recorded stream is lost, a live one
               goes on where it is
+  vanished    the client's host is gone without a word: the server closes a live client, to which it goes
+              on sending, and a paused one, to which it does not, within 75 s
   proxy       the tests of tests/integration/faults_test.cpp, with faults of 10 s (half --seconds)
 
 A link that is to lose packets must have lost some on the way to the player, and in bursts several in a
@@ -33,6 +35,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 
 SERVER, CLIENT = f"aucast{os.getpid()}s", f"aucast{os.getpid()}c"
 DEVICES = (f"auls{os.getpid() % 100000}", f"aulc{os.getpid() % 100000}")
@@ -43,6 +46,21 @@ SATELLITE = ("--delay", "300", "--jitter", "50", "--loss", "1", "--rate", "64")
 
 def ip(*arguments):
     subprocess.run(("ip", *arguments), check=True, stderr=subprocess.PIPE)
+
+# A live client and one that pauses at once, both reading, for ever.
+VANISHING = f"""
+import selectors, socket
+watch = selectors.DefaultSelector()
+for pause in (b"", b"-1"):
+    client = socket.create_connection(("{SERVER_ADDRESS}", 4650))
+    client.sendall(b"{{hello v=2 window=0}}" + pause)
+    client.recv(1000)
+    watch.register(client, selectors.EVENT_READ)
+print("ready", flush=True)
+while True:
+    for key, _ in watch.select():
+        key.fileobj.recv(1000)
+"""
 
 
 class Link:
@@ -178,6 +196,31 @@ class Faults:
         self.judge("live", code == 0 and stats["end_reason"] == "end_of_stream"
                    and stats["keyframes_played"] < count, self.told(code, stats))
 
+    def vanished(self):
+        stream, log = self.folder / "lively.txt", self.folder / "log.txt"
+        lively(stream, 25 * 120)
+        with Link(self.options.bin, ()) as link, log.open("w", encoding="utf-8") as errors:
+            server = subprocess.Popen(
+                ("ip", "netns", "exec", SERVER, self.options.bin / "au-transmitter", "--live",
+                 "--bind", SERVER_ADDRESS, "--port", "4650", stream),
+                stdout=subprocess.PIPE, stderr=errors, text=True)
+            server.stdout.readline()
+            clients = subprocess.Popen(
+                ("ip", "netns", "exec", CLIENT, sys.executable, "-c", VANISHING),
+                stdout=subprocess.PIPE, text=True)
+            clients.stdout.readline()
+            link.set_down(True)
+            begin = time.monotonic()
+            gone = 0
+            while gone < 2 and time.monotonic() - begin < 75:
+                time.sleep(0.2)
+                gone = log.read_text(encoding="utf-8").count(": closed: peer gone")
+            seconds = time.monotonic() - begin
+            for process in (clients, server):
+                process.kill()
+                process.wait()
+        self.judge("live and paused", gone == 2, f"{gone} of 2 found after {seconds:.0f} s")
+
     def proxy(self):
         variables = dict(os.environ, AUCAST_FAULT_SECONDS=str(max(1, int(self.options.seconds / 2))))
         code = subprocess.run((self.options.bin / "test_faults", "--gtest_brief=1"), env=variables,
@@ -192,10 +235,10 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", type=pathlib.Path, default=root / "build/release/bin")
     parser.add_argument("--seconds", type=float, default=20)
-    parser.add_argument("--only", default="satellite,bursts,classic,down,proxy")
+    parser.add_argument("--only", default="satellite,bursts,classic,down,vanished,proxy")
     options = parser.parse_args()
     wanted = options.only.split(",")
-    unknown = set(wanted) - {"satellite", "bursts", "classic", "down", "proxy"}
+    unknown = set(wanted) - set(parser.get_default("only").split(","))
     if unknown:
         parser.error(f"there is no {', '.join(sorted(unknown))}")
     with tempfile.TemporaryDirectory() as folder:

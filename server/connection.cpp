@@ -24,8 +24,8 @@ Instant now() {
   return std::chrono::steady_clock::now();
 }
 
-/// Finds a host that vanished without a word within a minute, which nothing else would while the
-/// client is paused.
+/// Finds a host that vanished without a word within a minute: keep-alive while nothing is under way
+/// to it, as when the client is paused, and the user timeout while something is.
 void find_the_dead(tcp::socket& socket) {
   std::error_code ignored;
   socket.set_option(asio::socket_base::keep_alive(true), ignored);
@@ -35,6 +35,7 @@ void find_the_dead(tcp::socket& socket) {
   set(TCP_KEEPIDLE, 30);
   set(TCP_KEEPINTVL, 10);
   set(TCP_KEEPCNT, 3);
+  set(TCP_USER_TIMEOUT, 60'000);
 }
 
 /// What lies in the system's buffers for a client that is slow cannot be replaced by what is newer.

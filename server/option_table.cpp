@@ -224,7 +224,7 @@ constexpr OptionRow kTable[] = {
      "close those that take or answer nothing so long (0: no)",
      "Seconds, to 86400. It starts anew with every byte from the client; live, with every byte "
      "that can be sent to it. A paused client owes nothing. A host that vanished is found by TCP "
-     "keep-alive within a minute all the same.",
+     "within a minute all the same, as is a client that takes nothing of what waits for it.",
      read_client_timeout},
     {"max-clients", "N", Kind::Number, "0", "at a time (0: any)",
      "So many at a time; 0: as many as come. A client too many gets {error 503 ...} if it says "
