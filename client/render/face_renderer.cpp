@@ -25,6 +25,7 @@ namespace aucast::render {
 namespace {
 
 using view::Shading;
+using Triangle = view::RoundedMesh::Triangle;
 
 /// The key light's shadows cover a fixed box, so that they do not crawl while the head moves. A
 /// texel of 0.07 units under a filter of three gives the soft edge of a large lamp.
@@ -33,11 +34,13 @@ constexpr float kShadowReach = 13;
 constexpr float kShadowBias = 0.08F;
 constexpr float kShadowSlopeBias = 2.0F;
 
-/// How much of a transparent surface and of what shines through a solid one is left.
+/// A quarter of a pixel in a face that fills the screen: no corner shows there.
+constexpr float kLeastBend = 0.004F;
+
+/// What is left of a transparent surface, and of what shines through a solid one.
 constexpr float kTransparent = 0.45F;
 constexpr float kShineThrough = 0.45F;
-/// The surface in a plain colour: clay.
-constexpr glm::vec3 kClay{0.52F, 0.47F, 0.43F};
+constexpr glm::vec3 kClay{0.52F, 0.47F, 0.43F};  ///< the surface in a plain colour
 
 constexpr GLuint kPositionSlot = 0;
 constexpr GLuint kNormalSlot = 1;
@@ -55,6 +58,11 @@ struct Draw {
   std::size_t first_index = 0;
   GLsizei index_count = 0;
 };
+
+void draw_triangles(const Draw& draw) {
+  glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+}
 
 int index_of(const view::ShadedRange& range) {
   if (range.shading == Shading::Crease) return range.crease;
@@ -160,7 +168,7 @@ struct FaceRenderer::State {
         segments(std::move(segment_renderer)) {}
 
   void set_up();
-  void round_off(std::vector<std::array<std::uint32_t, 3>>& triangles);
+  void round_off(std::span<const glm::vec3> rest, std::vector<Triangle>& triangles);
   void upload_moving(const view::MovingMesh& mesh);
   void set_programs(const view::Style& style, const view::CameraMatrices& matrices,
                     const glm::mat4& world_to_clip);
@@ -241,8 +249,7 @@ void FaceRenderer::State::draw_shadow_map() {
   glPolygonOffset(kShadowSlopeBias, 0);
   for (const Draw& draw : plain) {
     if (!look_of(draw.shading).casts_shadow) continue;
-    glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+    draw_triangles(draw);
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer_before));
@@ -278,8 +285,7 @@ void FaceRenderer::State::draw_runs(const std::vector<Draw>& draws, const view::
       glEnable(GL_CULL_FACE);
       glCullFace(GL_BACK);
     }
-    glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+    draw_triangles(draw);
   }
 }
 
@@ -299,8 +305,7 @@ void FaceRenderer::State::draw_creases(std::span<const float> strengths,
     const auto at = static_cast<std::size_t>(draw.index);
     if (draw.index < 0 || at >= strengths.size() || !(strengths[at] > 0)) continue;
     glUniform1f(strength, strengths[at]);
-    glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+    draw_triangles(draw);
   }
   glDepthMask(GL_TRUE);
 }
@@ -387,8 +392,7 @@ void FaceRenderer::State::draw_depth(const std::vector<Draw>& draws,
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glDisable(GL_CULL_FACE);
   for (const Draw& draw : draws) {
-    glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+    draw_triangles(draw);
   }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -413,8 +417,7 @@ void FaceRenderer::State::draw_lines(const view::Style& style, const glm::mat4& 
     glPolygonMode(GL_FRONT_AND_BACK, mode);
     glEnable(offset);
     for (const Draw& draw : plain) {
-      glDrawElements(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                     reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)));
+      draw_triangles(draw);
     }
     glDisable(offset);
   }
@@ -479,19 +482,26 @@ Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
 }
 
 /// Appends the rounded triangles of the solid runs that ask for it, and points these runs there.
-void FaceRenderer::State::round_off(std::vector<std::array<std::uint32_t, 3>>& triangles) {
+void FaceRenderer::State::round_off(std::span<const glm::vec3> rest,
+                                    std::vector<Triangle>& triangles) {
   plain = solid;
-  std::vector<std::array<std::uint32_t, 3>> corners;
-  std::size_t first = 3 * triangles.size();
-  for (Draw& draw : solid) {
-    if (!draw.rounded) continue;
+  std::vector<Triangle> corners;
+  for (const Draw& draw : plain) {
+    if (!draw.rounded || rest.empty()) continue;
     const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(draw.first_index / 3);
     corners.insert(corners.end(), begin, begin + draw.index_count / 3);
-    draw.first_index = first;
-    draw.index_count *= 4;
-    first += static_cast<std::size_t>(draw.index_count);
   }
-  rounded = view::RoundedMesh(corners, vertex_count);
+  std::vector<glm::vec3> places(rest.begin(), rest.end());
+  places.resize(vertex_count);
+  rounded = view::RoundedMesh(places, corners, kLeastBend);
+  std::size_t given = 0;
+  for (Draw& draw : solid) {
+    if (!draw.rounded || rest.empty()) continue;
+    const std::size_t before = rounded.became(given);
+    given += static_cast<std::size_t>(draw.index_count / 3);
+    draw.first_index = 3 * (triangles.size() + before);
+    draw.index_count = static_cast<GLsizei>(3 * (rounded.became(given) - before));
+  }
   triangles.insert(triangles.end(), rounded.triangles().begin(), rounded.triangles().end());
 }
 
@@ -506,14 +516,12 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   }
 
   // A translucent range is mostly solid (hair): only triangles with a clear corner are blended.
-  std::vector<std::array<std::uint32_t, 3>> sorted;
-  sorted.reserve(mesh.triangles.size());
+  std::vector<Triangle> sorted;
   state.solid.clear();
   state.translucent.clear();
   state.creases.clear();
-  const auto clear_corner = [&mesh](const std::array<std::uint32_t, 3>& triangle) {
-    return mesh.colours[triangle[0]].a < 1 || mesh.colours[triangle[1]].a < 1 ||
-           mesh.colours[triangle[2]].a < 1;
+  const auto clear_corner = [&mesh](const Triangle& t) {
+    return mesh.colours[t[0]].a < 1 || mesh.colours[t[1]].a < 1 || mesh.colours[t[2]].a < 1;
   };
   for (const view::ShadedRange& range : mesh.ranges) {
     AUCAST_CHECK(range.triangle_begin <= mesh.triangles.size());
@@ -534,7 +542,7 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
     }
   }
   order_solids(state.solid);
-  state.round_off(sorted);
+  state.round_off(mesh.rest, sorted);
 
   glBindVertexArray(state.vertices.id());
   glBindBuffer(GL_ARRAY_BUFFER, state.colours.id());
@@ -543,8 +551,8 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   glBindBuffer(GL_ARRAY_BUFFER, state.occlusion_gloss.id());
   occlusion_gloss = state.rounded.with_edges(std::span<const glm::vec2>(occlusion_gloss));
   upload(GL_ARRAY_BUFFER, std::span<const glm::vec2>(occlusion_gloss), GL_STATIC_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, state.grain_places.id());
   state.grained = !mesh.rest.empty();
+  glBindBuffer(GL_ARRAY_BUFFER, state.grain_places.id());
   auto places = SkinGrain::places(mesh.rest);
   places.resize(state.vertex_count);
   places = state.rounded.with_edges(std::span<const glm::vec2>(places));
@@ -554,8 +562,7 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   strand.resize(state.vertex_count);
   strand = state.rounded.with_edges(std::span<const float>(strand));
   upload(GL_ARRAY_BUFFER, std::span<const float>(strand), GL_STATIC_DRAW);
-  upload(GL_ELEMENT_ARRAY_BUFFER, std::span<const std::array<std::uint32_t, 3>>(sorted),
-         GL_STATIC_DRAW);
+  upload(GL_ELEMENT_ARRAY_BUFFER, std::span<const Triangle>(sorted), GL_STATIC_DRAW);
 }
 
 void FaceRenderer::draw(const view::MovingMesh& mesh, const view::Camera& camera,

@@ -46,8 +46,8 @@ out vec3 v_ambient;
 out vec3 v_shine;  // occlusion, strength of the key's highlight, the fill's highlight
 out vec3 v_shadow;
 
-const vec3 kGround = vec3(0.29, 0.215, 0.18);
-const vec3 kSky = vec3(0.37, 0.385, 0.42);
+const vec3 kGround = vec3(0.31, 0.235, 0.20);
+const vec3 kSky = vec3(0.38, 0.385, 0.41);
 const vec3 kFill = vec3(0.34, 0.32, 0.33);
 const float kFillWrap = 0.35;
 const float kShadowLift = 0.06;  // along the normal, against a surface shading itself
@@ -122,7 +122,7 @@ uniform vec3 u_eyeball_forward;
 out vec4 o_colour;
 
 const vec3 kKey = vec3(1.05, 0.97, 0.88);
-const vec3 kKeyWrap = vec3(0.32, 0.17, 0.12);
+const vec3 kKeyWrap = vec3(0.30, 0.19, 0.15);
 const vec3 kShadowKept = vec3(0.30, 0.13, 0.10);  // shadows on skin go red, not grey
 
 #ifdef HAIR

@@ -9,20 +9,24 @@
 
 namespace aucast::view {
 
-/// Rounds off a mesh for drawing, so that its outline shows no corners: each triangle becomes four.
-/// The vertex in the middle of an edge lies where a curve through both ends at right angles to
-/// their normals passes (Vlachos et al., Curved PN Triangles, 2001). The mesh's own vertices keep
-/// their numbers and places; those of the edges follow them. Thread: one mesh per thread.
+/// Rounds off a mesh for drawing, so that its outline shows no corners: edges that bend get a
+/// vertex in their middle, and their triangles become two to four. It lies where a curve through
+/// both ends at right angles to their normals passes (Vlachos et al., Curved PN Triangles, 2001).
+/// The mesh's own vertices keep their numbers and places; those of the edges follow them. Thread:
+/// one mesh per thread.
 class RoundedMesh {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
 
   RoundedMesh() = default;
-  /// `triangles` of a mesh of `vertex_count` vertices, which may have others that are not rounded.
-  RoundedMesh(std::span<const Triangle> triangles, std::size_t vertex_count);
+  /// Which edges bend is seen on the mesh at rest, all of whose vertices are given, but perhaps not
+  /// all triangles: those whose middle moves by `least_bend` or more.
+  RoundedMesh(std::span<const glm::vec3> rest, std::span<const Triangle> triangles,
+              float least_bend);
 
-  /// Four for each that was given, in their order.
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  /// How many triangles the first `count` of those given have become.
+  [[nodiscard]] std::size_t became(std::size_t count) const { return became_[count]; }
   /// The mesh's own and those of the edges.
   [[nodiscard]] std::size_t vertex_count() const { return own_count_ + edges_.size(); }
 
@@ -42,9 +46,12 @@ class RoundedMesh {
   [[nodiscard]] std::span<const glm::vec3> normals() const { return normals_; }
 
  private:
+  void add(Triangle corners, std::array<std::uint32_t, 3> middles);
+
   std::size_t own_count_ = 0;
   std::vector<std::array<std::uint32_t, 2>> edges_;
   std::vector<Triangle> triangles_;
+  std::vector<std::size_t> became_{0};
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
 };

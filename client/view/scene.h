@@ -30,7 +30,7 @@ struct StaticMesh {
   std::span<const float> occlusion;                         ///< ambient light that arrives, [0,1]
   std::span<const float> gloss;                             ///< factor on the highlight
   std::span<const ShadedRange> ranges;
-  std::span<const glm::vec3> rest = {};  ///< positions that skin's grain clings to; none, no grain
+  std::span<const glm::vec3> rest = {};  ///< positions; without, no grain and no rounding
   /// Where across the hair a vertex lies, [0,1]: strands run where it is the same. Empty: no
   /// strands.
   std::span<const float> strand = {};

@@ -184,7 +184,7 @@ Identity man_of_fifty() {
   form.jaw_width = 0.38;
   form.jaw_drop = 0.28;
   form.chin_width = 0.24;
-  form.chin_drop = 0.28;
+  form.chin_drop = 0.22;
   form.chin_forward = 0.10;
   form.cheek = -0.10;
   form.cheekbone = 0.10;

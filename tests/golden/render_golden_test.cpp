@@ -205,13 +205,13 @@ TEST_F(RenderGolden, LightsTheDefaultFace) {
   EXPECT_GT(rest.rgba[middle], rest.rgba[middle + 2] + 20);
   expect_as_baseline(rest, "render_default_face_rest");
 
-  // The grain of the skin is on the skin alone, and faint.
+  // The grain of the skin is on the skin alone, and faint; so is its rounding.
   view::StaticMesh smooth = (*scene)->static_mesh();
   smooth.rest = {};
   renderer().load(smooth);
   const view::Image plain = drawn((*scene)->moving_mesh(), {}, 300, 300);
   EXPECT_GT(view::compare(rest, plain, 2).share, 0.02);
-  EXPECT_LT(view::compare(rest, plain, 24).share, 0.001);
+  EXPECT_LT(view::compare(rest, plain, 24).share, 0.01);
   EXPECT_EQ(brightness(rest, 5, 5), brightness(plain, 5, 5));
   renderer().load((*scene)->static_mesh());
 

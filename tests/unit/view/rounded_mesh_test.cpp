@@ -28,7 +28,7 @@ class Octahedron : public testing::Test {
       triangles_.push_back({i, (i + 1) % 4, 4});
       triangles_.push_back({(i + 1) % 4, i, 5});
     }
-    rounded_ = RoundedMesh(triangles_, positions_.size());
+    rounded_ = RoundedMesh(positions_, triangles_, 0);
     rounded_.place(positions_, normals_);
   }
 
@@ -87,11 +87,60 @@ TEST_F(Octahedron, GivesTheMiddlesTheMeanOfTheirEnds) {
   EXPECT_EQ(all[back], 2);
 }
 
+TEST_F(Octahedron, LeavesTrianglesThatHardlyBend) {
+  const RoundedMesh coarse(positions_, triangles_, 0.6F);
+  EXPECT_EQ(coarse.vertex_count(), 6U);
+  EXPECT_TRUE(std::equal(triangles_.begin(), triangles_.end(), coarse.triangles().begin(),
+                         coarse.triangles().end()));
+  EXPECT_EQ(coarse.became(8), 8U);
+}
+
+/// A strip with a fold along one edge: triangles with every number of edges that bend must still
+/// fit together.
+TEST(RoundedMesh, FitsTogetherWhereOnlySomeEdgesBend) {
+  std::vector<glm::vec3> positions;
+  std::vector<Triangle> triangles;
+  constexpr std::uint32_t kAlong = 7;
+  for (std::uint32_t i = 0; i < kAlong; ++i) {
+    const float angle = i < 3 ? 0.0F : 0.5F * static_cast<float>(i - 2);
+    for (std::uint32_t j = 0; j < kAlong; ++j) {
+      positions.emplace_back(std::sin(angle) * 2 + static_cast<float>(std::min(i, 2U)),
+                             static_cast<float>(j), 2 * std::cos(angle));
+      if (i == 0 || j == 0) continue;
+      const std::uint32_t at = i * kAlong + j;
+      triangles.push_back({at - kAlong - 1, at - 1, at});
+      triangles.push_back({at - kAlong - 1, at, at - kAlong});
+    }
+  }
+  RoundedMesh rounded(positions, triangles, 0.02F);
+  std::map<std::size_t, int> became;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    ++became[rounded.became(i + 1) - rounded.became(i)];
+  }
+  EXPECT_GT(became[1], 0);
+  EXPECT_GT(became[2] + became[3], 0);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const auto& [a, b, c] : rounded.triangles()) {
+    for (const auto& edge : {std::pair{a, b}, {b, c}, {c, a}}) ++edges[edge];
+  }
+  // Within the strip every edge has its other half: no vertex stands on the middle of another edge.
+  rounded.place(positions, std::vector<glm::vec3>(positions.size(), glm::vec3(0, 0, 1)));
+  for (const auto& [edge, count] : edges) {
+    EXPECT_EQ(count, 1);
+    if (edges.contains({edge.second, edge.first})) continue;
+    const glm::vec3 middle =
+        (rounded.positions()[edge.first] + rounded.positions()[edge.second]) * 0.5F;
+    const bool on_border = middle.y < 1e-4F || middle.y > kAlong - 1 - 1e-4F || middle.x < 1e-4F ||
+                           edge.first >= (kAlong - 1) * kAlong;
+    EXPECT_TRUE(on_border) << edge.first << "-" << edge.second;
+  }
+}
+
 TEST(RoundedMesh, KeepsAPlaneFlat) {
   const std::vector<glm::vec3> positions{{0, 0, 1}, {2, 0, 1}, {0, 3, 1}};
   const std::vector<glm::vec3> normals(3, glm::vec3(0, 0, 1));
   const std::vector<Triangle> triangles{{0, 1, 2}};
-  RoundedMesh rounded(triangles, 3);
+  RoundedMesh rounded(positions, triangles, 0);
   rounded.place(positions, normals);
   for (const glm::vec3& p : rounded.positions()) EXPECT_EQ(p.z, 1);
   for (const glm::vec3& n : rounded.normals()) EXPECT_EQ(n, glm::vec3(0, 0, 1));
@@ -101,7 +150,7 @@ TEST(RoundedMesh, StaysFiniteWhereAnEdgeHasNoLength) {
   const std::vector<glm::vec3> positions{{1, 1, 1}, {1, 1, 1}, {1, 2, 1}};
   const std::vector<glm::vec3> normals{{0, 0, 1}, {0, 0, -1}, {0, 0, 1}};
   const std::vector<Triangle> triangles{{0, 1, 2}};
-  RoundedMesh rounded(triangles, 3);
+  RoundedMesh rounded(positions, triangles, 0);
   rounded.place(positions, normals);
   for (const auto& values : {rounded.positions(), rounded.normals()}) {
     for (const glm::vec3& v : values) {
