@@ -125,8 +125,8 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
 /// The gum from behind the teeth over its ridge and down behind the crowns, to close the gaps.
 void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
   constexpr int kSteps = 40;
-  static constexpr std::array kHeights{0.55, 0.28, 0.05, -0.06, -0.75};
-  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.16, -0.30};
+  static constexpr std::array kHeights{0.55, 0.28, 0.05, -0.06, -0.72};
+  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.16, -0.24};
   std::vector<std::uint32_t> above;
   for (std::size_t k = 0; k < kHeights.size(); ++k) {
     std::vector<std::uint32_t> row;
@@ -286,7 +286,7 @@ Part make_mouth_bag(const Skin& skin) {
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
       // Little, or the lights from behind would draw the walls of the open mouth.
-      vertex.occlusion = mix(0.5, 0.12, smooth_step(0, 0.3, shape.back));
+      vertex.occlusion = mix(0.4, 0.06, smooth_step(0, 0.25, shape.back));
       vertex.gloss = 0.15;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;

@@ -37,7 +37,7 @@ inline constexpr Vec3 kNostrilRim{0.35, 0.14, 0.11};
 inline constexpr Vec3 kMouthFront{0.36, 0.105, 0.095};
 inline constexpr Vec3 kMouthBack{0.06, 0.015, 0.014};
 inline constexpr Vec3 kGum{0.60, 0.27, 0.25};
-inline constexpr Vec3 kGumBack{0.35, 0.20, 0.17};
+inline constexpr Vec3 kGumBack{0.26, 0.12, 0.105};
 inline constexpr Vec3 kToothNeck{0.80, 0.73, 0.62};
 inline constexpr Vec3 kTooth{0.90, 0.86, 0.79};
 inline constexpr Vec3 kTongue{0.74, 0.36, 0.36};
