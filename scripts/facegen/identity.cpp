@@ -150,7 +150,7 @@ Identity young_woman() {
   form.larynx = -0.25;
   form.nose_width = 0.93;
   form.bridge_width = -0.05;
-  form.nose_up = 0.10;
+  form.nose_up = 0.07;
   form.nose_forward = -0.06;
   form.upper_lip = 0.60;
   form.lower_lip = 0.82;
@@ -196,7 +196,7 @@ Identity man_of_fifty() {
   form.bridge_width = 0.10;
   form.nose_forward = 0.16;
   form.nose_up = -0.16;
-  form.nose_hump = 0.14;
+  form.nose_hump = 0.11;
   form.upper_lid = 0.415;
   form.inner_canthus_up = -0.14;
   form.outer_canthus_up = 0.0;

@@ -96,7 +96,7 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   const Vec3 hump{0, 0, form.nose_hump};
   double bridge = round_cone(p, {0, 3.05, 7.38}, Vec3{0, 1.6, 8.18} + hump, 0.46, 0.46 + wide);
   bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, {0, 0.4, 8.86}, 0.46 + wide, 0.46),
-                0.2);
+                0.4);
   bridge = melt(bridge,
                 round_cone(p, {0.25 + wide, 2.2, 7.1}, {0.45 + wide, 0.1, 8.05}, 0.50, 0.60), 0.8);
   d = melt(d, bridge, 0.85);
