@@ -12,7 +12,7 @@ constexpr std::size_t kShellColumns = 145;
 constexpr std::size_t kShellRows = 17;
 constexpr std::size_t kLiningColumns = 73;
 constexpr std::size_t kLiningRows = 7;
-constexpr std::size_t kLocks = 220;
+constexpr std::size_t kLocks = 200;
 constexpr std::size_t kLockRows = 11;
 constexpr std::size_t kLockAcross = 3;
 
@@ -256,11 +256,11 @@ Lock hanging_lock(std::size_t i) {
     lock.lift = 0.02 + 0.10 * any(7);
     lock.tip_lift = -0.10 + 0.15 * any(8);
     lock.bluntness = 5;
-    lock.pointed = 0.6;
+    lock.pointed = 0.45;
   } else if (i < 144) {
     lock.s = spread(84, 60);
     lock.from = 0.06 + 0.36 * any(4);
-    lock.to = 0.84 + 0.16 * any(5);
+    lock.to = 0.84 + 0.13 * any(5);
     lock.half_width = 0.14 + 0.14 * any(6);
     lock.lift = 0.12 + 0.12 * any(7);
     lock.tip_lift = -0.05 + 0.2 * any(8);

@@ -116,8 +116,8 @@ constexpr std::array<std::array<Vec3, 9>, 9> kBob{{
 }};
 
 /// Short, and gone over the temples.
-constexpr std::array<Key<Vec3>, 19> kRecedingHairline{{{0, {0, 6.88, 7.1}},
-                                                       {0.4, {0.6, 6.92, 7.05}},
+constexpr std::array<Key<Vec3>, 19> kRecedingHairline{{{0, {0, 7.05, 7.0}},
+                                                       {0.4, {0.6, 7.03, 6.98}},
                                                        {1, {1.3, 7.12, 6.75}},
                                                        {2, {2.4, 7.38, 5.85}},
                                                        {3, {3.35, 6.7, 5.2}},
