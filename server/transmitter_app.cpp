@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
+
+#include <asio/io_context.hpp>
+#include <asio/signal_set.hpp>
 
 #include "common/files.h"
 #include "common/log.h"
@@ -159,7 +163,21 @@ Result<void> check_record(const TransmitterOptions& options) {
                "no SOURCE is; 'au-transmitter convert' writes a recording as a stream file"};
 }
 
+/// Until the process is gone no signal that it knows does what the system would do, which is to end
+/// it before its numbers are written. Asio gives a signal back to the system with the last set that
+/// has it: this one stays.
+void keep_signals() {
+  struct Kept {
+    asio::io_context io;
+    asio::signal_set end{io, SIGINT, SIGTERM};
+    asio::signal_set other{io, SIGHUP, SIGUSR1};
+  };
+  static const Kept* const kept = new Kept;
+  static_cast<void>(kept);
+}
+
 int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalogue catalogue) {
+  keep_signals();
   Stats stats;
   const auto served = serve(
       options, std::move(catalogue), stats,

@@ -1,7 +1,9 @@
 // How au-transmitter ends.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/integration/server_running.h"
+#include "tests/support/temp_folder.h"
 
 namespace aucast::test {
 namespace {
@@ -82,6 +84,24 @@ TEST(ServerStop, SecondSignalEndsAtOnce) {
     log = server.log();
   }
   EXPECT_NE(log.find(said), std::string::npos) << log;
+}
+
+/// Until the process is gone: also while the numbers are being written, when nothing runs any more.
+TEST(ServerStop, SignalsThatKeepComingLeaveItAnOrderlyEnd) {
+  const TempFolder folder;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) {
+    RunningTransmitter server(
+        {"--stats", (folder.path() / "s.json").string(), stream_file("talk.txt")});
+    std::filesystem::remove(folder.path() / "s.json");  // it was tried at the start
+    server.process().signal(SIGTERM);
+    std::optional<int> ended;
+    while (!ended) {
+      server.process().signal(signal);
+      ended = server.process().wait(1ms);
+    }
+    EXPECT_EQ(ended, 0) << signal;
+    EXPECT_TRUE(nlohmann::json::accept(folder.read("s.json"))) << signal;
+  }
 }
 
 TEST(ServerStop, AnyOtherSignalAtTheSameTimeDoesNotHoldTheExit) {
