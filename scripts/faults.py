@@ -14,8 +14,9 @@ allowed it says so, and only `proxy` is run, which needs no rights. What is run:
   classic     the same link with --protocol classic: everything arrives, as slow as stop-and-wait is
   down        the link is down for 20 s (--seconds): nothing of a recorded stream is lost, a live one
               goes on where it is
-  vanished    the client's host is gone without a word: the server closes a live client, to which it goes
-              on sending, and a paused one, to which it does not, within 75 s
+  vanished    the other host is gone without a word: the server closes a live client, to which it goes
+              on sending, and a paused one, to which it does not, within 75 s; so long after the last
+              keyframe the player has given up too
   proxy       the tests of tests/integration/faults_test.cpp, with faults of 10 s (half --seconds)
 
 A link that is to lose packets must have lost some on the way to the player, and in bursts several in a
@@ -219,7 +220,12 @@ class Faults:
             for process in (clients, server):
                 process.kill()
                 process.wait()
-        self.judge("live and paused", gone == 2, f"{gone} of 2 found after {seconds:.0f} s")
+        self.judge("clients", gone == 2, f"{gone} of 2 found after {seconds:.0f} s")
+        begin = time.monotonic()
+        code, stats, _ = self.play_once((), 25 * 120, trouble=((8, True),))
+        seconds = time.monotonic() - begin
+        self.judge("server", code == 5 and seconds < stats["playback_seconds"] + 75,
+                   f"{self.told(code, stats)}; over after {seconds:.0f} s")
 
     def proxy(self):
         variables = dict(os.environ, AUCAST_FAULT_SECONDS=str(max(1, int(self.options.seconds / 2))))

@@ -7,9 +7,11 @@
 namespace aucast::net {
 namespace {
 
-constexpr int kKeepAliveIdleS = 30;      // then three probes: a dead peer is
-constexpr int kKeepAliveIntervalS = 10;  // found within a minute
+// A dead peer is found within a minute: while nothing is under way to it by these three probes, ...
+constexpr int kKeepAliveIdleS = 30;
+constexpr int kKeepAliveIntervalS = 10;
 constexpr int kKeepAliveProbes = 3;
+constexpr int kUnansweredMs = 60'000;  // ... and while something is by this
 
 }  // namespace
 
@@ -22,6 +24,7 @@ void set_socket_options(asio::ip::tcp::socket& socket) {
   set(IPPROTO_TCP, TCP_KEEPIDLE, kKeepAliveIdleS);
   set(IPPROTO_TCP, TCP_KEEPINTVL, kKeepAliveIntervalS);
   set(IPPROTO_TCP, TCP_KEEPCNT, kKeepAliveProbes);
+  set(IPPROTO_TCP, TCP_USER_TIMEOUT, kUnansweredMs);
 }
 
 Duration round_trip(asio::ip::tcp::socket& socket) {
