@@ -16,7 +16,7 @@ Look look_of(Shading shading) {
     case Shading::Mouth:
       return {0.7F, 0.4F, 24, Faces::Both, false};
     case Shading::Hair:
-      return {0.35F, 0.34F, 18, Faces::Front, true};
+      return {0.35F, 0.46F, 18, Faces::Front, true};
     case Shading::Cloth:
       return {0.15F, 0.06F, 8, Faces::Both, true};
     case Shading::Brow:

@@ -244,7 +244,7 @@ Lock hanging_lock(std::size_t i) {
     return (static_cast<double>(i - first) + any(0)) / static_cast<double>(count);
   };
   Lock lock;
-  lock.crowded = 1.25;
+  lock.crowded = 1.08;
   lock.drift = 0.05 * (any(1) - 0.5);
   lock.shade = 0.12 + 0.5 * any(2);
   lock.strand = 0.05 + 0.9 * any(3);
@@ -326,6 +326,10 @@ Part make_hair(const Identity& who) {
   add_shell(hair, who, sheet);
   add_lining(hair, who, sheet);
   hair.fill(Map::Head, 1);
+  // Short hair lies too unevenly for a band of highlight.
+  if (!sheet.hangs()) {
+    for (Vertex& vertex : hair.vertices) vertex.gloss *= 0.6;
+  }
   return hair;
 }
 
