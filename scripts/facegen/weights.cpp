@@ -91,11 +91,19 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   vertex[Map::LidAngle] = share * (own - target);
 }
 
+/// From 0 in the middle of a lip to 1 in the corner of the mouth along an ellipse, so that the jaw
+/// opens an oval: powers gave a box or a rhombus.
+double towards_corner(double t) {
+  constexpr double kFull = 0.94;  // 1 would tear the corner
+  return (1 - std::sqrt(1 - kFull * t * t)) / (1 - std::sqrt(1 - kFull));
+}
+
 void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   const double blend = smooth_step(0, 4, v.ring);
   const bool upper = v.spoke <= kMouthCornerSpoke;
   const double to_corner = (upper ? v.spoke : 24 - v.spoke) / 12.0;
-  const double jaw = upper ? 0.40 * power(to_corner, 2.4) : 1 - 0.60 * power(to_corner, 3.2);
+  const double jaw =
+      upper ? 0.40 * towards_corner(to_corner) : 1 - 0.60 * towards_corner(to_corner);
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], lower, blend);
