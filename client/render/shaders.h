@@ -33,6 +33,8 @@ uniform float u_specular;
 uniform float u_power;          // of the broad highlight; the narrow one has four times that
 
 #ifdef EYE
+uniform vec3 u_eyeball_centre;
+uniform vec3 u_eyeball_forward;
 out vec3 v_position;
 #endif
 #ifdef HAIR
@@ -52,14 +54,38 @@ const vec3 kFill = vec3(0.34, 0.32, 0.33);
 const float kFillWrap = 0.35;
 const float kShadowLift = 0.06;  // along the normal, against a surface shading itself
 
+#ifdef EYE
+const float kCorneaEnd = 1.3;     // radians from where the eye looks
+const float kCorneaWidens = 0.75;  // so that no two points change places it is less than 1
+
+// The cornea stands out and bends light: from the side an iris looks far wider than one painted on
+// a ball. The ball's points slide over it, away from where the eye looks.
+vec3 seen_through_cornea(vec3 place) {
+  vec3 arm = place - u_eyeball_centre;
+  vec3 aside = arm - dot(arm, u_eyeball_forward) * u_eyeball_forward;
+  if (dot(aside, aside) < 1e-8) return place;
+  float angle = acos(clamp(dot(normalize(arm), u_eyeball_forward), -1.0, 1.0));
+  float sideways = 1.0 - dot(normalize(u_eye - u_eyeball_centre), u_eyeball_forward);
+  float inside = max(1.0 - angle / kCorneaEnd, 0.0);
+  angle += kCorneaWidens * smoothstep(0.2, 0.9, sideways) * angle * inside;
+  vec3 direction = cos(angle) * u_eyeball_forward + sin(angle) * normalize(aside);
+  return u_eyeball_centre + length(arm) * direction;
+}
+#endif
+
 void main() {
   float occlusion = a_occlusion_gloss.x;
+#ifdef EYE
+  vec3 place = seen_through_cornea(a_position);
+#else
+  vec3 place = a_position;
+#endif
   // Light that bounces about in skin comes out red: less of the red is lost in the creases.
   vec3 arriving = vec3(pow(max(occlusion, 1e-4), 0.75), occlusion, occlusion);
   float fill = max(dot(a_normal, u_fill_direction) * (1.0 - kFillWrap) + kFillWrap, 0.0);
   v_ambient = arriving * (mix(kGround, kSky, 0.5 + 0.5 * a_normal.y) + kFill * fill);
 #ifdef EYE
-  v_position = a_position;
+  v_position = place;
 #endif
 #ifdef SURFACE
   v_grain = a_grain;
@@ -67,15 +93,15 @@ void main() {
 #ifdef HAIR
   v_strand = a_strand;
 #endif
-  v_view = normalize(u_eye - a_position);
+  v_view = normalize(u_eye - place);
   v_normal = a_normal;
   v_colour = a_colour;
-  v_shadow = (u_world_to_shadow * vec4(a_position + a_normal * kShadowLift, 1.0)).xyz;
+  v_shadow = (u_world_to_shadow * vec4(place + a_normal * kShadowLift, 1.0)).xyz;
   float specular = u_specular * a_occlusion_gloss.y;
   float across = dot(a_normal, normalize(u_fill_direction + v_view));
   v_shine = vec3(occlusion, specular * (0.4 + 0.6 * occlusion),
                  0.25 * specular * exp(u_power * (across - 1.0)) * occlusion);
-  gl_Position = u_world_to_clip * vec4(a_position, 1.0);
+  gl_Position = u_world_to_clip * vec4(place, 1.0);
 }
 )";
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "client/render/face_renderer.h"
 #include "client/render/gl_objects.h"
@@ -225,6 +227,48 @@ TEST_F(RenderGolden, LightsTheDefaultFace) {
   EXPECT_GT(view::compare(rest, smiling, kTolerance).share, 0.01);
   (*scene)->pose({});
   EXPECT_TRUE(drawn((*scene)->moving_mesh(), {}, 300, 300).rgba == rest.rgba);
+}
+
+TEST_F(RenderGolden, AnIrisIsSeenFromTheSide) {
+  const auto data = find_data_folder({});
+  ASSERT_TRUE(data.has_value()) << data.error().message;
+  auto scene = test::PosedFace::load(*data / "faces" / "default", *data);
+  ASSERT_TRUE(scene.has_value()) << scene.error().message;
+  // Nothing but the left eye, with an iris of pure red on a white ball.
+  view::StaticMesh eye = (*scene)->static_mesh();
+  const view::MovingMesh moving = (*scene)->moving_mesh();
+  const glm::vec3 centre = moving.eye_centres[0];
+  std::vector<glm::vec4> colours(eye.colours.size(), glm::vec4(1));
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const glm::vec3 from_centre = moving.positions[i] - centre;
+    if (glm::dot(from_centre, moving.eye_forward[0]) > 0.9F * glm::length(from_centre)) {
+      colours[i] = {1, 0, 0, 1};
+    }
+  }
+  std::vector<view::ShadedRange> ranges(eye.ranges.begin(), eye.ranges.end());
+  std::erase_if(ranges, [](const view::ShadedRange& range) { return range.eye != 0; });
+  ASSERT_EQ(ranges.size(), 1U);
+  eye.colours = colours;
+  eye.ranges = ranges;
+  eye.rest = {};
+  renderer().load(eye);
+  const auto red_pixels = [&](float yaw_deg) {
+    const view::Camera camera{
+        .target = centre, .yaw_rad = glm::radians(yaw_deg), .half_height = 1.5F};
+    const view::Image image = drawn(moving, camera);
+    int count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      if (image.rgba[i] > 2 * image.rgba[i + 1]) ++count;
+    }
+    return count;
+  };
+  // A flat colour on a ball would show 9 % of itself from the side; through the cornea it is about
+  // a quarter.
+  const int front = red_pixels(0);
+  EXPECT_GT(front, 3'000);
+  EXPECT_GT(red_pixels(90), front / 5);
+  EXPECT_LT(red_pixels(90), front / 3);
+  EXPECT_EQ(red_pixels(180), 0);
 }
 
 TEST(OffscreenTarget, RefusesSizesBeyondTheDriver) {
