@@ -405,6 +405,10 @@ TEST_F(DefaultFaceRecordings, MovesOnlyTheSideThatIsNamed) {
     const auto positions = posed({{static_cast<std::uint8_t>(number), Side::Left, 100}});
     EXPECT_GT(glm::length(way(mouth_corner(1), positions)), 0.2F) << "AU" << number;
     EXPECT_LT(glm::length(way(mouth_corner(-1), positions)), 0.03F) << "AU" << number;
+    for (const int spoke : {6, 18}) {
+      const auto border = skin_vertex(Patch::Mouth, facegen::kLipBorderRing, spoke, -1);
+      EXPECT_LT(glm::length(way(border, positions)), 0.03F) << "AU" << number << " " << spoke;
+    }
   }
   for (const int number : {1, 2, 4}) {
     const auto positions = posed({{static_cast<std::uint8_t>(number), Side::Right, 100}});
