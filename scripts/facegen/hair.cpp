@@ -154,7 +154,7 @@ void add_shell(Part& hair, const Identity& who, const Sheet& sheet) {
       } else {
         const double fringe = 0.05 * (value_noise({s * 150, 1, 3}) + value_noise({s * 420, 1, 5}));
         // Shaved shorter and shorter behind the temples.
-        const double softness = who.hair.softness * mix(2.4, 1.0, on_top(s));
+        const double softness = who.hair.softness * mix(1.6, 1.0, on_top(s));
         alpha = smooth_step(0, softness, 1 - way - who.hair.ragged * fringe);
       }
       rows[j].push_back(hair.add(p, shade_of(who, shade), alpha));
