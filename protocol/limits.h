@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Every number that bounds the protocol, in one place. PROTOCOL.md carries the same table.
+/// Every number that bounds what a peer may say, hold or take, in one place: of the protocol, and
+/// of our programs. PROTOCOL.md carries the same tables.
 namespace aucast::protocol {
 
 inline constexpr int kProtocolVersion = 2;
@@ -38,5 +39,37 @@ inline constexpr std::chrono::milliseconds kFullKeyframeEvery{10'000};
 /// Live: what may be under way to one client, as its window.
 inline constexpr std::chrono::milliseconds kLiveWindowTime{2000};
 inline constexpr std::size_t kReportedErrorsMax = 20;  ///< of one stream file
+
+// What our programs bound beside the protocol; other programs may choose for themselves.
+
+/// A host that vanished without a word is found within a minute: while nothing is under way to it
+/// by so many probes of TCP, ...
+inline constexpr std::chrono::milliseconds kKeepAliveIdle{30'000};
+inline constexpr std::chrono::milliseconds kKeepAliveInterval{10'000};
+inline constexpr int kKeepAliveProbes = 3;
+/// ... and while something is by the time that it stays unanswered.
+inline constexpr std::chrono::milliseconds kUnansweredTimeMax{60'000};
+
+inline constexpr std::size_t kReadBytesMax = 1024;  ///< read from a client in its turn
+/// What waits for a client's socket before nothing more is read from it.
+inline constexpr std::size_t kOutputBytesMax = 65536;
+/// What fits in one packet of the network; more does not wait for --batch.
+inline constexpr std::size_t kBatchBytesMax = 1200;
+/// Connections taken before the clients have their turn: one at a time would take a loop of
+/// events each, which is long while thousands are sent something.
+inline constexpr int kAcceptsInARow = 16;
+/// With no descriptor left: long enough to leave the processor to the clients, short enough not to
+/// be felt by new ones.
+inline constexpr std::chrono::milliseconds kAcceptPause{200};
+/// Clients that are told that there is no room for them, at a time; what is more is just closed.
+inline constexpr std::size_t kRefusalsMax = 64;
+inline constexpr std::size_t kClientLogLinesPerSecond = 300;  ///< about single clients
+inline constexpr std::size_t kHttpConnectionsMax = 32;        ///< at a time; more are closed
+inline constexpr std::size_t kHttpHeadBytesMax = 4096;        ///< ours need a hundred
+inline constexpr std::chrono::milliseconds kHttpTimeMax{5000};
+
+/// Keyframes that a classic server may send ahead of the answers while the user pauses.
+inline constexpr std::size_t kOwedAnswersMax = 128;
+inline constexpr std::chrono::milliseconds kFarewellTimeMax{1000};  ///< for -4 to go out
 
 }  // namespace aucast::protocol

@@ -15,8 +15,6 @@ namespace aucast::server {
 /// Thread: none of its own.
 class ClientLog {
  public:
-  static constexpr std::uint64_t kLinesASecondMax = 300;
-
   template <typename... Args>
   void say(Instant now, spdlog::level::level_enum level, spdlog::format_string_t<Args...> format,
            Args&&... args) {

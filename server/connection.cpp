@@ -13,7 +13,6 @@
 #include "common/log.h"
 #include "common/text.h"
 #include "protocol/codec.h"
-#include "protocol/limits.h"
 
 namespace aucast::server {
 namespace {
@@ -32,10 +31,13 @@ void find_the_dead(tcp::socket& socket) {
   const auto set = [&socket](int option, int value) {
     ::setsockopt(socket.native_handle(), IPPROTO_TCP, option, &value, sizeof(value));
   };
-  set(TCP_KEEPIDLE, 30);
-  set(TCP_KEEPINTVL, 10);
-  set(TCP_KEEPCNT, 3);
-  set(TCP_USER_TIMEOUT, 60'000);
+  const auto seconds = [](std::chrono::milliseconds time) {
+    return static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(time).count());
+  };
+  set(TCP_KEEPIDLE, seconds(protocol::kKeepAliveIdle));
+  set(TCP_KEEPINTVL, seconds(protocol::kKeepAliveInterval));
+  set(TCP_KEEPCNT, protocol::kKeepAliveProbes);
+  set(TCP_USER_TIMEOUT, static_cast<int>(protocol::kUnansweredTimeMax.count()));
 }
 
 /// What lies in the system's buffers for a client that is slow cannot be replaced by what is newer.
@@ -207,7 +209,7 @@ void Connection::go_on() {
 }
 
 void Connection::read() {
-  if (reading_ || peer_ended_ || output_bytes() >= kOutputBytesMax) return;
+  if (reading_ || peer_ended_ || output_bytes() >= protocol::kOutputBytesMax) return;
   reading_ = true;
   socket_.async_read_some(
       asio::buffer(input_),
@@ -325,7 +327,7 @@ void Connection::write() {
 /// and the last words do not.
 bool Connection::gathers() {
   const bool may = settings_.batch.count() > 0 && !output_done() && !shut_wanted_ &&
-                   session_.packets_sent() > 1 && output_bytes() < kBatchBytesMax;
+                   session_.packets_sent() > 1 && output_bytes() < protocol::kBatchBytesMax;
   if (!may) {
     batch_until_.reset();
     return false;

@@ -15,6 +15,7 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/time.h"
+#include "protocol/limits.h"
 #include "protocol/server_session.h"
 #include "server/client_log.h"
 #include "server/stats.h"
@@ -81,12 +82,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] const protocol::ServerCatalogue& catalogue() const { return *catalogue_; }
 
  private:
-  /// What waits for the socket before nothing more is read.
-  static constexpr std::size_t kOutputBytesMax = 65536;
-  /// What fits in one packet of the network; more does not wait for --batch.
-  static constexpr std::size_t kBatchBytesMax = 1200;
-  static constexpr std::size_t kReadBytesMax = 1024;
-
   [[nodiscard]] bool handshaking() const { return tls_ && !tls_->ready(); }
   void read_tls(std::string_view bytes);
   void hand_to_session(std::string_view bytes);
@@ -143,7 +138,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Instant handshake_until_{};
   std::size_t dropped_bytes_ = 0;
   Instant linger_until_{};
-  std::array<char, kReadBytesMax> input_{};
+  std::array<char, protocol::kReadBytesMax> input_{};
 };
 
 }  // namespace aucast::server

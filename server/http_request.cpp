@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "protocol/limits.h"
+
 namespace aucast::server {
 namespace {
 
@@ -91,9 +93,9 @@ std::optional<std::string> field_name(std::string_view line) {
 }  // namespace
 
 HttpProgress read_http_request(std::string_view bytes) {
-  const std::size_t end = bytes.substr(0, kHttpHeadBytesMax).find("\r\n\r\n");
+  const std::size_t end = bytes.substr(0, protocol::kHttpHeadBytesMax).find("\r\n\r\n");
   if (end == std::string_view::npos) {
-    if (bytes.size() >= kHttpHeadBytesMax) return refused(431, "the request is too long");
+    if (bytes.size() >= protocol::kHttpHeadBytesMax) return refused(431, "the request is too long");
     // Noise is refused as soon as its first byte shows it.
     if (!bytes.empty() && !is_token_char(bytes.front())) return refused(400, "no request");
     return {};

@@ -7,9 +7,6 @@
 
 namespace aucast::server {
 
-/// Longest head of a request: ours need a hundred bytes.
-inline constexpr std::size_t kHttpHeadBytesMax = 4096;
-
 struct HttpReply {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";

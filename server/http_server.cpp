@@ -8,6 +8,8 @@
 #include <asio/steady_timer.hpp>
 #include <asio/write.hpp>
 
+#include "protocol/limits.h"
+
 namespace aucast::server {
 
 using asio::ip::tcp;
@@ -30,7 +32,7 @@ class HttpServer::Exchange : public std::enable_shared_from_this<Exchange> {
   Exchange& operator=(const Exchange&) = delete;
 
   void start() {
-    timer_.expires_after(kHttpTimeMax);
+    timer_.expires_after(protocol::kHttpTimeMax);
     timer_.async_wait([self = shared_from_this()](const std::error_code& error) {
       if (!error) self->close();
     });
@@ -93,7 +95,7 @@ class HttpServer::Exchange : public std::enable_shared_from_this<Exchange> {
         asio::buffer(input_),
         [self = shared_from_this()](const std::error_code& error, std::size_t bytes) {
           self->dropped_ += bytes;
-          if (error || self->dropped_ > kHttpHeadBytesMax) {
+          if (error || self->dropped_ > protocol::kHttpHeadBytesMax) {
             self->close();
           } else {
             self->drop();
@@ -121,7 +123,7 @@ Result<void> HttpServer::open(const std::string& address, std::uint16_t port) {
 
 void HttpServer::start() {
   listener_.start([this](tcp::socket socket, const tcp::endpoint&) {
-    if (shared_->open >= kHttpConnectionsMax) return;  // the socket closes
+    if (shared_->open >= protocol::kHttpConnectionsMax) return;  // the socket closes
     std::make_shared<Exchange>(std::move(socket), shared_)->start();
   });
 }

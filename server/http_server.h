@@ -22,9 +22,6 @@ class HttpServer {
  public:
   using Answer = std::function<HttpReply(const std::string& path)>;
 
-  static constexpr std::size_t kHttpConnectionsMax = 32;
-  static constexpr std::chrono::seconds kHttpTimeMax{5};
-
   HttpServer(asio::io_context& io, Answer answer);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;

@@ -11,14 +11,12 @@
 
 #include "common/log.h"
 #include "common/text.h"
+#include "protocol/limits.h"
 
 namespace aucast::server {
 namespace {
 
 using asio::ip::tcp;
-
-/// Long enough to leave the processor to the clients, short enough not to be felt by new ones.
-constexpr std::chrono::milliseconds kAcceptPause{200};
 
 std::string place(const std::string& bind, std::uint16_t port) {
   const bool bare_v6 = bind.find(':') != std::string::npos && !bind.starts_with('[');
@@ -169,7 +167,7 @@ void Listener::accept() {
 
 /// Whoever is waiting already. An error is left for accept() to meet.
 void Listener::accept_waiting() {
-  for (int taken = 1; taken < kInARowMax && acceptor_.is_open(); ++taken) {
+  for (int taken = 1; taken < protocol::kAcceptsInARow && acceptor_.is_open(); ++taken) {
     std::error_code error;
     tcp::socket socket = acceptor_.accept(peer_, error);
     if (error) return;
@@ -183,7 +181,7 @@ void Listener::accept_later(const std::error_code& cause) {
     spdlog::warn("cannot accept connections for now: {} (more clients need a higher ulimit -n)",
                  cause.message());
   }
-  pause_.expires_after(kAcceptPause);
+  pause_.expires_after(protocol::kAcceptPause);
   pause_.async_wait([this](const std::error_code& error) {
     if (!error && acceptor_.is_open()) accept();
   });

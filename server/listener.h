@@ -31,10 +31,6 @@ class Listener {
  public:
   using OnSocket = std::function<void(asio::ip::tcp::socket, const asio::ip::tcp::endpoint& peer)>;
 
-  /// Connections taken before the clients have their turn: one at a time would take a loop of
-  /// events each, which is long while thousands are sent something.
-  static constexpr int kInARowMax = 16;
-
   explicit Listener(asio::io_context& io);
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;

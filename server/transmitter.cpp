@@ -35,9 +35,6 @@ namespace {
 
 using asio::ip::tcp;
 
-/// Clients that are told that there is no room for them, at a time; what is more is just closed.
-constexpr std::size_t kRefusalsMax = 64;
-
 /// Clients between the one that is served and the one that is fetched from memory.
 constexpr std::size_t kFetchedAhead = 2;
 
@@ -358,7 +355,7 @@ class Transmitter {
     serve_before_newcomers();
     const protocol::Admission admission = admission_of(peer);
     const bool refused = admission != protocol::Admission::Welcome;
-    if (refused && refused_.size() >= kRefusalsMax) {
+    if (refused && refused_.size() >= protocol::kRefusalsMax) {
       ++unheard_;
       spdlog::debug("a client too many was not even heard: {}", endpoint_text(peer));
       return;  // the socket closes

@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "protocol/limits.h"
+
 namespace aucast::net {
 namespace {
 
@@ -13,9 +15,6 @@ using playback::TimedAus;
 using protocol::SessionFailed;
 
 constexpr std::size_t kWindowAsked = 64;
-
-/// Keyframes that a classic server may send ahead of the answers while the user pauses.
-constexpr std::size_t kOwedMax = 128;
 
 /// Live, what is held ready beside the jitter itself, and what it may grow to.
 constexpr Milliseconds kDelayMargin{60};
@@ -177,7 +176,8 @@ bool AuReader::wants_bytes() const {
 }
 
 bool AuReader::digests() const {
-  return status_.end == EndReason::NotEnded && kept_.size() < kept_max() && owed_ < kOwedMax;
+  return status_.end == EndReason::NotEnded && kept_.size() < kept_max() &&
+         owed_ < protocol::kOwedAnswersMax;
 }
 
 /// Packet by packet, so that each is answered before the session counts the next as sent ahead.

@@ -30,7 +30,6 @@ using asio::ip::tcp;
 using ErrorCode = std::error_code;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kFarewellTimeMax = std::chrono::seconds(1);  // for -4 to go out
 constexpr std::size_t kReadBytes = 4096;
 
 std::string peer_name(const RemoteOptions& options) {
@@ -471,7 +470,7 @@ void RemoteSource::Connection::begin_farewell() {
   }
   phase_ = Phase::Farewell;
   session_timer_.cancel();
-  farewell_timer_.expires_after(kFarewellTimeMax);
+  farewell_timer_.expires_after(protocol::kFarewellTimeMax);
   farewell_timer_.async_wait(for_this_socket([this](const ErrorCode& failure) {
     if (!failure) close();
   }));

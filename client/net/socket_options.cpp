@@ -4,14 +4,14 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
+#include "protocol/limits.h"
+
 namespace aucast::net {
 namespace {
 
-// A dead peer is found within a minute: while nothing is under way to it by these three probes, ...
-constexpr int kKeepAliveIdleS = 30;
-constexpr int kKeepAliveIntervalS = 10;
-constexpr int kKeepAliveProbes = 3;
-constexpr int kUnansweredMs = 60'000;  // ... and while something is by this
+int seconds(std::chrono::milliseconds time) {
+  return static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(time).count());
+}
 
 }  // namespace
 
@@ -21,10 +21,10 @@ void set_socket_options(asio::ip::tcp::socket& socket) {
   };
   set(IPPROTO_TCP, TCP_NODELAY, 1);
   set(SOL_SOCKET, SO_KEEPALIVE, 1);
-  set(IPPROTO_TCP, TCP_KEEPIDLE, kKeepAliveIdleS);
-  set(IPPROTO_TCP, TCP_KEEPINTVL, kKeepAliveIntervalS);
-  set(IPPROTO_TCP, TCP_KEEPCNT, kKeepAliveProbes);
-  set(IPPROTO_TCP, TCP_USER_TIMEOUT, kUnansweredMs);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, seconds(protocol::kKeepAliveIdle));
+  set(IPPROTO_TCP, TCP_KEEPINTVL, seconds(protocol::kKeepAliveInterval));
+  set(IPPROTO_TCP, TCP_KEEPCNT, protocol::kKeepAliveProbes);
+  set(IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(protocol::kUnansweredTimeMax.count()));
 }
 
 Duration round_trip(asio::ip::tcp::socket& socket) {

@@ -145,6 +145,22 @@ TEST(ProtocolDocument, LimitsAreThoseOfTheHeader) {
       {"kFullKeyframeEvery", kFullKeyframeEvery.count()},
       {"kLiveWindowTime", kLiveWindowTime.count()},
       {"kReportedErrorsMax", kReportedErrorsMax},
+      {"kKeepAliveIdle", kKeepAliveIdle.count()},
+      {"kKeepAliveInterval", kKeepAliveInterval.count()},
+      {"kKeepAliveProbes", kKeepAliveProbes},
+      {"kUnansweredTimeMax", kUnansweredTimeMax.count()},
+      {"kReadBytesMax", kReadBytesMax},
+      {"kOutputBytesMax", kOutputBytesMax},
+      {"kBatchBytesMax", kBatchBytesMax},
+      {"kAcceptsInARow", kAcceptsInARow},
+      {"kAcceptPause", kAcceptPause.count()},
+      {"kRefusalsMax", kRefusalsMax},
+      {"kClientLogLinesPerSecond", kClientLogLinesPerSecond},
+      {"kHttpConnectionsMax", kHttpConnectionsMax},
+      {"kHttpHeadBytesMax", kHttpHeadBytesMax},
+      {"kHttpTimeMax", kHttpTimeMax.count()},
+      {"kOwedAnswersMax", kOwedAnswersMax},
+      {"kFarewellTimeMax", kFarewellTimeMax.count()},
   };
   std::map<std::string, std::int64_t> written;
   const std::regex row(R"(\| `(k\w+)` +\| ([0-9,]+))");

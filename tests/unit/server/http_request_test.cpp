@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/limits.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::server {
@@ -54,7 +55,7 @@ TEST(HttpRequest, WhatIsNotUnderstoodIsRefused) {
 
 TEST(HttpRequest, LengthIsBounded) {
   const std::string start = "GET / HTTP/1.1\r\nHost: a\r\nX: ";
-  const std::string rest(kHttpHeadBytesMax - start.size() - 4, 'x');
+  const std::string rest(protocol::kHttpHeadBytesMax - start.size() - 4, 'x');
   EXPECT_EQ(refusal(start + rest + "\r\n\r\n"), 0);
   EXPECT_EQ(refusal(start + rest + "x\r\n\r\n"), 431);
   EXPECT_EQ(refusal("GET /" + std::string(1'000'000, 'x')), 431);

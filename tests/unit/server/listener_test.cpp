@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/limits.h"
+
 namespace aucast::server {
 namespace {
 
@@ -12,17 +14,17 @@ TEST(Listener, LetsOthersHaveTheirTurnWhenManyKnock) {
   Listener listener(io);
   ASSERT_TRUE(listener.open("127.0.0.1", 0));
   std::vector<tcp::socket> knocking;
-  for (int n = 0; n < 3 * Listener::kInARowMax; ++n) {
+  for (int n = 0; n < 3 * protocol::kAcceptsInARow; ++n) {
     knocking.emplace_back(io).connect(listener.endpoint());
   }
   int taken = 0;
   listener.start([&taken](tcp::socket, const tcp::endpoint&) { ++taken; });
   ASSERT_EQ(io.run_one(), 1U);
-  EXPECT_EQ(taken, Listener::kInARowMax);
-  while (taken < 3 * Listener::kInARowMax) ASSERT_EQ(io.run_one(), 1U);
+  EXPECT_EQ(taken, protocol::kAcceptsInARow);
+  while (taken < 3 * protocol::kAcceptsInARow) ASSERT_EQ(io.run_one(), 1U);
   listener.stop();
   io.run();
-  EXPECT_EQ(taken, 3 * Listener::kInARowMax);
+  EXPECT_EQ(taken, 3 * protocol::kAcceptsInARow);
 }
 
 }  // namespace
