@@ -12,8 +12,8 @@ constexpr std::size_t kShellColumns = 145;
 constexpr std::size_t kShellRows = 17;
 constexpr std::size_t kLiningColumns = 73;
 constexpr std::size_t kLiningRows = 7;
-constexpr std::size_t kLocks = 200;
-constexpr std::size_t kLockRows = 11;
+constexpr std::size_t kLocks = 170;
+constexpr std::size_t kLockRows = 13;
 constexpr std::size_t kLockAcross = 3;
 
 /// Where hair grows: s runs round the hairline in [-12, 12), negative on the right; `inside` from
@@ -222,7 +222,9 @@ void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& l
       const double light =
           mix(0.36, lock.shade, smooth_step(0, 0.4, f)) + 0.10 * (1 - std::abs(side)) + 0.10 * f;
       const double root = 0.72 + 0.28 * smooth_step(0, 0.25, t);
-      const double alpha = j + 1 == kLockRows ? 0 : 1;
+      // What begins upon other hair comes out of it.
+      const bool fades = j + 1 == kLockRows || (j == 0 && sheet.hangs() && lock.from > 0.05);
+      const double alpha = fades ? 0 : 1;
       rows[j].push_back(hair.add(middle + across * (half * side) + up * (lift + belly),
                                  shade_of(who, light) * root, alpha));
       hair.vertices.back()[Map::Strand] =
@@ -246,7 +248,7 @@ Lock hanging_lock(std::size_t i) {
   Lock lock;
   lock.crowded = 1.08;
   lock.drift = 0.05 * (any(1) - 0.5);
-  lock.shade = 0.12 + 0.5 * any(2);
+  lock.shade = 0.22 + 0.28 * any(2);
   lock.strand = 0.05 + 0.9 * any(3);
   if (i < 84) {
     lock.s = spread(0, 84);
@@ -257,24 +259,24 @@ Lock hanging_lock(std::size_t i) {
     lock.tip_lift = -0.10 + 0.15 * any(8);
     lock.bluntness = 5;
     lock.pointed = 0.45;
-  } else if (i < 144) {
-    lock.s = spread(84, 60);
+  } else if (i < 134) {
+    lock.s = spread(84, 50);
     lock.from = 0.06 + 0.36 * any(4);
     lock.to = 0.84 + 0.13 * any(5);
     lock.half_width = 0.14 + 0.14 * any(6);
     lock.lift = 0.12 + 0.12 * any(7);
     lock.tip_lift = -0.05 + 0.2 * any(8);
-    lock.shade += 0.12;
+    lock.shade += 0.06;
     lock.bluntness = 4;
-  } else if (i < 162) {
-    lock.s = spread(144, 18);
-    lock.drift *= 1.8;
+  } else if (i < 146) {
+    lock.s = spread(134, 12);
+    lock.drift *= 0.5;
     lock.from = 0.02 + 0.4 * any(4);
     lock.to = std::min(1.0, lock.from + 0.4 + 0.4 * any(5));
     lock.half_width = 0.03 + 0.04 * any(6);
     lock.lift = 0.16 + 0.10 * any(7);
     lock.tip_lift = 0.05 + 0.20 * any(8);
-    lock.shade += 0.2;
+    lock.shade += 0.12;
   } else {
     // Loose at the edges of the face.
     const double in = -0.012 + 0.05 * any(9);
@@ -307,7 +309,7 @@ Lock cropped_lock(std::size_t i) {
   lock.half_width = mix(0.09, 0.105, top) * (0.6 + 0.8 * any(6));
   lock.lift = mix(0.03, 0.04, top) + 0.05 * any(7);
   lock.tip_lift = mix(-0.03, 0.20, top) * any(8);
-  lock.shade = 0.08 + mix(0.50, 0.58, top) * any(2);
+  lock.shade = 0.16 + mix(0.30, 0.42, top) * any(2);
   lock.strand = 0.05 + 0.9 * any(3);
   return lock;
 }

@@ -233,7 +233,7 @@ Identity man_of_fifty() {
   colours.lid_skin = {0.38, 0.20, 0.145};
   colours.lid_rim = {0.36, 0.17, 0.14};
   colours.lip = {0.44, 0.195, 0.165};
-  colours.brow = {0.075, 0.062, 0.055};
+  colours.brow = {0.115, 0.100, 0.092};
   colours.hair = {0.13, 0.125, 0.12};
   colours.hair_light = {0.46, 0.45, 0.44};
   colours.iris_inner = {0.26, 0.13, 0.05};
