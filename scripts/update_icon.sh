@@ -11,4 +11,4 @@ trap 'rm -rf "$work"' EXIT
 convert "$work/face.png" -crop 1000x1000+12+0 +repage -resize 256x256 "$work/small.png"
 convert -size 256x256 xc:black -fill white -draw 'circle 127.5,127.5 127.5,1' "$work/round.png"
 convert "$work/small.png" "$work/round.png" -alpha off -compose CopyOpacity -composite \
-    -colors 255 -strip "PNG8:$root/data/icons/aucast.png"
+    -strip "PNG32:$root/data/icons/aucast.png"
