@@ -60,9 +60,10 @@ TEST(PlayerLive, ReachesTheRowsOfAFifoInTheirOrder) {
   const auto stats = nlohmann::json::parse(folder.read("stats.json"));
   EXPECT_EQ(stats["end_reason"], "end_of_stream");
   EXPECT_TRUE(stats["live"]);
-  EXPECT_GE(stats["live_delay_p50_ms"], 38) << "95 % of a row's own time";
+  // How long exactly is LivePlayout's test's: here a busy machine has its say.
+  EXPECT_GT(stats["live_delay_target_ms"], 0);
+  EXPECT_GE(stats["live_delay_p50_ms"], stats["live_delay_target_ms"]) << "no face is early";
   EXPECT_GE(stats["live_delay_max_ms"], stats["live_delay_p50_ms"]);
-  EXPECT_GE(stats["live_delay_target_ms"], 38);
   EXPECT_EQ(player.err().find("changes nothing"), std::string::npos);
 }
 
