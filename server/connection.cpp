@@ -11,6 +11,7 @@
 #include <asio/buffer.hpp>
 
 #include "common/log.h"
+#include "common/tcp.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 
@@ -23,35 +24,10 @@ Instant now() {
   return std::chrono::steady_clock::now();
 }
 
-/// Finds a host that vanished without a word within a minute: keep-alive while nothing is under way
-/// to it, as when the client is paused, and the user timeout while something is.
-void find_the_dead(tcp::socket& socket) {
-  std::error_code ignored;
-  socket.set_option(asio::socket_base::keep_alive(true), ignored);
-  const auto set = [&socket](int option, int value) {
-    ::setsockopt(socket.native_handle(), IPPROTO_TCP, option, &value, sizeof(value));
-  };
-  const auto seconds = [](std::chrono::milliseconds time) {
-    return static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(time).count());
-  };
-  set(TCP_KEEPIDLE, seconds(protocol::kKeepAliveIdle));
-  set(TCP_KEEPINTVL, seconds(protocol::kKeepAliveInterval));
-  set(TCP_KEEPCNT, protocol::kKeepAliveProbes);
-  set(TCP_USER_TIMEOUT, static_cast<int>(protocol::kUnansweredTimeMax.count()));
-}
-
 /// What lies in the system's buffers for a client that is slow cannot be replaced by what is newer.
 void limit_unsent(tcp::socket& socket, int bytes) {
   if (bytes == 0) return;
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &bytes, sizeof(bytes));
-}
-
-/// The connection's smoothed round trip; zero when the system does not tell.
-Duration round_trip(tcp::socket& socket) {
-  tcp_info info{};
-  socklen_t length = sizeof(info);
-  if (::getsockopt(socket.native_handle(), IPPROTO_TCP, TCP_INFO, &info, &length) != 0) return {};
-  return std::chrono::microseconds(info.tcpi_rtt);
 }
 
 double seconds(Duration time) {
@@ -65,7 +41,7 @@ Connection::Connection(tcp::socket socket,
                        Settings settings, OnClosed on_closed)
     : socket_(std::move(socket)),
       catalogue_(std::move(catalogue)),
-      session_(*catalogue_, round_trip(socket_), now(), settings.admission),
+      session_(*catalogue_, round_trip(socket_.native_handle()), now(), settings.admission),
       settings_(std::move(settings)),
       timer_(socket_.get_executor()),
       on_closed_(std::move(on_closed)) {
@@ -85,7 +61,9 @@ void Connection::start() {
   // Stop-and-wait would otherwise wait for the peer's delayed acknowledgement at every packet.
   socket_.set_option(tcp::no_delay(true), ignored);
   socket_.non_blocking(true, ignored);
-  find_the_dead(socket_);
+  find_vanished_peer(socket_.native_handle(),
+                     {protocol::kKeepAliveIdle, protocol::kKeepAliveInterval,
+                      protocol::kKeepAliveProbes, protocol::kUnansweredTimeMax});
   limit_unsent(socket_, settings_.unsent_bytes_max);
   go_on();
 }
@@ -261,8 +239,8 @@ void Connection::read_tls(std::string_view bytes) {
   std::string plain;
   const bool good = tls_->received(bytes, plain);
   if (!begun && !handshaking()) {
-    session_ =
-        protocol::ServerSession(*catalogue_, round_trip(socket_), now(), settings_.admission);
+    session_ = protocol::ServerSession(*catalogue_, round_trip(socket_.native_handle()), now(),
+                                       settings_.admission);
   }
   // What the channel itself has to say, the alert that explains a failure too.
   if (std::string said = tls_->take_output(); !said.empty()) append(std::move(said));

@@ -19,8 +19,9 @@
 
 #include "client/net/au_reader.h"
 #include "client/net/name_lookup.h"
-#include "client/net/socket_options.h"
+#include "common/tcp.h"
 #include "common/text.h"
+#include "protocol/limits.h"
 #include "tls/channel.h"
 
 namespace aucast::net {
@@ -226,7 +227,11 @@ void RemoteSource::Connection::try_next_address() {
 
 void RemoteSource::Connection::connected() {
   reach_timer_.cancel();
-  set_socket_options(socket_);
+  ErrorCode ignored;
+  socket_.set_option(tcp::no_delay(true), ignored);  // small packets must not wait for each other
+  find_vanished_peer(socket_.native_handle(),
+                     {protocol::kKeepAliveIdle, protocol::kKeepAliveInterval,
+                      protocol::kKeepAliveProbes, protocol::kUnansweredTimeMax});
   if (token_may_be_read()) {
     end_reader(playback::EndReason::Refused,
                "everybody on the way could read the token; --tls, or --insecure-token");
@@ -267,7 +272,7 @@ void RemoteSource::Connection::open() {
   Reaction reaction;
   {
     const std::lock_guard lock(shared_.mutex);
-    reaction = shared_.reader.connected(Clock::now(), round_trip(socket_));
+    reaction = shared_.reader.connected(Clock::now(), round_trip(socket_.native_handle()));
   }
   carry_out(reaction);
 }
