@@ -85,6 +85,13 @@ double cold_microseconds(Call call) {
   return taken[kColdRounds / 2];
 }
 
+/// The bytes of a frame, copied.
+void copy_frame(const DeformedFace& from, DeformedFace& to) {
+  std::memcpy(to.positions.data(), from.positions.data(),
+              from.positions.size() * sizeof(glm::vec3));
+  std::memcpy(to.normals.data(), from.normals.data(), from.normals.size() * sizeof(glm::vec3));
+}
+
 /// Turns (u, v) by `angle` with the library's sine and cosine.
 void turn(float& u, float& v, float angle, float u0, float v0) {
   const float du = u - u0;
@@ -282,12 +289,7 @@ bool compare(const char* title, const Face& face, const std::vector<float>& acti
   const double frame = microseconds([&] { deformer.deform(next()); });
   const double loop = microseconds([&] { plain.deform(next(), theirs); });
   const DeformedFace& ours = deformer.deform(next());
-  const auto copy_once = [&] {
-    std::memcpy(theirs.positions.data(), ours.positions.data(),
-                ours.positions.size() * sizeof(glm::vec3));
-    std::memcpy(theirs.normals.data(), ours.normals.data(),
-                ours.normals.size() * sizeof(glm::vec3));
-  };
+  const auto copy_once = [&] { copy_frame(ours, theirs); };
   const double copy = microseconds(copy_once);
   const double cold_frame = cold_microseconds([&] { deformer.deform(next()); });
   const double cold_copy = cold_microseconds(copy_once);
@@ -335,11 +337,7 @@ void show_parts(const Face& face) {
   DeformedFace out;
   out.positions = out.normals = face.mesh.positions;
   DeformedFace copied = out;
-  const double copy = microseconds([&] {
-    std::memcpy(copied.positions.data(), out.positions.data(),
-                out.positions.size() * sizeof(glm::vec3));
-    std::memcpy(copied.normals.data(), out.normals.data(), out.normals.size() * sizeof(glm::vec3));
-  });
+  const double copy = microseconds([&] { copy_frame(out, copied); });
   const auto show = [&](const char* title, double time) {
     std::printf("  %-44s %8.2f us, %5.1fx a copy\n", title, time, time / copy);
   };
