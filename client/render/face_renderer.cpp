@@ -17,6 +17,7 @@
 #include "client/render/segment_renderer.h"
 #include "client/render/shaders.h"
 #include "client/render/skin_grain.h"
+#include "client/render/strands.h"
 #include "client/view/camera.h"
 #include "client/view/rounded_mesh.h"
 #include "common/check.h"
@@ -140,10 +141,11 @@ struct FaceRenderer::State {
   Buffer colours;
   Buffer occlusion_gloss;
   Buffer grain_places;
-  Buffer strand;
+  Buffer strand_ways;
   Buffer indices;
   Texture shadow_texture;
   SkinGrain grain;
+  Strands strands;
   Framebuffer shadow_framebuffer;
   ShadowMatrices shadow{};
 
@@ -200,7 +202,7 @@ void FaceRenderer::State::set_up() {
        {&colours, {kColourSlot, 4}},
        {&occlusion_gloss, {kOcclusionGlossSlot, 2}},
        {&grain_places, {kGrainSlot, 2}},
-       {&strand, {kStrandSlot, 1}}}};
+       {&strand_ways, {kStrandSlot, 4}}}};
   for (const auto& [buffer, layout] : attributes) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer->id());
     attribute(layout.first, layout.second);
@@ -317,6 +319,8 @@ void FaceRenderer::State::upload_moving(const view::MovingMesh& mesh) {
   upload(GL_ARRAY_BUFFER, rounded.positions(), GL_STREAM_DRAW);
   glBindBuffer(GL_ARRAY_BUFFER, normals.id());
   upload(GL_ARRAY_BUFFER, rounded.normals(), GL_STREAM_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, strand_ways.id());
+  upload(GL_ARRAY_BUFFER, strands.place(mesh.positions), GL_STREAM_DRAW);
 }
 
 void FaceRenderer::State::set_programs(const view::Style& style,
@@ -335,7 +339,7 @@ void FaceRenderer::State::set_programs(const view::Style& style,
     glEnableVertexAttribArray(kStrandSlot);
   } else {
     glDisableVertexAttribArray(kStrandSlot);
-    glVertexAttrib1f(kStrandSlot, 0);
+    glVertexAttrib4f(kStrandSlot, 0, 0, 0, 0);
     glDisableVertexAttribArray(kColourSlot);
     glVertexAttrib4f(kColourSlot, kClay.r, kClay.g, kClay.b, 1);
   }
@@ -543,6 +547,7 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   }
   order_solids(state.solid);
   state.round_off(mesh.rest, sorted);
+  state.strands = Strands(mesh, state.rounded.vertex_count());
 
   glBindVertexArray(state.vertices.id());
   glBindBuffer(GL_ARRAY_BUFFER, state.colours.id());
@@ -557,11 +562,6 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   places.resize(state.vertex_count);
   places = state.rounded.with_edges(std::span<const glm::vec2>(places));
   upload(GL_ARRAY_BUFFER, std::span<const glm::vec2>(places), GL_STATIC_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, state.strand.id());
-  std::vector<float> strand(mesh.strand.begin(), mesh.strand.end());
-  strand.resize(state.vertex_count);
-  strand = state.rounded.with_edges(std::span<const float>(strand));
-  upload(GL_ARRAY_BUFFER, std::span<const float>(strand), GL_STATIC_DRAW);
   upload(GL_ELEMENT_ARRAY_BUFFER, std::span<const Triangle>(sorted), GL_STATIC_DRAW);
 }
 

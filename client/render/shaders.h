@@ -38,8 +38,8 @@ uniform vec3 u_eyeball_forward;
 out vec3 v_position;
 #endif
 #ifdef HAIR
-layout(location = 5) in float a_strand;
-out float v_strand;
+layout(location = 5) in vec4 a_strand;  // its way, its number
+out vec4 v_strand;
 #endif
 out vec3 v_view;
 out vec3 v_normal;
@@ -124,7 +124,7 @@ uniform float u_grain;  // 1 is skin's
 uniform sampler2D u_grain_map;
 #endif
 #ifdef HAIR
-in float v_strand;
+in vec4 v_strand;
 #endif
 in vec3 v_view;
 in vec3 v_normal;
@@ -154,41 +154,56 @@ const vec3 kShadowKept = vec3(0.30, 0.13, 0.10);  // shadows on skin go red, not
 #ifdef HAIR
 uniform vec3 u_fill_direction;
 const float kStrands = 900.0;  // side by side round the head
+const float kShineShift = 0.10;
 
-// A fixed pseudo-random number in [-1, 1] for each whole number, smooth between them; fades where
-// strands are finer than pixels.
+// How much shows of strands that are `width` pixels wide or of what is coarser by that factor.
+float fineness(float at) { return 1.0 - smoothstep(0.5, 1.4, fwidth(at)); }
+
+// A fixed pseudo-random number in [-1, 1] for each whole number, smooth between them.
 float strand_noise(float at) {
   vec2 cell = floor(at) + vec2(0.0, 1.0);
   uvec2 n = uvec2(cell) * 747796405u + 2891336453u;
   n = ((n >> ((n >> 28u) + 4u)) ^ n) * 277803737u;
   vec2 value = vec2((n >> 22u) ^ n) / 2147483648.0 - 1.0;
-  float finest = 1.0 - smoothstep(0.5, 1.4, fwidth(at));
-  return mix(value.x, value.y, smoothstep(0.0, 1.0, fract(at))) * finest;
+  return mix(value.x, value.y, smoothstep(0.0, 1.0, fract(at)));
 }
 
-// Strands and, about four times as wide, tufts of them.
-float strand_light(float at) {
-  return 0.55 * strand_noise(at) + 0.55 * strand_noise(at * 0.27 + 5000.0);
+// The way a strand takes on a surface; downhill on one without strands.
+vec3 way_of_strands(vec3 normal) {
+  vec3 along = v_strand.xyz - normal * dot(v_strand.xyz, normal);
+  float length2 = dot(along, along);
+  if (length2 < 1e-12) {
+    along = vec3(0.0, -1.0, 0.0) + normal * normal.y;
+    length2 = max(dot(along, along), 1e-4);
+  }
+  return along * inversesqrt(length2);
 }
 
 // Strands shine like wires: across themselves in every direction, so that the highlight becomes a
-// band. They fall downhill over the head, each tilted a little by its own way.
-float strand_shine(vec3 normal, vec3 view, float strand, float key) {
-  vec3 along = vec3(0.0, -1.0, 0.0) - normal * (-normal.y - 0.10 * strand);
-  float slope = dot(along, along);
-  along *= inversesqrt(max(slope, 1e-4));
-  vec3 halfway = u_key_direction + view;
-  vec3 fill_halfway = u_fill_direction + view;
-  float tilt = dot(along, halfway) * inversesqrt(dot(halfway, halfway));
-  float fill_tilt = dot(along, fill_halfway) * inversesqrt(dot(fill_halfway, fill_halfway));
-  float lit = clamp(dot(normal, u_key_direction) + 0.3, 0.0, 1.0);
+// band. A white one nearer to the roots and one in the colour of the hair nearer to the tips
+// (Marschner 2003), each strand at its own place.
+vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand, float key) {
+  vec3 halfway = normalize(u_key_direction + view);
+  vec3 fill_halfway = normalize(u_fill_direction + view);
+  float tilt = dot(along, halfway) + 0.12 * strand;
+  float up = tilt + kShineShift;
+  float down = tilt - kShineShift;
+  float fill_tilt = dot(along, fill_halfway) + 0.12 * strand;
+  float lit = clamp(dot(normal, u_key_direction) + 0.3, 0.0, 1.0) * key;
   float fill_lit = clamp(dot(normal, u_fill_direction) + 0.3, 0.0, 1.0);
-  float broad = exp(-u_power * tilt * tilt);
-  float narrow = broad * broad * broad * broad;
-  float shine = (0.4 * broad + 0.6 * narrow * (1.0 + strand)) * lit * key +
-                0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit;
+  float broad = exp(-u_power * down * down);
+  float narrow = exp(-4.0 * u_power * up * up);
+  vec3 shine = 2.4 * colour * (broad * lit + 0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit) +
+               0.35 * narrow * (1.0 + strand) * lit;
   // Not at the very outline, where single pixels would sparkle.
-  return shine * smoothstep(0.0, 0.3, slope) * smoothstep(0.0, 0.3, dot(normal, view));
+  return shine * smoothstep(0.0, 0.3, dot(normal, view));
+}
+
+// Every strand of an edge ends where it likes: of what is half clear half of the strands are left.
+float strand_cover(float alpha, float tuft, float fine, float visible) {
+  float cut = 0.5 + 0.36 * visible * fine + 0.12 * tuft;
+  float soft = mix(0.5, 0.16, visible);
+  return smoothstep(cut - soft, cut + soft, mix(-0.66, 1.66, alpha));
 }
 #endif
 
@@ -221,8 +236,14 @@ void main() {
 #else
   vec3 normal = normalize(v_normal);
 #ifdef HAIR
-  float strand = strand_light(v_strand * kStrands);
+  float at = v_strand.w * kStrands;
+  float visible = fineness(at);
+  float fine = strand_noise(at);
+  float tuft = strand_noise(at * 0.27 + 5000.0) * fineness(at * 0.27);
+  float strand = 0.55 * fine * visible + 0.55 * tuft;
   colour *= 1.0 + 0.42 * strand;
+  vec3 along = way_of_strands(normal);
+  float cover = v_colour.a < 1.0 ? strand_cover(v_colour.a, tuft, fine, visible) : 1.0;
 #else
   normal = gl_FrontFacing ? normal : -normal;
   vec2 grain = u_grain * (texture(u_grain_map, v_grain).rg - 128.0 / 255.0);
@@ -255,7 +276,8 @@ void main() {
                                      0.12 * smoothstep(0.992, 0.998, dot(normal, second)));
 #else
 #ifdef HAIR
-  float specular = strand_shine(normal, view, strand, arriving * u_key_strength) * v_shine.y;
+  vec3 specular =
+      strand_shine(normal, along, view, colour, strand, arriving * u_key_strength) * v_shine.y;
 #else
   // exp(n (c - 1)) is cos to the n near its top, for half the work.
   vec3 halfway = u_key_direction + view;
@@ -275,13 +297,17 @@ void main() {
              vec3(0.90, 0.75, 0.60) *
                  (0.28 * max(dot(normal, u_second_rim_direction) + 0.15, 0.0));
 #ifdef HAIR
-  result += (0.25 + 2.0 * colour) * specular + rim * (edge * occlusion * 0.18);
+  result += specular + rim * (edge * occlusion * 0.18);
 #else
   result += vec3(1.0, 0.98, 0.95) * (specular * (1.0 + 1.3 * grain.g)) +
             rim * (edge * occlusion * (0.35 + 0.39 * length(colour)));
 #endif
 #endif
+#ifdef HAIR
+  o_colour = vec4(to_screen(result), cover);
+#else
   o_colour = vec4(to_screen(result), v_colour.a);
+#endif
 }
 )";
 
