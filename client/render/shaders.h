@@ -193,17 +193,24 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   float fill_lit = clamp(dot(normal, u_fill_direction) + 0.3, 0.0, 1.0);
   float broad = exp(-u_power * down * down);
   float narrow = exp(-4.0 * u_power * up * up);
-  vec3 shine = 2.4 * colour * (broad * lit + 0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit) +
-               0.35 * narrow * (1.0 + strand) * lit;
+  float filled = 0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit;
+  vec3 shine =
+      2.4 * colour * (broad * lit + filled) + 0.35 * narrow * (1.0 + strand) * lit;
   // Not at the very outline, where single pixels would sparkle.
   return shine * smoothstep(0.0, 0.3, dot(normal, view));
 }
 
-// Every strand of an edge ends where it likes: of what is half clear half of the strands are left.
-float strand_cover(float alpha, float tuft, float fine, float visible) {
-  float cut = 0.5 + 0.36 * visible * fine + 0.12 * tuft;
+// How light the strand here is, in [-1, 1]: single ones and, about four times as wide, tufts. Every
+// strand of an edge ends where it likes: `cover` is what is left of it.
+float strand_here(out float cover) {
+  float at = v_strand.w * kStrands;
+  float visible = fineness(at);
+  float fine = strand_noise(at) * visible;
+  float tuft = strand_noise(at * 0.27 + 5000.0) * fineness(at * 0.27);
+  float cut = 0.5 + 0.36 * fine + 0.12 * tuft;
   float soft = mix(0.5, 0.16, visible);
-  return smoothstep(cut - soft, cut + soft, mix(-0.66, 1.66, alpha));
+  cover = v_colour.a < 1.0 ? smoothstep(cut - soft, cut + soft, mix(-0.66, 1.66, v_colour.a)) : 1.0;
+  return 0.55 * (fine + tuft);
 }
 #endif
 
@@ -226,6 +233,18 @@ float key_arriving() {
   return (low_weight.y * low_row + high_weight.y * high_row) / 16.0;
 }
 
+// What the key gives a surface; `arriving` is how much of it no shadow takes.
+vec3 key_light(vec3 normal, float occlusion, out float arriving) {
+  vec3 wrap = kKeyWrap * u_wrap;
+  float towards_key = dot(normal, u_key_direction);
+  vec3 lit = clamp((towards_key + wrap) / (1.0 + wrap), 0.0, 1.0);
+  // Where the surface turns away from the key it is its own shadow; the map would only draw its
+  // texels there.
+  arriving = mix(1.0, key_arriving(), smoothstep(-0.05, 0.30, towards_key));
+  vec3 through = mix(max(kShadowKept * u_wrap, vec3(u_shadow_kept)), vec3(1.0), arriving);
+  return lit * through * kKey * (u_key_strength * (0.55 + 0.45 * occlusion));
+}
+
 void main() {
   vec3 view = v_view;  // near enough to unit length between near vertices
   vec3 colour = v_colour.rgb;
@@ -236,14 +255,10 @@ void main() {
 #else
   vec3 normal = normalize(v_normal);
 #ifdef HAIR
-  float at = v_strand.w * kStrands;
-  float visible = fineness(at);
-  float fine = strand_noise(at);
-  float tuft = strand_noise(at * 0.27 + 5000.0) * fineness(at * 0.27);
-  float strand = 0.55 * fine * visible + 0.55 * tuft;
+  float cover;
+  float strand = strand_here(cover);
   colour *= 1.0 + 0.42 * strand;
   vec3 along = way_of_strands(normal);
-  float cover = v_colour.a < 1.0 ? strand_cover(v_colour.a, tuft, fine, visible) : 1.0;
 #else
   normal = gl_FrontFacing ? normal : -normal;
   vec2 grain = u_grain * (texture(u_grain_map, v_grain).rg - 128.0 / 255.0);
@@ -251,16 +266,8 @@ void main() {
 #endif
 #endif
 
-  vec3 wrap = kKeyWrap * u_wrap;
-  float towards_key = dot(normal, u_key_direction);
-  vec3 lit = clamp((towards_key + wrap) / (1.0 + wrap), 0.0, 1.0);
-  // Where the surface turns away from the key it is its own shadow; the map would only draw its
-  // texels there.
-  float arriving = mix(1.0, key_arriving(), smoothstep(-0.05, 0.30, towards_key));
-  vec3 through = mix(max(kShadowKept * u_wrap, vec3(u_shadow_kept)), vec3(1.0), arriving);
-  vec3 key = kKey * u_key_strength;
-  vec3 light = lit * through * key * (0.55 + 0.45 * occlusion) + v_ambient;
-  vec3 result = colour * light;
+  float arriving;
+  vec3 result = colour * (key_light(normal, occlusion, arriving) + v_ambient);
 
 #ifdef EYE
   // The upper lid and its lashes shade the ball below them.
