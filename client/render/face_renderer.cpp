@@ -17,9 +17,9 @@
 #include "client/render/segment_renderer.h"
 #include "client/render/shaders.h"
 #include "client/render/skin_grain.h"
-#include "client/render/strands.h"
 #include "client/view/camera.h"
 #include "client/view/rounded_mesh.h"
+#include "client/view/strands.h"
 #include "common/check.h"
 
 namespace aucast::render {
@@ -145,7 +145,7 @@ struct FaceRenderer::State {
   Buffer indices;
   Texture shadow_texture;
   SkinGrain grain;
-  Strands strands;
+  view::Strands strands;
   Framebuffer shadow_framebuffer;
   ShadowMatrices shadow{};
 
@@ -547,7 +547,7 @@ void FaceRenderer::load(const view::StaticMesh& mesh) {
   }
   order_solids(state.solid);
   state.round_off(mesh.rest, sorted);
-  state.strands = Strands(mesh, state.rounded.vertex_count());
+  state.strands = view::Strands(mesh, state.rounded.vertex_count());
 
   glBindVertexArray(state.vertices.id());
   glBindBuffer(GL_ARRAY_BUFFER, state.colours.id());

@@ -186,8 +186,8 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   vec3 halfway = normalize(u_key_direction + view);
   vec3 fill_halfway = normalize(u_fill_direction + view);
   float tilt = dot(along, halfway) + 0.12 * strand;
-  float up = tilt + kShineShift;
-  float down = tilt - kShineShift;
+  float up = tilt - kShineShift;
+  float down = tilt + kShineShift;
   float fill_tilt = dot(along, fill_halfway) + 0.12 * strand;
   float lit = clamp(dot(normal, u_key_direction) + 0.3, 0.0, 1.0) * key;
   float fill_lit = clamp(dot(normal, u_fill_direction) + 0.3, 0.0, 1.0);

@@ -1,15 +1,15 @@
-#include "client/render/strands.h"
+#include "client/view/strands.h"
 
 #include "common/check.h"
 
-namespace aucast::render {
+namespace aucast::view {
 
-Strands::Strands(const view::StaticMesh& mesh, std::size_t vertex_count) {
+Strands::Strands(const StaticMesh& mesh, std::size_t vertex_count) {
   for (const float number : mesh.strand) strands_.emplace_back(0, 0, 0, number);
   strands_.resize(vertex_count);
   if (mesh.strand.empty()) return;
-  for (const view::ShadedRange& range : mesh.ranges) {
-    if (range.shading != view::Shading::Hair) continue;
+  for (const ShadedRange& range : mesh.ranges) {
+    if (range.shading != Shading::Hair) continue;
     const auto hair = mesh.triangles.subspan(range.triangle_begin, range.triangle_count);
     triangles_.insert(triangles_.end(), hair.begin(), hair.end());
   }
@@ -30,4 +30,4 @@ std::span<const glm::vec4> Strands::place(std::span<const glm::vec3> positions) 
   return strands_;
 }
 
-}  // namespace aucast::render
+}  // namespace aucast::view

@@ -11,15 +11,15 @@
 
 #include "client/view/scene.h"
 
-namespace aucast::render {
+namespace aucast::view {
 
-/// The ways that strands of hair take over a surface: where their number (view::StaticMesh::strand)
+/// The ways that strands of hair take over a surface: where their number (StaticMesh::strand)
 /// stays the same. Seen from outside, with the tips down, it grows to the right.
 class Strands {
  public:
   Strands() = default;
   /// For `vertex_count` vertices, of which the mesh's own are the first.
-  Strands(const view::StaticMesh& mesh, std::size_t vertex_count);
+  Strands(const StaticMesh& mesh, std::size_t vertex_count);
 
   /// Of every vertex: in xyz the way of the strands there, not of unit length, 0 where there are
   /// none; in w their number.
@@ -30,4 +30,4 @@ class Strands {
   std::vector<glm::vec4> strands_;
 };
 
-}  // namespace aucast::render
+}  // namespace aucast::view
