@@ -359,9 +359,9 @@ void FaceRenderer::State::draw_surface(const view::MovingMesh& mesh, const view:
   draw_creases(mesh.creases, world_to_clip, matrices.eye);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   glDepthMask(GL_FALSE);
-  // Brows and lashes lie on the skin.
+  // Brows and lashes lie on the skin, which is coarser: half a millimetre towards the viewer.
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(-1, -1);
+  glPolygonOffset(-1, -12'000);  // steps of 24 bits of depth
   draw_runs(translucent, mesh);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthMask(GL_TRUE);
