@@ -47,13 +47,14 @@ double lower_lip_border(const Identity& who, double x) {
 }
 
 Vec3 brow_spine(const Identity& who, double t) {
-  const double arch = who.form.brow_arch * std::sin(std::min(1.0, t * 1.05) * 2.2);
+  // It rises late: a steep inner end is a hook in profile.
+  const double arch = who.form.brow_arch * power(std::sin(std::min(1.0, t * 1.05) * 2.2), 1.5);
   return {mix(who.form.brow_begin, 3.55, t),
           who.form.brow_up + arch - who.form.brow_tail_drop * t * t * t, 0.0};
 }
 
 double brow_half_width(const Identity& who, double t) {
-  return who.form.brow_width * (1 - 0.80 * power(t, 1.5)) * smooth_step(-0.10, 0.16, t);
+  return who.form.brow_width * (1 - 0.80 * power(t, 1.5)) * smooth_step(-0.30, 0.22, t);
 }
 
 }  // namespace aucast::facegen

@@ -12,13 +12,12 @@ namespace aucast::facegen {
 inline constexpr double kEyeRadius = 1.27;
 inline constexpr Vec3 kEyeCentre{2.18, 2.72, 6.18};
 
-/// A little larger than in life, where it spans two fifths of the opening; much larger looks like a
-/// doll's.
-inline constexpr double kIrisRadius = 0.54;
+/// It spans a little more than two fifths of the opening; much more looks like a doll's.
+inline constexpr double kIrisRadius = 0.50;
 
 /// Corners of the eye relative to kEyeCentre.x: towards the nose and towards the temple.
 inline constexpr double kInnerCanthus = -1.09;
-inline constexpr double kOuterCanthus = 1.16;
+inline constexpr double kOuterCanthus = 1.21;
 
 /// Height of the lid margins relative to kEyeCentre.y at `dx` from kEyeCentre.x.
 [[nodiscard]] double upper_lid(const Identity& who, double dx);

@@ -8,85 +8,142 @@
 namespace aucast::facegen {
 namespace {
 
-/// Where a lash stands and how it grows; t runs from the inner corner of the eye to the outer one.
-Vec3 lash_direction(bool upper, double t, const Vec3& out, double side) {
-  const Vec3 up{0, upper ? 0.35 : -0.5, 0};
-  const Vec3 outwards{side * (upper ? 0.9 * (t - 0.35) : 0.6 * (t - 0.4)), 0, 0};
-  return glm::normalize(out + up + outwards);
+// Lashes. On a lid, t runs from the inner corner of the eye (0) to the outer one (1).
+
+constexpr int kLidSteps = 16;  ///< spokes along a lid
+
+/// The vertex of a ring of a lid, `k` spokes from the inner corner.
+const Vertex& on_lid(const Skin& skin, int ring, int side, bool upper, int k) {
+  const int from_canthus = upper ? k : (2 * kLidSteps - k) % (2 * kLidSteps);
+  const int spoke = (from_canthus - 4 + kEyeSpokes) % kEyeSpokes;
+  return skin.part.vertices[skin.find(Patch::Eye, ring, spoke, side)];
 }
 
-double lash_length(bool upper, double t) {
-  if (!upper) return 0.10 * std::sin(kPi * power(t, 0.8));
-  // Longer towards the temple.
-  return 0.34 * std::sin(kPi * power(t, 0.75)) * (0.45 + 0.85 * t) +
-         0.10 * smooth_step(0.7, 1.0, t);
+Vertex between(const Vertex& a, const Vertex& b, double share) {
+  Vertex v = a;
+  v.position = mix(a.position, b.position, share);
+  for (std::size_t m = 0; m < v.maps.size(); ++m) v.maps[m] = mix(a.maps[m], b.maps[m], share);
+  return v;
 }
 
-void add_lashes(Part& part, const Skin& skin, int side, bool upper) {
-  constexpr int kAlong = 16;
-  const Vec3 eye{side * kEyeCentre.x, kEyeCentre.y, kEyeCentre.z};
-  std::vector<std::uint32_t> before;
-  for (int k = 0; k <= kAlong; ++k) {
-    const double t = static_cast<double>(k) / kAlong;
-    const int from_canthus = upper ? k : (32 - k) % 32;
-    const int spoke = (from_canthus - 4 + kEyeSpokes) % kEyeSpokes;
-    const Vertex& root = skin.part.vertices[skin.find(Patch::Eye, kLidMarginRing, spoke, side)];
-    const Vec3 out = glm::normalize(root.position - eye);
-    const Vec3 direction = lash_direction(upper, t, out, side);
-    const double length = lash_length(upper, t);
-    const double strand = 0.75 + 0.25 * (k % 2);
-    const std::array<double, 3> alphas{0.95, 0.75 * strand, 0.0};
-    std::vector<std::uint32_t> ray;
-    for (std::size_t j = 0; j < alphas.size(); ++j) {
-      const double s = static_cast<double>(j) / 2;
-      Vec3 p = root.position - out * 0.01 + direction * (length * s) +
-               Vec3{0, (upper ? 0.35 : -0.2) * length * s * s, 0};
-      if (j == 0) p.y += upper ? -0.03 : 0.015;
-      const double alpha = alphas[j] * (upper ? 1 : 0.45) * smooth_step(-0.02, 0.10, t);
-      ray.push_back(part.add(p, kLash, alpha));
-      part.vertices.back().maps = root.maps;
+Vertex on_margin(const Skin& skin, int side, bool upper, double t) {
+  const double at = std::clamp(t * kLidSteps, 0.0, kLidSteps - 1e-6);
+  const int k = static_cast<int>(at);
+  return between(on_lid(skin, kLidMarginRing, side, upper, k),
+                 on_lid(skin, kLidMarginRing, side, upper, k + 1), at - k);
+}
+
+/// The dark line where the lashes stand, thin at both ends.
+void add_lash_line(Part& part, const Skin& skin, int side, bool upper) {
+  std::vector<std::vector<std::uint32_t>> rows(3);
+  for (int k = 0; k <= kLidSteps; ++k) {
+    const double t = static_cast<double>(k) / kLidSteps;
+    const Vertex& edge = on_lid(skin, kLidMarginRing, side, upper, k);
+    const Vertex& inner = on_lid(skin, kLidInnerRing, side, upper, k);
+    const Vertex& above = on_lid(skin, kLidMarginRing - 1, side, upper, k);
+    const double dark =
+        (upper ? 0.88 : 0.30) * smooth_step(0.0, 0.35, t) * smooth_step(1.03, 0.90, t);
+    const std::array<Vertex, 3> across{between(edge, inner, upper ? 0.7 : 0.2), edge,
+                                       between(edge, above, 0.55)};
+    const std::array<double, 3> alphas{upper ? 0.7 * dark : 0.0, dark, 0.0};
+    for (std::size_t j = 0; j < across.size(); ++j) {
+      rows[j].push_back(part.add(across[j].position, kLash, alphas[j]));
+      part.vertices.back().maps = across[j].maps;
       part.vertices.back().gloss = 0;
     }
-    if (k > 0) {
-      const bool inward = (side > 0) != upper;
-      if (inward) {
-        part.add_band(before, ray, false);
-      } else {
-        part.add_band(ray, before, false);
-      }
+  }
+  for (std::size_t j = 0; j + 1 < rows.size(); ++j) part.add_band(rows[j], rows[j + 1], false);
+}
+
+/// A few lashes that lean together: a curved blade, pointed, that is seen from the front and from
+/// the side alike.
+void add_lash(Part& part, const Identity& who, const Skin& skin, int side, bool upper, double t,
+              double length) {
+  const Vec3 eye{side * kEyeCentre.x, kEyeCentre.y, kEyeCentre.z};
+  const Vertex root = on_margin(skin, side, upper, t);
+  const Vec3 along = glm::normalize(on_margin(skin, side, upper, std::min(1.0, t + 0.03)).position -
+                                    on_margin(skin, side, upper, std::max(0.0, t - 0.03)).position);
+  const Vec3 out = glm::normalize(root.position - eye);
+  const auto seed = static_cast<std::int64_t>(t * 4096) + (upper ? 0 : 70000) + side * 131;
+  const double astray = hash(seed) - 0.5;
+  // They fan out towards the temple.
+  const Vec3 fan{side * ((upper ? 1.15 : 0.9) * (t - 0.38) + 0.22 * astray), 0, 0};
+  const Vec3 direction = glm::normalize(out + fan + Vec3{0, upper ? 0.10 : -0.45, 0});
+  const double curl = (upper ? 0.46 : -0.10) * (0.85 + 0.3 * hash(seed + 7));
+  const Vec3 blade = glm::normalize(along + Vec3{0, 0.8 * (astray > 0 ? 1 : -1), 0});
+  static constexpr std::array kSteps{0.0, 0.55, 1.0};
+  static constexpr std::array kWidths{1.0, 0.62, 0.0};
+  static constexpr std::array kAlphas{0.90, 0.75, 0.20};
+  const double half_width = who.form.lash * (upper ? 0.016 : 0.010);
+  std::vector<std::uint32_t> left;
+  std::vector<std::uint32_t> right;
+  for (std::size_t j = 0; j < kSteps.size(); ++j) {
+    const double s = kSteps[j];
+    const Vec3 p =
+        root.position - out * 0.015 + direction * (length * s) + Vec3{0, curl * length * s * s, 0};
+    const double alpha = kAlphas[j] * (upper ? 1 : 0.5);
+    for (const double aside : {-1.0, 1.0}) {
+      if (kWidths[j] == 0 && aside > 0) continue;
+      const auto index = part.add(p + blade * (aside * half_width * kWidths[j]), kLash, alpha);
+      part.vertices.back().maps = root.maps;
+      part.vertices.back().gloss = 0;
+      (aside < 0 ? left : right).push_back(index);
     }
-    before = std::move(ray);
+  }
+  part.add_quad(left[0], right[0], right[1], left[1]);
+  part.add_triangle(left[1], right[1], left[2]);
+}
+
+void add_lashes(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
+  add_lash_line(part, skin, side, upper);
+  const int count = upper ? 26 : 12;
+  for (int i = 0; i < count; ++i) {
+    const double t = 0.10 + 0.88 * (i + 0.7 * hash(i * 17 + (upper ? 3 : 11) + side)) / count;
+    const double length = upper ? 0.56 * (0.42 + 0.58 * smooth_step(0.0, 0.75, t)) : 0.17;
+    const double uneven = 0.82 + 0.3 * hash(i * 29 + side + 5);
+    const double ends = smooth_step(0.0, 0.18, t) * (1 - 0.35 * smooth_step(0.85, 1.0, t));
+    add_lash(part, who, skin, side, upper, t, who.form.lash * length * uneven * ends);
   }
 }
 
-}  // namespace
+// Brows. t runs along the spine from the nose (0) to the temple (1), s across it from below (-1).
 
-Part make_brow(const Identity& who, int side) {
+struct BrowPlace {
+  Vec3 spine{0};
+  Vec3 along{0};
+  Vec3 across{0};
+};
+
+BrowPlace brow_place(const Identity& who, double t) {
+  const Vec3 along = glm::normalize(brow_spine(who, std::min(1.0, t + 0.01)) -
+                                    brow_spine(who, std::max(0.0, t - 0.01)));
+  return {brow_spine(who, t), along, {-along.y, along.x, 0}};
+}
+
+/// A place in the front plane, laid on the skin. It must not stand off, or it leaves the outline.
+Vec3 laid_on_skin(const Identity& who, const Vec3& flat, double height, int side) {
+  Vec3 p{flat.x, flat.y, face_z(who, flat.x, flat.y)};
+  p += head_normal(who, p, 0.05) * height;
+  p.x *= side;
+  return p;
+}
+
+/// The soft ground under the hairs.
+void add_brow_ground(Part& brow, const Identity& who, int side) {
   constexpr int kAlong = 40;
   constexpr int kAcross = 6;
-  Part brow;
-  brow.name = side > 0 ? "left_brow" : "right_brow";
-  brow.material = face::Material::Brow;
   std::vector<std::uint32_t> before;
   for (int i = 0; i <= kAlong; ++i) {
     const double t = static_cast<double>(i) / kAlong;
-    const Vec3 spine = brow_spine(who, t);
-    const Vec3 along = glm::normalize(brow_spine(who, std::min(1.0, t + 0.01)) -
-                                      brow_spine(who, std::max(0.0, t - 0.01)));
-    const Vec3 across{-along.y, along.x, 0};
-    const double half_width = std::max(0.012, brow_half_width(who, t));
-    const double ends = smooth_step(0, 0.15, t) * smooth_step(1.05, 0.7, t);
+    const BrowPlace place = brow_place(who, t);
+    const double half_width = std::max(0.012, 1.15 * brow_half_width(who, t));
     std::vector<std::uint32_t> row;
     for (int j = 0; j <= kAcross; ++j) {
       const double s = 2.0 * j / kAcross - 1;
-      Vec3 p = spine + across * (half_width * s);
-      p.z = face_z(who, p.x, p.y);
-      p += head_normal(who, p, 0.05) * (0.015 + 0.075 * (1 - s * s) * ends);
-      p.x *= side;
-      const Vec3 colour = who.colours.brow * (0.85 + 0.3 * hash(i * 7 + j * 131));
-      const double alpha = 0.97 * smooth_step(-0.02, 0.12, t) * (1 - smooth_step(0.95, 1.02, t)) *
-                           smooth_step(1.02, 0.55, std::abs(s));
-      row.push_back(brow.add(p, colour, alpha));
+      const Vec3 flat = place.spine + place.across * (half_width * s);
+      const double fade = smooth_step(0.0, 0.34, t) * smooth_step(1.0, 0.86, t);
+      const double alpha = 0.72 * fade * smooth_step(1.0, 0.25, std::abs(s));
+      row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
     }
     if (i > 0) {
@@ -98,15 +155,65 @@ Part make_brow(const Identity& who, int side) {
     }
     before = std::move(row);
   }
+}
+
+/// Which way a hair lies: up at the nose, then along the brow, from both edges towards its ridge.
+Vec3 hair_direction(const BrowPlace& place, double t, double s, double astray) {
+  const double upright = mix(1.25, 0.10, smooth_step(0.0, 0.45, t));
+  const double angle = upright - 0.42 * s * smooth_step(0.05, 0.4, t) + 0.30 * (astray - 0.5);
+  return place.along * std::cos(angle) + place.across * std::sin(angle);
+}
+
+void add_brow_hairs(Part& brow, const Identity& who, int side) {
+  constexpr int kHairs = 110;
+  for (int i = 0; i < kHairs; ++i) {
+    const auto chance = [&](int of) { return hash(i * 97 + of * 7919); };
+    const double t = 0.94 * (i + chance(1)) / kHairs;
+    const double s = 1.7 * (chance(2) - 0.5) - 0.10;
+    const BrowPlace place = brow_place(who, t);
+    const double half_width = brow_half_width(who, std::max(t, 0.10));
+    const Vec3 root = place.spine + place.across * (half_width * s);
+    const Vec3 direction = hair_direction(place, t, s, chance(3));
+    const Vec3 aside{-direction.y, direction.x, 0};
+    const double length = (0.24 + 0.55 * half_width) * (0.75 + 0.5 * chance(4)) *
+                          mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
+    const double alpha = mix(0.40, 0.75, smooth_step(0.0, 0.25, t)) * (0.7 + 0.3 * chance(5));
+    const Vec3 colour = who.colours.brow * (0.75 + 0.5 * chance(6));
+    const double thick = 0.012 * (0.8 + 0.4 * chance(7));
+    std::array<std::uint32_t, 3> corner{};
+    const std::array<Vec3, 3> flat{root - aside * thick, root + aside * thick,
+                                   root + direction * length};
+    for (std::size_t k = 0; k < corner.size(); ++k) {
+      const bool tip = k == 2;
+      corner[k] = brow.add(laid_on_skin(who, flat[k], tip ? 0.034 : 0.026, side), colour,
+                           alpha * (tip ? 0.25 : 1));
+      weigh_by_position(who, brow.vertices.back());
+    }
+    if (side > 0) {
+      brow.add_triangle(corner[0], corner[1], corner[2]);
+    } else {
+      brow.add_triangle(corner[1], corner[0], corner[2]);
+    }
+  }
+}
+
+}  // namespace
+
+Part make_brow(const Identity& who, int side) {
+  Part brow;
+  brow.name = side > 0 ? "left_brow" : "right_brow";
+  brow.material = face::Material::Brow;
+  add_brow_ground(brow, who, side);
+  add_brow_hairs(brow, who, side);
   return brow;
 }
 
-Part make_lashes(const Skin& skin) {
+Part make_lashes(const Identity& who, const Skin& skin) {
   Part lashes;
   lashes.name = "lashes";
   lashes.material = face::Material::Brow;
   for (const int side : {1, -1}) {
-    for (const bool upper : {true, false}) add_lashes(lashes, skin, side, upper);
+    for (const bool upper : {true, false}) add_lashes(lashes, who, skin, side, upper);
   }
   return lashes;
 }

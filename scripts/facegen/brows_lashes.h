@@ -4,11 +4,11 @@
 
 namespace aucast::facegen {
 
-/// A brow: a strip with a lens-shaped section along the brow's spine that fades at all edges. Side
-/// 1 left, -1 right.
+/// A brow: single hairs over a soft ground, all lying on the skin. Side 1 left, -1 right. The
+/// ground comes first: 41 rows of 7 vertices from the nose to the temple.
 [[nodiscard]] Part make_brow(const Identity& who, int side);
 
-/// The lashes of all four lids: ribbons that grow from the lid margin and move with it.
-[[nodiscard]] Part make_lashes(const Skin& skin);
+/// The lashes of all four lids and the line they stand in; they move with the lid margin.
+[[nodiscard]] Part make_lashes(const Identity& who, const Skin& skin);
 
 }  // namespace aucast::facegen

@@ -7,7 +7,7 @@ namespace aucast::facegen {
 namespace {
 
 constexpr int kSectors = 48;
-constexpr double kPupilRadius = 0.20;
+constexpr double kPupilRadius = 0.185;
 
 /// Colour at `radius` from the eye's axis and `angle` about it; the nose lies at `nasal` 1.
 Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, double nasal) {
@@ -22,7 +22,7 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
     c = mix(c, kIrisEdge, smooth_step(0.72, 1.0, t));
     return t < 0.08 ? c * 0.35 : c;
   }
-  const double corner = smooth_step(0.58, 1.12, radius);
+  const double corner = smooth_step(0.56, 1.18, radius);
   Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
   c = mix(c, kCaruncle, 0.9 * smooth_step(0.93, 1.03, radius) * smooth_step(0.6, 0.9, nasal));
   return radius < kIrisRadius + 0.05 ? mix(kLimbus, c, 0.35) : c;
@@ -34,10 +34,10 @@ Part make_eye(const Identity& who, int side) {
   static constexpr std::array kFrontRings{0.10,
                                           kPupilRadius - 0.015,
                                           kPupilRadius + 0.015,
-                                          0.26,
-                                          0.32,
-                                          0.38,
-                                          0.44,
+                                          0.25,
+                                          0.305,
+                                          0.36,
+                                          0.42,
                                           kIrisRadius - 0.01,
                                           kIrisRadius + 0.03,
                                           0.66,

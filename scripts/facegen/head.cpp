@@ -41,7 +41,7 @@ std::vector<Part> make_head(const Identity& who) {
   }
   std::vector<Part> parts;
   Part bag = make_mouth_bag(skin);
-  Part lashes = make_lashes(skin);
+  Part lashes = make_lashes(who, skin);
   std::vector<Part> creases = make_creases(who, skin);
   parts.push_back(std::move(skin.part));
   parts.push_back(std::move(left_eye));

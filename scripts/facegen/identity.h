@@ -34,11 +34,12 @@ struct Form {
   double nose_hump = 0;     ///< on the bridge
   // eyes: height of the lids over their corners, and the corners over kEyeCentre
   double upper_lid = 0.52;
-  double lower_lid = 0.42;
+  double lower_lid = 0.435;
   double inner_canthus_up = -0.17;
   double outer_canthus_up = 0.10;
   double lid_fold = 0.27;  ///< over the margin
   double eye_bag = 0.018;  ///< depth of the groove under the eye
+  double lash = 1;         ///< length, factor
   // lips
   double upper_lip = 0.552;
   double lower_lip = 0.74;

@@ -94,7 +94,7 @@ void smooth_ear(HalfHead& half, const Neighbours& neighbours) {
 
 /// A deep fold in the lid must not let the eyeball through.
 void lift_lids(HalfHead& half) {
-  constexpr double kThinnest = 0.01;
+  constexpr double kThinnest = 0.03;
   for (HalfVertex& v : half.vertices) {
     if (v.patch != Patch::Eye || v.ring > kLidInnerRing) continue;
     const Vec3 from_eye = v.position - kEyeCentre;

@@ -84,9 +84,15 @@ double neck(const Form& form, const Vec3& p) {
 
 /// The hollow of the eye, then the lids as a shell over the eyeball.
 double with_orbit(double d, const Vec3& p) {
-  const Vec3 hollow = rotated_y(p - Vec3{2.25, 2.62, 8.15}, 0.32);
-  d = carve(d, ellipsoid(hollow, {1.45, 0.92, 1.3}), 0.8);
-  return melt(d, glm::length(p - kEyeCentre) - (kEyeRadius + 0.11), 0.35);
+  const Vec3 hollow = rotated_y(p - Vec3{2.25, 2.92, 8.15}, 0.32);
+  d = carve(d, ellipsoid(hollow, {1.45, 0.66, 1.18}), 0.8);
+  // Thinner towards the temple: there the edge of the lids must lie far behind the cornea, or the
+  // eye is a sliver from the side.
+  const double thickness = mix(0.09, 0.03, smooth_step(2.3, 3.4, p.x));
+  // Below, the lid runs into the cheek without a step.
+  const double seam =
+      mix(mix(0.32, 0.80, smooth_step(2.4, 1.8, p.y)), 0.12, smooth_step(2.6, 3.4, p.x));
+  return melt(d, glm::length(p - kEyeCentre) - (kEyeRadius + thickness), seam);
 }
 
 double with_nose(const Form& form, double d, const Vec3& p) {
@@ -118,7 +124,9 @@ double lid_relief(const Identity& who, const Vec3& p) {
   const double inside = std::clamp(x, kInnerCanthus + 0.1, kOuterCanthus - 0.1);
   const double fold = upper_lid(who, inside) + who.form.lid_fold + 0.03 * x;
   const double groove = lower_lid(who, inside) - 0.40;
-  return window * (0.12 * bell(y - fold, 0.10) + who.form.eye_bag * bell(y - groove, 0.16));
+  // Shallow where the lid is thin.
+  const double deep = mix(0.12, 0.04, smooth_step(0.5, 1.1, x));
+  return window * (deep * bell(y - fold, 0.10) + who.form.eye_bag * bell(y - groove, 0.16));
 }
 
 /// Depth of a groove along a polyline of (x, y, depth) with the given half width.

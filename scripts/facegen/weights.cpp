@@ -79,15 +79,18 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   const int k = (v.spoke + 4) % kEyeSpokes;
   if (k % 16 == 0) return;  // the corners of the eye stay
   const bool upper = k < 16;
-  // Undoes the factor above for the one muscle that is the lower lid's own.
+  const double middle = std::sin(kPi * (k % 16) / 16.0);
   if (!upper) {
-    const double middle = std::sin(kPi * (k - 16) / 16.0);
+    // Undoes the factor above for the one muscle that is the lower lid's own.
     vertex[Map::LowerLid] = 0.1 * share * middle / vertex[Map::Muscle];
   }
   const double own = elevation[static_cast<std::size_t>(v.spoke)];
   const double opposite = elevation[static_cast<std::size_t>((24 - v.spoke + 32) % kEyeSpokes)];
-  // Both margins meet 14 % above where the lower one rests, and press by a trace.
-  const double target = mix(own, opposite, upper ? 0.86 : 0.14) + (upper ? -0.012 : 0.004);
+  // Both margins meet 14 % above where the lower one rests, half-way near the corners, which else
+  // would fold, and press by a trace.
+  const double meet = mix(0.5, 0.86, std::min(1.0, 1.2 * middle));
+  const double press = std::min(1.0, 3 * middle) * (upper ? -0.018 : 0.004);
+  const double target = mix(own, opposite, upper ? meet : 1 - meet) + press;
   vertex[Map::LidAngle] = share * (own - target);
 }
 
