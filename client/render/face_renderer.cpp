@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <glm/ext/matrix_clip_space.hpp>
-#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -16,6 +14,7 @@
 #include "client/render/look.h"
 #include "client/render/segment_renderer.h"
 #include "client/render/shaders.h"
+#include "client/render/shadow_map.h"
 #include "client/render/skin_grain.h"
 #include "client/view/camera.h"
 #include "client/view/rounded_mesh.h"
@@ -27,13 +26,6 @@ namespace {
 
 using view::Shading;
 using Triangle = view::RoundedMesh::Triangle;
-
-/// The key light's shadows cover a fixed box, so that they do not crawl while the head moves. A
-/// texel of 0.07 units under a filter of three gives the soft edge of a large lamp.
-constexpr glm::vec3 kShadowCentre{0, 0, 1};
-constexpr float kShadowReach = 13;
-constexpr float kShadowBias = 0.08F;
-constexpr float kShadowSlopeBias = 2.0F;
 
 /// A quarter of a pixel in a face that fills the screen: no corner shows there.
 constexpr float kLeastBend = 0.004F;
@@ -98,23 +90,6 @@ void upload(GLenum target, std::span<const T> data, GLenum usage) {
   glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), usage);
 }
 
-/// The light's own view of the box, and the way into its depth texture.
-struct ShadowMatrices {
-  glm::mat4 world_to_clip;
-  glm::mat4 world_to_texture;
-};
-
-ShadowMatrices shadow_matrices(const glm::vec3& towards_key) {
-  const glm::mat4 view =
-      glm::lookAt(kShadowCentre + towards_key * kShadowReach, kShadowCentre, glm::vec3(0, 1, 0));
-  const glm::mat4 projection =
-      glm::ortho(-kShadowReach, kShadowReach, -kShadowReach, kShadowReach, 0.0F, 2 * kShadowReach);
-  glm::mat4 to_texture =
-      glm::translate(glm::mat4(1), glm::vec3(0.5F, 0.5F, 0.5F - kShadowBias / (2 * kShadowReach)));
-  to_texture = glm::scale(to_texture, glm::vec3(0.5F));
-  return {projection * view, to_texture * projection * view};
-}
-
 /// Lines and points of the mesh stand out from what is behind them.
 glm::vec4 line_colour(const view::Style& style) {
   if (style.layers.surface()) return {0.02F, 0.03F, 0.05F, 0.45F};
@@ -143,11 +118,9 @@ struct FaceRenderer::State {
   Buffer grain_places;
   Buffer strand_ways;
   Buffer indices;
-  Texture shadow_texture;
+  ShadowMap shadow;
   SkinGrain grain;
   view::Strands strands;
-  Framebuffer shadow_framebuffer;
-  ShadowMatrices shadow{};
 
   std::size_t vertex_count = 0;
   bool grained = false;
@@ -159,7 +132,7 @@ struct FaceRenderer::State {
 
   State(LitProgram surface_program, LitProgram hair_program, LitProgram eye_program,
         Program crease_program, Program depth_program, Program backdrop_program,
-        Program flat_program, SegmentRenderer segment_renderer)
+        Program flat_program, SegmentRenderer segment_renderer, ShadowMap shadow_map)
       : surface(std::move(surface_program)),
         hair(std::move(hair_program)),
         eye(std::move(eye_program)),
@@ -167,7 +140,8 @@ struct FaceRenderer::State {
         depth(std::move(depth_program)),
         backdrop(std::move(backdrop_program)),
         flat(std::move(flat_program)),
-        segments(std::move(segment_renderer)) {}
+        segments(std::move(segment_renderer)),
+        shadow(std::move(shadow_map)) {}
 
   void set_up();
   void round_off(std::span<const glm::vec3> rest, std::vector<Triangle>& triangles);
@@ -209,27 +183,6 @@ void FaceRenderer::State::set_up() {
   }
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
   glBindVertexArray(0);
-
-  glBindTexture(GL_TEXTURE_2D, shadow_texture.id());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kShadowSide, kShadowSide, 0,
-               GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  // Outside the box everything is lit.
-  const std::array<GLfloat, 4> farthest{1, 1, 1, 1};
-  glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-
-  GLint framebuffer_before = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_before);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shadow_framebuffer.id());
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-                         shadow_texture.id(), 0);
-  glDrawBuffer(GL_NONE);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer_before));
 }
 
 LitProgram& FaceRenderer::State::program_for(Shading shading) {
@@ -238,23 +191,11 @@ LitProgram& FaceRenderer::State::program_for(Shading shading) {
 }
 
 void FaceRenderer::State::draw_shadow_map() {
-  GLint framebuffer_before = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_before);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shadow_framebuffer.id());
-  glViewport(0, 0, kShadowSide, kShadowSide);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  glUseProgram(depth.id());
-  glUniformMatrix4fv(glGetUniformLocation(depth.id(), "u_world_to_clip"), 1, GL_FALSE,
-                     glm::value_ptr(shadow.world_to_clip));
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(kShadowSlopeBias, 0);
-  for (const Draw& draw : plain) {
-    if (!look_of(draw.shading).casts_shadow) continue;
-    draw_triangles(draw);
-  }
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer_before));
+  shadow.draw([this] {
+    for (const Draw& draw : plain) {
+      if (look_of(draw.shading).casts_shadow) draw_triangles(draw);
+    }
+  });
 }
 
 void FaceRenderer::State::draw_backdrop(const view::Background& background) {
@@ -327,13 +268,13 @@ void FaceRenderer::State::set_programs(const view::Style& style,
                                        const view::CameraMatrices& matrices,
                                        const glm::mat4& world_to_clip) {
   for (LitProgram* program : {&surface, &hair, &eye}) {
-    program->set_camera(world_to_clip, shadow.world_to_texture, matrices.eye);
+    program->set_camera(world_to_clip, shadow.world_to_texture(), matrices.eye);
     program->set_key_light(glm::normalize(style.light.direction), style.light.strength);
   }
   glActiveTexture(GL_TEXTURE1);
   grain.bind();
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, shadow_texture.id());
+  shadow.bind();
   if (style.layers.textured) {
     glEnableVertexAttribArray(kColourSlot);
     glEnableVertexAttribArray(kStrandSlot);
@@ -466,7 +407,7 @@ Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
   auto crease = build_program("crease", std::array{glsl::kVersion, glsl::kCreaseVertex},
                               std::array{glsl::kVersion, glsl::kCreaseFragment});
   if (!crease.has_value()) return crease.error();
-  auto depth = build_program("shadow", std::array{glsl::kVersion, glsl::kDepthVertex},
+  auto depth = build_program("depth", std::array{glsl::kVersion, glsl::kDepthVertex},
                              std::array{glsl::kVersion, glsl::kDepthFragment});
   if (!depth.has_value()) return depth.error();
   auto backdrop = build_program("backdrop", std::array{glsl::kVersion, glsl::kBackdropVertex},
@@ -477,10 +418,12 @@ Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
   if (!flat.has_value()) return flat.error();
   auto segments = SegmentRenderer::create();
   if (!segments.has_value()) return segments.error();
-  auto state = std::make_unique<State>(std::move(surface.value()), std::move(hair.value()),
-                                       std::move(eye.value()), std::move(crease.value()),
-                                       std::move(depth.value()), std::move(backdrop.value()),
-                                       std::move(flat.value()), std::move(segments.value()));
+  auto shadow = ShadowMap::create();
+  if (!shadow.has_value()) return shadow.error();
+  auto state = std::make_unique<State>(
+      std::move(surface.value()), std::move(hair.value()), std::move(eye.value()),
+      std::move(crease.value()), std::move(depth.value()), std::move(backdrop.value()),
+      std::move(flat.value()), std::move(segments.value()), std::move(shadow.value()));
   state->set_up();
   return std::unique_ptr<FaceRenderer>(new FaceRenderer(std::move(state)));
 }
@@ -576,7 +519,7 @@ void FaceRenderer::draw(const view::MovingMesh& mesh, const view::Camera& camera
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glFrontFace(GL_CCW);
-  state.shadow = shadow_matrices(glm::normalize(style.light.direction));
+  state.shadow.aim(glm::normalize(style.light.direction));
   if (style.layers.surface()) state.draw_shadow_map();
 
   glViewport(0, 0, width, height);

@@ -50,7 +50,6 @@ LitProgram::LitProgram(Program program) : program_(std::move(program)) {
   set("u_second_rim_direction", kSecondRimDirection);
   glUniform1i(find("u_shadow_map"), 0);
   glUniform1i(find("u_grain_map"), 1);
-  glUniform2f(find("u_shadow_texel"), 1.0F / kShadowSide, 1.0F / kShadowSide);
 }
 
 void LitProgram::set_camera(const glm::mat4& world_to_clip, const glm::mat4& world_to_shadow,

@@ -8,9 +8,6 @@
 
 namespace aucast::render {
 
-/// Side of the square shadow map, texels.
-inline constexpr int kShadowSide = 384;
-
 /// How a surface answers the light, as the shaders want it.
 struct Answer {
   float wrap = 1;

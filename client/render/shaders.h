@@ -27,6 +27,7 @@ out vec2 v_grain;
 
 uniform mat4 u_world_to_clip;
 uniform mat4 u_world_to_shadow;  // into [0,1] of the shadow map
+uniform sampler2DShadow u_shadow_map;
 uniform vec3 u_eye;             // the camera
 uniform vec3 u_fill_direction;  // unit vector towards the light
 uniform float u_specular;
@@ -46,13 +47,27 @@ out vec3 v_normal;
 out vec4 v_colour;
 out vec3 v_ambient;
 out vec3 v_shine;  // occlusion, strength of the key's highlight, the fill's highlight
-out vec3 v_shadow;
+out float v_key;  // how much of the key arrives past what casts a shadow
 
 const vec3 kGround = vec3(0.31, 0.235, 0.20);
 const vec3 kSky = vec3(0.38, 0.385, 0.41);
 const vec3 kFill = vec3(0.34, 0.32, 0.33);
 const float kFillWrap = 0.35;
 const float kShadowLift = 0.06;  // along the normal, against a surface shading itself
+const float kShadowStep = 0.009;  // of the map's side
+
+// The edge of a shadow is as soft as a large lamp's, wider than the vertices are apart: one
+// wide look per vertex costs half of a narrow one per pixel, and no texel shows.
+float key_arriving(vec3 place) {
+  float sum = 0.0;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      vec2 aside = (vec2(float(column), float(row)) - 1.5) * kShadowStep;
+      sum += textureLod(u_shadow_map, place + vec3(aside, 0.0), 0.0);
+    }
+  }
+  return sum / 16.0;
+}
 
 #ifdef EYE
 const float kCorneaEnd = 1.3;     // radians from where the eye looks
@@ -96,7 +111,7 @@ void main() {
   v_view = normalize(u_eye - place);
   v_normal = a_normal;
   v_colour = a_colour;
-  v_shadow = (u_world_to_shadow * vec4(place + a_normal * kShadowLift, 1.0)).xyz;
+  v_key = key_arriving((u_world_to_shadow * vec4(place + a_normal * kShadowLift, 1.0)).xyz);
   float specular = u_specular * a_occlusion_gloss.y;
   float across = dot(a_normal, normalize(u_fill_direction + v_view));
   v_shine = vec3(occlusion, specular * (0.4 + 0.6 * occlusion),
@@ -131,7 +146,7 @@ in vec3 v_normal;
 in vec4 v_colour;
 in vec3 v_ambient;
 in vec3 v_shine;
-in vec3 v_shadow;
+in float v_key;
 
 uniform vec3 u_key_direction;  // unit vectors towards the lights
 uniform float u_key_strength;  // 1 is the studio's
@@ -140,8 +155,6 @@ uniform vec3 u_second_rim_direction;
 uniform float u_wrap;          // how far light creeps round into the shade; 1 is skin
 uniform float u_power;
 uniform float u_shadow_kept;   // of the key in its shadow, at least
-uniform sampler2DShadow u_shadow_map;
-uniform vec2 u_shadow_texel;
 uniform vec3 u_eyeball_centre;
 uniform vec3 u_eyeball_forward;
 
@@ -214,25 +227,6 @@ float strand_here(out float cover) {
 }
 #endif
 
-// Four bilinear comparisons weighted as a 3 x 3 tent would weigh nine single ones. They are a third
-// of the cost of a pixel in software; the large texels do the rest of the softening.
-float key_arriving() {
-  vec2 texel = v_shadow.xy / u_shadow_texel + 0.5;
-  vec2 base = floor(texel);
-  vec2 part = texel - base;
-  base -= 0.5;
-  vec2 low_weight = 3.0 - 2.0 * part;
-  vec2 high_weight = 1.0 + 2.0 * part;
-  vec2 low = (base + (2.0 - part) / low_weight - 1.0) * u_shadow_texel;
-  vec2 high = (base + part / high_weight + 1.0) * u_shadow_texel;
-  float z = v_shadow.z;
-  float low_row = low_weight.x * texture(u_shadow_map, vec3(low.x, low.y, z)) +
-                  high_weight.x * texture(u_shadow_map, vec3(high.x, low.y, z));
-  float high_row = low_weight.x * texture(u_shadow_map, vec3(low.x, high.y, z)) +
-                   high_weight.x * texture(u_shadow_map, vec3(high.x, high.y, z));
-  return (low_weight.y * low_row + high_weight.y * high_row) / 16.0;
-}
-
 // What the key gives a surface; `arriving` is how much of it no shadow takes.
 vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   vec3 wrap = kKeyWrap * u_wrap;
@@ -240,7 +234,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   vec3 lit = clamp((towards_key + wrap) / (1.0 + wrap), 0.0, 1.0);
   // Where the surface turns away from the key it is its own shadow; the map would only draw its
   // texels there.
-  arriving = mix(1.0, key_arriving(), smoothstep(-0.05, 0.30, towards_key));
+  arriving = mix(1.0, v_key, smoothstep(-0.05, 0.30, towards_key));
   vec3 through = mix(max(kShadowKept * u_wrap, vec3(u_shadow_kept)), vec3(1.0), arriving);
   return lit * through * kKey * (u_key_strength * (0.55 + 0.45 * occlusion));
 }
