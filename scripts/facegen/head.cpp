@@ -32,7 +32,7 @@ std::vector<Part> make_head(const Identity& who) {
     const RayScene body(std::array<const Part*, 4>{&skin.part, &left_eye, &right_eye, &shirt});
     const RayScene skin_only(std::array<const Part*, 1>{&skin.part});
     const RayScene outside(std::array<const Part*, 3>{&skin.part, &hair, &shirt});
-    bake_occlusion(skin.part, body, {128, 4.5, 0.28, 2});
+    bake_occlusion(skin.part, body, {128, 4.0, 0.34, 3});
     shade_inner_lips(skin);
     bake_occlusion(left_eye, skin_only, {96, 3.0, 0.35, 1});
     bake_occlusion(right_eye, skin_only, {96, 3.0, 0.35, 1});

@@ -146,7 +146,7 @@ Identity young_woman() {
   form.chin_width = -0.08;
   form.cheek = 0.06;
   form.brow_ridge = -0.10;
-  form.neck_width = 0.88;
+  form.neck_width = 0.85;
   form.larynx = -0.25;
   form.nose_width = 0.93;
   form.bridge_width = -0.05;
@@ -188,6 +188,7 @@ Identity man_of_fifty() {
   form.chin_forward = 0.10;
   form.cheek = -0.10;
   form.cheekbone = 0.10;
+  form.cheek_hollow = 0.11;
   form.brow_ridge = 0.13;
   form.throat_drop = 0.25;
   form.neck_width = 1.12;
@@ -196,7 +197,8 @@ Identity man_of_fifty() {
   form.bridge_width = 0.10;
   form.nose_forward = 0.16;
   form.nose_up = -0.16;
-  form.nose_hump = 0.11;
+  form.nose_hump = 0.09;
+  form.nose_root = 0.11;
   form.upper_lid = 0.39;
   form.inner_canthus_up = -0.14;
   form.outer_canthus_up = 0.0;
@@ -205,7 +207,7 @@ Identity man_of_fifty() {
   form.lash = 0.72;
   form.upper_lip = 0.40;
   form.lower_lip = 0.62;
-  form.lip_bulge = 0.75;
+  form.lip_bulge = 0.9;
   form.cupids_bow = 0.5;
   form.corner_lift = 0.02;
   form.philtrum = 1.2;
@@ -241,7 +243,7 @@ Identity man_of_fifty() {
   colours.iris_outer = {0.13, 0.065, 0.03};
   colours.cloth = {0.30, 0.055, 0.06};
   colours.collar = {0.24, 0.045, 0.05};
-  colours.beard = 0.32;
+  colours.beard = 0.27;
   return who;
 }
 

@@ -20,8 +20,9 @@ struct Form {
   double chin_width = 0;
   double chin_drop = 0;
   double chin_forward = 0;
-  double cheek = 0;      ///< fullness of the cheeks
-  double cheekbone = 0;  ///< outwards
+  double cheek = 0;            ///< fullness of the cheeks
+  double cheekbone = 0;        ///< outwards
+  double cheek_hollow = 0.06;  ///< depth below the arch of the cheekbone
   double brow_ridge = 0;
   double throat_drop = 0;  ///< floor of the mouth
   double neck_width = 1;
@@ -32,6 +33,7 @@ struct Form {
   double nose_forward = 0;  ///< the tip
   double nose_up = 0;       ///< the tip, turned up; negative: hanging
   double nose_hump = 0;     ///< on the bridge
+  double nose_root = 0.07;  ///< depth between the brows and the bridge
   // eyes: height of the lids over their corners, and the corners over kEyeCentre
   double upper_lid = 0.52;
   double lower_lid = 0.435;

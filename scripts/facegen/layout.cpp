@@ -204,6 +204,15 @@ void pin_mouth_border(const Identity& who, Pins& pins) {
   }
 }
 
+/// The midline over the chin: spread evenly, its rows are too far apart for its round outline.
+void pin_chin(const Identity& who, Pins& pins) {
+  const double down = who.form.chin_drop;
+  pins[{33, 0}] = on_face(who, 0, -4.28 - 0.6 * down);
+  pins[{34, 0}] = on_face(who, 0, -4.66 - 0.8 * down);
+  pins[{35, 0}] = on_face(who, 0, -5.04 - down);
+  pins[{36, 0}] = on_skin(who, {0, -5.50 - down, 7.75 + who.form.chin_forward});
+}
+
 /// Where the ear grows out of the head: a drop, tilted back.
 void pin_ear_border(const Identity& who, Pins& pins) {
   const std::vector<GridNode> border = border_of(kEarBlock);
@@ -226,6 +235,7 @@ void add_grid(LayoutBuilder& builder) {
   pin_nose(who, pins);
   pin_bridge(who, pins);
   pin_mouth_border(who, pins);
+  pin_chin(who, pins);
   pin_ear_border(who, pins);
   const auto in_block = [](auto&& test) {
     return std::any_of(kBlocks.begin(), kBlocks.end(), test);

@@ -105,11 +105,11 @@ void lift_lids(HalfHead& half) {
 
 /// The last rows go inwards, so that nothing pokes through the collar.
 void tuck_neck(HalfHead& half) {
-  constexpr int kFirstRow = 45;
+  constexpr int kFirstRow = 44;
   for (HalfVertex& v : half.vertices) {
     if (v.patch != Patch::Grid || v.row <= kFirstRow) continue;
     const double k = static_cast<double>(v.row - kFirstRow) / (kRows - kFirstRow);
-    v.position = mix(v.position, Vec3{0, v.position.y, -1.0}, 0.10 * k * k);
+    v.position = mix(v.position, Vec3{0, v.position.y, -1.0}, 0.16 * k * k);
   }
 }
 

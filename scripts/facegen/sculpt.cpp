@@ -56,6 +56,8 @@ double face_mass(const Form& form, const Vec3& p) {
   d = melt(d, ellipsoid(rotated_x(p - Vec3{2.75, -0.9, 3.1}, -0.25), {1.1, 2.1, 1.3}),
            1.2);  // masseter
   d = melt(d, ellipsoid(p - chin, {0.95 + form.chin_width, 0.92, 1.02}), 1.0);
+  d = melt(d, ellipsoid(p - chin - Vec3{0, -0.02, 0.44}, {0.6 + form.chin_width, 0.55, 0.62}),
+           0.7);  // its pad
   return melt(d, ellipsoid(p - Vec3{0, -3.8 - form.throat_drop, 4.5}, {2.0, 1.1, 2.7}),
               1.2);  // floor of the mouth
 }
@@ -68,18 +70,28 @@ double with_brow_ridge(const Form& form, double d, const Vec3& p) {
   return melt(d, ellipsoid(p - Vec3{0, 4.0, 7.4}, Vec3{0.9, 0.75, 0.85} + ridge), 0.8);
 }
 
-/// It leans forward, so that the throat falls back from the floor of the mouth.
+/// It leans forward: the column of the muscles behind, the throat in front of it, trapezius and
+/// shoulder.
+double neck_column(const Form& form, const Vec3& p) {
+  const double wide = form.neck_width;
+  double d = round_cone(p, {0, -1.0, 0.3}, {0, -11.5, -1.9}, 2.70 * wide, 2.90 * wide);
+  const Vec3 throat{0, -4.4, 2.5 * wide - 0.4};
+  d = melt(d, round_cone(p, throat, {0, -11.5, 1.5 * wide - 1.6}, 1.55 * wide, 1.45 * wide), 1.2);
+  d = melt(d, ellipsoid(p - Vec3{1.9, -1.2, -0.9}, {1.6, 2.6, 2.0}), 1.5);  // splenius
+  d = melt(d, round_cone(p, {0.5, -2.2, -1.7}, {0.9, -6.6, -2.2}, 1.7, 1.8), 1.6);
+  d = melt(d, round_cone(p, {0.9, -6.6, -2.2}, {3.8, -12.0, -4.4}, 1.8, 2.1), 1.6);
+  return melt(d, round_cone(p, {2.2, -12.6, -1.9}, {8.0, -14.2, -1.9}, 2.3, 2.0), 2.5);
+}
+
+/// The column with the rope from behind the ear to the pit of the throat and the larynx.
 double neck(const Form& form, const Vec3& p) {
   const double wide = form.neck_width;
-  double d = round_cone(p, {0, -1.5, 0.55}, {0, -11.5, -1.25}, 2.5 * wide, 2.62 * wide);
-  d = melt(d, round_cone(p, {0, -2.5, -1.5}, {3.0, -12.6, -2.7}, 1.8, 2.0), 1.5);     // trapezius
-  d = melt(d, round_cone(p, {2.0, -13.2, -1.1}, {8.0, -14.6, -1.5}, 2.2, 2.0), 2.5);  // shoulder
-  d = melt(d,
-           round_cone(p, {2.30 * wide, -1.0, -0.4}, {0.62, -10.8, 2.3 * wide - 1.35}, 0.46, 0.40),
-           0.9);  // sternomastoid
-  return melt(d,
-              ellipsoid(p - Vec3{0, -7.3, 2.35 * wide - 0.62}, Vec3{0.5, 1.0, 0.6} + form.larynx),
-              0.9);  // larynx
+  const Vec3 behind_ear{2.75 * wide, -0.6, 0.4};
+  const Vec3 pit{0.95 * wide, -10.8, 3.3 * wide - 1.85};
+  const double rope = round_cone(p, behind_ear, pit, 0.66 * wide, 0.38 * wide);
+  const Vec3 larynx{0, -7.0, 3.75 * wide - 1.15};
+  return melt(melt(neck_column(form, p), rope, 0.85),
+              ellipsoid(p - larynx, Vec3{0.5, 0.9, 0.5} + form.larynx), 0.9);
 }
 
 /// The hollow of the eye, then the lids as a shell over the eyeball.
@@ -108,7 +120,7 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   d = melt(d, bridge, 0.85);
   const Vec3 q{p.x / form.nose_width, p.y, p.z};
   const Vec3 at{0, form.nose_up, form.nose_forward};
-  double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), {0.60, 0.52, 0.64});
+  double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), {0.57, 0.48, 0.63});
   tip = melt(tip, round_cone(q, Vec3{0, -0.30, 9.08} + at, {0, -0.66, 8.5}, 0.25, 0.25), 0.3);
   d = melt(d, tip, 0.50);
   const Vec3 wing = rotated_y(rotated_z(q - Vec3{0.735, -0.20, 8.42}, 0.28), 0.42);
@@ -191,6 +203,17 @@ double mouth_relief(const Identity& who, const Vec3& p) {
   return depth * smooth_step(5.5, 6.8, p.z);
 }
 
+/// Depth of the root of the nose and of the hollow below the arch of the cheekbone.
+double bony_hollows(const Form& form, const Vec3& p) {
+  if (p.z < 1) return 0;
+  const double x = std::abs(p.x);
+  const double root =
+      form.nose_root * bell(Vec3{x / 0.8, (p.y - 2.95) / 0.65, 0}) * smooth_step(6.0, 7.2, p.z);
+  const double below_arch = p.y + 0.75 - 0.28 * (p.z - 4.2);
+  return root + form.cheek_hollow * bell(Vec3{below_arch / 0.85, (p.z - 4.3) / 1.5, 0}) *
+                    smooth_step(1.5, 2.6, x);
+}
+
 /// Depth of the lines that a face keeps from its expressions: beside nose and mouth, and from the
 /// corner of the mouth down.
 double set_lines(const Form& form, const Vec3& p) {
@@ -221,19 +244,16 @@ double head_distance(const Identity& who, const Vec3& p) {
   const Vec3 q{soft_abs(p.x * (1 + who.form.narrowing * narrowing), 0.10), p.y, p.z};
   double d = melt(cranium(q), face_mass(who.form, q), 1.2);
   d = with_brow_ridge(who.form, d, q);
-  d = melt(d, neck(who.form, q), 1.6);
+  d = melt(d, neck(who.form, q), 2.0);
   d = with_orbit(d, q);
   d += lid_relief(who, p);
   d = with_nose(who.form, d, q);
-  return d + fold_depth(who, p) + mouth_relief(who, p);
+  return d + fold_depth(who, p) + mouth_relief(who, p) + bony_hollows(who.form, p);
 }
 
 double torso_distance(const Form& form, const Vec3& p) {
   const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
-  const double wide = form.neck_width;
-  double collar =
-      round_cone(q, {0, -1.5, 0.55}, {0, -11.5, -1.25}, 2.5 * wide + 0.12, 2.62 * wide + 0.2);
-  collar = melt(collar, round_cone(q, {0, -2.5, -1.5}, {3.0, -12.6, -2.7}, 1.9, 2.2), 1.5);
+  const double collar = neck_column(form, q) - 0.15;
   double body = round_cone(q, {2.2, -13.6, -1.2}, {8.3, -14.6, -1.6}, 2.6, 2.2);
   body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {7.5, 5.2, 4.4}), 2.0);
   return melt(collar, body, 2.2);

@@ -48,9 +48,9 @@ Part make_shirt(const Identity& who) {
       const double angle = 2 * kPi * i / kSectors;
       const double front = std::cos(angle);
       // The collar stands lower under the chin.
-      const Vec3 origin{0, -8.3 - 0.315 * (front * 0.5 + 0.5), -0.6};
+      const Vec3 origin{0, -8.0 - 0.315 * (front * 0.5 + 0.5), -0.8};
       const Vec3 direction{std::sin(angle) * std::cos(elevation),
-                           std::sin(elevation) - 0.10 * front * (1 - kRings[k].down),
+                           std::sin(elevation) - 0.22 * front * (1 - kRings[k].down),
                            front * std::cos(elevation)};
       Vec3 p = leave(origin, direction, torso);
       p += glm::normalize(Vec3{p.x - origin.x, 0.6, p.z - origin.z}) * kRings[k].off;

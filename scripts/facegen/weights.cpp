@@ -123,13 +123,13 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
 double jaw_field(const Vec3& p) {
   const double line = mix(0.9, -2.35, saturate((p.z - 1.5) / 6.0));
   const double below = smooth_step(-0.85, 1.25, line - p.y);
-  const double not_throat = smooth_step(0.9, 4.6, p.z + 0.35 * (p.y + 5.5));
+  const double not_throat = smooth_step(0.8, 6.0, p.z + 0.35 * (p.y + 5.5));
   return below * not_throat;
 }
 
 double head_field(const Vec3& p) {
   // The plus matters: with the slope the other way the chin is squashed when the head turns.
-  return smooth_step(-9.3, -3.9, p.y + 0.45 * (p.z - 1));
+  return smooth_step(-9.0, -3.9, p.y + 0.45 * (p.z - 1));
 }
 
 void weigh_by_position(const Identity& who, Vertex& vertex) {
