@@ -20,8 +20,8 @@ layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_colour;
 layout(location = 3) in vec2 a_occlusion_gloss;
-#ifdef SURFACE
-layout(location = 4) in vec2 a_grain;
+#ifndef EYE
+layout(location = 4) in vec2 a_grain;  // goes with the surface
 out vec2 v_grain;
 #endif
 
@@ -102,7 +102,7 @@ void main() {
 #ifdef EYE
   v_position = place;
 #endif
-#ifdef SURFACE
+#ifndef EYE
   v_grain = a_grain;
 #endif
 #ifdef HAIR
@@ -133,8 +133,10 @@ inline constexpr const char* kLitFragment = R"(
 #ifdef EYE
 in vec3 v_position;
 #endif
-#ifdef SURFACE
+#ifndef EYE
 in vec2 v_grain;
+#endif
+#ifdef SURFACE
 uniform float u_grain;  // 1 is skin's
 uniform sampler2D u_grain_map;
 #endif
@@ -168,16 +170,34 @@ const vec3 kShadowKept = vec3(0.30, 0.13, 0.10);  // shadows on skin go red, not
 uniform vec3 u_fill_direction;
 const float kStrands = 900.0;  // side by side round the head
 const float kShineShift = 0.10;
+const float kPieces = 8.0;  // of a strand, on the way that v_grain counts
 
 // How much shows of strands that are `width` pixels wide or of what is coarser by that factor.
 float fineness(float at) { return 1.0 - smoothstep(0.5, 1.4, fwidth(at)); }
 
+uvec2 scatter(uvec2 n) {
+  n = n * 747796405u + 2891336453u;
+  n = ((n >> ((n >> 28u) + 4u)) ^ n) * 277803737u;
+  return (n >> 22u) ^ n;
+}
+
+vec2 signed_share(uvec2 n) { return vec2(n) / 2147483648.0 - 1.0; }
+
 // A fixed pseudo-random number in [-1, 1] for each whole number, smooth between them.
 float strand_noise(float at) {
-  vec2 cell = floor(at) + vec2(0.0, 1.0);
-  uvec2 n = uvec2(cell) * 747796405u + 2891336453u;
-  n = ((n >> ((n >> 28u) + 4u)) ^ n) * 277803737u;
-  vec2 value = vec2((n >> 22u) ^ n) / 2147483648.0 - 1.0;
+  vec2 value = signed_share(scatter(uvec2(floor(at) + vec2(0.0, 1.0))));
+  return mix(value.x, value.y, smoothstep(0.0, 1.0, fract(at)));
+}
+
+// The same, and changing along each strand, where each likes: a hair is seldom on top all its way.
+float piece_noise(float at, float along) {
+  uvec2 strand = scatter(uvec2(floor(at) + vec2(0.0, 1.0)));
+  vec2 place = along + 64.0 + vec2(strand & 1023u) / 128.0;
+  uvec2 piece = strand ^ (uvec2(place) * 1664525u);
+  uvec2 next = strand ^ ((uvec2(place) + 1u) * 1664525u);
+  vec2 value = mix(signed_share(scatter(piece)), signed_share(scatter(next)),
+                   smoothstep(0.0, 1.0, fract(place)));
+  value = 0.45 * signed_share(strand) + 0.75 * value;
   return mix(value.x, value.y, smoothstep(0.0, 1.0, fract(at)));
 }
 
@@ -213,17 +233,27 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   return shine * smoothstep(0.0, 0.3, dot(normal, view));
 }
 
-// How light the strand here is, in [-1, 1]: single ones and, about four times as wide, tufts. Every
-// strand of an edge ends where it likes: `cover` is what is left of it.
-float strand_here(out float cover) {
+// How light the strand here is, in [-1, 1], and so its colour: single ones and, about four times as
+// wide, tufts. Every strand of an edge ends where it likes: `cover` is what is left of it.
+float strand_here(inout vec3 colour, out float cover) {
   float at = v_strand.w * kStrands;
+  float along = (v_grain.y - v_grain.x) * kPieces;
   float visible = fineness(at);
-  float fine = strand_noise(at) * visible;
+  float fine = piece_noise(at, along) * visible;
   float tuft = strand_noise(at * 0.27 + 5000.0) * fineness(at * 0.27);
-  float cut = 0.5 + 0.36 * fine + 0.12 * tuft;
-  float soft = mix(0.5, 0.16, visible);
-  cover = v_colour.a < 1.0 ? smoothstep(cut - soft, cut + soft, mix(-0.66, 1.66, v_colour.a)) : 1.0;
-  return 0.55 * (fine + tuft);
+  cover = 1.0;
+  if (v_colour.a < 1.0) {
+    // Not the noise of the colour, or the longest strands would be the dark ones.
+    float length_here = piece_noise(at * 1.6 + 3000.0, along * 3.0) * visible;
+    float cut = 0.5 + 0.5 * length_here + 0.12 * tuft;
+    float soft = mix(0.5, 0.36, visible);
+    cover = smoothstep(cut - soft, cut + soft, mix(-0.7, 1.7, v_colour.a));
+  }
+  // Grey hair is white hairs among dark ones.
+  float grey = 1.0 - smoothstep(0.02, 0.06, colour.r - colour.b);
+  float strand = 0.55 * (fine + (1.0 - 0.5 * grey) * tuft);
+  colour *= 1.0 + mix(0.42, 0.95, grey) * strand;
+  return strand;
 }
 #endif
 
@@ -250,8 +280,7 @@ void main() {
   vec3 normal = normalize(v_normal);
 #ifdef HAIR
   float cover;
-  float strand = strand_here(cover);
-  colour *= 1.0 + 0.42 * strand;
+  float strand = strand_here(colour, cover);
   vec3 along = way_of_strands(normal);
 #else
   normal = gl_FrontFacing ? normal : -normal;
