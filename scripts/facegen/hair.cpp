@@ -38,7 +38,8 @@ std::vector<ScalpPoint> scalp_of(const Identity& who) {
   for (int i = 0; i < 288; ++i) {
     for (int j = 0; j <= 32; ++j) {
       const double inside = j / 32.0;
-      points.push_back({scalp.root(i / 12.0 - 12, inside), inside});
+      const Vec3 root = scalp.root(i / 12.0 - 12, inside);
+      points.push_back({root, scalp.edge_from(root).distance});
     }
   }
   return points;

@@ -16,7 +16,7 @@ struct SheetSize {
   std::size_t rows = 0;
 };
 inline constexpr SheetSize kOuterSheet{161, 33};
-inline constexpr SheetSize kSecondSheet{97, 13};
+inline constexpr SheetSize kSecondSheet{65, 29};
 inline constexpr SheetSize kThirdSheet{97, 13};
 
 struct HairPoint {

@@ -7,52 +7,128 @@
 namespace aucast::facegen {
 namespace {
 
-/// The outside of short hair: s from 0 to 1 round the head, t from the crown (0) to the hairline
-/// (1).
-class Sheet {
- public:
-  explicit Sheet(const Identity& who) : cut_(who.hair), head_(head_of(who)), scalp_(who) {}
+/// How wide the edge of the hair is in which it gets thinner, by the place on the hairline: shaved
+/// shorter and shorter over the ear and in the neck.
+constexpr std::array<Key<double>, 9> kTaper{{{0, 1.4},
+                                             {2.4, 1.4},
+                                             {3.4, 0.8},
+                                             {5.2, 0.7},
+                                             {5.9, 1.1},
+                                             {6.9, 1.2},
+                                             {8.0, 1.6},
+                                             {9.2, 2.4},
+                                             {12, 2.8}}};
 
-  [[nodiscard]] Vec3 place(double s, double t) const {
-    const double round = (s - std::floor(s)) * 24 - 12;
-    const double inside = 1 - t;
-    const Vec3 direction = scalp_.direction(round, inside);
+/// Height over the skin, away from the edges: short at the sides, longer where the head turns
+/// narrow.
+double thickness(const Haircut& cut, const Vec3& root) {
+  return mix(cut.side, cut.top, smooth_step(3.5, 8.2, root.y));
+}
+
+/// Strands of short hair are coarse: it has fewer.
+constexpr double kFirstStrand = 0.15;
+
+/// The alpha of hair in which all strands have ended at 0 and none at 1.
+double thinned(double at) {
+  return at < 1 ? mix(0.2, 0.8, saturate(at)) : 1;
+}
+
+/// Hair in the middle of which is the pole, from which it falls to all sides: s from 0 to 1 round
+/// the head, t from the pole (0) to the hairline (1).
+class Sides {
+ public:
+  explicit Sides(const Identity& who) : cut_(who.hair), head_(head_of(who)), scalp_(who) {
+    const Vec3 pole = glm::normalize(cut_.crown - kInsideHead);
+    across_ = glm::normalize(glm::cross(pole, Vec3{0, 0, 1}));
+    ahead_ = glm::cross(across_, pole);
+  }
+
+  [[nodiscard]] HairPoint at(const Identity& who, double s, double t) const {
+    const double round = s * 24 - 12;
+    const Vec3 direction = scalp_.direction(round, 1 - t);
     const Vec3 root = leave(kInsideHead, direction, head_);
-    const double top = smooth_step(4.5, 8.0, root.y);
-    const double edge = 1 - power(1 - saturate((inside - 0.03) / cut_.rise), 2.0);
-    return root + direction * (0.012 + mix(cut_.side, cut_.top, top) * edge);
+    const auto [from_edge, nearest] = scalp_.edge_from(root);
+    const double taper = sample<double>(kTaper, nearest);
+    const double tuft = value_noise({round * 2.2, 1.5 * from_edge, 0.5});
+    const double grown = smooth_step(0, 2.2 * taper, from_edge);
+    const double forehead = smooth_step(4.2, 2.8, std::abs(round));
+    const double thick = thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.7 * forehead);
+    // Grey begins at the temples.
+    const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
+    const double light = 0.18 + 0.3 * temple + 0.12 * tuft + 0.15 * (1 - grown);
+    HairPoint point{root + direction * (0.03 + thick), shade_of(who, light)};
+    point.alpha = thinned(from_edge / taper);
+    point.strand = number(direction, s, t);
+    point.gloss = mix(0.3, 0.6, grown);
+    return point;
   }
 
  private:
+  /// Equally many strands to all sides, combed back as they fall.
+  [[nodiscard]] double number(const Vec3& direction, double s, double t) const {
+    double angle = std::atan2(glm::dot(direction, across_), glm::dot(direction, ahead_));
+    if (s <= 0) angle = -kPi;
+    if (s >= 1) angle = kPi;
+    const double turn = 0.5 + (angle + 0.6 * (1 - t) * (1 - t) * std::sin(angle)) / (2 * kPi);
+    return mix(kFirstStrand, 1.0, turn);
+  }
+
   const Haircut& cut_;
   Distance head_;
   Scalp scalp_;
+  Vec3 across_{1, 0, 0};
+  Vec3 ahead_{0, 0, 1};
 };
 
-/// Of short hair: 1 over the forehead, 0 behind the temples.
-double on_top(double s) {
-  return smooth_step(5.2 / 24, 3.2 / 24, std::abs(s - 0.5));
-}
+/// What is combed over the pole: u from the parting on the left to the right side, v from the
+/// forehead to the back of the head.
+class Top {
+ public:
+  explicit Top(const Identity& who) : cut_(who.hair), head_(head_of(who)) {}
 
-void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
-  add_sheet(hair, kOuterSheet, [&](double s, double t) {
-    const double way = power(t, 0.7);
-    const double tuft = value_noise({s * 65, 5.0 * t, 0.5});
-    Vec3 p = sheet.place(s, way);
-    p += glm::normalize(p - kInsideHead) * (0.06 * tuft * smooth_step(1, 0.75, t));
-    const double light = 0.1 + 0.5 * tuft * smooth_step(0, 0.3, t);
-    // Shaved shorter and shorter behind the temples.
-    const double softness = who.hair.softness * mix(1.6, 1.0, on_top(s));
-    return HairPoint{p, shade_of(who, light), smooth_step(0, softness, 1 - way), s};
-  });
-}
+  [[nodiscard]] HairPoint at(const Identity& who, double u, double v) const {
+    const Vec3 direction = glm::normalize(guide(u, v) - kInsideHead);
+    const Vec3 root = leave(kInsideHead, direction, head_);
+    const double sides = smooth_step(0, 0.25, u) * smooth_step(1, 0.55, u);
+    const double front = smooth_step(-0.03, mix(0.26, 0.6, smooth_step(0.55, 1.0, u)), v);
+    const double quiff = 0.16 * bell(v - 0.25, 0.2);
+    const double tuft = value_noise({u * 6 + 0.7 * v, 1.6 * v, 7.5});
+    const double height =
+        0.06 + front * (1.18 * thickness(cut_, root) + (0.0 + quiff + 0.22 * (tuft - 0.5)) * sides);
+    const double light = 0.17 + 0.12 * tuft;
+    HairPoint point{root + direction * height, shade_of(who, light)};
+    point.alpha = thinned(std::min({v / 0.05, (1 - v) / 0.45, u / 0.12, (1 - u) / 0.25}));
+    point.gloss = 0.5;
+    point.strand = 0.24 * u;
+    return point;
+  }
+
+ private:
+  [[nodiscard]] Vec3 guide(double u, double v) const {
+    const std::size_t last = cut_.combed.size() - 1;
+    std::vector<Key<Vec3>> keys;
+    for (std::size_t i = 0; i <= last; ++i) {
+      std::vector<Key<Vec3>> along;
+      for (std::size_t k = 0; k < 5; ++k) {
+        along.push_back({static_cast<double>(k) / 4, cut_.combed[i][k]});
+      }
+      keys.push_back({static_cast<double>(i) / static_cast<double>(last), sample<Vec3>(along, v)});
+    }
+    return sample<Vec3>(keys, u);
+  }
+
+  const Haircut& cut_;
+  Distance head_;
+};
 
 }  // namespace
 
 Part make_short_hair(const Identity& who) {
-  const Sheet sheet(who);
+  const Sides sides(who);
+  const Top top(who);
   Part hair;
-  add_outside(hair, who, sheet);
+  add_sheet(hair, kOuterSheet, [&](double s, double t) { return sides.at(who, s, power(t, 0.8)); });
+  add_sheet(hair, kSecondSheet, [&](double u, double v) { return top.at(who, u, v); });
   return hair;
 }
 

@@ -69,11 +69,11 @@ struct Haircut {
   /// How long hair falls: lines from root to tip at equal steps across the hair, from the front of
   /// the left side over the back to the front of the right one. None: short hair along the scalp.
   std::span<const std::array<Vec3, 9>> guides;
-  double side = 0.30;       ///< thickness over the skin
-  double top = 0.72;        ///< the same, of short hair on top
-  double rise = 0.13;       ///< over which share of the way from the hairline it gets there
-  double ragged = 1;        ///< unevenness of the hairline
-  double softness = 0.045;  ///< over which share of the way it fades in
+  /// How the top of short hair is combed: lines from the hairline of the forehead over the crown,
+  /// at equal steps from the parting on the left to the right side. Its height is `top`.
+  std::span<const std::array<Vec3, 5>> combed;
+  double side = 0.30;  ///< thickness over the skin
+  double top = 0.72;   ///< the same, of short hair on top
 };
 
 /// How the lines look that expressions draw on this skin (`creases`).

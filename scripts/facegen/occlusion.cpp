@@ -96,7 +96,10 @@ struct RayScene::Tree {
 RayScene::RayScene(std::span<const Part* const> parts) : tree_(std::make_unique<Tree>()) {
   for (const Part* part : parts) {
     for (const face::Polygon& polygon : part->polygons) {
-      const auto at = [&](std::size_t k) { return part->vertices[polygon.corners[k]].position; };
+      const auto vertex = [&](std::size_t k) { return part->vertices[polygon.corners[k]]; };
+      // What thins out lets the light through.
+      if (vertex(0).alpha < 1 || vertex(2).alpha < 1) continue;
+      const auto at = [&](std::size_t k) { return vertex(k).position; };
       tree_->triangles.push_back({at(0), at(1), at(2)});
       if (polygon.corner_count == 4) tree_->triangles.push_back({at(0), at(2), at(3)});
     }

@@ -161,7 +161,7 @@ void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> sca
     }
     // The tint starts behind the hairline; at the line itself it would show the grid in steps.
     vertex.colour =
-        mix(vertex.colour, who.colours.hair * 1.1, 0.85 * smooth_step(0.01, 0.12, inside));
+        mix(vertex.colour, who.colours.hair * 1.1, 0.85 * smooth_step(0.15, 1.2, inside));
   }
 }
 

@@ -2,7 +2,9 @@
 
 namespace aucast::facegen {
 
-Scalp::Scalp(const Identity& who) : cut_(who.hair), head_(head_of(who)) {}
+Scalp::Scalp(const Identity& who) : cut_(who.hair), head_(head_of(who)) {
+  for (int i = -240; i < 240; ++i) edge_.push_back({std::abs(i) / 20.0, root(i / 20.0, 0)});
+}
 
 Vec3 Scalp::hairline(double s) const {
   Vec3 p = sample<Vec3>(cut_.hairline, std::abs(s));
@@ -21,6 +23,15 @@ Vec3 Scalp::direction(double s, double inside) const {
 
 Vec3 Scalp::root(double s, double inside) const {
   return leave(kInsideHead, direction(s, inside), head_);
+}
+
+Scalp::Edge Scalp::edge_from(const Vec3& root) const {
+  Edge nearest{1e9, 0};
+  for (const Key<Vec3>& point : edge_) {
+    const double distance = glm::length(point.value - root);
+    if (distance < nearest.distance) nearest = {distance, point.at};
+  }
+  return nearest;
 }
 
 }  // namespace aucast::facegen

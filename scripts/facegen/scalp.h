@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "scripts/facegen/identity.h"
 #include "scripts/facegen/sculpt.h"
 
@@ -19,9 +21,16 @@ class Scalp {
   [[nodiscard]] Vec3 direction(double s, double inside) const;
   [[nodiscard]] Vec3 root(double s, double inside) const;
 
+  struct Edge {
+    double distance = 0;
+    double place = 0;  ///< the nearest of the hairline, the same to both sides
+  };
+  [[nodiscard]] Edge edge_from(const Vec3& root) const;
+
  private:
   const Haircut& cut_;
   Distance head_;
+  std::vector<Key<Vec3>> edge_;
 };
 
 }  // namespace aucast::facegen
