@@ -15,22 +15,25 @@ struct Arch {
   double half_width = 0;
   double length = 0;
   double gum_y = 0;  ///< where crowns begin
+  double lean = 0;   ///< how far the edges stand before the necks
   std::array<double, kTeethPerSide> widths{};
   std::array<double, kTeethPerSide> heights{};
 };
 
 constexpr Arch kUpperArch{1,
                           2.14,
-                          3.05,
+                          3.24,
                           -1.72,
+                          0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
                           {.86, .835, .85, .80, .76, .69, .60}};
 constexpr Arch kLowerArch{-1,
                           2.02,
-                          2.82,
+                          3.04,
                           -3.30,
+                          0.16,
                           {.41, .44, .49, .49, .49, .70, .64},
-                          {.80, .80, .81, .77, .72, .65, .58}};
+                          {.74, .74, .76, .73, .69, .63, .57}};
 constexpr double kArchBack = 4.8;
 
 /// The arch as a polyline, to walk along it by length.
@@ -68,7 +71,7 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr double kLostBetweenTeeth = 0.22;
+constexpr double kLostBetweenTeeth = 0.30;
 
 /// `to_tip` from the gum to the edge, `across` 0 in the middle of the crown and 1 beside the next.
 Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
@@ -87,13 +90,37 @@ double crown_height(const Arch& arch, std::size_t tooth, double u) {
   return mix(own, (own + arch.heights[towards]) / 2, std::abs(2 * u - 1));
 }
 
-/// A crown of 7 x 7 vertices from `begin` along the arch, on the side of the sign of `side`.
+/// One row of a crown: how far from the gum to the edge, and how far behind its front.
+struct CrownRow {
+  double v = 0;
+  double behind = 0;
+};
+/// Down the front, over the edge and up the back: what is seen from above or from the side must be
+/// a body too, a sheet looks like paper.
+constexpr std::array<CrownRow, 10> kCrownRows{{{0, 0},
+                                               {0.17, 0},
+                                               {0.36, 0},
+                                               {0.56, 0},
+                                               {0.75, 0},
+                                               {0.90, 0},
+                                               {1.0, 0.03},
+                                               {0.98, 0.15},
+                                               {0.62, 0.28},
+                                               {0, 0.40}}};
+
+/// What is left of the light behind the front teeth, and the colour far behind them: little and
+/// warm, for it comes off tongue and gums.
+constexpr Vec3 kCrownBack{0.55, 0.34, 0.28};
+constexpr Vec3 kCrownFarBack{0.15, 0.045, 0.04};
+
+/// A crown from `begin` along the arch, on the side of the sign of `side`.
 void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t tooth,
                double begin, int side) {
   constexpr int kSteps = 6;
+  const bool molar = tooth > 2;
   std::vector<std::uint32_t> above;
-  for (int j = 0; j <= kSteps; ++j) {
-    const double v = static_cast<double>(j) / kSteps;  // gum to edge
+  for (std::size_t j = 0; j < kCrownRows.size(); ++j) {
+    const auto& [v, behind] = kCrownRows[j];  // gum to edge and back
     std::vector<std::uint32_t> row;
     for (int i = 0; i <= kSteps; ++i) {
       const double u = static_cast<double>(i) / kSteps;
@@ -103,12 +130,18 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const Vec3 base = curve.at(begin - 0.015 + width * tapered);
       const Vec3 out = glm::normalize(Vec3{base.x / 2.0, 0, (base.z - 4.9) / 3.0});
       const double bulge = 0.10 * (1 - power(across, 4)) * (1 - 0.3 * v);
-      const double edge = -0.05 * power(across, 8) - 0.15 * power(v, 8);
-      Vec3 p = base + out * (bulge + edge - 0.04 * (arch.up > 0 ? -v : v));
+      const double edge = -0.05 * power(across, 8) - 0.10 * power(v, 8);
+      const double depth = behind * (molar ? 1.6 : 1.0);
+      Vec3 p = base + out * (bulge + edge - depth + arch.lean * v);
       const double toward_bite = crown_height(arch, tooth, u) * v - 0.02 * power(across, 6) * v * v;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
-      row.push_back(part.add(p, tooth_colour(v, across, tooth)));
+      const double in_shade = smooth_step(0.0, 0.16, behind);
+      const Vec3 front = tooth_colour(v, across, tooth);
+      const Vec3 back = mix(kCrownFarBack, front * kCrownBack, smooth_step(6.2, 7.8, p.z));
+      row.push_back(part.add(p, mix(front, back, in_shade)));
+      part.vertices.back().occlusion = mix(1.0, 0.05, in_shade);
+      part.vertices.back().gloss = mix(1.0, 0.1, in_shade);
     }
     if (j > 0) {
       const bool left_to_right = (side > 0) == (arch.up > 0);
@@ -122,11 +155,11 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
   }
 }
 
-/// The gum from behind the teeth over its ridge and down behind the crowns, to close the gaps.
+/// The gum from before the teeth over its ridge and back into the mouth.
 void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
   constexpr int kSteps = 40;
-  static constexpr std::array kHeights{0.55, 0.28, 0.05, -0.06, -0.72};
-  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.16, -0.24};
+  static constexpr std::array kHeights{0.55, 0.28, 0.05, -0.06, -0.06, 0.10, 0.60};
+  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.10, -0.36, -0.52, -0.66};
   std::vector<std::uint32_t> above;
   for (std::size_t k = 0; k < kHeights.size(); ++k) {
     std::vector<std::uint32_t> row;
@@ -135,7 +168,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
       const Vec3 out{std::sin(angle), 0, std::cos(angle)};
       Vec3 p = curve.at_angle(angle) + out * kOut[k];
       p.y = arch.gum_y + arch.up * kHeights[k];
-      row.push_back(part.add(p, k + 1 < kHeights.size() ? kGum : kGumBack));
+      row.push_back(part.add(p, k < 4 ? kGum : kGumBack));
     }
     if (k > 0) {
       if (arch.up > 0) {
@@ -155,27 +188,29 @@ double light_behind_lips(const Vec3& p) {
   return smooth_step(5.4, 7.4, p.z) * smooth_step(2.15, 0.7, std::abs(p.x));
 }
 
-constexpr double kLightOnLowerTeeth = 0.72;
+constexpr double kLightOnLowerTeeth = 0.50;
 
 void shade_teeth(Part& teeth, const Arch& arch) {
   for (Vertex& vertex : teeth.vertices) {
     const double light = light_behind_lips(vertex.position);
-    vertex.occlusion = mix(0.25, 1.0, light);
+    vertex.occlusion *= mix(0.25, 1.0, light);
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
     vertex.colour *= mix(0.45, 1.0, light) * mix(0.65, 1.0, smooth_step(0.0, 0.55, from_gum));
     // The lower row lies in the shade of the upper one.
     if (arch.up < 0) vertex.colour *= kLightOnLowerTeeth;
-    vertex.gloss = mix(0.2, 1.0, light);
+    vertex.gloss *= mix(0.2, 1.0, light);
   }
 }
 
-/// Light gets to the tip of the tongue, not to the throat nor to its sides.
+/// Light gets to the tip of the tongue, not to the throat nor to its sides; no more of the ambient
+/// light than that, or the rim lights draw a blue haze over what is seen so flatly.
 void shade_tongue(Part& tongue) {
   for (Vertex& vertex : tongue.vertices) {
     const Vec3& p = vertex.position;
-    vertex.occlusion = mix(0.25, 1.0, smooth_step(5.0, 7.6, p.z));
-    vertex.colour *= mix(0.35, 1.0, smooth_step(5.2, 7.6, p.z)) *
+    vertex.occlusion = mix(0.04, 0.30, smooth_step(5.6, 7.6, p.z));
+    vertex.gloss = mix(0.1, 0.8, smooth_step(6.2, 7.6, p.z));
+    vertex.colour *= mix(0.25, 1.6, smooth_step(4.4, 7.3, p.z)) *
                      mix(0.70, 1.0, smooth_step(1.35, 0.5, std::abs(p.x))) *
                      (1 - 0.18 * bell(p.x, 0.16));
   }
@@ -222,7 +257,7 @@ Part make_tongue() {
       const double a = 2 * kPi * i / kAround;
       const double x = width * std::cos(a);
       double y = -3.05 + height * std::sin(a) - 0.10 * std::cos(b);
-      if (std::sin(a) > 0) y -= 0.12 * bell(x, 0.18) * std::sin(b);  // groove
+      if (std::sin(a) > 0) y -= 0.10 * bell(x, 0.22) * std::sin(b) * smooth_step(4.6, 6.6, z);  // groove
       y -= 0.0216 * (z - 5.5) * (z - 5.5);
       ring.push_back(tongue.add({x, y, z}, kTongue));
     }
@@ -286,8 +321,8 @@ Part make_mouth_bag(const Skin& skin) {
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
       // Little, or the lights from behind would draw the walls of the open mouth.
-      vertex.occlusion = mix(0.4, 0.06, smooth_step(0, 0.25, shape.back));
-      vertex.gloss = 0.15;
+      vertex.occlusion = mix(0.35, 0.04, smooth_step(0, 0.25, shape.back));
+      vertex.gloss = 0.04;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;
         vertex[Map::Jaw] = mix(vertex[Map::Jaw], smooth_step(0.5, -0.8, p.y + 2.5), 0.5);
@@ -300,8 +335,8 @@ Part make_mouth_bag(const Skin& skin) {
   const std::uint32_t end = bag.add({0, last_middle.y, kThroatZ}, kMouthBack * 0.67);
   bag.vertices[end][Map::Jaw] = 0.3;
   bag.vertices[end][Map::Head] = 1;
-  bag.vertices[end].occlusion = 0.12;
-  bag.vertices[end].gloss = 0.15;
+  bag.vertices[end].occlusion = 0.04;
+  bag.vertices[end].gloss = 0.04;
   for (std::size_t i = 0; i < front.size(); ++i) {
     bag.add_triangle(end, front[(i + 1) % front.size()], front[i]);
   }

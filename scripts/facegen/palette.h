@@ -40,7 +40,7 @@ inline constexpr Vec3 kGum{0.60, 0.27, 0.25};
 inline constexpr Vec3 kGumBack{0.26, 0.12, 0.105};
 inline constexpr Vec3 kToothNeck{0.80, 0.73, 0.62};
 inline constexpr Vec3 kTooth{0.90, 0.86, 0.79};
-inline constexpr Vec3 kTongue{0.74, 0.36, 0.36};
+inline constexpr Vec3 kTongue{0.74, 0.29, 0.26};
 inline constexpr Vec3 kLash{0.045, 0.028, 0.022};
 inline constexpr Vec3 kPupil{0.012, 0.011, 0.012};
 inline constexpr Vec3 kIrisEdge{0.03, 0.035, 0.035};
