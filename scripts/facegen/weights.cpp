@@ -12,7 +12,7 @@ double smile_field(const Vec3& p) {
   const double x = std::abs(p.x);
   const double nose = smooth_step(-1.15, -0.35, p.y) * smooth_step(2.0, 1.05, x);
   const double from_attachment = glm::length(Vec3{x, p.y, p.z} - Vec3{3.805, 0.868, 6.6});
-  const double outer = mix(0.25, 1.0, smooth_step(1.2, 3.4, from_attachment));
+  const double outer = mix(0.20, 1.0, smooth_step(2.0, 4.1, from_attachment));
   return (1 - nose) * outer * (1 - 0.8 * smooth_step(0.6, 1.8, p.y));
 }
 
@@ -110,9 +110,12 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], lower, blend);
-  // The levators lift the middle of the lip more than its ends, or it opens as a box.
-  const double end = smooth_step(1, 11, upper ? v.spoke : 24 - v.spoke);
-  vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * (1 - 0.9 * end), blend);
+  // The levators lift the ends of the lip less than the rest, or it opens as a box, and the middle,
+  // which the septum holds, less than beside it, or it becomes a beak.
+  const double from_middle = upper ? v.spoke : 24 - v.spoke;
+  const double lift = (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) *
+                      (1 - 0.15 * bell(from_middle, 2.2));
+  vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * lift, blend);
   const double red = smooth_step(kLipBorderRing - 3, kLipBorderRing + 1, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
   vertex[Map::LowerRed] = red * lower;
