@@ -257,7 +257,10 @@ Part make_tongue() {
       const double a = 2 * kPi * i / kAround;
       const double x = width * std::cos(a);
       double y = -3.05 + height * std::sin(a) - 0.10 * std::cos(b);
-      if (std::sin(a) > 0) y -= 0.10 * bell(x, 0.22) * std::sin(b) * smooth_step(4.6, 6.6, z);  // groove
+      if (std::sin(a) > 0) {
+        // The groove ends before the root, or its silhouette is two humps.
+        y -= 0.10 * bell(x, 0.22) * std::sin(b) * smooth_step(4.6, 6.6, z);
+      }
       y -= 0.0216 * (z - 5.5) * (z - 5.5);
       ring.push_back(tongue.add({x, y, z}, kTongue));
     }
