@@ -89,7 +89,7 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   // Both margins meet 14 % above where the lower one rests, half-way near the corners, which else
   // would fold, and press by a trace.
   const double meet = mix(0.5, 0.86, std::min(1.0, 1.2 * middle));
-  const double press = std::min(1.0, 3 * middle) * (upper ? -0.018 : 0.004);
+  const double press = std::min(1.0, 5 * middle) * (upper ? -0.018 : 0.004);
   const double target = mix(own, opposite, upper ? meet : 1 - meet) + press;
   vertex[Map::LidAngle] = share * (own - target);
 }
