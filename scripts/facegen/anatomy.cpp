@@ -26,6 +26,10 @@ double lower_lid(const Identity& who, double dx) {
   return canthal_line(who, t) - who.form.lower_lid * power(std::sin(kPi * power(t, 1.22)), 0.90);
 }
 
+double lid_fold(const Identity& who, double dx) {
+  return upper_lid(who, dx) + who.form.lid_fold + 0.03 * dx;
+}
+
 double lip_contact(const Identity& who, double x) {
   const double t = saturate(x / kMouthCorner);
   // The last term lifts the corners to a trace of a smile.

@@ -22,6 +22,8 @@ inline constexpr double kOuterCanthus = 1.21;
 /// Height of the lid margins relative to kEyeCentre.y at `dx` from kEyeCentre.x.
 [[nodiscard]] double upper_lid(const Identity& who, double dx);
 [[nodiscard]] double lower_lid(const Identity& who, double dx);
+/// The same of the fold of the upper lid.
+[[nodiscard]] double lid_fold(const Identity& who, double dx);
 
 /// x of the corner of the mouth.
 inline constexpr double kMouthCorner = 1.70;

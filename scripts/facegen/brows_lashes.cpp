@@ -55,6 +55,41 @@ void add_lash_line(Part& part, const Skin& skin, int side, bool upper) {
   for (std::size_t j = 0; j + 1 < rows.size(); ++j) part.add_band(rows[j], rows[j + 1], false);
 }
 
+/// Where the skin of the upper lid lies at `over` the fold, on a spoke.
+Vertex on_fold(const Identity& who, const Skin& skin, int side, int k, double over) {
+  const auto above = [&](const Vertex& v) {
+    const double x =
+        std::clamp(std::abs(v.position.x) - kEyeCentre.x, kInnerCanthus + 0.1, kOuterCanthus - 0.1);
+    return v.position.y - kEyeCentre.y - lid_fold(who, x) - over;
+  };
+  for (int ring = kLidMarginRing; ring > 1; --ring) {
+    const Vertex& below = on_lid(skin, ring, side, true, k);
+    const Vertex& next = on_lid(skin, ring - 1, side, true, k);
+    if (above(next) < 0) continue;
+    return between(below, next, saturate(above(below) / (above(below) - above(next))));
+  }
+  return on_lid(skin, 1, side, true, k);
+}
+
+/// The line in the fold of the upper lid; the quads of the skin are too coarse for it.
+void add_lid_fold(Part& part, const Identity& who, const Skin& skin, int side) {
+  static constexpr std::array kOver{-0.028, 0.0, 0.075};
+  std::vector<std::vector<std::uint32_t>> rows(kOver.size());
+  for (int k = 2; k < kLidSteps; ++k) {
+    const double t = static_cast<double>(k) / kLidSteps;
+    for (std::size_t j = 0; j < kOver.size(); ++j) {
+      const Vertex on = on_fold(who, skin, side, k, kOver[j]);
+      const double alpha =
+          j == 1 ? 0.55 * smooth_step(0.1, 0.35, t) * smooth_step(0.97, 0.7, t) : 0;
+      rows[j].push_back(
+          part.add(on.position, who.colours.lid_skin * Vec3{0.34, 0.26, 0.25}, alpha));
+      part.vertices.back().maps = on.maps;
+      part.vertices.back().gloss = 0;
+    }
+  }
+  for (std::size_t j = 0; j + 1 < rows.size(); ++j) part.add_band(rows[j], rows[j + 1], false);
+}
+
 /// A few lashes that lean together: a curved blade, pointed, that is seen from the front and from
 /// the side alike.
 void add_lash(Part& part, const Identity& who, const Skin& skin, int side, bool upper, double t,
@@ -67,7 +102,7 @@ void add_lash(Part& part, const Identity& who, const Skin& skin, int side, bool 
   const auto seed = static_cast<std::int64_t>(t * 4096) + (upper ? 0 : 70000) + side * 131;
   const double astray = hash(seed) - 0.5;
   // They fan out towards the temple.
-  const Vec3 fan{side * ((upper ? 1.15 : 0.9) * (t - 0.38) + 0.22 * astray), 0, 0};
+  const Vec3 fan{side * (0.9 * (t - 0.38) + 0.22 * astray), 0, 0};
   const Vec3 direction = glm::normalize(out + fan + Vec3{0, upper ? 0.10 : -0.45, 0});
   const double curl = (upper ? 0.46 : -0.10) * (0.85 + 0.3 * hash(seed + 7));
   const Vec3 blade = glm::normalize(along + Vec3{0, 0.8 * (astray > 0 ? 1 : -1), 0});
@@ -96,12 +131,12 @@ void add_lash(Part& part, const Identity& who, const Skin& skin, int side, bool 
 
 void add_lashes(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
   add_lash_line(part, skin, side, upper);
-  const int count = upper ? 26 : 12;
+  const int count = upper ? 28 : 20;
   for (int i = 0; i < count; ++i) {
     const double t = 0.10 + 0.88 * (i + 0.7 * hash(i * 17 + (upper ? 3 : 11) + side)) / count;
-    const double length = upper ? 0.56 * (0.42 + 0.58 * smooth_step(0.0, 0.75, t)) : 0.17;
+    const double length = upper ? 0.56 * (0.42 + 0.58 * smooth_step(0.0, 0.75, t)) : 0.16;
     const double uneven = 0.82 + 0.3 * hash(i * 29 + side + 5);
-    const double ends = smooth_step(0.0, 0.18, t) * (1 - 0.35 * smooth_step(0.85, 1.0, t));
+    const double ends = smooth_step(0.0, 0.18, t) * (1 - 0.45 * smooth_step(0.80, 1.0, t));
     add_lash(part, who, skin, side, upper, t, who.form.lash * length * uneven * ends);
   }
 }
@@ -141,8 +176,8 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
     for (int j = 0; j <= kAcross; ++j) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
-      const double fade = smooth_step(0.0, 0.34, t) * smooth_step(1.0, 0.86, t);
-      const double alpha = 0.72 * fade * smooth_step(1.0, 0.25, std::abs(s));
+      const double fade = smooth_step(0.03, 0.42, t) * smooth_step(1.0, 0.86, t);
+      const double alpha = 0.8 * fade * smooth_step(1.0, 0.25, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
     }
@@ -213,6 +248,7 @@ Part make_lashes(const Identity& who, const Skin& skin) {
   lashes.name = "lashes";
   lashes.material = face::Material::Brow;
   for (const int side : {1, -1}) {
+    add_lid_fold(lashes, who, skin, side);
     for (const bool upper : {true, false}) add_lashes(lashes, who, skin, side, upper);
   }
   return lashes;

@@ -8,7 +8,8 @@ namespace aucast::facegen {
 /// ground comes first: 41 rows of 7 vertices from the nose to the temple.
 [[nodiscard]] Part make_brow(const Identity& who, int side);
 
-/// The lashes of all four lids and the line they stand in; they move with the lid margin.
+/// The lashes of all four lids, the line they stand in and the fold of the upper lid; all move with
+/// the lids.
 [[nodiscard]] Part make_lashes(const Identity& who, const Skin& skin);
 
 }  // namespace aucast::facegen

@@ -19,7 +19,7 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
                  smooth_step(0.1, 0.65, t + 0.25 * (streak - 0.5)));
     // Light from above shines through to the lower half.
     c *= (0.75 + 0.5 * streak) * (1.05 - 0.45 * std::sin(angle));
-    c = mix(c, kIrisEdge, smooth_step(0.72, 1.0, t));
+    c = mix(c, kIrisEdge, 0.8 * smooth_step(0.70, 1.02, t));
     return t < 0.08 ? c * 0.35 : c;
   }
   const double corner = smooth_step(0.56, 1.18, radius);

@@ -167,6 +167,7 @@ Identity young_woman() {
   form.lip_bulge = 1.15;
   form.cupids_bow = 1.2;
   form.outer_canthus_up = 0.13;
+  form.socket = -0.14;
   form.upper_lid = 0.39;
   form.furrow = 0.022;
   form.brow_up = 4.24;
@@ -212,8 +213,9 @@ Identity man_of_fifty() {
   form.upper_lid = 0.39;
   form.inner_canthus_up = -0.14;
   form.outer_canthus_up = 0.0;
-  form.lid_fold = 0.15;
-  form.eye_bag = 0.045;
+  form.lid_fold = 0.19;
+  form.eye_bag = 0.032;
+  form.socket = -0.05;
   form.lash = 0.72;
   form.upper_lip = 0.40;
   form.lower_lip = 0.62;

@@ -39,8 +39,9 @@ struct Form {
   double lower_lid = 0.435;
   double inner_canthus_up = -0.17;
   double outer_canthus_up = 0.10;
-  double lid_fold = 0.27;  ///< over the margin
+  double lid_fold = 0.30;  ///< over the margin
   double eye_bag = 0.018;  ///< depth of the groove under the eye
+  double socket = 0;       ///< depth between lid and brow
   double lash = 1;         ///< length, factor
   // lips
   double upper_lip = 0.552;

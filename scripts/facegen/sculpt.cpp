@@ -95,12 +95,13 @@ double neck(const Form& form, const Vec3& p) {
 }
 
 /// The hollow of the eye, then the lids as a shell over the eyeball.
-double with_orbit(double d, const Vec3& p) {
+double with_orbit(const Form& form, double d, const Vec3& p) {
   const Vec3 hollow = rotated_y(p - Vec3{2.25, 2.92, 8.15}, 0.32);
-  d = carve(d, ellipsoid(hollow, {1.45, 0.66, 1.18}), 0.8);
+  d = carve(d, ellipsoid(hollow, {1.45, 0.66, 1.18 + form.socket}), 0.8);
   // Thinner towards the temple: there the edge of the lids must lie far behind the cornea, or the
   // eye is a sliver from the side.
-  const double thickness = mix(0.09, 0.03, smooth_step(2.3, 3.4, p.x));
+  const double thickness =
+      mix(0.09, 0.03, smooth_step(2.3, 3.4, p.x) * smooth_step(0.85, 0.45, std::abs(p.y - 2.85)));
   // Below, the lid runs into the cheek without a step.
   const double seam =
       mix(mix(0.32, 0.80, smooth_step(2.4, 1.8, p.y)), 0.12, smooth_step(2.6, 3.4, p.x));
@@ -134,7 +135,7 @@ double lid_relief(const Identity& who, const Vec3& p) {
   const double window =
       smooth_step(-1.35, -0.7, x) * (1 - smooth_step(0.9, 1.5, x)) * smooth_step(5.5, 6.3, p.z);
   const double inside = std::clamp(x, kInnerCanthus + 0.1, kOuterCanthus - 0.1);
-  const double fold = upper_lid(who, inside) + who.form.lid_fold + 0.03 * x;
+  const double fold = lid_fold(who, inside);
   const double groove = lower_lid(who, inside) - 0.40;
   // Shallow where the lid is thin.
   const double deep = mix(0.12, 0.04, smooth_step(0.5, 1.1, x));
@@ -245,7 +246,7 @@ double head_distance(const Identity& who, const Vec3& p) {
   double d = melt(cranium(q), face_mass(who.form, q), 1.2);
   d = with_brow_ridge(who.form, d, q);
   d = melt(d, neck(who.form, q), 2.0);
-  d = with_orbit(d, q);
+  d = with_orbit(who.form, d, q);
   d += lid_relief(who, p);
   d = with_nose(who.form, d, q);
   return d + fold_depth(who, p) + mouth_relief(who, p) + bony_hollows(who.form, p);
