@@ -94,12 +94,12 @@ void smooth_ear(HalfHead& half, const Neighbours& neighbours) {
 
 /// A deep fold in the lid must not let the eyeball through.
 void lift_lids(HalfHead& half) {
-  constexpr double kThinnest = 0.03;
   for (HalfVertex& v : half.vertices) {
     if (v.patch != Patch::Eye || v.ring > kLidInnerRing) continue;
     const Vec3 from_eye = v.position - kEyeCentre;
     const double distance = glm::length(from_eye);
-    v.position += from_eye * (std::max(0.0, kEyeRadius + kThinnest - distance) / distance);
+    const double thinnest = v.ring < kLidMarginRing ? 0.045 : 0.015;
+    v.position += from_eye * (std::max(0.0, kEyeRadius + thinnest - distance) / distance);
   }
 }
 
