@@ -244,9 +244,9 @@ float strand_here(inout vec3 colour, out float cover) {
   cover = 1.0;
   if (v_colour.a < 1.0) {
     // Not the noise of the colour, or the longest strands would be the dark ones.
-    float length_here = piece_noise(at * 1.6 + 3000.0, along * 3.0) * visible;
-    float cut = 0.5 + 0.5 * length_here + 0.12 * tuft;
-    float soft = mix(0.5, 0.36, visible);
+    float length_here = piece_noise(at * 1.6 + 3000.0, along * 2.5) * visible;
+    float cut = 0.5 + 0.45 * length_here + 0.12 * tuft;
+    float soft = mix(0.5, 0.42, visible);
     cover = smoothstep(cut - soft, cut + soft, mix(-0.7, 1.7, v_colour.a));
   }
   // Grey hair is white hairs among dark ones.
