@@ -12,17 +12,17 @@ namespace {
 constexpr std::array<Key<double>, 9> kTaper{{{0, 1.4},
                                              {2.4, 1.4},
                                              {3.4, 0.8},
-                                             {5.2, 0.7},
-                                             {5.9, 1.1},
-                                             {6.9, 1.2},
-                                             {8.0, 1.6},
-                                             {9.2, 2.4},
-                                             {12, 2.8}}};
+                                             {5.0, 0.8},
+                                             {5.9, 1.4},
+                                             {6.9, 1.8},
+                                             {8.0, 2.4},
+                                             {9.2, 2.8},
+                                             {12, 3.0}}};
 
 /// Height over the skin, away from the edges: short at the sides, longer where the head turns
 /// narrow.
 double thickness(const Haircut& cut, const Vec3& root) {
-  return mix(cut.side, cut.top, smooth_step(3.5, 8.2, root.y));
+  return mix(cut.side, cut.top, smooth_step(3.0, 7.6, root.y));
 }
 
 /// Strands of short hair are coarse: it has fewer.
@@ -50,7 +50,7 @@ class Sides {
     const auto [from_edge, nearest] = scalp_.edge_from(root);
     const double taper = sample<double>(kTaper, nearest);
     const double tuft = value_noise({round * 2.2, 1.5 * from_edge, 0.5});
-    const double grown = smooth_step(0, 2.2 * taper, from_edge);
+    const double grown = smooth_step(0, 1.8 * taper, from_edge);
     const double forehead = smooth_step(4.2, 2.8, std::abs(round));
     const double thick = thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.7 * forehead);
     // Grey begins at the temples.
@@ -69,8 +69,10 @@ class Sides {
     double angle = std::atan2(glm::dot(direction, across_), glm::dot(direction, ahead_));
     if (s <= 0) angle = -kPi;
     if (s >= 1) angle = kPi;
-    const double turn = 0.5 + (angle + 0.6 * (1 - t) * (1 - t) * std::sin(angle)) / (2 * kPi);
-    return mix(kFirstStrand, 1.0, turn);
+    const double combed = 0.6 * (1 - t) * (1 - t) * std::sin(angle);
+    const double astray = 0.06 * (value_noise({angle * 4, 4 * t, 3.5}) - 0.5) *
+                          smooth_step(kPi, 3.0, std::abs(angle));
+    return mix(kFirstStrand, 1.0, 0.5 + (angle + combed + astray) / (2 * kPi));
   }
 
   const Haircut& cut_;
@@ -89,17 +91,23 @@ class Top {
   [[nodiscard]] HairPoint at(const Identity& who, double u, double v) const {
     const Vec3 direction = glm::normalize(guide(u, v) - kInsideHead);
     const Vec3 root = leave(kInsideHead, direction, head_);
-    const double sides = smooth_step(0, 0.25, u) * smooth_step(1, 0.55, u);
-    const double front = smooth_step(-0.03, mix(0.26, 0.6, smooth_step(0.55, 1.0, u)), v);
-    const double quiff = 0.16 * bell(v - 0.25, 0.2);
+    const double sides = smooth_step(0, 0.25, u) * smooth_step(1, 0.5, u);
+    const double whole = length(u);
+    const double way = v * whole;
+    const double front = smooth_step(-0.3, mix(3.4, 2.6, smooth_step(0.5, 1.0, u)), way);
+    const double quiff = 0.32 * bell(way - 2.8, 2.4);
     const double tuft = value_noise({u * 6 + 0.7 * v, 1.6 * v, 7.5});
+    const double lock = value_noise({u * 15 + 0.9 * v, 2.5 * v, 9.5});
     const double height =
-        0.06 + front * (1.18 * thickness(cut_, root) + (0.0 + quiff + 0.22 * (tuft - 0.5)) * sides);
-    const double light = 0.17 + 0.12 * tuft;
+        0.06 + front * (1.18 * thickness(cut_, root) +
+                        (quiff + 0.28 * (tuft - 0.5) + 0.13 * (lock - 0.5)) * sides);
+    const double light = 0.13 + 0.08 * front + 0.10 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
-    point.alpha = thinned(std::min({v / 0.05, (1 - v) / 0.45, u / 0.12, (1 - u) / 0.25}));
-    point.gloss = 0.5;
-    point.strand = 0.24 * u;
+    const double ends = whole - way - 4 * (tuft - 0.2);
+    point.alpha = thinned(std::min({way / 0.9, ends / 3, u / 0.12, (1 - u) / 0.25}));
+    point.gloss = 0.65;
+    point.strand = 0.30 * saturate(u + 0.03 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
+                                           smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
     return point;
   }
 
@@ -115,6 +123,12 @@ class Top {
       keys.push_back({static_cast<double>(i) / static_cast<double>(last), sample<Vec3>(along, v)});
     }
     return sample<Vec3>(keys, u);
+  }
+
+  [[nodiscard]] double length(double u) const {
+    double sum = 0;
+    for (int k = 0; k < 8; ++k) sum += glm::length(guide(u, (k + 1) / 8.0) - guide(u, k / 8.0));
+    return sum;
   }
 
   const Haircut& cut_;

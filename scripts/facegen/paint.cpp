@@ -1,6 +1,7 @@
 #include "scripts/facegen/paint.h"
 
 #include "scripts/facegen/anatomy.h"
+#include "scripts/facegen/hair_parts.h"
 #include "scripts/facegen/palette.h"
 #include "scripts/facegen/sculpt.h"
 
@@ -160,8 +161,7 @@ void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> sca
       }
     }
     // The tint starts behind the hairline; at the line itself it would show the grid in steps.
-    vertex.colour =
-        mix(vertex.colour, who.colours.hair * 1.1, 0.85 * smooth_step(0.15, 1.2, inside));
+    vertex.colour = mix(vertex.colour, shade_of(who, 0.12), 0.85 * smooth_step(0.0, 2.1, inside));
   }
 }
 
