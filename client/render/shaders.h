@@ -49,7 +49,7 @@ out vec3 v_ambient;
 out vec3 v_shine;  // occlusion, strength of the key's highlight, the fill's highlight
 out float v_key;  // how much of the key arrives past what casts a shadow
 
-const vec3 kGround = vec3(0.31, 0.235, 0.20);
+const vec3 kGround = vec3(0.35, 0.265, 0.225);
 const vec3 kSky = vec3(0.38, 0.385, 0.41);
 const vec3 kFill = vec3(0.34, 0.32, 0.33);
 const float kFillWrap = 0.35;
@@ -164,7 +164,7 @@ out vec4 o_colour;
 
 const vec3 kKey = vec3(1.05, 0.97, 0.88);
 const vec3 kKeyWrap = vec3(0.30, 0.19, 0.15);
-const vec3 kShadowKept = vec3(0.30, 0.13, 0.10);  // shadows on skin go red, not grey
+const vec3 kShadowKept = vec3(0.30, 0.14, 0.11);  // shadows on skin go red, not grey
 
 #ifdef HAIR
 uniform vec3 u_fill_direction;
@@ -264,7 +264,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   vec3 lit = clamp((towards_key + wrap) / (1.0 + wrap), 0.0, 1.0);
   // Where the surface turns away from the key it is its own shadow; the map would only draw its
   // texels there.
-  arriving = mix(1.0, v_key, smoothstep(-0.05, 0.30, towards_key));
+  arriving = mix(1.0, v_key, smoothstep(-0.20, 0.15, towards_key));
   vec3 through = mix(max(kShadowKept * u_wrap, vec3(u_shadow_kept)), vec3(1.0), arriving);
   return lit * through * kKey * (u_key_strength * (0.55 + 0.45 * occlusion));
 }
