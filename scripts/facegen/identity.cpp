@@ -152,8 +152,8 @@ Identity young_woman() {
   who.name = "default";
   Form& form = who.form;
   form.narrowing = 0.065;
-  form.jaw_width = -0.06;
-  form.chin_width = -0.08;
+  form.jaw_width = 0.04;
+  form.chin_width = -0.02;
   form.cheek = 0.06;
   form.brow_ridge = -0.10;
   form.neck_width = 0.85;
@@ -192,7 +192,7 @@ Identity man_of_fifty() {
   who.name = "marek";
   Form& form = who.form;
   form.narrowing = 0.02;
-  form.jaw_width = 0.38;
+  form.jaw_width = 0.27;
   form.jaw_drop = 0.28;
   form.chin_width = 0.24;
   form.chin_drop = 0.22;
@@ -201,6 +201,8 @@ Identity man_of_fifty() {
   form.cheekbone = 0.10;
   form.cheek_hollow = 0.11;
   form.brow_ridge = 0.13;
+  form.forehead_slope = 0.25;
+  form.muzzle = 0.10;
   form.throat_drop = 0.25;
   form.neck_width = 1.12;
   form.larynx = 0.12;
@@ -209,7 +211,7 @@ Identity man_of_fifty() {
   form.nose_forward = 0.16;
   form.nose_up = -0.16;
   form.nose_hump = 0.09;
-  form.nose_root = 0.11;
+  form.nose_root = 0.14;
   form.upper_lid = 0.39;
   form.inner_canthus_up = -0.14;
   form.outer_canthus_up = 0.0;
@@ -219,7 +221,7 @@ Identity man_of_fifty() {
   form.lash = 0.72;
   form.upper_lip = 0.40;
   form.lower_lip = 0.62;
-  form.lip_bulge = 0.9;
+  form.lip_bulge = 0.82;
   form.cupids_bow = 0.5;
   form.corner_lift = 0.02;
   form.philtrum = 1.2;

@@ -24,7 +24,9 @@ struct Form {
   double cheekbone = 0;        ///< outwards
   double cheek_hollow = 0.06;  ///< depth below the arch of the cheekbone
   double brow_ridge = 0;
-  double throat_drop = 0;  ///< floor of the mouth
+  double forehead_slope = 0;  ///< how far it falls back at the hairline
+  double muzzle = 0;          ///< upper lip and the lips, forwards
+  double throat_drop = 0;     ///< floor of the mouth
   double neck_width = 1;
   double larynx = 0;
   // nose
@@ -33,7 +35,7 @@ struct Form {
   double nose_forward = 0;  ///< the tip
   double nose_up = 0;       ///< the tip, turned up; negative: hanging
   double nose_hump = 0;     ///< on the bridge
-  double nose_root = 0.07;  ///< depth between the brows and the bridge
+  double nose_root = 0.12;  ///< depth between the brows and the bridge
   // eyes: height of the lids over their corners, and the corners over kEyeCentre
   double upper_lid = 0.52;
   double lower_lid = 0.435;

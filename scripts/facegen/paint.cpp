@@ -96,12 +96,12 @@ double beard_field(const HalfVertex& v) {
   return std::max(jaw, moustache) * below;
 }
 
-/// The skin just below the edge of the jaw, from the ear to the chin: a little darker there, the
-/// jaw stands out from the neck also where the light comes from the front.
-double under_jaw(const Vec3& p) {
-  const double edge = mix(-2.3, -5.3, saturate((p.z - 1.2) / 5.2));
-  const double below = edge - p.y;
-  return smooth_step(0.1, 0.7, below) * smooth_step(3.4, 0.9, below) * smooth_step(0.4, 1.6, p.z);
+/// The floor of the mouth and the top of the throat: a little darker, so that the chin stands out
+/// from the neck also where the light comes from the front. Not below the side of the jaw, where it
+/// would be a bruise in profile.
+double under_chin(const Vec3& p) {
+  return bell(p.y + 6.0, 1.3) * smooth_step(0.8, 2.4, p.z) * bell(p.x, 2.4) *
+         smooth_step(-5.0, -5.6, p.y - 0.25 * (p.z - 3.5));
 }
 
 /// Nose and forehead shine a little more than the rest, neck and back of the head less.
@@ -123,7 +123,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     if (p.z > 4)
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
-    c = cooled(c, p) * (Vec3{1} - Vec3{0.02, 0.04, 0.05} * under_jaw(p));
+    c = cooled(c, p) * (Vec3{1} - Vec3{0.18, 0.26, 0.29} * under_chin(p));
     c *= Vec3{1} - Vec3{1.5, 2.2, 2.2} * std::max(0.0, fold_depth(who, p));
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;

@@ -39,7 +39,7 @@ double cranium(const Vec3& p) {
 /// Cheeks, jaw and chin. The wide seams matter: narrow ones give a bony, alien cheek.
 double face_mass(const Form& form, const Vec3& p) {
   double d = ellipsoid(p - Vec3{0, 0.1, 3.5}, {4.0, 5.0, 4.35});
-  d = melt(d, ellipsoid(p - Vec3{0, -2.25, 5.9}, {2.35, 2.35, 2.6}), 1.6);  // muzzle
+  d = melt(d, ellipsoid(p - Vec3{0, -2.25, 5.9}, {2.35, 2.35, 2.6 + form.muzzle}), 1.6);  // muzzle
   d = melt(d, ellipsoid(p - Vec3{2.1, -0.8, 5.6}, Vec3{1.75, 2.2, 1.95} + form.cheek),
            1.6);  // cheek
   d = melt(d,
@@ -67,7 +67,7 @@ double with_brow_ridge(const Form& form, double d, const Vec3& p) {
   d = melt(d, round_cone(p, {0.75, 3.95, 7.55}, {2.4, 4.25, 7.05}, 0.55 + ridge, 0.55 + ridge),
            0.8);
   d = melt(d, round_cone(p, {2.4, 4.25, 7.05}, {3.75, 3.55, 5.6}, 0.55 + ridge, 0.5), 0.8);
-  return melt(d, ellipsoid(p - Vec3{0, 4.0, 7.4}, Vec3{0.9, 0.75, 0.85} + ridge), 0.8);
+  return melt(d, ellipsoid(p - Vec3{0, 3.85, 7.4}, Vec3{0.85, 0.95, 0.82} + ridge), 0.9);
 }
 
 /// It leans forward: the column of the muscles behind, the throat in front of it, trapezius and
@@ -76,7 +76,7 @@ double neck_column(const Form& form, const Vec3& p) {
   const double wide = form.neck_width;
   double d = round_cone(p, {0, -1.0, 0.3}, {0, -11.5, -1.9}, 2.70 * wide, 2.90 * wide);
   const Vec3 throat{0, -4.4, 2.5 * wide - 0.4};
-  d = melt(d, round_cone(p, throat, {0, -11.5, 1.5 * wide - 1.6}, 1.55 * wide, 1.45 * wide), 1.2);
+  d = melt(d, round_cone(p, throat, {0, -11.5, 1.75 * wide - 1.6}, 1.55 * wide, 1.45 * wide), 1.2);
   d = melt(d, ellipsoid(p - Vec3{1.9, -1.2, -0.9}, {1.6, 2.6, 2.0}), 1.5);  // splenius
   d = melt(d, round_cone(p, {0.5, -2.2, -1.7}, {0.9, -6.6, -2.2}, 1.7, 1.8), 1.6);
   d = melt(d, round_cone(p, {0.9, -6.6, -2.2}, {3.8, -12.0, -4.4}, 1.8, 2.1), 1.6);
@@ -89,9 +89,9 @@ double neck(const Form& form, const Vec3& p) {
   const Vec3 behind_ear{2.75 * wide, -0.6, 0.4};
   const Vec3 pit{0.95 * wide, -10.8, 3.3 * wide - 1.85};
   const double rope = round_cone(p, behind_ear, pit, 0.66 * wide, 0.38 * wide);
-  const Vec3 larynx{0, -7.0, 3.75 * wide - 1.15};
+  const Vec3 larynx{0, -6.8, 3.75 * wide - 1.15};
   return melt(melt(neck_column(form, p), rope, 0.85),
-              ellipsoid(p - larynx, Vec3{0.5, 0.9, 0.5} + form.larynx), 0.9);
+              ellipsoid(p - larynx, Vec3{0.55, 1.1, 0.5} + form.larynx), 0.9);
 }
 
 /// The hollow of the eye, then the lids as a shell over the eyeball.
@@ -204,15 +204,19 @@ double mouth_relief(const Identity& who, const Vec3& p) {
   return depth * smooth_step(5.5, 6.8, p.z);
 }
 
-/// Depth of the root of the nose and of the hollow below the arch of the cheekbone.
+/// Depth of what falls back: the forehead above the brows, the root of the nose, the hollow below
+/// the arch of the cheekbone.
 double bony_hollows(const Form& form, const Vec3& p) {
   if (p.z < 1) return 0;
   const double x = std::abs(p.x);
-  const double root =
-      form.nose_root * bell(Vec3{x / 0.8, (p.y - 2.95) / 0.65, 0}) * smooth_step(6.0, 7.2, p.z);
+  const double root = form.nose_root * bell(p.y - 3.0, 0.62) * smooth_step(0.85, 0.1, x) *
+                      smooth_step(6.0, 7.2, p.z);
   const double below_arch = p.y + 0.75 - 0.28 * (p.z - 4.2);
-  return root + form.cheek_hollow * bell(Vec3{below_arch / 0.85, (p.z - 4.3) / 1.5, 0}) *
-                    smooth_step(1.5, 2.6, x);
+  const double slope =
+      form.forehead_slope * smooth_step(4.8, 7.6, p.y) * smooth_step(3.0, 6.5, p.z);
+  return root + slope +
+         form.cheek_hollow * bell(Vec3{below_arch / 0.85, (p.z - 4.3) / 1.5, 0}) *
+             smooth_step(1.5, 2.6, x);
 }
 
 /// Depth of the lines that a face keeps from its expressions: beside nose and mouth, and from the
@@ -254,8 +258,8 @@ double head_distance(const Identity& who, const Vec3& p) {
 
 double torso_distance(const Form& form, const Vec3& p) {
   const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
-  const double collar = neck_column(form, q) - 0.15;
-  double body = round_cone(q, {2.2, -13.6, -1.2}, {8.3, -14.6, -1.6}, 2.6, 2.2);
+  const double collar = neck_column(form, q) - 0.26;
+  double body = round_cone(q, {2.4, -12.5, -1.5}, {8.5, -13.9, -1.7}, 2.5, 2.2);
   body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {7.5, 5.2, 4.4}), 2.0);
   return melt(collar, body, 2.2);
 }

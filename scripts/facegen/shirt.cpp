@@ -31,11 +31,30 @@ constexpr std::array<ShirtRing, 16> kRings{{// the collar, from inside over its 
                                             {0.86, 0.20},
                                             {1.0, 0.20}}};
 constexpr std::size_t kCollarRings = 9;
+constexpr int kSectors = 96;
+
+/// Cloth hangs between collar and shoulder instead of following every hollow.
+void hang(Part& shirt) {
+  constexpr int kPasses = 6;
+  const auto at = [](std::size_t ring, int sector) {
+    return ring * kSectors + static_cast<std::size_t>((sector + kSectors) % kSectors);
+  };
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::vector<Vertex> before = shirt.vertices;
+    for (std::size_t k = kCollarRings; k + 1 < kRings.size(); ++k) {
+      for (int i = 0; i < kSectors; ++i) {
+        const Vec3 sum = before[at(k - 1, i)].position + before[at(k + 1, i)].position +
+                         before[at(k, i - 1)].position + before[at(k, i + 1)].position;
+        Vec3& position = shirt.vertices[at(k, i)].position;
+        position = mix(position, sum / 4.0, 0.6);
+      }
+    }
+  }
+}
 
 }  // namespace
 
 Part make_shirt(const Identity& who) {
-  constexpr int kSectors = 96;
   Part shirt;
   shirt.name = "shirt";
   shirt.material = face::Material::Cloth;
@@ -59,6 +78,7 @@ Part make_shirt(const Identity& who) {
     if (k > 0) shirt.add_band(ring, above, true);
     above = std::move(ring);
   }
+  hang(shirt);
   return shirt;
 }
 
