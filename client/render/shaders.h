@@ -237,7 +237,7 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
 // wide, tufts. Every strand of an edge ends where it likes: `cover` is what is left of it.
 float strand_here(inout vec3 colour, out float cover) {
   float at = v_strand.w * kStrands;
-  float along = (v_grain.y - v_grain.x) * kPieces;
+  float along = at > 0.0 ? (v_grain.y - v_grain.x) * kPieces : 0.0;  // none on bare clay
   float visible = fineness(at);
   float fine = piece_noise(at, along) * visible;
   float tuft = strand_noise(at * 0.27 + 5000.0) * fineness(at * 0.27);
