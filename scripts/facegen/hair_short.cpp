@@ -55,7 +55,7 @@ class Sides {
     const double thick = thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.7 * forehead);
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.18 + 0.3 * temple + 0.12 * tuft + 0.15 * (1 - grown);
+    const double light = 0.10 + 0.32 * temple + 0.10 * tuft + 0.15 * (1 - grown);
     HairPoint point{root + direction * (0.03 + thick), shade_of(who, light)};
     point.alpha = thinned(from_edge / taper);
     point.strand = number(direction, s, t);
@@ -101,11 +101,11 @@ class Top {
     const double height =
         0.06 + front * (1.18 * thickness(cut_, root) +
                         (quiff + 0.28 * (tuft - 0.5) + 0.13 * (lock - 0.5)) * sides);
-    const double light = 0.13 + 0.08 * front + 0.10 * tuft;
+    const double light = 0.06 + 0.08 * front + 0.10 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     const double ends = whole - way - 4 * (tuft - 0.2);
     point.alpha = thinned(std::min({way / 0.9, ends / 3, u / 0.12, (1 - u) / 0.25}));
-    point.gloss = 0.65;
+    point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.03 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
     return point;
