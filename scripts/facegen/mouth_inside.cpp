@@ -22,16 +22,16 @@ struct Arch {
 
 constexpr Arch kUpperArch{1,
                           2.14,
-                          3.24,
+                          3.14,
                           -1.72,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
                           {.86, .835, .85, .80, .76, .69, .60}};
 constexpr Arch kLowerArch{-1,
                           2.02,
-                          3.04,
+                          2.90,
                           -3.30,
-                          0.16,
+                          0.12,
                           {.41, .44, .49, .49, .49, .70, .64},
                           {.74, .74, .76, .73, .69, .63, .57}};
 constexpr double kArchBack = 4.8;
@@ -118,6 +118,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
                double begin, int side) {
   constexpr int kSteps = 6;
   const bool molar = tooth > 2;
+  const double lean = molar ? 0.02 : arch.lean;
   std::vector<std::uint32_t> above;
   for (std::size_t j = 0; j < kCrownRows.size(); ++j) {
     const auto& [v, behind] = kCrownRows[j];  // gum to edge and back
@@ -132,7 +133,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const double bulge = 0.10 * (1 - power(across, 4)) * (1 - 0.3 * v);
       const double edge = -0.05 * power(across, 8) - 0.10 * power(v, 8);
       const double depth = behind * (molar ? 1.6 : 1.0);
-      Vec3 p = base + out * (bulge + edge - depth + arch.lean * v);
+      Vec3 p = base + out * (bulge + edge - depth + lean * v);
       const double toward_bite = crown_height(arch, tooth, u) * v - 0.02 * power(across, 6) * v * v;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
