@@ -71,7 +71,7 @@ float key_arriving(vec3 place) {
 
 #ifdef EYE
 const float kCorneaEnd = 1.3;     // radians from where the eye looks
-const float kCorneaWidens = 0.75;  // so that no two points change places it is less than 1
+const float kCorneaWidens = 0.85;  // so that no two points change places it is less than 1
 
 // The cornea stands out and bends light: from the side an iris looks far wider than one painted on
 // a ball. The ball's points slide over it, away from where the eye looks.
@@ -299,10 +299,12 @@ void main() {
   // soon as the head turns, and the face dies.
   vec3 side = normalize(vec3(view.z, 0.0, -view.x));
   vec3 up = cross(view, side);
-  vec3 middle = u_eyeball_forward * 0.6 + view * 0.4;
-  vec3 first = normalize(middle - side * 0.16 + up * 0.22);
+  // They stay on the iris also in profile, or the eye is a painted ball.
+  float sideways = smoothstep(0.1, 0.8, 1.0 - dot(view, u_eyeball_forward));
+  vec3 middle = mix(view, u_eyeball_forward, 0.75);
+  vec3 first = normalize(middle - side * 0.13 * (1.0 - sideways) + up * mix(0.18, 0.10, sideways));
   vec3 second = normalize(middle + side * 0.17 - up * 0.20);
-  result += vec3(1.0, 0.98, 0.95) * (1.7 * smoothstep(0.9938, 0.9982, dot(normal, first)) +
+  result += vec3(1.0, 0.98, 0.95) * (1.7 * smoothstep(0.9945, 0.9983, dot(normal, first)) +
                                      0.12 * smoothstep(0.992, 0.998, dot(normal, second)));
 #else
 #ifdef HAIR
