@@ -55,6 +55,27 @@ void add_lash_line(Part& part, const Skin& skin, int side, bool upper) {
   for (std::size_t j = 0; j + 1 < rows.size(); ++j) part.add_band(rows[j], rows[j + 1], false);
 }
 
+/// The shade of a lid on the ball. It belongs to the lid: on the ball it would turn with the gaze.
+void add_lid_shade(Part& part, const Skin& skin, int side, bool upper) {
+  constexpr Vec3 kShade{0.16, 0.075, 0.065};
+  const Vec3 eye{side * kEyeCentre.x, kEyeCentre.y, kEyeCentre.z};
+  std::array<std::vector<std::uint32_t>, 2> rows;
+  for (int k = 0; k <= kLidSteps; ++k) {
+    const Vertex& margin = on_lid(skin, kLidInnerRing, side, upper, k);
+    const Vec3 gap = on_lid(skin, kLidInnerRing, side, !upper, k).position - margin.position;
+    const double width = std::min(upper ? 0.24 : 0.13, 0.7 * glm::length(gap));
+    const Vec3 end = margin.position + gap * (width / std::max(glm::length(gap), 1e-6));
+    const std::array<Vec3, 2> across{margin.position,
+                                     eye + glm::normalize(end - eye) * (kEyeRadius + 0.012)};
+    for (std::size_t j = 0; j < across.size(); ++j) {
+      rows[j].push_back(part.add(across[j], kShade, j == 0 ? (upper ? 0.42 : 0.40) : 0.0));
+      part.vertices.back().maps = margin.maps;
+      part.vertices.back().gloss = 0;
+    }
+  }
+  part.add_band(rows[0], rows[1], false);
+}
+
 /// Where the skin of the upper lid lies at `over` the fold, on a spoke.
 Vertex on_fold(const Identity& who, const Skin& skin, int side, int k, double over) {
   const auto above = [&](const Vertex& v) {
@@ -249,6 +270,7 @@ Part make_lashes(const Identity& who, const Skin& skin) {
   lashes.material = face::Material::Brow;
   for (const int side : {1, -1}) {
     add_lid_fold(lashes, who, skin, side);
+    for (const bool upper : {true, false}) add_lid_shade(lashes, skin, side, upper);
     for (const bool upper : {true, false}) add_lashes(lashes, who, skin, side, upper);
   }
   return lashes;

@@ -8,8 +8,8 @@ namespace aucast::facegen {
 /// ground comes first: 41 rows of 7 vertices from the nose to the temple.
 [[nodiscard]] Part make_brow(const Identity& who, int side);
 
-/// The lashes of all four lids, the line they stand in and the fold of the upper lid; all move with
-/// the lids.
+/// What moves with the lids: the lashes and the line they stand in, the fold of the upper lid and
+/// the shade of the lids on the ball.
 [[nodiscard]] Part make_lashes(const Identity& who, const Skin& skin);
 
 }  // namespace aucast::facegen

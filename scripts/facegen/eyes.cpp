@@ -22,9 +22,10 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
     c = mix(c, kIrisEdge, 0.8 * smooth_step(0.70, 1.02, t));
     return t < 0.08 ? c * 0.35 : c;
   }
-  const double corner = smooth_step(0.56, 1.18, radius);
+  // Faint: all of it comes into view when the eye looks aside.
+  const double corner = smooth_step(0.60, 1.25, radius);
   Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
-  c = mix(c, kCaruncle, 0.9 * smooth_step(0.93, 1.03, radius) * smooth_step(0.6, 0.9, nasal));
+  c = mix(c, kCaruncle, 0.45 * smooth_step(0.98, 1.15, radius) * smooth_step(0.6, 0.9, nasal));
   return radius < kIrisRadius + 0.05 ? mix(kLimbus, c, 0.35) : c;
 }
 
