@@ -210,7 +210,7 @@ Identity man_of_fifty() {
   form.bridge_width = 0.10;
   form.nose_forward = 0.16;
   form.nose_up = -0.16;
-  form.nose_hump = 0.09;
+  form.nose_hump = 0.07;
   form.nose_root = 0.14;
   form.upper_lid = 0.39;
   form.inner_canthus_up = -0.14;
