@@ -2,50 +2,106 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+
+#include <glm/geometric.hpp>
 
 namespace aucast::face {
+namespace {
+
+/// How far beside its muscle's way a pull may lie that counts as going along it, as a share of the
+/// pull: some last digits.
+constexpr double kAsideMax = 1e-6;
+
+/// How much of `way` the pull is.
+double share_of(const glm::vec3& way, const glm::vec3& pull) {
+  return glm::dot(glm::dvec3(way), glm::dvec3(pull)) / glm::dot(glm::dvec3(way), glm::dvec3(way));
+}
+
+/// The longest pull if all others go along it; zero if they do not.
+glm::vec3 common_way(std::span<const glm::vec3> pulls) {
+  glm::vec3 way(0);
+  for (const glm::vec3& pull : pulls) {
+    if (glm::dot(pull, pull) > glm::dot(way, way)) way = pull;
+  }
+  const bool all = std::all_of(pulls.begin(), pulls.end(), [&](const glm::vec3& pull) {
+    if (pull == glm::vec3(0)) return true;
+    const glm::dvec3 aside = glm::dvec3(pull) - share_of(way, pull) * glm::dvec3(way);
+    return glm::length(aside) <= kAsideMax * glm::length(glm::dvec3(pull));
+  });
+  return all ? way : glm::vec3(0);
+}
+
+Four in_all_lanes(float value) {
+  return Four{value, value, value, value};
+}
+
+}  // namespace
 
 MuscleSums::MuscleSums(const Face& face)
-    : rest_(blocks_of(face.mesh.positions)), activations_(face.muscles.size()) {
+    : rest_(blocks_of(face.mesh.positions)),
+      activations_(face.muscles.size()),
+      acts_(face.muscles.size()),
+      factors_(face.muscles.size()) {
   const FaceMesh& mesh = face.mesh;
-  std::vector<std::vector<VertexBlock>> pulls(rest_.size());
-  std::vector<std::vector<std::uint32_t>> numbers(rest_.size());
+  std::vector<PullTable<Lanes>::Entry> along;
+  std::vector<PullTable<VertexBlock>::Entry> free;
+  std::vector<glm::vec3> pulls(mesh.positions.size());
   for (const Muscle& muscle : face.muscles) {
     const auto* const reach = muscle.mask_alone ? nullptr : find_map(mesh, "muscle");
     const auto* const mask = muscle.mask.empty() ? nullptr : find_map(mesh, muscle.mask);
+    const auto number = static_cast<std::uint32_t>(reaches_.size());
     Reach& reaches = reaches_.emplace_back();
     reaches.blocks = BlockSet(rest_.size());
     reaches.activation_cap = std::numeric_limits<float>::infinity();
-    const auto number = static_cast<std::uint32_t>(reaches_.size() - 1);
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    for (std::size_t i = 0; i < pulls.size(); ++i) {
+      pulls[i] = glm::vec3(0);
       const float factor = map_at(reach, i, 1) * map_at(mask, i, 1);
       if (factor == 0) continue;
       const LinearInfluence linear = influence(muscle.shape, mesh.positions[i]);
       if (linear.per_unit == glm::vec3(0)) continue;
       reaches.activation_cap = linear.activation_cap;  // the same at every vertex of a muscle
-      const std::size_t block = i / kLanes;
-      if (!reaches.blocks.contains(block)) {
-        reaches.blocks.insert(block);
-        pulls[block].emplace_back();
-        numbers[block].push_back(number);
-      }
-      set_lane(pulls[block].back(), i % kLanes, factor * linear.per_unit);
+      reaches.blocks.insert(i / kLanes);
+      pulls[i] = factor * linear.per_unit;
     }
+    const glm::vec3 way = common_way(pulls);
+    const bool has_way = way != glm::vec3(0);
+    if (has_way) reaches.way = way;
+    reaches.blocks.for_each([&](std::size_t block) {
+      const auto place = static_cast<std::uint32_t>(block);
+      const std::span<const glm::vec3> here = block_of(std::as_const(pulls), block);
+      if (!has_way) {
+        free.push_back({place, number, block_at(pulls, block)});
+        return;
+      }
+      Lanes shares{};
+      std::transform(here.begin(), here.end(), shares.begin(), [&](const glm::vec3& pull) {
+        return static_cast<float>(share_of(way, pull));
+      });
+      along.push_back({place, number, shares});
+    });
   }
-  for (std::size_t block = 0; block < rest_.size(); ++block) {
-    pulls_.insert(pulls_.end(), pulls[block].begin(), pulls[block].end());
-    muscles_.insert(muscles_.end(), numbers[block].begin(), numbers[block].end());
-    begin_.push_back(static_cast<std::uint32_t>(pulls_.size()));
-  }
+  along_ = {rest_.size(), std::move(along)};
+  free_ = {rest_.size(), std::move(free)};
 }
 
 void MuscleSums::take(std::span<const float> activations, BlockSet& moved) {
+  bool others_act = false;
   for (std::size_t m = 0; m < reaches_.size(); ++m) {
-    const float activation = std::min(activations[m], reaches_[m].activation_cap);
+    const Reach& reach = reaches_[m];
+    const float activation = std::min(activations[m], reach.activation_cap);
     if (activation == activations_[m]) continue;
+    const std::uint32_t acts = activation != 0 ? 1 : 0;
+    others_act = others_act || acts != acts_[m];
+    acts_[m] = acts;
     activations_[m] = activation;
-    moved |= reaches_[m].blocks;
+    const glm::vec3 factors = activation * reach.way;
+    factors_[m] = {in_all_lanes(factors.x), in_all_lanes(factors.y), in_all_lanes(factors.z)};
+    moved |= reach.blocks;
   }
+  if (!others_act) return;
+  along_.list_acting(acts_, sizeof(Factors));
+  free_.list_acting(acts_, sizeof(Factors));
 }
 
 void MuscleSums::at(std::size_t block, VertexBlock& place) const {
@@ -57,10 +113,21 @@ void MuscleSums::at(std::size_t block, VertexBlock& place) const {
   Four y4 = four_at(rest.y, 4);
   Four z0 = four_at(rest.z, 0);
   Four z4 = four_at(rest.z, 4);
-  for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k) {
-    const VertexBlock& per_unit = pulls_[k];
-    const float activation = activations_[muscles_[k]];
-    if (activation == 0) continue;
+  for (const auto& acting : along_.acting(block)) {
+    const Lanes& shares = along_.fetch(acting);
+    const Factors& way = at_distance(factors_.data(), acting.muscle);
+    const Four share0 = four_at(shares, 0);
+    const Four share4 = four_at(shares, 4);
+    x0 += way.x * share0;
+    x4 += way.x * share4;
+    y0 += way.y * share0;
+    y4 += way.y * share4;
+    z0 += way.z * share0;
+    z4 += way.z * share4;
+  }
+  for (const auto& acting : free_.acting(block)) {
+    const VertexBlock& per_unit = free_.fetch(acting);
+    const Four& activation = at_distance(factors_.data(), acting.muscle).x;
     x0 += activation * four_at(per_unit.x, 0);
     x4 += activation * four_at(per_unit.x, 4);
     y0 += activation * four_at(per_unit.y, 0);

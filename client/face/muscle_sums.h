@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "client/face/face.h"
+#include "client/face/pull_table.h"
 #include "client/face/vertex_block.h"
 
 namespace aucast::face {
 
 /// Where the muscles alone bring the vertices: the rest face plus the sum of what each does. What
 /// a muscle does per unit is computed once; it is kept by block, so that a block is summed in one
-/// go whatever the number of muscles.
+/// go whatever the number of muscles. Most muscles pull all their vertices the same way, one
+/// further than another: of those one number is kept for a vertex instead of three.
 class MuscleSums {
  public:
   explicit MuscleSums(const Face& face);
@@ -21,7 +23,7 @@ class MuscleSums {
   /// pulls otherwise than before.
   void take(std::span<const float> activations, BlockSet& moved);
 
-  /// The block with all muscles' displacements, always summed in the muscles' order.
+  /// The block with all muscles' displacements, always summed in the same order.
   void at(std::size_t block, VertexBlock& place) const;
 
   [[nodiscard]] const std::vector<VertexBlock>& rest() const { return rest_; }
@@ -30,14 +32,23 @@ class MuscleSums {
   struct Reach {
     float activation_cap = 0;
     BlockSet blocks;
+    glm::vec3 way{1};  ///< the pull on the vertex that goes furthest; ones if they go many ways
+  };
+
+  /// A muscle's way times its activation, in all four lanes.
+  struct Factors {
+    Four x{};
+    Four y{};
+    Four z{};
   };
 
   std::vector<VertexBlock> rest_;
-  std::vector<Reach> reaches_;           ///< one per muscle
-  std::vector<float> activations_;       ///< capped, one per muscle
-  std::vector<std::uint32_t> begin_{0};  ///< pulls of block b: begin_[b] to begin_[b + 1]
-  std::vector<VertexBlock> pulls_;       ///< per unit of activation
-  std::vector<std::uint32_t> muscles_;   ///< whose pull it is
+  std::vector<Reach> reaches_;       ///< one per muscle
+  std::vector<float> activations_;   ///< capped, one per muscle
+  std::vector<std::uint32_t> acts_;  ///< 1 for a muscle that is active
+  std::vector<Factors> factors_;     ///< one per muscle
+  PullTable<Lanes> along_;           ///< of muscles with a way, as shares of it
+  PullTable<VertexBlock> free_;      ///< of the others, per unit of activation
 };
 
 }  // namespace aucast::face

@@ -70,10 +70,6 @@ void stay(std::vector<std::uint32_t>& corners) {
   corners.insert(corners.end(), {corners.front(), corners.back()});
 }
 
-const Four& at(const Four* first, std::uint32_t bytes) {
-  return *reinterpret_cast<const Four*>(reinterpret_cast<const std::byte*>(first) + bytes);
-}
-
 Four yzx(Four v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
@@ -81,8 +77,8 @@ Four yzx(Four v) {
 /// Twice the area of the quadrangle from `first` over `last` and two more corners, as a vector
 /// along its normal with its coordinates turned: (z, x, y). `last` goes on to the last of them.
 Four area(const Four* points, const std::uint32_t* corners, const Four& first, Four& last) {
-  const Four next = at(points, corners[1]);
-  const Four u = at(points, corners[0]) - first;
+  const Four next = at_distance(points, corners[1]);
+  const Four u = at_distance(points, corners[0]) - first;
   const Four v = next - last;
   last = next;
   return u * yzx(v) - yzx(u) * v;
@@ -183,14 +179,14 @@ void NormalField::add_areas(std::size_t half, Four* sums) const {
   const Four* const points = points_.data();
   const std::uint32_t* corners = &corners_[corners_begin_[half]];
   const std::uint32_t* const end = corners_.data() + corners_begin_[half + 1];
-  const Four first0 = at(points, corners[0]);
-  const Four first1 = at(points, corners[2]);
-  const Four first2 = at(points, corners[4]);
-  const Four first3 = at(points, corners[6]);
-  Four last0 = at(points, corners[1]);
-  Four last1 = at(points, corners[3]);
-  Four last2 = at(points, corners[5]);
-  Four last3 = at(points, corners[7]);
+  const Four first0 = at_distance(points, corners[0]);
+  const Four first1 = at_distance(points, corners[2]);
+  const Four first2 = at_distance(points, corners[4]);
+  const Four first3 = at_distance(points, corners[6]);
+  Four last0 = at_distance(points, corners[1]);
+  Four last1 = at_distance(points, corners[3]);
+  Four last2 = at_distance(points, corners[5]);
+  Four last3 = at_distance(points, corners[7]);
   Four sum0{};
   Four sum1{};
   Four sum2{};

@@ -30,6 +30,12 @@ struct alignas(32) VertexBlock {
   Lanes z{};
 };
 
+/// The element that lies `bytes` behind the first.
+template <typename Element>
+[[nodiscard]] const Element& at_distance(const Element* first, std::uint32_t bytes) {
+  return *reinterpret_cast<const Element*>(reinterpret_cast<const std::byte*>(first) + bytes);
+}
+
 /// Half of the lanes, from number 0 or 4 on.
 [[nodiscard]] inline Four four_at(const Lanes& lanes, std::size_t begin) {
   Four four;

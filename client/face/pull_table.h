@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "client/face/vertex_block.h"
+
+namespace aucast::face {
+
+/// What muscles do to blocks of vertices, by block and in each of them in the muscles' order, and
+/// which of it counts while some of the muscles act: few of them do in most expressions, and
+/// asking all the others would take longer than adding up.
+template <typename Pull>
+class PullTable {
+ public:
+  struct Entry {
+    std::uint32_t block = 0;
+    std::uint32_t muscle = 0;
+    Pull pull{};
+  };
+
+  /// A pull of a muscle that acts: where it and what belongs to the muscle stand in their tables,
+  /// as distances in bytes, which saves multiplications.
+  struct Acting {
+    std::uint32_t pull = 0;
+    std::uint32_t muscle = 0;
+  };
+
+  /// Without a pull and without blocks.
+  PullTable() = default;
+
+  /// `entries`: in the muscles' order. None of the muscles acts.
+  PullTable(std::size_t block_count, std::vector<Entry> entries)
+      : acting_(entries.size() + kAhead),
+        acting_before_(entries.size() + 1),
+        acting_begin_(block_count + 1) {
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.block < b.block; });
+    for (const Entry& entry : entries) {
+      begin_.resize(entry.block + 1, static_cast<std::uint32_t>(pulls_.size()));
+      pulls_.push_back(entry.pull);
+      muscles_.push_back(entry.muscle);
+    }
+    begin_.resize(block_count + 1, static_cast<std::uint32_t>(pulls_.size()));
+  }
+
+  /// From here on those muscles act for which `acts` is 1; it is 0 for all others. `muscle_bytes`:
+  /// the size of an element of the caller's table of muscles. Without jumps, which no processor
+  /// could foresee.
+  void list_acting(std::span<const std::uint32_t> acts, std::size_t muscle_bytes) {
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < muscles_.size(); ++i) {
+      const std::uint32_t muscle = muscles_[i];
+      acting_[count] = {static_cast<std::uint32_t>(i * sizeof(Pull)),
+                        static_cast<std::uint32_t>(muscle * muscle_bytes)};
+      count += acts[muscle];
+      acting_before_[i + 1] = count;
+    }
+    for (std::size_t block = 0; block < begin_.size(); ++block) {
+      acting_begin_[block] = acting_before_[begin_[block]];
+    }
+  }
+
+  /// Of the muscles that act, those that pull on the block.
+  [[nodiscard]] std::span<const Acting> acting(std::size_t block) const {
+    return {acting_.data() + acting_begin_[block], acting_.data() + acting_begin_[block + 1]};
+  }
+
+  /// What one of acting() does per unit of activation. Sends for one of the next meanwhile: they
+  /// lie too far from each other for a processor to guess.
+  [[nodiscard]] const Pull& fetch(const Acting& acting) const {
+    const Pull& later = at_distance(pulls_.data(), (&acting)[kAhead].pull);
+    __builtin_prefetch(&later);
+    if constexpr (sizeof(Pull) > kCacheLine) __builtin_prefetch(&later + 1);
+    return at_distance(pulls_.data(), acting.pull);
+  }
+
+ private:
+  static constexpr std::size_t kAhead = 16;
+  static constexpr std::size_t kCacheLine = 64;
+
+  std::vector<std::uint32_t> begin_;  ///< pulls on block b: begin_[b] to begin_[b + 1]
+  std::vector<Pull> pulls_;
+  std::vector<std::uint32_t> muscles_;        ///< whose pull it is
+  std::vector<Acting> acting_;                ///< and kAhead more, of any pull
+  std::vector<std::uint32_t> acting_before_;  ///< how many of the first pulls act
+  std::vector<std::uint32_t> acting_begin_;   ///< as begin_
+};
+
+}  // namespace aucast::face

@@ -1,0 +1,76 @@
+#include "client/face/muscle_sums.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "tests/support/seeded.h"
+#include "tests/unit/face/small_face.h"
+
+namespace aucast::face {
+namespace {
+
+using aucast::test::Seeded;
+
+constexpr float kTolerance = 2e-6F;
+
+/// About a third of the muscles, so that another few act each time.
+std::vector<float> some(Seeded& seeded, std::size_t muscles) {
+  std::vector<float> activations(muscles, 0.0F);
+  for (float& activation : activations) {
+    if (seeded.chance(0.3)) activation = static_cast<float>(seeded.real(0, 2));
+  }
+  return activations;
+}
+
+TEST(MuscleSums, AddEachMusclesDisplacement) {
+  const Face face = test::small_face();
+  BlockSet moved(block_count(face.mesh.positions.size()));
+  for (std::size_t m = 0; m < face.muscles.size(); ++m) {
+    const Muscle& muscle = face.muscles[m];
+    MuscleSums sums(face);
+    std::vector<float> activations(face.muscles.size(), 0.0F);
+    activations[m] = 0.75F;
+    sums.take(activations, moved);
+    const auto* const reach = muscle.mask_alone ? nullptr : find_map(face.mesh, "muscle");
+    const auto* const mask = muscle.mask.empty() ? nullptr : find_map(face.mesh, muscle.mask);
+    for (std::size_t i = 0; i < face.mesh.positions.size(); ++i) {
+      VertexBlock place;
+      sums.at(i / kLanes, place);
+      const std::size_t lane = i % kLanes;
+      const glm::vec3& rest = face.mesh.positions[i];
+      const glm::vec3 expected = rest + map_at(reach, i, 1) * map_at(mask, i, 1) *
+                                            displacement(muscle.shape, rest, activations[m]);
+      ASSERT_LT(glm::distance({place.x[lane], place.y[lane], place.z[lane]}, expected), kTolerance)
+          << muscle.name << ", vertex " << i;
+    }
+  }
+}
+
+TEST(MuscleSums, ForgetWhatActedBefore) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  const Face face = test::small_face();
+  BlockSet moved(block_count(face.mesh.positions.size()));
+  MuscleSums used(face);
+  for (int run = 0; run < 20; ++run) {
+    const std::vector<float> activations = run % 5 == 4
+                                               ? std::vector<float>(face.muscles.size(), 0.0F)
+                                               : some(seeded, face.muscles.size());
+    MuscleSums fresh(face);
+    used.take(activations, moved);
+    fresh.take(activations, moved);
+    for (std::size_t block = 0; block < used.rest().size(); ++block) {
+      VertexBlock a;
+      VertexBlock b;
+      used.at(block, a);
+      fresh.at(block, b);
+      ASSERT_EQ(a.x, b.x) << "block " << block;
+      ASSERT_EQ(a.y, b.y) << "block " << block;
+      ASSERT_EQ(a.z, b.z) << "block " << block;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace aucast::face
