@@ -27,6 +27,8 @@ class BlockSet {
   void insert(std::size_t word, std::uint64_t bits) { words_[word] |= bits; }
   void clear() { std::fill(words_.begin(), words_.end(), std::uint64_t{0}); }
 
+  bool operator==(const BlockSet&) const = default;
+
   BlockSet& operator|=(const BlockSet& other) {
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
     return *this;

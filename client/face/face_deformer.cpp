@@ -222,13 +222,20 @@ void FaceDeformer::State::move(std::span<const float> given) {
   move_lids();
   move_jaw();
   move_eyes();
-  shown.for_each([this](std::size_t block) {
-    VertexBlock place = now[block];
-    if (head) head->apply(block, place);
+  const auto show = [this](std::size_t block, const VertexBlock& place) {
     const std::array<Four, kLanes> points = points_of(place);
     normals.place(block, points);
     write_points(points, block_of(result.positions, block));
-  });
+  };
+  if (head && head->turned()) {
+    shown.for_each([&](std::size_t block) {
+      VertexBlock place = now[block];
+      head->apply(block, place);
+      show(block, place);
+    });
+  } else {
+    shown.for_each([&](std::size_t block) { show(block, now[block]); });
+  }
   normals.update(shown, result.normals);
 }
 

@@ -68,7 +68,7 @@ void HeadTurn::turn_by_angles(const Lanes& weights, VertexBlock& block) const {
 }
 
 void HeadTurn::apply(std::size_t block, VertexBlock& place) const {
-  if (kinds_[block] == Kind::Not || pose_ == Pose{}) return;
+  if (kinds_[block] == Kind::Not) return;
   if (kinds_[block] == Kind::Wholly) {
     turn_rigidly(rotation_, offset_, place);
   } else {

@@ -30,7 +30,10 @@ class HeadTurn {
   /// blocks that go with the head.
   void take(const Pose& pose, BlockSet& moved);
 
-  /// Brings a block where the head carries it; nothing changes when the head does not turn.
+  /// Whether anything is elsewhere than without the head's turn.
+  [[nodiscard]] bool turned() const { return pose_ != Pose{}; }
+
+  /// Brings a block where the head carries it.
   void apply(std::size_t block, VertexBlock& place) const;
 
   /// A point and a direction that take the given part in the head's turn.

@@ -220,13 +220,19 @@ void NormalField::update_some(std::span<const std::size_t> blocks,
   }
 }
 
-void NormalField::update(const BlockSet& moved, std::span<glm::vec3> normals) {
+void NormalField::touch(const BlockSet& moved) {
+  if (moved == moved_) return;  // as from frame to frame of one expression
+  moved_ = moved;
   touched_.clear();
   moved.for_each([&](std::size_t block) {
     for (std::uint32_t i = neighbours_begin_[block]; i < neighbours_begin_[block + 1]; ++i) {
       touched_.insert(neighbours_[i].word, neighbours_[i].bits);
     }
   });
+}
+
+void NormalField::update(const BlockSet& moved, std::span<glm::vec3> normals) {
+  touch(moved);
   std::array<std::size_t, kBlocksAtOnce> some;
   std::size_t count = 0;
   touched_.for_each([&](std::size_t block) {

@@ -40,6 +40,8 @@ class NormalField {
 
   void list_neighbours(const FaceMesh& mesh);
   void list_corners(const FaceMesh& mesh);
+  /// Finds what to compute when these have moved.
+  void touch(const BlockSet& moved);
   void update_some(std::span<const std::size_t> blocks, std::span<glm::vec3> normals) const;
   void add_areas(std::size_t half, Four* sums) const;
 
@@ -54,7 +56,8 @@ class NormalField {
   /// Likewise, of each block those that share a triangle with it, and itself.
   std::vector<Neighbours> neighbours_;
   std::vector<std::uint32_t> neighbours_begin_{0};
-  BlockSet touched_;  ///< whose normals may change
+  BlockSet moved_;    ///< the last time
+  BlockSet touched_;  ///< whose normals may change when those have moved
 };
 
 }  // namespace aucast::face
