@@ -154,6 +154,7 @@ Identity young_woman() {
   form.narrowing = 0.065;
   form.jaw_width = 0.04;
   form.chin_width = -0.02;
+  form.chin_forward = -0.07;
   form.cheek = 0.06;
   form.brow_ridge = -0.10;
   form.neck_width = 0.85;
