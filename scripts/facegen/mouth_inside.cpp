@@ -186,10 +186,10 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.4, 7.4, p.z) * smooth_step(2.15, 0.7, std::abs(p.x));
+  return smooth_step(5.0, 7.2, p.z) * smooth_step(2.25, 0.9, std::abs(p.x));
 }
 
-constexpr double kLightOnLowerTeeth = 0.50;
+constexpr double kLightOnLowerTeeth = 0.55;
 
 void shade_teeth(Part& teeth, const Arch& arch) {
   for (Vertex& vertex : teeth.vertices) {
@@ -198,8 +198,11 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
     vertex.colour *= mix(0.45, 1.0, light) * mix(0.65, 1.0, smooth_step(0.0, 0.55, from_gum));
-    // The lower row lies in the shade of the upper one.
-    if (arch.up < 0) vertex.colour *= kLightOnLowerTeeth;
+    // The lower row lies in the shade of the upper one, where no rim light gets.
+    if (arch.up < 0) {
+      vertex.colour *= kLightOnLowerTeeth;
+      vertex.occlusion *= 0.5;
+    }
     vertex.gloss *= mix(0.2, 1.0, light);
   }
 }
