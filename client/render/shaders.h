@@ -332,7 +332,7 @@ void main() {
   result += specular + rim * (edge * occlusion * 0.18);
 #else
   result += vec3(1.0, 0.98, 0.95) * (specular * (1.0 + 1.3 * grain.g)) +
-            rim * (edge * occlusion * occlusion * (0.28 + 0.39 * length(colour)));
+            rim * (edge * occlusion * (0.35 + 0.39 * length(colour)));
 #endif
 #endif
 #ifdef HAIR

@@ -154,7 +154,6 @@ Identity young_woman() {
   form.narrowing = 0.065;
   form.jaw_width = 0.04;
   form.chin_width = -0.02;
-  form.chin_forward = -0.07;
   form.cheek = 0.06;
   form.brow_ridge = -0.10;
   form.neck_width = 0.85;
@@ -168,7 +167,7 @@ Identity young_woman() {
   form.lip_bulge = 1.15;
   form.cupids_bow = 1.2;
   form.outer_canthus_up = 0.13;
-  form.socket = -0.14;
+  form.socket = -0.30;
   form.upper_lid = 0.39;
   form.furrow = 0.022;
   form.brow_up = 4.24;
@@ -218,7 +217,7 @@ Identity man_of_fifty() {
   form.outer_canthus_up = 0.0;
   form.lid_fold = 0.19;
   form.eye_bag = 0.032;
-  form.socket = -0.05;
+  form.socket = -0.16;
   form.lash = 0.72;
   form.upper_lip = 0.40;
   form.lower_lip = 0.62;
