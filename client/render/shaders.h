@@ -227,8 +227,10 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   float broad = exp(-u_power * down * down);
   float narrow = exp(-4.0 * u_power * up * up);
   float filled = 0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit;
-  vec3 shine =
-      2.4 * colour * (broad * lit + filled) + 0.35 * narrow * (1.0 + strand) * lit;
+  // Half the hue of the hair: plain white makes brown hair look dusty.
+  vec3 white = 0.5 + 0.5 * colour / max(max(colour.r, colour.g), max(colour.b, 0.01));
+  vec3 shine = 2.4 * colour * (broad * lit + filled) +
+               0.33 * white * (narrow * max(1.0 + 1.7 * strand, 0.0) * lit);
   // Not at the very outline, where single pixels would sparkle.
   return shine * smoothstep(0.0, 0.3, dot(normal, view));
 }
@@ -237,10 +239,15 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
 // wide, tufts. Every strand of an edge ends where it likes: `cover` is what is left of it.
 float strand_here(inout vec3 colour, out float cover) {
   float at = v_strand.w * kStrands;
-  float along = at > 0.0 ? (v_grain.y - v_grain.x) * kPieces : 0.0;  // none on bare clay
+  // Grey hair is white hairs among dark ones; one colour shows in longer pieces.
+  float grey = 1.0 - smoothstep(0.02, 0.06, colour.r - colour.b);
+  float pieces = mix(0.3, 1.0, grey) * kPieces;
+  float along = at > 0.0 ? (v_grain.y - v_grain.x) * pieces : 0.0;  // none on bare clay
   float visible = fineness(at);
   float fine = piece_noise(at, along) * visible;
   float tuft = strand_noise(at * 0.27 + 5000.0) * fineness(at * 0.27);
+  // A tuft does not stay light or dark from root to tip.
+  tuft *= sin(9.0 * v_grain.y + 6.0 * strand_noise(at * 0.06 + 9000.0));
   cover = 1.0;
   if (v_colour.a < 1.0) {
     // Not the noise of the colour, or the longest strands would be the dark ones.
@@ -249,8 +256,6 @@ float strand_here(inout vec3 colour, out float cover) {
     float soft = mix(0.5, 0.42, visible);
     cover = smoothstep(cut - soft, cut + soft, mix(-0.7, 1.7, v_colour.a));
   }
-  // Grey hair is white hairs among dark ones.
-  float grey = 1.0 - smoothstep(0.02, 0.06, colour.r - colour.b);
   float strand = 0.55 * (fine + (1.0 - 0.5 * grey) * tuft);
   colour *= 1.0 + mix(0.42, 0.95, grey) * strand;
   return strand;
