@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "scripts/facegen/distance.h"
 #include "scripts/facegen/hair.h"
 #include "scripts/facegen/hair_parts.h"
@@ -6,6 +8,16 @@
 
 namespace aucast::facegen {
 namespace {
+
+/// Where hair at the front edge leaves the hairline and hangs freely.
+double hangs(double t) {
+  return smooth_step(0.22, 0.42, t);
+}
+
+/// Where its edge turns in; above, it would only dip in and out of the skin.
+double rolls(double t) {
+  return smooth_step(0.40, 0.66, t);
+}
 
 /// The outside of long hair: s from 0 to 1 across it, t from the roots (0) to the tips (1).
 class Sheet {
@@ -22,14 +34,11 @@ class Sheet {
     if (s < 0) p += (keys[0].value - keys[1].value) * (-s * static_cast<double>(last));
     if (s > 1)
       p += (keys[last].value - keys[last - 1].value) * ((s - 1) * static_cast<double>(last));
-    const double middle = smooth_step(0, 0.12, s) * smooth_step(1, 0.88, s);
-    const double clearance = mix(0.03, mix(0.12, cut_.side, middle), smooth_step(0, 0.2, t));
-    for (int i = 0; i < 5; ++i) {
-      const double within = clearance - head_(p);
-      if (within < 1e-3) break;
-      p += head_normal(who_, p) * within;
-    }
-    return p;
+    const double middle = smooth_step(0, 0.08, s) * smooth_step(1, 0.92, s);
+    const double edge = mix(0.04, 0.17, hangs(t));
+    // At the crown the parting closes above the scalp.
+    const double root = 0.20 * smooth_step(0.12, 0.28, std::min(s, 1 - s));
+    return off_head(p, mix(root, mix(edge, cut_.side, middle), smooth_step(0, 0.1, t)));
   }
 
   [[nodiscard]] Vec3 across(double s, double t) const {
@@ -47,6 +56,24 @@ class Sheet {
     return glm::normalize(glm::cross(along(s, t), across(s, t)));
   }
 
+  /// The place, or where it is pushed to when it is less than `clearance` from skin or ears.
+  [[nodiscard]] Vec3 off_head(Vec3 p, double clearance) const {
+    const auto distance = [this](Vec3 q) {
+      const Vec3 from_ear = Vec3{std::abs(q.x), q.y, q.z} - Vec3{5.0, 1.5, 1.3};
+      return melt(head_(q), ellipsoid(from_ear, {1.0, 2.6, 2.2}), 0.4);
+    };
+    constexpr double kStep = 0.01;
+    for (int i = 0; i < 5; ++i) {
+      const double here = distance(p);
+      if (here > clearance - 1e-3) break;
+      const Vec3 slope{distance(p + Vec3{kStep, 0, 0}) - distance(p - Vec3{kStep, 0, 0}),
+                       distance(p + Vec3{0, kStep, 0}) - distance(p - Vec3{0, kStep, 0}),
+                       distance(p + Vec3{0, 0, kStep}) - distance(p - Vec3{0, 0, kStep})};
+      p += glm::normalize(slope) * (clearance - here);
+    }
+    return p;
+  }
+
  private:
   [[nodiscard]] Vec3 guide(std::size_t i, double t) const {
     const std::span<const Vec3> points = cut_.guides[i];
@@ -54,7 +81,11 @@ class Sheet {
     for (std::size_t k = 0; k < points.size(); ++k) {
       keys.push_back({static_cast<double>(k) / static_cast<double>(points.size() - 1), points[k]});
     }
-    return sample<Vec3>(keys, t);
+    // Roots, and the front edge as far as it is the hairline, are on the skin.
+    const bool front = i == 0 || i + 1 == cut_.guides.size();
+    const Vec3 p = sample<Vec3>(keys, t);
+    const double rooted = front ? 1 - hangs(t) : smooth_step(0.12, 0, t);
+    return rooted > 0 ? mix(p, on_skin(who_, p), rooted) : p;
   }
 
   const Haircut& cut_;
@@ -62,13 +93,75 @@ class Sheet {
   const Identity& who_;
 };
 
+/// Share of the outer sheet's columns on either side that turn in at the front edge.
+constexpr double kRolled = 0.03;
+
+/// A place on the outside with its front edges, which turn in towards the face.
+struct Outside {
+  double s = 0;
+  double rolled = 0;  ///< from the edge (0) to its innermost part (1)
+  double side = 0;    ///< -1 on the left
+};
+
+Outside outside_at(double u) {
+  const double side = u < 0.5 ? -1 : 1;
+  const double from_edge = std::min(u, 1 - u);
+  return {saturate((u - kRolled) / (1 - 2 * kRolled)), saturate(1 - from_edge / kRolled), side};
+}
+
+/// How far big soft waves and smaller locks stand out.
+double waves(double s, double t) {
+  const double free = smooth_step(0.1, 0.5, t);
+  return free * (0.07 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
+                 0.07 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) +
+                 0.03 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
+}
+
+/// The outside with its waves and with tips that turn in.
+Vec3 outer_place(const Sheet& sheet, double s, double t) {
+  const double tip = smooth_step(0.70, 1, t);
+  return sheet.place(s, t) + sheet.up(s, t) * (waves(s, t) - 0.55 * tip * tip);
+}
+
+/// Number of the strand: they gather into locks, the more the farther down.
+double strand_at(double u, double t) {
+  // Hair of the hairline runs back from it.
+  const double lean = 0.09 * smooth_step(0.45, 0, t) * (1 - 2 * u);
+  const double inside = smooth_step(0, 0.08, u) * smooth_step(1, 0.92, u);
+  const double gather =
+      0.0018 * std::sin(2 * kPi * (29 * u + 0.6 * t)) +
+      0.0110 * std::sin(2 * kPi * (1.35 * t + 1.7 * u)) * smooth_step(0.1, 0.5, t) +
+      0.0006 * std::sin(2 * kPi * (67 * u - 1.1 * t) + 3 * std::sin(11 * u));
+  return u + lean + inside * gather * smooth_step(0.05, 0.8, t);
+}
+
 void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
-  add_sheet(hair, kOuterSheet, [&](double s, double t) {
-    const double way = 0.985 * t;
-    const double tuft = value_noise({s * 65, 1.5 * t, 0.5});
-    const Vec3 p = sheet.place(s, way) - sheet.up(s, way) * (0.14 * smooth_step(0, 0.15, t));
-    const double light = 0.32 + 0.25 * tuft;
-    return HairPoint{p, shade_of(who, light), smooth_step(1, 0.9, t), s};
+  add_sheet(hair, kOuterSheet, [&](double u, double v) {
+    const double t = mix(v, v * v, 0.25);
+    const Outside at = outside_at(u);
+    const double s = at.s;
+    Vec3 p = outer_place(sheet, s, t);
+    if (at.rolled > 0) {
+      const double angle = 2.5 * at.rolled;
+      const double radius = mix(0.03, mix(0.26, 0.12, smooth_step(0.8, 1, t)), rolls(t));
+      p += sheet.across(s, t) * (at.side * radius * std::sin(angle)) -
+           sheet.up(s, t) * (radius * (1 - std::cos(angle)) +
+                             at.rolled * mix(0.6, 0.2, rolls(t)) * smooth_step(1, 0.75, t));
+    }
+    const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
+    const double light = 0.10 + 0.22 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t);
+    const double from_edge = std::min(s, 1 - s);
+    const double loose = smooth_step(0.25, 0.42, t);
+    const double soft = mix(0.02, 0.045, value_noise({0.5, 26 * t, 9.5})) * mix(1, 0.3, loose);
+    // What turns in is seen as far as it is out of the skin.
+    const double begin = -0.012 * loose - 0.028 * rolls(t - 0.04);
+    const double hairline = smooth_step(begin, begin + soft, from_edge - 0.02 * at.rolled);
+    // The scalp shows along the front of the parting alone: at the crown one would look through.
+    const double parting = mix(1, smooth_step(-0.04, 0.05, t), smooth_step(0.22, 0.12, from_edge));
+    const double full = 0.86 + 0.07 * value_noise({s * 40, 0.5, 3.5});
+    const double ends = smooth_step(full + 0.14, full, t) * smooth_step(1, 0.97, t);
+    return HairPoint{p, shade_of(who, light), hairline * parting * ends, strand_at(u, t),
+                     mix(0.35, 1, smooth_step(0, 0.2, t))};
   });
 }
 
@@ -76,9 +169,47 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
 void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
   add_sheet(hair, kSecondSheet, [&](double u, double v) {
     const double s = mix(0.985, 0.015, u);  // seen from inside
-    const double t = 0.93 * v;
-    const Vec3 p = sheet.place(s, t) - sheet.up(s, t) * 0.17;
-    return HairPoint{p, who.colours.hair * 0.8, 1, s, 0};
+    const double t = mix(0.3, 0.95, v);
+    const double thick = mix(0.42, 0.25, smooth_step(0.8, 1, t));
+    const Vec3 p = sheet.off_head(outer_place(sheet, s, t) - sheet.up(s, t) * thick, 0.04);
+    return HairPoint{p, shade_of(who, -0.1) * mix(0.6, 0.9, v), smooth_step(1, 0.9, v), s, 0};
+  });
+}
+
+/// A fine lock that lies loosely on the rest and goes its own way.
+struct Lock {
+  double s = 0;      ///< where it begins
+  double drift = 0;  ///< how far aside it ends
+  double begin = 0;  ///< t
+  double end = 1;    ///< t; it may be longer than the rest
+  double width = 0;  ///< half of it, of s
+  double lift = 0;   ///< at its end
+};
+constexpr std::array<Lock, kLocks> kLoose{{{0.035, -0.055, 0.28, 1.00, 0.014, 0.05},
+                                           {0.965, 0.065, 0.22, 0.94, 0.016, 0.06},
+                                           {0.130, 0.025, 0.45, 1.04, 0.012, 0.02},
+                                           {0.860, -0.030, 0.40, 1.05, 0.014, 0.02},
+                                           {0.780, 0.030, 0.35, 1.03, 0.014, 0.02},
+                                           {0.700, -0.025, 0.40, 1.05, 0.012, 0.02},
+                                           {0.240, 0.025, 0.40, 1.05, 0.014, 0.02},
+                                           {0.340, -0.020, 0.50, 1.04, 0.014, 0.02},
+                                           {0.925, -0.020, 0.50, 1.06, 0.010, 0.02},
+                                           {0.075, 0.015, 0.50, 1.06, 0.010, 0.02}}};
+
+void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& lock) {
+  add_sheet(hair, kLock, [&](double u, double v) {
+    const double t = mix(lock.begin, lock.end, v);
+    const double c = 2 * u - 1;
+    const double width = lock.width * mix(1, 0.45, v);
+    const double s = lock.s + lock.drift * v * v + c * width;
+    const double way = std::min(t, 1.0);
+    constexpr double kLength = 16;
+    const Vec3 p = outer_place(sheet, s, way) +
+                   sheet.up(s, way) * (0.02 + lock.lift * v * v + 0.03 * (1 - c * c)) +
+                   sheet.along(s, way) * ((t - way) * kLength);
+    const double alpha =
+        0.9 * smooth_step(1, 0.4, std::abs(c)) * smooth_step(0, 0.25, v) * smooth_step(1, 0.7, v);
+    return HairPoint{p, shade_of(who, 0.36 + 0.22 * t), alpha, saturate(lock.s + c * lock.width)};
   });
 }
 
@@ -88,7 +219,11 @@ Part make_long_hair(const Identity& who) {
   const Sheet sheet(who);
   Part hair;
   add_outside(hair, who, sheet);
+  const auto outside_count = static_cast<std::ptrdiff_t>(hair.polygons.size());
   add_lining(hair, who, sheet);
+  // Edges blend in the order of the polygons, and the lining is behind.
+  std::ranges::rotate(hair.polygons, hair.polygons.begin() + outside_count);
+  for (const Lock& lock : kLoose) add_lock(hair, who, sheet, lock);
   return hair;
 }
 

@@ -17,7 +17,8 @@ struct SheetSize {
 };
 inline constexpr SheetSize kOuterSheet{161, 33};
 inline constexpr SheetSize kSecondSheet{65, 29};
-inline constexpr SheetSize kThirdSheet{97, 13};
+inline constexpr SheetSize kLock{6, 17};
+inline constexpr std::size_t kLocks = 10;
 
 struct HairPoint {
   Vec3 place{0};
