@@ -135,6 +135,19 @@ class Top {
   Distance head_;
 };
 
+/// A fine lock on top, `u` from one side to the other.
+void add_lock(Part& hair, const Identity& who, const Top& top, double u0) {
+  add_sheet(hair, kLock, [&](double u, double v) {
+    const double c = 2 * u - 1;
+    const double width = 0.025 * mix(1, 0.5, v);
+    HairPoint point = top.at(who, u0 + c * width + 0.03 * v * v, mix(0.12, 0.97, v));
+    point.place += glm::normalize(point.place - kInsideHead) * (0.01 + 0.04 * (1 - c * c));
+    point.alpha = std::min(point.alpha, 0.9 * smooth_step(1, 0.4, std::abs(c)) *
+                                            smooth_step(0, 0.25, v) * smooth_step(1, 0.7, v));
+    return point;
+  });
+}
+
 }  // namespace
 
 Part make_short_hair(const Identity& who) {
@@ -143,6 +156,9 @@ Part make_short_hair(const Identity& who) {
   Part hair;
   add_sheet(hair, kOuterSheet, [&](double s, double t) { return sides.at(who, s, power(t, 0.8)); });
   add_sheet(hair, kSecondSheet, [&](double u, double v) { return top.at(who, u, v); });
+  for (std::size_t i = 0; i < kLocks; ++i) {
+    add_lock(hair, who, top, mix(0.12, 0.85, static_cast<double>(i) / (kLocks - 1)));
+  }
   return hair;
 }
 
