@@ -114,7 +114,7 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   // which the septum holds, less than beside it, or it becomes a beak.
   const double from_middle = upper ? v.spoke : 24 - v.spoke;
   const double lift =
-      (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) * (1 - 0.15 * bell(from_middle, 2.2));
+      (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) * (1 - 0.15 * bell(from_middle, 2.6));
   vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * lift, blend);
   const double red = smooth_step(kLipBorderRing - 3, kLipBorderRing + 1, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
