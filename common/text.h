@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ namespace aucast {
 /// The parts between separators, as many as there are of these and one; they may be empty. They are
 /// views into `text`.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// "1 packet", "6 packets".
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view thing);
 
 /// Shortest text that is read back as the same number.
 [[nodiscard]] std::string number_text(double value);

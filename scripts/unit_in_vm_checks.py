@@ -181,7 +181,7 @@ def boot():
     told = show("Type", "WatchdogUSec", "DynamicUser", "StatusText", "NRestarts", "FragmentPath")
     expect(told["Type"] == "notify" and told["WatchdogUSec"] == f"{WATCHDOG}s", told)
     expect(told["DynamicUser"] == "yes" and told["NRestarts"] == "0", told)
-    expect(told["StatusText"] == "0 clients, 1 streams", told)
+    expect(told["StatusText"] == "0 clients, 1 stream", told)
     return f"{told}"
 
 
@@ -216,7 +216,7 @@ def status_text():
     """systemctl status tells how many clients there are."""
     with Client(PORT, "{hello v=2}") as peer:
         peer.packet(PATIENCE)
-        wait_for(lambda: show("StatusText") == "1 clients, 1 streams", "the status has the client")
+        wait_for(lambda: show("StatusText") == "1 client, 1 stream", "the status has the client")
     return re.search(r"Status: .*", systemctl("status", "--no-pager", SERVICE))[0]
 
 

@@ -18,6 +18,7 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/log.h"
+#include "common/text.h"
 #include "protocol/limits.h"
 #include "server/address_counts.h"
 #include "server/catalogue.h"
@@ -168,8 +169,8 @@ class Transmitter {
 
   /// One line for the service manager.
   [[nodiscard]] std::string summary() const {
-    return std::to_string(connections_.size()) + " clients, " +
-           std::to_string(programme_->catalogue.streams.size()) + " streams";
+    return counted(connections_.size(), "client") + ", " +
+           counted(programme_->catalogue.streams.size(), "stream");
   }
 
   /// Tells the service manager that the loop goes round.
@@ -467,8 +468,9 @@ class Transmitter {
     attach_sources();
     if (options_.live) begin_live(before.get());
     old_programmes_.push_back(before);
-    spdlog::info("serving {} streams now; the {} clients that are here keep what they have",
-                 programme_->catalogue.streams.size(), connections_.size());
+    spdlog::info("serving {} now; for the {} here nothing changes",
+                 counted(programme_->catalogue.streams.size(), "stream"),
+                 counted(connections_.size(), "client"));
     forget_old_programmes();
   }
 
@@ -485,7 +487,7 @@ class Transmitter {
 
   void stop(const char* why) {
     stopping_ = true;
-    spdlog::info("{}: ending the stream of {} clients", why, connections_.size());
+    spdlog::info("{}: ending the stream of {}", why, counted(connections_.size(), "client"));
     manager_.stopping();
     listener_.stop();
     for (const auto& source : live_sources_) source->stop();

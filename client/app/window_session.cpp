@@ -15,6 +15,7 @@
 #include "client/playback/blinking.h"
 #include "client/playback/file_source.h"
 #include "common/log.h"
+#include "common/text.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
@@ -514,7 +515,7 @@ void WindowSession::describe_traffic(const playback::SourceStatus& status,
                                      gui::RemoteView& view) const {
   const PlaybackHistory::Rates rates = running() ? history_.rates() : PlaybackHistory::Rates{};
   const PlaybackHistory::Rates means = history_.mean_rates();
-  view.in = gui::counted(status.packets_received, "packet") + ", " +
+  view.in = counted(status.packets_received, "packet") + ", " +
             gui::traffic_text(status.bytes_received, rates.in, means.in);
   view.out = gui::traffic_text(status.bytes_sent, rates.out, means.out);
   view.protocol = status.negotiated ? "level 2" : "classic";

@@ -119,10 +119,6 @@ std::string traffic_text(std::uint64_t bytes, double rate, double mean) {
   return text;
 }
 
-std::string counted(std::uint64_t count, std::string_view thing) {
-  return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
-}
-
 std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,
                            const std::vector<face::RuleFired>& fired) {
   std::vector<AuRow> rows;

@@ -34,9 +34,6 @@ namespace aucast::gui {
 /// Rates are in bytes a second.
 [[nodiscard]] std::string traffic_text(std::uint64_t bytes, double rate, double mean);
 
-/// "1 packet", "6 packets".
-[[nodiscard]] std::string counted(std::uint64_t count, std::string_view thing);
-
 /// The AUs of a keyframe before and after the rules, ascending, a side by itself where both differ.
 /// `fired` are the rules that changed something; their Rule objects must still be there.
 [[nodiscard]] std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,

@@ -30,7 +30,7 @@ TEST_F(ServerReload, NewClientsGetTheNewStreamOthersKeepTheirs) {
   EXPECT_EQ(before.receive_until("}"), "{1}");
   static_cast<void>(write("11\n12\n"));
   server.process().signal(SIGHUP);
-  ASSERT_TRUE(logs(server, "the 1 clients that are here keep what they have")) << server.log();
+  ASSERT_TRUE(logs(server, "for the 1 client here nothing changes")) << server.log();
   RawClient after = server.connect();
   after.send("11");
   EXPECT_EQ(after.receive_all(), "{11}{12}{-2}");
@@ -53,7 +53,7 @@ TEST_F(ServerReload, BrokenFilesChangeNothingAndAreSaid) {
   EXPECT_EQ(client.receive_all(), "{1}{-2}");
   static_cast<void>(write("5\n"));
   server.process().signal(SIGHUP);
-  ASSERT_TRUE(logs(server, "serving 1 streams now"));
+  ASSERT_TRUE(logs(server, "serving 1 stream now"));
   RawClient repaired = server.connect();
   repaired.send("1");
   EXPECT_EQ(repaired.receive_all(), "{5}{-2}");

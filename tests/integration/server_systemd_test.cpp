@@ -55,14 +55,14 @@ TEST(ServerSystemd, IsToldOfEveryChange) {
   const NotifySocket manager(path);
   Process process({program("au-transmitter"), "--port", "0", stream_file("happiness.txt")},
                   {"NOTIFY_SOCKET=" + path, "WATCHDOG_USEC=200000"});
-  EXPECT_EQ(manager.wait_for("READY=1"), "READY=1\nSTATUS=0 clients, 1 streams");
+  EXPECT_EQ(manager.wait_for("READY=1"), "READY=1\nSTATUS=0 clients, 1 stream");
   for (int beat = 0; beat < 3; ++beat) EXPECT_EQ(manager.wait_for("WATCHDOG=1"), "WATCHDOG=1");
-  EXPECT_EQ(manager.wait_for("STATUS="), "STATUS=0 clients, 1 streams");
+  EXPECT_EQ(manager.wait_for("STATUS="), "STATUS=0 clients, 1 stream");
   const auto line = process.read_line(kPatience);
   ASSERT_TRUE(line);
   RawClient client(line->substr(line->rfind(' ') + 1));
   EXPECT_FALSE(client.receive_until("}").empty());
-  EXPECT_FALSE(manager.wait_for("STATUS=1 clients, 1 streams").empty());
+  EXPECT_FALSE(manager.wait_for("STATUS=1 client, 1 stream").empty());
   process.signal(SIGHUP);
   const std::string reloading = manager.wait_for("RELOADING=1");
   EXPECT_TRUE(std::regex_match(reloading, std::regex("RELOADING=1\nMONOTONIC_USEC=[0-9]+")));
@@ -79,7 +79,7 @@ TEST(ServerSystemd, WatchdogOfAnotherProcessIsNotFed) {
   Process process({program("au-transmitter"), "--port", "0", stream_file("happiness.txt")},
                   {"NOTIFY_SOCKET=" + path, "WATCHDOG_USEC=1000", "WATCHDOG_PID=1"});
   EXPECT_FALSE(manager.wait_for("READY=1").empty());
-  EXPECT_EQ(manager.wait_for(""), "STATUS=0 clients, 1 streams") << "no WATCHDOG=1 before";
+  EXPECT_EQ(manager.wait_for(""), "STATUS=0 clients, 1 stream") << "no WATCHDOG=1 before";
   process.signal(SIGTERM);
   EXPECT_EQ(process.wait(kPatience), 0);
 }

@@ -43,5 +43,11 @@ TEST(AtPlace, LeavesOutWhatIsNotKnown) {
   EXPECT_EQ(at_place("a.txt", 0, 0, "bad"), "a.txt: bad");
 }
 
+TEST(Text, CountsThings) {
+  EXPECT_EQ(counted(0, "client"), "0 clients");
+  EXPECT_EQ(counted(1, "client"), "1 client");
+  EXPECT_EQ(counted(2, "client"), "2 clients");
+}
+
 }  // namespace
 }  // namespace aucast

@@ -62,8 +62,6 @@ TEST(ViewText, BytesGetTheUnitThatFits) {
   EXPECT_EQ(traffic_text(893, 150, 40), "893 B, 1.2 kbit/s");
   EXPECT_EQ(traffic_text(893, 0, 40), "893 B, mean 320 bit/s");
   EXPECT_EQ(traffic_text(0, 0, 0), "0 B");
-  EXPECT_EQ(counted(0, "packet"), "0 packets");
-  EXPECT_EQ(counted(1, "packet"), "1 packet");
 }
 
 TEST(ViewText, UnchangedAusHaveNoReason) {
