@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "scripts/facegen/distance.h"
 #include "scripts/facegen/hair.h"
@@ -167,7 +166,7 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
 
 /// What shows where one looks under hanging hair.
 void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
-  add_sheet(hair, kSecondSheet, [&](double u, double v) {
+  add_sheet(hair, kUnderSheet, [&](double u, double v) {
     const double s = mix(0.985, 0.015, u);  // seen from inside
     const double t = mix(0.3, 0.95, v);
     const double thick = mix(0.42, 0.25, smooth_step(0.8, 1, t));
@@ -218,11 +217,8 @@ void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& l
 Part make_long_hair(const Identity& who) {
   const Sheet sheet(who);
   Part hair;
+  add_lining(hair, who, sheet);  // behind
   add_outside(hair, who, sheet);
-  const auto outside_count = static_cast<std::ptrdiff_t>(hair.polygons.size());
-  add_lining(hair, who, sheet);
-  // Edges blend in the order of the polygons, and the lining is behind.
-  std::ranges::rotate(hair.polygons, hair.polygons.begin() + outside_count);
   for (const Lock& lock : kLoose) add_lock(hair, who, sheet, lock);
   return hair;
 }

@@ -9,14 +9,15 @@
 namespace aucast::facegen {
 
 // What haircuts are made of: smooth sheets, whose strands are the renderer's (map `strand`). All
-// heads have as many of each, so that their meshes have one topology.
+// heads have as many of each and in this order, so that their meshes have one topology; edges blend
+// in this order too: what is nearer to the eye comes later.
 
 struct SheetSize {
   std::size_t columns = 0;
   std::size_t rows = 0;
 };
+inline constexpr SheetSize kUnderSheet{65, 29};
 inline constexpr SheetSize kOuterSheet{161, 33};
-inline constexpr SheetSize kSecondSheet{65, 29};
 inline constexpr SheetSize kLock{6, 17};
 inline constexpr std::size_t kLocks = 10;
 

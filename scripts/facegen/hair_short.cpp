@@ -154,8 +154,8 @@ Part make_short_hair(const Identity& who) {
   const Sides sides(who);
   const Top top(who);
   Part hair;
-  add_sheet(hair, kOuterSheet, [&](double s, double t) { return sides.at(who, s, power(t, 0.8)); });
-  add_sheet(hair, kSecondSheet, [&](double u, double v) { return top.at(who, u, v); });
+  add_sheet(hair, kUnderSheet, [&](double s, double t) { return sides.at(who, s, power(t, 0.8)); });
+  add_sheet(hair, kOuterSheet, [&](double u, double v) { return top.at(who, u, v); });
   for (std::size_t i = 0; i < kLocks; ++i) {
     add_lock(hair, who, top, mix(0.12, 0.85, static_cast<double>(i) / (kLocks - 1)));
   }
