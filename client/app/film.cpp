@@ -90,7 +90,7 @@ class Film {
     sinks_ = std::move(*sinks);
     auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
                                       camera_preset("front", assets_.face),
-                                      backdrop(options_.output.background));
+                                      backdrop(options_.output.background), Sharpness::Film);
     if (!maker) return maker.error();
     (*maker)->show(options_.output.layers);
     maker_ = std::move(*maker);

@@ -90,7 +90,7 @@ class GalleryWriter {
   Result<void> draw_all() {
     auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
                                       camera_preset(options_.pose.camera, assets_.face),
-                                      backdrop(options_.output.background));
+                                      backdrop(options_.output.background), Sharpness::Still);
     if (!maker) return maker.error();
     (*maker)->show(options_.output.layers);
     maker_ = std::move(*maker);

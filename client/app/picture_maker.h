@@ -20,6 +20,11 @@ namespace aucast::app {
 /// The plain ground of --background (sRGB, 0xRRGGBB); nothing: the usual one, lit from behind.
 [[nodiscard]] view::Background backdrop(std::optional<std::uint32_t> rgb);
 
+/// Film is for many pictures; a Still is drawn with four times the pixels, where the driver takes
+/// so large a picture, and brought down to its size: strands of hair and lashes then do not
+/// flicker.
+enum class Sharpness : std::uint8_t { Film, Still };
+
 /// Activations in, picture out, without a display. In a build without OpenGL create() fails and
 /// says so.
 /// The face must outlive it. Thread: the one that made it.
@@ -28,7 +33,8 @@ class PictureMaker {
   [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(const face::Face& face,
                                                                     int width, int height,
                                                                     const view::Camera& camera,
-                                                                    const view::Background& behind);
+                                                                    const view::Background& behind,
+                                                                    Sharpness sharpness);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;

@@ -33,6 +33,7 @@ struct PictureMaker::State {
   std::unique_ptr<render::FaceRenderer> renderer;
   int width = 0;
   int height = 0;
+  int drawn_larger = 1;  ///< factor
 };
 
 PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -40,15 +41,22 @@ PictureMaker::~PictureMaker() = default;
 
 Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& face, int width,
                                                            int height, const view::Camera& camera,
-                                                           const view::Background& behind) {
+                                                           const view::Background& behind,
+                                                           Sharpness sharpness) {
   auto state = std::make_unique<State>(face, camera, behind);
-  state->width = width;
-  state->height = height;
   auto context = render::OffscreenContext::create();
   if (!context) return context.error();
   state->context = std::move(*context);
   auto target = render::OffscreenTarget::create(width, height);
   if (!target) return target.error();
+  if (sharpness == Sharpness::Still) {
+    if (auto larger = render::OffscreenTarget::create(2 * width, 2 * height); larger) {
+      target = std::move(larger);
+      state->drawn_larger = 2;
+    }
+  }
+  state->width = width;
+  state->height = height;
   state->target = std::move(*target);
   auto renderer = render::FaceRenderer::create();
   if (!renderer) return renderer.error();
@@ -68,11 +76,13 @@ view::Image PictureMaker::picture(std::span<const float> activations) {
   s.diagram.update(s.layers, activations, deformed);
   const view::Style style{.background = s.background,
                           .layers = s.layers,
-                          .scale = scale_of(s.height),
+                          .scale = scale_of(s.height) * static_cast<float>(s.drawn_larger),
                           .diagram = s.diagram.muscles(),
                           .tags = s.diagram.tags()};
-  s.renderer->draw(FaceScene::moving(deformed), s.camera, style, s.width, s.height);
-  return s.target->read();
+  s.renderer->draw(FaceScene::moving(deformed), s.camera, style, s.width * s.drawn_larger,
+                   s.height * s.drawn_larger);
+  view::Image image = s.target->read();
+  return s.drawn_larger == 2 ? view::halved(image) : image;
 }
 
 }  // namespace aucast::app

@@ -9,7 +9,7 @@ PictureMaker::~PictureMaker() = default;
 
 Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face&, int, int,
                                                            const view::Camera&,
-                                                           const view::Background&) {
+                                                           const view::Background&, Sharpness) {
   return Error{ErrorKind::Failed,
                "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no pictures"};
 }

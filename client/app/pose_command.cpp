@@ -100,7 +100,7 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options,
   if (!pose.png.empty()) {
     auto maker = PictureMaker::create(assets.face, options.output.width, options.output.height,
                                       camera_preset(pose.camera, assets.face),
-                                      backdrop(options.output.background));
+                                      backdrop(options.output.background), Sharpness::Still);
     if (!maker) return maker.error();
     (*maker)->show(options.output.layers);
     return view::write_png((*maker)->picture(activations), pose.png);

@@ -242,8 +242,9 @@ class WindowRun {
     frames_due_ = gui::kFramesAfterChange;
   }
 
-  /// Drawn into a framebuffer of its own, so that it does not depend on what lies over the window.
-  Result<view::Image> picture(int width, int height) {
+  /// Drawn into a framebuffer of its own, so that it does not depend on what lies over the window;
+  /// `larger`: its lines are as many times as wide.
+  Result<view::Image> picture(int width, int height, int larger = 1) {
     if (!target_ || target_width_ != width || target_height_ != height) {
       auto target = render::OffscreenTarget::create(width, height);
       if (!target) return target.error();
@@ -252,7 +253,7 @@ class WindowRun {
       target_height_ = height;
     }
     target_->bind();
-    draw_face(width, height);
+    draw_face(width, height, static_cast<float>(larger));
     view::Image image = target_->read();
     window_->bind_framebuffer();
     return image;
@@ -268,7 +269,9 @@ class WindowRun {
     int width = 0;
     int height = 0;
     free_size(width, height);
-    const auto image = picture(width, height);
+    // A still is drawn larger, as everywhere (Sharpness), where the driver can do that.
+    auto image = picture(2 * width, 2 * height, 2);
+    image = image ? Result<view::Image>(view::halved(*image)) : picture(width, height);
     if (!image) return complain(image.error());
     const std::filesystem::path file = free_name(".", ".png");
     if (const auto written = view::write_png(*image, file); !written) {
@@ -364,7 +367,7 @@ class WindowRun {
     if (moved) measure_pace(times);
   }
 
-  void draw_face(int width, int height) {
+  void draw_face(int width, int height, float larger = 1) {
     const gui::RenderingSettings& settings = session_.rendering();
     diagram_.update(settings.layers, shown_activations_, *deformed_);
     const view::Style style{
@@ -373,7 +376,7 @@ class WindowRun {
         .light = view::key_light(static_cast<float>(settings.light_yaw_deg),
                                  static_cast<float>(settings.light_pitch_deg),
                                  static_cast<float>(settings.light_percent) / 100),
-        .scale = window_->scale(),
+        .scale = window_->scale() * larger,
         .diagram = diagram_.muscles(),
         .tags = diagram_.tags()};
     renderer_->draw(FaceScene::moving(*deformed_), window_->camera(), style, width, height);

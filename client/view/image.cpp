@@ -146,6 +146,25 @@ Image contact_sheet(std::span<const Image> pictures, std::span<const std::string
   return sheet;
 }
 
+Image halved(const Image& image) {
+  AUCAST_CHECK(whole(image));
+  AUCAST_CHECK(image.width % 2 == 0 && image.height % 2 == 0);
+  Image half{image.width / 2, image.height / 2, {}};
+  half.rgba.resize(index_of(half, 0, half.height));
+  const std::size_t row = index_of(image, 0, 1);
+  for (int y = 0; y < half.height; ++y) {
+    std::uint8_t* to = &half.rgba[index_of(half, 0, y)];
+    const std::uint8_t* from = &image.rgba[index_of(image, 0, 2 * y)];
+    for (int x = 0; x < half.width; ++x, from += 2 * kChannels) {
+      for (std::size_t c = 0; c < kChannels; ++c) {
+        const int sum = from[c] + from[c + kChannels] + from[c + row] + from[c + row + kChannels];
+        *to++ = static_cast<std::uint8_t>((sum + 2) / 4);
+      }
+    }
+  }
+  return half;
+}
+
 ImageDifference compare(const Image& a, const Image& b, int tolerance) {
   if (a.width != b.width || a.height != b.height) return {1.0, 255};
   ImageDifference difference;

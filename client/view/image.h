@@ -26,6 +26,9 @@ struct Image {
 /// Copies `from` into `to` with its top left corner at (x, y), cut at the borders.
 void paste(Image& to, const Image& from, int x, int y);
 
+/// Half as wide and high, both of which are even: each pixel the mean of four.
+[[nodiscard]] Image halved(const Image& image);
+
 /// Pictures of one size in rows of `columns`, each with a line of text under it, on a plain ground.
 [[nodiscard]] Image contact_sheet(std::span<const Image> pictures,
                                   std::span<const std::string> captions, int columns);

@@ -155,6 +155,17 @@ TEST(Compare, CountsPixelsBeyondTheTolerance) {
   EXPECT_EQ(compare(b, a, 255).largest, 10);
 }
 
+TEST(Halved, IsTheMeanOfFour) {
+  Image image = make_image(4, 2, 0x102030);
+  image.rgba[0] = 20;   // of the first four pixels
+  image.rgba[17] = 34;  // green of the one below
+  image.rgba[9] = 255;  // green of the third in the first row
+  const Image half = halved(image);
+  EXPECT_EQ(half.width, 2);
+  EXPECT_EQ(half.height, 1);
+  EXPECT_EQ(half.rgba, (std::vector<std::uint8_t>{17, 33, 48, 255, 16, 88, 48, 255}));
+}
+
 TEST(Compare, CallsOtherSizesWhollyDifferent) {
   const ImageDifference difference = compare(make_image(4, 5), make_image(5, 4), 255);
   EXPECT_EQ(difference.share, 1);
