@@ -21,53 +21,90 @@ constexpr std::array<Key<double>, 15> kOutline{{{0, 1.42},
                                                 {200, 0.72},
                                                 {220, 0.84},
                                                 {240, 1.28},
-                                                {258, 1.86},
-                                                {280, 2.06},
-                                                {305, 1.74},
-                                                {332, 1.45}}};
+                                                {258, 1.76},
+                                                {280, 1.94},
+                                                {305, 1.76},
+                                                {332, 1.48}}};
 
 constexpr std::size_t kAngleCount = 11;
 constexpr std::array<double, kAngleCount> kAngles{0,   45,  90,  120, 145, 165,
                                                   185, 205, 230, 270, 315};
 
-/// One ring of the ear: at each of kAngles its share of the outline's radius and its height above
-/// the plate of the ear.
-struct EarRing {
-  std::array<double, kAngleCount> scale;
-  std::array<double, kAngleCount> height;
-};
-
-constexpr std::array<EarRing, kEarRings> kEar{{
-    // behind the ear
-    {{.78, .80, .82, .90, 1.06, 1.14, 1.16, 1.14, 1.04, .88, .80},
-     {-.12, -.12, -.10, -.04, .00, .00, .00, .01, .00, -.02, -.10}},
-    {{.96, .96, .96, .97, 1.00, 1.02, 1.03, 1.02, .99, .97, .96},
-     {.18, .18, .16, .12, .05, .03, .02, .05, .08, .10, .14}},
-    // the rim, which runs down in front into the shell
-    {{1.0, 1.0, 1.0, .99, .95, .93, .92, .92, .94, 1.0, 1.0},
-     {.36, .38, .36, .30, .18, .10, .08, .16, .17, .22, .30}},
-    {{.955, .955, .95, .93, .87, .83, .81, .82, .87, .95, .96},
-     {.46, .50, .50, .44, .32, .20, .12, .27, .24, .30, .38}},
-    {{.89, .89, .88, .85, .78, .72, .70, .72, .79, .88, .90},
-     {.40, .44, .46, .44, .36, .26, .10, .34, .27, .34, .38}},
-    // the furrow inside the rim
-    {{.82, .81, .80, .76, .67, .60, .58, .61, .70, .79, .82},
-     {.14, .12, .14, .20, .26, .26, .14, .38, .20, .34, .30}},
-    {{.73, .72, .71, .66, .56, .49, .47, .50, .60, .69, .73},
-     {.10, .04, .00, .02, .08, .20, .06, .36, .16, .34, .22}},
-    // the inner ridge; in front the tragus
-    {{.63, .62, .61, .55, .45, .39, .37, .40, .49, .58, .62},
-     {.40, .34, .16, .02, .00, .14, -.04, .20, .12, .36, .38}},
-    {{.54, .52, .49, .44, .36, .31, .30, .31, .39, .48, .52},
-     {.50, .46, .30, .12, -.02, .08, -.14, -.16, .04, .30, .46}},
-    // down into the shell
-    {{.46, .43, .39, .34, .28, .24, .23, .24, .29, .38, .43},
-     {.10, .12, .08, .00, -.10, .04, -.26, -.34, -.16, .00, .10}},
-    {{.31, .28, .25, .22, .19, .16, .16, .17, .19, .25, .29},
-     {-.30, -.26, -.22, -.20, -.22, -.16, -.42, -.46, -.36, -.28, -.26}},
-    {{.12, .11, .10, .09, .08, .07, .07, .08, .09, .10, .12},
-     {-.42, -.38, -.34, -.34, -.36, -.38, -.54, -.58, -.50, -.42, -.42}},
+/// Each ring's share of the outline's radius at each of kAngles. In front the outer ones lie on the
+/// cheek.
+constexpr std::array<std::array<double, kAngleCount>, kEarRings> kScale{{
+    {.80, .82, .84, .91, 1.06, 1.14, 1.16, 1.14, 1.04, .88, .82},  // behind the ear
+    {.96, .96, .96, .97, 1.00, 1.02, 1.03, 1.02, .99, .97, .96},
+    {1.0, 1.0, 1.0, .99, .95, .93, .92, .92, .94, 1.0, 1.0},  // the rim
+    {.965, .965, .965, .94, .88, .84, .82, .83, .88, .96, .97},
+    {.905, .905, .90, .87, .80, .74, .72, .74, .81, .89, .91},
+    {.83, .83, .82, .79, .71, .64, .63, .66, .73, .81, .83},
+    {.74, .74, .73, .70, .62, .55, .54, .57, .64, .72, .74},
+    {.65, .65, .64, .61, .53, .46, .45, .48, .54, .62, .65},
+    {.56, .56, .55, .51, .44, .38, .37, .39, .44, .52, .56},
+    {.46, .45, .45, .41, .35, .30, .29, .30, .34, .41, .45},
+    {.31, .30, .29, .27, .24, .20, .20, .20, .23, .27, .30},
+    {.12, .11, .11, .10, .09, .08, .08, .08, .09, .10, .12},
 }};
+
+/// Height of the two rings behind the rim over the plate of the ear.
+constexpr std::array<std::array<double, kAngleCount>, 2> kBehind{{
+    {-.12, -.12, -.10, -.04, .00, .00, .00, .01, .00, -.02, -.10},
+    {.16, .16, .14, .10, .05, .03, .02, .04, .07, .09, .12},
+}};
+
+/// How near (back, up) is to a polyline of (back, up, strength): 1 on it, falling over `width`.
+double near_line(std::span<const Vec3> line, double back, double up, double width) {
+  double most = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const glm::dvec2 a{line[i]};
+    const glm::dvec2 edge = glm::dvec2{line[i + 1]} - a;
+    const glm::dvec2 from_a = glm::dvec2{back, up} - a;
+    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
+    const double strength = mix(line[i].z, line[i + 1].z, t);
+    most = std::max(most, strength * bell(glm::length(from_a - edge * t), width));
+  }
+  return most;
+}
+
+/// The rim: from its root in the shell forwards, over the top, down the back into the lobe.
+constexpr std::array<Vec3, 13> kHelix{{{.16, -.06, .3},
+                                       {-.14, .10, .7},
+                                       {-.44, .36, .9},
+                                       {-.68, .78, 1},
+                                       {-.74, 1.25, 1},
+                                       {-.52, 1.74, 1},
+                                       {-.04, 2.02, 1},
+                                       {.50, 1.92, 1},
+                                       {.98, 1.48, 1},
+                                       {1.27, .80, 1},
+                                       {1.33, .10, .95},
+                                       {1.20, -.62, .7},
+                                       {.95, -1.25, .2}}};
+/// The inner ridge from the antitragus up, and its two legs.
+constexpr std::array<Vec3, 6> kAntihelix{{{.02, -1.00, .75},
+                                          {.36, -.98, .8},
+                                          {.66, -.66, .9},
+                                          {.80, -.15, 1},
+                                          {.74, .36, 1},
+                                          {.52, .80, .95}}};
+constexpr std::array<Vec3, 3> kUpperLeg{{{.52, .80, .95}, {.30, 1.20, .75}, {.06, 1.56, .35}}};
+constexpr std::array<Vec3, 3> kLowerLeg{{{.52, .80, .95}, {.10, .82, .85}, {-.36, .78, .6}}};
+constexpr std::array<Vec3, 3> kTragus{{{-.50, -.12, .7}, {-.44, -.36, 1}, {-.42, -.56, .7}}};
+
+/// Height of the front of the ear over its plate.
+double relief(double back, double up) {
+  const double shell =
+      glm::length(glm::dvec2{(back - 0.12) / 0.62, (up + 0.22) / (up > -0.22 ? 0.92 : 0.76)});
+  const double ridge =
+      std::max({near_line(kAntihelix, back, up, 0.24), near_line(kUpperLeg, back, up, 0.19),
+                near_line(kLowerLeg, back, up, 0.15)});
+  const double lobe = bell(Vec3{(back - 0.25) / 0.75, (up + 1.6) / 0.5, 0});
+  const double fork = bell(Vec3{(back - 0.05) / 0.28, (up - 1.14) / 0.26, 0});
+  return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) +
+         0.46 * near_line(kHelix, back, up, 0.19) + 0.43 * ridge - 0.14 * fork +
+         0.34 * near_line(kTragus, back, up, 0.16) + 0.14 * lobe;
+}
 
 /// The keys continued round the circle, so that the curve closes smoothly.
 double round_sample(std::span<const Key<double>> keys, double degrees) {
@@ -92,8 +129,13 @@ class Plate {
   /// `back` and `up` along the side of the head from the middle of the ear, `height` off the plate.
   [[nodiscard]] Vec3 at(double back, double up, double height) const {
     const Vec3 place = along(back, up);
-    const double hinge = side(along(kHinge, std::clamp(up, -1.5, 1.7)));
-    const double stands_off = hinge + (back - kHinge) * std::tan(kTurn);
+    const double hinge = side(along(kHinge, std::clamp(up, -1.35, 1.5)));
+    // Its back, its top and the lobe bend towards the head.
+    const double off = back - kHinge;
+    const double top = std::max(0.0, up - 0.9);
+    const double low = std::max(0.0, -up - 1.0);
+    const double stands_off = hinge + off * std::tan(kTurn) - 0.035 * off * off -
+                              0.10 * top * top - 0.20 * low * low;
     const double x = mix(side(place), stands_off, smooth_step(kHinge - 0.2, kHinge + 0.3, back));
     return Vec3{x, place.y, place.z} + Vec3{std::cos(kTurn), 0, std::sin(kTurn)} * (height + 0.02);
   }
@@ -120,17 +162,19 @@ void add_ear_patch(LayoutBuilder& builder) {
   Vec3 centre{0};
   for (const std::uint32_t i : outer) centre += builder.position(i) / double{kEarSpokes};
   const Plate plate(builder.who(), centre);
-  for (int ring = 1; ring <= kEarRings; ++ring) {
-    const EarRing& shape = kEar[static_cast<std::size_t>(ring - 1)];
+  for (std::size_t ring = 0; ring < kEarRings; ++ring) {
     Ring inner;
     for (int spoke = 0; spoke < kEarSpokes; ++spoke) {
       double degrees = 120 - spoke * 360.0 / kEarSpokes;
       if (degrees < -60) degrees += 360;
-      const double radius = round_sample(kOutline, degrees) * round_sample(shape.scale, degrees);
+      const double radius = round_sample(kOutline, degrees) * round_sample(kScale[ring], degrees);
       const double angle = radians(degrees);
-      const Vec3 p = plate.at(radius * std::cos(angle), radius * std::sin(angle) - 0.05,
-                              round_sample(shape.height, degrees));
-      inner.push_back(builder.add(p, Patch::Ear, ring, spoke));
+      const double back = radius * std::cos(angle);
+      const double up = radius * std::sin(angle);
+      const double height =
+          ring < kBehind.size() ? round_sample(kBehind[ring], degrees) : relief(back, up);
+      inner.push_back(builder.add(plate.at(back, up - 0.05, height), Patch::Ear,
+                                  static_cast<int>(ring) + 1, spoke));
     }
     builder.add_strip(outer, inner, true);
     outer = std::move(inner);

@@ -20,7 +20,7 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position) {
     f += 0.30 * bell(Vec3{(p.x - 0.95) / 0.4, (p.y + 0.25) / 0.4, 0});
     f += 0.22 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
   }
-  if (v.patch == Patch::Ear) f += 0.50 * smooth_step(0, 4, v.ring);
+  if (v.patch == Patch::Ear) f += 0.26 * smooth_step(0, 4, v.ring);
   return saturate(f);
 }
 
@@ -35,8 +35,8 @@ Vec3 cooled(const Vec3& colour, const Vec3& p) {
 
 /// Deep in the ear little light arrives, and what does is red.
 void paint_ear(Vertex& vertex, const HalfVertex& v) {
-  const double deep = smooth_step(8, 12, v.ring);
-  vertex.colour *= mix(Vec3{1}, Vec3{0.50, 0.36, 0.34}, deep);
+  const double deep = smooth_step(9, 12.5, v.ring);
+  vertex.colour *= mix(Vec3{1}, Vec3{0.62, 0.46, 0.42}, deep);
   vertex.gloss *= 1 - 0.7 * deep;
 }
 

@@ -85,8 +85,8 @@ void smooth_ear(HalfHead& half, const Neighbours& neighbours) {
       const bool beside =
           v.patch == Patch::Grid && v.row >= 9 && v.row <= 21 && v.column >= 17 && v.column <= 25;
       if (v.patch != Patch::Ear && !beside) return v.position;
-      const bool carved = v.patch == Patch::Ear && v.ring >= 2 && v.ring <= 9;
-      const double share = carved ? 0.17 : v.patch == Patch::Ear ? 0.35 : 0.40;
+      const bool carved = v.patch == Patch::Ear && v.ring >= 3 && v.ring <= 10;
+      const double share = carved ? 0.11 : v.patch == Patch::Ear ? 0.35 : 0.40;
       return mix(v.position, neighbour_mean(half, neighbours, index), share);
     });
   }
