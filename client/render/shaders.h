@@ -241,7 +241,7 @@ float strand_here(inout vec3 colour, out float cover) {
   float at = v_strand.w * kStrands;
   // Grey hair is white hairs among dark ones; one colour shows in longer pieces.
   float grey = 1.0 - smoothstep(0.02, 0.06, colour.r - colour.b);
-  float pieces = mix(0.3, 1.0, grey) * kPieces;
+  float pieces = mix(0.3, 0.6, grey) * kPieces;
   float along = at > 0.0 ? (v_grain.y - v_grain.x) * pieces : 0.0;  // none on bare clay
   float visible = fineness(at);
   float fine = piece_noise(at, along) * visible;
@@ -257,7 +257,7 @@ float strand_here(inout vec3 colour, out float cover) {
     cover = smoothstep(cut - soft, cut + soft, mix(-0.7, 1.7, v_colour.a));
   }
   float strand = 0.55 * (fine + (1.0 - 0.5 * grey) * tuft);
-  colour *= 1.0 + mix(0.42, 0.95, grey) * strand;
+  colour *= 1.0 + mix(0.42, 0.78, grey) * strand;
   return strand;
 }
 #endif

@@ -49,8 +49,8 @@ constexpr std::array<std::array<double, kAngleCount>, kEarRings> kScale{{
 
 /// Height of the two rings behind the rim over the plate of the ear.
 constexpr std::array<std::array<double, kAngleCount>, 2> kBehind{{
-    {-.12, -.12, -.10, -.04, .00, .00, .00, .01, .00, -.02, -.10},
-    {.16, .16, .14, .10, .05, .03, .02, .04, .07, .09, .12},
+    {-.12, -.12, -.10, -.04, .00, .00, .00, .01, .00, -.16, -.16},
+    {.16, .16, .14, .10, .05, .03, .02, .04, .05, .00, .06},
 }};
 
 /// How near (back, up) is to a polyline of (back, up, strength): 1 on it, falling over `width`.
@@ -101,9 +101,8 @@ double relief(double back, double up) {
                 near_line(kLowerLeg, back, up, 0.15)});
   const double lobe = bell(Vec3{(back - 0.25) / 0.75, (up + 1.6) / 0.5, 0});
   const double fork = bell(Vec3{(back - 0.05) / 0.28, (up - 1.14) / 0.26, 0});
-  return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) +
-         0.46 * near_line(kHelix, back, up, 0.19) + 0.43 * ridge - 0.14 * fork +
-         0.34 * near_line(kTragus, back, up, 0.16) + 0.14 * lobe;
+  return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) + 0.46 * near_line(kHelix, back, up, 0.19) +
+         0.43 * ridge - 0.14 * fork + 0.34 * near_line(kTragus, back, up, 0.16) + 0.14 * lobe;
 }
 
 /// The keys continued round the circle, so that the curve closes smoothly.
@@ -134,8 +133,8 @@ class Plate {
     const double off = back - kHinge;
     const double top = std::max(0.0, up - 0.9);
     const double low = std::max(0.0, -up - 1.0);
-    const double stands_off = hinge + off * std::tan(kTurn) - 0.035 * off * off -
-                              0.10 * top * top - 0.20 * low * low;
+    const double stands_off =
+        hinge + off * std::tan(kTurn) - 0.035 * off * off - 0.10 * top * top - 0.12 * low * low;
     const double x = mix(side(place), stands_off, smooth_step(kHinge - 0.2, kHinge + 0.3, back));
     return Vec3{x, place.y, place.z} + Vec3{std::cos(kTurn), 0, std::sin(kTurn)} * (height + 0.02);
   }

@@ -9,11 +9,11 @@ namespace {
 
 /// How wide the edge of the hair is in which it gets thinner, by the place on the hairline: shaved
 /// shorter and shorter over the ear and in the neck.
-constexpr std::array<Key<double>, 9> kTaper{{{0, 1.4},
-                                             {2.4, 1.4},
-                                             {3.4, 0.8},
-                                             {5.0, 0.8},
-                                             {5.9, 1.4},
+constexpr std::array<Key<double>, 9> kTaper{{{0, 0.8},
+                                             {2.4, 0.8},
+                                             {3.4, 0.9},
+                                             {5.0, 0.9},
+                                             {5.9, 1.2},
                                              {6.9, 1.8},
                                              {8.0, 2.4},
                                              {9.2, 2.8},
@@ -26,7 +26,7 @@ double thickness(const Haircut& cut, const Vec3& root) {
 }
 
 /// Strands of short hair are coarse: it has fewer.
-constexpr double kFirstStrand = 0.15;
+constexpr double kFirstStrand = 0.05;
 
 /// The alpha of hair in which all strands have ended at 0 and none at 1.
 double thinned(double at) {
@@ -70,9 +70,13 @@ class Sides {
     if (s <= 0) angle = -kPi;
     if (s >= 1) angle = kPi;
     const double combed = 0.6 * (1 - t) * (1 - t) * std::sin(angle);
+    // At the temples it is brushed back: along the hairline strands would draw a hem there.
+    const double aside = std::abs(angle);
+    const double brushed = 0.34 * t * t * smooth_step(0.1, 1.0, aside) *
+                           smooth_step(2.1, 0.9, aside) * (angle < 0 ? -1 : 1);
     const double astray = 0.06 * (value_noise({angle * 4, 4 * t, 3.5}) - 0.5) *
                           smooth_step(kPi, 3.0, std::abs(angle));
-    return mix(kFirstStrand, 1.0, 0.5 + (angle + combed + astray) / (2 * kPi));
+    return mix(kFirstStrand, 1.0, 0.5 + (angle + combed + brushed + astray) / (2 * kPi));
   }
 
   const Haircut& cut_;
@@ -94,17 +98,18 @@ class Top {
     const double sides = smooth_step(0, 0.25, u) * smooth_step(1, 0.5, u);
     const double whole = length(u);
     const double way = v * whole;
-    const double front = smooth_step(-0.3, mix(3.4, 2.6, smooth_step(0.5, 1.0, u)), way);
-    const double quiff = 0.32 * bell(way - 2.8, 2.4);
+    // It springs from the hairline and bends back: a round outline from the side.
+    const double front = power(saturate(way / 2.8), 0.72);
+    const double quiff = 0.38 * bell(way - 2.0, 1.7) * smooth_step(0, 1.0, way);
     const double tuft = value_noise({u * 6 + 0.7 * v, 1.6 * v, 7.5});
     const double lock = value_noise({u * 15 + 0.9 * v, 2.5 * v, 9.5});
     const double height =
-        0.06 + front * (1.18 * thickness(cut_, root) +
+        0.03 + front * (1.18 * thickness(cut_, root) +
                         (quiff + 0.28 * (tuft - 0.5) + 0.13 * (lock - 0.5)) * sides);
     const double light = 0.06 + 0.08 * front + 0.10 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({way / 0.9, ends / 3, u / 0.12, (1 - u) / 0.25}));
+    point.alpha = thinned(std::min({way / 0.5, ends / 3, u / 0.12, (1 - u) / 0.25}));
     point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.03 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
@@ -155,7 +160,9 @@ Part make_short_hair(const Identity& who) {
   const Top top(who);
   Part hair;
   add_sheet(hair, kUnderSheet, [&](double s, double t) { return sides.at(who, s, power(t, 0.8)); });
-  add_sheet(hair, kOuterSheet, [&](double u, double v) { return top.at(who, u, v); });
+  // Its rows are denser where it rises over the forehead.
+  add_sheet(hair, kOuterSheet,
+            [&](double u, double v) { return top.at(who, u, power(v, 1.35)); });
   for (std::size_t i = 0; i < kLocks; ++i) {
     add_lock(hair, who, top, mix(0.12, 0.85, static_cast<double>(i) / (kLocks - 1)));
   }
