@@ -275,7 +275,7 @@ void FaceDiagram::State::tag(const char* map_name, const face::DeformedFace& def
   float most = 0;
   for (const float weight : *weights) most = std::max(most, std::abs(weight));
   for (const face::MeshPart& part : face.mesh.parts) {
-    if (part.material == face::Material::Crease) continue;  // many, on the skin's own
+    if (face::is_crease(part)) continue;  // many, on the skin's own
     for (std::size_t i = part.vertex_begin; i < part.vertex_begin + part.vertex_count; ++i) {
       const float weight = std::abs((*weights)[i]);
       if (weight <= 0) continue;

@@ -46,7 +46,7 @@ FaceScene::FaceScene(const face::Face& face) : face_(face) {
     range.triangle_begin = part.triangle_begin;
     range.triangle_count = part.triangle_count;
     range.eye = eye_of(face, part.name);
-    if (part.material == face::Material::Crease) range.crease = creases++;
+    if (face::is_crease(part)) range.crease = creases++;
     // Waters' own mask stays the polygons that he drew.
     range.rounded = !face.classic && part.material == face::Material::Skin;
     const auto begin = face.mesh.colours.begin() + part.vertex_begin;

@@ -34,8 +34,25 @@ class BlockSet {
     return *this;
   }
 
+  /// Keeps what is in both.
+  BlockSet& operator&=(const BlockSet& other) {
+    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
+    return *this;
+  }
+  /// Takes away what is in the other.
+  BlockSet& operator-=(const BlockSet& other) {
+    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= ~other.words_[i];
+    return *this;
+  }
+
   [[nodiscard]] bool contains(std::size_t block) const {
     return (words_[block / kWordBits] & bit(block)) != 0;
+  }
+  [[nodiscard]] bool contains_all(const BlockSet& other) const {
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      if ((other.words_[i] & ~words_[i]) != 0) return false;
+    }
+    return true;
   }
   [[nodiscard]] bool empty() const {
     return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });

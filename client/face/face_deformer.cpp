@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "client/face/block_turns.h"
+#include "client/face/drawn_blocks.h"
 #include "client/face/face_folder.h"
 #include "client/face/head_turn.h"
 #include "client/face/muscle_sums.h"
@@ -103,6 +104,7 @@ struct FaceDeformer::State {
     return value(channels.plus) - value(channels.minus);
   }
   void move(std::span<const float> given);
+  void rest_vanished();
   void move_lids();
   void move_jaw();
   void move_eyes();
@@ -121,7 +123,7 @@ struct FaceDeformer::State {
   std::vector<LidField> lids;
   std::vector<EyeField> eyes;
   HeadChannels head_channels;
-  std::vector<std::optional<std::size_t>> creases;  ///< channels of the mesh's creases
+  DrawnBlocks drawn;
   NormalField normals;
   std::optional<HeadTurn> head;
   DeformedFace result;
@@ -134,6 +136,7 @@ FaceDeformer::State::State(const Face& driven)
       now(muscles.rest()),
       moved(now.size()),
       shown(now.size()),
+      drawn(driven),
       normals(driven.mesh) {
   AUCAST_CHECK(face.muscles.size() <= face.channels.size());
   const std::size_t vertex_count = face.mesh.positions.size();
@@ -174,9 +177,6 @@ FaceDeformer::State::State(const Face& driven)
     }
     eyes.push_back(std::move(field));
   }
-  for (const MeshPart& part : face.mesh.parts) {
-    if (part.material == Material::Crease) creases.push_back(channel(part.name));
-  }
   if (face.head) {
     head_channels = {{channel("head_turn_left"), channel("head_turn_right")},
                      {channel("head_up"), channel("head_down")},
@@ -185,7 +185,7 @@ FaceDeformer::State::State(const Face& driven)
     head.emplace(face);
   }
   result.positions = face.mesh.positions;
-  result.normals.resize(vertex_count);
+  result.normals.assign(vertex_count, {0, 0, 1});
   for (std::size_t block = 0; block < now.size(); ++block) shown.insert(block);
   normals.update(shown, result.normals);
 }
@@ -212,11 +212,16 @@ void FaceDeformer::State::take(std::span<const float> given) {
   }
   shown = moved;
   if (head) head->take(head_pose(), shown);
+  drawn.take(activations);
+  drawn.narrow(moved);
+  drawn.narrow(shown);
+  muscles.list(moved);
 }
 
 /// Brings positions and normals to these activations.
 void FaceDeformer::State::move(std::span<const float> given) {
   take(given);
+  rest_vanished();
   if (shown.empty()) return;
   moved.for_each([this](std::size_t block) { muscles.at(block, now[block]); });
   move_lids();
@@ -237,6 +242,13 @@ void FaceDeformer::State::move(std::span<const float> given) {
     shown.for_each([&](std::size_t block) { show(block, now[block]); });
   }
   normals.update(shown, result.normals);
+}
+
+/// Where a crease stays that is not drawn must not tell what was shown before.
+void FaceDeformer::State::rest_vanished() {
+  drawn.vanished().for_each([this](std::size_t block) {
+    write_points(points_of(muscles.rest()[block]), block_of(result.positions, block));
+  });
 }
 
 void FaceDeformer::State::move_lids() {
@@ -307,10 +319,7 @@ const DeformedFace& FaceDeformer::deform(std::span<const float> activations) {
   State& state = *state_;
   state.move(activations);
   state.look();
-  state.result.creases.resize(state.creases.size());
-  for (std::size_t i = 0; i < state.creases.size(); ++i) {
-    state.result.creases[i] = state.value(state.creases[i]);
-  }
+  state.result.creases = state.drawn.depths();
   return state.result;
 }
 

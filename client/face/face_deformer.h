@@ -15,8 +15,8 @@ namespace aucast::face {
 /// A deformed face, ready to be drawn: positions and normals in the mesh's order, and where the
 /// eyes look.
 struct DeformedFace {
-  std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;      ///< unit length
+  std::vector<glm::vec3> positions;    ///< of a crease of depth 0: see FaceDeformer
+  std::vector<glm::vec3> normals;      ///< unit length; of creases +z, they take no light
   std::vector<glm::vec3> eye_centres;  ///< as Face::eyes
   std::vector<glm::vec3> eye_forward;  ///< unit length
   std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
@@ -25,8 +25,9 @@ struct DeformedFace {
 /// Turns activations into positions. All muscles displace from the rest face and are summed, so
 /// that their order does not matter; then lids, jaw, eyes and head turn, in that order. What is
 /// linear in its activation is computed once, sparsely, when the deformer is made; what no change
-/// of activations reaches is left as it is. The result depends on the activations only, to the last
-/// bit, not on what was shown before.
+/// of activations reaches is left as it is. A crease of depth 0 is not drawn: its vertices stay at
+/// rest while the face moves away from them, but for those in one block with something drawn. The
+/// result depends on the activations only, to the last bit, not on what was shown before.
 /// The face must outlive the deformer. Thread: one deformer per thread.
 class FaceDeformer {
  public:

@@ -147,7 +147,7 @@ std::vector<Channel> channels_of(const Face& face) {
     }
   }
   for (const MeshPart& part : face.mesh.parts) {
-    if (part.material != Material::Crease) continue;
+    if (!is_crease(part)) continue;
     channels.push_back({part.name, side_of(part, face.mesh), 1});
   }
   return channels;

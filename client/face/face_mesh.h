@@ -26,6 +26,11 @@ struct MeshPart {
   std::uint32_t triangle_count = 0;
 };
 
+/// The one rule for lines that only some expressions draw: FaceDeformer moves them only then.
+[[nodiscard]] inline bool is_crease(const MeshPart& part) {
+  return part.material == Material::Crease;
+}
+
 /// The neutral face: one vertex array over all parts, in the order of the face's file.
 /// Units and axes: data/faces/README.md (y up, z to the viewer, +x the subject's left, 1 = 1.4
 /// cm).

@@ -42,6 +42,7 @@ MuscleSums::MuscleSums(const Face& face)
     : rest_(blocks_of(face.mesh.positions)),
       activations_(face.muscles.size()),
       acts_(face.muscles.size()),
+      listed_(rest_.size()),
       factors_(face.muscles.size()) {
   const FaceMesh& mesh = face.mesh;
   std::vector<PullTable<Lanes>::Entry> along;
@@ -86,22 +87,26 @@ MuscleSums::MuscleSums(const Face& face)
 }
 
 void MuscleSums::take(std::span<const float> activations, BlockSet& moved) {
-  bool others_act = false;
   for (std::size_t m = 0; m < reaches_.size(); ++m) {
     const Reach& reach = reaches_[m];
     const float activation = std::min(activations[m], reach.activation_cap);
     if (activation == activations_[m]) continue;
     const std::uint32_t acts = activation != 0 ? 1 : 0;
-    others_act = others_act || acts != acts_[m];
+    others_act_ = others_act_ || acts != acts_[m];
     acts_[m] = acts;
     activations_[m] = activation;
     const glm::vec3 factors = activation * reach.way;
     factors_[m] = {in_all_lanes(factors.x), in_all_lanes(factors.y), in_all_lanes(factors.z)};
     moved |= reach.blocks;
   }
-  if (!others_act) return;
-  along_.list_acting(acts_, sizeof(Factors));
-  free_.list_acting(acts_, sizeof(Factors));
+}
+
+void MuscleSums::list(const BlockSet& blocks) {
+  if (!others_act_ && listed_.contains_all(blocks)) return;
+  others_act_ = false;
+  listed_ = blocks;
+  along_.list_acting(acts_, sizeof(Factors), blocks);
+  free_.list_acting(acts_, sizeof(Factors), blocks);
 }
 
 void MuscleSums::at(std::size_t block, VertexBlock& place) const {

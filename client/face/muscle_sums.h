@@ -23,7 +23,10 @@ class MuscleSums {
   /// pulls otherwise than before.
   void take(std::span<const float> activations, BlockSet& moved);
 
-  /// The block with all muscles' displacements, always summed in the same order.
+  /// Says which blocks at() will be asked for until the next take().
+  void list(const BlockSet& blocks);
+
+  /// A listed block with all muscles' displacements, always summed in the same order.
   void at(std::size_t block, VertexBlock& place) const;
 
   [[nodiscard]] const std::vector<VertexBlock>& rest() const { return rest_; }
@@ -46,6 +49,8 @@ class MuscleSums {
   std::vector<Reach> reaches_;       ///< one per muscle
   std::vector<float> activations_;   ///< capped, one per muscle
   std::vector<std::uint32_t> acts_;  ///< 1 for a muscle that is active
+  bool others_act_ = false;          ///< than when the blocks were listed
+  BlockSet listed_;                  ///< at least the blocks that at() is asked for
   std::vector<Factors> factors_;     ///< one per muscle
   PullTable<Lanes> along_;           ///< of muscles with a way, as shares of it
   PullTable<VertexBlock> free_;      ///< of the others, per unit of activation

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <map>
 
+#include "client/face/drawn_blocks.h"
+
 namespace aucast::face {
 namespace {
 
@@ -13,6 +15,14 @@ constexpr std::size_t kHalf = kLanes / 2;
 /// Blocks whose areas are added up before the first of them is made a normal: the square roots
 /// then wait for nothing.
 constexpr std::size_t kBlocksAtOnce = 16;
+
+/// The triangles that take light.
+std::vector<std::array<std::uint32_t, 3>> lit_triangles(const FaceMesh& mesh) {
+  const std::vector<bool> crease = crease_vertices(mesh);
+  auto triangles = mesh.triangles;
+  std::erase_if(triangles, [&](const auto& triangle) { return crease[triangle[0]]; });
+  return triangles;
+}
 
 /// Round one vertex: from a corner of a triangle to the next one, for each triangle.
 using Ring = std::multimap<std::uint32_t, std::uint32_t>;
@@ -116,18 +126,19 @@ void write_normals(const Four* sums, glm::vec3* out) {
 NormalField::NormalField(const FaceMesh& mesh)
     : points_(kLanes * block_count(mesh.positions.size())),
       touched_(block_count(mesh.positions.size())) {
-  list_neighbours(mesh);
-  list_corners(mesh);
+  const Triangles triangles = lit_triangles(mesh);
+  list_neighbours(triangles, always_drawn(mesh));
+  list_corners(triangles);
   const std::vector<VertexBlock> rest = blocks_of(mesh.positions);
   for (std::size_t block = 0; block < rest.size(); ++block) place(block, points_of(rest[block]));
 }
 
-void NormalField::list_neighbours(const FaceMesh& mesh) {
+void NormalField::list_neighbours(const Triangles& triangles, const BlockSet& lit) {
   std::vector<std::map<std::size_t, std::uint64_t>> near_block(points_.size() / kLanes);
-  for (std::size_t block = 0; block < near_block.size(); ++block) {
+  lit.for_each([&](std::size_t block) {
     near_block[block][block / BlockSet::kWordBits] = BlockSet::bit(block);
-  }
-  for (const auto& triangle : mesh.triangles) {
+  });
+  for (const auto& triangle : triangles) {
     for (const std::uint32_t one : triangle) {
       for (const std::uint32_t other : triangle) {
         const std::size_t block = other / kLanes;
@@ -141,9 +152,9 @@ void NormalField::list_neighbours(const FaceMesh& mesh) {
   }
 }
 
-void NormalField::list_corners(const FaceMesh& mesh) {
+void NormalField::list_corners(const Triangles& triangles) {
   std::vector<Ring> rings(points_.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
+  for (const auto& [a, b, c] : triangles) {
     if (a == b || b == c || c == a) continue;
     rings[a].emplace(b, c);
     rings[b].emplace(c, a);

@@ -13,10 +13,11 @@
 
 namespace aucast::face {
 
-/// Vertex normals, weighted by the triangles' areas. Only what has a moved vertex near is computed
-/// again. The triangles round a vertex make up a polygon whose area, as a vector along its normal,
-/// does not depend on how it is cut: instead of into those triangles it is cut into quadrangles,
-/// each of them one cross product, and the triangles themselves are never needed.
+/// Vertex normals, weighted by the triangles' areas; creases take no light and have none. Only what
+/// has a moved vertex near is computed again. The triangles round a vertex make up a polygon whose
+/// area, as a vector along its normal, does not depend on how it is cut: instead of into those
+/// triangles it is cut into quadrangles, each of them one cross product, and the triangles
+/// themselves are never needed.
 /// Thread: one field per thread.
 class NormalField {
  public:
@@ -28,7 +29,7 @@ class NormalField {
 
   /// `moved`: the blocks whose vertices are elsewhere since the last update. Writes those `normals`
   /// that this may change and leaves the others alone; unit length, and +z for a vertex without a
-  /// triangle that has an area.
+  /// triangle that has an area. What belongs to creases is left alone or +z.
   void update(const BlockSet& moved, std::span<glm::vec3> normals);
 
  private:
@@ -38,8 +39,10 @@ class NormalField {
     std::uint64_t bits = 0;
   };
 
-  void list_neighbours(const FaceMesh& mesh);
-  void list_corners(const FaceMesh& mesh);
+  using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+  void list_neighbours(const Triangles& triangles, const BlockSet& lit);
+  void list_corners(const Triangles& triangles);
   /// Finds what to compute when these have moved.
   void touch(const BlockSet& moved);
   void update_some(std::span<const std::size_t> blocks, std::span<glm::vec3> normals) const;
@@ -53,7 +56,8 @@ class NormalField {
   /// the first point, which saves a shift for each of them.
   std::vector<std::uint32_t> corners_;
   std::vector<std::uint32_t> corners_begin_{0};
-  /// Likewise, of each block those that share a triangle with it, and itself.
+  /// Likewise, of each block those that share a triangle with it, and itself; none if it is all
+  /// crease.
   std::vector<Neighbours> neighbours_;
   std::vector<std::uint32_t> neighbours_begin_{0};
   BlockSet moved_;    ///< the last time

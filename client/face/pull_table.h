@@ -34,9 +34,7 @@ class PullTable {
 
   /// `entries`: in the muscles' order. None of the muscles acts.
   PullTable(std::size_t block_count, std::vector<Entry> entries)
-      : acting_(entries.size() + kAhead),
-        acting_before_(entries.size() + 1),
-        acting_begin_(block_count + 1) {
+      : acting_(entries.size() + kAhead), acting_in_(block_count) {
     std::stable_sort(entries.begin(), entries.end(),
                      [](const Entry& a, const Entry& b) { return a.block < b.block; });
     for (const Entry& entry : entries) {
@@ -48,25 +46,27 @@ class PullTable {
   }
 
   /// From here on those muscles act for which `acts` is 1; it is 0 for all others. `muscle_bytes`:
-  /// the size of an element of the caller's table of muscles. Without jumps, which no processor
-  /// could foresee.
-  void list_acting(std::span<const std::uint32_t> acts, std::size_t muscle_bytes) {
+  /// the size of an element of the caller's table of muscles. `blocks`: those that will be asked
+  /// for, in this order. Which muscle acts is not asked with a jump, which no processor could
+  /// foresee.
+  void list_acting(std::span<const std::uint32_t> acts, std::size_t muscle_bytes,
+                   const BlockSet& blocks) {
     std::uint32_t count = 0;
-    for (std::size_t i = 0; i < muscles_.size(); ++i) {
-      const std::uint32_t muscle = muscles_[i];
-      acting_[count] = {static_cast<std::uint32_t>(i * sizeof(Pull)),
-                        static_cast<std::uint32_t>(muscle * muscle_bytes)};
-      count += acts[muscle];
-      acting_before_[i + 1] = count;
-    }
-    for (std::size_t block = 0; block < begin_.size(); ++block) {
-      acting_begin_[block] = acting_before_[begin_[block]];
-    }
+    blocks.for_each([&](std::size_t block) {
+      acting_in_[block].begin = count;
+      for (std::uint32_t i = begin_[block]; i < begin_[block + 1]; ++i) {
+        const std::uint32_t muscle = muscles_[i];
+        acting_[count] = {static_cast<std::uint32_t>(i * sizeof(Pull)),
+                          static_cast<std::uint32_t>(muscle * muscle_bytes)};
+        count += acts[muscle];
+      }
+      acting_in_[block].end = count;
+    });
   }
 
-  /// Of the muscles that act, those that pull on the block.
+  /// Of the muscles that act, those that pull on a listed block.
   [[nodiscard]] std::span<const Acting> acting(std::size_t block) const {
-    return {acting_.data() + acting_begin_[block], acting_.data() + acting_begin_[block + 1]};
+    return {acting_.data() + acting_in_[block].begin, acting_.data() + acting_in_[block].end};
   }
 
   /// What one of acting() does per unit of activation. Sends for one of the next meanwhile: they
@@ -79,15 +79,20 @@ class PullTable {
   }
 
  private:
+  /// A run of acting_.
+  struct Run {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+
   static constexpr std::size_t kAhead = 16;
   static constexpr std::size_t kCacheLine = 64;
 
   std::vector<std::uint32_t> begin_;  ///< pulls on block b: begin_[b] to begin_[b + 1]
   std::vector<Pull> pulls_;
-  std::vector<std::uint32_t> muscles_;        ///< whose pull it is
-  std::vector<Acting> acting_;                ///< and kAhead more, of any pull
-  std::vector<std::uint32_t> acting_before_;  ///< how many of the first pulls act
-  std::vector<std::uint32_t> acting_begin_;   ///< as begin_
+  std::vector<std::uint32_t> muscles_;  ///< whose pull it is
+  std::vector<Acting> acting_;          ///< and kAhead more, of any pull
+  std::vector<Run> acting_in_;          ///< one per block
 };
 
 }  // namespace aucast::face

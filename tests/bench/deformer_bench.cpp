@@ -2,8 +2,10 @@
 // each muscle over all vertices, and (b) a copy of the same bytes. Usage: bench_deformer
 // [FACE_FOLDER DATA_FOLDER]; without arguments the default face beside the programs. Every frame
 // differs from the one before in all channels that are not zero, as in an animation; a frame in
-// which nothing changes costs next to nothing, but "rest" shows what looking costs. Below them what
-// a frame that moves everything is made of, and what the least of it costs by itself.
+// which nothing changes costs next to nothing, but "rest" shows what looking costs. The loop moves
+// every vertex; what the two ways must agree about is what is drawn, and the copy is of the whole
+// arrays, as they go to the renderer. Below them what a frame that moves everything is made of, and
+// what the least of it costs by itself.
 
 #include <time.h>
 
@@ -18,6 +20,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "client/face/drawn_blocks.h"
 #include "client/face/face.h"
 #include "client/face/face_deformer.h"
 #include "client/face/muscle_sums.h"
@@ -32,6 +35,7 @@ using aucast::face::FaceDeformer;
 using aucast::face::FaceMesh;
 using aucast::face::find_map;
 using aucast::face::map_at;
+using aucast::face::MeshPart;
 
 constexpr int kRounds = 100;
 constexpr int kColdRounds = 51;
@@ -85,7 +89,7 @@ double cold_microseconds(Call call) {
   return taken[kColdRounds / 2];
 }
 
-/// The bytes of a frame, copied.
+/// The bytes of a frame, copied, drawn or not.
 void copy_frame(const DeformedFace& from, DeformedFace& to) {
   std::memcpy(to.positions.data(), from.positions.data(),
               from.positions.size() * sizeof(glm::vec3));
@@ -232,17 +236,27 @@ class PlainFace {
   std::vector<std::vector<float>> masks_;
 };
 
-float largest_difference(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+/// Between what is drawn: not of creases of depth 0.
+float largest_difference(const FaceMesh& mesh, const DeformedFace& ours,
+                         const DeformedFace& theirs) {
   float largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, glm::distance(a[i], b[i]));
+  std::size_t crease = 0;
+  for (const MeshPart& part : mesh.parts) {
+    if (is_crease(part) && !(ours.creases[crease++] > 0)) continue;
+    for (std::size_t i = part.vertex_begin; i < part.vertex_begin + part.vertex_count; ++i) {
+      largest = std::max(largest, glm::distance(ours.positions[i], theirs.positions[i]));
+    }
+  }
   return largest;
 }
 
-/// Likewise for normals. Where triangles lie against each other their areas cancel, and slivers
-/// have hardly any: there the last digits of the corners decide the normal. It counts by how much
-/// area is left, beside all there is and beside what corners change that are 1e-5 elsewhere.
+/// Likewise for normals, which no crease has. Where triangles lie against each other their areas
+/// cancel, and slivers have hardly any: there the last digits of the corners decide the normal. It
+/// counts by how much area is left, beside all there is and beside what corners change that are
+/// 1e-5 elsewhere.
 float largest_difference_of_normals(const FaceMesh& mesh, const DeformedFace& a,
                                     const DeformedFace& b) {
+  const std::vector<bool> of_crease = aucast::face::crease_vertices(mesh);
   std::vector<glm::vec3> sums(a.positions.size(), glm::vec3(0));
   std::vector<float> areas(a.positions.size(), 0.0F);
   for (const auto& triangle : mesh.triangles) {
@@ -258,30 +272,47 @@ float largest_difference_of_normals(const FaceMesh& mesh, const DeformedFace& a,
   }
   float largest = 0;
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    if (!(areas[i] > 0)) continue;
+    if (of_crease[i] || !(areas[i] > 0)) continue;
     const float left = glm::length(sums[i]) / areas[i];
     largest = std::max(largest, left * glm::distance(a.normals[i], b.normals[i]));
   }
   return largest;
 }
 
-/// Times an animation about one set of activations: every frame has all of them a little different
-/// from the frame before. False when the two ways disagree.
-bool compare(const char* title, const Face& face, const std::vector<float>& activations) {
-  FaceDeformer deformer(face);
-  const PlainFace plain(face);
-  std::vector<std::vector<float>> frames(kFrames, activations);
+using Frames = std::vector<std::vector<float>>;
+
+/// An animation about one set of activations: every frame has all of them a little different from
+/// the frame before.
+Frames animation(const std::vector<float>& activations) {
+  Frames frames(kFrames, activations);
   for (std::size_t f = 0; f < kFrames; ++f) {
     const float strength = 1 - 0.1F * static_cast<float>(f) / kFrames;
     for (float& activation : frames[f]) activation *= strength;
   }
+  return frames;
+}
+
+/// Likewise, but one of the muscles begins to act in every second frame and ends in the others.
+Frames begins_and_ends(const std::vector<float>& activations) {
+  Frames frames = animation(activations);
+  std::size_t muscle = 0;
+  while (muscle < activations.size() && activations[muscle] == 0) ++muscle;
+  if (muscle == activations.size()) return frames;
+  for (std::size_t f = 1; f < kFrames; f += 2) frames[f][muscle] = 0;
+  return frames;
+}
+
+/// Times an animation. False when the two ways disagree.
+bool compare(const char* title, const Face& face, const Frames& frames) {
+  FaceDeformer deformer(face);
+  const PlainFace plain(face);
   DeformedFace theirs;
   float apart = 0;
   float normals_apart = 0;
   for (const std::vector<float>& frame : frames) {
     const DeformedFace& ours = deformer.deform(frame);
     plain.deform(frame, theirs);
-    apart = std::max(apart, largest_difference(ours.positions, theirs.positions));
+    apart = std::max(apart, largest_difference(face.mesh, ours, theirs));
     normals_apart = std::max(normals_apart, largest_difference_of_normals(face.mesh, ours, theirs));
   }
   std::size_t number = 0;
@@ -294,7 +325,7 @@ bool compare(const char* title, const Face& face, const std::vector<float>& acti
   const double cold_frame = cold_microseconds([&] { deformer.deform(next()); });
   const double cold_copy = cold_microseconds(copy_once);
   std::printf(
-      "%-28s %8.2f us  loop %9.2f us  copy %6.2f us  %6.1fx over the loop, %5.1fx a copy; "
+      "%-30s %8.2f us  loop %9.2f us  copy %6.2f us  %6.1fx over the loop, %5.1fx a copy; "
       "cold %6.1f us, copy %5.1f us, %4.1fx  apart %.1e, normals %.1e\n",
       title, frame, loop, copy, loop / frame, frame / copy, cold_frame, cold_copy,
       cold_frame / cold_copy, static_cast<double>(apart), static_cast<double>(normals_apart));
@@ -333,6 +364,7 @@ void show_parts(const Face& face) {
   aucast::face::BlockSet all(blocks);
   for (std::size_t block = 0; block < blocks; ++block) all.insert(block);
   sums.take(std::vector<float>(face.channels.size(), 0.5F), all);
+  sums.list(all);
   std::vector<aucast::face::VertexBlock> now(blocks);
   DeformedFace out;
   out.positions = out.normals = face.mesh.positions;
@@ -394,12 +426,18 @@ int main(int argc, char** argv) {
   if (const auto recording = face->recordings.find(12); recording != face->recordings.end()) {
     smile = recording->second.activation;
   }
-  bool agree = compare("rest", *face, nothing);
-  agree = compare("AU 12", *face, smile) && agree;
-  agree = compare("all muscles", *face, muscles) && agree;
-  agree = compare("all muscles, jaw, lids", *face, expression) && agree;
-  agree = compare("the head alone", *face, turning) && agree;
-  agree = compare("muscles, jaw, lids and head", *face, everything) && agree;
+  std::vector<float> lined = expression;
+  for (const MeshPart& part : face->mesh.parts) {
+    if (is_crease(part)) lined.at(*face->channel_index(part.name)) = 1;
+  }
+  bool agree = compare("rest", *face, animation(nothing));
+  agree = compare("AU 12", *face, animation(smile)) && agree;
+  agree = compare("AU 12, a muscle begins or ends", *face, begins_and_ends(smile)) && agree;
+  agree = compare("all muscles", *face, animation(muscles)) && agree;
+  agree = compare("all muscles, jaw, lids", *face, animation(expression)) && agree;
+  agree = compare("  and all creases", *face, animation(lined)) && agree;
+  agree = compare("the head alone", *face, animation(turning)) && agree;
+  agree = compare("muscles, jaw, lids and head", *face, animation(everything)) && agree;
   show_parts(*face);
   if (!agree) std::fprintf(stderr, "the two ways disagree\n");
   return agree ? 0 : 1;

@@ -29,5 +29,32 @@ TEST(BlockSet, HoldsWhatWasPutIn) {
   }
 }
 
+TEST(BlockSet, ComparesAndCutsLikeSets) {
+  test::Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  constexpr std::size_t kCount = 150;
+  BlockSet a(kCount);
+  BlockSet b(kCount);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (seeded.chance(0.5)) a.insert(i);
+    if (seeded.chance(0.5)) b.insert(i);
+  }
+  BlockSet both = a;
+  both &= b;
+  BlockSet only_a = a;
+  only_a -= b;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    EXPECT_EQ(both.contains(i), a.contains(i) && b.contains(i)) << i;
+    EXPECT_EQ(only_a.contains(i), a.contains(i) && !b.contains(i)) << i;
+  }
+  EXPECT_TRUE(a.contains_all(both));
+  EXPECT_TRUE(a.contains_all(a));
+  EXPECT_TRUE(a.contains_all(BlockSet(kCount)));
+  both.clear();
+  both.insert(149);
+  a -= both;
+  EXPECT_FALSE(a.contains_all(both));
+}
+
 }  // namespace
 }  // namespace aucast::face

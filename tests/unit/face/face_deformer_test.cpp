@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -327,6 +328,72 @@ TEST_F(Deformer, AllocatesNothingAfterTheFirstCall) {
   const DeformedFace& after = deformer_.deform(std::vector<float>(activations.size(), 0.5F));
   EXPECT_EQ(after.positions.data(), positions_before);
   EXPECT_EQ(after.normals.data(), normals_before);
+}
+
+/// The small face and two ribbons of twice ten and twice twenty vertices beside parts of its skin,
+/// which move as that does, of that material. They begin and end within a block.
+Face with_ribbons(Face face, Material material) {
+  FaceMesh& mesh = face.mesh;
+  for (const auto& [name, from, length] :
+       {std::tuple{"left_line", 600U, 10U}, std::tuple{"right_line", 1100U, 20U}}) {
+    MeshPart part{name,
+                  material,
+                  static_cast<std::uint32_t>(mesh.positions.size()),
+                  2 * length,
+                  static_cast<std::uint32_t>(mesh.triangles.size()),
+                  2 * (length - 1)};
+    for (std::uint32_t i = 0; i < 2 * length; ++i) {
+      const std::uint32_t beside = from + i / 2 + 41 * (i % 2);
+      mesh.positions.push_back(mesh.positions[beside] + glm::vec3(0, 0, 0.01F));
+      for (auto& [map_name, weights] : mesh.maps) weights.push_back(weights[beside]);
+      if (i < 2) continue;
+      const std::uint32_t v = part.vertex_begin + i;
+      mesh.triangles.push_back({v - 2, v - 1, v});
+    }
+    mesh.parts.push_back(part);
+    face.channels.push_back({name, Side::Both, 1, false});
+  }
+  return face;
+}
+
+TEST_F(Deformer, CreasesThatComeAndGoAreWhereTheyBelongWhileDrawn) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  const Face creased = with_ribbons(face_, Material::Crease);
+  const Face plain = with_ribbons(face_, Material::Brow);  // always moved
+  FaceDeformer deformer(creased);
+  FaceDeformer all(plain);
+  std::vector<float> activations(creased.channels.size(), 0.0F);
+  std::size_t appeared = 0;
+  for (int run = 0; run < 300; ++run) {
+    for (std::size_t c = 0; c < activations.size(); ++c) {
+      if (!seeded.chance(c + 2 < activations.size() ? 0.08 : 0.3)) continue;
+      activations[c] = seeded.chance(0.5) ? 0.0F : static_cast<float>(seeded.real(0, 1));
+    }
+    const DeformedFace before = deformer.deform(activations);
+    ASSERT_EQ(before.positions, deformer.deform(activations).positions);
+    const DeformedFace& expected = all.deform(activations);
+    std::size_t crease = 0;
+    for (const MeshPart& part : creased.mesh.parts) {
+      const bool hidden = is_crease(part) && !(before.creases.at(crease++) > 0);
+      if (is_crease(part) && !hidden) ++appeared;
+      for (std::size_t i = part.vertex_begin; i < part.vertex_begin + part.vertex_count; ++i) {
+        if (!hidden) {
+          ASSERT_EQ(before.positions[i], expected.positions[i]) << run << " " << i;
+        }
+        const glm::vec3 normal = is_crease(part) ? glm::vec3(0, 0, 1) : expected.normals[i];
+        ASSERT_EQ(before.normals[i], normal) << run << " " << i;
+      }
+      if (!hidden) continue;
+      // Those in the middle share no block with anything else.
+      const std::size_t middle = part.vertex_begin + part.vertex_count / 2;
+      ASSERT_EQ(before.positions[middle], creased.mesh.positions[middle]) << run;
+    }
+    FaceDeformer fresh(creased);
+    ASSERT_EQ(before.positions, fresh.deform(activations).positions) << run;
+    ASSERT_EQ(before.normals, fresh.deform(activations).normals) << run;
+  }
+  EXPECT_GT(appeared, 100U);
 }
 
 TEST(DeformerOfABareFace, CopesWithoutTrianglesMapsAndMovers) {

@@ -23,8 +23,16 @@ std::vector<float> some(Seeded& seeded, std::size_t muscles) {
   return activations;
 }
 
+BlockSet every_block(const Face& face) {
+  const std::size_t count = block_count(face.mesh.positions.size());
+  BlockSet all(count);
+  for (std::size_t block = 0; block < count; ++block) all.insert(block);
+  return all;
+}
+
 TEST(MuscleSums, AddEachMusclesDisplacement) {
   const Face face = test::small_face();
+  const BlockSet all = every_block(face);
   BlockSet moved(block_count(face.mesh.positions.size()));
   for (std::size_t m = 0; m < face.muscles.size(); ++m) {
     const Muscle& muscle = face.muscles[m];
@@ -32,6 +40,7 @@ TEST(MuscleSums, AddEachMusclesDisplacement) {
     std::vector<float> activations(face.muscles.size(), 0.0F);
     activations[m] = 0.75F;
     sums.take(activations, moved);
+    sums.list(all);
     const auto* const reach = muscle.mask_alone ? nullptr : find_map(face.mesh, "muscle");
     const auto* const mask = muscle.mask.empty() ? nullptr : find_map(face.mesh, muscle.mask);
     for (std::size_t i = 0; i < face.mesh.positions.size(); ++i) {
@@ -52,6 +61,7 @@ TEST(MuscleSums, ForgetWhatActedBefore) {
   SCOPED_TRACE(seeded.trace());
   const Face face = test::small_face();
   BlockSet moved(block_count(face.mesh.positions.size()));
+  const BlockSet all = every_block(face);
   MuscleSums used(face);
   for (int run = 0; run < 20; ++run) {
     const std::vector<float> activations = run % 5 == 4
@@ -59,7 +69,9 @@ TEST(MuscleSums, ForgetWhatActedBefore) {
                                                : some(seeded, face.muscles.size());
     MuscleSums fresh(face);
     used.take(activations, moved);
+    used.list(all);
     fresh.take(activations, moved);
+    fresh.list(all);
     for (std::size_t block = 0; block < used.rest().size(); ++block) {
       VertexBlock a;
       VertexBlock b;
@@ -69,6 +81,37 @@ TEST(MuscleSums, ForgetWhatActedBefore) {
       ASSERT_EQ(a.y, b.y) << "block " << block;
       ASSERT_EQ(a.z, b.z) << "block " << block;
     }
+  }
+}
+
+TEST(MuscleSums, AreTheSameWhicheverBlocksAreListed) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  const Face face = test::small_face();
+  BlockSet moved(block_count(face.mesh.positions.size()));
+  MuscleSums whole(face);
+  MuscleSums partly(face);
+  std::vector<float> activations;
+  for (int run = 0; run < 30; ++run) {
+    // The same muscles act in the next two: what is listed only changes with what is asked for.
+    if (run % 3 == 0) activations = some(seeded, face.muscles.size());
+    whole.take(activations, moved);
+    whole.list(every_block(face));
+    BlockSet asked(whole.rest().size());
+    for (std::size_t block = 0; block < whole.rest().size(); ++block) {
+      if (seeded.chance(0.2)) asked.insert(block);
+    }
+    partly.take(activations, moved);
+    partly.list(asked);
+    asked.for_each([&](std::size_t block) {
+      VertexBlock a;
+      VertexBlock b;
+      whole.at(block, a);
+      partly.at(block, b);
+      ASSERT_EQ(a.x, b.x) << "block " << block;
+      ASSERT_EQ(a.y, b.y) << "block " << block;
+      ASSERT_EQ(a.z, b.z) << "block " << block;
+    });
   }
 }
 

@@ -116,6 +116,30 @@ TEST(NormalField, TrianglesInAnyDisorder) {
   }
 }
 
+TEST(NormalField, CreasesHaveNone) {
+  // Two ribbons alike, the second a crease that begins within a block.
+  FaceMesh mesh;
+  for (int i = 0; i < 40; ++i) {
+    mesh.positions.emplace_back(i / 2, i % 2, 0.1F * static_cast<float>(i % 5));
+  }
+  for (std::uint32_t i = 0; i + 2 < 40; ++i) {
+    if (i < 18 || i >= 20) mesh.triangles.push_back({i, i + 1 + i % 2, i + 2 - i % 2});
+  }
+  mesh.parts = {{"skin", Material::Skin, 0, 20, 0, 18}, {"line", Material::Crease, 20, 20, 18, 18}};
+  NormalField field(mesh);
+  BlockSet moved(5);
+  for (std::size_t block = 0; block < 5; ++block) moved.insert(block);
+  std::vector<glm::vec3> normals(40, glm::vec3(7));
+  field.update(moved, normals);
+  const auto expected = plain_sums(mesh);
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_LT(glm::distance(glm::dvec3(normals[i]), glm::normalize(expected[i])), 1e-5) << i;
+  }
+  for (std::size_t i = 20; i < 40; ++i) {
+    EXPECT_EQ(normals[i], i < 24 ? glm::vec3(0, 0, 1) : glm::vec3(7)) << i;
+  }
+}
+
 TEST(NormalField, WritesOnlyWhatAMovedVertexMayChange) {
   // A strip of triangles: the vertices of a block are near those of the next one.
   FaceMesh mesh;
