@@ -72,19 +72,28 @@ float key_arriving(vec3 place) {
 #ifdef EYE
 const float kCorneaEnd = 1.3;     // radians from where the eye looks
 const float kCorneaWidens = 0.85;  // so that no two points change places it is less than 1
+const float kCorneaBulge = 0.075;  // share of the ball's radius
+const float kCorneaRim = 0.46;     // radians; the iris ends a little before
 
 // The cornea stands out and bends light: from the side an iris looks far wider than one painted on
-// a ball. The ball's points slide over it, away from where the eye looks.
+// a ball. The ball's points slide over it, away from where the eye looks, those towards the viewer
+// most, so that the edge of the iris stays an ellipse. Only from the side does the cornea itself
+// show; always there, it would pierce the lids.
 vec3 seen_through_cornea(vec3 place) {
   vec3 arm = place - u_eyeball_centre;
   vec3 aside = arm - dot(arm, u_eyeball_forward) * u_eyeball_forward;
   if (dot(aside, aside) < 1e-8) return place;
   float angle = acos(clamp(dot(normalize(arm), u_eyeball_forward), -1.0, 1.0));
-  float sideways = 1.0 - dot(normalize(u_eye - u_eyeball_centre), u_eyeball_forward);
+  vec3 viewer = normalize(u_eye - u_eyeball_centre);
+  aside = normalize(aside);
+  float sideways = smoothstep(0.2, 0.9, 1.0 - dot(viewer, u_eyeball_forward));
   float inside = max(1.0 - angle / kCorneaEnd, 0.0);
-  angle += kCorneaWidens * smoothstep(0.2, 0.9, sideways) * angle * inside;
-  vec3 direction = cos(angle) * u_eyeball_forward + sin(angle) * normalize(aside);
-  return u_eyeball_centre + length(arm) * direction;
+  float nearer = max(dot(aside, viewer), 0.0);
+  float bulge = max(1.0 - angle * angle / (kCorneaRim * kCorneaRim), 0.0);
+  angle += kCorneaWidens * sideways * nearer * nearer * angle * inside;
+  vec3 direction = cos(angle) * u_eyeball_forward + sin(angle) * aside;
+  return u_eyeball_centre +
+         length(arm) * (direction + kCorneaBulge * sideways * bulge * bulge * u_eyeball_forward);
 }
 #endif
 
@@ -274,6 +283,25 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   return lit * through * kKey * (u_key_strength * (0.55 + 0.45 * occlusion));
 }
 
+#ifdef EYE
+vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
+  // Reflections of a window where a portrait painter puts them: true ones hide behind the lids as
+  // soon as the head turns, and the face dies.
+  vec3 side = normalize(vec3(view.z, 0.0, -view.x));
+  vec3 up = cross(view, side);
+  // They stay on the iris also in profile, or the eye is a painted ball.
+  float sideways = smoothstep(0.1, 0.8, 1.0 - dot(view, u_eyeball_forward));
+  vec3 middle = mix(view, u_eyeball_forward, 0.75);
+  vec3 first = normalize(middle - side * 0.13 * (1.0 - sideways) + up * mix(0.18, 0.10, sideways));
+  vec3 second = normalize(middle + side * 0.17 - up * 0.20);
+  lit += vec3(1.0, 0.98, 0.95) * (1.7 * smoothstep(0.9945, 0.9983, dot(normal, first)) +
+                                  0.12 * smoothstep(0.992, 0.998, dot(normal, second)));
+  // From the side the front of the cornea is clear: what lies behind it shows, not the pupil.
+  float facing = 1.0 - max(dot(normal, view), 0.0);
+  return mix(lit, vec3(0.42, 0.44, 0.46), 0.75 * sideways * smoothstep(0.62, 0.95, facing));
+}
+#endif
+
 void main() {
   vec3 view = v_view;  // near enough to unit length between near vertices
   vec3 colour = v_colour.rgb;
@@ -300,17 +328,7 @@ void main() {
 #ifdef EYE
   // The upper lid and its lashes shade the ball below them.
   result *= mix(1.0, 0.45, smoothstep(0.05, 0.50, from_centre.y));
-  // Reflections of a window where a portrait painter puts them: true ones hide behind the lids as
-  // soon as the head turns, and the face dies.
-  vec3 side = normalize(vec3(view.z, 0.0, -view.x));
-  vec3 up = cross(view, side);
-  // They stay on the iris also in profile, or the eye is a painted ball.
-  float sideways = smoothstep(0.1, 0.8, 1.0 - dot(view, u_eyeball_forward));
-  vec3 middle = mix(view, u_eyeball_forward, 0.75);
-  vec3 first = normalize(middle - side * 0.13 * (1.0 - sideways) + up * mix(0.18, 0.10, sideways));
-  vec3 second = normalize(middle + side * 0.17 - up * 0.20);
-  result += vec3(1.0, 0.98, 0.95) * (1.7 * smoothstep(0.9945, 0.9983, dot(normal, first)) +
-                                     0.12 * smoothstep(0.992, 0.998, dot(normal, second)));
+  result = with_reflections(result, view, normal);
 #else
 #ifdef HAIR
   vec3 specular =

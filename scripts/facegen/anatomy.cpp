@@ -23,7 +23,7 @@ double upper_lid(const Identity& who, double dx) {
 
 double lower_lid(const Identity& who, double dx) {
   const double t = along_eye(dx);
-  return canthal_line(who, t) - who.form.lower_lid * power(std::sin(kPi * power(t, 1.22)), 0.90);
+  return canthal_line(who, t) - who.form.lower_lid * power(std::sin(kPi * power(t, 1.24)), 0.88);
 }
 
 double lid_fold(const Identity& who, double dx) {

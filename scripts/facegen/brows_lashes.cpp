@@ -92,18 +92,33 @@ Vertex on_fold(const Identity& who, const Skin& skin, int side, int k, double ov
   return on_lid(skin, 1, side, true, k);
 }
 
-/// The line in the fold of the upper lid; the quads of the skin are too coarse for it.
-void add_lid_fold(Part& part, const Identity& who, const Skin& skin, int side) {
-  static constexpr std::array kOver{-0.028, 0.0, 0.075};
-  std::vector<std::vector<std::uint32_t>> rows(kOver.size());
-  for (int k = 2; k < kLidSteps; ++k) {
+/// The skin of the upper lid from the lashes to its fold: darker along both, and above the fold
+/// where the skin over it turns in. The quads of the skin are too coarse for it, and without it the
+/// lid is a pale band between two lines.
+void add_lid_band(Part& part, const Identity& who, const Skin& skin, int side) {
+  struct Row {
+    double over;  ///< the fold; in heights of the lid below it, in mesh units above
+    double alpha;
+    double dark;  ///< 1: as dark as the fold
+  };
+  static constexpr std::array<Row, 7> kBand{{{-1.1, 0.62, 0.85},
+                                             {-0.80, 0.40, 0.55},
+                                             {-0.45, 0.30, 0.40},
+                                             {-0.15, 0.48, 0.75},
+                                             {0.0, 0.74, 1.0},
+                                             {0.045, 0.34, 0.75},
+                                             {0.16, 0.0, 0.30}}};
+  const Vec3 deep = who.colours.lid_skin * Vec3{0.36, 0.27, 0.25};
+  std::vector<std::vector<std::uint32_t>> rows(kBand.size());
+  for (int k = 1; k < kLidSteps; ++k) {
     const double t = static_cast<double>(k) / kLidSteps;
-    for (std::size_t j = 0; j < kOver.size(); ++j) {
-      const Vertex on = on_fold(who, skin, side, k, kOver[j]);
-      const double alpha =
-          j == 1 ? 0.55 * smooth_step(0.1, 0.35, t) * smooth_step(0.97, 0.7, t) : 0;
+    const double ends = smooth_step(0.05, 0.30, t) * smooth_step(0.98, 0.75, t);
+    for (std::size_t j = 0; j < kBand.size(); ++j) {
+      const Row& row = kBand[j];
+      const double over = row.over < 0 ? row.over * who.form.lid_fold : row.over;
+      const Vertex on = on_fold(who, skin, side, k, over);
       rows[j].push_back(
-          part.add(on.position, who.colours.lid_skin * Vec3{0.34, 0.26, 0.25}, alpha));
+          part.add(on.position, mix(who.colours.lid_skin, deep, row.dark), row.alpha * ends));
       part.vertices.back().maps = on.maps;
       part.vertices.back().gloss = 0;
     }
@@ -111,55 +126,105 @@ void add_lid_fold(Part& part, const Identity& who, const Skin& skin, int side) {
   for (std::size_t j = 0; j + 1 < rows.size(); ++j) part.add_band(rows[j], rows[j + 1], false);
 }
 
-/// A few lashes that lean together: a curved blade, pointed, that is seen from the front and from
-/// the side alike.
-void add_lash(Part& part, const Identity& who, const Skin& skin, int side, bool upper, double t,
-              double length) {
+/// How lashes grow at `t`: where they leave the lid, and which way they go and curl.
+struct LashGrowth {
+  Vertex root;
+  Vec3 along{0};
+  Vec3 direction{0};
+  double length = 0;
+  double curl = 0;  ///< upwards, share of the length
+};
+
+LashGrowth lash_growth(const Identity& who, const Skin& skin, int side, bool upper, double t) {
   const Vec3 eye{side * kEyeCentre.x, kEyeCentre.y, kEyeCentre.z};
-  const Vertex root = on_margin(skin, side, upper, t);
-  const Vec3 along = glm::normalize(on_margin(skin, side, upper, std::min(1.0, t + 0.03)).position -
-                                    on_margin(skin, side, upper, std::max(0.0, t - 0.03)).position);
-  const Vec3 out = glm::normalize(root.position - eye);
-  const auto seed = static_cast<std::int64_t>(t * 4096) + (upper ? 0 : 70000) + side * 131;
-  const double astray = hash(seed) - 0.5;
+  LashGrowth growth;
+  growth.root = on_margin(skin, side, upper, t);
+  growth.along = glm::normalize(on_margin(skin, side, upper, std::min(1.0, t + 0.03)).position -
+                                on_margin(skin, side, upper, std::max(0.0, t - 0.03)).position);
+  const Vec3 out = glm::normalize(growth.root.position - eye);
+  growth.root.position -= out * 0.015;
   // They fan out towards the temple.
-  const Vec3 fan{side * (0.9 * (t - 0.38) + 0.22 * astray), 0, 0};
-  const Vec3 direction = glm::normalize(out + fan + Vec3{0, upper ? 0.10 : -0.45, 0});
-  const double curl = (upper ? 0.46 : -0.10) * (0.85 + 0.3 * hash(seed + 7));
-  const Vec3 blade = glm::normalize(along + Vec3{0, 0.8 * (astray > 0 ? 1 : -1), 0});
-  static constexpr std::array kSteps{0.0, 0.55, 1.0};
-  static constexpr std::array kWidths{1.0, 0.62, 0.0};
-  static constexpr std::array kAlphas{0.90, 0.75, 0.20};
-  const double half_width = who.form.lash * (upper ? 0.016 : 0.010);
-  std::vector<std::uint32_t> left;
-  std::vector<std::uint32_t> right;
-  for (std::size_t j = 0; j < kSteps.size(); ++j) {
-    const double s = kSteps[j];
-    const Vec3 p =
-        root.position - out * 0.015 + direction * (length * s) + Vec3{0, curl * length * s * s, 0};
-    const double alpha = kAlphas[j] * (upper ? 1 : 0.5);
-    for (const double aside : {-1.0, 1.0}) {
-      if (kWidths[j] == 0 && aside > 0) continue;
-      const auto index = part.add(p + blade * (aside * half_width * kWidths[j]), kLash, alpha);
-      part.vertices.back().maps = root.maps;
+  const Vec3 fan{side * (1.0 * (t - 0.36)), 0, 0};
+  growth.direction = glm::normalize(out + fan + Vec3{0, upper ? -0.10 : -0.40, 0});
+  const double ends = smooth_step(0.0, 0.25, t) * (1 - 0.40 * smooth_step(0.86, 1.0, t));
+  growth.length = who.form.lash * ends * (upper ? mix(0.25, 0.52, smooth_step(0.1, 0.9, t)) : 0.09);
+  growth.curl = upper ? 0.42 : -0.10;
+  return growth;
+}
+
+Vec3 along_lash(const LashGrowth& growth, double s) {
+  return growth.root.position + growth.direction * (growth.length * s) +
+         Vec3{0, growth.curl * growth.length * s * s, 0};
+}
+
+/// How dark lashes are: short ones are also thin.
+double lash_strength(const Identity& who) {
+  return mix(0.25, 1.0, who.form.lash);
+}
+
+/// What lashes are from afar: a soft dark fringe, dense at the lid.
+void add_lash_fringe(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
+  static constexpr std::array kSteps{0.0, 0.3, 0.62, 1.0};
+  static constexpr std::array kAlphas{0.70, 0.46, 0.18, 0.0};
+  constexpr int kColumns = kLidSteps;
+  std::array<std::vector<std::uint32_t>, kSteps.size()> rows;
+  for (int i = 1; i <= kColumns; ++i) {
+    const double t = static_cast<double>(i) / kColumns;
+    const LashGrowth growth = lash_growth(who, skin, side, upper, t);
+    const double dark = (upper ? 1.0 : 0.5) * lash_strength(who) * smooth_step(0.02, 0.4, t);
+    for (std::size_t j = 0; j < kSteps.size(); ++j) {
+      rows[j].push_back(part.add(along_lash(growth, 0.85 * kSteps[j]), kLash, kAlphas[j] * dark));
+      part.vertices.back().maps = growth.root.maps;
       part.vertices.back().gloss = 0;
-      (aside < 0 ? left : right).push_back(index);
     }
   }
-  part.add_quad(left[0], right[0], right[1], left[1]);
-  part.add_triangle(left[1], right[1], left[2]);
+  for (std::size_t j = 0; j + 1 < rows.size(); ++j) part.add_band(rows[j], rows[j + 1], false);
+}
+
+/// One upper lash: a curved blade, pointed, that is seen from the front and from the side alike.
+void add_lash(Part& part, const Identity& who, const Skin& skin, int side, int number, int count) {
+  const auto chance = [&](int of) { return hash(number * 29 + side * 131 + of * 7001); };
+  const double t = 0.06 + 0.93 * (number + 0.6 * chance(1)) / count;
+  // Three or four stand apart at the lid and meet at their tips.
+  constexpr int kTogether = 3;
+  const double tuft = 0.06 + 0.93 * ((number / kTogether + 0.5) * kTogether) / count;
+  LashGrowth growth = lash_growth(who, skin, side, true, t);
+  const LashGrowth other = lash_growth(who, skin, side, true, std::clamp(tuft, 0.0, 1.0));
+  growth.length *= 0.72 + 0.40 * chance(2);
+  growth.curl *= 0.85 + 0.3 * chance(3);
+  const Vec3 lean = 0.7 * (other.root.position - growth.root.position) +
+                    growth.along * (0.06 * (chance(4) - 0.5));
+  const Vec3 blade = glm::normalize(growth.along + Vec3{0, chance(5) > 0.5 ? 0.8 : -0.8, 0});
+  static constexpr std::array kSteps{0.0, 0.35, 0.70, 1.0};
+  static constexpr std::array kWidths{1.0, 0.80, 0.42, 0.0};
+  static constexpr std::array kAlphas{0.85, 0.75, 0.50, 0.10};
+  const double half_width = 0.022 * mix(0.5, 1.0, who.form.lash);
+  const double dark = lash_strength(who) * smooth_step(0.0, 0.22, t);
+  std::array<std::uint32_t, 2> before{};
+  for (std::size_t j = 0; j < kSteps.size(); ++j) {
+    const Vec3 p = along_lash(growth, kSteps[j]) + lean * (kSteps[j] * kSteps[j]);
+    const auto add = [&](double aside) {
+      const auto index =
+          part.add(p + blade * (aside * half_width * kWidths[j]), kLash, kAlphas[j] * dark);
+      part.vertices.back().maps = growth.root.maps;
+      part.vertices.back().gloss = 0;
+      return index;
+    };
+    if (j + 1 == kSteps.size()) {
+      part.add_triangle(before[0], before[1], add(0));
+      break;
+    }
+    const std::array<std::uint32_t, 2> here{add(-1), add(1)};
+    if (j > 0) part.add_quad(before[0], before[1], here[1], here[0]);
+    before = here;
+  }
 }
 
 void add_lashes(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
   add_lash_line(part, skin, side, upper);
-  const int count = upper ? 28 : 20;
-  for (int i = 0; i < count; ++i) {
-    const double t = 0.10 + 0.88 * (i + 0.7 * hash(i * 17 + (upper ? 3 : 11) + side)) / count;
-    const double length = upper ? 0.56 * (0.42 + 0.58 * smooth_step(0.0, 0.75, t)) : 0.16;
-    const double uneven = 0.82 + 0.3 * hash(i * 29 + side + 5);
-    const double ends = smooth_step(0.0, 0.18, t) * (1 - 0.45 * smooth_step(0.80, 1.0, t));
-    add_lash(part, who, skin, side, upper, t, who.form.lash * length * uneven * ends);
-  }
+  add_lash_fringe(part, who, skin, side, upper);
+  constexpr int kLashes = 39;
+  for (int i = 0; upper && i < kLashes; ++i) add_lash(part, who, skin, side, i, kLashes);
 }
 
 // Brows. t runs along the spine from the nose (0) to the temple (1), s across it from below (-1).
@@ -197,7 +262,7 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
     for (int j = 0; j <= kAcross; ++j) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
-      const double fade = smooth_step(0.03, 0.42, t) * smooth_step(1.0, 0.86, t);
+      const double fade = smooth_step(-0.02, 0.46, t) * smooth_step(1.0, 0.86, t);
       const double alpha = 0.8 * fade * smooth_step(1.0, 0.25, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
@@ -215,16 +280,18 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
 
 /// Which way a hair lies: up at the nose, then along the brow, from both edges towards its ridge.
 Vec3 hair_direction(const BrowPlace& place, double t, double s, double astray) {
-  const double upright = mix(1.25, 0.10, smooth_step(0.0, 0.45, t));
+  const double upright = mix(0.95, 0.10, smooth_step(0.0, 0.45, t));
   const double angle = upright - 0.42 * s * smooth_step(0.05, 0.4, t) + 0.30 * (astray - 0.5);
   return place.along * std::cos(angle) + place.across * std::sin(angle);
 }
 
 void add_brow_hairs(Part& brow, const Identity& who, int side) {
-  constexpr int kHairs = 110;
+  constexpr int kHairs = 130;
   for (int i = 0; i < kHairs; ++i) {
     const auto chance = [&](int of) { return hash(i * 97 + of * 7919); };
-    const double t = 0.94 * (i + chance(1)) / kHairs;
+    // More of them where no ground is under them.
+    const double even = (i + chance(1)) / kHairs;
+    const double t = 0.94 * mix(even * even, even, 0.55);
     const double s = 1.7 * (chance(2) - 0.5) - 0.10;
     const BrowPlace place = brow_place(who, t);
     const double half_width = brow_half_width(who, std::max(t, 0.10));
@@ -232,8 +299,9 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
     const Vec3 direction = hair_direction(place, t, s, chance(3));
     const Vec3 aside{-direction.y, direction.x, 0};
     const double length = (0.24 + 0.55 * half_width) * (0.75 + 0.5 * chance(4)) *
+                          mix(0.55, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
-    const double alpha = mix(0.40, 0.75, smooth_step(0.0, 0.25, t)) * (0.7 + 0.3 * chance(5));
+    const double alpha = mix(0.14, 0.75, smooth_step(0.0, 0.42, t)) * (0.7 + 0.3 * chance(5));
     const Vec3 colour = who.colours.brow * (0.75 + 0.5 * chance(6));
     const double thick = 0.012 * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};
@@ -269,7 +337,7 @@ Part make_lashes(const Identity& who, const Skin& skin) {
   lashes.name = "lashes";
   lashes.material = face::Material::Brow;
   for (const int side : {1, -1}) {
-    add_lid_fold(lashes, who, skin, side);
+    add_lid_band(lashes, who, skin, side);
     for (const bool upper : {true, false}) add_lid_shade(lashes, skin, side, upper);
     for (const bool upper : {true, false}) add_lashes(lashes, who, skin, side, upper);
   }

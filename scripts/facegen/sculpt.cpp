@@ -138,7 +138,7 @@ double lid_relief(const Identity& who, const Vec3& p) {
   const double fold = lid_fold(who, inside);
   const double groove = lower_lid(who, inside) - 0.40;
   // Shallow where the lid is thin.
-  const double deep = mix(0.12, 0.04, smooth_step(0.5, 1.1, x));
+  const double deep = mix(0.09, 0.04, smooth_step(0.5, 1.1, x));
   return window * (deep * bell(y - fold, 0.10) + who.form.eye_bag * bell(y - groove, 0.16));
 }
 
