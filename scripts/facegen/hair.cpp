@@ -18,12 +18,17 @@ void add_sheet(Part& hair, const SheetSize& size,
     }
   }
   // Edges blend in this order: what is nearer to the face covers what is behind.
+  const std::size_t middle = size.columns / 2;
   const auto add_column = [&](std::size_t i) {
     for (std::size_t j = 1; j < size.rows; ++j) {
-      hair.add_quad(rows[j][i], rows[j][i + 1], rows[j - 1][i + 1], rows[j - 1][i]);
+      // Cut the way the strands lean, from the upper middle outwards, or they would run in steps.
+      if (i < middle) {
+        hair.add_quad(rows[j][i + 1], rows[j - 1][i + 1], rows[j - 1][i], rows[j][i]);
+      } else {
+        hair.add_quad(rows[j][i], rows[j][i + 1], rows[j - 1][i + 1], rows[j - 1][i]);
+      }
     }
   };
-  const std::size_t middle = size.columns / 2;
   for (std::size_t i = middle; i-- > 0;) add_column(i);
   for (std::size_t i = middle; i + 1 < size.columns; ++i) add_column(i);
 }

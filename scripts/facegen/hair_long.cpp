@@ -10,12 +10,12 @@ namespace {
 
 /// Where hair at the front edge leaves the hairline and hangs freely.
 double hangs(double t) {
-  return smooth_step(0.22, 0.42, t);
+  return smooth_step(0.20, 0.38, t);
 }
 
 /// Where its edge turns in; above, it would only dip in and out of the skin.
 double rolls(double t) {
-  return smooth_step(0.40, 0.66, t);
+  return smooth_step(0.30, 0.50, t);
 }
 
 /// The outside of long hair: s from 0 to 1 across it, t from the roots (0) to the tips (1).
@@ -33,11 +33,15 @@ class Sheet {
     if (s < 0) p += (keys[0].value - keys[1].value) * (-s * static_cast<double>(last));
     if (s > 1)
       p += (keys[last].value - keys[last - 1].value) * ((s - 1) * static_cast<double>(last));
+    // Where it lies on the head its height is given, not its place: no guide shows as a bump.
+    const double lies = smooth_step(0.50, 0.20, t);
+    if (lies > 0) {
+      const Vec3 direction = glm::normalize(p - kInsideHead);
+      p = mix(p, leave(kInsideHead, direction, head_) + direction * height(s, t), lies);
+    }
     const double middle = smooth_step(0, 0.08, s) * smooth_step(1, 0.92, s);
     const double edge = mix(0.04, 0.17, hangs(t));
-    // At the crown the parting closes above the scalp.
-    const double root = 0.20 * smooth_step(0.12, 0.28, std::min(s, 1 - s));
-    return off_head(p, mix(root, mix(edge, cut_.side, middle), smooth_step(0, 0.1, t)));
+    return off_head(p, mix(0.02, mix(edge, cut_.side, middle), smooth_step(0.05, 0.4, t)));
   }
 
   [[nodiscard]] Vec3 across(double s, double t) const {
@@ -74,16 +78,26 @@ class Sheet {
   }
 
  private:
+  /// Over the skin, where the hair lies on the head.
+  [[nodiscard]] double height(double s, double t) const {
+    const double from_edge = std::min(s, 1 - s);
+    const double full = mix(0.03, cut_.top, smooth_step(0.02, 0.20, from_edge));
+    // A narrow valley at the parting, which closes towards the crown.
+    const double valley = mix(0.85, 0.06, smooth_step(0.04, 0.2, from_edge));
+    const double rise = 1 - std::exp(-std::pow(t / 0.03, 2));
+    return full * mix(1, rise, valley);
+  }
+
   [[nodiscard]] Vec3 guide(std::size_t i, double t) const {
     const std::span<const Vec3> points = cut_.guides[i];
     std::vector<Key<Vec3>> keys;
     for (std::size_t k = 0; k < points.size(); ++k) {
       keys.push_back({static_cast<double>(k) / static_cast<double>(points.size() - 1), points[k]});
     }
-    // Roots, and the front edge as far as it is the hairline, are on the skin.
+    // The front edge is on the skin as far as it is the hairline.
     const bool front = i == 0 || i + 1 == cut_.guides.size();
     const Vec3 p = sample<Vec3>(keys, t);
-    const double rooted = front ? 1 - hangs(t) : smooth_step(0.12, 0, t);
+    const double rooted = front ? 1 - hangs(t) : 0;
     return rooted > 0 ? mix(p, on_skin(who_, p), rooted) : p;
   }
 
@@ -119,7 +133,9 @@ double waves(double s, double t) {
 /// The outside with its waves and with tips that turn in.
 Vec3 outer_place(const Sheet& sheet, double s, double t) {
   const double tip = smooth_step(0.70, 1, t);
-  return sheet.place(s, t) + sheet.up(s, t) * (waves(s, t) - 0.55 * tip * tip);
+  // The front edges lie on the cheeks already.
+  const double free = smooth_step(0, 0.07, std::min(s, 1 - s));
+  return sheet.place(s, t) + sheet.up(s, t) * (free * (waves(s, t) - 0.55 * tip * tip));
 }
 
 /// Number of the strand: they gather into locks, the more the farther down.
@@ -136,27 +152,26 @@ double strand_at(double u, double t) {
 
 void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
   add_sheet(hair, kOuterSheet, [&](double u, double v) {
-    const double t = mix(v, v * v, 0.25);
+    const double t = mix(v, v * v, 0.45);
     const Outside at = outside_at(u);
     const double s = at.s;
     Vec3 p = outer_place(sheet, s, t);
     if (at.rolled > 0) {
-      const double angle = 2.5 * at.rolled;
-      const double radius = mix(0.03, mix(0.26, 0.12, smooth_step(0.8, 1, t)), rolls(t));
-      p += sheet.across(s, t) * (at.side * radius * std::sin(angle)) -
-           sheet.up(s, t) * (radius * (1 - std::cos(angle)) +
-                             at.rolled * mix(0.6, 0.2, rolls(t)) * smooth_step(1, 0.75, t));
+      const double wide = mix(0.10, 0.42, rolls(t)) * mix(1, 0.6, smooth_step(0.8, 1, t));
+      p += sheet.across(s, t) * (at.side * wide * at.rolled) -
+           sheet.up(s, t) * (mix(0.10, 0.40, rolls(t)) * power(at.rolled, 1.5));
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
     const double light = 0.10 + 0.22 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t);
     const double from_edge = std::min(s, 1 - s);
-    const double loose = smooth_step(0.25, 0.42, t);
-    const double soft = mix(0.02, 0.045, value_noise({0.5, 26 * t, 9.5})) * mix(1, 0.3, loose);
-    // What turns in is seen as far as it is out of the skin.
-    const double begin = -0.012 * loose - 0.028 * rolls(t - 0.04);
-    const double hairline = smooth_step(begin, begin + soft, from_edge - 0.02 * at.rolled);
+    const double loose = smooth_step(0.14, 0.34, t);
+    const double soft = mix(0.02, 0.045, value_noise({0.5, 26 * t, 9.5}));
+    // Where it hangs single strands of the edge lie on the cheek.
+    const double begin = -kRolled * loose;
+    const double hairline = smooth_step(begin, begin + mix(soft, 0.7 * kRolled, loose),
+                                        from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
-    const double parting = mix(1, smooth_step(-0.04, 0.05, t), smooth_step(0.22, 0.12, from_edge));
+    const double parting = mix(1, smooth_step(-0.02, 0.025, t), smooth_step(0.14, 0.06, from_edge));
     const double full = 0.86 + 0.07 * value_noise({s * 40, 0.5, 3.5});
     const double ends = smooth_step(full + 0.14, full, t) * smooth_step(1, 0.97, t);
     return HairPoint{p, shade_of(who, light), hairline * parting * ends, strand_at(u, t),
@@ -184,16 +199,16 @@ struct Lock {
   double width = 0;  ///< half of it, of s
   double lift = 0;   ///< at its end
 };
-constexpr std::array<Lock, kLocks> kLoose{{{0.035, -0.055, 0.28, 1.00, 0.014, 0.05},
-                                           {0.965, 0.065, 0.22, 0.94, 0.016, 0.06},
-                                           {0.130, 0.025, 0.45, 1.04, 0.012, 0.02},
-                                           {0.860, -0.030, 0.40, 1.05, 0.014, 0.02},
-                                           {0.780, 0.030, 0.35, 1.03, 0.014, 0.02},
-                                           {0.700, -0.025, 0.40, 1.05, 0.012, 0.02},
-                                           {0.240, 0.025, 0.40, 1.05, 0.014, 0.02},
-                                           {0.340, -0.020, 0.50, 1.04, 0.014, 0.02},
-                                           {0.925, -0.020, 0.50, 1.06, 0.010, 0.02},
-                                           {0.075, 0.015, 0.50, 1.06, 0.010, 0.02}}};
+constexpr std::array<Lock, kLocks> kLoose{{{0.020, -0.022, 0.26, 0.86, 0.010, 0.03},
+                                           {0.982, 0.024, 0.22, 0.80, 0.011, 0.03},
+                                           {0.130, 0.030, 0.62, 1.05, 0.012, 0.04},
+                                           {0.860, -0.034, 0.60, 1.06, 0.013, 0.05},
+                                           {0.780, 0.030, 0.66, 1.05, 0.012, 0.03},
+                                           {0.690, -0.025, 0.62, 1.06, 0.012, 0.04},
+                                           {0.240, 0.028, 0.64, 1.06, 0.013, 0.04},
+                                           {0.340, -0.024, 0.66, 1.05, 0.012, 0.04},
+                                           {0.940, -0.018, 0.58, 1.07, 0.009, 0.03},
+                                           {0.060, 0.016, 0.60, 1.08, 0.009, 0.03}}};
 
 void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& lock) {
   add_sheet(hair, kLock, [&](double u, double v) {

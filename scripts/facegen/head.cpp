@@ -28,12 +28,13 @@ std::vector<Part> make_head(const Identity& who) {
   Part shirt = make_shirt(who);
   tint_scalp(who, skin, scalp_of(who));
   {
-    // The hair darkens itself but not the skin: that gives blocky patches along the hairline.
+    // Rays from the skin to the hair give blocky patches along the hairline: shade_under_hair.
     const RayScene body(std::array<const Part*, 4>{&skin.part, &left_eye, &right_eye, &shirt});
     const RayScene skin_only(std::array<const Part*, 1>{&skin.part});
     const RayScene outside(std::array<const Part*, 3>{&skin.part, &hair, &shirt});
     bake_occlusion(skin.part, body, {128, 4.0, 0.34, 3});
     shade_inner_lips(skin);
+    shade_under_hair(skin, hair);
     bake_occlusion(left_eye, skin_only, {96, 3.0, 0.60, 1});
     bake_occlusion(right_eye, skin_only, {96, 3.0, 0.60, 1});
     bake_occlusion(hair, outside, {96, 4.0, 0.40, 1});

@@ -144,6 +144,36 @@ void shade_inner_lips(Skin& skin) {
   }
 }
 
+void shade_under_hair(Skin& skin, const Part& hair) {
+  // As much as there is of hair near by, weighed by distance: no ray hits or misses a strand, which
+  // would show as blocks.
+  constexpr double kReach = 0.42;
+  struct Piece {
+    Vec3 place{0};
+    double weight = 0;
+  };
+  std::vector<Piece> pieces;
+  for (const face::Polygon& polygon : hair.polygons) {
+    const auto at = [&](std::size_t k) { return hair.vertices[polygon.corners[k]]; };
+    const Vec3 middle = (at(0).position + at(1).position + at(2).position + at(3).position) * 0.25;
+    const double area = 0.5 * glm::length(glm::cross(at(2).position - at(0).position,
+                                                     at(3).position - at(1).position));
+    const double alpha = (at(0).alpha + at(1).alpha + at(2).alpha + at(3).alpha) * 0.25;
+    pieces.push_back({middle, alpha * area / (kPi * kReach * kReach)});
+  }
+  for (Vertex& vertex : skin.part.vertices) {
+    double near = 0;
+    for (const Piece& piece : pieces) {
+      const Vec3 way = piece.place - vertex.position;
+      const double far2 = glm::dot(way, way) / (kReach * kReach);
+      if (far2 < 9) near += piece.weight * std::exp(-far2);
+    }
+    const double shade = 1 - std::exp(-1.2 * near);
+    vertex.occlusion *= 1 - 0.5 * shade;
+    vertex.colour *= mix(Vec3{1}, kUnderHair, shade);
+  }
+}
+
 void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> scalp) {
   constexpr double kReach2 = 1.6;
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {

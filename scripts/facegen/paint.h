@@ -17,4 +17,7 @@ void shade_inner_lips(Skin& skin);
 /// Darkens the scalp under the hair, so that no light skin shows between the strands.
 void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> scalp);
 
+/// Skin beside hair gets less light, and what arrives came past the hair.
+void shade_under_hair(Skin& skin, const Part& hair);
+
 }  // namespace aucast::facegen
