@@ -21,7 +21,7 @@ struct Arch {
 };
 
 constexpr Arch kUpperArch{1,
-                          2.14,
+                          2.11,
                           3.14,
                           -1.72,
                           0.04,
@@ -35,6 +35,8 @@ constexpr Arch kLowerArch{-1,
                           {.41, .44, .49, .49, .49, .70, .64},
                           {.74, .74, .76, .73, .69, .63, .57}};
 constexpr double kArchBack = 4.8;
+/// Squarer than an ellipse (2): a narrow front ends in a dark gap to the corner of the mouth.
+constexpr double kArchPower = 2.18;
 
 /// The arch as a polyline, to walk along it by length.
 class ArchCurve {
@@ -51,7 +53,9 @@ class ArchCurve {
   }
 
   [[nodiscard]] Vec3 at_angle(double angle) const {
-    return {half_width_ * std::sin(angle), 0, kArchBack + length_ * std::cos(angle)};
+    const double x = std::copysign(power(std::abs(std::sin(angle)), 2 / kArchPower), angle);
+    const double z = power(std::max(0.0, std::cos(angle)), 2 / kArchPower);
+    return {half_width_ * x, 0, kArchBack + length_ * z};
   }
 
   /// The point `way` from the middle.
@@ -82,12 +86,16 @@ Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
   return to_tip < 0.06 ? mix(c, kGum, 0.5) : c;
 }
 
-/// How long a crown is at `u` of its width: neighbours meet at one height, or the row looks torn.
-double crown_height(const Arch& arch, std::size_t tooth, double u) {
-  const double own = arch.heights[tooth];
+/// How thick crowns are, in those of the front.
+constexpr std::array<double, kTeethPerSide> kThickness{1, 1, 1.15, 1.4, 1.5, 1.6, 1.6};
+
+/// A measure of crowns at `u` of the width of one: neighbours meet at one height and thickness, or
+/// the row looks torn.
+double of_crown(const std::array<double, kTeethPerSide>& measure, std::size_t tooth, double u) {
+  const double own = measure[tooth];
   const std::size_t towards =
       u < 0.5 ? (tooth == 0 ? 0 : tooth - 1) : std::min(tooth + 1, kTeethPerSide - 1);
-  return mix(own, (own + arch.heights[towards]) / 2, std::abs(2 * u - 1));
+  return mix(own, (own + measure[towards]) / 2, std::abs(2 * u - 1));
 }
 
 /// One row of a crown: how far from the gum to the edge, and how far behind its front.
@@ -110,8 +118,8 @@ constexpr std::array<CrownRow, 10> kCrownRows{{{0, 0},
 
 /// What is left of the light behind the front teeth, and the colour far behind them: little and
 /// warm, for it comes off tongue and gums.
-constexpr Vec3 kCrownBack{0.55, 0.34, 0.28};
-constexpr Vec3 kCrownFarBack{0.15, 0.045, 0.04};
+constexpr Vec3 kCrownBack{0.62, 0.48, 0.42};
+constexpr Vec3 kCrownFarBack{0.36, 0.20, 0.165};
 
 /// A crown from `begin` along the arch, on the side of the sign of `side`.
 void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t tooth,
@@ -132,9 +140,10 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const Vec3 out = glm::normalize(Vec3{base.x / 2.0, 0, (base.z - 4.9) / 3.0});
       const double bulge = 0.10 * (1 - power(across, 4)) * (1 - 0.3 * v);
       const double edge = -0.05 * power(across, 8) - 0.10 * power(v, 8);
-      const double depth = behind * (molar ? 1.6 : 1.0);
+      const double depth = behind * of_crown(kThickness, tooth, u);
       Vec3 p = base + out * (bulge + edge - depth + lean * v);
-      const double toward_bite = crown_height(arch, tooth, u) * v - 0.02 * power(across, 6) * v * v;
+      const double height = of_crown(arch.heights, tooth, u);
+      const double toward_bite = height * v - 0.02 * power(across, 6) * v * v;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
       const double in_shade = smooth_step(0.0, 0.16, behind);
@@ -159,8 +168,8 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
 /// The gum from before the teeth over its ridge and back into the mouth.
 void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
   constexpr int kSteps = 40;
-  static constexpr std::array kHeights{0.55, 0.28, 0.05, -0.06, -0.06, 0.10, 0.60};
-  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.10, -0.36, -0.52, -0.66};
+  static constexpr std::array kHeights{0.55, 0.28, 0.05, -0.06, -0.12, -0.02, 0.30, 0.80};
+  static constexpr std::array kOut{-0.30, 0.0, 0.05, -0.10, -0.55, -0.74, -0.88, -1.10};
   std::vector<std::uint32_t> above;
   for (std::size_t k = 0; k < kHeights.size(); ++k) {
     std::vector<std::uint32_t> row;
@@ -169,7 +178,8 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
       const Vec3 out{std::sin(angle), 0, std::cos(angle)};
       Vec3 p = curve.at_angle(angle) + out * kOut[k];
       p.y = arch.gum_y + arch.up * kHeights[k];
-      row.push_back(part.add(p, k < 4 ? kGum : kGumBack));
+      row.push_back(part.add(p, mix(kGum, kGumBack, smooth_step(-0.5, -1.1, kOut[k]))));
+      if (k >= 4) part.vertices.back().occlusion = 0.1;
     }
     if (k > 0) {
       if (arch.up > 0) {
@@ -189,7 +199,7 @@ double light_behind_lips(const Vec3& p) {
   return smooth_step(5.0, 7.2, p.z) * smooth_step(2.25, 0.9, std::abs(p.x));
 }
 
-constexpr double kLightOnLowerTeeth = 0.55;
+constexpr Vec3 kLightOnLowerTeeth{0.66, 0.60, 0.55};
 
 void shade_teeth(Part& teeth, const Arch& arch) {
   for (Vertex& vertex : teeth.vertices) {
@@ -197,7 +207,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     vertex.occlusion *= mix(0.25, 1.0, light);
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
-    vertex.colour *= mix(0.45, 1.0, light) * mix(0.65, 1.0, smooth_step(0.0, 0.55, from_gum));
+    vertex.colour *= mix(0.55, 1.0, light) * mix(0.65, 1.0, smooth_step(0.0, 0.55, from_gum));
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
       vertex.colour *= kLightOnLowerTeeth;
@@ -212,11 +222,11 @@ void shade_teeth(Part& teeth, const Arch& arch) {
 void shade_tongue(Part& tongue) {
   for (Vertex& vertex : tongue.vertices) {
     const Vec3& p = vertex.position;
-    vertex.occlusion = mix(0.04, 0.30, smooth_step(5.6, 7.6, p.z));
-    vertex.gloss = mix(0.1, 0.8, smooth_step(6.2, 7.6, p.z));
-    vertex.colour *= mix(0.25, 1.6, smooth_step(4.4, 7.3, p.z)) *
-                     mix(0.70, 1.0, smooth_step(1.35, 0.5, std::abs(p.x))) *
-                     (1 - 0.18 * bell(p.x, 0.16));
+    vertex.occlusion = mix(0.02, 0.30, smooth_step(5.6, 7.3, p.z));
+    vertex.gloss = mix(0.1, 0.8, smooth_step(6.0, 7.3, p.z));
+    vertex.colour *= mix(0.10, 1.35, smooth_step(4.0, 7.2, p.z)) *
+                     mix(0.35, 1.0, smooth_step(1.30, 0.45, std::abs(p.x))) *
+                     (1 - 0.22 * bell(p.x, 0.13));
   }
 }
 
@@ -252,18 +262,19 @@ Part make_tongue() {
   std::vector<std::uint32_t> front;
   for (int j = 0; j <= kAlong; ++j) {
     const double b = kPi * j / kAlong;  // tip to root
-    const double z = 5.5 + 2.15 * std::cos(b);
-    const double width = 1.25 * power(std::sin(b), 0.7) * (1 - 0.18 * std::cos(b));
-    // Flat in front, so that it fits between the lips.
-    const double height = 0.42 * power(std::sin(b), 0.6) * (1 - 0.5 * smooth_step(4.8, 7.2, z));
+    const double z = 5.40 + 1.95 * std::cos(b);
+    const double width = 1.34 * power(std::sin(b), 0.62) * (1 - 0.16 * std::cos(b));
+    // Low in front, so that it fits between the lips; its back is a dome.
+    const double height = power(std::sin(b), 0.6) * mix(0.72, 0.24, smooth_step(4.6, 7.1, z));
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kAround; ++i) {
       const double a = 2 * kPi * i / kAround;
       const double x = width * std::cos(a);
-      double y = -3.05 + height * std::sin(a) - 0.10 * std::cos(b);
+      const double round = std::sin(a) > 0 ? power(std::sin(a), 1.4) : std::sin(a);
+      double y = -3.05 + height * round - 0.10 * std::cos(b);
       if (std::sin(a) > 0) {
         // The groove ends before the root, or its silhouette is two humps.
-        y -= 0.10 * bell(x, 0.22) * std::sin(b) * smooth_step(4.6, 6.6, z);
+        y -= 0.11 * bell(x, 0.20) * std::sin(b) * smooth_step(4.4, 6.0, z);
       }
       y -= 0.0216 * (z - 5.5) * (z - 5.5);
       ring.push_back(tongue.add({x, y, z}, kTongue));
@@ -285,31 +296,35 @@ Part make_mouth_bag(const Skin& skin) {
     double back;      // share of the way to the throat
     double widen;     // factor on x
     double heighten;  // factor on y about the line of the mouth
-    double least;     // half of the height beside its corners, round the rows of teeth
+    double least;     // height above the line of the mouth, round the rows of teeth
+    double below;     // the same below it: under the gum, between lip and teeth
     double muscle;    // how far it goes with the lips and cheeks that it lines
   };
-  static constexpr std::array<BagRing, 6> kRings{{{0, 1, 1, 0, 1},
-                                                  {.10, 1.08, 1.02, .1, .8},
-                                                  {.25, 1.26, 1.25, .5, .7},
-                                                  {.45, 1.42, 1.6, .8, .6},
-                                                  {.68, 1.45, 1.5, .8, .4},
-                                                  {.88, .9, .8, .5, 0}}};
+  static constexpr std::array<BagRing, 6> kRings{{{0, 1, 1, 0, 0, 1},
+                                                  {.06, 1.06, 1.02, .1, 1.1, .8},
+                                                  {.25, 1.26, 1.25, .5, 1.55, .7},
+                                                  {.45, 1.42, 1.6, .8, 1.7, .6},
+                                                  {.68, 1.45, 1.5, .8, 1.6, .4},
+                                                  {.88, .9, .8, .5, .9, 0}}};
   constexpr double kThroatZ = 3.6;
   constexpr double kMiddleY = -2.45;
   struct LipPlace {
     std::uint32_t vertex;
-    int up;  // 1 for the upper lip, -1 for the lower, 0 in the corners
+    int up;         // 1 for the upper lip, -1 for the lower, 0 in the corners
+    double corner;  // from 1 in the corners to 0 a few spokes away
   };
   std::vector<LipPlace> loop;
   const auto go_by = [&](int s, int side) {
     const int up = s == kMouthCornerSpoke ? 0 : s < kMouthCornerSpoke ? 1 : -1;
-    loop.push_back({skin.find(Patch::Mouth, kLipLastRing, s, side), up});
+    const double corner = smooth_step(5.0, 0.0, std::abs(s - kMouthCornerSpoke));
+    loop.push_back({skin.find(Patch::Mouth, kLipLastRing, s, side), up, corner});
   };
   for (int s = 0; s < kMouthSpokes; ++s) go_by(s, 1);
   for (int s = kMouthSpokes - 2; s > 0; --s) go_by(s, -1);
   Part bag;
   bag.name = "mouth_bag";
   bag.material = face::Material::Mouth;
+  std::vector<std::uint32_t> first;
   std::vector<std::uint32_t> front;
   Vec3 last_middle{0};
   for (std::size_t k = 0; k < kRings.size(); ++k) {
@@ -320,15 +335,16 @@ Part make_mouth_bag(const Skin& skin) {
       const Vertex& lip = skin.part.vertices[place.vertex];
       double high = (lip.position.y - kMiddleY) * shape.heighten;
       if (place.up > 0) high = std::max(high, shape.least);
-      if (place.up < 0) high = std::min(high, -shape.least);
+      const double below = mix(shape.below, std::min(shape.below, shape.least), place.corner);
+      if (place.up < 0) high = std::min(high, -below);
       const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
       const Vec3 colour = mix(kMouthFront * 0.6, kMouthBack, smooth_step(0.1, 0.7, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
-      // Little, or the lights from behind would draw the walls of the open mouth.
-      vertex.occlusion = mix(0.35, 0.04, smooth_step(0, 0.25, shape.back));
+      // None, or the lights from behind would draw the walls of the open mouth.
+      vertex.occlusion = 0;
       vertex.gloss = 0.04;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;
@@ -336,14 +352,27 @@ Part make_mouth_bag(const Skin& skin) {
       }
       last_middle += p / static_cast<double>(loop.size());
     }
+    if (k == 0) first = ring;
     if (k > 0) bag.add_band(ring, front, true);
     front = std::move(ring);
   }
   const std::uint32_t end = bag.add({0, last_middle.y, kThroatZ}, kMouthBack * 0.67);
   bag.vertices[end][Map::Jaw] = 0.3;
   bag.vertices[end][Map::Head] = 1;
-  bag.vertices[end].occlusion = 0.04;
+  bag.vertices[end].occlusion = 0;
   bag.vertices[end].gloss = 0.04;
+  // Between skin and bag single pixels would show what lies behind the head.
+  std::vector<std::uint32_t> skirt;
+  for (const LipPlace& place : loop) {
+    const Vertex& lip = skin.part.vertices[place.vertex];
+    const Vec3 from_middle = lip.position - Vec3{0, kMiddleY, lip.position.z};
+    skirt.push_back(bag.add(lip.position + glm::normalize(from_middle) * 0.05 + Vec3{0, 0, 0.08},
+                            bag.vertices[skirt.size()].colour));
+    bag.vertices.back().maps = lip.maps;
+    bag.vertices.back().occlusion = 0;
+    bag.vertices.back().gloss = 0;
+  }
+  bag.add_band(first, skirt, true);
   for (std::size_t i = 0; i < front.size(); ++i) {
     bag.add_triangle(end, front[(i + 1) % front.size()], front[i]);
   }

@@ -73,7 +73,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
     // Into the dark of the mouth, sooner at the corners.
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
                            static_cast<double>(kLipLastRing - kLipContactRing);
-    c = mix(kLipInside * 0.95, kMouthFront * 0.4, inwards * mix(0.35, 0.9, to_corner));
+    c = mix(kLipInside * 0.95, kMouthFront * 0.5, inwards * mix(0.7, 0.9, to_corner));
   }
   vertex.colour = c;
   vertex.gloss = border ? 1.0 : 1.8;
@@ -139,7 +139,10 @@ void shade_inner_lips(Skin& skin) {
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
     const HalfVertex& v = skin.half.vertices[skin.source[i]];
     if (v.patch != Patch::Mouth || v.ring <= kLipContactRing) continue;
-    skin.part.vertices[i].occlusion *= 0.5;
+    const double inwards = static_cast<double>(v.ring - kLipContactRing) /
+                           static_cast<double>(kLipLastRing - kLipContactRing);
+    const double to_corner = saturate(v.position.x / kMouthCorner);
+    skin.part.vertices[i].occlusion *= mix(0.65, 0.05, inwards) * (1 - 0.8 * to_corner);
     skin.part.vertices[i].gloss *= 0.3;
   }
 }

@@ -37,7 +37,7 @@ inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
 inline constexpr Vec3 kNostril{0.20, 0.06, 0.045};
 inline constexpr Vec3 kNostrilRim{0.35, 0.14, 0.11};
 inline constexpr Vec3 kMouthFront{0.36, 0.105, 0.095};
-inline constexpr Vec3 kMouthBack{0.06, 0.015, 0.014};
+inline constexpr Vec3 kMouthBack{0.085, 0.022, 0.020};
 inline constexpr Vec3 kGum{0.60, 0.27, 0.25};
 inline constexpr Vec3 kGumBack{0.26, 0.12, 0.105};
 inline constexpr Vec3 kToothNeck{0.80, 0.73, 0.62};
