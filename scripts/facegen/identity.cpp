@@ -173,8 +173,12 @@ Identity young_woman() {
   form.narrowing = 0.065;
   form.jaw_width = 0.04;
   form.chin_width = -0.02;
-  form.cheek = 0.06;
+  form.cheek = 0.07;
+  form.cheekbone = -0.14;
+  form.cheek_hollow = 0.02;
   form.brow_ridge = -0.10;
+  form.forehead_round = 0.45;
+  form.nose_root = 0.17;
   form.neck_width = 0.85;
   form.larynx = -0.25;
   form.nose_width = 0.93;
@@ -214,14 +218,14 @@ Identity man_of_fifty() {
   who.name = "marek";
   Form& form = who.form;
   form.narrowing = 0.02;
-  form.jaw_width = 0.27;
+  form.jaw_width = 0.31;
   form.jaw_drop = 0.28;
   form.chin_width = 0.24;
   form.chin_drop = 0.22;
   form.chin_forward = 0.10;
   form.cheek = -0.10;
   form.cheekbone = 0.10;
-  form.cheek_hollow = 0.11;
+  form.cheek_hollow = 0.085;
   form.brow_ridge = 0.13;
   form.forehead_slope = 0.25;
   form.muzzle = 0.10;
@@ -277,7 +281,7 @@ Identity man_of_fifty() {
   colours.iris_outer = {0.13, 0.065, 0.03};
   colours.cloth = {0.30, 0.055, 0.06};
   colours.collar = {0.24, 0.045, 0.05};
-  colours.beard = 0.27;
+  colours.beard = 0.21;
   return who;
 }
 

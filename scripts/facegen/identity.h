@@ -25,6 +25,7 @@ struct Form {
   double cheek_hollow = 0.06;  ///< depth below the arch of the cheekbone
   double brow_ridge = 0;
   double forehead_slope = 0;  ///< how far it falls back at the hairline
+  double forehead_round = 0;  ///< its bosses towards the middle
   double muzzle = 0;          ///< upper lip and the lips, forwards
   double throat_drop = 0;     ///< floor of the mouth
   double neck_width = 1;

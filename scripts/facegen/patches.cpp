@@ -162,8 +162,9 @@ void add_nostril_patch(LayoutBuilder& builder) {
   const Identity& who = builder.who();
   constexpr int kSpokes = 8;
   const double wide = who.form.nose_width;
-  const Vec3 centre = on_skin(who, {0.45 * wide, -0.66 + 0.5 * who.form.nose_up, 8.86});
-  const Vec3 along{-0.10, 0.05, 0.26};
+  const Vec3 centre = on_skin(
+      who, {0.46 * wide, -0.66 + 0.5 * who.form.nose_up, 8.80 + 0.6 * who.form.nose_forward});
+  const Vec3 along{-0.07, 0.04, 0.21};
   const Vec3 across{0.16 * wide, 0.04, 0.05};
   const Ring border = builder.nodes(border_of(kNostrilBlock));
   Ring outer = border;

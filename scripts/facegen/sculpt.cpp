@@ -29,9 +29,10 @@ double round_cone(const Vec3& p, const Vec3& a, const Vec3& b, double radius_a, 
 
 namespace {
 
-double cranium(const Vec3& p) {
+double cranium(const Form& form, const Vec3& p) {
   double d = ellipsoid(p - Vec3{0, 4.75, 1.35}, {5.05, 5.75, 6.6});
-  d = melt(d, ellipsoid(p - Vec3{1.7, 5.6, 5.1}, {2.5, 2.3, 2.45}), 1.4);     // forehead
+  const Vec3 boss{1.7 - form.forehead_round, 5.6, 5.1 + 0.25 * form.forehead_round};
+  d = melt(d, ellipsoid(p - boss, {2.5, 2.3, 2.45}), 1.4);                    // forehead
   d = melt(d, ellipsoid(p - Vec3{0, 2.9, -1.0}, {4.1, 3.9, 3.9}), 1.8);       // back of the head
   return melt(d, ellipsoid(p - Vec3{2.6, 3.2, 3.4}, {1.95, 2.8, 2.9}), 1.6);  // temple
 }
@@ -88,9 +89,9 @@ double neck(const Form& form, const Vec3& p) {
   const double wide = form.neck_width;
   const Vec3 behind_ear{2.75 * wide, -0.6, 0.4};
   const Vec3 pit{0.95 * wide, -10.8, 3.3 * wide - 1.85};
-  const double rope = round_cone(p, behind_ear, pit, 0.66 * wide, 0.38 * wide);
+  const double rope = round_cone(p, behind_ear, pit, 0.72 * wide, 0.42 * wide);
   const Vec3 larynx{0, -6.8, 3.75 * wide - 1.15};
-  return melt(melt(neck_column(form, p), rope, 0.85),
+  return melt(melt(neck_column(form, p), rope, 0.60),
               ellipsoid(p - larynx, Vec3{0.55, 1.1, 0.5} + form.larynx), 0.9);
 }
 
@@ -122,10 +123,14 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   const Vec3 q{p.x / form.nose_width, p.y, p.z};
   const Vec3 at{0, form.nose_up, form.nose_forward};
   double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), {0.57, 0.48, 0.63});
-  tip = melt(tip, round_cone(q, Vec3{0, -0.30, 9.08} + at, {0, -0.66, 8.5}, 0.25, 0.25), 0.3);
+  tip = melt(tip, round_cone(q, Vec3{0, -0.30, 9.08} + at, {0, -0.60, 8.35}, 0.25, 0.22), 0.3);
   d = melt(d, tip, 0.50);
   const Vec3 wing = rotated_y(rotated_z(q - Vec3{0.735, -0.20, 8.42}, 0.28), 0.42);
-  return melt(d, ellipsoid(wing, {0.36, 0.44, 0.62}), 0.17);
+  d = melt(d, ellipsoid(wing, {0.36, 0.44, 0.62}), 0.17);
+  // The rim of the nostril rolls in.
+  const Vec3 hole =
+      rotated_y(q - Vec3{0.46, -0.70 + 0.5 * form.nose_up, 8.80 + 0.6 * form.nose_forward}, 0.36);
+  return carve(d, ellipsoid(hole, {0.10, 0.14, 0.22}), 0.16);
 }
 
 /// Depth of the fold of the upper lid and of the groove under the eye.
@@ -247,7 +252,7 @@ double head_distance(const Identity& who, const Vec3& p) {
   // single number.
   const double narrowing = smooth_step(1.6, -4.2, p.y) * smooth_step(-10.5, -8.0, p.y);
   const Vec3 q{soft_abs(p.x * (1 + who.form.narrowing * narrowing), 0.10), p.y, p.z};
-  double d = melt(cranium(q), face_mass(who.form, q), 1.2);
+  double d = melt(cranium(who.form, q), face_mass(who.form, q), 1.2);
   d = with_brow_ridge(who.form, d, q);
   d = melt(d, neck(who.form, q), 2.0);
   d = with_orbit(who.form, d, q);
