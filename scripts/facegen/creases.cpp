@@ -1,5 +1,7 @@
 #include "scripts/facegen/creases.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
@@ -135,7 +137,6 @@ constexpr std::array<Across, 8> kAcross{{{-2.1, 0, 0},
                                          {0.4, 0.62, 0},
                                          {1.0, 0.24, 0},
                                          {1.9, 0, 0}}};
-constexpr int kAlong = 14;
 /// Above the skin: the skin between its vertices is flat, a ribbon is finer.
 constexpr double kLift = 0.012;
 
@@ -194,6 +195,19 @@ class Draper {
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
+/// Into how many pieces a line is cut along its way, the same for every person. Short ones need
+/// them for the taper of their ends.
+int pieces_of(const Line& line) {
+  constexpr double kPiece = 0.30;
+  constexpr double kFewest = 6;
+  constexpr double kMost = 14;
+  double length = 0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    length += glm::distance(line.points[i - 1], line.points[i]);
+  }
+  return static_cast<int>(std::clamp(std::ceil(length / kPiece), kFewest, kMost));
+}
+
 glm::dvec2 along_line(const Line& line, double t) {
   std::array<Key<glm::dvec2>, 6> keys;
   const std::size_t count = line.points.size();
@@ -203,10 +217,12 @@ glm::dvec2 along_line(const Line& line, double t) {
   return sample<glm::dvec2>(std::span(keys).first(count), t);
 }
 
-void add_line(Part& part, const Line& line, const Hand& hand, const Draper& draper, int side) {
+void add_line(Part& part, const Line& drawn, const Hand& hand, const Draper& draper, int side) {
+  const int pieces = pieces_of(drawn);
+  const Line line = hand.drawn(drawn);
   std::vector<std::uint32_t> before;
-  for (int i = 0; i <= kAlong; ++i) {
-    const double t = static_cast<double>(i) / kAlong;
+  for (int i = 0; i <= pieces; ++i) {
+    const double t = static_cast<double>(i) / pieces;
     const glm::dvec2 middle = along_line(line, t);
     const glm::dvec2 way = glm::normalize(along_line(line, std::min(1.0, t + 0.02)) -
                                           along_line(line, std::max(0.0, t - 0.02)));
@@ -242,7 +258,7 @@ std::vector<Part> make_creases(const Identity& who, const Skin& skin) {
       part.material = face::Material::Crease;
       for (std::size_t i = 0; i < crease.lines.size(); ++i) {
         const Hand hand(who.lines, number + static_cast<int>(i), side);
-        add_line(part, hand.drawn(crease.lines[i]), hand, draper, side);
+        add_line(part, crease.lines[i], hand, draper, side);
       }
       parts.push_back(std::move(part));
     }
