@@ -355,7 +355,7 @@ void main() {
   result += specular + rim * (edge * occlusion * 0.18);
 #else
   result += vec3(1.0, 0.98, 0.95) * (specular * (1.0 + 1.3 * grain.g)) +
-            rim * (0.10 + 0.95 * colour) * (edge * occlusion * occlusion);
+            rim * (0.10 + 0.95 * colour) * (edge * occlusion * occlusion * occlusion);
 #endif
 #endif
 #ifdef HAIR

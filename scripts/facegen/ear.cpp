@@ -99,10 +99,10 @@ double relief(double back, double up) {
   const double ridge =
       std::max({near_line(kAntihelix, back, up, 0.24), near_line(kUpperLeg, back, up, 0.19),
                 near_line(kLowerLeg, back, up, 0.15)});
-  const double lobe = bell(Vec3{(back - 0.25) / 0.75, (up + 1.6) / 0.5, 0});
+  const double lobe = bell(Vec3{(back - 0.2) / 0.7, (up + 1.55) / 0.42, 0});
   const double fork = bell(Vec3{(back - 0.05) / 0.28, (up - 1.14) / 0.26, 0});
   return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) + 0.46 * near_line(kHelix, back, up, 0.19) +
-         0.43 * ridge - 0.14 * fork + 0.34 * near_line(kTragus, back, up, 0.16) + 0.14 * lobe;
+         0.43 * ridge - 0.14 * fork + 0.34 * near_line(kTragus, back, up, 0.16) + 0.24 * lobe;
 }
 
 /// The keys continued round the circle, so that the curve closes smoothly.

@@ -108,8 +108,10 @@ class Top {
                         (quiff + 0.28 * (tuft - 0.5) + 0.13 * (lock - 0.5)) * sides);
     const double light = 0.06 + 0.08 * front + 0.10 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
+    // Here and there it begins a little further back.
+    const double begin = way + 0.12 - 0.45 * value_noise({u * 34, 0.5, 4.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({way / 0.5, ends / 3, u / 0.12, (1 - u) / 0.25}));
+    point.alpha = thinned(std::min({begin / 0.6, ends / 3, u / 0.12, (1 - u) / 0.25}));
     point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.03 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
@@ -161,8 +163,7 @@ Part make_short_hair(const Identity& who) {
   Part hair;
   add_sheet(hair, kUnderSheet, [&](double s, double t) { return sides.at(who, s, power(t, 0.8)); });
   // Its rows are denser where it rises over the forehead.
-  add_sheet(hair, kOuterSheet,
-            [&](double u, double v) { return top.at(who, u, power(v, 1.35)); });
+  add_sheet(hair, kOuterSheet, [&](double u, double v) { return top.at(who, u, power(v, 1.35)); });
   for (std::size_t i = 0; i < kLocks; ++i) {
     add_lock(hair, who, top, mix(0.12, 0.85, static_cast<double>(i) / (kLocks - 1)));
   }

@@ -170,8 +170,8 @@ Identity young_woman() {
   Identity who;
   who.name = "default";
   Form& form = who.form;
-  form.narrowing = 0.065;
-  form.jaw_width = 0.04;
+  form.narrowing = 0.074;
+  form.jaw_width = 0.02;
   form.chin_width = -0.02;
   form.cheek = 0.07;
   form.cheekbone = -0.14;

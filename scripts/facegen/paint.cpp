@@ -82,7 +82,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
 void paint_nostril(Vertex& vertex, const HalfVertex& v) {
   if (v.ring == 1) vertex.colour = mix(vertex.colour, kNostrilRim, 0.25);
   if (v.ring < 2) return;
-  vertex.colour = mix(vertex.colour, kNostril, v.ring == 2 ? 0.42 : 0.92);
+  vertex.colour = mix(vertex.colour, kNostril, v.ring == 2 ? 0.34 : 0.90);
   vertex.gloss = 0.2;
 }
 

@@ -89,9 +89,9 @@ double neck(const Form& form, const Vec3& p) {
   const double wide = form.neck_width;
   const Vec3 behind_ear{2.75 * wide, -0.6, 0.4};
   const Vec3 pit{0.95 * wide, -10.8, 3.3 * wide - 1.85};
-  const double rope = round_cone(p, behind_ear, pit, 0.72 * wide, 0.42 * wide);
+  const double rope = round_cone(p, behind_ear, pit, 0.76 * wide, 0.46 * wide);
   const Vec3 larynx{0, -6.8, 3.75 * wide - 1.15};
-  return melt(melt(neck_column(form, p), rope, 0.60),
+  return melt(melt(neck_column(form, p), rope, 0.52),
               ellipsoid(p - larynx, Vec3{0.55, 1.1, 0.5} + form.larynx), 0.9);
 }
 
@@ -172,12 +172,12 @@ double alar_groove(const Form& form, const Vec3& p) {
   static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .010},
                                               {.61, .22, .035},
                                               {.82, .33, .055},
-                                              {1.01, .25, .075},
-                                              {1.135, .02, .085},
-                                              {1.155, -.28, .080},
+                                              {1.00, .24, .060},
+                                              {1.115, .02, .072},
+                                              {1.155, -.28, .072},
                                               {1.06, -.55, .050},
                                               {.92, -.72, .010}}};
-  return line_depth(kLine, {x, p.y}, 0.115) * smooth_step(7.2, 7.7, p.z);
+  return line_depth(kLine, {x, p.y}, 0.135) * smooth_step(7.2, 7.7, p.z);
 }
 
 /// Depth (negative: height) of everything about the lips.
