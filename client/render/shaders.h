@@ -227,10 +227,12 @@ vec3 way_of_strands(vec3 normal) {
 vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand, float key) {
   vec3 halfway = normalize(u_key_direction + view);
   vec3 fill_halfway = normalize(u_fill_direction + view);
-  float tilt = dot(along, halfway) + 0.12 * strand;
+  // Locks differ as strands do, or the band would be drawn with a ruler.
+  float astray = 0.18 * strand + 0.06 * strand_noise(v_strand.w * 90.0 + 7000.0);
+  float tilt = dot(along, halfway) + astray;
   float up = tilt - kShineShift;
   float down = tilt + kShineShift;
-  float fill_tilt = dot(along, fill_halfway) + 0.12 * strand;
+  float fill_tilt = dot(along, fill_halfway) + astray;
   float lit = clamp(dot(normal, u_key_direction) + 0.3, 0.0, 1.0) * key;
   float fill_lit = clamp(dot(normal, u_fill_direction) + 0.3, 0.0, 1.0);
   float broad = exp(-u_power * down * down);

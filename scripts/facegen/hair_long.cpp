@@ -40,7 +40,7 @@ class Sheet {
       p = mix(p, leave(kInsideHead, direction, head_) + direction * height(s, t), lies);
     }
     const double middle = smooth_step(0, 0.08, s) * smooth_step(1, 0.92, s);
-    const double edge = mix(0.04, 0.17, hangs(t));
+    const double edge = mix(0.04, mix(0.17, 0.24, smooth_step(0.78, 0.9, t)), hangs(t));
     return off_head(p, mix(0.02, mix(edge, cut_.side, middle), smooth_step(0.05, 0.4, t)));
   }
 
@@ -81,9 +81,11 @@ class Sheet {
   /// Over the skin, where the hair lies on the head.
   [[nodiscard]] double height(double s, double t) const {
     const double from_edge = std::min(s, 1 - s);
-    const double full = mix(0.03, cut_.top, smooth_step(0.02, 0.20, from_edge));
+    // Fuller behind the crown, where the skull falls off.
+    const double behind = 0.30 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
+    const double full = mix(0.03, cut_.top + behind, smooth_step(0.02, 0.20, from_edge));
     // A narrow valley at the parting, which closes towards the crown.
-    const double valley = mix(0.85, 0.06, smooth_step(0.04, 0.2, from_edge));
+    const double valley = mix(0.7, 0.05, smooth_step(0.03, 0.2, from_edge));
     const double rise = 1 - std::exp(-std::pow(t / 0.03, 2));
     return full * mix(1, rise, valley);
   }
@@ -141,7 +143,7 @@ Vec3 outer_place(const Sheet& sheet, double s, double t) {
 /// Number of the strand: they gather into locks, the more the farther down.
 double strand_at(double u, double t) {
   // Hair of the hairline runs back from it.
-  const double lean = 0.09 * smooth_step(0.45, 0, t) * (1 - 2 * u);
+  const double lean = 0.085 * smooth_step(0.60, 0, t) * (1 - 2 * u);
   const double inside = smooth_step(0, 0.08, u) * smooth_step(1, 0.92, u);
   const double gather =
       0.0018 * std::sin(2 * kPi * (29 * u + 0.6 * t)) +
@@ -157,9 +159,9 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     const double s = at.s;
     Vec3 p = outer_place(sheet, s, t);
     if (at.rolled > 0) {
-      const double wide = mix(0.10, 0.42, rolls(t)) * mix(1, 0.6, smooth_step(0.8, 1, t));
+      const double wide = mix(0.10, 0.36, rolls(t)) * mix(1, 0.6, smooth_step(0.8, 1, t));
       p += sheet.across(s, t) * (at.side * wide * at.rolled) -
-           sheet.up(s, t) * (mix(0.10, 0.40, rolls(t)) * power(at.rolled, 1.5));
+           sheet.up(s, t) * (mix(0.10, 0.36, rolls(t)) * at.rolled * at.rolled);
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
     const double light = 0.10 + 0.22 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t);
@@ -174,7 +176,9 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     const double parting = mix(1, smooth_step(-0.02, 0.025, t), smooth_step(0.14, 0.06, from_edge));
     const double full = 0.86 + 0.07 * value_noise({s * 40, 0.5, 3.5});
     const double ends = smooth_step(full + 0.14, full, t) * smooth_step(1, 0.97, t);
-    return HairPoint{p, shade_of(who, light), hairline * parting * ends, strand_at(u, t),
+    // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
+    const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
+    return HairPoint{p, shade_of(who, light), edge * hairline * parting * ends, strand_at(u, t),
                      mix(0.35, 1, smooth_step(0, 0.2, t))};
   });
 }
@@ -186,7 +190,7 @@ void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
     const double t = mix(0.3, 0.95, v);
     const double thick = mix(0.42, 0.25, smooth_step(0.8, 1, t));
     const Vec3 p = sheet.off_head(outer_place(sheet, s, t) - sheet.up(s, t) * thick, 0.04);
-    return HairPoint{p, shade_of(who, -0.1) * mix(0.6, 0.9, v), smooth_step(1, 0.9, v), s, 0};
+    return HairPoint{p, shade_of(who, 0) * mix(0.9, 1.2, v), smooth_step(1, 0.9, v), s, 0};
   });
 }
 
@@ -219,7 +223,7 @@ void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& l
     const double way = std::min(t, 1.0);
     constexpr double kLength = 16;
     const Vec3 p = outer_place(sheet, s, way) +
-                   sheet.up(s, way) * (0.02 + lock.lift * v * v + 0.03 * (1 - c * c)) +
+                   sheet.up(s, way) * (lock.lift * v * v * v + 0.02 * (1 - c * c)) +
                    sheet.along(s, way) * ((t - way) * kLength);
     const double alpha =
         0.9 * smooth_step(1, 0.4, std::abs(c)) * smooth_step(0, 0.25, v) * smooth_step(1, 0.7, v);

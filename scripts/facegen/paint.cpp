@@ -150,7 +150,7 @@ void shade_inner_lips(Skin& skin) {
 void shade_under_hair(Skin& skin, const Part& hair) {
   // As much as there is of hair near by, weighed by distance: no ray hits or misses a strand, which
   // would show as blocks.
-  constexpr double kReach = 0.42;
+  constexpr double kReach = 0.7;
   struct Piece {
     Vec3 place{0};
     double weight = 0;
@@ -171,8 +171,8 @@ void shade_under_hair(Skin& skin, const Part& hair) {
       const double far2 = glm::dot(way, way) / (kReach * kReach);
       if (far2 < 9) near += piece.weight * std::exp(-far2);
     }
-    const double shade = 1 - std::exp(-1.2 * near);
-    vertex.occlusion *= 1 - 0.5 * shade;
+    const double shade = 1 - std::exp(-1.8 * near);
+    vertex.occlusion *= 1 - 0.55 * shade;
     vertex.colour *= mix(Vec3{1}, kUnderHair, shade);
   }
 }

@@ -30,7 +30,7 @@ struct Palette {
 /// What is left of the skin's colour where a beard was shaven.
 inline constexpr Vec3 kBeardShade{0.42, 0.48, 0.56};
 /// The same under hair or right beside it.
-inline constexpr Vec3 kUnderHair{0.84, 0.74, 0.70};
+inline constexpr Vec3 kUnderHair{0.64, 0.48, 0.43};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
 inline constexpr Vec3 kCaruncle{0.78, 0.38, 0.35};
 inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
