@@ -108,7 +108,7 @@ double under_chin(const Vec3& p) {
 double shine(const Vec3& p) {
   double s = 0.85;
   if (p.z > 8) s += 0.5 * bell(Vec3{p.x / 1.2, (p.y - 0.2) / 1.2, 0});
-  if (p.z > 5) s += 0.25 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
+  if (p.z > 5) s += 0.10 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
   return p.y < -5 || p.z < 0 ? 0.6 * s : s;
 }
 

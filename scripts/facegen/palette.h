@@ -50,6 +50,6 @@ inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
 inline constexpr Vec3 kSclera{0.66, 0.635, 0.61};
 inline constexpr Vec3 kScleraCorner{0.46, 0.36, 0.335};
 /// What is left of the light in the deepest line.
-inline constexpr Vec3 kCrease{0.52, 0.36, 0.31};
+inline constexpr Vec3 kCrease{0.60, 0.36, 0.29};
 
 }  // namespace aucast::facegen
