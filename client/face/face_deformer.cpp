@@ -199,7 +199,7 @@ void FaceDeformer::State::take(std::span<const float> given) {
   moved.clear();
   muscles.take(activations, moved);
   for (LidField& lid : lids) {
-    const float closure = value(lid.close) - face.lids->raise_max * value(lid.raise);
+    const float closure = value(lid.close) - face.lids->raised(value(lid.raise));
     take_turn(lid.turn, {-closure, 0}, lid.angles, moved);
   }
   if (face.jaw) {

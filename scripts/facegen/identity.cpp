@@ -253,7 +253,7 @@ Identity man_of_fifty() {
   form.philtrum = 1.2;
   form.brow_up = 3.99;
   form.brow_arch = 0.21;
-  form.brow_tail_drop = 0.34;
+  form.brow_tail_drop = 0.28;
   form.brow_begin = 0.70;
   form.brow_width = 0.29;
   form.furrow = 0.07;

@@ -187,9 +187,9 @@ class PlainFace {
     const std::size_t jaw_row = face_.muscles.size();
     for (const auto& eye : face_.eyes) {
       const bool left = eye.centre.x > 0;
+      const float raise = value(activations, left ? "left_lid_raise" : "right_lid_raise");
       const float closure = value(activations, left ? "left_lid_close" : "right_lid_close") -
-                            (face_.lids ? face_.lids->raise_max : 0) *
-                                value(activations, left ? "left_lid_raise" : "right_lid_raise");
+                            (face_.lids ? face_.lids->raised(raise) : 0);
       for (std::size_t i = 0; i < out.size(); ++i) {
         const float angle = masks_[jaw_row + 1][i];
         if (angle == 0 || (face_.mesh.positions[i].x >= 0) != left) continue;
