@@ -66,8 +66,8 @@ view::StaticMesh FaceScene::still() const {
 }
 
 view::MovingMesh FaceScene::moving(const face::DeformedFace& deformed) {
-  return {deformed.positions, deformed.normals, deformed.eye_centres, deformed.eye_forward,
-          deformed.creases};
+  return {deformed.positions,   deformed.normals, deformed.eye_centres,
+          deformed.eye_forward, deformed.creases, deformed.eye_open};
 }
 
 }  // namespace aucast::app

@@ -104,6 +104,7 @@ struct FaceDeformer::State {
     return value(channels.plus) - value(channels.minus);
   }
   void move(std::span<const float> given);
+  void relax_yielding();
   void rest_vanished();
   void move_lids();
   void move_jaw();
@@ -121,6 +122,8 @@ struct FaceDeformer::State {
   WeightedBlocks jaw;
   Turn jaw_turn;
   std::vector<LidField> lids;
+  std::vector<std::pair<std::size_t, std::size_t>>
+      yielding;  ///< a muscle, and the lid it yields to
   std::vector<EyeField> eyes;
   HeadChannels head_channels;
   DrawnBlocks drawn;
@@ -151,6 +154,11 @@ FaceDeformer::State::State(const Face& driven)
   for (const Eye& eye : face.eyes) {
     const Side side = side_at(eye.centre.x);
     if (face.lids) {
+      const auto close = channel(sided_name(side, "lid_close"));
+      for (std::size_t m = 0; close && m < face.muscles.size(); ++m) {
+        if (!face.muscles[m].yields_to_lids || face.channels[m].side != side) continue;
+        yielding.emplace_back(m, *close);
+      }
       const auto angle_here = [&](std::size_t i) {
         const bool left = face.mesh.positions[i].x >= 0;
         const bool mine = side == Side::Both || left == (side == Side::Left);
@@ -197,6 +205,7 @@ void FaceDeformer::State::take(std::span<const float> given) {
         std::isfinite(given[i]) ? std::clamp(given[i], 0.0F, face.channels[i].activation_max) : 0;
   }
   moved.clear();
+  relax_yielding();
   muscles.take(activations, moved);
   for (LidField& lid : lids) {
     const float closure = value(lid.close) - face.lids->raised(value(lid.raise));
@@ -216,6 +225,13 @@ void FaceDeformer::State::take(std::span<const float> given) {
   drawn.narrow(moved);
   drawn.narrow(shown);
   muscles.list(moved);
+}
+
+void FaceDeformer::State::relax_yielding() {
+  for (const auto& [muscle, close] : yielding) {
+    // Hardly while a lid only narrows, as it does with 6 and 7.
+    activations[muscle] *= 1 - activations[close] * activations[close];
+  }
 }
 
 /// Brings positions and normals to these activations.
@@ -295,6 +311,8 @@ HeadTurn::Pose FaceDeformer::State::head_pose() const {
 void FaceDeformer::State::look() {
   result.eye_centres.resize(eyes.size());
   result.eye_forward.resize(eyes.size());
+  result.eye_open.assign(eyes.size(), 1);
+  for (std::size_t e = 0; e < lids.size(); ++e) result.eye_open[e] = 1 - value(lids[e].close);
   for (std::size_t e = 0; e < eyes.size(); ++e) {
     const EyeField& eye = eyes[e];
     VertexBlock ahead;

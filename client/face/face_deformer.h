@@ -19,6 +19,7 @@ struct DeformedFace {
   std::vector<glm::vec3> normals;      ///< unit length; of creases +z, they take no light
   std::vector<glm::vec3> eye_centres;  ///< as Face::eyes
   std::vector<glm::vec3> eye_forward;  ///< unit length
+  std::vector<float> eye_open;         ///< 1: at least as wide as at rest, 0: shut
   std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
 };
 

@@ -82,6 +82,9 @@ struct Muscle {
   MuscleShape shape;
   std::string mask;         ///< a map of the mesh that multiplies the displacement; empty: none
   bool mask_alone = false;  ///< the map `muscle` does not count: tongue and teeth move too
+  /// It relaxes as the lids of its side close: a lower lid that stays raised would meet the upper
+  /// one where that cannot stop.
+  bool yields_to_lids = false;
 };
 
 /// Where `point` goes at `activation` >= 0, masks left out.

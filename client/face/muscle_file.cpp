@@ -150,6 +150,7 @@ std::vector<Muscle> read_muscles(TableReader& document, const FaceMesh& mesh, Pr
     Muscle muscle{name, read_shape(reader), read_mask(reader, mesh)};
     muscle.mask_alone = reader.boolean_or("mask_alone", false);
     if (muscle.mask_alone && muscle.mask.empty()) reader.wrong("mask_alone", "needs a mask");
+    muscle.yields_to_lids = reader.boolean_or("yields_to_lids", false);
     reader.finish();
     if (both_sides && !(x_of(muscle.shape) > 0)) {
       reader.wrong("mirrored", "needs the insertion or centre at x > 0, the left side");

@@ -220,7 +220,8 @@ void FaceRenderer::State::draw_runs(const std::vector<Draw>& draws, const view::
     if (draw.index >= 0) {
       const auto at = static_cast<std::size_t>(draw.index);
       AUCAST_CHECK(at < mesh.eye_centres.size() && at < mesh.eye_forward.size());
-      program.set_eyeball(mesh.eye_centres[at], mesh.eye_forward[at]);
+      const float open = at < mesh.eye_open.size() ? mesh.eye_open[at] : 1.0F;
+      program.set_eyeball(mesh.eye_centres[at], mesh.eye_forward[at], open);
     }
     if (draw.faces == Faces::Both) {
       glDisable(GL_CULL_FACE);

@@ -41,6 +41,7 @@ LitProgram::LitProgram(Program program) : program_(std::move(program)) {
   grain_ = find("u_grain");
   eyeball_centre_ = find("u_eyeball_centre");
   eyeball_forward_ = find("u_eyeball_forward");
+  eyeball_open_ = find("u_eyeball_open");
   glUseProgram(program_.id());
   const auto set = [&find](const char* name, const glm::vec3& value) {
     glUniform3fv(find(name), 1, glm::value_ptr(value));
@@ -75,9 +76,10 @@ void LitProgram::use(const Answer& answer) {
   glUniform1f(grain_, answer.grain);
 }
 
-void LitProgram::set_eyeball(const glm::vec3& centre, const glm::vec3& forward) {
+void LitProgram::set_eyeball(const glm::vec3& centre, const glm::vec3& forward, float open) {
   glUniform3fv(eyeball_centre_, 1, glm::value_ptr(centre));
   glUniform3fv(eyeball_forward_, 1, glm::value_ptr(forward));
+  glUniform1f(eyeball_open_, open);
 }
 
 }  // namespace aucast::render

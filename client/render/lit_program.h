@@ -28,7 +28,7 @@ class LitProgram {
   /// `towards`: of unit length.
   void set_key_light(const glm::vec3& towards, float strength);
   void use(const Answer& answer);
-  void set_eyeball(const glm::vec3& centre, const glm::vec3& forward);
+  void set_eyeball(const glm::vec3& centre, const glm::vec3& forward, float open);
 
  private:
   explicit LitProgram(Program program);
@@ -46,6 +46,7 @@ class LitProgram {
   GLint grain_ = -1;
   GLint eyeball_centre_ = -1;
   GLint eyeball_forward_ = -1;
+  GLint eyeball_open_ = -1;
 };
 
 }  // namespace aucast::render

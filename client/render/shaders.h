@@ -36,6 +36,7 @@ uniform float u_power;          // of the broad highlight; the narrow one has fo
 #ifdef EYE
 uniform vec3 u_eyeball_centre;
 uniform vec3 u_eyeball_forward;
+uniform float u_eyeball_open;
 out vec3 v_position;
 #endif
 #ifdef HAIR
@@ -78,7 +79,7 @@ const float kCorneaRim = 0.46;     // radians; the iris ends a little before
 // The cornea stands out and bends light: from the side an iris looks far wider than one painted on
 // a ball. The ball's points slide over it, away from where the eye looks, those towards the viewer
 // most, so that the edge of the iris stays an ellipse. Only from the side does the cornea itself
-// show; always there, it would pierce the lids.
+// show, and of an open eye: else it would pierce the lids.
 vec3 seen_through_cornea(vec3 place) {
   vec3 arm = place - u_eyeball_centre;
   vec3 aside = arm - dot(arm, u_eyeball_forward) * u_eyeball_forward;
@@ -90,10 +91,11 @@ vec3 seen_through_cornea(vec3 place) {
   float inside = max(1.0 - angle / kCorneaEnd, 0.0);
   float nearer = max(dot(aside, viewer), 0.0);
   float bulge = max(1.0 - angle * angle / (kCorneaRim * kCorneaRim), 0.0);
+  bulge *= bulge * smoothstep(0.5, 0.95, u_eyeball_open);
   angle += kCorneaWidens * sideways * nearer * nearer * angle * inside;
   vec3 direction = cos(angle) * u_eyeball_forward + sin(angle) * aside;
   return u_eyeball_centre +
-         length(arm) * (direction + kCorneaBulge * sideways * bulge * bulge * u_eyeball_forward);
+         length(arm) * (direction + kCorneaBulge * sideways * bulge * u_eyeball_forward);
 }
 #endif
 

@@ -44,6 +44,9 @@ struct MovingMesh {
   std::span<const glm::vec3> eye_forward;
   /// How deep the lines of each crease are, [0,1]; 0 is not drawn.
   std::span<const float> creases = {};
+  /// 1: as at rest, 0: shut. A shut eye's cornea does not stand out, it would pierce the lid.
+  /// Empty: all are open.
+  std::span<const float> eye_open = {};
 };
 
 /// A camera that looks at `target` from `distance`, turned by yaw (to the subject's left is

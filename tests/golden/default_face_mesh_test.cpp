@@ -259,6 +259,12 @@ TEST_F(DefaultFaceMesh, ClosesTheLidsOnTheEyeballWithoutHoles) {
   EXPECT_GT(before, -0.06F);
 }
 
+TEST_F(DefaultFaceMesh, ClosesTheLidsAlsoInASmileWithoutCrossingThem) {
+  const auto positions = posed({{6}, {7}, {12}, {43}});
+  EXPECT_LE(aperture(positions, 1), 0.01F);
+  EXPECT_GT(aperture(positions, 1), -0.08F);
+}
+
 TEST_F(DefaultFaceMesh, RaisesTheLidsWithoutLeavingTheEyeball) {
   const auto wide = driven("lid_raise", 1);
   EXPECT_GE(clearance(wide), -0.002);
