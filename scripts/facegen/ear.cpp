@@ -78,13 +78,13 @@ constexpr std::array<Vec3, 13> kHelix{{{.16, -.06, .3},
                                        {.50, 1.92, 1},
                                        {.98, 1.48, 1},
                                        {1.27, .80, 1},
-                                       {1.33, .10, .95},
-                                       {1.20, -.62, .7},
-                                       {.95, -1.25, .2}}};
+                                       {1.33, .10, .85},
+                                       {1.20, -.62, .5},
+                                       {.95, -1.25, .1}}};
 /// The inner ridge from the antitragus up, and its two legs.
 constexpr std::array<Vec3, 6> kAntihelix{{{.02, -1.00, .75},
-                                          {.36, -.98, .8},
-                                          {.66, -.66, .9},
+                                          {.36, -.98, .7},
+                                          {.66, -.66, .75},
                                           {.80, -.15, 1},
                                           {.74, .36, 1},
                                           {.52, .80, .95}}};
@@ -101,8 +101,11 @@ double relief(double back, double up) {
                 near_line(kLowerLeg, back, up, 0.15)});
   const double lobe = bell(Vec3{(back - 0.2) / 0.7, (up + 1.55) / 0.42, 0});
   const double fork = bell(Vec3{(back - 0.05) / 0.28, (up - 1.14) / 0.26, 0});
+  // The furrow behind the inner ridge is shallow below: narrow and deep, its quads would show.
+  const double floor = bell(Vec3{(back - 0.98) / 0.26, (up + 0.25) / 0.7, 0});
   return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) + 0.46 * near_line(kHelix, back, up, 0.19) +
-         0.43 * ridge - 0.14 * fork + 0.34 * near_line(kTragus, back, up, 0.16) + 0.24 * lobe;
+         0.43 * ridge - 0.14 * fork + 0.34 * near_line(kTragus, back, up, 0.16) + 0.24 * lobe +
+         0.13 * floor;
 }
 
 /// The keys continued round the circle, so that the curve closes smoothly.

@@ -72,7 +72,7 @@ class Sides {
     const double combed = 0.6 * (1 - t) * (1 - t) * std::sin(angle);
     // At the temples it is brushed back: along the hairline strands would draw a hem there.
     const double aside = std::abs(angle);
-    const double brushed = 0.34 * t * t * smooth_step(0.1, 1.0, aside) *
+    const double brushed = 0.26 * t * t * smooth_step(0.1, 1.0, aside) *
                            smooth_step(2.1, 0.9, aside) * (angle < 0 ? -1 : 1);
     const double astray = 0.06 * (value_noise({angle * 4, 4 * t, 3.5}) - 0.5) *
                           smooth_step(kPi, 3.0, std::abs(angle));

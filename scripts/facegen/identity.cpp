@@ -172,7 +172,7 @@ Identity young_woman() {
   Form& form = who.form;
   form.narrowing = 0.074;
   form.jaw_width = 0.02;
-  form.chin_width = -0.02;
+  form.chin_width = 0.03;
   form.cheek = 0.07;
   form.cheekbone = -0.14;
   form.cheek_hollow = 0.02;
@@ -270,7 +270,7 @@ Identity man_of_fifty() {
   colours.skin = {0.50, 0.295, 0.195};
   colours.flush = {0.50, 0.215, 0.155};
   colours.forehead_skin = {0.53, 0.325, 0.21};
-  colours.neck_skin = {0.45, 0.26, 0.18};
+  colours.neck_skin = {0.48, 0.28, 0.19};
   colours.lid_skin = {0.38, 0.20, 0.145};
   colours.lid_rim = {0.36, 0.17, 0.14};
   colours.lip = {0.44, 0.195, 0.165};

@@ -105,7 +105,7 @@ void lift_lids(HalfHead& half) {
 
 /// The last rows go inwards, so that nothing pokes through the collar.
 void tuck_neck(HalfHead& half) {
-  constexpr int kFirstRow = 45;
+  constexpr int kFirstRow = 46;
   for (HalfVertex& v : half.vertices) {
     if (v.patch != Patch::Grid || v.row <= kFirstRow) continue;
     const double k = static_cast<double>(v.row - kFirstRow) / (kRows - kFirstRow);

@@ -52,7 +52,9 @@ double face_mass(const Form& form, const Vec3& p) {
   d = melt(d, round_cone(p, {3.2, 1.0, 1.6}, angle, 1.03, 0.85), 1.6);  // ramus
   const Vec3 chin{0, -4.52 - form.chin_drop, 7.25 + form.chin_forward};
   const Vec3 mandible{0.58 + 0.7 * form.chin_width, chin.y + 0.05, chin.z - 0.4};
-  d = melt(d, round_cone(p, angle, mandible, 0.84, 0.78), 1.6);
+  // A wide jaw shows its edge.
+  const double seam = 1.6 - 1.8 * std::max(0.0, form.jaw_width);
+  d = melt(d, round_cone(p, angle, mandible, 0.84, 0.78), seam);
   d = melt(d, ellipsoid(p - Vec3{2.2, -1.5, 4.2}, {1.28, 1.9, 2.2}), 1.5);  // below the cheekbone
   d = melt(d, ellipsoid(rotated_x(p - Vec3{2.75, -0.9, 3.1}, -0.25), {1.1, 2.1, 1.3}),
            1.2);  // masseter
