@@ -85,7 +85,7 @@ class Sheet {
     const double behind = 0.30 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
     const double full = mix(0.03, cut_.top + behind, smooth_step(0.02, 0.20, from_edge));
     // A narrow valley at the parting, which closes towards the crown.
-    const double valley = mix(0.7, 0.05, smooth_step(0.03, 0.2, from_edge));
+    const double valley = mix(0.55, 0.05, smooth_step(0.03, 0.2, from_edge));
     const double rise = 1 - std::exp(-std::pow(t / 0.03, 2));
     return full * mix(1, rise, valley);
   }
@@ -209,8 +209,8 @@ constexpr std::array<Lock, kLocks> kLoose{{{0.020, -0.022, 0.26, 0.86, 0.010, 0.
                                            {0.860, -0.034, 0.60, 1.06, 0.013, 0.05},
                                            {0.780, 0.030, 0.66, 1.05, 0.012, 0.03},
                                            {0.690, -0.025, 0.62, 1.06, 0.012, 0.04},
-                                           {0.240, 0.028, 0.64, 1.06, 0.013, 0.04},
-                                           {0.340, -0.024, 0.66, 1.05, 0.012, 0.04},
+                                           {0.030, -0.095, 0.34, 0.88, 0.006, 0.00},
+                                           {0.972, 0.072, 0.36, 0.94, 0.006, 0.00},
                                            {0.940, -0.018, 0.58, 1.07, 0.009, 0.03},
                                            {0.060, 0.016, 0.60, 1.08, 0.009, 0.03}}};
 

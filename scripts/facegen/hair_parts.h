@@ -17,7 +17,7 @@ struct SheetSize {
   std::size_t rows = 0;
 };
 inline constexpr SheetSize kUnderSheet{65, 29};
-inline constexpr SheetSize kOuterSheet{161, 33};
+inline constexpr SheetSize kOuterSheet{161, 41};
 inline constexpr SheetSize kLock{6, 17};
 inline constexpr std::size_t kLocks = 10;
 
