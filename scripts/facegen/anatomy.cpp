@@ -52,13 +52,14 @@ double lower_lip_border(const Identity& who, double x) {
 
 Vec3 brow_spine(const Identity& who, double t) {
   // It rises late: a steep inner end is a hook in profile.
-  const double arch = who.form.brow_arch * power(std::sin(std::min(1.0, t * 1.05) * 2.2), 1.5);
+  const double late = saturate((t - 0.12) / 0.84);
+  const double arch = who.form.brow_arch * power(std::sin(late * 2.2), 1.35);
   return {mix(who.form.brow_begin, 3.55, t),
           who.form.brow_up + arch - who.form.brow_tail_drop * t * t * t, 0.0};
 }
 
 double brow_half_width(const Identity& who, double t) {
-  return who.form.brow_width * (1 - 0.80 * power(t, 1.5)) * smooth_step(-0.30, 0.22, t);
+  return who.form.brow_width * (1 - 0.80 * power(t, 1.5)) * smooth_step(-0.30, 0.30, t);
 }
 
 }  // namespace aucast::facegen

@@ -195,8 +195,9 @@ Identity young_woman() {
   form.lower_lid = 0.455;
   form.lid_fold = 0.225;
   form.furrow = 0.022;
-  form.brow_up = 4.29;
-  form.brow_arch = 0.31;
+  form.brow_up = 4.35;
+  form.brow_arch = 0.26;
+  form.brow_tail_drop = 0.23;
   form.brow_width = 0.21;
   form.brow_begin = 0.86;
   Haircut& hair = who.hair;
@@ -251,8 +252,8 @@ Identity man_of_fifty() {
   form.cupids_bow = 0.5;
   form.corner_lift = 0.02;
   form.philtrum = 1.2;
-  form.brow_up = 3.99;
-  form.brow_arch = 0.21;
+  form.brow_up = 4.04;
+  form.brow_arch = 0.17;
   form.brow_tail_drop = 0.28;
   form.brow_begin = 0.70;
   form.brow_width = 0.29;
