@@ -236,7 +236,9 @@ void add_line(Part& part, const Line& drawn, const Hand& hand, const Draper& dra
     for (const Across& across : kAcross) {
       const OnSkin on = draper.drape(middle - to_bulge * (across.at * width));
       const Vec3 p = on.position + on.normal * kLift;
-      row.push_back(part.add({p.x * side, p.y, p.z}, kCrease, across.dark * depth));
+      // The light on a forehead ends the range of red: what loses red there looks green.
+      const Vec3 colour = mix(kCrease, kForeheadCrease, smooth_step(4.6, 5.2, middle.y));
+      row.push_back(part.add({p.x * side, p.y, p.z}, colour, across.dark * depth));
       Vertex& vertex = part.vertices.back();
       vertex.gloss = across.light * depth;
       vertex.maps = on.maps;

@@ -339,7 +339,8 @@ Part make_mouth_bag(const Skin& skin) {
       if (place.up < 0) high = std::min(high, -below);
       const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
-      const Vec3 colour = mix(kMouthFront * 0.6, kMouthBack, smooth_step(0.1, 0.7, shape.back));
+      const Vec3 colour = mix(kMouthFront * mix(0.6, 0.85, place.corner), kMouthBack,
+                              smooth_step(0.05, 0.7, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;

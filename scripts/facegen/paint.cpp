@@ -73,7 +73,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
     // Into the dark of the mouth, sooner at the corners.
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
                            static_cast<double>(kLipLastRing - kLipContactRing);
-    c = mix(kLipInside * 0.95, kMouthFront * 0.5, inwards * mix(0.7, 0.9, to_corner));
+    c = mix(kLipInside * 0.95, kMouthFront * 0.5, inwards * mix(0.7, 0.5, to_corner));
   }
   vertex.colour = c;
   vertex.gloss = border ? 1.0 : 1.8;
