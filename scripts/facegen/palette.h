@@ -51,6 +51,6 @@ inline constexpr Vec3 kSclera{0.66, 0.635, 0.61};
 inline constexpr Vec3 kScleraCorner{0.46, 0.36, 0.335};
 /// What is left of the light in the deepest line.
 inline constexpr Vec3 kCrease{0.60, 0.36, 0.29};
-inline constexpr Vec3 kForeheadCrease{0.69, 0.42, 0.33};
+inline constexpr Vec3 kForeheadCrease{0.61, 0.42, 0.36};
 
 }  // namespace aucast::facegen
