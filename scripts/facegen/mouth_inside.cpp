@@ -211,6 +211,9 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
       vertex.colour *= kLightOnLowerTeeth;
+      // The end of the row seen past the tongue would be a grey block.
+      vertex.colour *=
+          mix(Vec3{0.22, 0.16, 0.15}, Vec3{1}, smooth_step(5.0, 7.0, vertex.position.z));
       vertex.occlusion *= 0.5;
     }
     vertex.gloss *= mix(0.2, 1.0, light);
@@ -339,7 +342,7 @@ Part make_mouth_bag(const Skin& skin) {
       if (place.up < 0) high = std::min(high, -below);
       const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
-      const Vec3 colour = mix(kMouthFront * mix(0.6, 0.85, place.corner), kMouthBack,
+      const Vec3 colour = mix(kMouthFront * mix(0.7, 1.5, place.corner), kMouthBack,
                               smooth_step(0.05, 0.7, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
