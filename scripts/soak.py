@@ -47,6 +47,14 @@ class Program:
     def descriptor_count(self):
         return len(os.listdir(f"/proc/{self.process.pid}/fd"))
 
+    def has_socket(self):
+        folder = f"/proc/{self.process.pid}/fd"
+        try:
+            return any(os.readlink(f"{folder}/{number}").startswith("socket:")
+                       for number in os.listdir(folder))
+        except OSError:
+            return False
+
     def sample(self):
         """Private memory in KiB and open descriptors now; nothing when it has ended."""
         try:
@@ -146,9 +154,11 @@ def fast(options, folder, findings):
                                             server.address(), "--stats", stats])
     begin = time.monotonic()
     while player.process.poll() is None:
-        server.sample()
-        player.sample()
-        time.sleep(0.02)
+        # Before it is there it reads its files, and grows as it should.
+        if player.has_socket():
+            server.sample()
+            player.sample()
+        time.sleep(0.005)
     played = read_json(stats)
     print(f"  exit code {player.process.returncode}, {played['keyframes_played']} keyframes, media "
           f"{played['media_seconds']} s, in {time.monotonic() - begin:.1f} s, "

@@ -279,17 +279,17 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
   EXPECT_EQ(session_->model().editor.au, 12);
   const float before = shown("left_cheek_raiser");
   // The cheeks by drag, one step more by button, which is taken back.
-  replay("drag 672 501 700 501\n");
+  replay("drag 672 516 700 516\n");
   const float dragged = shown("left_cheek_raiser");
   EXPECT_GT(dragged, before + 0.2F);
   EXPECT_EQ(shown("right_cheek_raiser"), dragged) << "left and right together";
-  replay("click 770 501\n");
+  replay("click 770 516\n");
   EXPECT_NEAR(shown("left_cheek_raiser"), dragged + 0.05F, 0.006F);
-  replay("click 475 241\n");
+  replay("click 475 256\n");
   EXPECT_EQ(shown("left_cheek_raiser"), dragged);
   EXPECT_TRUE(session_->model().editor.unsaved);
   test::expect_as_baseline(panel(), "panel_editor", kTolerance, kShareMax);
-  replay("click 727 272\n");
+  replay("click 727 287\n");
   EXPECT_FALSE(session_->model().editor.unsaved);
   const auto mine = face::load_face(folder_.path() / "aucast" / "faces" / "default", {});
   ASSERT_TRUE(mine) << mine.error().message;
