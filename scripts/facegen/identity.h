@@ -16,6 +16,7 @@ struct Form {
   // skull and jaw
   double narrowing = 0.055;  ///< of everything below the cheekbones, share
   double jaw_width = 0;      ///< the angle of the jaw, outwards
+  double jaw_bow = 0;        ///< between angle and chin, outwards; 1 is much
   double jaw_drop = 0;       ///< the angle of the jaw, downwards
   double chin_width = 0;
   double chin_drop = 0;
@@ -35,6 +36,7 @@ struct Form {
   double bridge_width = 0;  ///< added to the radius of the bridge
   double nose_forward = 0;  ///< the tip
   double nose_up = 0;       ///< the tip, turned up; negative: hanging
+  double nose_tip = 0;      ///< added to its radii
   double nose_hump = 0;     ///< on the bridge
   double nose_root = 0.12;  ///< depth between the brows and the bridge
   // eyes: height of the lids over their corners, and the corners over kEyeCentre

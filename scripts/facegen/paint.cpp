@@ -96,9 +96,16 @@ double beard_field(const HalfVertex& v) {
   return std::max(jaw * mix(1, 0.5, smooth_step(1.8, 3.2, p.x)), moustache) * below;
 }
 
+/// What faces down under the edge of the jaw: a little darker, so that the edge reads in profile.
+double under_jaw(const Identity& who, const Vec3& p) {
+  if (p.z < 0.5 || p.y > -1.5 || p.y < -7.5) return 0;
+  return smooth_step(-0.10, -0.65, head_normal(who, p, 0.1).y) * smooth_step(0.5, 2.0, p.z) *
+         smooth_step(-2.2, -3.2, p.y - 0.2 * (p.z - 4)) * smooth_step(-7.5, -6.0, p.y);
+}
+
 /// The floor of the mouth and the top of the throat: a little darker, so that the chin stands out
-/// from the neck also where the light comes from the front. Not below the side of the jaw, where it
-/// would be a bruise in profile.
+/// from the neck also where the light comes from the front. Not below the side of the jaw, where so
+/// much would be a bruise in profile.
 double under_chin(const Vec3& p) {
   return bell(p.y + 6.0, 1.3) * smooth_step(0.8, 2.4, p.z) * bell(p.x, 1.8) *
          smooth_step(-5.0, -5.6, p.y - 0.25 * (p.z - 3.5));
@@ -123,7 +130,8 @@ void paint_skin(const Identity& who, Skin& skin) {
     if (p.z > 4)
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
-    c = cooled(c, p) * (Vec3{1} - Vec3{0.25, 0.34, 0.37} * under_chin(p));
+    c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
+    c *= Vec3{1} - Vec3{0.16, 0.20, 0.21} * under_jaw(who, p);
     c *= Vec3{1} - Vec3{1.5, 2.2, 2.2} * std::max(0.0, fold_depth(who, p));
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;

@@ -51,14 +51,17 @@ double face_mass(const Form& form, const Vec3& p) {
   const Vec3 angle{2.48 + form.jaw_width, -2.15 - form.jaw_drop, 2.7};
   d = melt(d, round_cone(p, {3.2, 1.0, 1.6}, angle, 1.03, 0.85), 1.6);  // ramus
   const Vec3 chin{0, -4.52 - form.chin_drop, 7.25 + form.chin_forward};
-  const Vec3 mandible{0.58 + 0.7 * form.chin_width, chin.y + 0.05, chin.z - 0.4};
+  const Vec3 mandible{0.60 + 0.8 * form.chin_width, chin.y + 0.05, chin.z - 0.4};
   // A wide jaw shows its edge.
   const double seam = 1.6 - 1.8 * std::max(0.0, form.jaw_width);
-  d = melt(d, round_cone(p, angle, mandible, 0.84, 0.78), seam);
+  // Between them it bows out: straight, the face is a wedge from the front.
+  const Vec3 body = mix(angle, mandible, 0.70) + Vec3{0.40, -0.50, 0.20} * form.jaw_bow;
+  d = melt(d, round_cone(p, angle, body, 0.84, 0.81), seam);
+  d = melt(d, round_cone(p, body, mandible, 0.81, 0.78), seam);
   d = melt(d, ellipsoid(p - Vec3{2.2, -1.5, 4.2}, {1.28, 1.9, 2.2}), 1.5);  // below the cheekbone
   d = melt(d, ellipsoid(rotated_x(p - Vec3{2.75, -0.9, 3.1}, -0.25), {1.1, 2.1, 1.3}),
            1.2);  // masseter
-  d = melt(d, ellipsoid(p - chin, {0.95 + form.chin_width, 0.92, 1.02}), 1.0);
+  d = melt(d, ellipsoid(p - chin, {0.95 + form.chin_width, 0.92, 1.02}), 1.1);
   d = melt(d, ellipsoid(p - chin - Vec3{0, -0.02, 0.44}, {0.6 + form.chin_width, 0.55, 0.62}),
            0.7);  // its pad
   return melt(d, ellipsoid(p - Vec3{0, -3.8 - form.throat_drop, 4.5}, {2.0, 1.1, 2.7}),
@@ -116,15 +119,15 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   // of the bridge or a blob of the tip.
   const double wide = form.bridge_width;
   const Vec3 hump{0, 0, form.nose_hump};
+  const Vec3 low{0, 0.4, 8.86 + 0.5 * std::max(0.0, form.nose_forward)};
   double bridge = round_cone(p, {0, 3.05, 7.38}, Vec3{0, 1.6, 8.18} + hump, 0.46, 0.46 + wide);
-  bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, {0, 0.4, 8.86}, 0.46 + wide, 0.46),
-                0.4);
+  bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.46 + wide, 0.46), 0.9);
   bridge = melt(bridge,
                 round_cone(p, {0.25 + wide, 2.2, 7.1}, {0.45 + wide, 0.1, 8.05}, 0.50, 0.60), 0.8);
-  d = melt(d, bridge, 0.85);
+  d = melt(d, bridge, 1.0);
   const Vec3 q{p.x / form.nose_width, p.y, p.z};
   const Vec3 at{0, form.nose_up, form.nose_forward};
-  double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), {0.57, 0.48, 0.63});
+  double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), Vec3{0.57, 0.48, 0.63} + form.nose_tip);
   tip = melt(tip, round_cone(q, Vec3{0, -0.30, 9.08} + at, {0, -0.60, 8.35}, 0.25, 0.22), 0.3);
   d = melt(d, tip, 0.50);
   const Vec3 wing = rotated_y(rotated_z(q - Vec3{0.735, -0.20, 8.42}, 0.28), 0.42);
@@ -216,7 +219,7 @@ double mouth_relief(const Identity& who, const Vec3& p) {
 double bony_hollows(const Form& form, const Vec3& p) {
   if (p.z < 1) return 0;
   const double x = std::abs(p.x);
-  const double root = form.nose_root * bell(p.y - 3.0, 0.62) * smooth_step(0.85, 0.1, x) *
+  const double root = form.nose_root * bell(p.y - 2.9, 0.80) * smooth_step(0.85, 0.1, x) *
                       smooth_step(6.0, 7.2, p.z);
   const double below_arch = p.y + 0.75 - 0.28 * (p.z - 4.2);
   const double slope =
@@ -256,7 +259,7 @@ double head_distance(const Identity& who, const Vec3& p) {
   const Vec3 q{soft_abs(p.x * (1 + who.form.narrowing * narrowing), 0.10), p.y, p.z};
   double d = melt(cranium(who.form, q), face_mass(who.form, q), 1.2);
   d = with_brow_ridge(who.form, d, q);
-  d = melt(d, neck(who.form, q), 2.0);
+  d = melt(d, neck(who.form, q), 1.5);
   d = with_orbit(who.form, d, q);
   d += lid_relief(who, p);
   d = with_nose(who.form, d, q);
