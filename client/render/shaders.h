@@ -92,6 +92,7 @@ vec3 seen_through_cornea(vec3 place) {
   float nearer = max(dot(aside, viewer), 0.0);
   float bulge = max(1.0 - angle * angle / (kCorneaRim * kCorneaRim), 0.0);
   bulge *= bulge * smoothstep(0.5, 0.95, u_eyeball_open);
+  bulge *= 1.0 - 0.7 * smoothstep(0.0, 0.8, -aside.y);  // its tip would stand before the lower lid
   angle += kCorneaWidens * sideways * nearer * nearer * angle * inside;
   vec3 direction = cos(angle) * u_eyeball_forward + sin(angle) * aside;
   return u_eyeball_centre +
@@ -288,6 +289,8 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
 }
 
 #ifdef EYE
+const float kCatchlight = 0.068;  // half its side, of the ball's radius
+
 vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   // Reflections of a window where a portrait painter puts them: true ones hide behind the lids as
   // soon as the head turns, and the face dies.
@@ -298,8 +301,13 @@ vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   vec3 middle = mix(view, u_eyeball_forward, 0.75);
   vec3 first = normalize(middle - side * 0.13 * (1.0 - sideways) + up * mix(0.18, 0.10, sideways));
   vec3 second = normalize(middle + side * 0.17 - up * 0.20);
-  lit += vec3(1.0, 0.98, 0.95) * (1.7 * smoothstep(0.9945, 0.9983, dot(normal, first)) +
-                                  0.12 * smoothstep(0.992, 0.998, dot(normal, second)));
+  // A window is square, lighter at its upper edge, and soft on a wet ball.
+  vec3 aside = normal - first;
+  vec2 pane = vec2(dot(aside, side), dot(aside, up)) / kCatchlight;
+  vec2 pane2 = pane * pane;
+  float window = smoothstep(2.0, 0.0, dot(pane2, pane2)) * (0.85 + 0.15 * pane.y);
+  lit = mix(lit, vec3(0.90, 0.90, 0.88), 0.94 * window);
+  lit += vec3(0.07) * smoothstep(0.986, 0.999, dot(normal, second));
   // From the side the front of the cornea is clear: what lies behind it shows, not the pupil.
   float facing = 1.0 - max(dot(normal, view), 0.0);
   return mix(lit, vec3(0.42, 0.44, 0.46), 0.75 * sideways * smoothstep(0.62, 0.95, facing));
@@ -331,7 +339,7 @@ void main() {
 
 #ifdef EYE
   // The upper lid and its lashes shade the ball below them.
-  result *= mix(1.0, 0.45, smoothstep(0.05, 0.50, from_centre.y));
+  result *= mix(1.0, 0.36, smoothstep(-0.05, 0.50, from_centre.y));
   result = with_reflections(result, view, normal);
 #else
 #ifdef HAIR

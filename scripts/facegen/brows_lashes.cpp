@@ -146,7 +146,7 @@ LashGrowth lash_growth(const Identity& who, const Skin& skin, int side, bool upp
   // They fan out towards the temple.
   const Vec3 fan{side * (1.0 * (t - 0.36)), 0, 0};
   growth.direction = glm::normalize(out + fan + Vec3{0, upper ? -0.10 : -0.40, 0});
-  const double ends = smooth_step(0.0, 0.25, t) * (1 - 0.40 * smooth_step(0.86, 1.0, t));
+  const double ends = smooth_step(0.0, 0.25, t) * (1 - 0.70 * smooth_step(0.70, 1.0, t));
   growth.length = who.form.lash * ends * (upper ? mix(0.25, 0.52, smooth_step(0.1, 0.9, t)) : 0.09);
   growth.curl = upper ? 0.42 : -0.10;
   return growth;
@@ -171,7 +171,8 @@ void add_lash_fringe(Part& part, const Identity& who, const Skin& skin, int side
   for (int i = 1; i <= kColumns; ++i) {
     const double t = static_cast<double>(i) / kColumns;
     const LashGrowth growth = lash_growth(who, skin, side, upper, t);
-    const double dark = (upper ? 1.0 : 0.5) * lash_strength(who) * smooth_step(0.02, 0.4, t);
+    const double dark = (upper ? 1.0 : 0.5) * lash_strength(who) * smooth_step(0.02, 0.4, t) *
+                        (1 - 0.6 * smooth_step(0.80, 1.0, t));
     for (std::size_t j = 0; j < kSteps.size(); ++j) {
       rows[j].push_back(part.add(along_lash(growth, 0.85 * kSteps[j]), kLash, kAlphas[j] * dark));
       part.vertices.back().maps = growth.root.maps;
@@ -199,7 +200,8 @@ void add_lash(Part& part, const Identity& who, const Skin& skin, int side, int n
   static constexpr std::array kWidths{1.0, 0.80, 0.42, 0.0};
   static constexpr std::array kAlphas{0.85, 0.75, 0.50, 0.10};
   const double half_width = 0.022 * mix(0.5, 1.0, who.form.lash);
-  const double dark = lash_strength(who) * smooth_step(0.0, 0.22, t);
+  const double dark =
+      lash_strength(who) * smooth_step(0.0, 0.22, t) * (1 - 0.4 * smooth_step(0.85, 1.0, t));
   std::array<std::uint32_t, 2> before{};
   for (std::size_t j = 0; j < kSteps.size(); ++j) {
     const Vec3 p = along_lash(growth, kSteps[j]) + lean * (kSteps[j] * kSteps[j]);

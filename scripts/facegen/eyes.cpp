@@ -6,7 +6,7 @@
 namespace aucast::facegen {
 namespace {
 
-constexpr int kSectors = 48;
+constexpr int kSectors = 60;
 constexpr double kPupilRadius = 0.185;
 
 /// Colour at `radius` from the eye's axis and `angle` about it; the nose lies at `nasal` 1.
@@ -14,18 +14,19 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
   if (radius < kPupilRadius) return kPupil;
   if (radius < kIrisRadius) {
     const double t = (radius - kPupilRadius) / (kIrisRadius - kPupilRadius);
-    const double streak = hash(sector * 13 + 7) * 0.5 + hash(sector / 2 * 31 + 3) * 0.5;
+    const double streak = hash(sector * 13 + 7) * 0.5 + hash(sector / 3 * 31 + 3) * 0.5;
     Vec3 c = mix(who.colours.iris_inner, who.colours.iris_outer,
                  smooth_step(0.1, 0.65, t + 0.25 * (streak - 0.5)));
     // Light from above shines through to the lower half.
-    c *= (0.75 + 0.5 * streak) * (1.05 - 0.45 * std::sin(angle));
-    c = mix(c, kIrisEdge, 0.8 * smooth_step(0.70, 1.02, t));
+    const double arc = smooth_step(0.30, 0.60, t) * smooth_step(-0.3, -1.0, std::sin(angle));
+    c *= (0.70 + 0.6 * streak) * (0.86 - 0.36 * std::sin(angle) + 0.30 * arc);
+    c = mix(c, kIrisEdge, 0.85 * smooth_step(0.66, 1.02, t));
     return t < 0.08 ? c * 0.35 : c;
   }
   // Faint: all of it comes into view when the eye looks aside.
   const double corner = smooth_step(0.60, 1.25, radius);
   Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
-  c = mix(c, kCaruncle, 0.45 * smooth_step(0.98, 1.15, radius) * smooth_step(0.6, 0.9, nasal));
+  c = mix(c, kCaruncle, 0.45 * smooth_step(0.90, 1.20, radius) * smooth_step(0.6, 0.9, nasal));
   return radius < kIrisRadius + 0.05 ? mix(kLimbus, c, 0.35) : c;
 }
 

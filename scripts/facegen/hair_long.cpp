@@ -82,10 +82,10 @@ class Sheet {
   [[nodiscard]] double height(double s, double t) const {
     const double from_edge = std::min(s, 1 - s);
     // Fuller behind the crown, where the skull falls off.
-    const double behind = 0.30 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
+    const double behind = 0.03 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
     const double full = mix(0.03, cut_.top + behind, smooth_step(0.02, 0.20, from_edge));
     // A narrow valley at the parting, which closes towards the crown.
-    const double valley = mix(0.55, 0.05, smooth_step(0.03, 0.2, from_edge));
+    const double valley = mix(0.34, 0.04, smooth_step(0.03, 0.2, from_edge));
     const double rise = 1 - std::exp(-std::pow(t / 0.03, 2));
     return full * mix(1, rise, valley);
   }
@@ -129,7 +129,7 @@ double waves(double s, double t) {
   const double free = smooth_step(0.1, 0.5, t);
   return free * (0.07 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
                  0.07 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) +
-                 0.03 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
+                 0.045 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
 }
 
 /// The outside with its waves and with tips that turn in.
@@ -137,7 +137,7 @@ Vec3 outer_place(const Sheet& sheet, double s, double t) {
   const double tip = smooth_step(0.70, 1, t);
   // The front edges lie on the cheeks already.
   const double free = smooth_step(0, 0.07, std::min(s, 1 - s));
-  return sheet.place(s, t) + sheet.up(s, t) * (free * (waves(s, t) - 0.55 * tip * tip));
+  return sheet.place(s, t) + sheet.up(s, t) * (free * (waves(s, t) - 0.30 * tip * tip));
 }
 
 /// Number of the strand: they gather into locks, the more the farther down.
@@ -164,18 +164,18 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
            sheet.up(s, t) * (mix(0.10, 0.36, rolls(t)) * at.rolled * at.rolled);
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
-    const double light = 0.10 + 0.22 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t);
+    const double light = 0.02 + 0.38 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t);
     const double from_edge = std::min(s, 1 - s);
     const double loose = smooth_step(0.14, 0.34, t);
-    const double soft = mix(0.02, 0.045, value_noise({0.5, 26 * t, 9.5}));
+    const double soft = mix(0.03, 0.085, value_noise({0.5, 26 * t, 9.5}));
     // Where it hangs single strands of the edge lie on the cheek.
     const double begin = -kRolled * loose;
     const double hairline = smooth_step(begin, begin + mix(soft, 0.7 * kRolled, loose),
                                         from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
     const double parting = mix(1, smooth_step(-0.02, 0.025, t), smooth_step(0.14, 0.06, from_edge));
-    const double full = 0.86 + 0.07 * value_noise({s * 40, 0.5, 3.5});
-    const double ends = smooth_step(full + 0.14, full, t) * smooth_step(1, 0.97, t);
+    const double full = 0.82 + 0.11 * value_noise({s * 34, 0.5, 3.5});
+    const double ends = smooth_step(full + 0.16, full, t) * smooth_step(1, 0.97, t);
     // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
     const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
     return HairPoint{p, shade_of(who, light), edge * hairline * parting * ends, strand_at(u, t),
@@ -205,14 +205,21 @@ struct Lock {
 };
 constexpr std::array<Lock, kLocks> kLoose{{{0.020, -0.022, 0.26, 0.86, 0.010, 0.03},
                                            {0.982, 0.024, 0.22, 0.80, 0.011, 0.03},
-                                           {0.130, 0.030, 0.62, 1.05, 0.012, 0.04},
-                                           {0.860, -0.034, 0.60, 1.06, 0.013, 0.05},
-                                           {0.780, 0.030, 0.66, 1.05, 0.012, 0.03},
-                                           {0.690, -0.025, 0.62, 1.06, 0.012, 0.04},
+                                           {0.130, 0.030, 0.62, 0.97, 0.012, 0.04},
+                                           {0.860, -0.034, 0.60, 0.98, 0.013, 0.05},
+                                           {0.780, 0.030, 0.66, 0.96, 0.012, 0.03},
+                                           {0.690, -0.025, 0.62, 0.98, 0.012, 0.04},
                                            {0.030, -0.095, 0.34, 0.88, 0.006, 0.00},
                                            {0.972, 0.072, 0.36, 0.94, 0.006, 0.00},
-                                           {0.940, -0.018, 0.58, 1.07, 0.009, 0.03},
-                                           {0.060, 0.016, 0.60, 1.08, 0.009, 0.03}}};
+                                           {0.940, -0.018, 0.58, 0.98, 0.009, 0.03},
+                                           {0.060, 0.016, 0.60, 0.99, 0.009, 0.03},
+                                           // astray, at the outline of the back and the crown
+                                           {0.500, 0.020, 0.50, 0.99, 0.006, 0.12},
+                                           {0.440, -0.020, 0.55, 0.97, 0.006, 0.10},
+                                           {0.550, 0.030, 0.35, 0.80, 0.004, 0.34},
+                                           {0.700, 0.020, 0.05, 0.35, 0.004, 0.26},
+                                           {0.620, -0.030, 0.12, 0.50, 0.004, 0.30},
+                                           {0.380, 0.020, 0.20, 0.55, 0.004, 0.26}}};
 
 void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& lock) {
   add_sheet(hair, kLock, [&](double u, double v) {

@@ -19,7 +19,7 @@ struct SheetSize {
 inline constexpr SheetSize kUnderSheet{65, 29};
 inline constexpr SheetSize kOuterSheet{161, 41};
 inline constexpr SheetSize kLock{6, 17};
-inline constexpr std::size_t kLocks = 10;
+inline constexpr std::size_t kLocks = 16;
 
 struct HairPoint {
   Vec3 place{0};

@@ -32,7 +32,7 @@ inline constexpr Vec3 kBeardShade{0.42, 0.48, 0.56};
 /// The same under hair or right beside it.
 inline constexpr Vec3 kUnderHair{0.64, 0.48, 0.43};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
-inline constexpr Vec3 kCaruncle{0.78, 0.38, 0.35};
+inline constexpr Vec3 kCaruncle{0.82, 0.56, 0.50};
 inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
 inline constexpr Vec3 kNostril{0.20, 0.06, 0.045};
 inline constexpr Vec3 kNostrilRim{0.35, 0.14, 0.11};
