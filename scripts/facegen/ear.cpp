@@ -136,9 +136,11 @@ class Plate {
     const double off = back - kHinge;
     const double top = std::max(0.0, up - 0.9);
     const double low = std::max(0.0, -up - 1.0);
-    const double stands_off =
-        hinge + off * std::tan(kTurn) - 0.035 * off * off - 0.10 * top * top - 0.12 * low * low;
-    const double x = mix(side(place), stands_off, smooth_step(kHinge - 0.2, kHinge + 0.3, back));
+    const double stands_off = hinge + off * std::tan(kTurn) - 0.035 * off * off - 0.10 * top * top -
+                              0.12 * low * low - 0.22 * smooth_step(-1.5, -2.0, up);
+    const double hangs = smooth_step(-1.0, -1.9, up);
+    const double x =
+        mix(side(place) + 0.02 * hangs, stands_off, smooth_step(kHinge - 0.2, kHinge + 0.3, back));
     return Vec3{x, place.y, place.z} + Vec3{std::cos(kTurn), 0, std::sin(kTurn)} * (height + 0.02);
   }
 
@@ -168,6 +170,8 @@ void add_ear_patch(LayoutBuilder& builder) {
     Ring inner;
     for (int spoke = 0; spoke < kEarSpokes; ++spoke) {
       double degrees = 120 - spoke * 360.0 / kEarSpokes;
+      // Denser at the lobe and at the top, which are the roundest.
+      degrees -= 9 * std::sin(radians(2 * (degrees - 280)));
       if (degrees < -60) degrees += 360;
       const double radius = round_sample(kOutline, degrees) * round_sample(kScale[ring], degrees);
       const double angle = radians(degrees);

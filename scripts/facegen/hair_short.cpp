@@ -14,19 +14,24 @@ constexpr std::array<Key<double>, 9> kTaper{{{0, 0.8},
                                              {3.4, 0.9},
                                              {5.0, 0.9},
                                              {5.9, 1.2},
-                                             {6.9, 1.8},
-                                             {8.0, 2.4},
+                                             {6.9, 1.5},
+                                             {8.0, 2.0},
                                              {9.2, 2.8},
                                              {12, 3.0}}};
 
 /// Height over the skin, away from the edges: short at the sides, longer where the head turns
 /// narrow.
 double thickness(const Haircut& cut, const Vec3& root) {
-  return mix(cut.side, cut.top, smooth_step(3.0, 7.6, root.y));
+  // In front of the ear it lies on the skin.
+  const double sideburn = smooth_step(4.2, 1.8, root.y) * smooth_step(0.5, 2.0, root.z);
+  return mix(cut.side, cut.top, smooth_step(3.0, 7.6, root.y)) * (1 - 0.8 * sideburn);
 }
 
 /// Strands of short hair are coarse: it has fewer.
 constexpr double kFirstStrand = 0.05;
+
+/// How far the hair of the temples is brushed back, radians round the pole.
+constexpr double kBrushed = 2.5;
 
 /// The alpha of hair in which all strands have ended at 0 and none at 1.
 double thinned(double at) {
@@ -37,10 +42,13 @@ double thinned(double at) {
 /// the head, t from the pole (0) to the hairline (1).
 class Sides {
  public:
-  explicit Sides(const Identity& who) : cut_(who.hair), head_(head_of(who)), scalp_(who) {
-    const Vec3 pole = glm::normalize(cut_.crown - kInsideHead);
-    across_ = glm::normalize(glm::cross(pole, Vec3{0, 0, 1}));
-    ahead_ = glm::cross(across_, pole);
+  explicit Sides(const Identity& who)
+      : cut_(who.hair),
+        head_(head_of(who)),
+        scalp_(who),
+        pole_(glm::normalize(cut_.crown - kInsideHead)) {
+    across_ = glm::normalize(glm::cross(pole_, Vec3{0, 0, 1}));
+    ahead_ = glm::cross(across_, pole_);
   }
 
   [[nodiscard]] HairPoint at(const Identity& who, double s, double t) const {
@@ -51,13 +59,14 @@ class Sides {
     const double taper = sample<double>(kTaper, nearest);
     const double tuft = value_noise({round * 2.2, 1.5 * from_edge, 0.5});
     const double grown = smooth_step(0, 1.8 * taper, from_edge);
-    const double forehead = smooth_step(4.2, 2.8, std::abs(round));
+    const double forehead = smooth_step(5.0, 2.4, std::abs(round));
     const double thick = thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.7 * forehead);
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
     const double light = 0.10 + 0.32 * temple + 0.10 * tuft + 0.15 * (1 - grown);
     HairPoint point{root + direction * (0.03 + thick), shade_of(who, light)};
-    point.alpha = thinned(from_edge / taper);
+    const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
+    point.alpha = thinned(from_edge / taper) * (1 - 0.55 * low);
     point.strand = number(direction, s, t);
     point.gloss = mix(0.3, 0.6, grown);
     return point;
@@ -69,11 +78,16 @@ class Sides {
     double angle = std::atan2(glm::dot(direction, across_), glm::dot(direction, ahead_));
     if (s <= 0) angle = -kPi;
     if (s >= 1) angle = kPi;
-    const double combed = 0.6 * (1 - t) * (1 - t) * std::sin(angle);
-    // At the temples it is brushed back: along the hairline strands would draw a hem there.
+    // Not by t, which jumps from column to column beside the sideburn.
+    const double fallen = std::acos(std::clamp(glm::dot(direction, pole_), -1.0, 1.0)) / 2.1;
+    const double above = std::max(0.0, 1 - fallen);
+    const double combed = 0.6 * above * above * std::sin(angle);
+    // At the temples it is brushed back as the top is that falls on it: where one ends nothing
+    // shows but one flow, and along the hairline strands would draw a hem.
     const double aside = std::abs(angle);
-    const double brushed = 0.26 * t * t * smooth_step(0.1, 1.0, aside) *
-                           smooth_step(2.1, 0.9, aside) * (angle < 0 ? -1 : 1);
+    const double back = smooth_step(0, 0.32, aside) * smooth_step(2.6, 0.9, aside);
+    const double brushed =
+        -kBrushed * std::sin(kPi / 2 * std::min(fallen, 1.0)) * back * (angle < 0 ? -1 : 1);
     const double astray = 0.06 * (value_noise({angle * 4, 4 * t, 3.5}) - 0.5) *
                           smooth_step(kPi, 3.0, std::abs(angle));
     return mix(kFirstStrand, 1.0, 0.5 + (angle + combed + brushed + astray) / (2 * kPi));
@@ -82,6 +96,7 @@ class Sides {
   const Haircut& cut_;
   Distance head_;
   Scalp scalp_;
+  Vec3 pole_;
   Vec3 across_{1, 0, 0};
   Vec3 ahead_{0, 0, 1};
 };
@@ -111,7 +126,7 @@ class Top {
     // Here and there it begins a little further back.
     const double begin = way + 0.12 - 0.45 * value_noise({u * 34, 0.5, 4.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({begin / 0.6, ends / 3, u / 0.12, (1 - u) / 0.25}));
+    point.alpha = thinned(std::min({begin / 0.9, ends / 3, u / 0.12, (1 - u) / 0.38}));
     point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.03 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));

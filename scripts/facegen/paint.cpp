@@ -156,7 +156,7 @@ void shade_inner_lips(Skin& skin) {
   }
 }
 
-void shade_under_hair(Skin& skin, const Part& hair) {
+void shade_under_hair(const Identity& who, Skin& skin, const Part& hair) {
   // As much as there is of hair near by, weighed by distance: no ray hits or misses a strand, which
   // would show as blocks.
   constexpr double kReach = 0.7;
@@ -173,6 +173,10 @@ void shade_under_hair(Skin& skin, const Part& hair) {
     const double alpha = (at(0).alpha + at(1).alpha + at(2).alpha + at(3).alpha) * 0.25;
     pieces.push_back({middle, alpha * area / (kPi * kReach * kReach)});
   }
+  // Short hair takes less of the light, and what falls through it is not reddened.
+  const bool cropped = who.hair.guides.empty();
+  const double strength = cropped ? 0.6 : 1;
+  const Vec3 under = cropped ? Vec3{0.78, 0.72, 0.73} : kUnderHair;
   for (Vertex& vertex : skin.part.vertices) {
     double near = 0;
     for (const Piece& piece : pieces) {
@@ -181,13 +185,15 @@ void shade_under_hair(Skin& skin, const Part& hair) {
       if (far2 < 9) near += piece.weight * std::exp(-far2);
     }
     const double shade = 1 - std::exp(-1.8 * near);
-    vertex.occlusion *= 1 - 0.55 * shade;
-    vertex.colour *= mix(Vec3{1}, kUnderHair, shade);
+    vertex.occlusion *= 1 - 0.55 * strength * shade;
+    vertex.colour *= mix(Vec3{1}, under, shade);
   }
 }
 
 void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> scalp) {
   constexpr double kReach2 = 1.6;
+  // Through short hair skin would shine orange; in the neck it thins out over a longer way.
+  const bool cropped = who.hair.guides.empty();
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
     Vertex& vertex = skin.part.vertices[i];
     if (vertex.position.y < -3.5) continue;
@@ -202,8 +208,10 @@ void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> sca
         inside = point.inside;
       }
     }
+    const double width = cropped ? mix(1.4, 3.2, smooth_step(2.0, -0.5, vertex.position.y)) : 2.1;
     // The tint starts behind the hairline; at the line itself it would show the grid in steps.
-    vertex.colour = mix(vertex.colour, shade_of(who, 0.12), 0.85 * smooth_step(0.0, 2.1, inside));
+    const double tint = (cropped ? 0.92 : 0.85) * smooth_step(0.0, width, inside);
+    vertex.colour = mix(vertex.colour, shade_of(who, 0.12), tint);
   }
 }
 

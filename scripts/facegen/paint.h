@@ -18,6 +18,6 @@ void shade_inner_lips(Skin& skin);
 void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> scalp);
 
 /// Skin beside hair gets less light, and what arrives came past the hair.
-void shade_under_hair(Skin& skin, const Part& hair);
+void shade_under_hair(const Identity& who, Skin& skin, const Part& hair);
 
 }  // namespace aucast::facegen
