@@ -264,7 +264,7 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
     for (int j = 0; j <= kAcross; ++j) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
-      const double fade = smooth_step(0.04, 0.60, t) * smooth_step(1.0, 0.86, t);
+      const double fade = smooth_step(0.06, 0.60, t) * smooth_step(1.0, 0.86, t);
       const double alpha = 0.8 * fade * smooth_step(1.0, 0.25, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());

@@ -187,9 +187,9 @@ Identity young_woman() {
   form.lid_fold = 0.225;
   form.furrow = 0.022;
   form.chin_fold = 0.07;
-  form.brow_up = 4.35;
-  form.brow_arch = 0.26;
-  form.brow_tail_drop = 0.23;
+  form.brow_up = 4.37;
+  form.brow_arch = 0.22;
+  form.brow_tail_drop = 0.17;
   form.brow_width = 0.21;
   form.brow_begin = 0.92;
   Haircut& hair = who.hair;
@@ -218,8 +218,8 @@ Identity man_of_fifty() {
   form.chin_drop = 0.22;
   form.chin_forward = 0.10;
   form.cheek = -0.10;
-  form.cheekbone = 0.10;
-  form.cheek_hollow = 0.12;
+  form.cheekbone = 0.14;
+  form.cheek_hollow = 0.155;
   form.brow_ridge = 0.13;
   form.forehead_slope = 0.25;
   form.muzzle = 0.10;
@@ -246,8 +246,8 @@ Identity man_of_fifty() {
   form.corner_lift = 0.02;
   form.philtrum = 1.2;
   form.brow_up = 4.04;
-  form.brow_arch = 0.17;
-  form.brow_tail_drop = 0.22;
+  form.brow_arch = 0.15;
+  form.brow_tail_drop = 0.18;
   form.brow_begin = 0.78;
   form.brow_width = 0.29;
   form.furrow = 0.07;

@@ -132,7 +132,7 @@ void paint_skin(const Identity& who, Skin& skin) {
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
     c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
-    c *= Vec3{1} - Vec3{0.16, 0.20, 0.21} * under_jaw(who, p);
+    c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
     c *= Vec3{1} - Vec3{1.5, 2.2, 2.2} * std::max(0.0, fold_depth(who, p));
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;

@@ -259,7 +259,7 @@ double head_distance(const Identity& who, const Vec3& p) {
   const Vec3 q{soft_abs(p.x * (1 + who.form.narrowing * narrowing), 0.10), p.y, p.z};
   double d = melt(cranium(who.form, q), face_mass(who.form, q), 1.2);
   d = with_brow_ridge(who.form, d, q);
-  d = melt(d, neck(who.form, q), 1.5);
+  d = melt(d, neck(who.form, q), 1.3);
   d = with_orbit(who.form, d, q);
   d += lid_relief(who, p);
   d = with_nose(who.form, d, q);
