@@ -144,9 +144,9 @@ LashGrowth lash_growth(const Identity& who, const Skin& skin, int side, bool upp
   const Vec3 out = glm::normalize(growth.root.position - eye);
   growth.root.position -= out * 0.015;
   // They fan out towards the temple.
-  const Vec3 fan{side * (1.0 * (t - 0.36)), 0, 0};
+  const Vec3 fan{side * (1.0 * (std::min(t, 0.80) - 0.36)), 0, 0};
   growth.direction = glm::normalize(out + fan + Vec3{0, upper ? -0.10 : -0.40, 0});
-  const double ends = smooth_step(0.0, 0.25, t) * (1 - 0.70 * smooth_step(0.70, 1.0, t));
+  const double ends = smooth_step(0.0, 0.25, t) * (1 - 0.74 * smooth_step(0.66, 0.98, t));
   growth.length = who.form.lash * ends * (upper ? mix(0.25, 0.52, smooth_step(0.1, 0.9, t)) : 0.09);
   growth.curl = upper ? 0.42 : -0.10;
   return growth;

@@ -82,11 +82,11 @@ class Sheet {
   [[nodiscard]] double height(double s, double t) const {
     const double from_edge = std::min(s, 1 - s);
     // Fuller behind the crown, where the skull falls off.
-    const double behind = 0.03 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
+    const double behind = 0.04 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
     const double full = mix(0.03, cut_.top + behind, smooth_step(0.02, 0.20, from_edge));
     // A narrow valley at the parting, which closes towards the crown.
     const double valley = mix(0.34, 0.04, smooth_step(0.03, 0.2, from_edge));
-    const double rise = 1 - std::exp(-std::pow(t / 0.03, 2));
+    const double rise = 1 - std::exp(-std::pow(t / 0.05, 2));
     return full * mix(1, rise, valley);
   }
 
@@ -164,7 +164,9 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
            sheet.up(s, t) * (mix(0.10, 0.36, rolls(t)) * at.rolled * at.rolled);
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
-    const double light = 0.02 + 0.38 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t);
+    // In its shade the parting would be a dark stripe.
+    const double parted = 0.17 * std::exp(-std::pow(t / 0.08, 2));
+    const double light = 0.02 + 0.38 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t) + parted;
     const double from_edge = std::min(s, 1 - s);
     const double loose = smooth_step(0.14, 0.34, t);
     const double soft = mix(0.03, 0.085, value_noise({0.5, 26 * t, 9.5}));
@@ -174,8 +176,10 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
                                         from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
     const double parting = mix(1, smooth_step(-0.02, 0.025, t), smooth_step(0.14, 0.06, from_edge));
-    const double full = 0.82 + 0.11 * value_noise({s * 34, 0.5, 3.5});
-    const double ends = smooth_step(full + 0.16, full, t) * smooth_step(1, 0.97, t);
+    // In front its ends are one lock: two look like a fork.
+    const double whole = 0.45 * smooth_step(0.22, 0.10, from_edge);
+    const double full = 0.82 + 0.11 * mix(value_noise({s * 34, 0.5, 3.5}), 1, whole);
+    const double ends = smooth_step(full + 0.18, full - 0.04, t) * smooth_step(1, 0.93, t);
     // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
     const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
     return HairPoint{p, shade_of(who, light), edge * hairline * parting * ends, strand_at(u, t),
