@@ -299,7 +299,7 @@ vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   // They stay on the iris also in profile, or the eye is a painted ball.
   float sideways = smoothstep(0.1, 0.8, 1.0 - dot(view, u_eyeball_forward));
   vec3 middle = mix(view, u_eyeball_forward, 0.82);
-  vec3 first = normalize(middle - side * 0.13 * (1.0 - sideways) + up * mix(0.18, 0.10, sideways));
+  vec3 first = normalize(middle - side * 0.13 * (1.0 - sideways) + up * mix(0.135, 0.09, sideways));
   vec3 second = normalize(middle + side * 0.17 - up * 0.20);
   // A window is square, lighter at its upper edge, and soft on a wet ball.
   vec3 aside = normal - first;
