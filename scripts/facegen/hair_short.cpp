@@ -85,7 +85,7 @@ class Sides {
     // At the temples it is brushed back as the top is that falls on it: where one ends nothing
     // shows but one flow, and along the hairline strands would draw a hem.
     const double aside = std::abs(angle);
-    const double back = smooth_step(0, 0.32, aside) * smooth_step(2.6, 0.9, aside);
+    const double back = smooth_step(0, 0.2, aside) * smooth_step(2.6, 0.9, aside);
     const double brushed =
         -kBrushed * std::sin(kPi / 2 * std::min(fallen, 1.0)) * back * (angle < 0 ? -1 : 1);
     const double astray = 0.06 * (value_noise({angle * 4, 4 * t, 3.5}) - 0.5) *
@@ -114,8 +114,8 @@ class Top {
     const double whole = length(u);
     const double way = v * whole;
     // It springs from the hairline and bends back: a round outline from the side.
-    const double front = power(saturate(way / 2.8), 0.72);
-    const double quiff = 0.38 * bell(way - 2.0, 1.7) * smooth_step(0, 1.0, way);
+    const double front = power(saturate(way / 2.8), 0.95);
+    const double quiff = 0.38 * bell(way - 2.0, 1.7) * smooth_step(0, 1.8, way);
     const double tuft = value_noise({u * 6 + 0.7 * v, 1.6 * v, 7.5});
     const double lock = value_noise({u * 15 + 0.9 * v, 2.5 * v, 9.5});
     const double height =
@@ -126,7 +126,7 @@ class Top {
     // Here and there it begins a little further back.
     const double begin = way + 0.12 - 0.45 * value_noise({u * 34, 0.5, 4.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({begin / 0.9, ends / 3, u / 0.12, (1 - u) / 0.38}));
+    point.alpha = thinned(std::min({begin / 0.6, ends / 3, u / 0.12, (1 - u) / 0.38}));
     point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.03 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));

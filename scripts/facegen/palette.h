@@ -28,7 +28,7 @@ struct Palette {
 // Those that all have.
 
 /// What is left of the skin's colour where a beard was shaven.
-inline constexpr Vec3 kBeardShade{0.42, 0.48, 0.56};
+inline constexpr Vec3 kBeardShade{0.44, 0.475, 0.53};
 /// The same under hair or right beside it.
 inline constexpr Vec3 kUnderHair{0.64, 0.48, 0.43};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
