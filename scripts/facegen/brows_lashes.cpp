@@ -264,7 +264,7 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
     for (int j = 0; j <= kAcross; ++j) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
-      const double fade = smooth_step(0.06, 0.60, t) * smooth_step(1.0, 0.86, t);
+      const double fade = smooth_step(0.0, 0.48, t) * smooth_step(1.0, 0.90, t);
       const double alpha = 0.8 * fade * smooth_step(1.0, 0.25, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
@@ -303,7 +303,7 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
     const double length = (0.24 + 0.55 * half_width) * (0.75 + 0.5 * chance(4)) *
                           mix(0.55, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
-    const double alpha = mix(0.05, 0.75, smooth_step(0.0, 0.48, t)) * (0.7 + 0.3 * chance(5));
+    const double alpha = mix(0.12, 0.80, smooth_step(0.0, 0.38, t)) * (0.7 + 0.3 * chance(5));
     const Vec3 colour = who.colours.brow * (0.75 + 0.5 * chance(6));
     const double thick = 0.012 * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};

@@ -161,8 +161,8 @@ Identity young_woman() {
   Form& form = who.form;
   form.narrowing = 0.070;
   form.jaw_width = 0.02;
-  form.jaw_bow = 0.24;
-  form.chin_width = 0.07;
+  form.jaw_bow = 0.12;
+  form.chin_width = 0.02;
   form.chin_forward = -0.12;
   form.cheek = 0.12;
   form.cheekbone = -0.14;
@@ -189,9 +189,9 @@ Identity young_woman() {
   form.furrow = 0.022;
   form.chin_fold = 0.07;
   form.brow_up = 4.37;
-  form.brow_arch = 0.22;
-  form.brow_tail_drop = 0.17;
-  form.brow_width = 0.21;
+  form.brow_arch = 0.25;
+  form.brow_tail_drop = 0.20;
+  form.brow_width = 0.25;
   form.brow_begin = 0.92;
   Haircut& hair = who.hair;
   hair.hairline = kLongHairline;
@@ -250,7 +250,7 @@ Identity man_of_fifty() {
   form.brow_arch = 0.15;
   form.brow_tail_drop = 0.18;
   form.brow_begin = 0.78;
-  form.brow_width = 0.29;
+  form.brow_width = 0.32;
   form.furrow = 0.07;
   form.jowl = 0.05;
   form.chin_fold = 0.14;
