@@ -88,9 +88,11 @@ class Film {
     auto sinks = open_sinks(options_.output);
     if (!sinks) return sinks.error();
     sinks_ = std::move(*sinks);
+    const bool sheet_alone = options_.output.frames.empty() && options_.output.record.empty();
     auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
                                       camera_preset("front", assets_.face),
-                                      backdrop(options_.output.background), Sharpness::Film);
+                                      backdrop(options_.output.background),
+                                      sheet_alone ? Sharpness::Still : Sharpness::Film);
     if (!maker) return maker.error();
     (*maker)->show(options_.output.layers);
     maker_ = std::move(*maker);
