@@ -85,7 +85,7 @@ class Sheet {
     const double behind = 0.04 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
     const double full = mix(0.03, cut_.top + behind, smooth_step(0.02, 0.20, from_edge));
     // A narrow valley at the parting, which closes towards the crown.
-    const double valley = mix(0.34, 0.04, smooth_step(0.03, 0.2, from_edge));
+    const double valley = mix(0.20, 0.04, smooth_step(0.03, 0.2, from_edge));
     const double rise = 1 - std::exp(-std::pow(t / 0.05, 2));
     return full * mix(1, rise, valley);
   }
@@ -143,7 +143,7 @@ Vec3 outer_place(const Sheet& sheet, double s, double t) {
 /// Number of the strand: they gather into locks, the more the farther down.
 double strand_at(double u, double t) {
   // Hair of the hairline runs back from it.
-  const double lean = 0.085 * smooth_step(0.60, 0, t) * (1 - 2 * u);
+  const double lean = 0.11 * smooth_step(0.60, 0, t) * (1 - 2 * u);
   const double inside = smooth_step(0, 0.08, u) * smooth_step(1, 0.92, u);
   const double gather =
       0.0018 * std::sin(2 * kPi * (29 * u + 0.6 * t)) +
@@ -164,26 +164,27 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
            sheet.up(s, t) * (mix(0.10, 0.36, rolls(t)) * at.rolled * at.rolled);
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
-    // In its shade the parting would be a dark stripe.
-    const double parted = 0.17 * std::exp(-std::pow(t / 0.08, 2));
+    // In its shade the parting would be a dark stripe, the more on the side away from the light.
+    const double parted = (u < 0.5 ? 0.18 : 0.26) * std::exp(-std::pow(t / 0.08, 2));
     const double light = 0.02 + 0.38 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t) + parted;
     const double from_edge = std::min(s, 1 - s);
     const double loose = smooth_step(0.14, 0.34, t);
-    const double soft = mix(0.03, 0.085, value_noise({0.5, 26 * t, 9.5}));
+    const double soft = mix(0.03, 0.065, value_noise({0.5, 26 * t, 9.5}));
     // Where it hangs single strands of the edge lie on the cheek.
     const double begin = -kRolled * loose;
     const double hairline = smooth_step(begin, begin + mix(soft, 0.7 * kRolled, loose),
                                         from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
-    const double parting = mix(1, smooth_step(-0.02, 0.025, t), smooth_step(0.14, 0.06, from_edge));
+    const double parting =
+        mix(1, smooth_step(-0.03, 0.015, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
     const double whole = 0.45 * smooth_step(0.22, 0.10, from_edge);
     const double full = 0.82 + 0.11 * mix(value_noise({s * 34, 0.5, 3.5}), 1, whole);
-    const double ends = smooth_step(full + 0.18, full - 0.04, t) * smooth_step(1, 0.93, t);
+    const double ends = smooth_step(full + 0.12, full + 0.02, t) * smooth_step(1, 0.93, t);
     // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
     const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
     return HairPoint{p, shade_of(who, light), edge * hairline * parting * ends, strand_at(u, t),
-                     mix(0.35, 1, smooth_step(0, 0.2, t))};
+                     mix(0.5, 1, smooth_step(0, 0.2, t))};
   });
 }
 
@@ -213,8 +214,8 @@ constexpr std::array<Lock, kLocks> kLoose{{{0.020, -0.022, 0.26, 0.86, 0.010, 0.
                                            {0.860, -0.034, 0.60, 0.98, 0.013, 0.05},
                                            {0.780, 0.030, 0.66, 0.96, 0.012, 0.03},
                                            {0.690, -0.025, 0.62, 0.98, 0.012, 0.04},
-                                           {0.030, -0.095, 0.34, 0.88, 0.006, 0.00},
-                                           {0.972, 0.072, 0.36, 0.94, 0.006, 0.00},
+                                           {0.030, -0.020, 0.34, 0.88, 0.006, 0.00},
+                                           {0.972, 0.016, 0.36, 0.84, 0.006, 0.00},
                                            {0.940, -0.018, 0.58, 0.98, 0.009, 0.03},
                                            {0.060, 0.016, 0.60, 0.99, 0.009, 0.03},
                                            // astray, at the outline of the back and the crown

@@ -59,11 +59,12 @@ class Sides {
     const double taper = sample<double>(kTaper, nearest);
     const double tuft = value_noise({round * 2.2, 1.5 * from_edge, 0.5});
     const double grown = smooth_step(0, 1.8 * taper, from_edge);
-    const double forehead = smooth_step(5.0, 2.4, std::abs(round));
-    const double thick = thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.7 * forehead);
+    const double forehead = smooth_step(6.2, 2.0, std::abs(round));
+    const double thick = thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.8 * forehead);
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.10 + 0.32 * temple + 0.10 * tuft + 0.15 * (1 - grown);
+    const double light = 0.10 + 0.32 * temple + 0.10 * tuft + 0.15 * (1 - grown) +
+                         0.16 * forehead * smooth_step(1.5, 0, from_edge);
     HairPoint point{root + direction * (0.03 + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     point.alpha = thinned(from_edge / taper) * (1 - 0.55 * low);

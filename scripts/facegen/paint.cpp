@@ -208,7 +208,7 @@ void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> sca
         inside = point.inside;
       }
     }
-    const double width = cropped ? mix(1.4, 3.2, smooth_step(2.0, -0.5, vertex.position.y)) : 2.1;
+    const double width = cropped ? mix(1.4, 3.2, smooth_step(2.0, -0.5, vertex.position.y)) : 1.3;
     // The tint starts behind the hairline; at the line itself it would show the grid in steps.
     const double tint = (cropped ? 0.92 : 0.85) * smooth_step(0.0, width, inside);
     vertex.colour = mix(vertex.colour, shade_of(who, 0.12), tint);

@@ -53,7 +53,7 @@ double face_mass(const Form& form, const Vec3& p) {
   const Vec3 chin{0, -4.52 - form.chin_drop, 7.25 + form.chin_forward};
   const Vec3 mandible{0.60 + 0.8 * form.chin_width, chin.y + 0.05, chin.z - 0.4};
   // A wide jaw shows its edge.
-  const double seam = 1.6 - 1.8 * std::max(0.0, form.jaw_width);
+  const double seam = 1.6 - 0.6 * std::max(0.0, form.jaw_width);
   // Between them it bows out: straight, the face is a wedge from the front.
   const Vec3 body = mix(angle, mandible, 0.70) + Vec3{0.40, -0.50, 0.20} * form.jaw_bow;
   d = melt(d, round_cone(p, angle, body, 0.84, 0.81), seam);
