@@ -72,9 +72,9 @@ float key_arriving(vec3 place) {
 
 #ifdef EYE
 const float kCorneaEnd = 1.3;     // radians from where the eye looks
-const float kCorneaWidens = 0.85;  // so that no two points change places it is less than 1
-const float kCorneaBulge = 0.075;  // share of the ball's radius
-const float kCorneaRim = 0.46;     // radians; the iris ends a little before
+const float kCorneaWidens = 0.94;  // so that no two points change places it is less than 1
+const float kCorneaBulge = 0.062;  // share of the ball's radius
+const float kCorneaRim = 0.56;     // radians; the iris ends a little before
 
 // The cornea stands out and bends light: from the side an iris looks far wider than one painted on
 // a ball. The ball's points slide over it, away from where the eye looks, those towards the viewer
@@ -92,8 +92,8 @@ vec3 seen_through_cornea(vec3 place) {
   float nearer = max(dot(aside, viewer), 0.0);
   float bulge = max(1.0 - angle * angle / (kCorneaRim * kCorneaRim), 0.0);
   bulge *= bulge * smoothstep(0.5, 0.95, u_eyeball_open);
-  bulge *= 1.0 - 0.7 * smoothstep(0.0, 0.8, -aside.y);  // its tip would stand before the lower lid
-  angle += kCorneaWidens * sideways * nearer * nearer * angle * inside;
+  bulge *= 1.0 - 0.45 * smoothstep(0.0, 0.8, -aside.y);  // its tip would stand before the lower lid
+  angle += kCorneaWidens * sideways * nearer * nearer * nearer * angle * inside;
   vec3 direction = cos(angle) * u_eyeball_forward + sin(angle) * aside;
   return u_eyeball_centre +
          length(arm) * (direction + kCorneaBulge * sideways * bulge * u_eyeball_forward);
@@ -123,6 +123,13 @@ void main() {
   v_view = normalize(u_eye - place);
   v_normal = a_normal;
   v_colour = a_colour;
+#ifdef SURFACE
+  // Brows (translucent, and lashes have no gloss) thin out where the skin turns away: seen along it
+  // their inner ends are a hook.
+  if (a_colour.a < 1.0 && a_occlusion_gloss.y > 0.0) {
+    v_colour.a *= smoothstep(0.05, 0.72, abs(dot(a_normal, v_view)));
+  }
+#endif
   v_key = key_arriving((u_world_to_shadow * vec4(place + a_normal * kShadowLift, 1.0)).xyz);
   float specular = u_specular * a_occlusion_gloss.y;
   float across = dot(a_normal, normalize(u_fill_direction + v_view));
@@ -310,7 +317,7 @@ vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   lit += vec3(0.07) * smoothstep(0.986, 0.999, dot(normal, second));
   // From the side the front of the cornea is clear: what lies behind it shows, not the pupil.
   float facing = 1.0 - max(dot(normal, view), 0.0);
-  return mix(lit, vec3(0.42, 0.44, 0.46), 0.75 * sideways * smoothstep(0.62, 0.95, facing));
+  return mix(lit, vec3(0.40, 0.37, 0.35), 0.60 * sideways * smoothstep(0.62, 1.0, facing));
 }
 #endif
 
@@ -340,6 +347,8 @@ void main() {
 #ifdef EYE
   // The upper lid and its lashes shade the ball below them.
   result *= mix(1.0, 0.36, smoothstep(-0.05, 0.50, from_centre.y));
+  // The lower lid meets it in shade, or the ball is a wedge with a cut end.
+  result *= mix(0.62, 1.0, smoothstep(-0.50, -0.12, from_centre.y));
   result = with_reflections(result, view, normal);
 #else
 #ifdef HAIR

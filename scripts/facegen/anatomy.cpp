@@ -23,7 +23,7 @@ double upper_lid(const Identity& who, double dx) {
 
 double lower_lid(const Identity& who, double dx) {
   const double t = along_eye(dx);
-  return canthal_line(who, t) - who.form.lower_lid * power(std::sin(kPi * power(t, 1.24)), 0.88);
+  return canthal_line(who, t) - who.form.lower_lid * power(std::sin(kPi * power(t, 1.30)), 0.88);
 }
 
 double lid_fold(const Identity& who, double dx) {
@@ -54,7 +54,7 @@ Vec3 brow_spine(const Identity& who, double t) {
   // It rises late and starts high: an inner end that drops is a hook in profile.
   const double late = saturate((t - 0.12) / 0.84);
   const double arch = who.form.brow_arch * power(std::sin(late * 2.2), 1.35);
-  const double start = 0.04 * smooth_step(0.62, 0.0, t);
+  const double start = 0.11 * smooth_step(0.62, 0.0, t);
   return {mix(who.form.brow_begin, 3.55, t),
           who.form.brow_up + start + arch - who.form.brow_tail_drop * t * t * t, 0.0};
 }

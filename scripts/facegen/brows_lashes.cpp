@@ -42,7 +42,8 @@ void add_lash_line(Part& part, const Skin& skin, int side, bool upper) {
     const Vertex& inner = on_lid(skin, kLidInnerRing, side, upper, k);
     const Vertex& above = on_lid(skin, kLidMarginRing - 1, side, upper, k);
     const double dark =
-        (upper ? 0.88 : 0.30) * smooth_step(0.0, 0.35, t) * smooth_step(1.03, 0.90, t);
+        (upper ? 0.88 * smooth_step(0.0, 0.35, t) : 0.30 * smooth_step(0.35, 0.80, t)) *
+        smooth_step(1.03, 0.90, t);
     const std::array<Vertex, 3> across{between(edge, inner, upper ? 0.7 : 0.2), edge,
                                        between(edge, above, 0.55)};
     const std::array<double, 3> alphas{upper ? 0.7 * dark : 0.0, dark, 0.0};
@@ -147,7 +148,7 @@ LashGrowth lash_growth(const Identity& who, const Skin& skin, int side, bool upp
   const Vec3 fan{side * (1.0 * (std::min(t, 0.80) - 0.36)), 0, 0};
   growth.direction = glm::normalize(out + fan + Vec3{0, upper ? -0.10 : -0.40, 0});
   const double ends = smooth_step(0.0, 0.25, t) * (1 - 0.74 * smooth_step(0.66, 0.98, t));
-  growth.length = who.form.lash * ends * (upper ? mix(0.25, 0.52, smooth_step(0.1, 0.9, t)) : 0.09);
+  growth.length = who.form.lash * ends * (upper ? mix(0.25, 0.52, smooth_step(0.1, 0.9, t)) : 0.04);
   growth.curl = upper ? 0.42 : -0.10;
   return growth;
 }
@@ -171,8 +172,8 @@ void add_lash_fringe(Part& part, const Identity& who, const Skin& skin, int side
   for (int i = 1; i <= kColumns; ++i) {
     const double t = static_cast<double>(i) / kColumns;
     const LashGrowth growth = lash_growth(who, skin, side, upper, t);
-    const double dark = (upper ? 1.0 : 0.5) * lash_strength(who) * smooth_step(0.02, 0.4, t) *
-                        (1 - 0.6 * smooth_step(0.80, 1.0, t));
+    const double dark = (upper ? smooth_step(0.02, 0.4, t) : 0.5 * smooth_step(0.35, 0.75, t)) *
+                        lash_strength(who) * (1 - 0.6 * smooth_step(0.80, 1.0, t));
     for (std::size_t j = 0; j < kSteps.size(); ++j) {
       rows[j].push_back(part.add(along_lash(growth, 0.85 * kSteps[j]), kLash, kAlphas[j] * dark));
       part.vertices.back().maps = growth.root.maps;
