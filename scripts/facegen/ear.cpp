@@ -78,9 +78,9 @@ constexpr std::array<Vec3, 13> kHelix{{{.16, -.06, .3},
                                        {.50, 1.92, 1},
                                        {.98, 1.48, 1},
                                        {1.27, .80, 1},
-                                       {1.33, .10, .85},
-                                       {1.20, -.62, .5},
-                                       {.95, -1.25, .1}}};
+                                       {1.33, .10, .95},
+                                       {1.20, -.62, .75},
+                                       {.95, -1.25, .4}}};
 /// The inner ridge from the antitragus up, and its two legs.
 constexpr std::array<Vec3, 6> kAntihelix{{{.02, -1.00, .75},
                                           {.36, -.98, .7},
@@ -137,7 +137,7 @@ class Plate {
     const double top = std::max(0.0, up - 0.9);
     const double low = std::max(0.0, -up - 1.0);
     const double stands_off = hinge + off * std::tan(kTurn) - 0.035 * off * off - 0.10 * top * top -
-                              0.12 * low * low - 0.22 * smooth_step(-1.5, -2.0, up);
+                              0.12 * low * low - 0.22 * smooth_step(-1.3, -2.1, up);
     const double hangs = smooth_step(-1.0, -1.9, up);
     const double x =
         mix(side(place) + 0.02 * hangs, stands_off, smooth_step(kHinge - 0.2, kHinge + 0.3, back));
