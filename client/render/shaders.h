@@ -127,7 +127,7 @@ void main() {
   // Brows (translucent, and lashes have no gloss) thin out where the skin turns away: seen along it
   // their inner ends are a hook.
   if (a_colour.a < 1.0 && a_occlusion_gloss.y > 0.0) {
-    v_colour.a *= smoothstep(0.05, 0.72, abs(dot(a_normal, v_view)));
+    v_colour.a *= smoothstep(0.05, 0.58, abs(dot(a_normal, v_view)));
   }
 #endif
   v_key = key_arriving((u_world_to_shadow * vec4(place + a_normal * kShadowLift, 1.0)).xyz);
