@@ -211,11 +211,11 @@ Identity man_of_fifty() {
   Identity who;
   who.name = "marek";
   Form& form = who.form;
-  form.narrowing = 0.02;
-  form.jaw_width = 0.22;
-  form.jaw_bow = 0.62;
+  form.narrowing = 0.03;
+  form.jaw_width = -0.05;
+  form.jaw_bow = 0.55;
   form.jaw_drop = 0.28;
-  form.chin_width = 0.27;
+  form.chin_width = 0.24;
   form.chin_drop = 0.22;
   form.chin_forward = 0.10;
   form.cheek = -0.10;
@@ -246,9 +246,9 @@ Identity man_of_fifty() {
   form.cupids_bow = 0.5;
   form.corner_lift = 0.02;
   form.philtrum = 1.2;
-  form.brow_up = 4.04;
-  form.brow_arch = 0.15;
-  form.brow_tail_drop = 0.18;
+  form.brow_up = 4.00;
+  form.brow_arch = 0.17;
+  form.brow_tail_drop = 0.12;
   form.brow_begin = 0.78;
   form.brow_width = 0.32;
   form.furrow = 0.07;
