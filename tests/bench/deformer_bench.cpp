@@ -136,17 +136,26 @@ class PlainFace {
     return index ? activations[*index] : 0.0F;
   }
 
+  /// A muscle that yields to the lid of its side is weaker the more that closes.
+  [[nodiscard]] float relaxed(const std::vector<float>& activations, std::size_t muscle) const {
+    if (!face_.muscles[muscle].yields_to_lids) return activations[muscle];
+    const bool left = face_.channels[muscle].side == aucast::Side::Left;
+    const float close = value(activations, left ? "left_lid_close" : "right_lid_close");
+    return activations[muscle] * (1 - close * close);
+  }
+
   void move_muscles(const std::vector<float>& activations, std::vector<glm::vec3>& out) const {
     out = face_.mesh.positions;
     for (std::size_t m = 0; m < face_.muscles.size(); ++m) {
+      const float activation = relaxed(activations, m);
       const auto* linear = std::get_if<aucast::face::LinearMuscle>(&face_.muscles[m].shape);
       const auto* local = std::get_if<aucast::face::LocalPull>(&face_.muscles[m].shape);
       for (std::size_t i = 0; i < out.size(); ++i) {
         const glm::vec3& rest = face_.mesh.positions[i];
-        const glm::vec3 way = linear != nullptr ? pulled(*linear, rest, activations[m])
+        const glm::vec3 way = linear != nullptr ? pulled(*linear, rest, activation)
                               : local != nullptr
-                                  ? pulled(*local, rest, activations[m])
-                                  : displacement(face_.muscles[m].shape, rest, activations[m]);
+                                  ? pulled(*local, rest, activation)
+                                  : displacement(face_.muscles[m].shape, rest, activation);
         out[i] += masks_[m][i] * way;
       }
     }
