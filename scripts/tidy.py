@@ -21,21 +21,22 @@ SOURCE_FOLDERS = ("common", "protocol", "server", "client", "scripts/facegen", "
 LAYERS = {
     "common": {"common"},
     "protocol": {"common", "protocol"},
-    "tls": {"common", "tls"},
-    "server": {"common", "protocol", "tls", "server"},
+    "common/tls": {"common"},
+    "common/sources": {"common", "protocol"},
+    "server": {"common", "protocol", "server"},
     "client/playback": {"common", "client/playback"},
     "client/face": {"common", "client/face"},
     "client/pipeline": {"common", "client/playback", "client/face", "client/pipeline"},
-    "client/net": {"common", "protocol", "tls", "client/playback", "client/net"},
+    "client/net": {"common", "protocol", "client/playback", "client/net"},
     "client/view": {"common", "client/view"},
     "client/render": {"common", "client/view", "client/render"},
     "client/gui": {"common", "client/playback", "client/face", "client/view", "client/gui"},
-    "client/app": {"common", "protocol", "tls", "client"},
+    "client/app": {"common", "protocol", "client"},
     "scripts/facegen": {"common", "client/face", "client/view", "scripts/facegen"},
 }
 
 # Folders whose code knows no socket, no clock, no OpenGL and no log.
-PURE = ("protocol", "tls", "server/sources", "client/playback", "client/face", "client/pipeline")
+PURE = ("protocol", "common/tls", "common/sources", "client/playback", "client/face", "client/pipeline")
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL|<thread>"
 )

@@ -22,7 +22,7 @@
 #include "common/tcp.h"
 #include "common/text.h"
 #include "protocol/limits.h"
-#include "tls/channel.h"
+#include "common/tls/channel.h"
 
 namespace aucast::net {
 namespace {

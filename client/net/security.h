@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "common/result.h"
-#include "tls/context.h"
+#include "common/tls/context.h"
 
 namespace aucast::net {
 

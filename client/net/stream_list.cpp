@@ -18,7 +18,7 @@
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/decoder.h"
-#include "tls/channel.h"
+#include "common/tls/channel.h"
 
 namespace aucast::net {
 namespace {

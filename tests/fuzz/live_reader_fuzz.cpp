@@ -7,9 +7,9 @@
 #include "protocol/codec.h"
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
-#include "server/sources/live_queue.h"
-#include "server/sources/live_reader.h"
-#include "server/sources/record_timeline.h"
+#include "common/sources/live_queue.h"
+#include "common/sources/live_reader.h"
+#include "common/sources/record_timeline.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace aucast;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/check.h"
-#include "server/sources/profile.h"
+#include "common/sources/profile.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace aucast;

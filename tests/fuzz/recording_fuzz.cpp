@@ -2,7 +2,7 @@
 
 #include "common/check.h"
 #include "protocol/limits.h"
-#include "server/sources/recording.h"
+#include "common/sources/recording.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace aucast;

@@ -15,7 +15,7 @@
 #include <memory>
 #include <sstream>
 
-#include "client/app/window_session.h"
+#include "client/app/window/window_session.h"
 #include "client/face/face_folder.h"
 #include "client/gui/gui.h"
 #include "client/render/offscreen.h"

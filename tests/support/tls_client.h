@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "tests/support/raw_client.h"
-#include "tls/channel.h"
+#include "common/tls/channel.h"
 
 namespace aucast::test {
 

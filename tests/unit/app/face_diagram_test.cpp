@@ -1,4 +1,4 @@
-#include "client/app/face_diagram.h"
+#include "client/app/film/face_diagram.h"
 
 #include <gtest/gtest.h>
 

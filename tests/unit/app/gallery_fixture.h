@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "client/app/gallery_plan.h"
+#include "client/app/gallery/gallery_plan.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {

@@ -1,4 +1,4 @@
-#include "client/app/gallery_manifest.h"
+#include "client/app/gallery/gallery_manifest.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "client/app/gallery_page.h"
+#include "client/app/gallery/gallery_page.h"
 
 #include <set>
 

@@ -1,4 +1,4 @@
-#include "client/app/gallery_plan.h"
+#include "client/app/gallery/gallery_plan.h"
 
 #include <algorithm>
 #include <set>

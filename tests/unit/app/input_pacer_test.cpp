@@ -1,4 +1,4 @@
-#include "client/app/input_pacer.h"
+#include "client/app/window/input_pacer.h"
 
 #include <vector>
 

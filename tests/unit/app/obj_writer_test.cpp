@@ -1,4 +1,4 @@
-#include "client/app/obj_writer.h"
+#include "client/app/film/obj_writer.h"
 
 #include <cstdlib>
 

@@ -1,4 +1,4 @@
-#include "client/app/picture_sinks.h"
+#include "client/app/film/picture_sinks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/app/playback_history.h"
+#include "client/app/window/playback_history.h"
 
 #include <gtest/gtest.h>
 

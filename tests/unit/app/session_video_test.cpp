@@ -1,4 +1,4 @@
-#include "client/app/session_video.h"
+#include "client/app/window/session_video.h"
 
 #include <gtest/gtest.h>
 

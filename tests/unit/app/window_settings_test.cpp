@@ -1,4 +1,4 @@
-#include "client/app/window_settings.h"
+#include "client/app/window/window_settings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/app/composition_file.h"
+#include "client/app/window/composition_file.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/app/window_session.h"
+#include "client/app/window/window_session.h"
 #include "tests/support/manual_clock.h"
 
 namespace aucast::app {

@@ -1,4 +1,4 @@
-#include "client/app/window_session.h"
+#include "client/app/window/window_session.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "server/address_counts.h"
+#include "server/serve/address_counts.h"
 
 #include <gtest/gtest.h>
 

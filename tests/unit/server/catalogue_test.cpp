@@ -1,4 +1,4 @@
-#include "server/catalogue.h"
+#include "server/streams/catalogue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/check_report.h"
+#include "server/streams/check_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/client_log.h"
+#include "server/serve/client_log.h"
 
 #include <chrono>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "server/estimate.h"
+#include "server/streams/estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/listener.h"
+#include "server/serve/listener.h"
 
 #include <gtest/gtest.h>
 

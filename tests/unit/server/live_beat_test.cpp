@@ -1,4 +1,4 @@
-#include "server/live_beat.h"
+#include "server/live/live_beat.h"
 
 #include <thread>
 

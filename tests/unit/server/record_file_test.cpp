@@ -1,12 +1,12 @@
 // Files that streams are kept in.
-#include "server/record_file.h"
+#include "server/live/record_file.h"
 
 #include <sys/stat.h>
 
 #include <gtest/gtest.h>
 
 #include "protocol/stream_file.h"
-#include "server/recorder.h"
+#include "server/live/recorder.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::server {

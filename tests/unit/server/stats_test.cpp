@@ -1,4 +1,4 @@
-#include "server/stats.h"
+#include "server/status/stats.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

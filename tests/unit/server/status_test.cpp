@@ -1,4 +1,4 @@
-#include "server/status.h"
+#include "server/status/status.h"
 
 #include <set>
 #include <sstream>

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/files.h"
-#include "server/catalogue.h"
+#include "server/streams/catalogue.h"
 
 namespace aucast::server {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/thinning.h"
+#include "server/streams/thinning.h"
 
 #include <gtest/gtest.h>
 

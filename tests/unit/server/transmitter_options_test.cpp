@@ -1,11 +1,11 @@
-#include "server/transmitter_options.h"
+#include "server/settings/transmitter_options.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "server/option_table.h"
+#include "server/settings/option_table.h"
 
 namespace aucast::server {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/sources/arkit_table.h"
+#include "common/sources/arkit_table.h"
 
 #include <gtest/gtest.h>
 

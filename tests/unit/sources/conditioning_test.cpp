@@ -1,9 +1,9 @@
-#include "server/sources/conditioning.h"
+#include "common/sources/conditioning.h"
 
 #include <gtest/gtest.h>
 
-#include "server/sources/live_timeline.h"
-#include "server/sources/timeline.h"
+#include "common/sources/live_timeline.h"
+#include "common/sources/timeline.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::sources {

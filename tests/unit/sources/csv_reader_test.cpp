@@ -1,4 +1,4 @@
-#include "server/sources/csv_reader.h"
+#include "common/sources/csv_reader.h"
 
 #include <algorithm>
 #include <deque>

@@ -1,4 +1,4 @@
-#include "server/sources/dead_band.h"
+#include "common/sources/dead_band.h"
 
 #include <cmath>
 #include <cstdint>

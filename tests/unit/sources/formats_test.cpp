@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/codec.h"
-#include "server/sources/recording.h"
+#include "common/sources/recording.h"
 #include "tests/unit/sources/tables.h"
 
 namespace aucast::sources {

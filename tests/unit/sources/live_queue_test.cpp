@@ -1,4 +1,4 @@
-#include "server/sources/live_queue.h"
+#include "common/sources/live_queue.h"
 
 #include <gtest/gtest.h>
 

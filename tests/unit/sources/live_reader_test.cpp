@@ -1,5 +1,5 @@
 // Live sources byte by byte, with damage of every kind.
-#include "server/sources/live_reader.h"
+#include "common/sources/live_reader.h"
 
 #include <gtest/gtest.h>
 

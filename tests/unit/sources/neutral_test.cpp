@@ -1,4 +1,4 @@
-#include "server/sources/neutral.h"
+#include "common/sources/neutral.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/sources/observation.h"
+#include "common/sources/observation.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "server/sources/one_euro.h"
+#include "common/sources/one_euro.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/sources/hold.h"
+#include "common/sources/hold.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::sources {

@@ -1,11 +1,11 @@
-#include "server/sources/openface_table.h"
+#include "common/sources/openface_table.h"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
 #include "protocol/codec.h"
-#include "server/sources/recording.h"
+#include "common/sources/recording.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::sources {

@@ -1,4 +1,4 @@
-#include "server/sources/per_au.h"
+#include "common/sources/per_au.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/sources/profile.h"
+#include "common/sources/profile.h"
 
 #include <gtest/gtest.h>
 

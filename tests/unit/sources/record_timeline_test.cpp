@@ -1,5 +1,5 @@
 // The lines that a served stream is kept as.
-#include "server/sources/record_timeline.h"
+#include "common/sources/record_timeline.h"
 
 #include <gtest/gtest.h>
 

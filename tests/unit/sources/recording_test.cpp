@@ -1,4 +1,4 @@
-#include "server/sources/recording.h"
+#include "common/sources/recording.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/sources/resample.h"
+#include "common/sources/resample.h"
 
 #include <gtest/gtest.h>
 

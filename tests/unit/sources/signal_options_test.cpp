@@ -1,5 +1,5 @@
 // The options on a recogniser's signals, and the profile beneath them.
-#include "server/signal_options.h"
+#include "server/settings/signal_options.h"
 
 #include <gtest/gtest.h>
 

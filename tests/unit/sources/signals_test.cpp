@@ -1,4 +1,4 @@
-#include "server/sources/signals.h"
+#include "common/sources/signals.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/sources/timeline.h"
+#include "common/sources/timeline.h"
 
 #include <gtest/gtest.h>
 

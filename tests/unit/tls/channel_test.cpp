@@ -1,6 +1,6 @@
 // Two ends of TLS joined in memory: whom they believe, what they say when they do not, and that
 // what goes in comes out however the wire cuts it.
-#include "tls/channel.h"
+#include "common/tls/channel.h"
 
 #include <algorithm>
 #include <optional>

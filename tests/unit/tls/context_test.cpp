@@ -1,5 +1,5 @@
 // Files that are no certificates and keys, or not those that belong together.
-#include "tls/context.h"
+#include "common/tls/context.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,228 @@
+#include "client/app/film/film.h"
+
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "client/app/film/picture_maker.h"
+#include "client/app/film/picture_sinks.h"
+#include "client/app/progress_line.h"
+#include "client/app/steady.h"
+#include "client/pipeline/face_pipeline.h"
+#include "client/pipeline/idle_face.h"
+#include "client/playback/blinking.h"
+#include "client/playback/playback_controller.h"
+#include "common/log.h"
+
+namespace aucast::app {
+namespace {
+
+using playback::kPositionsPerKeyframe;
+
+constexpr int kRecordFps = 30;
+
+/// The last line: how many pictures there are and where they went.
+std::string where_they_are(const OutputOptions& output, std::uint64_t pictures) {
+  std::string places;
+  for (const auto& place : {output.frames, output.record, output.sheet}) {
+    if (!place.empty()) places += (places.empty() ? "" : ", ") + place.string();
+  }
+  return std::to_string(pictures) + " pictures drawn: " + places;
+}
+
+std::string how_far(std::uint64_t pictures, double film_ms) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "%" PRIu64 " pictures, %.1f s of the stream", pictures,
+                film_ms / 1000.0);
+  return text.data();
+}
+
+/// Everything that pictures go to.
+struct Sinks {
+  std::optional<FrameFolder> frames;
+  std::unique_ptr<view::VideoEncoder> video;
+  std::optional<Sheet> sheet;
+  std::optional<int> frames_fps;
+  int video_fps = kRecordFps;
+  std::int64_t frames_next = 0;  ///< n of the next picture at n / fps
+  std::int64_t video_next = 0;
+};
+
+Result<Sinks> open_sinks(const OutputOptions& output) {
+  Sinks sinks;
+  sinks.frames_fps = output.fps;
+  sinks.video_fps = output.fps.value_or(kRecordFps);
+  if (!output.frames.empty()) {
+    auto frames = FrameFolder::open(output.frames);
+    if (!frames) return frames.error();
+    sinks.frames = std::move(*frames);
+  }
+  if (!output.record.empty()) {
+    auto video =
+        view::VideoEncoder::open(output.record, output.width, output.height, sinks.video_fps);
+    if (!video) return video.error();
+    sinks.video = std::move(*video);
+  }
+  if (!output.sheet.empty()) sinks.sheet.emplace(output.sheet);
+  return sinks;
+}
+
+/// One run: holds what a keyframe's drawing needs.
+class Film {
+ public:
+  Film(const Assets& assets, const PlayerOptions& options, const std::function<bool()>& stop,
+       PlayerStats& stats)
+      : assets_(assets),
+        options_(options),
+        stop_(stop),
+        stats_(stats),
+        pipeline_(assets.face, assets.rules, {options.face.mixer, options.playback.interpolation}),
+        progress_(options.output.pictures() && !options.quiet),
+        idle_(assets.face) {}
+
+  Result<void> open() {
+    if (!options_.output.pictures()) return {};
+    auto sinks = open_sinks(options_.output);
+    if (!sinks) return sinks.error();
+    sinks_ = std::move(*sinks);
+    const bool sheet_alone = options_.output.frames.empty() && options_.output.record.empty();
+    auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
+                                      camera_preset("front", assets_.face),
+                                      backdrop(options_.output.background),
+                                      sheet_alone ? Sharpness::Still : Sharpness::Film);
+    if (!maker) return maker.error();
+    (*maker)->show(options_.output.layers);
+    maker_ = std::move(*maker);
+    return {};
+  }
+
+  /// Draws one keyframe that begins at `begin_ms` of the film, or as much of it as there is time
+  /// for before the user stops.
+  Result<void> keyframe(const playback::KeyframeBegun& begun, std::int64_t begin_ms) {
+    pipeline_.begin_keyframe(begun.target.aus);
+    const std::int64_t duration_ms = begun.duration.count();
+    if (sinks_.frames) {
+      if (auto drawn = frames(begin_ms, duration_ms); !drawn) return drawn;
+    }
+    if (sinks_.video) {
+      const auto add = [this](const view::Image& image) { return sinks_.video->add(image); };
+      auto drawn = timed(begin_ms, duration_ms, sinks_.video_fps, sinks_.video_next, add);
+      if (!drawn) return drawn;
+    }
+    if (sinks_.sheet && !sinks_.sheet->full()) {
+      sinks_.sheet->add(draw(1.0, begin_ms + duration_ms), describe(assets_, begun.target.aus));
+    }
+    static_cast<void>(pipeline_.at(1.0));
+    return {};
+  }
+
+  Result<void> finish() {
+    if (sinks_.video) {
+      if (auto finished = sinks_.video->finish(); !finished) return finished;
+    }
+    if (sinks_.sheet) {
+      if (auto finished = sinks_.sheet->finish(); !finished) return finished;
+    }
+    progress_.end_with(where_they_are(options_.output, stats_.frames_drawn));
+    return {};
+  }
+
+ private:
+  Result<void> frames(std::int64_t begin_ms, std::int64_t duration_ms) {
+    const auto add = [this](const view::Image& image) { return sinks_.frames->add(image); };
+    if (sinks_.frames_fps) {
+      return timed(begin_ms, duration_ms, *sinks_.frames_fps, sinks_.frames_next, add);
+    }
+    for (int k = 1; k <= kPositionsPerKeyframe && !stop_(); ++k) {
+      const double mu = static_cast<double>(k) / kPositionsPerKeyframe;
+      const double at_ms = static_cast<double>(begin_ms) + mu * static_cast<double>(duration_ms);
+      if (auto added = add(draw(mu, at_ms)); !added) return added;
+    }
+    return {};
+  }
+
+  /// The pictures at n / fps that fall into this keyframe, its end included.
+  template <typename Add>
+  Result<void> timed(std::int64_t begin_ms, std::int64_t duration_ms, int fps, std::int64_t& next,
+                     const Add& add) {
+    const std::int64_t end_ms = begin_ms + duration_ms;
+    for (; next * 1000 <= end_ms * fps && !stop_(); ++next) {
+      const double at_ms = static_cast<double>(next) * 1000.0 / fps;
+      const double mu = duration_ms == 0 ? 1.0
+                                         : (at_ms - static_cast<double>(begin_ms)) /
+                                               static_cast<double>(duration_ms);
+      if (auto added = add(draw(std::clamp(mu, 0.0, 1.0), at_ms)); !added) return added;
+    }
+    return {};
+  }
+
+  view::Image draw(double mu, double film_ms) {
+    const Instant begin = steady_now();
+    activations_ = pipeline_.at(mu);
+    if (const auto& seed = options_.playback.idle_seed) {
+      idle_.stir(playback::idle_moment(*seed, film_ms / 1000.0), activations_);
+    }
+    if (const auto& blink = options_.playback.blink) {
+      idle_.blink(playback::blink_closure(*blink, film_ms / 1000.0), activations_);
+    }
+    view::Image image = maker_->picture(activations_);
+    if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
+    stats_.draw_seconds += seconds(steady_now() - begin);
+    progress_.show([&] { return how_far(stats_.frames_drawn, film_ms); });
+    return image;
+  }
+  view::Image draw(double mu, std::int64_t film_ms) {
+    return draw(mu, static_cast<double>(film_ms));
+  }
+
+  const Assets& assets_;
+  const PlayerOptions& options_;
+  const std::function<bool()>& stop_;
+  PlayerStats& stats_;
+  pipeline::FacePipeline pipeline_;
+  ProgressLine progress_;
+  pipeline::IdleFace idle_;
+  std::unique_ptr<PictureMaker> maker_;
+  Sinks sinks_;
+  std::vector<float> activations_;
+};
+
+}  // namespace
+
+Result<void> run_film(const Assets& assets, const PlayerOptions& options,
+                      playback::KeyframeSource& source, const std::function<bool()>& stop,
+                      PlayerStats& stats) {
+  Film film(assets, options, stop, stats);
+  if (auto opened = film.open(); !opened) return opened;
+  playback::PlaybackController controller(options.playback.speed);
+  controller.set_film_clock();
+  Instant film_now{};
+  std::optional<Instant> first;
+  std::int64_t begin_ms = 0;
+  for (;;) {
+    // The film clock stands still until the source has something or has ended.
+    while (!source.wait_until(steady_now() + Milliseconds(50)) && !stop()) {
+    }
+    if (stop()) {
+      source.stop();
+      controller.stop(film_now);
+      break;
+    }
+    const auto begun = controller.advance(film_now, source);
+    if (!begun) break;
+    if (!first) first = steady_now();
+    if (stats.first_frame_ms == 0) stats.first_frame_ms = since_start_ms();
+    if (auto drawn = film.keyframe(*begun, begin_ms); !drawn) return drawn;
+    begin_ms += begun->duration.count();
+    film_now += begun->duration;
+    stats.playback_seconds = seconds(steady_now() - *first);
+  }
+  stats.keyframes_played = controller.keyframes_played();
+  stats.media_seconds = seconds(controller.media_time());
+  return film.finish();
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,61 @@
+#include "client/app/film/picture_sinks.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <system_error>
+
+namespace aucast::app {
+namespace {
+
+/// Columns that make the page a little wider than high.
+int columns_for(std::size_t pictures) {
+  const auto count = static_cast<double>(pictures);
+  return static_cast<int>(std::ceil(std::sqrt(count * 1.4)));
+}
+
+}  // namespace
+
+Result<void> make_output_folder(std::string_view asked_by, const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && !std::filesystem::is_directory(folder, error) && !error) {
+    error = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0) {
+    error = std::error_code(errno, std::generic_category());
+  }
+  if (!error) return {};
+  return Error{ErrorKind::Failed, std::string(asked_by) + " " + folder.string() +
+                                      ": cannot be written: " + error.message() +
+                                      "; choose another folder"};
+}
+
+Result<FrameFolder> FrameFolder::open(const std::filesystem::path& folder) {
+  if (auto made = make_output_folder("--frames", folder); !made) return made.error();
+  return FrameFolder(folder);
+}
+
+Result<void> FrameFolder::add(const view::Image& picture) {
+  std::array<char, 40> name{};
+  std::snprintf(name.data(), name.size(), "frame_%06" PRIu64 ".png", ++count_);
+  return view::write_png(picture, folder_ / name.data());
+}
+
+void Sheet::add(const view::Image& picture, std::string caption) {
+  if (full()) return;
+  pictures_.push_back(picture);
+  captions_.push_back(std::move(caption));
+}
+
+Result<void> Sheet::finish() const {
+  if (pictures_.empty()) return {};
+  return view::write_png(view::contact_sheet(pictures_, captions_, columns_for(pictures_.size())),
+                         file_);
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,236 @@
+#include "client/app/gallery/gallery_command.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+#include "client/app/assets.h"
+#include "client/app/gallery/gallery_manifest.h"
+#include "client/app/gallery/gallery_page.h"
+#include "client/app/gallery/gallery_plan.h"
+#include "client/app/film/picture_maker.h"
+#include "client/app/film/picture_sinks.h"
+#include "client/app/progress_line.h"
+#include "client/app/steady.h"
+#include "client/view/video_encoder.h"
+#include "common/files.h"
+
+namespace aucast::app {
+namespace {
+
+Result<GalleryRules> load_rules(const Assets& assets) {
+  GalleryRules rules;
+  rules.chosen = assets.rules;
+  const std::array<std::pair<const char*, face::RuleSet*>, 3> wanted{
+      {{"kumar2010", &rules.kumar2010}, {"facs", &rules.facs}, {"none", &rules.none}}};
+  for (const auto& [name, place] : wanted) {
+    auto found = face::find_rules(name, assets.data_folder);
+    if (!found) return found.error();
+    *place = std::move(*found);
+  }
+  return rules;
+}
+
+Result<void> make_folders(const std::filesystem::path& root, const GalleryPlan& plan) {
+  if (auto made = make_output_folder("gallery", root); !made) return made;
+  std::filesystem::path last;
+  for (const GalleryPicture& picture : plan.pictures) {
+    const std::filesystem::path folder = (root / picture.file).parent_path();
+    if (folder == last) continue;
+    if (auto made = make_output_folder("gallery", folder); !made) return made;
+    last = folder;
+  }
+  return {};
+}
+
+/// Videos are a bonus: without the program that makes them the frames are enough.
+bool ffmpeg_is_there() {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  std::string folder;
+  while (std::getline(folders, folder, ':')) {
+    if (::access((std::filesystem::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+/// Draws a plan into its folder, one picture at a time.
+class GalleryWriter {
+ public:
+  GalleryWriter(const Assets& assets, const PlayerOptions& options, const GalleryPlan& plan,
+                const std::function<bool()>& stop)
+      : assets_(assets),
+        options_(options),
+        plan_(plan),
+        stop_(stop),
+        progress_(!options.quiet),
+        activations_(assets.face.channels.size()) {}
+
+  /// When it was stopped that is the reason, whatever broke because of it.
+  Result<void> write() {
+    auto written = draw_all();
+    if (written) return write_texts();
+    if (!stop_()) return written;
+    return Error{ErrorKind::Failed, "stopped after " + count_text(drawn_) +
+                                        "; the page and the manifest are written last, run it "
+                                        "again for all"};
+  }
+
+ private:
+  [[nodiscard]] std::string count_text(std::size_t drawn) const {
+    return std::to_string(drawn) + " of " + std::to_string(plan_.pictures.size()) + " pictures";
+  }
+
+  Result<void> draw_all() {
+    auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
+                                      camera_preset(options_.pose.camera, assets_.face),
+                                      backdrop(options_.output.background), Sharpness::Still);
+    if (!maker) return maker.error();
+    (*maker)->show(options_.output.layers);
+    maker_ = std::move(*maker);
+    const std::size_t stills = plan_.sweeps.empty() ? plan_.pictures.size() : plan_.sweeps[0].begin;
+    for (std::size_t i = 0; i < stills; ++i) {
+      if (auto drawn = draw(i, nullptr); !drawn) return drawn;
+    }
+    const bool with_videos = ffmpeg_is_there();
+    if (!plan_.sweeps.empty() && !with_videos) {
+      std::fputs("face-player: no videos of the sweeps: install ffmpeg for them\n", stderr);
+    }
+    for (std::size_t i = 0; i < plan_.sweeps.size(); ++i) {
+      if (auto swept = sweep(i, with_videos); !swept) return swept;
+    }
+    return {};
+  }
+
+  Result<void> draw(std::size_t index, view::VideoEncoder* video) {
+    if (stop_()) return Error{ErrorKind::Failed, "stopped"};
+    const GalleryPicture& picture = plan_.pictures[index];
+    face::mix(assets_.face, picture.shown, picture.mixer, activations_);
+    Expression muscles;
+    muscles.muscles = picture.muscles;
+    if (auto applied = apply_muscles(assets_.face, muscles, activations_); !applied) return applied;
+    if (picture.moment) {
+      const float strength = sweep_strength(picture.moment->time_ms);
+      for (float& activation : activations_) activation *= strength;
+    }
+    const view::Image image = maker_->picture(activations_);
+    auto written = view::write_png(image, options_.gallery.folder / picture.file);
+    if (!written) return written;
+    if (video != nullptr) {
+      if (auto added = video->add(image); !added) return added;
+    }
+    ++drawn_;
+    progress_.show([&] { return count_text(drawn_) + time_left(); },
+                   drawn_ == plan_.pictures.size());
+    return {};
+  }
+
+  /// Told once it is worth telling.
+  [[nodiscard]] std::string time_left() const {
+    const auto passed = std::chrono::duration<double>(steady_now() - begin_).count();
+    const auto drawn = static_cast<double>(drawn_);
+    const double left = passed / drawn * (static_cast<double>(plan_.pictures.size()) - drawn);
+    if (left < 10) return "";
+    return left < 90 ? ", " + std::to_string(std::lround(left)) + " s left"
+                     : ", " + std::to_string(std::lround(left / 60)) + " min left";
+  }
+
+  Result<void> sweep(std::size_t number, bool with_video) {
+    const GallerySweep& sweep = plan_.sweeps[number];
+    std::unique_ptr<view::VideoEncoder> video;
+    if (with_video) {
+      auto opened =
+          view::VideoEncoder::open(options_.gallery.folder / "sweeps" / (sweep.name + ".mp4"),
+                                   options_.output.width, options_.output.height, kSweepFps);
+      if (!opened) return opened.error();
+      video = std::move(*opened);
+    }
+    for (std::size_t i = sweep.begin; i < sweep.begin + sweep.count; ++i) {
+      if (auto drawn = draw(i, video.get()); !drawn) return drawn;
+    }
+    if (video == nullptr) return {};
+    videos_.push_back(number);
+    return video->finish();
+  }
+
+  Result<void> write_texts() {
+    GallerySetting setting;
+    setting.face = assets_.face.name;
+    setting.camera = options_.pose.camera;
+    setting.background = "default";
+    if (options_.output.background) {
+      std::array<char, 16> text{};
+      std::snprintf(text.data(), text.size(), "%06X", *options_.output.background);
+      setting.background = text.data();
+    }
+    setting.layers = view::format_layers(options_.output.layers);
+    setting.version = AUCAST_VERSION;
+    setting.width = options_.output.width;
+    setting.height = options_.output.height;
+    const auto& folder = options_.gallery.folder;
+    auto manifest =
+        write_file_atomically(folder / "manifest.csv", format_manifest(plan_, setting, videos_));
+    if (!manifest) return manifest;
+    return write_file_atomically(folder / "index.html", format_page(plan_, setting, videos_));
+  }
+
+  const Assets& assets_;
+  const PlayerOptions& options_;
+  const GalleryPlan& plan_;
+  const std::function<bool()>& stop_;
+  ProgressLine progress_;
+  Instant begin_ = steady_now();
+  std::size_t drawn_ = 0;
+  std::unique_ptr<PictureMaker> maker_;
+  std::vector<float> activations_;
+  std::vector<std::size_t> videos_;
+};
+
+/// What there is now, and which AUs the face lacks or cannot show well.
+void print_summary(const std::filesystem::path& folder, const GalleryPlan& plan) {
+  std::size_t recorded = 0;
+  std::string missing;
+  std::string limited;
+  const auto list = [](std::string& numbers, int number) {
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+  };
+  for (const Coverage& row : plan.coverage) {
+    if (row.recorded) ++recorded;
+    if (!row.recorded) list(missing, row.number);
+    if (is_limited(row)) list(limited, row.number);
+  }
+  std::printf("%s: %zu pictures; %zu of %zu Action Units are recorded%s%s%s%s\n",
+              (folder / "index.html").c_str(), plan.pictures.size(), recorded, plan.coverage.size(),
+              missing.empty() ? "" : ", not ", missing.c_str(),
+              limited.empty() ? "" : "; in their best form only: ", limited.c_str());
+}
+
+}  // namespace
+
+Result<void> run_gallery(const PlayerOptions& options, const std::function<bool()>& stop) {
+  auto assets = load_assets(options.face);
+  if (!assets) return assets.error();
+  auto rules = load_rules(**assets);
+  if (!rules) return rules.error();
+  const GalleryInput input{(*assets)->face,
+                           (*assets)->expressions,
+                           *rules,
+                           options.face.mixer,
+                           {options.gallery.only.begin(), options.gallery.only.end()},
+                           options.gallery.sweeps};
+  auto plan = plan_gallery(input);
+  if (!plan) return plan.error();
+  if (auto made = make_folders(options.gallery.folder, *plan); !made) return made;
+  auto written = GalleryWriter(**assets, options, *plan, stop).write();
+  if (!written) return written;
+  print_summary(options.gallery.folder, *plan);
+  return {};
+}
+
+}  // namespace aucast::app

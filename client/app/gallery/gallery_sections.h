@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "client/app/gallery/gallery_plan.h"
+
+namespace aucast::app {
+
+/// Builds a plan section by section; a picture that two sections show is planned once.
+class GalleryPlanner {
+ public:
+  explicit GalleryPlanner(const GalleryInput& input) : input_(input) {}
+
+  /// The sections that were asked for, in the order of the page.
+  void add_sections();
+  /// Frames and figure of each sweep that was asked for.
+  [[nodiscard]] Result<void> add_sweeps();
+  [[nodiscard]] GalleryPlan take();
+
+ private:
+  /// Something that is drawn, before it has a file.
+  struct Subject {
+    std::vector<std::string> sources;
+    AuFrame aus;
+    std::vector<ExpressionMuscle> muscles;
+  };
+
+  [[nodiscard]] bool wanted(const std::string& section) const;
+  [[nodiscard]] const Expression* expression(const std::string& name) const;
+  [[nodiscard]] bool can_show(const Expression& expression) const;
+  [[nodiscard]] static Subject subject(const Expression& expression);
+  /// The picture of that file; planned now if it was not yet.
+  std::size_t picture(const std::string& file, const Subject& subject, face::Mixer mixer,
+                      const face::RuleSet& rules);
+  std::size_t picture(const std::string& file, const Subject& subject);
+  std::size_t au_picture(int number, char letter, Side side);
+  GalleryFigure expression_figure(const Expression& expression);
+
+  void add_aus();
+  void add_prototypes();
+  void add_combinations();
+  void add_appendix_a();
+  void add_appendix_b();
+  [[nodiscard]] GalleryRow benchmark_row(const std::string& emotion, face::Mixer mixer);
+  [[nodiscard]] GalleryBlock combination_block(const std::string& heading,
+                                               const std::string& prefix);
+  [[nodiscard]] Result<void> add_sweep(const std::string& word, GalleryBlock& block);
+  void add_sweep_frames(const std::string& name, const std::string& title, const Subject& subject,
+                        GalleryBlock& block);
+
+  const GalleryInput& input_;
+  GalleryPlan plan_;
+  std::map<std::string, std::size_t> files_;
+};
+
+}  // namespace aucast::app

@@ -1,0 +1,37 @@
+#include <algorithm>
+#include <limits>
+
+#include "client/app/film/picture_maker.h"
+#include "client/view/camera.h"
+
+namespace aucast::app {
+
+view::Camera camera_preset(std::string_view name, const face::Face& face) {
+  view::Camera camera =
+      view::portrait_camera(view::camera_preset(name).value_or(view::CameraPreset::Front));
+  if (face.classic) {
+    // Waters' mask has its own height and nothing around it.
+    float low = std::numeric_limits<float>::max();
+    float high = std::numeric_limits<float>::lowest();
+    for (const glm::vec3& p : face.mesh.positions) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+    camera.target.y = (low + high) / 2;
+    camera.half_height = std::max(0.1F, (high - low) * 0.55F);
+  }
+  return camera;
+}
+
+view::Background backdrop(std::optional<std::uint32_t> rgb) {
+  if (!rgb) return {};
+  // The inverse of the renderer's tone curve (to_screen in render/shaders.h).
+  const auto linear = [rgb](unsigned shift) {
+    const float value = static_cast<float>((*rgb >> shift) & 255U) / 255.0F;
+    return value * value / (1.0F - 0.14F * value * value);
+  };
+  const glm::vec3 colour{linear(16), linear(8), linear(0)};
+  return {colour, colour};
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,51 @@
+#include "client/app/window/input_pacer.h"
+
+#include <set>
+#include <utility>
+
+namespace aucast::app {
+
+std::size_t InputPacer::next(const std::deque<render::InputEvent>& waiting) {
+  using Kind = render::InputEvent::Kind;
+  const bool keys_wait = std::exchange(focus_may_move_, false);
+  bool moved = false;
+  bool clicked = false;
+  bool scrolled = false;
+  std::set<int> keys;
+  std::size_t count = 0;
+  for (const render::InputEvent& event : waiting) {
+    switch (event.kind) {
+      case Kind::Move:
+      case Kind::Leave:
+        if (clicked || scrolled) return count;
+        moved = true;
+        break;
+      case Kind::Button:
+        if (clicked || scrolled) return count;
+        // What is dragged goes to where it was let go only if it is seen there before.
+        if (event.action == 0 && moved) return count;
+        clicked = true;
+        focus_may_move_ = true;
+        break;
+      case Kind::Scroll:
+        if (moved || clicked) return count;
+        scrolled = true;
+        break;
+      case Kind::Key:
+        if (keys_wait || focus_may_move_) return count;
+        if (event.text) break;
+        if (!keys.insert(event.code).second) return count;
+        focus_may_move_ = event.action != 0;
+        break;
+      case Kind::Character:
+        if (keys_wait || focus_may_move_) return count;
+        break;
+      case Kind::Focus:
+        break;
+    }
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,53 @@
+#include "client/app/window/session_video.h"
+
+#include <system_error>
+
+namespace aucast::app {
+
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& ending) {
+  std::filesystem::path file;
+  std::error_code ignored;
+  int number = 0;
+  do {
+    file = folder / ("face-player-" + std::to_string(++number) + ending);
+  } while (std::filesystem::exists(file, ignored));
+  return file;
+}
+
+std::uint64_t pictures_due(Duration since, int fps, std::uint64_t written) {
+  if (since < Duration::zero()) return 0;
+  const auto whole = static_cast<std::uint64_t>(since * fps / std::chrono::seconds(1)) + 1;
+  return whole > written ? whole - written : 0;
+}
+
+Result<std::unique_ptr<SessionVideo>> SessionVideo::open(const std::filesystem::path& file,
+                                                         int width, int height, Instant begin) {
+  auto encoder = view::VideoEncoder::open(file, width, height, kFps);
+  if (!encoder) return encoder.error();
+  std::unique_ptr<SessionVideo> video(new SessionVideo);
+  video->file_ = file;
+  video->width_ = width;
+  video->height_ = height;
+  video->begin_ = begin;
+  video->encoder_ = std::move(*encoder);
+  return video;
+}
+
+bool SessionVideo::due(Instant now) const {
+  return pictures_due(now - begin_, kFps, written_) > 0;
+}
+
+Result<void> SessionVideo::show(const view::Image& picture, Instant now) {
+  for (std::uint64_t left = pictures_due(now - begin_, kFps, written_); left > 0; --left) {
+    if (auto added = encoder_->add(picture); !added) return added;
+    ++written_;
+  }
+  return {};
+}
+
+Result<std::string> SessionVideo::finish() {
+  if (auto finished = encoder_->finish(); !finished) return finished.error();
+  return "video saved: " + std::filesystem::absolute(file_).lexically_normal().string();
+}
+
+}  // namespace aucast::app

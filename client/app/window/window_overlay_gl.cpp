@@ -1,0 +1,110 @@
+#include "client/app/window/window_overlay.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "client/view/camera.h"
+
+namespace aucast::app {
+
+WindowOverlay::WindowOverlay(render::Window& window) : window_(window), gui_(window.scale()) {
+  ImGui_ImplGlfw_InitForOpenGL(window.native(), false);  // feed() hands on what happens
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+WindowOverlay::~WindowOverlay() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+}
+
+void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands) {
+  // What only input needs is not put on the screen: there it would take the time of a picture each.
+  do {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    feed();
+    gui_.draw(model, commands);
+  } while (input_waits() && commands.empty() && keys_.empty());
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void WindowOverlay::feed() {
+  std::deque<render::InputEvent>& input = window_.input();
+  for (std::size_t left = pacer_.next(input); left > 0; --left) {
+    take(input.front());
+    input.pop_front();
+  }
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = ImVec2(pointer_x_, pointer_y_);
+  for (std::size_t i = 0; i < buttons_.size(); ++i) io.MouseDown[i] = buttons_[i];
+}
+
+void WindowOverlay::take(const render::InputEvent& event) {
+  using Kind = render::InputEvent::Kind;
+  GLFWwindow* const window = window_.native();
+  switch (event.kind) {
+    case Kind::Move:
+      move_to(static_cast<float>(event.x), static_cast<float>(event.y));
+      break;
+    case Kind::Leave:
+      // Who drags something may leave the window and come back.
+      if (!buttons_[0] && !buttons_[1]) pointer_x_ = pointer_y_ = kNowhere;
+      break;
+    case Kind::Button:
+      if (event.code >= 0 && static_cast<std::size_t>(event.code) < buttons_.size()) {
+        buttons_[static_cast<std::size_t>(event.code)] = event.action != 0;
+      }
+      break;
+    case Kind::Scroll:
+      if (!gui_.wants_pointer()) view::zoom(window_.camera(), event.y);
+      ImGui_ImplGlfw_ScrollCallback(window, event.x, event.y);
+      break;
+    case Kind::Key:
+      ImGui_ImplGlfw_KeyCallback(window, event.code, event.scancode, event.action, event.modifiers);
+      break;
+    case Kind::Character:
+      ImGui_ImplGlfw_CharCallback(window, static_cast<unsigned>(event.code));
+      break;
+    case Kind::Focus:
+      ImGui_ImplGlfw_WindowFocusCallback(window, event.code);
+      break;
+  }
+  if (event.meaning != render::Key::None && !gui_.wants_keys()) keys_.push_back(event.meaning);
+}
+
+/// A drag that began on the face turns the camera with the left button and moves it with the right.
+void WindowOverlay::move_to(float x, float y) {
+  const auto right = static_cast<double>(x - std::exchange(pointer_x_, x));
+  const auto down = static_cast<double>(y - std::exchange(pointer_y_, y));
+  if (gui_.wants_pointer()) return;
+  const int height = static_cast<int>(ImGui::GetIO().DisplaySize.y);
+  if (buttons_[0]) {
+    view::orbit(window_.camera(), right, down, height);
+  } else if (buttons_[1]) {
+    view::pan(window_.camera(), right, down, height);
+  }
+}
+
+render::Key WindowOverlay::next_key() {
+  if (keys_.empty()) return render::Key::None;
+  const render::Key key = keys_.front();
+  keys_.pop_front();
+  return key;
+}
+
+bool WindowOverlay::input_waits() const {
+  return !window_.input().empty();
+}
+
+int WindowOverlay::free_width(int framebuffer_width) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  const float pixels = io.DisplayFramebufferScale.x > 0 ? io.DisplayFramebufferScale.x : 1;
+  const auto covered = static_cast<int>(gui_.covered_width() * pixels);
+  return std::max(1, framebuffer_width - covered);
+}
+
+}  // namespace aucast::app

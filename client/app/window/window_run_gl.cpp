@@ -1,0 +1,453 @@
+#include "client/app/window/window_run.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "client/app/film/face_diagram.h"
+#include "client/app/film/face_scene.h"
+#include "client/app/film/picture_maker.h"
+#include "client/app/window/session_video.h"
+#include "client/app/start_times.h"
+#include "client/app/steady.h"
+#include "client/app/window/window_overlay.h"
+#include "client/app/window/window_session.h"
+#include "client/face/face_deformer.h"
+#include "client/gui/redraw.h"
+#include "client/render/face_renderer.h"
+#include "client/render/offscreen.h"
+#include "client/render/window.h"
+#include "common/log.h"
+
+namespace aucast::app {
+namespace {
+
+constexpr int kFramesPerPace = 20;
+/// The pictures' size is too small for a face beside the panels.
+constexpr int kWindowWidth = 1280;
+constexpr int kWindowHeight = 800;
+
+view::Background background_of(gui::Ground ground, const PlayerOptions& options) {
+  const auto plain = [](float level) {
+    return view::Background{glm::vec3(level), glm::vec3(level)};
+  };
+  switch (ground) {
+    case gui::Ground::Studio:
+      break;
+    case gui::Ground::Black:
+      return plain(0);
+    case gui::Ground::Grey:
+      return plain(0.21F);
+    case gui::Ground::White:
+      return plain(1);
+  }
+  return backdrop(options.output.background);
+}
+
+const char* name_of(gui::View view) {
+  switch (view) {
+    case gui::View::Front:
+      return "front";
+    case gui::View::ThreeQuarter:
+      return "three-quarter";
+    case gui::View::Profile:
+      return "profile";
+  }
+  return "front";
+}
+
+/// How long the stages of a frame took.
+struct FrameTimes {
+  Duration mix{};  ///< AUs to activations, in between frames
+  Duration deform{};
+  Duration face{};    ///< handing the face to OpenGL
+  Duration panels{};  ///< panels, and waiting until all is on the screen
+};
+
+/// The window with everything that a frame of it needs. tick() is the table of contents.
+class WindowRun {
+ public:
+  WindowRun(const Assets& assets, const PlayerOptions& options,
+            std::unique_ptr<playback::KeyframeSource> source, WindowSettings& settings,
+            PlayerStats& stats)
+      : options_(options),
+        data_folder_(assets.data_folder),
+        settings_(settings),
+        stats_(stats),
+        session_(assets, options, std::move(source), stats),
+        scene_(session_.face()),
+        deformer_(session_.face()),
+        diagram_(session_.face()) {
+    session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
+    start_times_.passed("session");
+  }
+
+  Result<void> open() {
+    const OutputOptions& output = options_.output;
+    auto window =
+        render::Window::create(output.size_given ? output.width : kWindowWidth,
+                               output.size_given ? output.height : kWindowHeight, "AUcast");
+    if (!window) return window.error();
+    window_ = std::move(*window);
+    start_times_.passed("window and OpenGL");
+    look_from(gui::View::Front);
+    auto renderer = render::FaceRenderer::create();
+    if (!renderer) return renderer.error();
+    renderer_ = std::move(*renderer);
+    renderer_->load(scene_.still());
+    start_times_.passed("face in OpenGL");
+    overlay_ = std::make_unique<WindowOverlay>(*window_);
+    if (auto icon = view::read_png(data_folder_ / "icons" / "aucast.png")) {
+      window_->set_icon(std::move(*icon));
+    }
+    start_times_.passed("panels");
+    return {};
+  }
+
+  void tick(bool stopped_from_outside) {
+    Duration rest = session_.rest(steady_now());
+    if (video_)
+      rest = std::min<Duration>(rest, std::chrono::milliseconds(1000 / SessionVideo::kFps));
+    window_->poll(waits_for_frames() ? 0 : seconds(rest));
+    handle_closing(stopped_from_outside);
+    handle_drops();
+    session_.advance(steady_now());
+    show_title();
+    draw();
+    record();
+    handle_keys();
+    for (const gui::GuiCommand& command : commands_) carry_out(command);
+    commands_.clear();
+  }
+
+  [[nodiscard]] bool done() const {
+    return leaving_ || session_.leaving() || (options_.exit_at_end && session_.over());
+  }
+
+  [[nodiscard]] std::unique_ptr<playback::KeyframeSource> finish() {
+    keep_settings();
+    if (video_) end_video();
+    return session_.finish(steady_now());
+  }
+
+ private:
+  [[nodiscard]] bool waits_for_frames() const { return frames_due_ > 0; }
+
+  void handle_keys() {
+    using render::Key;
+    for (Key key = overlay_->next_key(); key != Key::None; key = overlay_->next_key()) {
+      frames_due_ = gui::kFramesAfterChange;
+      switch (key) {
+        case Key::Escape:
+          if (overlay_->gui().close_keys()) break;
+          [[fallthrough]];
+        case Key::Quit:
+          session_.ask_to_leave();
+          break;
+        case Key::Space:
+          session_.toggle_pause(steady_now());
+          break;
+        case Key::F:
+          window_->toggle_full_screen();
+          break;
+        case Key::R:
+          look_from(gui::View::Front);
+          break;
+        case Key::S:
+          save_picture();
+          break;
+        case Key::Tab:
+          overlay_->gui().toggle_panel();
+          break;
+        case Key::Question:
+          overlay_->gui().toggle_keys();
+          break;
+        default:
+          stream_key(key);
+          break;
+      }
+    }
+  }
+
+  void handle_drops() {
+    for (std::string file = window_->next_dropped(); !file.empty();
+         file = window_->next_dropped()) {
+      carry_out(gui::OpenStream{file});
+    }
+  }
+
+  /// Keys of a stream that is there whole, as mpv has them.
+  void stream_key(render::Key key) {
+    using render::Key;
+    switch (key) {
+      case Key::Left:
+        return carry_out(gui::LocalCommand(gui::StepKeyframe{-1}));
+      case Key::Right:
+        return carry_out(gui::LocalCommand(gui::StepKeyframe{1}));
+      case Key::Comma:
+        return carry_out(gui::LocalCommand(gui::StepFrame{-1}));
+      case Key::Period:
+        return carry_out(gui::LocalCommand(gui::StepFrame{1}));
+      case Key::Slower:
+        return carry_out(gui::LocalCommand(gui::ChangeSpeed{-1}));
+      case Key::Faster:
+        return carry_out(gui::LocalCommand(gui::ChangeSpeed{1}));
+      case Key::L:
+        return carry_out(gui::LocalCommand(gui::MarkLoop{}));
+      case Key::O:
+        return carry_out(gui::Browse{gui::Purpose::PlayStream});
+      case Key::V:
+        return toggle_video();
+      case Key::Undo:
+        return session_.undo(steady_now());
+      case Key::Redo:
+        return session_.redo(steady_now());
+      case Key::Save:
+        return session_.save(steady_now());
+      default:
+        return;
+    }
+  }
+
+  void handle_closing(bool stopped_from_outside) {
+    leaving_ |= stopped_from_outside;
+    if (!window_->should_close()) return;
+    window_->keep_open();
+    session_.ask_to_leave();
+  }
+
+  void carry_out(const gui::GuiCommand& command) {
+    frames_due_ = gui::kFramesAfterChange;
+    if (const auto* look = std::get_if<gui::LookFrom>(&command)) look_from(look->view);
+    if (std::holds_alternative<gui::TakePicture>(command)) save_picture();
+    if (std::holds_alternative<gui::ToggleVideo>(command)) toggle_video();
+    session_.apply(command, steady_now());
+    // An address is worth remembering even if the machine goes down.
+    if (std::holds_alternative<gui::Connect>(command)) keep_settings();
+  }
+
+  void keep_settings() {
+    if (const auto kept = settings_.keep(session_.kept()); !kept) {
+      spdlog::warn("settings: {}", kept.error().message);
+    }
+  }
+
+  void look_from(gui::View view) {
+    window_->camera() = camera_preset(name_of(view), session_.face());
+    frames_due_ = gui::kFramesAfterChange;
+  }
+
+  /// Drawn into a framebuffer of its own, so that it does not depend on what lies over the window;
+  /// `larger`: its lines are as many times as wide.
+  Result<view::Image> picture(int width, int height, int larger = 1) {
+    if (!target_ || target_width_ != width || target_height_ != height) {
+      auto target = render::OffscreenTarget::create(width, height);
+      if (!target) return target.error();
+      target_ = std::move(*target);
+      target_width_ = width;
+      target_height_ = height;
+    }
+    target_->bind();
+    draw_face(width, height, static_cast<float>(larger));
+    view::Image image = target_->read();
+    window_->bind_framebuffer();
+    return image;
+  }
+
+  /// The part of the window that the panel leaves free.
+  void free_size(int& width, int& height) {
+    window_->framebuffer_size(width, height);
+    width = overlay_->free_width(width);
+  }
+
+  void save_picture() {
+    int width = 0;
+    int height = 0;
+    free_size(width, height);
+    // A still is drawn larger, as everywhere (Sharpness), where the driver can do that.
+    auto image = picture(2 * width, 2 * height, 2);
+    image = image ? Result<view::Image>(view::halved(*image)) : picture(width, height);
+    if (!image) return complain(image.error());
+    const std::filesystem::path file = free_name(".", ".png");
+    if (const auto written = view::write_png(*image, file); !written) {
+      return complain(written.error());
+    }
+    tell("picture saved: " + std::filesystem::absolute(file).lexically_normal().string());
+  }
+
+  void toggle_video() {
+    if (video_) return end_video();
+    int width = 0;
+    int height = 0;
+    free_size(width, height);
+    auto video = SessionVideo::open(free_name(".", ".mp4"), width, height, steady_now());
+    if (!video) return complain(video.error());
+    video_ = std::move(*video);
+    session_.set_recording(video_->file().filename().string());
+  }
+
+  void end_video() {
+    const std::unique_ptr<SessionVideo> video = std::move(video_);
+    session_.set_recording({});
+    const auto finished = video->finish();
+    if (!finished) return complain(finished.error());
+    tell(*finished);
+  }
+
+  void record() {
+    if (!video_ || !video_->due(steady_now())) return;
+    const auto image = picture(video_->width(), video_->height());
+    const auto shown = image ? video_->show(*image, steady_now()) : Result<void>(image.error());
+    if (shown) return;
+    video_.reset();
+    session_.set_recording({});
+    complain(shown.error());
+  }
+
+  void tell(const std::string& sentence) {
+    std::fprintf(stderr, "%s\n", sentence.c_str());
+    session_.say(sentence, false, steady_now());
+  }
+
+  void complain(const Error& error) {
+    spdlog::error("{}", error.message);
+    session_.say(error.message, true, steady_now());
+  }
+
+  void show_title() {
+    std::string title = session_.title();
+    if (title == title_) return;
+    title_ = std::move(title);
+    window_->set_title(title_);
+  }
+
+  /// Draws when something is different from what is shown.
+  void draw() {
+    FrameTimes times;
+    const Instant begin = steady_now();
+    const std::vector<float>& activations = session_.activations(steady_now());
+    times.mix = steady_now() - begin;
+    gui::GuiModel model = session_.model();
+    const bool moved = activations != shown_activations_;
+    if (window_->take_redraw()) frames_due_ = gui::kFramesAfterChange;
+    frames_due_ = std::max(frames_due_, gui::frames_due(shown_model_, model));
+    if (!moved && frames_due_ == 0) return;
+    frames_due_ = std::max(0, frames_due_ - 1);
+    int width = 0;
+    int height = 0;
+    window_->framebuffer_size(width, height);
+    const Instant before = steady_now();
+    if (moved) {
+      shown_activations_ = activations;
+      deformed_ = &deformer_.deform(shown_activations_);
+    }
+    const Instant deformed = steady_now();
+    draw_face(overlay_->free_width(width), height);
+    const Instant drawn = steady_now();
+    overlay_->draw(model, commands_);
+    shown_model_ = std::move(model);
+    if (overlay_->input_waits()) frames_due_ = gui::kFramesAfterChange;
+    window_->present();
+    const Instant end = steady_now();
+    spdlog::trace("drawn at {:.6f}", seconds(end.time_since_epoch()));
+    if (stats_.frames_drawn++ == 0) {
+      stats_.first_frame_ms = since_start_ms();
+      start_times_.passed("picture");
+      spdlog::debug("{}", start_times_.text());
+    }
+    stats_.draw_seconds += seconds(end - before);
+    times.deform = deformed - before;
+    times.face = drawn - deformed;
+    times.panels = end - drawn;
+    if (moved) measure_pace(times);
+  }
+
+  void draw_face(int width, int height, float larger = 1) {
+    const gui::RenderingSettings& settings = session_.rendering();
+    diagram_.update(settings.layers, shown_activations_, *deformed_);
+    const view::Style style{
+        .background = background_of(settings.ground, options_),
+        .layers = settings.layers,
+        .light = view::key_light(static_cast<float>(settings.light_yaw_deg),
+                                 static_cast<float>(settings.light_pitch_deg),
+                                 static_cast<float>(settings.light_percent) / 100),
+        .scale = window_->scale() * larger,
+        .diagram = diagram_.muscles(),
+        .tags = diagram_.tags()};
+    renderer_->draw(FaceScene::moving(*deformed_), window_->camera(), style, width, height);
+  }
+
+  /// Only frames in which the face moved count, or showing the pace would be a reason to draw.
+  void measure_pace(const FrameTimes& times) {
+    pace_.mix += times.mix;
+    pace_.deform += times.deform;
+    pace_.face += times.face;
+    pace_.panels += times.panels;
+    if (++pace_frames_ < kFramesPerPace) return;
+    const Instant end = steady_now();
+    const auto each = [this](Duration time) {
+      std::array<char, 40> text{};
+      std::snprintf(text.data(), text.size(), "%.1f ms", seconds(time) * 1000 / pace_frames_);
+      return std::string(text.data());
+    };
+    std::array<char, 40> rate{};
+    std::snprintf(rate.data(), rate.size(), "%.0f", pace_frames_ / seconds(end - pace_begin_));
+    session_.set_pace({{"Frames a second", rate.data()},
+                       {"Activations", each(pace_.mix)},
+                       {"Deforming", each(pace_.deform)},
+                       {"Face", each(pace_.face)},
+                       {"Panels", each(pace_.panels)}});
+    pace_frames_ = 0;
+    pace_begin_ = end;
+    pace_ = {};
+  }
+
+  StartTimes start_times_;
+  const PlayerOptions& options_;
+  std::filesystem::path data_folder_;
+  WindowSettings& settings_;
+  PlayerStats& stats_;
+  WindowSession session_;
+  FaceScene scene_;
+  face::FaceDeformer deformer_;
+  const face::DeformedFace* deformed_ = nullptr;
+  FaceDiagram diagram_;
+  std::unique_ptr<render::Window> window_;
+  std::unique_ptr<render::FaceRenderer> renderer_;
+  std::unique_ptr<WindowOverlay> overlay_;
+  std::vector<float> shown_activations_;
+  gui::GuiModel shown_model_;
+  gui::GuiCommands commands_;
+  std::string title_;
+  int frames_due_ = gui::kFramesAfterChange;
+  std::unique_ptr<render::OffscreenTarget> target_;
+  int target_width_ = 0;
+  int target_height_ = 0;
+  std::unique_ptr<SessionVideo> video_;
+  bool leaving_ = false;
+  int pace_frames_ = 0;
+  Instant pace_begin_{steady_now()};
+  FrameTimes pace_;
+};
+
+}  // namespace
+
+Result<void> run_window(const Assets& assets, const PlayerOptions& options,
+                        std::unique_ptr<playback::KeyframeSource>& source, WindowSettings& settings,
+                        const std::function<bool()>& stop, PlayerStats& stats) {
+  WindowRun run(assets, options, std::move(source), settings, stats);
+  if (auto opened = run.open(); !opened) {
+    source = run.finish();
+    return opened;
+  }
+  while (!run.done()) run.tick(stop());
+  source = run.finish();
+  return {};
+}
+
+}  // namespace aucast::app

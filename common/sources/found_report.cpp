@@ -1,0 +1,91 @@
+#include <array>
+#include <charconv>
+
+#include "common/sources/profile.h"
+#include "common/sources/recording.h"
+
+namespace aucast::sources {
+namespace {
+
+/// "0-5", as people name such scales.
+std::string scale_name(double scale) {
+  return "0-" + std::to_string(static_cast<int>(scale));
+}
+
+std::string fixed(double value, int digits) {
+  std::array<char, 64> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::fixed, digits);
+  return written.ec == std::errc() ? std::string(text.data(), written.ptr) : "very much";
+}
+
+std::string line(std::string name, const std::string& value) {
+  name.resize(12, ' ');
+  return "  " + name + value + '\n';
+}
+
+std::string format_of(const Found& found) {
+  return found.format + (found.approximate ? " (curves read as AUs by a table, approximate)" : "");
+}
+
+std::string scale_of(const Found& found) {
+  return scale_name(found.scale) + (found.scale_asked ? " as asked" : "") + ", largest " +
+         fixed(found.largest, 2);
+}
+
+/// The first few; a bad tracker may have thousands.
+std::string faces_of(const Found& found) {
+  constexpr std::size_t kShown = 8;
+  std::string text = std::to_string(found.faces.size());
+  for (std::size_t index = 0; index < found.faces.size() && index < kShown; ++index) {
+    const Found::Face& face = found.faces[index];
+    text += index == 0 ? ": " : ", ";
+    text += "face " + std::to_string(face.id) + " in " + std::to_string(face.rows) + " rows";
+    if (face.id == found.face) text += found.all_taken ? " (this one)" : " (taken)";
+  }
+  return text + (found.faces.size() > kShown ? ", ..." : "");
+}
+
+/// Nothing for a clock that a camera can have.
+std::string hasty_clock(const Found& found) {
+  if (found.rows_a_second <= kRowsASecondMax) return {};
+  return fixed(found.rows_a_second, 0) + " rows a second are no camera's: --fps says how many";
+}
+
+}  // namespace
+
+std::string found_lines(const Found& found) {
+  std::string text = line("format", format_of(found));
+  text += line("scale", scale_of(found));
+  text += line("people", faces_of(found));
+  text += line("rows", std::to_string(found.rows) + ", " + std::to_string(found.lost) +
+                           " of them no data, " + std::to_string(found.left_out) +
+                           " left out (no later time)");
+  text += line("gaps", found.gaps == 0 ? "none over 0.5 s"
+                                       : std::to_string(found.gaps) + " over 0.5 s, the longest " +
+                                             fixed(found.gap_seconds_max, 2) + " s");
+  if (const std::string clock = hasty_clock(found); !clock.empty()) text += line("clock", clock);
+  if (found.neutral) text += line("neutral", measured_text(*found.neutral));
+  if (found.headers > 0) {
+    text += line("appended", std::to_string(found.headers) + " header lines in the middle");
+  }
+  if (found.truncated) text += line("truncated", "the last line has no end and was left out");
+  return text;
+}
+
+std::string found_sentence(const Found& found) {
+  std::string text = format_of(found) + ", AU scale " + scale_of(found);
+  if (found.faces.size() > 1) {
+    text += ", face " + std::to_string(found.face) + " of " + std::to_string(found.faces.size());
+  }
+  if (found.lost > 0) {
+    text += ", " + std::to_string(found.lost) + " of " + std::to_string(found.rows) +
+            " rows without data";
+  }
+  if (found.truncated) text += ", the truncated last line left out";
+  if (const std::string clock = hasty_clock(found); !clock.empty()) text += ", " + clock;
+  if (found.neutral) text += ", neutral face " + measured_text(*found.neutral);
+  return text;
+}
+
+}  // namespace aucast::sources

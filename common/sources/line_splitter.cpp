@@ -1,0 +1,31 @@
+#include "common/sources/line_splitter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aucast::sources {
+
+std::optional<LineSplitter::Line> LineSplitter::next() {
+  const std::size_t feed = fed_.find('\n');
+  const std::string_view piece = fed_.substr(0, feed);
+  const std::size_t room = bytes_max_ - std::min(bytes_max_, partial_.size());
+  partial_ += piece.substr(0, room);
+  cut_ = cut_ || piece.size() > room;
+  fed_.remove_prefix(feed == std::string_view::npos ? fed_.size() : feed + 1);
+  if (feed == std::string_view::npos) return std::nullopt;
+  Line line{std::exchange(partial_, {}), ++number_, std::exchange(cut_, false)};
+  if (line.text.ends_with('\r')) line.text.pop_back();
+  return line;
+}
+
+bool LineSplitter::drop_partial() {
+  cut_ = false;
+  return !std::exchange(partial_, {}).empty();
+}
+
+void LineSplitter::restart() {
+  drop_partial();
+  number_ = 0;
+}
+
+}  // namespace aucast::sources

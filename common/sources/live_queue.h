@@ -1,0 +1,36 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "common/sources/live_timeline.h"
+
+namespace aucast::sources {
+
+/// Keyframes of a live source on their way out. They go at once, also after a hitch of the source,
+/// unless the source's clock runs ahead of ours by more than kLeadSeconds since it began: then it
+/// is a recording that somebody pours in, and is played at its own speed.
+class LiveQueue {
+ public:
+  static constexpr double kLeadSeconds = 1;
+
+  void push(LiveKeyframe keyframe, double now);
+  /// The next keyframe, if it is due.
+  [[nodiscard]] std::optional<LiveKeyframe> pop(double now);
+  /// When pop() has something; nothing while the queue is empty.
+  [[nodiscard]] std::optional<double> due() const;
+  [[nodiscard]] std::size_t size() const { return queue_.size(); }
+  /// Only the latest counts, and it is due at once: what came before is past.
+  void skip_to_last(double now);
+
+ private:
+  struct Waiting {
+    LiveKeyframe keyframe;
+    double due = 0;
+  };
+  std::deque<Waiting> queue_;
+  double begin_ = 0;         ///< ours, when the source's clock showed 0
+  double last_seconds_ = 0;  ///< of the latest keyframe, on the source's clock
+};
+
+}  // namespace aucast::sources

@@ -1,0 +1,295 @@
+#include "common/sources/live_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/text.h"
+#include "common/text_file.h"
+#include "protocol/limits.h"
+#include "protocol/stream_file.h"
+
+namespace aucast::sources {
+namespace {
+
+constexpr std::string_view kBlanks = " \t";
+
+/// What comes closer together came at once: no recogniser is that fast.
+constexpr double kAtOnceSeconds = 0.005;
+/// The time of a row that came at once with the one before and has no clock.
+constexpr double kRowSeconds = 0.04;
+
+/// Rows of a table are numbers; names of columns are not. Saves opening a table at every row.
+bool may_be_header(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t\"");
+  if (first == std::string_view::npos) return false;
+  const char letter = line[first];
+  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_';
+}
+
+}  // namespace
+
+/// A table whose header was read. What it refers to stays where it is.
+struct LiveReader::Table {
+  Table(std::string header_line, CsvReader opened, std::unique_ptr<Format> found)
+      : header(std::move(header_line)), csv(std::move(opened)), format(std::move(found)) {}
+
+  std::string header;
+  CsvReader csv;
+  std::unique_ptr<Format> format;
+  Observation row;
+  FaceNames names;
+  double largest = 0;
+  double scale = 1;
+  bool clocked = false;  ///< some row had a time
+};
+
+LiveReader::LiveReader(std::string file, LiveOptions options, LoadCurves load_curves)
+    : file_(std::move(file)),
+      options_(std::move(options)),
+      load_curves_(std::move(load_curves)),
+      splitter_(kCsvLineBytesMax),
+      timeline_(options_.rate, options_.conditioning),
+      clock_(options_.recording.fps),
+      face_(options_.recording.face) {}
+
+LiveReader::~LiveReader() = default;
+LiveReader::LiveReader(LiveReader&&) noexcept = default;
+LiveReader& LiveReader::operator=(LiveReader&&) noexcept = default;
+
+void LiveReader::feed(std::string_view bytes, double now) {
+  splitter_.feed(bytes);
+  while (auto line = splitter_.next()) read_line(*line, now);
+}
+
+void LiveReader::end_input(double now) {
+  if (splitter_.drop_partial()) complain(file_ + ": the last line has no end and was left out");
+  if (arrived_ && !silent_since_) silent_since_ = now;
+  clock_.restart();
+  timeline_.restart();
+}
+
+void LiveReader::restart() {
+  splitter_.restart();
+  table_.reset();
+  text_ = false;
+  clock_.restart();
+  timeline_.restart();
+}
+
+void LiveReader::idle(double now) {
+  if (silent_since_) timeline_.idle(now - *silent_since_);
+}
+
+std::optional<double> LiveReader::idle_due() const {
+  const auto due = timeline_.idle_due();
+  if (!due || !silent_since_) return std::nullopt;
+  return *silent_since_ + *due;
+}
+
+void LiveReader::hold_off(double now) {
+  if (silent_since_) silent_since_ = std::max(*silent_since_, now);
+}
+
+std::vector<LiveMessage> LiveReader::take_messages() {
+  return std::exchange(messages_, {});
+}
+
+std::string LiveReader::header() const {
+  return table_ ? table_->header + '\n' : "";
+}
+
+void LiveReader::complain(std::string text) {
+  ++complaints_;
+  if (complaints_ <= kSaidMax) messages_.push_back({true, std::move(text)});
+  if (complaints_ == kSaidMax) {
+    messages_.push_back({true, file_ + ": more of this kind is left out without a word"});
+  }
+}
+
+void LiveReader::read_line(LineSplitter::Line& line, double now) {
+  if (line.number == 1 && line.text.starts_with(kByteOrderMark)) {
+    line.text.erase(0, kByteOrderMark.size());
+  }
+  if (line.too_long) {
+    complain(at_place(
+        file_, line.number, kCsvLineBytesMax + 1,
+        "the line is longer than " + std::to_string(kCsvLineBytesMax) + " bytes; it was left out"));
+    return;
+  }
+  if (trimmed(line.text, kBlanks).empty()) return;
+  if (trimmed(line.text, kBlanks) == "Beg_Stream" && table_) {
+    table_.reset();
+    timeline_.restart();
+  }
+  if (may_be_header(line.text) && begin_table(line)) return;
+  if (table_) {
+    read_row(line, now);
+  } else if (!read_text(line, now) && !text_) {
+    say(file_ + ": waiting for the names of columns, or for lines of a stream file");
+  }
+}
+
+/// True when the line names the columns of a recogniser: a table begins, or begins again.
+bool LiveReader::begin_table(const LineSplitter::Line& line) {
+  if (table_ && trimmed(line.text, kBlanks) == trimmed(table_->header, kBlanks)) {
+    say(at_place(file_, line.number, 0, "the header once more: another recording begins"));
+    clock_.restart();
+    timeline_.restart();
+    return true;
+  }
+  const ContentKind kind = content_kind(line.text);
+  if (kind == ContentKind::StreamFile) return false;
+  ArkitTable curves;
+  if (kind == ContentKind::LiveLinkFace) {
+    auto loaded = load_curves_();
+    if (!loaded) {
+      complain(loaded.error().message);
+      return false;
+    }
+    curves = std::move(*loaded);
+  }
+  auto csv = CsvReader::open(line.text, file_);
+  auto format = csv ? open_format(*csv, curves) : nullptr;
+  if (!format) {
+    if (!table_) complain(at_place(file_, line.number, 1, std::string(kUnknownTable)));
+    return false;
+  }
+  if (table_ || text_) {
+    clock_.restart();
+    timeline_.restart();
+  }
+  text_ = false;
+  complaints_ = 0;
+  table_ = std::make_unique<Table>(line.text, std::move(*csv), std::move(format));
+  table_->scale =
+      options_.recording.au_scale.value_or(scale_for(table_->format->native_scale(), 0));
+  say(file_ + ": " + std::string(table_->format->name()) +
+      (table_->format->approximate() ? " (curves read as AUs by a table, approximate)" : "") +
+      ", live, AU scale 0-" + std::to_string(static_cast<int>(table_->scale)));
+  return true;
+}
+
+/// False when the line is none of a stream file.
+bool LiveReader::read_text(const LineSplitter::Line& line, double now) {
+  const std::string_view content =
+      trimmed(std::string_view(line.text).substr(0, line.text.find('#')), kBlanks);
+  if (content.empty()) return true;
+  if (content == "Beg_Stream" || content == "End_Stream") {
+    text_ = true;
+    complaints_ = 0;
+    if (content == "End_Stream" && arrived_) silent_since_ = now;
+    return true;
+  }
+  protocol::Keyframe keyframe;
+  if (content.size() > protocol::kStreamLineBytesMax) {
+    complain(at_place(file_, line.number, 1, "the line is too long for a stream file's"));
+    return false;
+  }
+  if (const auto error = protocol::parse_stream_line(content, keyframe)) {
+    const auto shift = static_cast<std::size_t>(content.data() - line.text.data());
+    complain(at_place(file_, line.number, shift + error->position + 1,
+                      error->reason + "; the line was left out"));
+    return false;
+  }
+  if (!text_) say(file_ + ": lines of a stream file, live");
+  text_ = true;
+  complaints_ = 0;
+  play_text(keyframe, now);
+  return true;
+}
+
+/// `seconds` of a line is when the face sets out for it, as in a stream file that is sent live.
+void LiveReader::play_text(const protocol::Keyframe& keyframe, double now) {
+  timeline_.set_clocked(false);
+  std::uint32_t duration_ms = keyframe.duration_ms.value_or(0);
+  if (!keyframe.duration_ms) {
+    const double longest = options_.keyframe_ms / 1000.0;
+    duration_ms = static_cast<std::uint32_t>(
+        std::max(1.0, std::round(1000 * std::min(arrival_step(now, longest), longest))));
+  }
+  arrived_ = now;
+  silent_since_.reset();
+  timeline_.add(unclocked_, frame_from_terms(keyframe.terms), duration_ms);
+  unclocked_ += duration_ms / 1000.0;
+}
+
+/// Seconds since the last moment; `usual` for what came together with it.
+double LiveReader::arrival_step(double now, double usual) {
+  if (!arrived_ || now - *arrived_ < kAtOnceSeconds) return usual;
+  return now - *arrived_;
+}
+
+void LiveReader::read_row(const LineSplitter::Line& line, double now) {
+  CsvReader& csv = table_->csv;
+  const auto next = csv.take(line.text, line.number);
+  if (next == CsvReader::Next::Row) {
+    table_->row.clear();
+    table_->format->scan(csv);
+    table_->format->read(csv, table_->row);
+    if (!csv.has_errors()) {
+      complaints_ = 0;
+      take_row(now);
+      return;
+    }
+  }
+  for (std::string& reason : csv.take_errors()) complain(reason + "; the row was left out");
+}
+
+void LiveReader::take_row(double now) {
+  const bool sure = is_sure(table_->row, options_.recording.confidence_min);
+  if (!is_chosen(sure, now)) return;
+  const auto moment = moment_of_row(now);
+  if (!moment) {
+    complain(at_place(file_, table_->csv.line(), 0,
+                      "the row's time is not later than the last; the row was left out"));
+    return;
+  }
+  if (sure) settle_scale();
+  arrived_ = now;
+  silent_since_ = now;
+  timeline_.add(*moment, update_of(table_->row, table_->scale, sure));
+}
+
+/// The face that was asked for, or the first one that is seen, until it is gone.
+bool LiveReader::is_chosen(bool sure, double now) {
+  const std::int64_t id = table_->names.of(table_->row);
+  // Who says anything only; after as many as can be followed, the others are no news.
+  if (options_.recording.all_faces && sure && faces_seen_.size() <= kFacesMax &&
+      faces_seen_.insert(id).second) {
+    new_faces_.push_back(id);
+  }
+  if (options_.recording.face) return id == *face_;
+  if (!face_ || (id != *face_ && sure && now - face_seen_ > kHoldSeconds + kEaseSeconds)) {
+    if (face_) say(file_ + ": face " + std::to_string(id) + " from now on");
+    face_ = id;
+  }
+  if (id != *face_) return false;
+  if (sure) face_seen_ = now;
+  return true;
+}
+
+/// What the largest value so far says of the scale. It can only grow, and it is said when it does.
+void LiveReader::settle_scale() {
+  if (options_.recording.au_scale) return;
+  for (const AuValue& au : table_->row.aus) {
+    if (au.native) table_->largest = std::max(table_->largest, au.value);
+  }
+  const double scale = scale_for(table_->format->native_scale(), table_->largest);
+  if (scale == table_->scale) return;
+  table_->scale = scale;
+  timeline_.forget_neutral();
+  say(at_place(file_, table_->csv.line(), 0,
+               "AU scale 0-" + std::to_string(static_cast<int>(scale)) +
+                   " from now on; --au-scale says so from the beginning"));
+}
+
+std::optional<double> LiveReader::moment_of_row(double now) {
+  table_->clocked = table_->clocked || table_->row.seconds || options_.recording.fps;
+  timeline_.set_clocked(table_->clocked);
+  if (table_->clocked) return clock_.moment(table_->row);
+  unclocked_ += arrival_step(now, kRowSeconds);
+  return unclocked_;
+}
+
+}  // namespace aucast::sources

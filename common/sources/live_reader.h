@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/result.h"
+#include "common/sources/line_splitter.h"
+#include "common/sources/live_timeline.h"
+#include "common/sources/recording.h"
+#include "common/sources/row_reading.h"
+
+namespace aucast::sources {
+
+struct LiveOptions {
+  RecordingOptions recording;
+  std::optional<double> rate;  ///< at most so many keyframes a second
+  ConditioningSettings conditioning;
+  std::uint32_t keyframe_ms = 250;  ///< the longest time of a line that names none
+};
+
+/// Something to say about a live source.
+struct LiveMessage {
+  bool warning = false;
+  std::string text;  ///< "file:line:column: reason", or a sentence that begins with the file
+};
+
+/// A live source, byte by byte: tables of every recogniser and lines of stream files, told by their
+/// first line. Pure: bytes and seconds on any steady clock go in, keyframes and messages come out.
+///
+/// Nothing that comes in ends it. A line that is not understood is left out and said, the first
+/// kSaidMax of a run of them; a line without its end waits for the rest; a header in the middle
+/// (the same, or of another format) begins a new table whose clock goes on from the last moment.
+/// Rows without a clock (Py-Feat without --fps) and lines without a time take the time since the
+/// one before.
+class LiveReader {
+ public:
+  using LoadCurves = std::function<Result<ArkitTable>()>;
+  static constexpr std::size_t kSaidMax = 20;
+
+  /// `file`: what messages call it. `load_curves` is called when Live Link Face is met.
+  LiveReader(std::string file, LiveOptions options, LoadCurves load_curves);
+  ~LiveReader();
+  LiveReader(LiveReader&&) noexcept;
+  LiveReader& operator=(LiveReader&&) noexcept;
+
+  /// Takes bytes that came at `now`.
+  void feed(std::string_view bytes, double now);
+  /// Whoever wrote has gone, for now at least: a line without its end is left out.
+  void end_input(double now);
+  /// The file begins anew: the next line is its first.
+  void restart();
+  /// Call when idle_due() has come: a face that nothing comes of is led to neutral.
+  void idle(double now);
+  [[nodiscard]] std::optional<double> idle_due() const;
+  /// Since when nothing has come of a source that has begun. Lines of a stream file hold until
+  /// their input or their stream ends.
+  [[nodiscard]] std::optional<double> silent_since() const { return silent_since_; }
+  /// What came before is only shown now: silence begins here at the earliest.
+  void hold_off(double now);
+
+  [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
+  [[nodiscard]] std::vector<LiveMessage> take_messages();
+  /// With all_faces: the faces that are seen for the first time since the last call. Each is for a
+  /// reader of its own, which begins with header().
+  [[nodiscard]] std::vector<std::int64_t> take_new_faces() { return std::exchange(new_faces_, {}); }
+  /// The line that names the columns, with its end; empty when there is none.
+  [[nodiscard]] std::string header() const;
+  /// The neutral face, once, when it was asked for and has been measured.
+  [[nodiscard]] std::optional<MeasuredNeutral> take_neutral() { return timeline_.take_neutral(); }
+  /// Other settings from the next row on; what was measured stays measured.
+  void condition(const ConditioningSettings& settings) { timeline_.change(settings); }
+
+ private:
+  struct Table;
+
+  void read_line(LineSplitter::Line& line, double now);
+  [[nodiscard]] bool begin_table(const LineSplitter::Line& line);
+  [[nodiscard]] bool read_text(const LineSplitter::Line& line, double now);
+  void play_text(const protocol::Keyframe& keyframe, double now);
+  void read_row(const LineSplitter::Line& line, double now);
+  void take_row(double now);
+  [[nodiscard]] bool is_chosen(bool sure, double now);
+  void settle_scale();
+  [[nodiscard]] std::optional<double> moment_of_row(double now);
+  [[nodiscard]] double arrival_step(double now, double usual);
+  void complain(std::string text);
+  void say(std::string text) { messages_.push_back({false, std::move(text)}); }
+
+  std::string file_;
+  LiveOptions options_;
+  LoadCurves load_curves_;
+  LineSplitter splitter_;
+  std::unique_ptr<Table> table_;  ///< nothing: lines of a stream file, or nothing known yet
+  bool text_ = false;             ///< lines of a stream file are read
+  LiveTimeline timeline_;
+  SourceClock clock_;
+  double unclocked_ = 0;           ///< moment by arrival
+  std::optional<double> arrived_;  ///< when the last moment came
+  std::optional<double> silent_since_;
+  std::optional<std::int64_t> face_;  ///< the one that is followed
+  double face_seen_ = 0;
+  std::set<std::int64_t> faces_seen_;
+  std::vector<std::int64_t> new_faces_;
+  std::size_t complaints_ = 0;  ///< since the last line that was understood
+  std::vector<LiveMessage> messages_;
+};
+
+}  // namespace aucast::sources

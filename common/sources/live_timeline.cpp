@@ -1,0 +1,97 @@
+#include "common/sources/live_timeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace aucast::sources {
+namespace {
+
+/// Time of a keyframe that eases. Short, so that who comes back is not waited for.
+constexpr double kEaseStepSeconds = 0.1;
+constexpr std::size_t kEaseSteps = 10;
+
+/// What seconds since some start may be off by.
+constexpr double kRounding = 1e-6;
+
+/// The usual step is no longer than this: a source that slow is not waited for by its own stop.
+constexpr double kUsualSecondsMax = 0.1;
+
+/// A moment that comes this much of a step before the rate's next one is taken for it.
+constexpr double kEarlyShare = 0.3;
+
+std::int64_t milliseconds(double seconds) {
+  return std::llround(seconds * 1000);
+}
+
+}  // namespace
+
+double LiveTimeline::step_to(double seconds) {
+  const bool again = std::exchange(restarted_, false);
+  begins_ = begins_ || again;
+  if (again) age_clock_ += kEaseStepSeconds * static_cast<double>(idle_steps_);
+  if (!last_seconds_ || again) return usual_;
+  const double step = seconds - *last_seconds_;
+  if (step > kHoldSeconds) {
+    // Data has grown old in the gap, which is not played.
+    age_clock_ += step - usual_;
+    begins_ = true;
+    return usual_;
+  }
+  usual_ = std::min(step, kUsualSecondsMax);
+  return step;
+}
+
+void LiveTimeline::add(double seconds, const AuFrame& update,
+                       std::optional<std::uint32_t> duration_ms) {
+  const double step = duration_ms ? *duration_ms / 1000.0 : step_to(seconds);
+  verbatim_ = duration_ms.has_value();
+  if (duration_ms) begins_ = std::exchange(restarted_, false) || begins_;
+  last_seconds_ = seconds;
+  idle_steps_ = 0;
+  said_anything_ = true;
+  age_clock_ += step;
+  place_ += step;
+  channels_.take(age_clock_, verbatim_ ? update : conditioning_.apply(age_clock_, update));
+  const double since = place_ - static_cast<double>(emitted_ms_) / 1000;
+  if (rate_ && since < 1 / *rate_ - step * kEarlyShare) return;
+  emit(channels_.at(age_clock_), seconds);
+}
+
+void LiveTimeline::change(const ConditioningSettings& settings) {
+  conditioning_.change(settings);
+  dead_band_.change(settings.profile.dead_band);
+}
+
+void LiveTimeline::emit(const AuFrame& frame, double seconds) {
+  const std::int64_t place = milliseconds(place_);
+  if (place <= emitted_ms_) return;
+  protocol::Keyframe keyframe;
+  keyframe.terms = canonical_terms(verbatim_ ? frame : dead_band_.settle(frame));
+  keyframe.duration_ms = static_cast<std::uint32_t>(place - emitted_ms_);
+  emitted_ms_ = place;
+  keyframes_.push_back({std::move(keyframe), seconds, std::exchange(begins_, false), clocked_});
+}
+
+void LiveTimeline::idle(double silence) {
+  while (true) {
+    const auto due = idle_due();
+    if (!due || silence + kRounding < *due) return;
+    ++idle_steps_;
+    place_ += kEaseStepSeconds;
+    const double age = *due + kEaseStepSeconds;
+    emit(idle_steps_ == kEaseSteps ? AuFrame() : channels_.at(age_clock_ + age),
+         *last_seconds_ + age);
+  }
+}
+
+std::optional<double> LiveTimeline::idle_due() const {
+  if (!said_anything_ || idle_steps_ == kEaseSteps) return std::nullopt;
+  return kHoldSeconds + kEaseStepSeconds * static_cast<double>(idle_steps_);
+}
+
+std::vector<LiveKeyframe> LiveTimeline::take() {
+  return std::exchange(keyframes_, {});
+}
+
+}  // namespace aucast::sources

@@ -1,0 +1,57 @@
+#include "common/sources/neutral.h"
+
+#include <algorithm>
+
+namespace aucast::sources {
+namespace {
+
+/// No median gets better by more values than this; a faster source gives every second row or less.
+constexpr double kRowsMax = 2000;
+
+/// What moments, which are sums of steps, may be off by.
+constexpr double kRounding = 1e-6;
+
+float median(const std::vector<float>& sorted) {
+  if (sorted.empty()) return kNoSignal;
+  const std::size_t middle = sorted.size() / 2;
+  if (sorted.size() % 2 == 1) return sorted[middle];
+  return (sorted[middle - 1] + sorted[middle]) / 2;
+}
+
+}  // namespace
+
+void take_off(Signals& signals, const Signals& neutral) {
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    if (is_signal(neutral[channel])) signals[channel] -= neutral[channel];
+  }
+}
+
+bool NeutralMeter::add(double seconds, const Signals& signals) {
+  if (done_) return false;
+  if (begin_ && seconds - *begin_ >= wanted_ - kRounding) {
+    done_ = true;
+    return false;
+  }
+  if (std::none_of(signals.begin(), signals.end(), is_signal)) return true;
+  if (!begin_) begin_ = seconds;
+  if (last_ && seconds - *last_ < wanted_ / kRowsMax) return true;
+  last_ = seconds;
+  ++rows_;
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    if (!is_signal(signals[channel])) continue;
+    auto& sorted = sorted_[channel];
+    sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), signals[channel]),
+                  signals[channel]);
+  }
+  return true;
+}
+
+MeasuredNeutral NeutralMeter::measured() const {
+  MeasuredNeutral neutral{no_signals(), wanted_, rows_};
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    neutral.signals[channel] = median(sorted_[channel]);
+  }
+  return neutral;
+}
+
+}  // namespace aucast::sources

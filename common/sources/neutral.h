@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "common/sources/signals.h"
+
+namespace aucast::sources {
+
+/// A neutral face that was measured.
+struct MeasuredNeutral {
+  Signals signals = no_signals();  ///< no data: none was seen
+  double seconds = 0;              ///< that were asked for
+  std::size_t rows = 0;            ///< with data
+};
+
+/// What is left of `signals` when the neutral face is taken off; what `neutral` does not know
+/// stays.
+void take_off(Signals& signals, const Signals& neutral);
+
+/// The median of each signal over the first seconds in which a face is seen.
+class NeutralMeter {
+ public:
+  /// `seconds` above 0.
+  explicit NeutralMeter(double seconds) : wanted_(seconds) {}
+
+  /// Takes a moment, later than the last; what has no data at all does not count. False when the
+  /// seconds are over, and nothing is taken any more.
+  bool add(double seconds, const Signals& signals);
+  [[nodiscard]] bool done() const { return done_; }
+  /// Of what was taken so far.
+  [[nodiscard]] MeasuredNeutral measured() const;
+
+ private:
+  double wanted_;
+  std::optional<double> begin_;
+  std::optional<double> last_;
+  bool done_ = false;
+  std::size_t rows_ = 0;
+  std::array<std::vector<float>, kChannels> sorted_;
+};
+
+}  // namespace aucast::sources

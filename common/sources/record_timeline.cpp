@@ -1,0 +1,44 @@
+#include "common/sources/record_timeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/check.h"
+#include "protocol/limits.h"
+
+namespace aucast::sources {
+namespace {
+
+/// What is late by less is no pause: processes wait for each other so long.
+constexpr std::int64_t kPauseMs = 100;
+
+}  // namespace
+
+std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& keyframe, double now,
+                                                    bool free) {
+  AUCAST_CHECK(keyframe.duration_ms.has_value());
+  std::vector<protocol::Keyframe> lines;
+  if (!begin_) {
+    begin_ = now;
+    place_ms_ = 0;
+  } else if (free) {
+    std::int64_t pause_ms =
+        std::llround((now - *begin_) * 1000) - static_cast<std::int64_t>(place_ms_);
+    if (pause_ms < kPauseMs) pause_ms = 0;
+    while (pause_ms > 0) {
+      protocol::Keyframe held;
+      held.terms = shown_;
+      held.duration_ms =
+          static_cast<std::uint32_t>(std::min<std::int64_t>(pause_ms, protocol::kDurationMsMax));
+      pause_ms -= *held.duration_ms;
+      place_ms_ += *held.duration_ms;
+      lines.push_back(std::move(held));
+    }
+  }
+  shown_ = keyframe.terms;
+  place_ms_ += *keyframe.duration_ms;
+  lines.push_back(keyframe);
+  return lines;
+}
+
+}  // namespace aucast::sources

@@ -1,0 +1,305 @@
+#include "common/sources/recording.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "common/text.h"
+#include "common/sources/format.h"
+#include "common/sources/live_link_face.h"
+#include "common/sources/row_reading.h"
+#include "common/sources/timeline.h"
+
+namespace aucast::sources {
+namespace {
+
+/// Times further apart are a mistake, not a pause.
+constexpr double kGapSecondsMax = 86'400;
+
+/// Counts the stretches without a sure row that are longer than the hold.
+void count_gap(double seconds, Found& found) {
+  if (seconds <= kHoldSeconds) return;
+  ++found.gaps;
+  found.gap_seconds_max = std::max(found.gap_seconds_max, seconds);
+}
+
+/// One face on its way through the second pass.
+struct Track {
+  Found found;
+  Timeline timeline;
+  FaceMoments moments;
+  double last_seconds = 0;
+  double last_sure = 0;
+};
+
+class RecordingReader {
+ public:
+  RecordingReader(CsvReader& table, Format& format, std::string_view file,
+                  const RecordingOptions& options, const ConditioningSettings& conditioning)
+      : table_(table),
+        format_(format),
+        file_(file),
+        options_(options),
+        conditioning_(conditioning) {}
+
+  Result<std::vector<Recording>> read();
+
+ private:
+  void survey();
+  [[nodiscard]] std::optional<Error> settle();
+  [[nodiscard]] std::optional<Error> choose();
+  [[nodiscard]] bool sure(const Observation& row) const {
+    return is_sure(row, options_.confidence_min);
+  }
+  void prepare(std::int64_t face);
+  void measure(std::int64_t face, Track& track);
+  void play();
+  void take(const Observation& row, Track& track);
+  [[nodiscard]] Result<std::vector<Recording>> finish();
+  [[nodiscard]] Error need(const std::string& reason) const;
+
+  CsvReader& table_;
+  Format& format_;
+  std::string_view file_;
+  const RecordingOptions& options_;
+  Found found_;                       ///< what the faces have in common
+  std::vector<std::int64_t> chosen_;  ///< faces to be read, the most frequent first
+  std::unordered_map<std::int64_t, Track> tracks_;
+  ConditioningSettings conditioning_;
+  bool timed_ = false;  ///< some row has a time
+  SourceClock clock_{options_.fps};
+};
+
+Result<std::vector<Recording>> RecordingReader::read() {
+  survey();
+  if (auto error = settle()) return *error;
+  for (const std::int64_t face : chosen_) prepare(face);
+  table_.rewind();
+  play();
+  if (table_.has_errors()) return table_.error();
+  return finish();
+}
+
+/// First pass: everything that only the whole file can tell.
+void RecordingReader::survey() {
+  Found& found = found_;
+  found.format = format_.name();
+  found.approximate = format_.approximate();
+  FaceNames names;
+  std::unordered_map<std::int64_t, std::size_t> places;
+  Observation row;
+  for (auto next = table_.next(); next != CsvReader::Next::End; next = table_.next()) {
+    if (next == CsvReader::Next::RepeatedHeader) ++found.headers;
+    if (next == CsvReader::Next::Truncated) found.truncated = true;
+    if (next != CsvReader::Next::Row) continue;
+    row.clear();
+    format_.scan(table_);
+    format_.read(table_, row);
+    timed_ |= row.seconds.has_value();
+    const std::int64_t id = names.of(row);
+    const auto [at, fresh] = places.emplace(id, found.faces.size());
+    if (fresh) found.faces.push_back({id, 0});
+    ++found.faces[at->second].rows;
+    if (!sure(row)) continue;
+    for (const AuValue& au : row.aus) {
+      if (au.native) found.largest = std::max(found.largest, au.value);
+    }
+  }
+}
+
+/// Decides what was open; an error when the file cannot be played.
+std::optional<Error> RecordingReader::settle() {
+  Found& found = found_;
+  if (table_.has_errors()) return table_.error();
+  if (found.faces.empty()) {
+    return Error{ErrorKind::BadData,
+                 at_place(file_, table_.line(), 1, "the recording has no rows")};
+  }
+  if (!timed_ && !options_.fps) {
+    return need(found.format +
+                " wrote no times here; say how many pictures a second there are, such as --fps 30");
+  }
+  found.scale_asked = options_.au_scale.has_value();
+  found.scale = options_.au_scale.value_or(scale_for(format_.native_scale(), found.largest));
+  return choose();
+}
+
+/// Which faces are read.
+std::optional<Error> RecordingReader::choose() {
+  std::vector<Found::Face> faces = found_.faces;
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const Found::Face& a, const Found::Face& b) { return a.rows > b.rows; });
+  if (options_.all_faces) {
+    faces.resize(std::min(faces.size(), kFacesMax));
+    for (const Found::Face& face : faces) chosen_.push_back(face.id);
+    return std::nullopt;
+  }
+  const std::int64_t face = options_.face.value_or(faces.front().id);
+  chosen_.push_back(face);
+  if (std::any_of(faces.begin(), faces.end(),
+                  [face](const Found::Face& other) { return other.id == face; })) {
+    return std::nullopt;
+  }
+  return need("there is no face " + std::to_string(face) + "; the most frequent one is " +
+              std::to_string(faces.front().id));
+}
+
+Error RecordingReader::need(const std::string& reason) const {
+  return {ErrorKind::Usage, at_place(file_, 0, 0, reason)};
+}
+
+void RecordingReader::prepare(std::int64_t face) {
+  Track& track = tracks_[face];
+  track.found = found_;
+  track.found.face = face;
+  track.found.all_taken = options_.all_faces;
+  track.timeline = Timeline(conditioning_);
+  measure(face, track);
+}
+
+/// What is taken off, if it is to be measured: from the first seconds of each chosen face.
+void RecordingReader::measure(std::int64_t face, Track& track) {
+  const auto seconds = seconds_to_measure(conditioning_);
+  if (!seconds) return;
+  NeutralMeter meter(*seconds);
+  FaceNames names;
+  SourceClock clock(options_.fps);
+  FaceMoments moments;
+  Observation row;
+  table_.rewind();
+  for (auto next = table_.next(); next != CsvReader::Next::End && !meter.done();
+       next = table_.next()) {
+    if (next == CsvReader::Next::RepeatedHeader) clock.restart();
+    if (next != CsvReader::Next::Row) continue;
+    row.clear();
+    format_.read(table_, row);
+    if (names.of(row) != face) continue;
+    const auto moment = clock.moment(row, moments);
+    if (!moment) continue;
+    const AuFrame update = update_of(row, found_.scale, sure(row));
+    meter.add(*moment, raw_signals(update, conditioning_));
+  }
+  const MeasuredNeutral measured = meter.measured();
+  if (conditioning_.neutral_seconds) track.found.neutral = measured;
+  ConditioningSettings settled = conditioning_;
+  settled.profile.neutral = neutral_with(conditioning_, measured);
+  settled.neutral_seconds.reset();
+  track.timeline = Timeline(settled);
+}
+
+/// Second pass: the keyframes of the chosen faces.
+void RecordingReader::play() {
+  FaceNames names;
+  Observation row;
+  for (auto next = table_.next(); next != CsvReader::Next::End; next = table_.next()) {
+    if (next == CsvReader::Next::RepeatedHeader) clock_.restart();
+    if (next != CsvReader::Next::Row) continue;
+    row.clear();
+    format_.read(table_, row);
+    const auto track = tracks_.find(names.of(row));
+    if (track != tracks_.end()) take(row, track->second);
+  }
+}
+
+void RecordingReader::take(const Observation& row, Track& track) {
+  Found& found = track.found;
+  ++found.rows;
+  const auto moment = clock_.moment(row, track.moments);
+  if (!moment) {
+    ++found.left_out;
+    return;
+  }
+  if (*moment - track.last_seconds > kGapSecondsMax) {
+    table_.refuse(std::nullopt, "the time jumps by more than a day");
+    track.last_seconds = *moment;
+    return;
+  }
+  // Who comes late was neutral until then.
+  if (found.rows == 1 && *moment > 0) {
+    static_cast<void>(track.timeline.add(0, update_of({}, found.scale, false)));
+  }
+  if (!track.timeline.add(*moment, update_of(row, found.scale, sure(row)))) ++found.left_out;
+  track.last_seconds = *moment;
+  if (sure(row)) {
+    count_gap(*moment - track.last_sure, found);
+    track.last_sure = *moment;
+  } else {
+    ++found.lost;
+  }
+}
+
+Result<std::vector<Recording>> RecordingReader::finish() {
+  std::vector<Recording> recordings;
+  bool one_time = false;
+  for (const std::int64_t face : chosen_) {
+    Track& track = tracks_[face];
+    count_gap(track.last_seconds - track.last_sure, track.found);
+    if (track.last_seconds > 0) {
+      const auto steps = static_cast<double>(track.found.rows - 1);
+      track.found.rows_a_second = steps / track.last_seconds;
+    }
+    Recording recording{track.timeline.finish(), std::move(track.found)};
+    const std::size_t keyframes = recording.stream.keyframes.size();
+    // A tracker's passing mistakes are no people, as long as there are people.
+    const bool nobody = options_.all_faces && recording.found.lost == recording.found.rows;
+    one_time = one_time || (keyframes == 1 && recording.found.rows > 1);
+    if (keyframes > 0 && !nobody) recordings.push_back(std::move(recording));
+  }
+  if (one_time && recordings.size() == 1) {
+    return need(
+        "all rows have the same time; say how many pictures a second there are, such as "
+        "--fps 30");
+  }
+  if (!recordings.empty()) return recordings;
+  if (timed_ || options_.fps) return need("no face is seen in any row");
+  return need("no row has a time; say how many pictures a second there are, such as --fps 30");
+}
+
+}  // namespace
+
+ContentKind content_kind(std::string_view text) {
+  // A comment may have any words, and a stream file any number of them.
+  if (text.substr(0, text.find('\n')).find('#') != std::string_view::npos) {
+    return ContentKind::StreamFile;
+  }
+  const auto table = CsvReader::open(text, "");
+  if (!table || table->columns().size() < 3) return ContentKind::StreamFile;
+  if (is_live_link_face(*table)) return ContentKind::LiveLinkFace;
+  if (open_format(*table, {})) return ContentKind::Recording;
+  // A stream file without its tags has commas too, but no names.
+  const auto named =
+      std::count_if(table->columns().begin(), table->columns().end(), [](const std::string& name) {
+        return name.size() >= 3 && name.find_first_of("#{;") == std::string::npos &&
+               std::count_if(name.begin(), name.end(), [](char letter) {
+                 return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
+               }) >= 3;
+      });
+  return named >= 3 ? ContentKind::UnknownTable : ContentKind::StreamFile;
+}
+
+Result<Recording> read_recording(std::string_view text, std::string_view file,
+                                 const RecordingOptions& options, const ArkitTable& curves,
+                                 const ConditioningSettings& conditioning) {
+  RecordingOptions of_one = options;
+  of_one.all_faces = false;
+  auto faces = read_faces(text, file, of_one, curves, conditioning);
+  if (!faces) return faces.error();
+  return std::move(faces->front());
+}
+
+Result<std::vector<Recording>> read_faces(std::string_view text, std::string_view file,
+                                          const RecordingOptions& options, const ArkitTable& curves,
+                                          const ConditioningSettings& conditioning) {
+  auto table = CsvReader::open(text, file);
+  if (!table) return table.error();
+  const auto format = open_format(*table, curves);
+  if (!format) {
+    table->refuse(std::nullopt, std::string(kUnknownTable));
+    return table->error();
+  }
+  return RecordingReader(*table, *format, file, options, conditioning).read();
+}
+
+}  // namespace aucast::sources

@@ -1,0 +1,84 @@
+#include "common/sources/row_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/sources/live_link_face.h"
+#include "common/sources/signals.h"
+
+namespace aucast::sources {
+namespace {
+
+/// Turns beyond are no head's.
+constexpr double kTurnMax = 10;
+
+/// Latest moment that a source's clock may show.
+constexpr double kClockSecondsMax = 1e10;
+
+}  // namespace
+
+std::unique_ptr<Format> open_format(const CsvReader& table, const ArkitTable& curves) {
+  if (auto format = open_live_link_face(table, curves)) return format;
+  for (const auto open : {open_openface2, open_openface1, open_facsvatar, open_pyfeat2,
+                          open_pyfeat1, open_libreface}) {
+    if (auto format = open(table)) return format;
+  }
+  return nullptr;
+}
+
+double scale_for(double native, double largest) {
+  if (largest > 10) return 100;
+  if (native == 5) return 5;
+  if (native == 1) return largest > 1.5 ? 5 : 1;
+  return largest > 1 ? 5 : 1;
+}
+
+bool is_sure(const Observation& row, double confidence_min) {
+  return row.tracked && row.confidence >= confidence_min && !row.aus.empty();
+}
+
+AuFrame update_of(const Observation& row, double scale, bool sure) {
+  AuFrame update = no_data();
+  if (!sure) return update;
+  for (const AuValue& au : row.aus) {
+    const double intensity = au.native ? au.value / scale : au.value;
+    const double most = opposite_of(au.number) != 0 ? kTurnMax : 1.0;
+    const auto value = static_cast<float>(std::clamp(intensity, 0.0, most));
+    if (au.side != Side::Right) update.left[au.number] = value;
+    if (au.side != Side::Left) update.right[au.number] = value;
+  }
+  // A lost face has 0 millimetres.
+  if (row.distance_mm && *row.distance_mm > 0) {
+    const double units = std::min(*row.distance_mm, kDistanceMmMax) / kMillimetresPerUnit;
+    update.left[kHeadForward] = update.right[kHeadForward] = 0;
+    update.left[kHeadBack] = update.right[kHeadBack] = static_cast<float>(units);
+  }
+  return update;
+}
+
+std::int64_t FaceNames::of(const Observation& row) {
+  if (row.face) return *row.face;
+  ordinal_ = row.frame && row.frame == frame_ ? ordinal_ + 1 : 0;
+  frame_ = row.frame;
+  return ordinal_;
+}
+
+std::optional<double> SourceClock::moment(const Observation& row, FaceMoments& face) {
+  const double ordinal = face.rows++;
+  std::optional<double> now = row.seconds;
+  if (fps_) now = row.frame.value_or(ordinal) / *fps_;
+  if (!now || std::abs(*now) > kClockSecondsMax) return std::nullopt;
+  if (!begin_) begin_ = *now;
+  double seconds = *now - *begin_;
+  const bool again = std::exchange(restarted_, false);
+  if (latest_ && again && seconds + shift_ <= *latest_) shift_ = *latest_ + step_ - seconds;
+  seconds += shift_;
+  if (face.last && seconds <= *face.last) return std::nullopt;
+  if (face.last) step_ = seconds - *face.last;
+  face.last = seconds;
+  latest_ = std::max(latest_.value_or(seconds), seconds);
+  return seconds;
+}
+
+}  // namespace aucast::sources

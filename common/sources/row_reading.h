@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "common/action_unit.h"
+#include "common/sources/arkit_table.h"
+#include "common/sources/csv_reader.h"
+#include "common/sources/format.h"
+#include "common/sources/observation.h"
+
+/// From the rows of a table to moments of a face: what recordings and live sources share.
+namespace aucast::sources {
+
+/// The format whose columns these are, or nothing. `curves` is used for Live Link Face alone.
+[[nodiscard]] std::unique_ptr<Format> open_format(const CsvReader& table, const ArkitTable& curves);
+
+/// What is said of a table that nobody here knows.
+inline constexpr std::string_view kUnknownTable =
+    "a table whose columns are of no recogniser known here; known are OpenFace (AU01_r, ... with "
+    "timestamp or confidence), FACSvatar, Py-Feat (AU01, ... with FaceScore), LibreFace "
+    "(au_1_intensity, ...) and Live Link Face (JawOpen, ...)";
+
+/// The scale that the format has, unless the values say otherwise. `native`: as the format says, 0
+/// when only values can tell; `largest` of them.
+[[nodiscard]] double scale_for(double native, double largest);
+
+/// Whether the row says anything of a face.
+[[nodiscard]] bool is_sure(const Observation& row, double confidence_min);
+
+/// The row's intensities; -1 where it has no data, and everywhere if it is not sure. Those of turns
+/// may be above 1, and the distance is the head's way back from the camera: a Conditioning makes of
+/// them what can be shown.
+[[nodiscard]] AuFrame update_of(const Observation& row, double scale, bool sure);
+
+/// Which face a row is of. A format that does not name faces writes one row for each, with the same
+/// picture number; they are counted within the picture.
+class FaceNames {
+ public:
+  std::int64_t of(const Observation& row);
+
+ private:
+  std::optional<double> frame_;
+  std::int64_t ordinal_ = 0;
+};
+
+/// Where a face is on a SourceClock.
+struct FaceMoments {
+  std::optional<double> last;
+  double rows = 0;
+};
+
+/// Moments from the first row on, by the source's own clock or by the pictures' numbers. Faces of
+/// one source share it, so that what they did together stays together.
+class SourceClock {
+ public:
+  explicit SourceClock(std::optional<double> fps) : fps_(fps) {}
+
+  /// Another recording was appended: if its clock starts again, it follows one step later.
+  void restart() { restarted_ = true; }
+
+  /// Nothing when the row has no time or one that is not later than the last of its face.
+  std::optional<double> moment(const Observation& row, FaceMoments& face);
+  /// Of a source of whose faces only one is read.
+  std::optional<double> moment(const Observation& row) { return moment(row, only_); }
+
+ private:
+  std::optional<double> fps_;
+  std::optional<double> begin_;
+  std::optional<double> latest_;  ///< of all faces
+  FaceMoments only_;
+  double shift_ = 0;
+  double step_ = 0.04;
+  bool restarted_ = false;
+};
+
+}  // namespace aucast::sources

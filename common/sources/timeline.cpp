@@ -1,0 +1,98 @@
+#include "common/sources/timeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "protocol/limits.h"
+
+namespace aucast::sources {
+namespace {
+
+/// Before a face comes back it is awaited for no longer than this.
+constexpr double kReturnSecondsMax = 0.1;
+
+std::int64_t milliseconds(double seconds) {
+  return std::llround(seconds * 1000);
+}
+
+}  // namespace
+
+double remaining(double age) {
+  return std::clamp((kHoldSeconds + kEaseSeconds - age) / kEaseSeconds, 0.0, 1.0);
+}
+
+void Channels::take(double seconds, const AuFrame& update) {
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    if (update.left[number] >= 0) {
+      values_.left[number] = update.left[number];
+      left_seen_[number] = seconds;
+    }
+    if (update.right[number] >= 0) {
+      values_.right[number] = update.right[number];
+      right_seen_[number] = seconds;
+    }
+  }
+}
+
+AuFrame Channels::at(double seconds) const {
+  AuFrame frame = values_;
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    frame.left[number] *= static_cast<float>(remaining(seconds - left_seen_[number]));
+    frame.right[number] *= static_cast<float>(remaining(seconds - right_seen_[number]));
+  }
+  return frame;
+}
+
+bool Timeline::add(double seconds, const AuFrame& update) {
+  if (last_seconds_) {
+    if (milliseconds(seconds) <= last_ms_) return false;
+    bridge(seconds);
+    usual_seconds_ = std::min(seconds - *last_seconds_, kReturnSecondsMax);
+  }
+  channels_.take(seconds, conditioning_.apply(seconds, update));
+  store(seconds);
+  return true;
+}
+
+/// Stands in for missing rows: the held face, the neutral face, and the neutral face until just
+/// before the rows go on.
+void Timeline::bridge(double until) {
+  const double from = *last_seconds_;
+  const double back = until - usual_seconds_;
+  if (back <= from + kHoldSeconds) return;
+  store(from + kHoldSeconds);
+  if (from + kHoldSeconds + kEaseSeconds < back) store(from + kHoldSeconds + kEaseSeconds);
+  store(back);
+}
+
+void Timeline::store(double seconds) {
+  constexpr double kStepMax = static_cast<double>(protocol::kDurationMsMax) / 1000;
+  while (last_seconds_ && seconds - *last_seconds_ > kStepMax) store(*last_seconds_ + kStepMax);
+  const std::int64_t place = milliseconds(seconds);
+  if (last_seconds_ && place <= last_ms_) return;
+  protocol::Keyframe keyframe;
+  keyframe.terms = canonical_terms(channels_.at(seconds));
+  keyframe.duration_ms = static_cast<std::uint32_t>(last_seconds_ ? place - last_ms_ : 0);
+  stream_.keyframes.push_back(std::move(keyframe));
+  last_seconds_ = seconds;
+  last_ms_ = place;
+}
+
+protocol::StreamFile Timeline::finish() {
+  std::vector<std::uint32_t> steps;
+  for (std::size_t index = 1; index < stream_.keyframes.size(); ++index) {
+    steps.push_back(*stream_.keyframes[index].duration_ms);
+  }
+  if (steps.empty()) {
+    for (protocol::Keyframe& keyframe : stream_.keyframes) keyframe.duration_ms.reset();
+  } else {
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    stream_.keyframes.front().duration_ms = *middle;
+  }
+  return std::move(stream_);
+}
+
+}  // namespace aucast::sources

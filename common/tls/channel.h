@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "common/tls/context.h"
+
+struct ssl_st;
+
+namespace aucast::tls {
+
+/// The TLS of one connection without its socket: what comes over the wire goes in, what is to go
+/// over the wire comes out. So one way of reading and writing serves connections with and without
+/// it. Needs no clock but the one that certificates are checked by; how long a handshake may take
+/// is the owner's business.
+/// After a failure nothing more goes in; what take_output() still gives tells the peer why.
+/// Thread: none of its own.
+class Channel {
+ public:
+  /// Why a failed channel failed, as far as the owner's next step goes.
+  enum class Failure : std::uint8_t {
+    None,
+    NotTls,     ///< the peer's first bytes are none of TLS
+    Untrusted,  ///< a certificate is not believed, by us or by the peer
+    Broken,     ///< anything else
+  };
+
+  /// `host`: for clients, the name or address that the certificate must be for.
+  explicit Channel(const Context& context, const std::string& host = {});
+  ~Channel();
+  Channel(Channel&&) noexcept;
+  Channel& operator=(Channel&&) noexcept;
+
+  /// Bytes from the wire; what they mean is appended to `plain`. False when it failed.
+  bool received(std::string_view wire, std::string& plain);
+  /// Only when ready().
+  void send(std::string_view plain);
+  /// Our last word: the peer knows that nothing was cut off.
+  void end();
+  /// Bytes for the wire.
+  [[nodiscard]] std::string take_output();
+
+  /// The handshake is done.
+  [[nodiscard]] bool ready() const;
+  /// The peer has said its last word.
+  [[nodiscard]] bool ended() const;
+  [[nodiscard]] Failure failure() const { return failure_; }
+  /// A sentence about the failure; peer text escaped.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+ private:
+  struct Peer;
+  struct Free {
+    void operator()(ssl_st* ssl) const;
+  };
+
+  void shake_hands();
+  void fail();
+  [[nodiscard]] bool looks_like_tls(std::string_view wire) const;
+
+  std::unique_ptr<Peer> peer_;
+  std::unique_ptr<ssl_st, Free> ssl_;
+  bool heard_ = false;  ///< anything has come
+  bool ended_ = false;
+  Failure failure_ = Failure::None;
+  std::string reason_;
+};
+
+}  // namespace aucast::tls

@@ -1,0 +1,190 @@
+#include "server/serve/listener.h"
+
+#include <sys/resource.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <chrono>
+#include <utility>
+
+#include <asio/ip/v6_only.hpp>
+
+#include "common/log.h"
+#include "common/text.h"
+#include "protocol/limits.h"
+
+namespace aucast::server {
+namespace {
+
+using asio::ip::tcp;
+
+std::string place(const std::string& bind, std::uint16_t port) {
+  const bool bare_v6 = bind.find(':') != std::string::npos && !bind.starts_with('[');
+  const std::string address = escaped(bind);
+  return (bare_v6 ? "[" + address + "]" : address) + ":" + std::to_string(port);
+}
+
+std::string without_brackets(const std::string& bind) {
+  const bool bracketed = bind.size() > 2 && bind.front() == '[' && bind.back() == ']';
+  return bracketed ? bind.substr(1, bind.size() - 2) : bind;
+}
+
+/// The address is none of this host's, so another address of the same name may do.
+bool is_elsewhere(const std::error_code& cause) {
+  // Asio's category maps only some of errno to std::errc, so the numbers are compared.
+  return cause.category() == asio::error::get_system_category() &&
+         (cause.value() == EADDRNOTAVAIL || cause.value() == EAFNOSUPPORT);
+}
+
+std::string hint(const std::error_code& cause, const ListenOptions& names) {
+  const std::string address(names.address);
+  const std::string port(names.port);
+  if (cause == asio::error::address_in_use) {
+    return "; another program has this port: stop it, or choose one with " + port +
+           " (0 takes any free one)";
+  }
+  if (cause == asio::error::access_denied) {
+    return "; ports below 1024 are for root: choose another with " + port;
+  }
+  if (is_elsewhere(cause)) {
+    return "; that is not an address of this host: choose one with " + address +
+           " (127.0.0.1 for this host only, 0.0.0.0 for all addresses)";
+  }
+  return "; choose another address with " + address;
+}
+
+Error cannot_listen(const std::string& bind, std::uint16_t port, const std::error_code& cause,
+                    const ListenOptions& names) {
+  return {ErrorKind::Network,
+          "cannot listen on " + place(bind, port) + ": " + cause.message() + hint(cause, names)};
+}
+
+std::error_code listen_at(tcp::acceptor& acceptor, const tcp::endpoint& endpoint) {
+  std::error_code error;
+  const auto ok = [&error] { return !error; };
+  acceptor.open(endpoint.protocol(), error);
+  if (ok()) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (ok() && endpoint.address().is_v6() && endpoint.address().is_unspecified()) {
+    // --bind :: means all addresses, whatever the system's default is.
+    acceptor.set_option(asio::ip::v6_only(false), error);
+  }
+  if (ok()) acceptor.bind(endpoint, error);
+  if (ok()) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (error) {
+    std::error_code ignored;
+    acceptor.close(ignored);
+  }
+  return error;
+}
+
+}  // namespace
+
+void raise_descriptor_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == limit.rlim_max) return;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+std::string endpoint_text(const tcp::endpoint& endpoint) {
+  const auto address = endpoint.address();
+  const std::string port = ":" + std::to_string(endpoint.port());
+  if (address.is_v4()) return address.to_string() + port;
+  const auto v6 = address.to_v6();
+  if (v6.is_v4_mapped()) {
+    return asio::ip::make_address_v4(asio::ip::v4_mapped, v6).to_string() + port;
+  }
+  return "[" + v6.to_string() + "]" + port;
+}
+
+Listener::Listener(asio::io_context& io) : acceptor_(io), pause_(io) {}
+
+Result<void> Listener::open(const std::string& bind, std::uint16_t port,
+                            const ListenOptions& names) {
+  std::error_code error;
+  tcp::resolver resolver(acceptor_.get_executor());
+  const auto found =
+      resolver.resolve(without_brackets(bind), std::to_string(port),
+                       tcp::resolver::passive | tcp::resolver::numeric_service, error);
+  if (error) return cannot_listen(bind, port, error, names);
+  for (const auto& entry : found) {
+    error = listen_at(acceptor_, entry.endpoint());
+    if (!error) {
+      endpoint_ = acceptor_.local_endpoint(error);
+      break;
+    }
+    // A port that is taken at the first address is taken: trying the next would hide it.
+    if (!is_elsewhere(error)) break;
+  }
+  if (error) return cannot_listen(bind, port, error, names);
+  return {};
+}
+
+Result<void> Listener::open_passed(int descriptor) {
+  sockaddr_storage address{};
+  socklen_t length = sizeof(address);
+  // The call wants the general type for every family.
+  ::getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &length);
+  std::error_code error;
+  acceptor_.assign(address.ss_family == AF_INET6 ? tcp::v6() : tcp::v4(), descriptor, error);
+  if (!error) endpoint_ = acceptor_.local_endpoint(error);
+  if (!error) return {};
+  return Error{ErrorKind::Network, "the socket that was passed cannot be used: " + error.message()};
+}
+
+void Listener::start(OnSocket on_socket) {
+  on_socket_ = std::move(on_socket);
+  std::error_code ignored;
+  acceptor_.non_blocking(true, ignored);
+  accept();
+}
+
+void Listener::stop() {
+  std::error_code ignored;
+  acceptor_.close(ignored);
+  pause_.cancel();
+}
+
+void Listener::accept() {
+  acceptor_.async_accept(peer_, [this](const std::error_code& error, tcp::socket socket) {
+    if (!acceptor_.is_open()) return;
+    if (error == asio::error::connection_aborted) {
+      // The peer left between its knock and our opening the door.
+      spdlog::debug("a connection was gone before it was accepted");
+      accept();
+      return;
+    }
+    if (error) {
+      accept_later(error);
+      return;
+    }
+    if (std::exchange(failing_, false)) spdlog::info("accepting connections again");
+    on_socket_(std::move(socket), peer_);
+    accept_waiting();
+    accept();
+  });
+}
+
+/// Whoever is waiting already. An error is left for accept() to meet.
+void Listener::accept_waiting() {
+  for (int taken = 1; taken < protocol::kAcceptsInARow && acceptor_.is_open(); ++taken) {
+    std::error_code error;
+    tcp::socket socket = acceptor_.accept(peer_, error);
+    if (error) return;
+    on_socket_(std::move(socket), peer_);
+  }
+}
+
+void Listener::accept_later(const std::error_code& cause) {
+  ++failures_;
+  if (!std::exchange(failing_, true)) {
+    spdlog::warn("cannot accept connections for now: {} (more clients need a higher ulimit -n)",
+                 cause.message());
+  }
+  pause_.expires_after(protocol::kAcceptPause);
+  pause_.async_wait([this](const std::error_code& error) {
+    if (!error && acceptor_.is_open()) accept();
+  });
+}
+
+}  // namespace aucast::server

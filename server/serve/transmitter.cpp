@@ -1,0 +1,592 @@
+#include "server/serve/transmitter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/post.hpp>
+#include <asio/signal_set.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "common/log.h"
+#include "common/text.h"
+#include "protocol/limits.h"
+#include "server/serve/address_counts.h"
+#include "server/streams/catalogue.h"
+#include "server/serve/connection.h"
+#include "server/serve/credentials.h"
+#include "server/status/http_server.h"
+#include "server/serve/listener.h"
+#include "server/live/live_beat.h"
+#include "server/live/live_source.h"
+#include "server/status/service_manager.h"
+#include "server/status/status.h"
+
+namespace aucast::server {
+namespace {
+
+using asio::ip::tcp;
+
+/// Clients between the one that is served and the one that is fetched from memory.
+constexpr std::size_t kFetchedAhead = 2;
+
+/// Of a live stream, what the system may hold back unsent for one client: some time's worth, but
+/// not so little that every packet has to wait for the one before.
+constexpr std::size_t kUnsentBytesLeast = 512;
+constexpr std::size_t kUnsentBytesMost = 65536;
+constexpr std::size_t kUnsentBytesOfSources = 2048;  ///< what they will send is not known
+
+constexpr const char* kPlainText = "text/plain; charset=utf-8";
+
+/// How old an answer about the status may be.
+constexpr Milliseconds kStatusAge{250};
+
+/// How often the service manager hears of it.
+constexpr std::chrono::seconds kStatusEvery{10};
+
+double seconds(Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+const char* name_of_signal(int number) {
+  return number == SIGINT ? "SIGINT" : "SIGTERM";
+}
+
+int unsent_bytes_for(const protocol::ServerCatalogue& catalogue) {
+  const std::size_t bytes = bytes_in(catalogue, protocol::kLiveWindowTime / 2);
+  const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
+                                   [](const auto& stream) { return stream.classic.empty(); });
+  const std::size_t least = unknown ? kUnsentBytesOfSources : kUnsentBytesLeast;
+  return static_cast<int>(std::clamp(bytes, least, kUnsentBytesMost));
+}
+
+/// The streams as they were read at one time, with their clocks. SIGHUP brings another one; who is
+/// connected keeps the one it came to.
+struct Programme {
+  Programme(asio::io_context& io, protocol::ServerCatalogue streams)
+      : catalogue(std::move(streams)), beat(io), unsent_bytes_max(unsent_bytes_for(catalogue)) {}
+
+  protocol::ServerCatalogue catalogue;
+  LiveBeat beat;
+  int unsent_bytes_max = 0;  ///< of a live stream
+};
+
+/// The listener, the clients and the signals of one run.
+class Transmitter {
+ public:
+  Transmitter(const TransmitterOptions& options, protocol::ServerCatalogue catalogue, Stats& stats,
+              Reloader::Load load)
+      : options_(options),
+        stats_(stats),
+        end_signals_(io_, SIGINT, SIGTERM),
+        other_signals_(io_, SIGHUP, SIGUSR1),
+        stop_timer_(io_),
+        tick_timer_(io_),
+        listener_(io_),
+        programme_(std::make_shared<Programme>(io_, std::move(catalogue))),
+        reloader_(io_, std::move(load), [this](Result<protocol::ServerCatalogue> loaded) {
+          on_reloaded(std::move(loaded));
+        }) {}
+
+  Result<Ending> run(const OnReady& on_ready) {
+    if (auto loaded = load_credentials_now(); !loaded) return loaded.error();
+    if (auto opened = open_listeners(); !opened) return opened.error();
+    if (auto begun = begin_sources(); !begun) return begun.error();
+    const std::string address = endpoint_text(listener_.endpoint());
+    if (auto ready = on_ready(address); !ready) return ready.error();
+    if (listener_.endpoint().address().is_loopback()) {
+      spdlog::info("only programs on this host can connect; --bind 0.0.0.0 lets others in");
+    }
+    if (!programme_->catalogue.token.empty() && !tls_ &&
+        !listener_.endpoint().address().is_loopback()) {
+      spdlog::warn("without --tls-cert everybody on the way can read the token");
+    }
+    begin_ = std::chrono::steady_clock::now();
+    await_end_signal();
+    await_other_signal();
+    if (options_.live) begin_live(nullptr);
+    listener_.start([this](tcp::socket socket, const tcp::endpoint& peer) {
+      welcome(std::move(socket), peer);
+    });
+    if (http_) http_->start();
+    manager_.ready(summary());
+    tick();
+    io_.run();
+    client_log_.say_left_out();
+    return ending();
+  }
+
+ private:
+  Result<void> open_listeners() {
+    const auto passed = passed_socket();
+    if (!passed) return passed.error();
+    if (auto opened = *passed ? listener_.open_passed(**passed)
+                              : listener_.open(options_.bind, options_.port);
+        !opened) {
+      return opened;
+    }
+    if (*passed) spdlog::info("the service manager passed the socket; --bind and --port are idle");
+    if (!options_.http) return {};
+    http_.emplace(io_, [this](const std::string& path) { return answer(path); });
+    auto opened = http_->open(options_.http->address, options_.http->port);
+    if (!opened) return opened;
+    spdlog::info("status at http://{}/", endpoint_text(http_->endpoint()));
+    if (!http_->endpoint().address().is_loopback()) {
+      spdlog::warn("--http tells everybody who reaches that address how the transmitter is");
+    }
+    return {};
+  }
+
+  /// What --http answers.
+  HttpReply answer(const std::string& path) {
+    if (path == "/healthz")
+      return {stopping_ ? 503 : 200, kPlainText, stopping_ ? "stopping\n" : "ok\n"};
+    if (path == "/metrics")
+      return {200, "text/plain; version=0.0.4", metrics_text(recent_status())};
+    if (path == "/status.json") return {200, "application/json", status_json(recent_status())};
+    if (path == "/") return {200, kPlainText, "/healthz\n/metrics\n/status.json\n"};
+    return {404, kPlainText, "there are /healthz, /metrics and /status.json\n"};
+  }
+
+  /// However often it is asked for, the clients are counted a few times a second at most.
+  const Status& recent_status() {
+    const Instant now = std::chrono::steady_clock::now();
+    if (!recent_status_ || now - recent_status_at_ >= kStatusAge) {
+      recent_status_ = status();
+      recent_status_at_ = now;
+    }
+    return *recent_status_;
+  }
+
+  /// One line for the service manager.
+  [[nodiscard]] std::string summary() const {
+    return counted(connections_.size(), "client") + ", " +
+           counted(programme_->catalogue.streams.size(), "stream");
+  }
+
+  /// Tells the service manager that the loop goes round.
+  void tick() {
+    if (!manager_.present()) return;
+    if (manager_.watchdog()) manager_.alive();
+    manager_.status(summary());
+    const Duration pause =
+        std::min<Duration>(kStatusEvery, manager_.watchdog().value_or(kStatusEvery) / 2);
+    tick_timer_.expires_after(pause);
+    tick_timer_.async_wait([this](const std::error_code& error) {
+      if (!error) tick();
+    });
+  }
+
+  Result<void> load_credentials_now() {
+    auto loaded = load_credentials(options_.credentials);
+    if (!loaded) return loaded.error();
+    tls_ = std::move(loaded->tls);
+    programme_->catalogue.token = std::move(loaded->token);
+    return {};
+  }
+
+  /// Certificates and token now, the sources as soon as they are read. Who is connected stays; what
+  /// cannot be read changes nothing.
+  void reload() {
+    spdlog::info("SIGHUP: reading certificates, token and sources again");
+    manager_.reloading();
+    if (const auto loaded = load_credentials_now(); !loaded) {
+      ++reload_failures_;
+      spdlog::error("{}; the certificates and token in use stay", loaded.error().message);
+    } else {
+      spdlog::info("certificates and token were read again");
+    }
+    condition_sources_anew();
+    reloader_.start();
+  }
+
+  /// The profile may have changed.
+  void condition_sources_anew() {
+    if (options_.source.signal.profile.empty() || live_sources_.empty()) return;
+    const auto conditioning = conditioning_of(options_.source.signal);
+    if (!conditioning) {
+      spdlog::error("{}; the profile in use stays", conditioning.error().message);
+      return;
+    }
+    for (const auto& source : live_sources_) source->condition(*conditioning);
+    spdlog::info("the profile was read again");
+  }
+
+  /// Those that are still being written; they stay the same when others are read again.
+  Result<void> begin_sources() {
+    const auto conditioning = conditioning_of(options_.source.signal);
+    if (!conditioning) return conditioning.error();
+    for (const std::filesystem::path& path : options_.sources) {
+      if (!is_live(path, options_.live_source.follow)) continue;
+      const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
+                                        *conditioning, options_.keyframe_ms};
+      auto source = std::make_unique<LiveSource>(
+          io_,
+          LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
+                            options_.live_source.timeout, options_.record, live_sources_.empty(),
+                            options_.max_kbits,
+                            [this](const auto& neutral) { on_neutral(neutral); }},
+          LiveSource::Events{[this] { on_moment_of_source(); }, [this] { on_face(); }});
+      if (auto begun = source->start(); !begun) return begun;
+      live_sources_.push_back(std::move(source));
+    }
+    attach_sources();
+    return {};
+  }
+
+  void on_neutral(const sources::MeasuredNeutral& neutral) {
+    const SignalOptions& signal = options_.source.signal;
+    if (signal.save_profile.empty()) return;
+    if (const auto saved = save_profile(signal, neutral); !saved) {
+      spdlog::error("{}", saved.error().message);
+    } else {
+      spdlog::info("the profile was written to {}", signal.save_profile.string());
+    }
+  }
+
+  void attach_sources() {
+    for (const auto& [name, feed] : feeds()) {
+      for (protocol::ServedStream& stream : programme_->catalogue.streams) {
+        // A face's stream may have the name of a file's, which was there before.
+        const bool free = stream.clock == nullptr && stream.classic.empty();
+        if (stream.name != name || (!free && stream.clock != feed)) continue;
+        feed->attach(std::shared_ptr<protocol::ServedStream>(programme_, &stream));
+      }
+    }
+  }
+
+  /// Of all live sources.
+  [[nodiscard]] std::vector<LiveSource::NamedFeed> feeds() const {
+    std::vector<LiveSource::NamedFeed> all;
+    for (const auto& source : live_sources_) {
+      for (LiveSource::NamedFeed& feed : source->feeds()) all.push_back(std::move(feed));
+    }
+    return all;
+  }
+
+  /// A catalogue knows the faces of a live source only when they are seen.
+  void add_faces(protocol::ServerCatalogue& catalogue) const {
+    for (const LiveSource::NamedFeed& feed : feeds()) {
+      const bool known =
+          std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
+                      [&feed](const auto& stream) { return stream.name == feed.name; });
+      if (known) continue;
+      protocol::ServedStream stream;
+      stream.name = feed.name;
+      catalogue.streams.push_back(std::move(stream));
+    }
+  }
+
+  /// A live source sees a face that has no stream yet.
+  void on_face() {
+    if (stopping_) return;
+    protocol::ServerCatalogue catalogue = programme_->catalogue;
+    add_faces(catalogue);
+    serve_from_now(std::move(catalogue));
+  }
+
+  void on_moment_of_source() {
+    for (const auto& old : old_programmes_) on_moment(*old);
+    on_moment(*programme_);
+    // Not now: it is a source that calls.
+    if (all_over()) {
+      asio::post(io_, [this] {
+        if (!stopping_) stop("all sources have ended");
+      });
+    }
+  }
+
+  /// Nothing is served any more and nothing can come. Asked at every keyframe: while a source
+  /// lasts, no list of feeds is made.
+  [[nodiscard]] bool all_over() const {
+    return std::all_of(live_sources_.begin(), live_sources_.end(),
+                       [](const auto& source) { return source->over(); }) &&
+           feeds().size() == programme_->catalogue.streams.size();
+  }
+
+  /// What went wrong without stopping anything.
+  [[nodiscard]] Ending ending() {
+    Ending ending;
+    for (const auto& source : live_sources_) {
+      if (auto recorded = source->finish_record(); !recorded) ending.error = recorded.error();
+      if (source->over() && source->nothing_came()) {
+        ending.error = Error{ErrorKind::BadData, source->feeds().front().name +
+                                                     ": the source ended before a keyframe came"};
+      }
+    }
+    return ending;
+  }
+
+  /// Streams that `before` has too go on where they are there.
+  void begin_live(const Programme* before) {
+    programme_->beat.start(programme_->catalogue, before ? &before->catalogue : nullptr,
+                           [this, programme = programme_.get()] { on_moment(*programme); });
+  }
+
+  void on_moment(const Programme& programme) {
+    // Of thousands of clients each has left the processor's cache since the last moment: the next
+    // ones are fetched while one is served.
+    if (audience_.empty()) audience_ = everybody();
+    telling_ = true;
+    for (std::size_t at = 0; at < audience_.size(); ++at) {
+      if (at + kFetchedAhead < audience_.size()) audience_[at + kFetchedAhead]->fetch_ahead();
+      Connection& connection = *audience_[at];
+      if (&connection.catalogue() == &programme.catalogue) connection.on_moment();
+    }
+    telling_ = false;
+    if (std::exchange(audience_changed_, false)) audience_.clear();
+  }
+
+  /// Somebody came or left.
+  void forget_audience() {
+    audience_changed_ = telling_;
+    if (!telling_) audience_.clear();
+  }
+
+  void welcome(tcp::socket socket, const tcp::endpoint& peer) {
+    serve_before_newcomers();
+    const protocol::Admission admission = admission_of(peer);
+    const bool refused = admission != protocol::Admission::Welcome;
+    if (refused && refused_.size() >= protocol::kRefusalsMax) {
+      ++unheard_;
+      spdlog::debug("a client too many was not even heard: {}", endpoint_text(peer));
+      return;  // the socket closes
+    }
+    const std::uint64_t number = ++last_number_;
+    auto connection = std::make_shared<Connection>(
+        std::move(socket),
+        std::shared_ptr<const protocol::ServerCatalogue>(programme_, &programme_->catalogue),
+        Connection::Settings{number, endpoint_text(peer), &client_log_, options_.client_timeout,
+                             admission, any_live() ? programme_->unsent_bytes_max : 0, tls_,
+                             options_.batch},
+        [this](const ClientRecord& record) { farewell(record); });
+    if (refused) {
+      refused_.insert(number);
+    } else if (options_.max_clients_per_address != 0) {
+      of_address_.add(number, peer.address());
+    }
+    connections_.emplace(number, connection);
+    forget_audience();
+    connection->start();
+  }
+
+  /// However many knock at once, those who watch are not kept waiting for them.
+  void serve_before_newcomers() {
+    for (const auto& old : old_programmes_) old->beat.catch_up();
+    programme_->beat.catch_up();
+  }
+
+  [[nodiscard]] bool any_live() const { return options_.live || !live_sources_.empty(); }
+
+  [[nodiscard]] protocol::Admission admission_of(const tcp::endpoint& peer) const {
+    const std::size_t inside = connections_.size() - refused_.size();
+    if (options_.max_clients != 0 && inside >= options_.max_clients) {
+      return protocol::Admission::Full;
+    }
+    const std::size_t most = options_.max_clients_per_address;
+    if (most != 0 && of_address_.count(peer.address()) >= most) {
+      return protocol::Admission::FullAddress;
+    }
+    return protocol::Admission::Welcome;
+  }
+
+  void farewell(const ClientRecord& record) {
+    stats_.add(record);
+    connections_.erase(record.number);
+    forget_audience();
+    refused_.erase(record.number);
+    of_address_.remove(record.number);
+    if (stopping_ && connections_.empty()) end();
+    // Not now: a clock of the programme to be forgotten may be what called.
+    if (!old_programmes_.empty()) asio::post(io_, [this] { forget_old_programmes(); });
+  }
+
+  /// Those that nobody is connected to any more.
+  void forget_old_programmes() {
+    std::erase_if(old_programmes_, [this](const std::shared_ptr<Programme>& old) {
+      return std::none_of(connections_.begin(), connections_.end(), [&old](const auto& entry) {
+        return &entry.second->catalogue() == &old->catalogue;
+      });
+    });
+  }
+
+  void await_end_signal() {
+    end_signals_.async_wait([this](const std::error_code& error, int number) {
+      if (!error) on_end_signal(number);
+    });
+  }
+
+  void await_other_signal() {
+    other_signals_.async_wait([this](const std::error_code& error, int number) {
+      if (error) return;
+      if (number == SIGHUP) {
+        reload();
+      } else {
+        for (const std::string& line : status_lines(status())) spdlog::info("{}", line);
+      }
+      await_other_signal();
+    });
+  }
+
+  void on_reloaded(Result<protocol::ServerCatalogue> loaded) {
+    if (stopping_) return;
+    take_over(std::move(loaded));
+    manager_.ready(summary());
+  }
+
+  void take_over(Result<protocol::ServerCatalogue> loaded) {
+    if (!loaded) {
+      ++reload_failures_;
+      std::istringstream lines(loaded.error().message);
+      for (std::string line; std::getline(lines, line);) spdlog::error("{}", line);
+      spdlog::error("the sources were not taken over; what was served before is served on");
+      return;
+    }
+    ++reloads_;
+    add_faces(*loaded);
+    if (same_streams(*loaded, programme_->catalogue)) {
+      spdlog::info("the sources hold what they held");
+      return;
+    }
+    loaded->token = programme_->catalogue.token;
+    serve_from_now(std::move(*loaded));
+  }
+
+  /// To who comes from now on.
+  void serve_from_now(protocol::ServerCatalogue catalogue) {
+    const std::shared_ptr<Programme> before = programme_;
+    programme_ = std::make_shared<Programme>(io_, std::move(catalogue));
+    attach_sources();
+    if (options_.live) begin_live(before.get());
+    old_programmes_.push_back(before);
+    spdlog::info("serving {} now; for the {} here nothing changes",
+                 counted(programme_->catalogue.streams.size(), "stream"),
+                 counted(connections_.size(), "client"));
+    forget_old_programmes();
+  }
+
+  void on_end_signal(int number) {
+    const char* name = name_of_signal(number);
+    if (stopping_) {
+      spdlog::info("{} again: ending at once", name);
+      abort_all();
+      return;
+    }
+    stop(name);
+    if (!connections_.empty()) await_end_signal();
+  }
+
+  void stop(const char* why) {
+    stopping_ = true;
+    spdlog::info("{}: ending the stream of {}", why, counted(connections_.size(), "client"));
+    manager_.stopping();
+    listener_.stop();
+    for (const auto& source : live_sources_) source->stop();
+    programme_->beat.stop();
+    for (const auto& old : old_programmes_) old->beat.stop();
+    for (const auto& connection : everybody()) connection->stop();
+    if (connections_.empty()) {
+      end();
+      return;
+    }
+    stop_timer_.expires_after(kStopTimeMax);
+    stop_timer_.async_wait([this](const std::error_code& error) {
+      if (!error) abort_all();
+    });
+  }
+
+  void abort_all() {
+    for (const auto& connection : everybody()) connection->abort();
+  }
+
+  /// io_.run() returns, whatever is still waited for. To cancel all of it would not do: what has
+  /// come already, such as a SIGUSR1 together with the last signal, would wait for the next.
+  void end() { io_.stop(); }
+
+  [[nodiscard]] Status status() const {
+    const Instant now = std::chrono::steady_clock::now();
+    Status status;
+    status.up_seconds = seconds(now - begin_);
+    status.live = any_live();
+    status.stopping = stopping_;
+    for (const auto& stream : programme_->catalogue.streams) status.streams.push_back(stream.name);
+    status.clients = connections_.size();
+    status.connects = last_number_;
+    status.connects_unheard = unheard_;
+    status.accept_failures = listener_.failures();
+    status.disconnects = stats_.end_reasons();
+    status.sent = stats_.totals();
+    for (const auto& [number, connection] : connections_) {
+      status.sent.add(connection->so_far());
+      if (connection->paused()) ++status.clients_paused;
+      if (connection->unsent_since()) {
+        ++status.clients_behind;
+        status.queue_seconds =
+            std::max(status.queue_seconds, seconds(now - *connection->unsent_since()));
+      }
+      status.queue_bytes += connection->output_bytes();
+    }
+    status.lag_seconds = seconds(programme_->beat.lag());
+    status.reloads = reloads_;
+    status.reload_failures = reload_failures_;
+    return status;
+  }
+
+  /// A copy: a connection leaves the map while it is told to go.
+  [[nodiscard]] std::vector<std::shared_ptr<Connection>> everybody() const {
+    std::vector<std::shared_ptr<Connection>> all;
+    for (const auto& [number, connection] : connections_) all.push_back(connection);
+    return all;
+  }
+
+  const TransmitterOptions& options_;
+  Stats& stats_;
+  ClientLog client_log_;
+  asio::io_context io_{1};
+  asio::signal_set end_signals_;
+  asio::signal_set other_signals_;
+  asio::steady_timer stop_timer_;
+  asio::steady_timer tick_timer_;
+  ServiceManager manager_;
+  Listener listener_;
+  std::vector<std::unique_ptr<LiveSource>> live_sources_;
+  std::shared_ptr<Programme> programme_;
+  std::vector<std::shared_ptr<Programme>> old_programmes_;  ///< that clients are still served from
+  std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;
+  std::vector<std::shared_ptr<Connection>> audience_;  ///< the same, or empty: not known
+  bool telling_ = false;                               ///< the audience of a moment
+  bool audience_changed_ = false;                      ///< meanwhile
+  Reloader reloader_;
+  std::optional<HttpServer> http_;
+  std::optional<Status> recent_status_;
+  Instant recent_status_at_{};
+  Instant begin_{};
+  std::set<std::uint64_t> refused_;  ///< those that are heard only to be told so
+  AddressCounts of_address_;         ///< of the others
+  std::optional<tls::Context> tls_;
+  std::uint64_t last_number_ = 0;
+  std::uint64_t unheard_ = 0;
+  std::uint64_t reloads_ = 0;
+  std::uint64_t reload_failures_ = 0;
+  bool stopping_ = false;
+};
+
+}  // namespace
+
+Result<Ending> serve(const TransmitterOptions& options, protocol::ServerCatalogue catalogue,
+                     Stats& stats, const OnReady& on_ready, Reloader::Load load) {
+  std::signal(SIGPIPE, SIG_IGN);
+  raise_descriptor_limit();
+  return Transmitter(options, std::move(catalogue), stats, std::move(load)).run(on_ready);
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "common/result.h"
+#include "protocol/server_session.h"
+#include "server/serve/reloader.h"
+#include "server/status/stats.h"
+#include "server/settings/transmitter_options.h"
+
+namespace aucast::server {
+
+/// Longest time between the first signal and the end: a client that is dead or does not read is cut
+/// off then. Below the two seconds of the contract, so that the exit itself fits in.
+inline constexpr Milliseconds kStopTimeMax{1700};
+
+/// Called when connections can come, with ADDR:PORT; an error ends serve() before any is accepted.
+using OnReady = std::function<Result<void>(const std::string& address)>;
+
+/// How serving came to its end.
+struct Ending {
+  std::optional<Error> error;  ///< what went wrong without stopping anything, such as a recording
+};
+
+/// Serves the catalogue, recorded or live, to any number of clients until SIGTERM or SIGINT: then
+/// nobody is accepted any more, everybody gets {-2}, and it returns when the last is gone or
+/// kStopTimeMax is over. The same when all streams are live and nothing can come of them any more,
+/// as after the end of stdin. A second signal ends it at once. SIGHUP calls `load` on another
+/// thread and serves what it returns to who comes then; those that are there keep what they have.
+/// SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
+[[nodiscard]] Result<Ending> serve(const TransmitterOptions& options,
+                                   protocol::ServerCatalogue catalogue, Stats& stats,
+                                   const OnReady& on_ready, Reloader::Load load);
+
+}  // namespace aucast::server

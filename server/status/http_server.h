@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <asio/io_context.hpp>
+
+#include "common/result.h"
+#include "server/status/http_request.h"
+#include "server/serve/listener.h"
+
+namespace aucast::server {
+
+/// Answers GET on the loop that serves the clients, one request a connection. Small on purpose: at
+/// most kHttpConnectionsMax at a time (more are closed), each for kHttpTimeMax in all and with
+/// kHttpHeadBytesMax of request.
+/// Thread: that of the io_context, which must outlive it together with the callback's captures.
+class HttpServer {
+ public:
+  using Answer = std::function<HttpReply(const std::string& path)>;
+
+  HttpServer(asio::io_context& io, Answer answer);
+  ~HttpServer();
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+
+  /// Network error naming address, cause and what to do.
+  [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port);
+  void start();
+  [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return listener_.endpoint(); }
+
+ private:
+  class Exchange;
+  struct Shared;
+
+  Listener listener_;
+  std::shared_ptr<Shared> shared_;
+};
+
+}  // namespace aucast::server

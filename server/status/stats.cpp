@@ -1,0 +1,62 @@
+#include "server/status/stats.h"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace aucast::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double seconds(Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+Json json_of(const ClientRecord& record) {
+  return {{"client", record.number},
+          {"peer", record.peer},
+          {"level", record.level},
+          {"stream", record.stream},
+          {"packets", record.packets},
+          {"packets_merged", record.packets_merged},
+          {"bytes", record.bytes},
+          {"bytes_total", record.bytes_total},
+          {"send_seconds", seconds(record.send_time)},
+          {"end_reason", record.end_reason}};
+}
+
+}  // namespace
+
+void Totals::add(const ClientRecord& record) {
+  ++clients;
+  packets += record.packets;
+  packets_merged += record.packets_merged;
+  bytes += record.bytes;
+  bytes_total += record.bytes_total;
+  send_time += record.send_time;
+}
+
+void Stats::add(ClientRecord record) {
+  totals_.add(record);
+  ++end_reasons_[record.end_reason];
+  records_.push_back(std::move(record));
+  if (records_.size() > kRecordsMax) records_.pop_front();
+}
+
+std::string Stats::to_json() const {
+  Json clients = Json::array();
+  for (const ClientRecord& record : records_) clients.push_back(json_of(record));
+  const Json all = {{"program", "au-transmitter"},
+                    {"clients_total", totals_.clients},
+                    {"packets", totals_.packets},
+                    {"packets_merged", totals_.packets_merged},
+                    {"bytes", totals_.bytes},
+                    {"bytes_total", totals_.bytes_total},
+                    {"send_seconds", seconds(totals_.send_time)},
+                    {"clients_omitted", totals_.clients - records_.size()},
+                    {"clients", std::move(clients)}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace aucast::server

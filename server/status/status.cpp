@@ -1,0 +1,159 @@
+#include "server/status/status.h"
+
+#include <cmath>
+#include <numeric>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "protocol/limits.h"
+#include "server/settings/transmitter_options.h"
+
+namespace aucast::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<std::uint64_t>(seconds);
+  const auto part = [](std::uint64_t count, const char* unit) {
+    return std::to_string(count) + " " + unit;
+  };
+  if (whole < 60) return part(whole, "s");
+  if (whole < 3600) return part(whole / 60, "min");
+  if (whole < 86400) return part(whole / 3600, "h") + " " + part(whole / 60 % 60, "min");
+  return part(whole / 86400, "d") + " " + part(whole / 3600 % 24, "h");
+}
+
+std::uint64_t sum_of(const std::map<std::string, std::uint64_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const auto& entry) { return sum + entry.second; });
+}
+
+/// A JSON or Prometheus number.
+std::string number(double value) {
+  return Json(std::isfinite(value) ? value : 0.0).dump();
+}
+
+/// One family of metrics: its two comment lines, then its samples.
+class Family {
+ public:
+  Family(std::string& text, std::string_view name, std::string_view type, std::string_view help)
+      : text_(text), name_(name) {
+    text_ += "# HELP " + name_ + " " + std::string(help) + "\n";
+    text_ += "# TYPE " + name_ + " " + std::string(type) + "\n";
+  }
+
+  /// `labels`: empty, or key="value" pairs; our values hold nothing that needs escaping.
+  void sample(const std::string& value, const std::string& labels = {}) {
+    text_ += name_ + (labels.empty() ? "" : "{" + labels + "}") + " " + value + "\n";
+  }
+
+ private:
+  std::string& text_;
+  std::string name_;
+};
+
+void gauge(std::string& text, std::string_view name, std::string_view help, double value) {
+  Family(text, name, "gauge", help).sample(number(value));
+}
+
+void counter(std::string& text, std::string_view name, std::string_view help, std::uint64_t value) {
+  Family(text, name, "counter", help).sample(std::to_string(value));
+}
+
+}  // namespace
+
+std::vector<std::string> status_lines(const Status& status) {
+  const auto text = [](std::uint64_t count) { return std::to_string(count); };
+  std::string reasons;
+  for (const auto& [reason, count] : status.disconnects) {
+    reasons += (reasons.empty() ? " (" : ", ") + text(count) + " " + reason;
+  }
+  if (!reasons.empty()) reasons += ")";
+  std::string names;
+  for (const std::string& name : status.streams) names += " " + name;
+  return {
+      "status: up " + duration_text(status.up_seconds) + "; clients " + text(status.clients) +
+          ", paused " + text(status.clients_paused) + ", behind " + text(status.clients_behind),
+      "status: came " + text(status.connects) + ", left " + text(sum_of(status.disconnects)) +
+          reasons + ", closed unheard " + text(status.connects_unheard) + ", accept failures " +
+          text(status.accept_failures),
+      "status: sent " + text(status.sent.packets) + " packets, " + text(status.sent.bytes_total) +
+          " bytes; merged " + text(status.sent.packets_merged) + "; waiting " +
+          text(status.queue_bytes) + " bytes, the longest " + number(status.queue_seconds) +
+          " s; lag " + number(status.lag_seconds) + " s",
+      "status: " + std::string(status.live ? "live" : "recorded") + " streams:" + names,
+  };
+}
+
+std::string metrics_text(const Status& status) {
+  std::string text;
+  Family(text, "aucast_build_info", "gauge", "Version of the program and of its protocol.")
+      .sample("1", "version=\"" + version_number() + "\",protocol=\"" +
+                       std::to_string(protocol::kProtocolVersion) + "\"");
+  gauge(text, "aucast_uptime_seconds", "Since the transmitter was ready.", status.up_seconds);
+  gauge(text, "aucast_streams", "Streams that are served.",
+        static_cast<double>(status.streams.size()));
+  gauge(text, "aucast_clients", "Connected now.", static_cast<double>(status.clients));
+  gauge(text, "aucast_clients_paused", "Of those, paused.",
+        static_cast<double>(status.clients_paused));
+  gauge(text, "aucast_clients_behind", "Of those, something waits for them to take it.",
+        static_cast<double>(status.clients_behind));
+  counter(text, "aucast_connects_total", "Connections that were heard.", status.connects);
+  Family disconnects(text, "aucast_disconnects_total", "counter", "Connections that ended.");
+  for (const auto& [reason, count] : status.disconnects) {
+    disconnects.sample(std::to_string(count), "reason=\"" + reason + "\"");
+  }
+  counter(text, "aucast_connects_unheard_total", "Closed at once, for want of room.",
+          status.connects_unheard);
+  counter(text, "aucast_accept_failures_total", "Times that accepting had to pause.",
+          status.accept_failures);
+  counter(text, "aucast_packets_total", "Keyframes handed out.", status.sent.packets);
+  counter(text, "aucast_packets_merged_total",
+          "Live keyframes dropped for a newer one because a client was slow.",
+          status.sent.packets_merged);
+  counter(text, "aucast_packet_bytes_total", "Bytes of keyframes.", status.sent.bytes);
+  counter(text, "aucast_bytes_total", "All bytes that the sockets took.", status.sent.bytes_total);
+  gauge(text, "aucast_queue_bytes", "Bytes that wait for clients to take them.",
+        static_cast<double>(status.queue_bytes));
+  gauge(text, "aucast_queue_seconds", "Longest time that anything waits for one client.",
+        status.queue_seconds);
+  gauge(text, "aucast_lag_seconds", "How late the latest live keyframe was sent.",
+        status.lag_seconds);
+  counter(text, "aucast_reloads_total", "Reloads by SIGHUP that worked.", status.reloads);
+  counter(text, "aucast_reload_failures_total", "Reloads that left everything as it was.",
+          status.reload_failures);
+  return text;
+}
+
+std::string status_json(const Status& status) {
+  Json disconnects = Json::object();
+  for (const auto& [reason, count] : status.disconnects) disconnects[reason] = count;
+  const Json all = {{"program", "au-transmitter"},
+                    {"version", version_number()},
+                    {"protocol", protocol::kProtocolVersion},
+                    {"up_seconds", status.up_seconds},
+                    {"live", status.live},
+                    {"stopping", status.stopping},
+                    {"streams", status.streams},
+                    {"clients", status.clients},
+                    {"clients_paused", status.clients_paused},
+                    {"clients_behind", status.clients_behind},
+                    {"connects", status.connects},
+                    {"connects_unheard", status.connects_unheard},
+                    {"accept_failures", status.accept_failures},
+                    {"disconnects", std::move(disconnects)},
+                    {"packets", status.sent.packets},
+                    {"packets_merged", status.sent.packets_merged},
+                    {"bytes", status.sent.bytes},
+                    {"bytes_total", status.sent.bytes_total},
+                    {"queue_bytes", status.queue_bytes},
+                    {"queue_seconds", status.queue_seconds},
+                    {"lag_seconds", status.lag_seconds},
+                    {"reloads", status.reloads},
+                    {"reload_failures", status.reload_failures}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "server/status/stats.h"
+
+namespace aucast::server {
+
+/// How a transmitter is at one moment: what SIGUSR1 logs and --http answers.
+struct Status {
+  double up_seconds = 0;
+  bool live = false;
+  bool stopping = false;               ///< nobody is accepted any more
+  std::vector<std::string> streams;    ///< names; the first is what a classic client gets
+  std::uint64_t clients = 0;           ///< connected now
+  std::uint64_t clients_paused = 0;    ///< of those
+  std::uint64_t clients_behind = 0;    ///< of those: something waits for them to take it
+  std::uint64_t connects = 0;          ///< since the start
+  std::uint64_t connects_unheard = 0;  ///< closed at once: not even room for a refusal
+  std::uint64_t accept_failures = 0;   ///< out of descriptors or memory
+  std::map<std::string, std::uint64_t> disconnects;  ///< by reason, since the start
+  Totals sent;                        ///< to all clients, those that are here among them
+  std::size_t queue_bytes = 0;        ///< that wait for clients to take them
+  double queue_seconds = 0;           ///< longest time that anything waits for one client
+  double lag_seconds = 0;             ///< how late the latest live moment was sent
+  std::uint64_t reloads = 0;          ///< by SIGHUP, that worked
+  std::uint64_t reload_failures = 0;  ///< that left everything as it was
+};
+
+/// For the log; the first line says the most.
+[[nodiscard]] std::vector<std::string> status_lines(const Status& status);
+
+/// Prometheus' text format 0.0.4.
+[[nodiscard]] std::string metrics_text(const Status& status);
+
+/// One JSON object, with a newline at its end.
+[[nodiscard]] std::string status_json(const Status& status);
+
+}  // namespace aucast::server

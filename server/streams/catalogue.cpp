@@ -1,0 +1,227 @@
+#include "server/streams/catalogue.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "common/check.h"
+#include "common/text.h"
+#include "protocol/changes.h"
+#include "protocol/codec.h"
+#include "server/live/live_source.h"
+#include "server/streams/source_reader.h"
+#include "common/sources/dead_band.h"
+#include "server/streams/thinning.h"
+
+namespace aucast::server {
+namespace {
+
+Result<void> check_name(const std::filesystem::path& path, const std::string& name) {
+  if (protocol::is_stream_name(name)) return {};
+  return Error{ErrorKind::Usage,
+               path.string() + ": '" + escaped(name) +
+                   "' cannot be a stream's name; rename the file: 1 to 64 letters, digits, "
+                   "'.', '_' or '-' before the extension"};
+}
+
+/// The streams of one file: one, or one for each face.
+Result<std::vector<Source>> load_source(const std::filesystem::path& path,
+                                        const SourceOptions& options,
+                                        const sources::ConditioningSettings& conditioning,
+                                        std::uint32_t keyframe_ms, LiveSources live) {
+  std::vector<Source> streams;
+  const std::string stem = stream_name(path);
+  if (auto can = check_name(path, stem); !can) return can.error();
+  if (live != LiveSources::None && is_live(path, live == LiveSources::Files)) {
+    streams.push_back({path, stem, {}, std::nullopt, true});
+    return streams;
+  }
+  auto contents = read_streams(path, options, conditioning, keyframe_ms);
+  if (!contents) return contents.error();
+  for (SourceContent& content : *contents) {
+    const bool one_of_several = content.found && content.found->all_taken;
+    const std::string name = one_of_several ? face_stream_name(stem, content.found->face) : stem;
+    if (auto can = check_name(path, name); !can) return can.error();
+    streams.push_back({path, name, std::move(content.stream), std::move(content.found), false});
+    Source& source = streams.back();
+    if (source.found) sources::apply_dead_band(source.stream, conditioning.profile.dead_band);
+  }
+  return streams;
+}
+
+/// A folder may hold a README too.
+bool is_served_from_folder(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return (extension == ".txt" || extension == ".csv") && !path.filename().string().starts_with('.');
+}
+
+/// The files of a folder, by name; of a file, itself.
+Result<std::vector<std::filesystem::path>> files_of(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return std::vector<fs::path>{path};
+  std::vector<fs::path> files;
+  for (fs::directory_iterator next(path, error), end; !error && next != end;
+       next.increment(error)) {
+    std::error_code unknown;  // a file that cannot be looked at is said when it is read
+    if (is_served_from_folder(next->path()) && !next->is_directory(unknown)) {
+      files.push_back(next->path());
+    }
+  }
+  if (error) {
+    return Error{ErrorKind::Unreadable, path.string() + ": cannot be read: " + error.message()};
+  }
+  if (files.empty()) {
+    return Error{ErrorKind::BadData,
+                 path.string() + ": there is no .txt or .csv file in this folder"};
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// One error with the messages of all.
+Error joined(const std::vector<Error>& errors) {
+  Error all = errors.front();
+  for (auto error = errors.begin() + 1; error != errors.end(); ++error) {
+    all.message += "\n" + error->message;
+  }
+  return all;
+}
+
+std::optional<Error> taken_name(const std::vector<Source>& sources, const Source& source) {
+  const auto other = std::find_if(sources.begin(), sources.end(), [&](const Source& candidate) {
+    return candidate.name == source.name;
+  });
+  if (other == sources.end()) return std::nullopt;
+  return Error{ErrorKind::Usage, source.path.string() + ": a stream named '" + source.name +
+                                     "' comes from " + other->path.string() +
+                                     " already; leave one out or rename a file"};
+}
+
+/// Streams of plain AU sets are what the thesis measured: every packet stays as it is there.
+bool goes_beyond_classic(const protocol::StreamFile& stream) {
+  return std::any_of(stream.keyframes.begin(), stream.keyframes.end(),
+                     [](const protocol::Keyframe& keyframe) {
+                       return protocol::encode(keyframe) != protocol::encode_classic(keyframe, 0);
+                     });
+}
+
+protocol::ServedStream served(const Source& source, const CatalogueOptions& options) {
+  protocol::ServedStream stream;
+  stream.name = source.name;
+  if (source.live) return stream;
+  const protocol::StreamFile whole =
+      options.max_kbits == 0
+          ? source.stream
+          : protocol::StreamFile{
+                thinned(source.stream.keyframes, options.keyframe_ms, options.max_kbits)};
+  for (const protocol::Keyframe& keyframe : whole.keyframes) {
+    stream.classic.push_back(protocol::encode_classic(keyframe, options.classic_min));
+    stream.negotiated.push_back(protocol::encode(keyframe));
+    stream.times.emplace_back(keyframe.duration_ms.value_or(options.keyframe_ms));
+  }
+  if (goes_beyond_classic(whole)) {
+    stream.changes = protocol::encode_changes(whole.keyframes, options.keyframe_ms);
+  }
+  // A stream that starts again has no length.
+  if (!options.loop) stream.duration_ms = protocol::media_ms(whole, options.keyframe_ms);
+  return stream;
+}
+
+Milliseconds time_of(const protocol::ServedStream& stream) {
+  return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds::zero());
+}
+
+bool same_stream(const protocol::ServedStream& a, const protocol::ServedStream& b) {
+  return a.name == b.name && a.classic == b.classic && a.negotiated == b.negotiated &&
+         a.changes == b.changes && a.times == b.times;
+}
+
+}  // namespace
+
+Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
+                                         const SourceOptions& options, std::uint32_t keyframe_ms,
+                                         std::vector<Error>* skipped, LiveSources live) {
+  const auto conditioning = conditioning_of(options.signal);
+  if (!conditioning) return conditioning.error();
+  std::vector<Source> sources;
+  std::vector<Error> errors;
+  for (const std::filesystem::path& path : paths) {
+    const auto files = files_of(path);
+    if (!files) {
+      errors.push_back(files.error());
+      continue;
+    }
+    for (const std::filesystem::path& file : *files) {
+      auto streams = load_source(file, options, *conditioning, keyframe_ms,
+                                 file == path ? live : LiveSources::None);
+      if (!streams) {
+        errors.push_back(streams.error());
+        continue;
+      }
+      for (Source& source : *streams) {
+        if (auto taken = taken_name(sources, source)) {
+          errors.push_back(std::move(*taken));
+        } else {
+          sources.push_back(std::move(source));
+        }
+      }
+    }
+  }
+  if (skipped != nullptr && !sources.empty()) {
+    *skipped = std::move(errors);
+    return sources;
+  }
+  if (!errors.empty()) return joined(errors);
+  return sources;
+}
+
+protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
+                                         const CatalogueOptions& options) {
+  AUCAST_CHECK(!sources.empty());
+  protocol::ServerCatalogue catalogue;
+  catalogue.keyframe_ms = options.keyframe_ms;
+  catalogue.loop = options.loop;
+  for (const Source& source : sources) catalogue.streams.push_back(served(source, options));
+  return catalogue;
+}
+
+const protocol::ServedStream* find_same(const protocol::ServerCatalogue& catalogue,
+                                        const protocol::ServedStream& stream) {
+  const auto found = std::find_if(
+      catalogue.streams.begin(), catalogue.streams.end(),
+      [&stream](const protocol::ServedStream& other) { return same_stream(other, stream); });
+  return found == catalogue.streams.end() ? nullptr : &*found;
+}
+
+bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCatalogue& b) {
+  return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
+                    same_stream);
+}
+
+Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
+  if (!catalogue.loop) return {};
+  for (const protocol::ServedStream& stream : catalogue.streams) {
+    if (!stream.classic.empty() && time_of(stream) == Milliseconds::zero()) {
+      return Error{ErrorKind::BadData, "the stream '" + stream.name +
+                                           "' takes no time at all, so it cannot start again and "
+                                           "again live; give its keyframes a time, such as ;250"};
+    }
+  }
+  return {};
+}
+
+std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time) {
+  std::size_t most = 0;
+  for (const protocol::ServedStream& stream : catalogue.streams) {
+    std::size_t bytes = 0;
+    for (const std::string& packet : stream.negotiated) bytes += packet.size();
+    const auto all =
+        static_cast<std::size_t>(std::max<Milliseconds::rep>(time_of(stream).count(), 1));
+    most = std::max(most, (bytes * static_cast<std::size_t>(time.count()) + all - 1) / all);
+  }
+  return most;
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,98 @@
+#include "server/streams/check_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include "common/action_unit.h"
+#include "common/check.h"
+
+namespace aucast::server {
+namespace {
+
+/// printf into a string; all our lines are short.
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  std::array<char, 256> line{};
+  const int length = std::snprintf(line.data(), line.size(), format, values...);
+  AUCAST_CHECK(length >= 0);
+  return {line.data(), std::min(static_cast<std::size_t>(length), line.size() - 1)};
+}
+
+std::string bytes_line(const char* level, const std::vector<std::string>& packets) {
+  const auto [smallest, largest] = std::minmax_element(
+      packets.begin(), packets.end(),
+      [](const std::string& a, const std::string& b) { return a.size() < b.size(); });
+  const std::size_t bytes = std::accumulate(
+      packets.begin(), packets.end(), std::size_t{0},
+      [](std::size_t sum, const std::string& packet) { return sum + packet.size(); });
+  return formatted("  %-11s %zu bytes, %.1f a packet (%zu to %zu)\n", level, bytes,
+                   static_cast<double>(bytes) / static_cast<double>(packets.size()),
+                   smallest->size(), largest->size());
+}
+
+/// How one AU is used: the larger side of it counts.
+struct Use {
+  std::size_t packets = 0;
+  int percent_low = 100;
+  int percent_high = 0;
+};
+
+std::array<Use, kAuCount> uses_of(const protocol::StreamFile& stream) {
+  std::array<Use, kAuCount> uses{};
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    std::array<int, kAuCount> percents{};
+    // The canonical form of a neutral face is AU 0, so neutral packets are counted there.
+    for (const AuTerm& term : canonical_terms(frame_from_terms(keyframe.terms))) {
+      percents[term.number] = std::max(percents[term.number], int{term.percent});
+    }
+    for (std::size_t number = 0; number < uses.size(); ++number) {
+      if (percents[number] == 0) continue;
+      Use& use = uses[number];
+      ++use.packets;
+      use.percent_low = std::min(use.percent_low, percents[number]);
+      use.percent_high = std::max(use.percent_high, percents[number]);
+    }
+  }
+  return uses;
+}
+
+std::string au_lines(const protocol::StreamFile& stream) {
+  const auto uses = uses_of(stream);
+  std::string text = "  AU  packets  percent  name\n";
+  for (int number = 0; number < kAuCount; ++number) {
+    const Use& use = uses[static_cast<std::size_t>(number)];
+    if (use.packets == 0) continue;
+    const std::string range =
+        use.percent_low == use.percent_high
+            ? std::to_string(use.percent_high)
+            : std::to_string(use.percent_low) + "-" + std::to_string(use.percent_high);
+    const std::string name(facs_name(number).value_or("(not a FACS number)"));
+    text += formatted("  %2d  %7zu  %7s  %s\n", number, use.packets, range.c_str(), name.c_str());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string check_report(const Source& source, const protocol::ServedStream& served,
+                         std::uint32_t keyframe_ms) {
+  const auto& keyframes = source.stream.keyframes;
+  const auto untimed = std::count_if(
+      keyframes.begin(), keyframes.end(),
+      [](const protocol::Keyframe& keyframe) { return !keyframe.duration_ms.has_value(); });
+  std::string text = source.name + ": " + source.path.string() + "\n";
+  if (source.found) text += sources::found_lines(*source.found);
+  text += formatted("  %-11s %zu, %td of them untimed\n", "packets", keyframes.size(), untimed);
+  text += formatted("  %-11s %.3f s at %u ms an untimed keyframe\n", "duration",
+                    static_cast<double>(protocol::media_ms(source.stream, keyframe_ms)) / 1000.0,
+                    keyframe_ms);
+  text += bytes_line("classic", served.classic);
+  text += bytes_line("negotiated", served.negotiated);
+  return text + au_lines(source.stream);
+}
+
+}  // namespace aucast::server

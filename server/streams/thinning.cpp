@@ -1,0 +1,75 @@
+#include "server/streams/thinning.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+
+namespace aucast::server {
+namespace {
+
+constexpr auto kLongest = static_cast<std::uint64_t>(protocol::kDurationMsMax);
+
+double bits_on_the_wire(const protocol::Keyframe& keyframe) {
+  return static_cast<double>((encode(keyframe).size() + kHeaderBytes) * 8);
+}
+
+/// The keyframe with the time of those that are merged into it.
+void give_time(protocol::Keyframe& keyframe, std::uint64_t time_ms) {
+  keyframe.duration_ms = static_cast<std::uint32_t>(std::min(time_ms, kLongest));
+}
+
+}  // namespace
+
+std::vector<protocol::Keyframe> thinned(std::span<const protocol::Keyframe> keyframes,
+                                        std::uint32_t keyframe_ms, std::uint32_t kbits_per_second) {
+  // Bits a millisecond are kilobits a second.
+  const auto rate = static_cast<double>(kbits_per_second);
+  const double most = rate * 1000;
+  double there = most;
+  std::uint64_t time_ms = 0;
+  std::vector<protocol::Keyframe> kept;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    protocol::Keyframe keyframe = keyframes[i];
+    const std::uint64_t own_ms = keyframe.duration_ms.value_or(keyframe_ms);
+    time_ms += own_ms;
+    if (time_ms != own_ms) give_time(keyframe, time_ms);
+    // What the keyframe's own time brings must pay for it.
+    const double left = there - bits_on_the_wire(keyframe) + rate * static_cast<double>(time_ms);
+    if (left < 0 && i + 1 < keyframes.size()) continue;
+    there = std::min(left, most);
+    kept.push_back(std::move(keyframe));
+    time_ms = 0;
+  }
+  return kept;
+}
+
+void LiveThinning::push(protocol::Keyframe keyframe) {
+  if (waiting_) {
+    const std::uint64_t time_ms = waiting_->duration_ms.value_or(keyframe_ms_);
+    give_time(keyframe, time_ms + keyframe.duration_ms.value_or(keyframe_ms_));
+  }
+  bits_ = rate_ > 0 ? bits_on_the_wire(keyframe) : 0;
+  waiting_ = std::move(keyframe);
+}
+
+std::optional<protocol::Keyframe> LiveThinning::pop(double now) {
+  if (!waiting_ || now < *due()) return std::nullopt;
+  there_ = std::min(there_ + rate_ * (now - at_), rate_) - bits_;
+  at_ = now;
+  return take_last();
+}
+
+std::optional<protocol::Keyframe> LiveThinning::take_last() {
+  return std::exchange(waiting_, std::nullopt);
+}
+
+std::optional<double> LiveThinning::due() const {
+  if (!waiting_) return std::nullopt;
+  // One that needs more than a second's bits waits for a second's, and the next ones for the rest.
+  const double missing = std::min(bits_, rate_) - there_;
+  return missing > 0 ? at_ + missing / rate_ : at_;
+}
+
+}  // namespace aucast::server
