@@ -21,8 +21,8 @@
 #include "client/net/name_lookup.h"
 #include "common/tcp.h"
 #include "common/text.h"
-#include "protocol/limits.h"
 #include "common/tls/channel.h"
+#include "protocol/limits.h"
 
 namespace aucast::net {
 namespace {

@@ -16,9 +16,9 @@
 
 #include "client/net/name_lookup.h"
 #include "common/text.h"
+#include "common/tls/channel.h"
 #include "protocol/codec.h"
 #include "protocol/decoder.h"
-#include "common/tls/channel.h"
 
 namespace aucast::net {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "common/text.h"
 #include "common/sources/csv_reader.h"
+#include "common/text.h"
 
 namespace aucast::sources {
 namespace {

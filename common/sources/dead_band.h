@@ -1,8 +1,8 @@
 #pragma once
 
 #include "common/action_unit.h"
-#include "protocol/stream_file.h"
 #include "common/sources/per_au.h"
+#include "protocol/stream_file.h"
 
 namespace aucast::sources {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "common/action_unit.h"
-#include "protocol/packet.h"
 #include "common/sources/conditioning.h"
 #include "common/sources/dead_band.h"
 #include "common/sources/timeline.h"
+#include "protocol/packet.h"
 
 namespace aucast::sources {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "common/sources/observation.h"
 #include "common/text.h"
 #include "common/toml_document.h"
-#include "common/sources/observation.h"
 
 namespace aucast::sources {
 namespace {

@@ -6,11 +6,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "common/text.h"
 #include "common/sources/format.h"
 #include "common/sources/live_link_face.h"
 #include "common/sources/row_reading.h"
 #include "common/sources/timeline.h"
+#include "common/text.h"
 
 namespace aucast::sources {
 namespace {

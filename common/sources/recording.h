@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/result.h"
-#include "protocol/stream_file.h"
 #include "common/sources/arkit_table.h"
 #include "common/sources/conditioning.h"
+#include "protocol/stream_file.h"
 
 namespace aucast::sources {
 

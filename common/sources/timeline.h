@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "common/action_unit.h"
-#include "protocol/stream_file.h"
 #include "common/sources/conditioning.h"
 #include "common/sources/hold.h"
+#include "protocol/stream_file.h"
 
 namespace aucast::sources {
 

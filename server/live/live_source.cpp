@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/log.h"
-#include "server/streams/source_reader.h"
 #include "common/sources/profile.h"
+#include "server/streams/source_reader.h"
 
 namespace aucast::server {
 namespace {

@@ -12,13 +12,13 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/result.h"
+#include "common/sources/live_queue.h"
+#include "common/sources/live_reader.h"
 #include "common/time.h"
 #include "protocol/live_feed.h"
 #include "protocol/server_session.h"
 #include "server/live/live_input.h"
 #include "server/live/recorder.h"
-#include "common/sources/live_queue.h"
-#include "common/sources/live_reader.h"
 #include "server/streams/thinning.h"
 
 namespace aucast::server {

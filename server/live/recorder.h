@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "common/result.h"
+#include "common/sources/record_timeline.h"
 #include "protocol/packet.h"
 #include "server/live/record_file.h"
-#include "common/sources/record_timeline.h"
 
 namespace aucast::server {
 

@@ -15,12 +15,12 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/time.h"
+#include "common/tls/channel.h"
+#include "common/tls/context.h"
 #include "protocol/limits.h"
 #include "protocol/server_session.h"
 #include "server/serve/client_log.h"
 #include "server/status/stats.h"
-#include "common/tls/channel.h"
-#include "common/tls/context.h"
 
 namespace aucast::server {
 

@@ -20,16 +20,16 @@
 #include "common/log.h"
 #include "common/text.h"
 #include "protocol/limits.h"
-#include "server/serve/address_counts.h"
-#include "server/streams/catalogue.h"
-#include "server/serve/connection.h"
-#include "server/serve/credentials.h"
-#include "server/status/http_server.h"
-#include "server/serve/listener.h"
 #include "server/live/live_beat.h"
 #include "server/live/live_source.h"
+#include "server/serve/address_counts.h"
+#include "server/serve/connection.h"
+#include "server/serve/credentials.h"
+#include "server/serve/listener.h"
+#include "server/status/http_server.h"
 #include "server/status/service_manager.h"
 #include "server/status/status.h"
+#include "server/streams/catalogue.h"
 
 namespace aucast::server {
 namespace {

@@ -7,8 +7,8 @@
 #include "common/result.h"
 #include "protocol/server_session.h"
 #include "server/serve/reloader.h"
-#include "server/status/stats.h"
 #include "server/settings/transmitter_options.h"
+#include "server/status/stats.h"
 
 namespace aucast::server {
 

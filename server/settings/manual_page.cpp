@@ -1,9 +1,9 @@
 #include "server/settings/manual_page.h"
 
 #include "common/manual.h"
-#include "server/streams/convert_command.h"
 #include "server/settings/option_table.h"
 #include "server/settings/transmitter_options.h"
+#include "server/streams/convert_command.h"
 
 namespace aucast::server {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "common/files.h"
-#include "common/text.h"
 #include "common/sources/profile.h"
+#include "common/text.h"
 
 namespace aucast::server {
 namespace {

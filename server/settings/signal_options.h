@@ -8,8 +8,8 @@
 
 #include "common/command_line.h"
 #include "common/result.h"
-#include "server/settings/option_word.h"
 #include "common/sources/conditioning.h"
+#include "server/settings/option_word.h"
 
 namespace aucast::server {
 

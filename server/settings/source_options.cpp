@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "common/text.h"
 #include "common/sources/resample.h"
+#include "common/text.h"
 
 namespace aucast::server {
 namespace {

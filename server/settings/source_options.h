@@ -5,10 +5,10 @@
 
 #include "common/command_line.h"
 #include "common/result.h"
+#include "common/sources/recording.h"
 #include "common/time.h"
 #include "server/settings/option_word.h"
 #include "server/settings/signal_options.h"
-#include "common/sources/recording.h"
 
 namespace aucast::server {
 

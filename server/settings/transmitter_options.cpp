@@ -10,10 +10,10 @@
 
 #include "common/command_line.h"
 #include "common/files.h"
+#include "common/sources/profile.h"
 #include "common/text.h"
 #include "server/settings/option_table.h"
 #include "server/settings/settings.h"
-#include "common/sources/profile.h"
 
 namespace aucast::server {
 namespace {

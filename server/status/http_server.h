@@ -9,8 +9,8 @@
 #include <asio/io_context.hpp>
 
 #include "common/result.h"
-#include "server/status/http_request.h"
 #include "server/serve/listener.h"
+#include "server/status/http_request.h"
 
 namespace aucast::server {
 

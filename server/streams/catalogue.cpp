@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "common/check.h"
+#include "common/sources/dead_band.h"
 #include "common/text.h"
 #include "protocol/changes.h"
 #include "protocol/codec.h"
 #include "server/live/live_source.h"
 #include "server/streams/source_reader.h"
-#include "common/sources/dead_band.h"
 #include "server/streams/thinning.h"
 
 namespace aucast::server {

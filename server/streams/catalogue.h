@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "common/result.h"
+#include "common/sources/recording.h"
 #include "common/time.h"
 #include "protocol/server_session.h"
 #include "protocol/stream_file.h"
 #include "server/settings/source_options.h"
-#include "common/sources/recording.h"
 
 namespace aucast::server {
 

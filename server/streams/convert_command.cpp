@@ -5,12 +5,12 @@
 
 #include "common/command_line.h"
 #include "common/files.h"
+#include "common/sources/openface_table.h"
+#include "common/sources/resample.h"
 #include "common/text.h"
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
 #include "server/streams/source_reader.h"
-#include "common/sources/openface_table.h"
-#include "common/sources/resample.h"
 
 namespace aucast::server {
 namespace {

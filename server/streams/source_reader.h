@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "common/result.h"
+#include "common/sources/recording.h"
 #include "protocol/stream_file.h"
 #include "server/settings/source_options.h"
-#include "common/sources/recording.h"
 
 namespace aucast::server {
 

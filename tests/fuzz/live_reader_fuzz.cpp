@@ -4,12 +4,12 @@
 // --rate.
 
 #include "common/check.h"
-#include "protocol/codec.h"
-#include "protocol/limits.h"
-#include "protocol/stream_file.h"
 #include "common/sources/live_queue.h"
 #include "common/sources/live_reader.h"
 #include "common/sources/record_timeline.h"
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+#include "protocol/stream_file.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace aucast;

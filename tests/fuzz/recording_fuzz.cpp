@@ -1,8 +1,8 @@
 // Any table: an error with the file's name, or a stream that a stream file can hold.
 
 #include "common/check.h"
-#include "protocol/limits.h"
 #include "common/sources/recording.h"
+#include "protocol/limits.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace aucast;

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "tests/support/raw_client.h"
 #include "common/tls/channel.h"
+#include "tests/support/raw_client.h"
 
 namespace aucast::test {
 

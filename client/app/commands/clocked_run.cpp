@@ -5,8 +5,8 @@
 #include <string>
 #include <thread>
 
-#include "client/app/window/live_text.h"
 #include "client/app/steady.h"
+#include "client/app/window/live_text.h"
 #include "client/pipeline/face_pipeline.h"
 #include "client/playback/playback_controller.h"
 #include "common/log.h"

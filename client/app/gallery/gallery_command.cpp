@@ -11,11 +11,11 @@
 #include <sstream>
 
 #include "client/app/assets.h"
+#include "client/app/film/picture_maker.h"
+#include "client/app/film/picture_sinks.h"
 #include "client/app/gallery/gallery_manifest.h"
 #include "client/app/gallery/gallery_page.h"
 #include "client/app/gallery/gallery_plan.h"
-#include "client/app/film/picture_maker.h"
-#include "client/app/film/picture_sinks.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
 #include "client/view/video_encoder.h"

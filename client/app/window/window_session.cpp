@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "client/app/window/live_text.h"
 #include "client/app/steady.h"
+#include "client/app/window/live_text.h"
 #include "client/face/au_blender.h"
 #include "client/gui/channel_groups.h"
 #include "client/gui/user_face.h"

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "client/app/assets.h"
-#include "client/app/window/local_stream.h"
-#include "client/app/window/playback_history.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
+#include "client/app/window/local_stream.h"
+#include "client/app/window/playback_history.h"
 #include "client/face/face.h"
 #include "client/gui/composer.h"
 #include "client/gui/expression_editor.h"

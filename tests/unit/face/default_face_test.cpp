@@ -58,8 +58,8 @@ TEST_F(DefaultFace, EveryChannelMovesTheFaceAndKeepsItFinite) {
   for (const Channel& channel : face_.channels) {
     const DeformedFace& out =
         deformer.deform(test::only(face_, channel.name, channel.activation_max));
-    const bool draws_lines = std::any_of(out.creases.begin(), out.creases.end(),
-                                         [](float depth) { return depth > 0; });
+    const bool draws_lines =
+        std::any_of(out.creases.begin(), out.creases.end(), [](float depth) { return depth > 0; });
     EXPECT_NE(out.positions != face_.mesh.positions, draws_lines) << channel.name;
     for (std::size_t i = 0; i < out.positions.size(); ++i) {
       const glm::vec3& p = out.positions[i];

@@ -1,8 +1,8 @@
 // Every dialect by a tiny table of its own: which it is, what its numbers mean.
 #include <gtest/gtest.h>
 
-#include "protocol/codec.h"
 #include "common/sources/recording.h"
+#include "protocol/codec.h"
 #include "tests/unit/sources/tables.h"
 
 namespace aucast::sources {

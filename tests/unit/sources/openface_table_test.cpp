@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "protocol/codec.h"
 #include "common/sources/recording.h"
+#include "protocol/codec.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::sources {

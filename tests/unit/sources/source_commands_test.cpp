@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "server/settings/source_options.h"
 #include "server/streams/catalogue.h"
 #include "server/streams/check_report.h"
 #include "server/streams/convert_command.h"
-#include "server/settings/source_options.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
 
