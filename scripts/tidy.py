@@ -23,6 +23,7 @@ LAYERS = {
     "protocol": {"common", "protocol"},
     "common/tls": {"common"},
     "common/sources": {"common", "protocol"},
+    "common/voice": {"common", "protocol"},
     "server": {"common", "protocol", "server"},
     "client/playback": {"common", "client/playback"},
     "client/face": {"common", "client/face"},
@@ -36,7 +37,7 @@ LAYERS = {
 }
 
 # Folders whose code knows no socket, no clock, no OpenGL and no log.
-PURE = ("protocol", "common/tls", "common/sources", "client/playback", "client/face", "client/pipeline")
+PURE = ("protocol", "common/tls", "common/sources", "common/voice", "client/playback", "client/face", "client/pipeline")
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL|<thread>"
 )

@@ -1,0 +1,113 @@
+#include "common/voice/sound_file.h"
+
+#include <fcntl.h>
+#include <samplerate.h>
+#include <sndfile.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "common/check.h"
+#include "common/text.h"
+#include "common/voice/voice_encoder.h"
+
+namespace aucast::voice {
+namespace {
+
+constexpr int kChannelsMax = 64;
+constexpr std::size_t kFramesAtOnce = 4096;
+
+struct CloseFile {
+  void operator()(SNDFILE* file) const { sf_close(file); }
+};
+struct DeleteConverter {
+  void operator()(SRC_STATE* state) const { src_delete(state); }
+};
+
+/// A descriptor of a regular file: a FIFO or a device could be waited for for ever.
+Result<int> open_regular(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  const auto unreadable = [&](const std::string& why) {
+    return Error{ErrorKind::Unreadable, escaped(path.string()) + ": cannot be read: " + why};
+  };
+  if (descriptor < 0) return unreadable(std::generic_category().message(errno));
+  struct stat about {};
+  if (::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode)) return descriptor;
+  ::close(descriptor);
+  return unreadable("it is no regular file");
+}
+
+}  // namespace
+
+struct SoundFile::State {
+  std::unique_ptr<SNDFILE, CloseFile> file;
+  SF_INFO info{};
+  std::unique_ptr<SRC_STATE, DeleteConverter> converter;
+  std::vector<float> frames;
+  std::array<float, kFramesAtOnce> mono{};
+
+  /// The next samples at the file's own rate; libsamplerate calls it.
+  static long next_block(void* self, float** block) {
+    auto& state = *static_cast<State*>(self);
+    const auto channels = static_cast<std::size_t>(state.info.channels);
+    const sf_count_t count = sf_readf_float(state.file.get(), state.frames.data(),
+                                            static_cast<sf_count_t>(kFramesAtOnce));
+    for (std::size_t frame = 0; frame < static_cast<std::size_t>(count); ++frame) {
+      float sum = 0;
+      for (std::size_t i = 0; i < channels; ++i) sum += state.frames[frame * channels + i];
+      state.mono[frame] = sum / static_cast<float>(channels);
+    }
+    *block = state.mono.data();
+    return static_cast<long>(count);
+  }
+};
+
+SoundFile::SoundFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+SoundFile::~SoundFile() = default;
+SoundFile::SoundFile(SoundFile&&) noexcept = default;
+SoundFile& SoundFile::operator=(SoundFile&&) noexcept = default;
+
+Result<SoundFile> SoundFile::open(const std::filesystem::path& path) {
+  const auto descriptor = open_regular(path);
+  if (!descriptor) return descriptor.error();
+  auto state = std::make_unique<State>();
+  state->file.reset(sf_open_fd(*descriptor, SFM_READ, &state->info, SF_TRUE));
+  const SF_INFO& info = state->info;
+  if (!state->file || info.channels < 1 || info.channels > kChannelsMax || info.frames < 1) {
+    const std::string why = state->file ? "it has no samples" : std::string(sf_strerror(nullptr));
+    return Error{ErrorKind::BadData, escaped(path.string()) +
+                                         ": no sound that can be read (WAV, FLAC, Ogg Vorbis, Ogg "
+                                         "Opus, MP3): " +
+                                         why};
+  }
+  state->frames.resize(kFramesAtOnce * static_cast<std::size_t>(info.channels));
+  int error = 0;
+  state->converter.reset(
+      src_callback_new(State::next_block, SRC_SINC_MEDIUM_QUALITY, 1, &error, state.get()));
+  AUCAST_CHECK(state->converter != nullptr);
+  return SoundFile(std::move(state));
+}
+
+std::size_t SoundFile::read(std::span<float> samples) {
+  const double ratio = static_cast<double>(kEncoderRate) / state_->info.samplerate;
+  std::size_t done = 0;
+  while (done < samples.size()) {
+    const long count =
+        src_callback_read(state_->converter.get(), ratio, static_cast<long>(samples.size() - done),
+                          samples.data() + done);
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  return done;
+}
+
+Milliseconds SoundFile::duration() const {
+  return Milliseconds(state_->info.frames * 1000 / state_->info.samplerate);
+}
+
+}  // namespace aucast::voice

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "common/result.h"
+#include "common/time.h"
+
+namespace aucast::voice {
+
+/// A recording of sound, read as the encoder wants it: mono at kEncoderRate, whatever the file's
+/// own rate and channels are (channels are averaged). WAV, FLAC, Ogg Vorbis, Ogg Opus and MP3.
+/// Thread: none of its own.
+class SoundFile {
+ public:
+  /// Unreadable when the file is missing or no regular file, BadData when it holds no sound.
+  [[nodiscard]] static Result<SoundFile> open(const std::filesystem::path& path);
+  ~SoundFile();
+  SoundFile(SoundFile&&) noexcept;
+  SoundFile& operator=(SoundFile&&) noexcept;
+
+  /// Fills `samples` as far as the file goes and says how far; fewer than asked for: the end.
+  [[nodiscard]] std::size_t read(std::span<float> samples);
+  /// As the file's own header has it.
+  [[nodiscard]] Milliseconds duration() const;
+
+ private:
+  struct State;
+  explicit SoundFile(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace aucast::voice

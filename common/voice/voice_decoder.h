@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+struct OpusDecoder;
+
+namespace aucast::voice {
+
+/// Samples a second of what is decoded, mono: what sound systems play without resampling.
+inline constexpr int kDecoderRate = 48000;
+inline constexpr int kDecoderSamplesPerMs = kDecoderRate / 1000;
+
+/// Opus packets to samples. Thread: none of its own.
+class VoiceDecoder {
+ public:
+  VoiceDecoder();
+  ~VoiceDecoder();
+  VoiceDecoder(VoiceDecoder&&) noexcept;
+  VoiceDecoder& operator=(VoiceDecoder&&) noexcept;
+
+  /// The sound of the packet, mono at kDecoderRate, in [-1,1]; valid until the next call. Empty for
+  /// bytes that are no Opus packet.
+  [[nodiscard]] std::span<const float> decode(std::string_view opus);
+  /// 20 ms of what the sound could have gone on like, for a packet that is missing.
+  [[nodiscard]] std::span<const float> conceal();
+
+ private:
+  struct Destroy {
+    void operator()(OpusDecoder* decoder) const;
+  };
+
+  std::unique_ptr<OpusDecoder, Destroy> decoder_;
+  std::vector<float> samples_;
+};
+
+}  // namespace aucast::voice

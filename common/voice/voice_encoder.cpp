@@ -1,0 +1,111 @@
+#include "common/voice/voice_encoder.h"
+
+#include <opus.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "common/check.h"
+
+namespace aucast::voice {
+namespace {
+
+/// -52 dBFS: below a quiet voice in a quiet room, above a sound card's own noise.
+constexpr float kSilenceRms = 0.0025F;
+/// Speech has pauses of its own (closures of stops) that are no silence.
+constexpr Milliseconds kHangover{240};
+constexpr std::size_t kBlockSamples = 10 * kEncoderSamplesPerMs;
+constexpr std::size_t kPacketBytesMax = 1275;
+
+std::size_t samples_in(Milliseconds time) {
+  return static_cast<std::size_t>(time.count()) * kEncoderSamplesPerMs;
+}
+
+}  // namespace
+
+void VoiceEncoder::Destroy::operator()(OpusEncoder* encoder) const {
+  opus_encoder_destroy(encoder);
+}
+
+VoiceEncoder::~VoiceEncoder() = default;
+VoiceEncoder::VoiceEncoder(VoiceEncoder&&) noexcept = default;
+VoiceEncoder& VoiceEncoder::operator=(VoiceEncoder&&) noexcept = default;
+
+VoiceEncoder::VoiceEncoder(const VoiceSettings& settings, Milliseconds begin)
+    : frame_(settings.frame), place_(begin), silent_(kHangover) {
+  int error = OPUS_OK;
+  encoder_.reset(opus_encoder_create(kEncoderRate, 1, OPUS_APPLICATION_VOIP, &error));
+  AUCAST_CHECK(error == OPUS_OK);
+  OpusEncoder* const encoder = encoder_.get();
+  opus_encoder_ctl(encoder, OPUS_SET_BITRATE(settings.bits_per_second));
+  opus_encoder_ctl(encoder, OPUS_SET_VBR(1));
+  opus_encoder_ctl(encoder, OPUS_SET_VBR_CONSTRAINT(1));
+  opus_encoder_ctl(encoder, OPUS_SET_SIGNAL(OPUS_SIGNAL_VOICE));
+  // Below some 9 kbit/s the codec would go narrow-band by itself.
+  opus_encoder_ctl(encoder, OPUS_SET_BANDWIDTH(OPUS_BANDWIDTH_WIDEBAND));
+  opus_encoder_ctl(encoder, OPUS_SET_COMPLEXITY(10));
+  // TCP loses nothing, so nothing is sent twice; silence is left out here, sooner than by DTX.
+  opus_encoder_ctl(encoder, OPUS_SET_INBAND_FEC(0));
+  opus_encoder_ctl(encoder, OPUS_SET_DTX(0));
+  opus_int32 lookahead = 0;
+  opus_encoder_ctl(encoder, OPUS_GET_LOOKAHEAD(&lookahead));
+  lookahead_ = static_cast<std::size_t>(lookahead);
+}
+
+void VoiceEncoder::add(std::span<const float> samples,
+                       std::vector<protocol::VoicePacket>& packets) {
+  const std::size_t skip = std::min(lookahead_ - skipped_, samples.size());
+  skipped_ += skip;
+  pending_.insert(pending_.end(), samples.begin() + static_cast<std::ptrdiff_t>(skip),
+                  samples.end());
+  while (pending_.size() >= samples_in(frame_)) encode_frame(packets);
+}
+
+void VoiceEncoder::finish(std::vector<protocol::VoicePacket>& packets) {
+  // The codec still holds the last samples back.
+  const std::size_t rest = pending_.size() + skipped_;
+  if (rest == 0) return;
+  const std::size_t frame = samples_in(frame_);
+  pending_.resize((rest + frame - 1) / frame * frame, 0.0F);
+  while (!pending_.empty()) encode_frame(packets);
+  skipped_ = 0;
+}
+
+void VoiceEncoder::go_on_at(Milliseconds place) {
+  AUCAST_CHECK(place >= place_);
+  pending_.clear();
+  skipped_ = 0;
+  place_ = place;
+  silent_ = kHangover;
+}
+
+Milliseconds VoiceEncoder::end() const {
+  return place_ + Milliseconds((pending_.size() + skipped_) / kEncoderSamplesPerMs);
+}
+
+bool VoiceEncoder::sounds() const {
+  for (std::size_t at = 0; at < samples_in(frame_); at += kBlockSamples) {
+    float energy = 0;
+    for (std::size_t i = at; i < at + kBlockSamples; ++i) energy += pending_[i] * pending_[i];
+    if (energy > kSilenceRms * kSilenceRms * static_cast<float>(kBlockSamples)) return true;
+  }
+  return false;
+}
+
+void VoiceEncoder::encode_frame(std::vector<protocol::VoicePacket>& packets) {
+  silent_ = sounds() ? Milliseconds{0} : std::min(silent_ + frame_, kHangover);
+  if (silent_ < kHangover) {
+    std::array<unsigned char, kPacketBytesMax> bytes{};
+    const int length =
+        opus_encode_float(encoder_.get(), pending_.data(), static_cast<int>(samples_in(frame_)),
+                          bytes.data(), static_cast<opus_int32>(bytes.size()));
+    AUCAST_CHECK(length > 0);
+    packets.push_back({place_, std::string(bytes.begin(), bytes.begin() + length)});
+  }
+  pending_.erase(pending_.begin(),
+                 pending_.begin() + static_cast<std::ptrdiff_t>(samples_in(frame_)));
+  place_ += frame_;
+}
+
+}  // namespace aucast::voice

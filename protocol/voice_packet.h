@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/time.h"
+
+namespace aucast::protocol {
+
+/// One Opus packet (RFC 6716) of a stream's voice and where it belongs: its sound begins at `place`
+/// on the stream's own clock and lasts as long as opus_duration() says.
+struct VoicePacket {
+  Milliseconds place{0};
+  std::string opus;
+  friend bool operator==(const VoicePacket&, const VoicePacket&) = default;
+};
+
+/// How long the sound of an Opus packet lasts, by its TOC byte (RFC 6716 section 3.1). Nothing for
+/// what is no Opus packet, and for one whose length is not a whole number of milliseconds: this
+/// protocol carries 10, 20, 40 and 60 ms.
+[[nodiscard]] std::optional<Milliseconds> opus_duration(std::string_view opus);
+
+/// Base64 (RFC 4648 section 4) without padding.
+[[nodiscard]] std::string to_base64(std::string_view bytes);
+
+/// The bytes of base64 without padding. Nothing for a character outside the alphabet, a length that
+/// no bytes have, and bits left over that are not 0: each byte string has one spelling only.
+[[nodiscard]] std::optional<std::string> from_base64(std::string_view text);
+
+}  // namespace aucast::protocol

@@ -1,0 +1,90 @@
+#include "common/voice/sound_file.h"
+
+#include <gtest/gtest.h>
+#include <sndfile.h>
+#include <sys/stat.h>
+
+#include "common/voice/voice_encoder.h"
+#include "tests/support/temp_folder.h"
+#include "tests/unit/voice/speech_like.h"
+
+namespace aucast::voice {
+namespace {
+
+using aucast::test::TempFolder;
+using test::correlation;
+using test::speech_like;
+
+std::filesystem::path write_sound(const TempFolder& folder, const char* name, int format, int rate,
+                                  int channels, double seconds) {
+  const auto path = folder.path() / name;
+  SF_INFO info{};
+  info.samplerate = rate;
+  info.channels = channels;
+  info.format = format;
+  SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
+  for (const float sample : speech_like(seconds, rate)) {
+    const std::vector<float> frame(static_cast<std::size_t>(channels), sample);
+    sf_writef_float(file, frame.data(), 1);
+  }
+  sf_close(file);
+  return path;
+}
+
+std::vector<float> read_all(SoundFile& file) {
+  std::vector<float> all(20 * kEncoderRate);
+  all.resize(file.read(all));
+  return all;
+}
+
+TEST(SoundFile, EveryFormatRateAndChannelCountIsTheSameSound) {
+  const TempFolder folder;
+  const std::vector<float> source = speech_like(2);
+  struct Row {
+    const char* name;
+    int format;
+    int rate;
+    int channels;
+  };
+  const Row rows[] = {
+      {"a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 16000, 1},
+      {"b.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 44100, 2},
+      {"c.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 1},
+      {"d.ogg", SF_FORMAT_OGG | SF_FORMAT_VORBIS, 22050, 1},
+      {"e.opus", SF_FORMAT_OGG | SF_FORMAT_OPUS, 48000, 1},
+  };
+  for (const Row& row : rows) {
+    const auto path = write_sound(folder, row.name, row.format, row.rate, row.channels, 2);
+    auto file = SoundFile::open(path);
+    ASSERT_TRUE(file) << row.name << ": " << file.error().message;
+    EXPECT_NEAR(static_cast<double>(file->duration().count()), 2000, 10) << row.name;
+    const auto samples = read_all(*file);
+    EXPECT_NEAR(static_cast<double>(samples.size()), 2 * kEncoderRate, 200) << row.name;
+    EXPECT_GT(correlation(source, samples, 0), 0.95) << row.name;
+  }
+}
+
+TEST(SoundFile, SaysWhyThereIsNoSound) {
+  const TempFolder folder;
+  const auto missing = SoundFile::open(folder.path() / "none.wav");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().kind, ErrorKind::Unreadable);
+  EXPECT_NE(missing.error().message.find("No such file"), std::string::npos);
+
+  const auto text = SoundFile::open(folder.write("text.wav", "no sound"));
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().kind, ErrorKind::BadData);
+}
+
+TEST(SoundFile, AFifoIsRefusedAtOnce) {
+  const TempFolder folder;
+  const auto path = folder.path() / "fifo.wav";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const auto fifo = SoundFile::open(path);
+  ASSERT_FALSE(fifo);
+  EXPECT_EQ(fifo.error().kind, ErrorKind::Unreadable);
+  EXPECT_NE(fifo.error().message.find("regular file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace aucast::voice
