@@ -203,27 +203,18 @@ std::vector<ClientEvent> ClientSession::on_connected(Instant now) {
   return state_->take_events();
 }
 
-std::vector<ClientEvent> ClientSession::on_bytes(std::string_view bytes, Instant) {
-  using Phase = State::Phase;
-  const auto running = [this] {
-    return state_->phase == Phase::Waiting || state_->phase == Phase::Streaming;
-  };
-  // Packet by packet, so that no more than one is unpacked beyond what ends the session.
-  while (!bytes.empty() && running()) {
-    const std::size_t end = std::min(bytes.find('}'), bytes.size() - 1) + 1;
-    state_->decoder.feed(bytes.substr(0, end));
-    bytes.remove_prefix(end);
-    if (const auto packet = state_->decoder.next()) {
-      std::visit([this](const auto& kind) { state_->handle(kind); }, *packet);
-    }
-    if (running() && state_->decoder.error()) {
-      const DecodeError& error = *state_->decoder.error();
-      state_->fail(Why::ProtocolError, "the server sent what is not the protocol: " + error.reason +
-                                           " (" + std::string(name(error.fault)) + " at byte " +
-                                           std::to_string(error.position) + ")");
-    }
+std::vector<ClientEvent> ClientSession::on_bytes(std::string_view& bytes, Instant) {
+  State& state = *state_;
+  if (state.phase != State::Phase::Waiting && state.phase != State::Phase::Streaming) {
+    bytes = {};
+  } else if (const auto packet = state.decoder.next(bytes)) {
+    std::visit([&state](const auto& kind) { state.handle(kind); }, *packet);
+  } else if (const auto& error = state.decoder.error()) {
+    state.fail(Why::ProtocolError, "the server sent what is not the protocol: " + error->reason +
+                                       " (" + std::string(name(error->fault)) + " at byte " +
+                                       std::to_string(error->position) + ")");
   }
-  return state_->take_events();
+  return state.take_events();
 }
 
 std::vector<ClientEvent> ClientSession::on_closed(Instant) {

@@ -65,7 +65,9 @@ class ClientSession {
   ClientSession& operator=(ClientSession&&) noexcept;
 
   [[nodiscard]] std::vector<ClientEvent> on_connected(Instant now);
-  [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view bytes, Instant now);
+  /// Reads up to the end of the first packet in `bytes` and removes what it read from their front:
+  /// to be called again while some are left.
+  [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes, Instant now);
   /// The server shut its side or the connection broke.
   [[nodiscard]] std::vector<ClientEvent> on_closed(Instant now);
   [[nodiscard]] std::vector<ClientEvent> on_time(Instant now);

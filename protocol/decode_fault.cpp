@@ -1,4 +1,6 @@
-#include "protocol/decoder.h"
+#include "protocol/decode_fault.h"
+
+#include "common/text.h"
 
 namespace aucast::protocol {
 
@@ -20,6 +22,11 @@ std::string_view name(DecodeFault fault) {
       return "unknown code";
   }
   return "unknown fault";
+}
+
+ByteFault unexpected(const std::string& expected, char byte) {
+  return {DecodeFault::IllegalByte,
+          "expected " + expected + ", found '" + escaped(std::string_view(&byte, 1)) + "'"};
 }
 
 }  // namespace aucast::protocol

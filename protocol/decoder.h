@@ -2,80 +2,100 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 
+#include "protocol/decode_fault.h"
+#include "protocol/keyframe_parser.h"
 #include "protocol/packet.h"
+#include "protocol/word_packet.h"
 
 namespace aucast::protocol {
 
-/// Why a byte stream stopped being the protocol. Names are in PROTOCOL.md.
-enum class DecodeFault : std::uint8_t {
-  IllegalByte,    ///< a byte that cannot stand there; found before any closing brace
-  NumberTooBig,   ///< an AU above 99, a percent above 100, a time beyond the limit
-  PacketTooLong,  ///< no closing brace within the limit
-  TooManyBlanks,  ///< blanks between packets beyond the limit
-  UnknownPacket,  ///< {-3} and the like, or a word that is none of ours
-  BadField,       ///< a hello or error whose field cannot be read
-  UnknownCode,    ///< from a client: something that is no control code
+/// Cuts a byte stream into packets, one at a time. Bytes may come in any portions. Does no I/O.
+/// After the first error nothing more is read and error() stays the same.
+template <typename Packet>
+class PacketDecoder {
+ public:
+  /// Reads `bytes` up to the end of the first packet, removes what it read from their front and
+  /// returns the packet. Nothing: `bytes` is empty and the packet is not complete yet, or error()
+  /// says why there will be none.
+  [[nodiscard]] std::optional<Packet> next(std::string_view& bytes);
+  [[nodiscard]] const std::optional<DecodeError>& error() const { return error_; }
+  /// True when a packet was begun and not finished.
+  [[nodiscard]] bool mid_packet() const { return !error_ && packet_bytes_ > 0; }
+  [[nodiscard]] std::uint64_t bytes_seen() const { return bytes_seen_; }
+  /// Size of the last packet from next() as it came: with its braces and the blanks inside.
+  [[nodiscard]] std::size_t taken_bytes() const { return taken_bytes_; }
+
+ protected:
+  explicit PacketDecoder(WordPacket word) : word_(std::move(word)) {}
+  ~PacketDecoder() = default;
+  PacketDecoder(PacketDecoder&&) noexcept = default;
+  PacketDecoder& operator=(PacketDecoder&&) noexcept = default;
+
+  [[nodiscard]] virtual std::optional<ByteFault> accept(char byte) = 0;
+
+  /// A blank between two packets.
+  [[nodiscard]] std::optional<ByteFault> blank();
+  /// One more byte of the packet begun, which may have `max` of them.
+  [[nodiscard]] std::optional<ByteFault> count(std::size_t max);
+  void deliver(Packet packet);
+  template <typename T>
+  [[nodiscard]] std::optional<ByteFault> deliver_parsed(std::variant<T, FieldFault> parsed);
+
+  std::size_t packet_bytes_ = 0;  ///< of the packet begun; 0: none is
+  WordPacket word_;
+
+ private:
+  std::size_t blanks_ = 0;  ///< in a row, between packets
+  std::size_t taken_bytes_ = 0;
+  std::uint64_t bytes_seen_ = 0;
+  std::optional<Packet> packet_;
+  std::optional<DecodeError> error_;
 };
 
-[[nodiscard]] std::string_view name(DecodeFault fault);
-
-/// A fault with its place: `position` counts the bytes of the connection from 0.
-struct DecodeError {
-  DecodeFault fault = DecodeFault::IllegalByte;
-  std::uint64_t position = 0;
-  std::string reason;  ///< a sentence, peer bytes escaped
-  friend bool operator==(const DecodeError&, const DecodeError&) = default;
-};
-
-/// Cuts what a server sends into packets. Bytes may come in any portions. Does no I/O.
-/// Invariant: at most kPacketBytesMax bytes are held back. After the first error every feed() is
-/// ignored and error() stays the same (sticky); packets complete before it can still be taken.
-class ServerPacketDecoder {
+/// What a server sends. Invariant: holds at most kPacketBytesMax bytes.
+class ServerPacketDecoder final : public PacketDecoder<ServerPacket> {
  public:
   ServerPacketDecoder();
-  ~ServerPacketDecoder();
-  ServerPacketDecoder(ServerPacketDecoder&&) noexcept;
-  ServerPacketDecoder& operator=(ServerPacketDecoder&&) noexcept;
-
-  void feed(std::string_view bytes);
-  /// The next complete packet, in the order of arrival.
-  [[nodiscard]] std::optional<ServerPacket> next();
-  [[nodiscard]] const std::optional<DecodeError>& error() const;
-  /// True when a packet was begun and not finished.
-  [[nodiscard]] bool mid_packet() const;
-  [[nodiscard]] std::uint64_t bytes_seen() const;
-  /// Size of the packet that next() gave last, as it came: with its braces and blanks inside.
-  [[nodiscard]] std::size_t taken_bytes() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  enum class Place : std::uint8_t {
+    Opened,   ///< after '{'
+    Minus,    ///< after "{-"
+    EndRead,  ///< after "{-2"
+    Keyframe,
+    Word,
+  };
+
+  [[nodiscard]] std::optional<ByteFault> accept(char byte) override;
+  [[nodiscard]] std::optional<ByteFault> open(char byte);
+  [[nodiscard]] std::optional<ByteFault> end_mark(char byte);
+  [[nodiscard]] std::optional<ByteFault> close();
+  [[nodiscard]] std::optional<ByteFault> close_word();
+  [[nodiscard]] std::size_t bytes_max() const;
+
+  Place place_ = Place::Opened;
+  KeyframeParser keyframe_{TermSyntax::Wire};
 };
 
-/// The same for what a client sends: control codes, each complete at its digit, and a hello or
-/// {streams} before the first of them. Blanks before, between and after them are skipped.
-/// Invariant: at most kHelloBytesMax bytes are held back.
-class ClientPacketDecoder {
+/// What a client sends: control codes, each complete at its digit, and a hello or {streams} before
+/// the first of them. Blanks before, between and after them are skipped.
+/// Invariant: holds at most kHelloBytesMax bytes.
+class ClientPacketDecoder final : public PacketDecoder<ClientPacket> {
  public:
   ClientPacketDecoder();
-  ~ClientPacketDecoder();
-  ClientPacketDecoder(ClientPacketDecoder&&) noexcept;
-  ClientPacketDecoder& operator=(ClientPacketDecoder&&) noexcept;
-
-  void feed(std::string_view bytes);
-  [[nodiscard]] std::optional<ClientPacket> next();
-  [[nodiscard]] const std::optional<DecodeError>& error() const;
-  [[nodiscard]] bool mid_packet() const;
-  [[nodiscard]] std::uint64_t bytes_seen() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  [[nodiscard]] std::optional<ByteFault> accept(char byte) override;
+  [[nodiscard]] std::optional<ByteFault> after_minus(char byte);
+  [[nodiscard]] std::optional<ByteFault> close_word();
+
+  bool word_allowed_ = true;  ///< nothing but blanks so far
+  bool minus_ = false;        ///< the packet begun is a code, not a word
 };
 
 }  // namespace aucast::protocol

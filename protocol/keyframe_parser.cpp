@@ -1,6 +1,5 @@
 #include "protocol/keyframe_parser.h"
 
-#include "common/text.h"
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
@@ -20,11 +19,6 @@ constexpr NumberBounds kDurationBounds{kDurationMsMax, 7,
 constexpr NumberBounds kPlaceBounds{kPlaceMsMax, 13, "a place in the stream is 0-1000000000000 ms"};
 
 }  // namespace
-
-ByteFault unexpected(const std::string& expected, char byte) {
-  return {DecodeFault::IllegalByte,
-          "expected " + expected + ", found '" + escaped(std::string_view(&byte, 1)) + "'"};
-}
 
 std::optional<ByteFault> KeyframeParser::accept(char byte) {
   if (is_digit(byte)) return add_digit(byte);

@@ -7,20 +7,10 @@
 #include <utility>
 
 #include "protocol/codec.h"
-#include "protocol/decoder.h"
+#include "protocol/decode_fault.h"
 #include "protocol/packet.h"
 
 namespace aucast::protocol {
-
-/// What is wrong with a byte where it stands.
-struct ByteFault {
-  DecodeFault fault = DecodeFault::IllegalByte;
-  std::string reason;    ///< a sentence, the byte escaped
-  std::size_t back = 0;  ///< how many bytes before the last one it stands (bad fields)
-};
-
-/// IllegalByte: "expected <what>, found '<byte>'".
-[[nodiscard]] ByteFault unexpected(const std::string& expected, char byte);
 
 /// True for space, CR and LF.
 [[nodiscard]] constexpr bool is_blank(char byte) {

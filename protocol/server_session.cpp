@@ -12,9 +12,6 @@
 namespace aucast::protocol {
 namespace {
 
-/// Bytes are decoded in portions, so that a flood of codes is noticed before it is all unpacked.
-constexpr std::size_t kPortionBytes = 4096;
-
 /// What a TLS client begins with.
 constexpr char kTlsFirstByte = '\x16';
 
@@ -237,23 +234,17 @@ void ServerSession::State::list_streams() {
 
 void ServerSession::State::read(std::string_view bytes) {
   if (!bytes.empty() && first_byte == '\0') first_byte = bytes.front();
-  while (!bytes.empty() && phase != Phase::Closed) {
-    const std::string_view portion = bytes.substr(0, kPortionBytes);
-    bytes.remove_prefix(portion.size());
-    if (phase == Phase::Draining) {
-      drained_bytes += portion.size();
-      if (drained_bytes > kDrainBytesMax) close(farewell.why, farewell.reason);
-      continue;
-    }
-    note_first_byte(portion);
-    decoder.feed(portion);
-    while (const auto packet = decoder.next()) {
-      if (phase == Phase::Draining || phase == Phase::Closed) break;
+  while (!bytes.empty() && phase != Phase::Draining && phase != Phase::Closed) {
+    note_first_byte(bytes);
+    if (const auto packet = decoder.next(bytes)) {
       handle(*packet);
-    }
-    if (decoder.error() && phase != Phase::Draining && phase != Phase::Closed) {
+    } else if (decoder.error()) {
       handle_fault(*decoder.error());
     }
+  }
+  if (phase == Phase::Draining) {
+    drained_bytes += bytes.size();
+    if (drained_bytes > kDrainBytesMax) close(farewell.why, farewell.reason);
   }
 }
 

@@ -182,14 +182,11 @@ bool AuReader::digests() const {
 
 /// Packet by packet, so that each is answered before the session counts the next as sent ahead.
 void AuReader::digest(Reaction& reaction, Instant now) {
-  std::size_t done = 0;
-  while (done < waiting_.size() && digests() && reaction.next == Reaction::Next::GoOn) {
-    const std::size_t brace = std::min(waiting_.find('}', done), waiting_.size() - 1);
-    const std::string_view packet(waiting_.data() + done, brace + 1 - done);
-    react(session_.on_bytes(packet, now), reaction, now);
-    done = brace + 1;
+  std::string_view rest = waiting_;
+  while (!rest.empty() && digests() && reaction.next == Reaction::Next::GoOn) {
+    react(session_.on_bytes(rest, now), reaction, now);
   }
-  waiting_.erase(0, done);
+  waiting_.erase(0, waiting_.size() - rest.size());
 }
 
 void AuReader::react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction,

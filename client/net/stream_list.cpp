@@ -111,11 +111,9 @@ class Question {
   }
 
   void on_read(std::string_view bytes) {
-    if (!tls_) {
-      decoder_.feed(bytes);
-    } else {
+    std::string plain;
+    if (tls_) {
       const bool before = tls_->ready();
-      std::string plain;
       const bool good = tls_->received(bytes, plain);
       if (good && tls_->ready() && !before) {
         tls_->send(protocol::encode(protocol::StreamsAsked{options_.security.token}));
@@ -125,14 +123,14 @@ class Question {
         fail(tls_->reason());
         return;
       }
-      decoder_.feed(plain);
+      bytes = plain;
     }
-    look();
+    look(bytes);
     if (!result_) read();
   }
 
-  void look() {
-    const auto packet = decoder_.next();
+  void look(std::string_view bytes) {
+    const auto packet = decoder_.next(bytes);
     if (!packet) {
       if (decoder_.error()) fail(decoder_.error()->reason + "; is it an au-transmitter?");
       return;

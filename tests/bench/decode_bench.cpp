@@ -29,8 +29,8 @@ long sum_by_decoder(const std::string& bytes) {
   ServerPacketDecoder decoder;
   long sum = 0;
   for (std::size_t at = 0; at < bytes.size(); at += kPortion) {
-    decoder.feed(std::string_view(bytes).substr(at, kPortion));
-    while (const auto packet = decoder.next()) {
+    std::string_view portion = std::string_view(bytes).substr(at, kPortion);
+    while (const auto packet = decoder.next(portion)) {
       for (const auto& term : std::get<Keyframe>(*packet).terms) sum += term.number;
     }
   }

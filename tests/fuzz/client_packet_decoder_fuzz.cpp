@@ -23,9 +23,9 @@ Outcome decode(std::string_view bytes, std::size_t portion) {
   ClientPacketDecoder decoder;
   Outcome outcome;
   while (!bytes.empty()) {
-    decoder.feed(bytes.substr(0, portion));
-    bytes.remove_prefix(std::min(portion, bytes.size()));
-    while (auto packet = decoder.next()) outcome.packets.push_back(std::move(*packet));
+    std::string_view some = bytes.substr(0, portion);
+    bytes.remove_prefix(some.size());
+    while (auto packet = decoder.next(some)) outcome.packets.push_back(std::move(*packet));
   }
   outcome.error = decoder.error();
   return outcome;

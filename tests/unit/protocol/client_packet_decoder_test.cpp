@@ -17,17 +17,17 @@ std::string text_of(const ClientPacket& packet) {
   return std::visit([](const auto& kind) { return encode(kind); }, packet);
 }
 
-std::vector<ClientPacket> take_all(ClientPacketDecoder& decoder) {
+std::vector<ClientPacket> take_all(ClientPacketDecoder& decoder, std::string_view bytes) {
   std::vector<ClientPacket> packets;
-  while (auto packet = decoder.next()) packets.push_back(std::move(*packet));
+  while (auto packet = decoder.next(bytes)) packets.push_back(std::move(*packet));
+  EXPECT_TRUE(bytes.empty());
   return packets;
 }
 
 std::string decoded(std::string_view bytes) {
   ClientPacketDecoder decoder;
-  decoder.feed(bytes);
   std::string text;
-  for (const ClientPacket& packet : take_all(decoder)) {
+  for (const ClientPacket& packet : take_all(decoder, bytes)) {
     text += (text.empty() ? "" : " ") + text_of(packet);
   }
   if (decoder.error()) text += "!" + std::string(name(decoder.error()->fault));
@@ -36,7 +36,7 @@ std::string decoded(std::string_view bytes) {
 
 DecodeError error_of(std::string_view bytes) {
   ClientPacketDecoder decoder;
-  decoder.feed(bytes);
+  static_cast<void>(take_all(decoder, bytes));
   return decoder.error().value_or(DecodeError{DecodeFault::IllegalByte, 9999, "no error"});
 }
 
@@ -45,12 +45,10 @@ TEST(ClientPacketDecoder, CompletesACodeAtItsDigit) {
   EXPECT_EQ(decoded("11-1-31-4"), "1 1 -1 -3 1 -4");
   EXPECT_EQ(decoded(" 1\r\n1 \n-1\n"), "1 1 -1");
   ClientPacketDecoder decoder;
-  decoder.feed("-");
+  EXPECT_TRUE(take_all(decoder, "-").empty());
   EXPECT_TRUE(decoder.mid_packet());
-  EXPECT_FALSE(decoder.next().has_value());
-  decoder.feed("3");
+  EXPECT_EQ(take_all(decoder, "3"), std::vector<ClientPacket>{Code::Resume});
   EXPECT_FALSE(decoder.mid_packet());
-  EXPECT_EQ(decoder.next(), ClientPacket{Code::Resume});
   EXPECT_EQ(decoder.bytes_seen(), 2U);
 }
 
@@ -120,9 +118,8 @@ TEST(ClientPacketDecoder, HoldsHelloAndBlanksToTheirLimits) {
 
 TEST(ClientPacketDecoder, IsStickyAndDeliversWhatCameBefore) {
   ClientPacketDecoder decoder;
-  decoder.feed("11x1");
-  decoder.feed("1");
-  EXPECT_EQ(take_all(decoder).size(), 2U);
+  EXPECT_EQ(take_all(decoder, "11x1").size(), 2U);
+  EXPECT_TRUE(take_all(decoder, "1").empty());
   EXPECT_EQ(decoder.error()->position, 2U);
   EXPECT_FALSE(decoder.mid_packet());
 }
@@ -139,9 +136,11 @@ TEST(ClientPacketDecoder, RoundTripsRandomHellosAndGivesTheSameForBytesCutAnywhe
       bytes += text_of(packet) + (seeded.chance(0.3) ? "\n" : "");
     for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
       ClientPacketDecoder decoder;
-      decoder.feed(std::string_view(bytes).substr(0, cut));
-      decoder.feed(std::string_view(bytes).substr(cut));
-      ASSERT_EQ(take_all(decoder), sent) << bytes << " cut at " << cut;
+      auto got = take_all(decoder, std::string_view(bytes).substr(0, cut));
+      for (auto& packet : take_all(decoder, std::string_view(bytes).substr(cut))) {
+        got.push_back(std::move(packet));
+      }
+      ASSERT_EQ(got, sent) << bytes << " cut at " << cut;
     }
   }
 }
@@ -155,12 +154,11 @@ TEST(ClientPacketDecoder, AFlippedBitIsAnErrorOrALegalPacket) {
         static_cast<std::size_t>(seeded.integer(0, static_cast<int>(bytes.size()) - 1));
     bytes[place] = static_cast<char>(bytes[place] ^ (1 << seeded.integer(0, 7)));
     ClientPacketDecoder whole;
-    whole.feed(bytes);
-    for (const ClientPacket& packet : take_all(whole)) {
+    for (const ClientPacket& packet : take_all(whole, bytes)) {
       EXPECT_EQ(decoded(text_of(packet)), text_of(packet));
     }
     ClientPacketDecoder bytewise;
-    for (const char byte : bytes) bytewise.feed(std::string_view(&byte, 1));
+    for (const char byte : bytes) take_all(bytewise, std::string_view(&byte, 1));
     EXPECT_EQ(bytewise.error(), whole.error()) << bytes;
   }
 }

@@ -35,9 +35,13 @@ class Client : public ::testing::Test {
     EXPECT_EQ(get(hello), "granted window=" + std::to_string(window));
   }
 
-  std::string get(std::string_view bytes) { return text_of(session_->on_bytes(bytes, now_)); }
+  std::string get(std::string_view bytes) {
+    return text_of(test::read_all(*session_, bytes, now_));
+  }
   std::string closed() { return text_of(session_->on_closed(now_)); }
-  std::string why(std::string_view bytes) { return reason_of(session_->on_bytes(bytes, now_)); }
+  std::string why(std::string_view bytes) {
+    return reason_of(test::read_all(*session_, bytes, now_));
+  }
   std::string pass(Duration time) {
     now_ += time;
     return text_of(session_->on_time(now_));
@@ -58,7 +62,7 @@ TEST_F(Client, AsksForLevel2WhenItMay) {
 
 TEST_F(Client, SaysNothingBeforeItIsConnected) {
   ClientSession session(options_);
-  EXPECT_EQ(text_of(session.on_bytes("{1}", now_)), "");
+  EXPECT_EQ(text_of(test::read_all(session, "{1}", now_)), "");
   EXPECT_EQ(text_of(session.on_closed(now_)), "");
   EXPECT_EQ(session.stop(), "");
   EXPECT_EQ(session.answer_received(), "");
@@ -143,7 +147,7 @@ TEST_F(Client, WaitsForAFirstWordOnly) {
 }
 
 TEST_F(Client, ReportsARefusal) {
-  const auto events = session_->on_bytes("{error 404 there is no stream 'x' here}", now_);
+  const auto events = test::read_all(*session_, "{error 404 there is no stream 'x' here}", now_);
   EXPECT_EQ(text_of(events), "fail refused");
   EXPECT_EQ(reason_of(events), "the server refused: 404 there is no stream 'x' here");
   start_granted();
@@ -197,7 +201,7 @@ TEST_F(Client, PutsUpWithAClassicServerThatRunsAheadALittle) {
 
 TEST_F(Client, RefusesGarbageAndDeliversWhatCameBeforeIt) {
   start_granted();
-  const auto events = session_->on_bytes("{1}{2?}", now_);
+  const auto events = test::read_all(*session_, "{1}{2?}", now_);
   EXPECT_EQ(text_of(events), "store {1} | fail protocol error");
   EXPECT_EQ(reason_of(events),
             "the server sent what is not the protocol: expected ':', a letter of A-E x y z, ',', "

@@ -12,6 +12,7 @@
 #include "protocol/codec.h"
 #include "protocol/server_session.h"
 #include "tests/support/seeded.h"
+#include "tests/unit/protocol/session_text.h"
 
 namespace aucast::protocol {
 namespace {
@@ -91,7 +92,7 @@ class LivePair {
     const auto count = static_cast<std::size_t>(seeded_.integer(1, 60));
     const std::string portion = to_client_.substr(0, count);
     to_client_.erase(0, portion.size());
-    if (!portion.empty()) take(client_->on_bytes(portion, now_));
+    if (!portion.empty()) take(test::read_all(*client_, portion, now_));
   }
 
   void speak() {

@@ -57,11 +57,10 @@ std::vector<std::string> lines_of_blocks(const std::string& kind) {
 
 /// What a decoder makes of the bytes: canonical packets and the fault with its place.
 template <typename Decoder>
-std::string read(const std::string& bytes) {
+std::string read(std::string_view bytes) {
   Decoder decoder;
-  decoder.feed(bytes);
   std::string text;
-  while (const auto packet = decoder.next()) {
+  while (const auto packet = decoder.next(bytes)) {
     text += (text.empty() ? "" : " ") +
             std::visit([](const auto& kind) { return encode(kind); }, *packet);
   }

@@ -17,25 +17,25 @@ std::string text_of(const ServerPacket& packet) {
   return std::visit([](const auto& kind) { return encode(kind); }, packet);
 }
 
-std::vector<ServerPacket> take_all(ServerPacketDecoder& decoder) {
+std::vector<ServerPacket> take_all(ServerPacketDecoder& decoder, std::string_view bytes) {
   std::vector<ServerPacket> packets;
-  while (auto packet = decoder.next()) packets.push_back(std::move(*packet));
+  while (auto packet = decoder.next(bytes)) packets.push_back(std::move(*packet));
+  EXPECT_TRUE(bytes.empty());
   return packets;
 }
 
 /// The canonical packets joined, then "!" and the fault, if there was one.
 std::string decoded(std::string_view bytes) {
   ServerPacketDecoder decoder;
-  decoder.feed(bytes);
   std::string text;
-  for (const ServerPacket& packet : take_all(decoder)) text += text_of(packet);
+  for (const ServerPacket& packet : take_all(decoder, bytes)) text += text_of(packet);
   if (decoder.error()) text += "!" + std::string(name(decoder.error()->fault));
   return text;
 }
 
 DecodeError error_of(std::string_view bytes) {
   ServerPacketDecoder decoder;
-  decoder.feed(bytes);
+  static_cast<void>(take_all(decoder, bytes));
   return decoder.error().value_or(DecodeError{DecodeFault::IllegalByte, 9999, "no error"});
 }
 
@@ -120,9 +120,9 @@ TEST(ServerPacketDecoder, SaysWhyInASentenceWithPeerBytesEscaped) {
 
 TEST(ServerPacketDecoder, FindsTheFaultBeforeAnyClosingBrace) {
   ServerPacketDecoder decoder;
-  decoder.feed("{1,");
+  EXPECT_TRUE(take_all(decoder, "{1,").empty());
   EXPECT_FALSE(decoder.error().has_value());
-  decoder.feed("?");
+  EXPECT_TRUE(take_all(decoder, "?").empty());
   ASSERT_TRUE(decoder.error().has_value());
   EXPECT_EQ(decoder.error()->position, 3U);
 }
@@ -152,9 +152,9 @@ TEST(ServerPacketDecoder, HoldsBlanksToTheirLimitPerGap) {
 
 TEST(ServerPacketDecoder, TenMegabytesWithoutABraceStopAtTheLimit) {
   ServerPacketDecoder decoder;
-  decoder.feed("{");
+  take_all(decoder, "{");
   const std::string flood(1U << 20U, ' ');
-  for (int i = 0; i < 10; ++i) decoder.feed(flood);
+  for (int i = 0; i < 10; ++i) take_all(decoder, flood);
   ASSERT_TRUE(decoder.error().has_value());
   EXPECT_EQ(decoder.error()->fault, DecodeFault::PacketTooLong);
   EXPECT_LE(decoder.bytes_seen(), kPacketBytesMax + 1);
@@ -162,26 +162,33 @@ TEST(ServerPacketDecoder, TenMegabytesWithoutABraceStopAtTheLimit) {
 
 TEST(ServerPacketDecoder, DeliversWhatWasCompleteBeforeTheFaultAndThenNothing) {
   ServerPacketDecoder decoder;
-  decoder.feed("{1}{2}x{3}");
+  EXPECT_EQ(take_all(decoder, "{1}{2}x{3}").size(), 2U);
   const auto first = decoder.error();
   ASSERT_TRUE(first.has_value());
-  decoder.feed("{4}");
+  EXPECT_TRUE(take_all(decoder, "{4}").empty());
   EXPECT_EQ(decoder.error(), first) << "sticky";
-  EXPECT_EQ(take_all(decoder).size(), 2U);
   EXPECT_FALSE(decoder.mid_packet());
 }
 
 TEST(ServerPacketDecoder, KnowsWhereItIs) {
   ServerPacketDecoder decoder;
   EXPECT_FALSE(decoder.mid_packet());
-  decoder.feed("{1, ");
+  EXPECT_TRUE(take_all(decoder, "{1, ").empty());
   EXPECT_TRUE(decoder.mid_packet());
-  EXPECT_FALSE(decoder.next().has_value());
-  decoder.feed("6}\n");
+  EXPECT_EQ(take_all(decoder, "6}\n").size(), 1U);
   EXPECT_FALSE(decoder.mid_packet());
   EXPECT_EQ(decoder.bytes_seen(), 7U);
-  ASSERT_TRUE(decoder.next().has_value());
   EXPECT_EQ(decoder.taken_bytes(), 6U);
+}
+
+TEST(ServerPacketDecoder, ReadsNoFurtherThanThePacketItGives) {
+  ServerPacketDecoder decoder;
+  std::string_view bytes = "{1}{2?}";
+  EXPECT_TRUE(decoder.next(bytes).has_value());
+  EXPECT_EQ(bytes, "{2?}");
+  EXPECT_FALSE(decoder.error().has_value()) << "the fault behind it has not been met";
+  EXPECT_FALSE(decoder.next(bytes).has_value());
+  EXPECT_TRUE(decoder.error().has_value());
 }
 
 TEST(ServerPacketDecoder, RoundTripsRandomPackets) {
@@ -191,9 +198,8 @@ TEST(ServerPacketDecoder, RoundTripsRandomPackets) {
     const ServerPacket packet = test::random_server_packet(seeded);
     const std::string bytes = text_of(packet);
     ServerPacketDecoder decoder;
-    decoder.feed(bytes);
+    const auto packets = take_all(decoder, bytes);
     ASSERT_FALSE(decoder.error().has_value()) << bytes << ": " << decoder.error()->reason;
-    const auto packets = take_all(decoder);
     ASSERT_EQ(packets.size(), 1U) << bytes;
     EXPECT_EQ(packets.front(), packet) << bytes;
   }
@@ -210,18 +216,21 @@ TEST(ServerPacketDecoder, GivesTheSameForBytesCutAnywhere) {
   }
   for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
     ServerPacketDecoder decoder;
-    decoder.feed(std::string_view(bytes).substr(0, cut));
-    decoder.feed(std::string_view(bytes).substr(cut));
-    ASSERT_EQ(take_all(decoder), sent) << "cut at " << cut;
+    auto got = take_all(decoder, std::string_view(bytes).substr(0, cut));
+    for (auto& packet : take_all(decoder, std::string_view(bytes).substr(cut))) {
+      got.push_back(std::move(packet));
+    }
+    ASSERT_EQ(got, sent) << "cut at " << cut;
   }
   for (int run = 0; run < 200; ++run) {
     ServerPacketDecoder decoder;
     std::vector<ServerPacket> got;
     for (std::string_view rest = bytes; !rest.empty();) {
       const auto portion = static_cast<std::size_t>(seeded.integer(1, 30));
-      decoder.feed(rest.substr(0, portion));
+      for (auto& packet : take_all(decoder, rest.substr(0, portion))) {
+        got.push_back(std::move(packet));
+      }
       rest.remove_prefix(std::min(portion, rest.size()));
-      for (auto& packet : take_all(decoder)) got.push_back(std::move(packet));
     }
     ASSERT_EQ(got, sent);
   }
@@ -236,12 +245,11 @@ TEST(ServerPacketDecoder, AFlippedBitIsAnErrorOrALegalPacket) {
         static_cast<std::size_t>(seeded.integer(0, static_cast<int>(bytes.size()) - 1));
     bytes[place] = static_cast<char>(bytes[place] ^ (1 << seeded.integer(0, 7)));
     ServerPacketDecoder whole;
-    whole.feed(bytes);
-    for (const ServerPacket& packet : take_all(whole)) {
+    for (const ServerPacket& packet : take_all(whole, bytes)) {
       EXPECT_EQ(decoded(text_of(packet)), text_of(packet)) << "what was accepted is legal";
     }
     ServerPacketDecoder bytewise;
-    for (const char byte : bytes) bytewise.feed(std::string_view(&byte, 1));
+    for (const char byte : bytes) take_all(bytewise, std::string_view(&byte, 1));
     EXPECT_EQ(bytewise.error(), whole.error()) << bytes;
   }
 }

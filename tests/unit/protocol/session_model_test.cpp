@@ -260,7 +260,7 @@ class Model {
   void deliver_to_client() {
     if (client_over_) return;
     if (const std::string bytes = to_client_.read(now_); !bytes.empty()) {
-      take(client_->on_bytes(bytes, now_));
+      take(test::read_all(*client_, bytes, now_));
     } else if (to_client_.at_end()) {
       take(client_->on_closed(now_));
     }

@@ -88,7 +88,7 @@ class Pair {
 
   void deliver_to_client() {
     if (!to_client_.empty()) {
-      take(client_.on_bytes(to_client_.read_some(seeded_), now_));
+      take(test::read_all(client_, to_client_.read_some(seeded_), now_));
     } else if (server_shut_) {
       take(client_.on_closed(now_));
       end_client();

@@ -58,6 +58,14 @@ std::string text_of(const std::vector<ClientEvent>& events) {
   return joined(events);
 }
 
+std::vector<ClientEvent> read_all(ClientSession& session, std::string_view bytes, Instant now) {
+  std::vector<ClientEvent> all;
+  while (!bytes.empty()) {
+    for (ClientEvent& event : session.on_bytes(bytes, now)) all.push_back(std::move(event));
+  }
+  return all;
+}
+
 std::string reason_of(const std::vector<ServerEvent>& events) {
   for (const ServerEvent& event : events) {
     if (const auto* close = std::get_if<CloseConnection>(&event)) return close->reason;

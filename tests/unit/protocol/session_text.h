@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "common/time.h"
 #include "protocol/client_session.h"
 #include "protocol/server_session.h"
 
@@ -12,6 +14,10 @@ namespace aucast::test {
 [[nodiscard]] std::string text_of(const std::vector<protocol::ServerEvent>& events);
 /// "send 1", "store {1:30;40}", "granted window=4", "ended", "reconnect", "fail lost".
 [[nodiscard]] std::string text_of(const std::vector<protocol::ClientEvent>& events);
+
+/// What the session makes of all these bytes.
+[[nodiscard]] std::vector<protocol::ClientEvent> read_all(protocol::ClientSession& session,
+                                                          std::string_view bytes, Instant now);
 
 /// The reason of the close among the events; empty when there is none.
 [[nodiscard]] std::string reason_of(const std::vector<protocol::ServerEvent>& events);

@@ -251,7 +251,7 @@ class ClientReplay {
 
  private:
   std::string play(const Line& line) {
-    if (line.verb == "S>") take(session_.on_bytes(unescaped(line.rest), now_));
+    if (line.verb == "S>") take(read_all(session_, unescaped(line.rest), now_));
     if (line.verb == "S end") take(session_.on_closed(now_));
     if (line.verb == "t") {
       now_ += Milliseconds(number_of(line.rest));
