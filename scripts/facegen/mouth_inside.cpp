@@ -233,6 +233,54 @@ void shade_tongue(Part& tongue) {
   }
 }
 
+/// How a ring of the mouth's inside differs from the line of the lips that it begins at.
+struct BagRing {
+  double back;      ///< share of the way to the throat
+  double widen;     ///< factor on x
+  double heighten;  ///< factor on y about the line of the mouth
+  double least;     ///< height above the line of the mouth, round the rows of teeth
+  double below;     ///< the same below it: under the gum, between lip and teeth
+  double muscle;    ///< how far it goes with the lips and cheeks that it lines
+};
+
+struct LipPlace {
+  std::uint32_t vertex;
+  int up;         ///< 1 for the upper lip, -1 for the lower, 0 in the corners
+  double corner;  ///< from 1 in the corners to 0 a few spokes away
+};
+
+constexpr double kMiddleY = -2.45;  ///< of the line of the mouth
+
+/// The innermost ring of the lips, once round.
+std::vector<LipPlace> lip_loop(const Skin& skin) {
+  std::vector<LipPlace> loop;
+  const auto go_by = [&](int s, int side) {
+    const int up = s == kMouthCornerSpoke ? 0 : s < kMouthCornerSpoke ? 1 : -1;
+    const double corner = smooth_step(5.0, 0.0, std::abs(s - kMouthCornerSpoke));
+    loop.push_back({skin.find(Patch::Mouth, kLipLastRing, s, side), up, corner});
+  };
+  for (int s = 0; s < kMouthSpokes; ++s) go_by(s, 1);
+  for (int s = kMouthSpokes - 2; s > 0; --s) go_by(s, -1);
+  return loop;
+}
+
+/// A ring just outside the first one of the bag: between skin and bag, single pixels would show
+/// what lies behind the head.
+std::vector<std::uint32_t> add_skirt(Part& bag, const Skin& skin,
+                                     const std::vector<LipPlace>& loop) {
+  std::vector<std::uint32_t> skirt;
+  for (const LipPlace& place : loop) {
+    const Vertex& lip = skin.part.vertices[place.vertex];
+    const Vec3 from_middle = lip.position - Vec3{0, kMiddleY, lip.position.z};
+    skirt.push_back(bag.add(lip.position + glm::normalize(from_middle) * 0.05 + Vec3{0, 0, 0.08},
+                            bag.vertices[skirt.size()].colour));
+    bag.vertices.back().maps = lip.maps;
+    bag.vertices.back().occlusion = 0;
+    bag.vertices.back().gloss = 0;
+  }
+  return skirt;
+}
+
 }  // namespace
 
 Part make_teeth(Jawbone jawbone) {
@@ -295,14 +343,6 @@ Part make_tongue() {
 }
 
 Part make_mouth_bag(const Skin& skin) {
-  struct BagRing {
-    double back;      // share of the way to the throat
-    double widen;     // factor on x
-    double heighten;  // factor on y about the line of the mouth
-    double least;     // height above the line of the mouth, round the rows of teeth
-    double below;     // the same below it: under the gum, between lip and teeth
-    double muscle;    // how far it goes with the lips and cheeks that it lines
-  };
   static constexpr std::array<BagRing, 6> kRings{{{0, 1, 1, 0, 0, 1},
                                                   {.06, 1.06, 1.02, .1, 1.1, .8},
                                                   {.25, 1.26, 1.25, .5, 1.55, .7},
@@ -310,20 +350,7 @@ Part make_mouth_bag(const Skin& skin) {
                                                   {.68, 1.45, 1.5, .8, 1.6, .4},
                                                   {.88, .9, .8, .5, .9, 0}}};
   constexpr double kThroatZ = 3.6;
-  constexpr double kMiddleY = -2.45;
-  struct LipPlace {
-    std::uint32_t vertex;
-    int up;         // 1 for the upper lip, -1 for the lower, 0 in the corners
-    double corner;  // from 1 in the corners to 0 a few spokes away
-  };
-  std::vector<LipPlace> loop;
-  const auto go_by = [&](int s, int side) {
-    const int up = s == kMouthCornerSpoke ? 0 : s < kMouthCornerSpoke ? 1 : -1;
-    const double corner = smooth_step(5.0, 0.0, std::abs(s - kMouthCornerSpoke));
-    loop.push_back({skin.find(Patch::Mouth, kLipLastRing, s, side), up, corner});
-  };
-  for (int s = 0; s < kMouthSpokes; ++s) go_by(s, 1);
-  for (int s = kMouthSpokes - 2; s > 0; --s) go_by(s, -1);
+  const std::vector<LipPlace> loop = lip_loop(skin);
   Part bag;
   bag.name = "mouth_bag";
   bag.material = face::Material::Mouth;
@@ -365,18 +392,7 @@ Part make_mouth_bag(const Skin& skin) {
   bag.vertices[end][Map::Head] = 1;
   bag.vertices[end].occlusion = 0;
   bag.vertices[end].gloss = 0.04;
-  // Between skin and bag single pixels would show what lies behind the head.
-  std::vector<std::uint32_t> skirt;
-  for (const LipPlace& place : loop) {
-    const Vertex& lip = skin.part.vertices[place.vertex];
-    const Vec3 from_middle = lip.position - Vec3{0, kMiddleY, lip.position.z};
-    skirt.push_back(bag.add(lip.position + glm::normalize(from_middle) * 0.05 + Vec3{0, 0, 0.08},
-                            bag.vertices[skirt.size()].colour));
-    bag.vertices.back().maps = lip.maps;
-    bag.vertices.back().occlusion = 0;
-    bag.vertices.back().gloss = 0;
-  }
-  bag.add_band(first, skirt, true);
+  bag.add_band(first, add_skirt(bag, skin, loop), true);
   for (std::size_t i = 0; i < front.size(); ++i) {
     bag.add_triangle(end, front[(i + 1) % front.size()], front[i]);
   }
