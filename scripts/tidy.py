@@ -3,71 +3,95 @@
 
     scripts/tidy.py [ROOT]        one line per finding, exit 1 when there is one
 
-What it knows: which folder may include what, what pure folders may not touch, own header first,
-lengths of lines, functions and files, leftovers.
+It checks which folder includes what, what pure folders touch, that a file's own header comes first,
+the lengths of lines, functions and files, and leftovers. It reads what git tracks; outside a git
+repository, everything below ROOT but build/.
 """
 
 import pathlib
 import re
+import subprocess
 import sys
 
 LINE_MAX = 100
 FUNCTION_MAX = 70
 FILE_MAX = 600
 
-SOURCE_FOLDERS = ("common", "protocol", "server", "client", "scripts/facegen", "tests")
+SERVER = {"common", "common/sources", "common/tls", "common/voice", "common/link", "protocol"}
+APP = SERVER | {"client/" + room for room in
+                ("playback", "face", "pipeline", "net", "view", "render", "gui", "app")}
 
-# What a folder may include of the project itself, longest prefix first.
-LAYERS = {
-    "common": {"common"},
-    "protocol": {"common", "protocol"},
-    "common/tls": {"common"},
+# What the files of a folder may include of the project, besides their own folder. A file belongs to
+# the longest folder named here that it lies in; what lies in none of them may not be included.
+MAY_INCLUDE = {
+    "common": set(),
+    "common/link": {"common", "common/tls"},
     "common/sources": {"common", "protocol"},
+    "common/tls": {"common"},
     "common/voice": {"common", "protocol"},
-    "server": {"common", "protocol", "server"},
-    "client/playback": {"common", "client/playback"},
-    "client/face": {"common", "client/face"},
-    "client/pipeline": {"common", "client/playback", "client/face", "client/pipeline"},
-    "client/net": {"common", "protocol", "client/playback", "client/net"},
-    "client/view": {"common", "client/view"},
-    "client/render": {"common", "client/view", "client/render"},
-    "client/gui": {"common", "client/playback", "client/face", "client/view", "client/gui"},
-    "client/app": {"common", "protocol", "client"},
-    "scripts/facegen": {"common", "client/face", "client/view", "scripts/facegen"},
+    "protocol": {"common"},
+    "server/settings": SERVER | {"server/serve", "server/streams"},
+    "server/streams": SERVER | {"server/settings", "server/live"},
+    "server/live": SERVER | {"server/settings", "server/streams"},
+    "server/status": SERVER | {"server/settings", "server/serve"},
+    "server/serve": SERVER | {"server/settings", "server/streams", "server/live", "server/status"},
+    "server": SERVER | {"server/settings", "server/streams", "server/live", "server/status",
+                        "server/serve"},
+    "client/playback": {"common"},
+    "client/face": {"common"},
+    "client/pipeline": {"common", "client/playback", "client/face"},
+    "client/net": {"common", "common/tls", "common/link", "protocol", "client/playback"},
+    "client/view": {"common"},
+    "client/render": {"common", "client/view"},
+    "client/gui": {"common", "client/playback", "client/face", "client/view"},
+    "client/app/film": APP,
+    "client/app/gallery": APP | {"client/app/film"},
+    "client/app/window": APP | {"client/app/film"},
+    "client/app/commands": APP | {"client/app/film", "client/app/window"},
+    "client/app": APP | {"client/app/film", "client/app/gallery", "client/app/window",
+                         "client/app/commands"},
+    "scripts/facegen": {"common", "client/face", "client/view"},
 }
 
-# Folders whose code knows no socket, no clock, no OpenGL and no log.
-PURE = ("protocol", "common/tls", "common/sources", "common/voice", "client/playback", "client/face", "client/pipeline")
+# Folders whose code knows no socket, clock, OpenGL or log.
+PURE = {"protocol", "common/tls", "common/sources", "common/voice", "client/playback", "client/face",
+        "client/pipeline"}
 IMPURE = re.compile(
-    r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL|<thread>"
+    r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|\bf?printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL"
+    r"|<thread>"
 )
 LEFTOVERS = re.compile(r"\b(TODO|FIXME|XXX)\b|^\s*#\s*if 0\b")
 COMMENTED_OUT = re.compile(r"^\s*//\s*[\w:.<>*&\s-]+(\(.*\)|=.*);\s*$")
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]')
-# The first line of a function body at file or class level: ends in `) {` and the like.
-FUNCTION_OPEN = re.compile(r"^(\s*)[^\s#/}].*\)\s*(const|noexcept|override|final|\s)*(->.*)?\{\s*$")
-KEYWORDS = re.compile(r"^\s*(\}?\s*(if|for|while|switch|else|catch|do|return)\b|namespace|struct|class|enum)")
+RAW_STRING = re.compile(r'R"(\w*)\(')
+# What a line ends in that opens the body of a function; initialisers have `= {`, `, {` or `x{`.
+BODY_OPENS = re.compile(r"[^=,({\s] \{$")
+# How a statement or a scope begins that is no function.
+NO_FUNCTION = re.compile(
+    r"\s*(\}|(if|for|while|switch|else|do|return|case|namespace|struct|class|union|enum)\b)"
+)
 
 
 def folder_of(path: str) -> str:
-    """The layer that a file belongs to, or ''."""
-    fitting = [layer for layer in LAYERS if path.startswith(layer + "/")]
-    return max(fitting, key=len, default="")
+    """The folder of MAY_INCLUDE that a file belongs to, or ''."""
+    return max((f for f in MAY_INCLUDE if path.startswith(f + "/")), key=len, default="")
 
 
 def check_includes(path, lines):
-    layer = folder_of(path)
+    folder = folder_of(path)
+    if not folder:
+        return
     for number, line in enumerate(lines, 1):
         match = INCLUDE.match(line)
-        if not match or match.group(1) != '"' or not layer:
-            continue
-        if not any(match.group(2).startswith(allowed + "/") for allowed in LAYERS[layer]):
-            yield number, f"{layer} may not include {match.group(2)}"
+        if match and match.group(1) == '"':
+            other = folder_of(match.group(2))
+            if other != folder and other not in MAY_INCLUDE[folder]:
+                yield number, f"{folder} may not include {match.group(2)}"
 
 
-def check_own_header_first(root, path, lines):
+def check_own_header_first(path, lines, all_paths):
     header = re.sub(r"\.cpp$", ".h", path)
-    if header == path or not (root / header).exists() or path.startswith("tests/"):
+    if header == path or header not in all_paths or path.startswith("tests/"):
         return
     for number, line in enumerate(lines, 1):
         match = INCLUDE.match(line)
@@ -78,7 +102,7 @@ def check_own_header_first(root, path, lines):
 
 
 def check_lines(path, lines):
-    pure = any(path.startswith(folder + "/") for folder in PURE)
+    pure = folder_of(path) in PURE
     for number, line in enumerate(lines, 1):
         if len(line) > LINE_MAX and "http" not in line and 'R"(' not in line:
             yield number, f"{len(line)} columns, at most {LINE_MAX}"
@@ -89,47 +113,120 @@ def check_lines(path, lines):
         if path.endswith(".h") and re.match(r"\s*using namespace", line):
             yield number, "using namespace in a header"
         code = line.split("//")[0]
-        if pure and not INCLUDE.match(line) and IMPURE.search(code.replace("snprintf(", "")):
+        if pure and not INCLUDE.match(line) and IMPURE.search(code):
             yield number, "a pure folder reads no clock, logs nothing and prints nothing"
         if pure and INCLUDE.match(line) and IMPURE.search(line):
             yield number, "a pure folder includes no socket, thread, OpenGL or log"
 
 
+def without_raw_strings(lines):
+    """The lines, with those inside of a raw string made empty."""
+    end = None
+    for line in lines:
+        if end is not None:
+            yield ""
+            if end in line:
+                end = None
+            continue
+        yield line
+        opens = RAW_STRING.search(line.split("//")[0])
+        if opens and f'){opens.group(1)}"' not in line[opens.end():]:
+            end = f'){opens.group(1)}"'
+
+
+def without_literals(lines):
+    """The lines without directives and without what stands in comments, strings, raw strings."""
+    raw_end = None
+    directive = False
+    for line in lines:
+        directive = (directive or line.lstrip().startswith("#")) and raw_end is None
+        if directive:
+            directive = line.endswith("\\")
+            yield ""
+            continue
+        if raw_end is not None:
+            if raw_end not in line:
+                yield ""
+                continue
+            line = ' ' * LINE_MAX + '0' + line.split(raw_end, 1)[1]
+            raw_end = None
+        opens = RAW_STRING.search(line)
+        if opens and f'){opens.group(1)}"' not in line:
+            raw_end = f'){opens.group(1)}"'
+            line = line[: opens.start()] + '""'
+        line = re.sub(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])+\'', "0", line)
+        yield line.split("//")[0].rstrip()
+
+
 def check_functions(lines):
-    """Bodies by indentation: clang-format closes a body in the column where it was opened."""
-    opened = None
-    for number, line in enumerate(lines, 1):
-        if opened is None:
-            match = FUNCTION_OPEN.match(line)
-            if match and not KEYWORDS.match(line):
-                opened = (number, match.group(1))
-        elif line.rstrip() in (opened[1] + "}", opened[1] + "};"):
-            length = number - opened[0] - 1
-            if length > FUNCTION_MAX:
-                yield opened[0], f"a function of {length} lines, at most {FUNCTION_MAX}"
-            opened = None
+    """Bodies by indentation: clang-format closes a body in the column where its head begins.
+
+    Any line of no more indent than the head ends the body, so nothing can hide what follows it.
+    A function or a lambda within a body is part of it.
+    """
+    opened = None  # the number of the line that opens a body
+    head = ""  # the statement or declaration that the line belongs to, so far
+    indent = 0  # of its first line
+    for number, line in enumerate(without_literals(lines), 1):
+        if not line:
+            continue
+        if opened is not None:
+            if len(line) - len(line.lstrip()) > indent:
+                continue
+            if number - opened - 1 > FUNCTION_MAX:
+                yield opened, f"a function of {number - opened - 1} lines, at most {FUNCTION_MAX}"
+            opened, head = None, ""
+            if line.lstrip().startswith("}"):
+                continue
+        if not head:
+            indent = len(line) - len(line.lstrip())
+        head += line
+        if BODY_OPENS.search(line) and "(" in head and not NO_FUNCTION.match(head):
+            opened = number
+        elif line[-1] == "{":
+            head = ""
+        elif head.count("(") <= head.count(")"):
+            row = line.endswith("},") and "    : " not in head  # not a member that is initialised
+            if row or line[-1] in ";:}":
+                head = ""
+
+
+def tracked_files(root: pathlib.Path):
+    """What git tracks below root, or has found and not been told to ignore; sorted."""
+    git = subprocess.run(
+        ["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        capture_output=True, text=True, check=False,
+    )
+    if git.returncode == 0:
+        paths = set(git.stdout.split("\0"))
+    else:
+        paths = {file.relative_to(root).as_posix() for file in root.rglob("*")}
+    return sorted(
+        path for path in paths
+        if path.endswith((".h", ".cpp")) and not path.startswith("build/")
+        and (root / path).is_file()
+    )
 
 
 def findings(root: pathlib.Path):
-    for folder in SOURCE_FOLDERS:
-        for file in sorted((root / folder).rglob("*")):
-            if file.suffix not in (".h", ".cpp"):
-                continue
-            path = file.relative_to(root).as_posix()
-            lines = file.read_text(encoding="utf-8").splitlines()
-            if len(lines) > FILE_MAX:
-                yield path, FILE_MAX, f"{len(lines)} lines, at most {FILE_MAX}"
-            if file.suffix == ".h" and lines and lines[0] != "#pragma once":
-                yield path, 1, "a header begins with #pragma once"
-            checks = (
-                check_includes(path, lines),
-                check_own_header_first(root, path, lines),
-                check_lines(path, lines),
-                check_functions(lines),
-            )
-            for check in checks:
-                for number, text in check:
-                    yield path, number, text
+    all_paths = tracked_files(root)
+    if not all_paths:
+        yield ".", 1, "no source here"
+    for path in all_paths:
+        lines = (root / path).read_text(encoding="utf-8").splitlines()
+        if len(lines) > FILE_MAX:
+            yield path, FILE_MAX, f"{len(lines)} lines, at most {FILE_MAX}"
+        if path.endswith(".h") and lines and lines[0] != "#pragma once":
+            yield path, 1, "a header begins with #pragma once"
+        checks = (
+            check_includes(path, lines),
+            check_own_header_first(path, lines, all_paths),
+            check_lines(path, lines),
+            check_functions(lines),
+        )
+        for check in checks:
+            for number, text in check:
+                yield path, number, text
 
 
 def main() -> int:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tidy.py must see what it claims to see: each case is a small tree with one mistake, or none."""
+"""tidy.py must see what it claims to see: each case is a small tree with a fault, or none."""
 
 import pathlib
 import subprocess
@@ -7,38 +7,95 @@ import sys
 import tempfile
 import unittest
 
-TIDY = pathlib.Path(__file__).with_name("tidy.py")
+import tidy
+
+BODY = "  x();\n" * 71 + "}\n"
 
 
-def tidy(files):
+def findings(files):
     with tempfile.TemporaryDirectory() as folder:
         for name, text in files.items():
             path = pathlib.Path(folder) / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
-        done = subprocess.run(
-            [sys.executable, TIDY, folder], capture_output=True, text=True, check=False
+        return "".join(
+            f"{path}:{number}: {text}\n" for path, number, text in tidy.findings(pathlib.Path(folder))
         )
-        return done.returncode, done.stdout
 
 
 class TidyTest(unittest.TestCase):
     def assert_found(self, files, expected):
-        code, out = tidy(files)
-        self.assertEqual(code, 1, out)
+        out = findings(files)
         self.assertIn(expected, out)
         self.assertEqual(out.count("\n"), 1, out)
 
-    def test_clean_tree(self):
-        code, out = tidy({"protocol/a.h": '#pragma once\n#include "common/b.h"\n'})
-        self.assertEqual((code, out), (0, ""))
+    def assert_clean(self, files):
+        self.assertEqual(findings(files), "")
 
-    def test_layers(self):
-        self.assert_found({"protocol/a.cpp": '#include "client/x.h"\n'}, "protocol may not include")
-        self.assert_found({"server/a.cpp": '#include "client/x.h"\n'}, "server may not include")
-        self.assert_found(
-            {"client/face/a.cpp": '#include "client/playback/x.h"\n'}, "client/face may not include"
-        )
+    def test_clean_tree(self):
+        self.assert_clean({"protocol/a.h": '#pragma once\n#include "common/b.h"\n'})
+
+    def test_exit_code_and_form(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for text, expected in (("int x;\n", (0, "")), ("#if 0\n", (1, "a.cpp:1: a leftover: #if 0\n"))):
+                (pathlib.Path(folder) / "a.cpp").write_text(text, encoding="utf-8")
+                done = subprocess.run(
+                    [sys.executable, tidy.__file__, folder],
+                    capture_output=True, text=True, check=False,
+                )
+                self.assertEqual((done.returncode, done.stdout), expected)
+
+    def test_a_tree_without_sources_is_no_clean_tree(self):
+        self.assert_found({"README.md": "text"}, "no source here")
+
+    def test_every_folder_refuses_each_folder_that_it_may_not_include(self):
+        for folder, allowed in tidy.MAY_INCLUDE.items():
+            others = set(tidy.MAY_INCLUDE) - allowed - {folder}
+            self.assertTrue(others or folder == "client/app", folder)
+            text = "".join(f'#include "{other}/x.h"\n' for other in sorted(others))
+            out = findings({f"{folder}/a.cpp": text})
+            for other in others:
+                self.assertIn(f"{folder} may not include {other}/x.h", out)
+            self.assertEqual(out.count("\n"), len(others), out)
+            self.assert_clean({
+                f"{folder}/a.cpp":
+                    "".join(f'#include "{other}/x.h"\n' for other in sorted(allowed | {folder}))
+            })
+
+    def test_include_directions_that_matter_most(self):
+        for folder, other in (
+            ("common", "common/sources"), ("common", "common/tls"), ("common", "common/link"),
+            ("common/sources", "common/tls"), ("protocol", "common/sources"),
+            ("server/live", "server/serve"), ("server/live", "client/face"),
+            ("client/face", "client/playback"), ("client/app/film", "client/app/window"),
+            ("client/app/window", "server/live"),
+        ):
+            self.assertNotIn(other, tidy.MAY_INCLUDE[folder])
+
+    def test_a_folder_that_is_not_known_is_included_by_nobody(self):
+        self.assert_found({"server/a.cpp": '#include "vendor/x.h"\n'}, "may not include vendor/x.h")
+
+    def test_every_folder_with_sources_is_known(self):
+        root = pathlib.Path(tidy.__file__).parent.parent
+        for path in tidy.tracked_files(root):
+            if not path.startswith(("tests/", "scripts/cmake/")):
+                self.assertTrue(tidy.folder_of(path), path)
+
+    def test_folders_that_are_new_are_walked(self):
+        for path in ("a.cpp", "common/new/a.cpp", "tests/unit/a.cpp", "elsewhere/deep/a.cpp"):
+            self.assert_found({path: "#if 0\n"}, f"{path}:1: a leftover")
+
+    def test_reads_what_git_has_and_not_what_it_ignores(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            subprocess.run(["git", "init", "-q", folder], check=True)
+            for name in ("a.cpp", "new.cpp", "ignored.cpp", "build/b.cpp", "deleted.cpp"):
+                (root / name).parent.mkdir(exist_ok=True)
+                (root / name).write_text("int x;\n", encoding="utf-8")
+            (root / ".gitignore").write_text("ignored.cpp\nbuild\n", encoding="utf-8")
+            subprocess.run(["git", "-C", folder, "add", "a.cpp", "deleted.cpp"], check=True)
+            (root / "deleted.cpp").unlink()
+            self.assertEqual(tidy.tracked_files(root), ["a.cpp", "new.cpp"])
 
     def test_own_header_first(self):
         self.assert_found(
@@ -47,16 +104,63 @@ class TidyTest(unittest.TestCase):
         )
 
     def test_pure_folders(self):
-        for line in ("auto t = Clock::now();", 'std::printf("x");', "spdlog::info(1);"):
-            self.assert_found({"protocol/a.cpp": line + "\n"}, "pure folder")
-        self.assert_found({"protocol/a.cpp": "#include <asio.hpp>\n"}, "pure folder")
-        code, out = tidy({"server/a.cpp": "auto t = Clock::now();\n"})
-        self.assertEqual((code, out), (0, ""))
+        for folder in tidy.PURE:
+            for line in ("auto t = Clock::now();", 'std::printf("x");', "spdlog::info(1);",
+                         "std::cerr << 1;", "sleep_for(t);"):
+                self.assert_found({f"{folder}/a.cpp": line + "\n"}, "pure folder")
+            for header in ("asio.hpp", "thread", "epoxy/gl.h", "GLFW/glfw3.h", "spdlog/spdlog.h"):
+                self.assert_found({f"{folder}/a.cpp": f"#include <{header}>\n"}, "pure folder")
+            self.assert_clean({f"{folder}/a.cpp": 'std::snprintf(a, 1, "x");  // not printf()\n'})
+        self.assert_clean({"server/a.cpp": "auto t = Clock::now();\n"})
+        self.assert_clean({"common/link/a.cpp": "#include <asio.hpp>\n"})
 
-    def test_lengths(self):
+    def test_lengths_of_lines_and_files(self):
         self.assert_found({"server/a.cpp": "x" * 101 + "\n"}, "101 columns")
-        self.assert_found({"server/a.cpp": "int f() {\n" + "  x();\n" * 71 + "}\n"}, "71 lines")
+        self.assert_clean({"server/a.cpp": "x" * 100 + "\n"})
         self.assert_found({"server/a.cpp": "\n" * 601}, "601 lines")
+        self.assert_clean({"server/a.cpp": "\n" * 600})
+
+    def test_every_form_of_a_long_function_is_found(self):
+        for head in (
+            "int f() {",
+            "int f(const int& a,\n      int b) {",
+            "int f(Options options = {},\n      int b) {",
+            "int C::f() const noexcept {",
+            "int C::f() const& {",
+            "auto f() -> std::vector<int> {",
+            "template <typename T>\nrequires std::integral<T>\nT f(T t) {",
+            "C::C(int a) : a_(a), b_{1} {",
+            "C::C(int a)\n    : a_(a),\n      b_{a, a},\n      c_{a,\n         a} {",
+            "int f(\n    int a) try {",
+            "TEST(Unit, States) {",
+            "[[nodiscard]] int f() {  // why",
+            "const auto f = [](int a) {",
+        ):
+            self.assert_found({"server/a.cpp": f"{head}\n{BODY}"}, "71 lines")
+        member = "class C {\n public:\n  int f(int a,\n        int b) {\n" + "    x();\n" * 71
+        self.assert_found({"server/a.cpp": member + "  }\n};\n"}, "71 lines")
+        self.assert_clean({"server/a.cpp": "int f() {\n" + "  x();\n" * 70 + "}\n"})
+
+    def test_nothing_hides_a_long_function_that_follows(self):
+        for before in (
+            "int g(int a,\n      int b) {\n  x();\n}\n",
+            "C::C(int a)\n    : a_{a},\n      b_{a} {}\n",
+            'const char* kText = R"(usage: {\nint g() {\n  )" "(";\n',
+            "const char kBrace = '{';  // int g() {\n",
+            "const Row kRows[] = {\n    {1, [](int a) {\n       return a;\n     }},\n    {2, f},\n};\n",
+            "const std::map<int, int> kMap{\n    {1, 2},\n};\n",
+            "#define X(a) \\\n  f(a)\n",
+            "namespace {\n\nint x = f(1,\n          2);\n",
+            "enum class E : int {\n  A,\n  B,\n};\n",
+            "int g() {\n  if (a &&\n      b) {\n    x();\n  }\n  y([&] {\n    x();\n  });\n}\n",
+        ):
+            self.assert_found({"server/a.cpp": before + "\nint f() {\n" + BODY}, "71 lines")
+
+    def test_what_is_long_and_no_function_is_left_alone(self):
+        rows = "    {1, 2},\n" * 80
+        self.assert_clean({"server/a.cpp": f"const Row kRows[] = {{\n{rows}}};\n"})
+        self.assert_clean({"server/a.cpp": "namespace a {\n" + "int x;\n" * 80 + "}  // namespace a\n"})
+        self.assert_clean({"server/a.cpp": "class C : public D<int()> {\n" + "  int x;\n" * 80 + "};\n"})
 
     def test_leftovers(self):
         self.assert_found({"server/a.cpp": "// TO" "DO later\n"}, "a leftover")
