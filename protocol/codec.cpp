@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
-#include "common/text.h"
 #include "protocol/limits.h"
-#include "protocol/word_packet.h"
 
 namespace aucast::protocol {
 namespace {
@@ -52,19 +51,6 @@ std::string joined(const std::vector<AuTerm>& terms) {
   return text;
 }
 
-void append_field(std::string& text, std::string_view key, const std::string& value) {
-  text.append(" ").append(key).append("=").append(value);
-}
-
-/// A byte of an error's text as it may stand within braces. Unlike escaped() it leaves a backslash
-/// alone: the text often quotes what has been escaped before.
-std::string printable(char byte) {
-  if (byte == '{') return "(";
-  if (byte == '}') return ")";
-  if (byte == '\\') return "\\";
-  return escaped(std::string_view(&byte, 1));
-}
-
 }  // namespace
 
 std::string encode_classic(const Keyframe& keyframe, int percent_min) {
@@ -95,59 +81,6 @@ std::string encode(const Keyframe& keyframe) {
 
 std::string encode(const End&) {
   return "{-2}";
-}
-
-std::string encode(const HelloAsked& hello) {
-  std::string text = "{hello";
-  append_field(text, "v", std::to_string(hello.version));
-  append_field(text, "window", std::to_string(hello.window));
-  if (is_stream_name(hello.stream)) append_field(text, "stream", hello.stream);
-  if (!hello.token.empty() && is_field_value(hello.token)) {
-    append_field(text, "token", hello.token);
-  }
-  if (hello.delta) append_field(text, "delta", "1");
-  if (hello.from_ms != 0) append_field(text, "from", std::to_string(hello.from_ms));
-  return text + '}';
-}
-
-std::string encode(const HelloGranted& hello) {
-  std::string text = "{hello";
-  append_field(text, "v", std::to_string(hello.version));
-  append_field(text, "window", std::to_string(hello.window));
-  if (hello.delta) append_field(text, "delta", "1");
-  if (is_stream_name(hello.stream)) append_field(text, "stream", hello.stream);
-  if (hello.live) append_field(text, "live", "1");
-  if (hello.duration_ms) append_field(text, "duration", std::to_string(*hello.duration_ms));
-  append_field(text, "keyframe", std::to_string(hello.keyframe_ms));
-  if (hello.from_ms != 0) append_field(text, "from", std::to_string(hello.from_ms));
-  return text + '}';
-}
-
-std::string encode(const ErrorReply& error) {
-  std::string text = "{error " + std::to_string(error.code) + ' ';
-  constexpr std::string_view kCut = "...}";
-  for (const char byte : error.text) {
-    std::string piece = printable(byte);
-    if (text.size() + piece.size() + kCut.size() > kHelloBytesMax) return text.append(kCut);
-    text += piece;
-  }
-  return text + '}';
-}
-
-std::string encode(const StreamList& list) {
-  std::string text = "{streams";
-  for (const std::string& name : list.names) {
-    if (!is_stream_name(name)) continue;
-    if (text.size() + name.size() + 2 > kPacketBytesMax) break;
-    text += ' ' + name;
-  }
-  return text + '}';
-}
-
-std::string encode(const StreamsAsked& asked) {
-  std::string text = "{streams";
-  if (!asked.token.empty() && is_field_value(asked.token)) append_field(text, "token", asked.token);
-  return text + '}';
 }
 
 std::string encode(Code code) {

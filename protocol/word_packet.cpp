@@ -1,9 +1,12 @@
 #include "protocol/word_packet.h"
 
 #include <algorithm>
+#include <iterator>
+#include <type_traits>
 #include <vector>
 
 #include "common/text.h"
+#include "protocol/codec.h"
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
@@ -35,93 +38,173 @@ std::vector<Piece> pieces_after_word(std::string_view text) {
   return pieces;
 }
 
-/// The fields of a hello, and the first fault met while reading them.
-class Fields {
- public:
-  explicit Fields(std::string_view text) {
+enum class Kind : std::uint8_t { Number, Name, Token };
+
+/// A key of a hello: where its value goes and what it may be. The default is what the member is
+/// initialized with; a flag is a number of 0-1.
+template <typename Hello>
+struct Key {
+  std::string_view key;
+  std::variant<int Hello::*, std::uint32_t Hello::*, std::uint64_t Hello::*,
+               std::optional<std::uint64_t> Hello::*, bool Hello::*, std::string Hello::*>
+      member;
+  std::uint64_t min = 0;  ///< of a number
+  std::uint64_t max = 1;
+  bool always = false;  ///< written even when it has the default
+  Kind kind = Kind::Number;
+};
+
+/// These two only bound the digits: a server grants less than a client may ask for.
+constexpr std::uint64_t kVersionAskedMax = 999'999;
+constexpr std::uint64_t kWindowAskedMax = 999'999;
+
+// The tables of PROTOCOL.md, in the order in which we write the keys.
+
+using Asked = HelloAsked;
+constexpr Key<Asked> kAskedKeys[] = {
+    {.key = "v", .member = &Asked::version, .max = kVersionAskedMax, .always = true},
+    {.key = "window", .member = &Asked::window, .max = kWindowAskedMax, .always = true},
+    {.key = "stream", .member = &Asked::stream, .kind = Kind::Name},
+    {.key = "token", .member = &Asked::token, .kind = Kind::Token},
+    {.key = "delta", .member = &Asked::delta},
+    {.key = "from", .member = &Asked::from_ms, .max = kPlaceMsMax},
+};
+
+using Granted = HelloGranted;
+constexpr Key<Granted> kGrantedKeys[] = {
+    {.key = "v", .member = &Granted::version, .max = kVersionAskedMax, .always = true},
+    {.key = "window", .member = &Granted::window, .max = kWindowMax, .always = true},
+    {.key = "delta", .member = &Granted::delta},
+    {.key = "stream", .member = &Granted::stream, .kind = Kind::Name},
+    {.key = "live", .member = &Granted::live},
+    {.key = "duration", .member = &Granted::duration_ms, .max = kPlaceMsMax},
+    {.key = "keyframe",
+     .member = &Granted::keyframe_ms,
+     .min = 1,
+     .max = kDurationMsMax,
+     .always = true},
+    {.key = "from", .member = &Granted::from_ms, .max = kPlaceMsMax},
+};
+
+constexpr Key<StreamsAsked> kListKeys[] = {
+    {.key = "token", .member = &StreamsAsked::token, .kind = Kind::Token},
+};
+
+/// A whole number of at most as many digits as the largest one of the protocol has.
+std::optional<std::uint64_t> number_of(std::string_view text) {
+  constexpr std::size_t kDigitsMax = 13;
+  if (text.empty() || text.size() > kDigitsMax) return std::nullopt;
+  std::uint64_t number = 0;
+  for (const char byte : text) {
+    if (!is_digit(byte)) return std::nullopt;
+    number = number * 10 + static_cast<std::uint64_t>(byte - '0');
+  }
+  return number;
+}
+
+bool fits(Kind kind, std::string_view text) {
+  return kind == Kind::Name ? is_stream_name(text)
+                            : is_field_value(text) && text.size() <= kTokenBytesMax;
+}
+
+/// Takes the value into the hello; false when it is none of this key.
+template <typename Hello>
+bool read_value(const Key<Hello>& key, std::string_view text, Hello& hello) {
+  return std::visit(
+      [&](auto member) {
+        auto& value = hello.*member;
+        using Value = std::remove_reference_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, std::string>) {
+          if (!fits(key.kind, text)) return false;
+          value = text;
+        } else {
+          const auto number = number_of(text);
+          if (!number || *number < key.min || *number > key.max) return false;
+          value = static_cast<Value>(*number);
+        }
+        return true;
+      },
+      key.member);
+}
+
+/// What a value must be, for the message; a token is not quoted.
+template <typename Hello>
+std::string rule_of(const Key<Hello>& key, std::string_view found) {
+  const std::string name(key.key);
+  if (key.kind == Kind::Token) {
+    return name + " is longer than " + std::to_string(kTokenBytesMax) + " bytes";
+  }
+  return name +
+         (key.kind == Kind::Name
+              ? " is a name of 1-64 letters, digits, '.', '_' or '-'"
+              : " is a number of " + std::to_string(key.min) + "-" + std::to_string(key.max)) +
+         ", found '" + escaped(found) + "'";
+}
+
+template <typename Hello, std::size_t N>
+std::variant<Hello, FieldFault> parse_fields(std::string_view text, const Key<Hello> (&keys)[N]) {
+  Hello hello;
+  // First the version: in another one the other fields may mean something else.
+  for (const bool version : {true, false}) {
     for (const Piece& piece : pieces_after_word(text)) {
       const std::size_t equals = piece.text.find('=');
       if (equals == 0 || equals == std::string_view::npos) {
-        refuse(piece.position, "expected key=value, found '" + escaped(piece.text) + "'");
-        return;
+        return FieldFault{piece.position,
+                          "expected key=value, found '" + escaped(piece.text) + "'"};
       }
-      fields_.push_back({piece.text.substr(0, equals), piece.text.substr(equals + 1),
-                         piece.position + equals + 1});
+      const std::string_view name = piece.text.substr(0, equals);
+      const std::string_view value = piece.text.substr(equals + 1);
+      const auto* key = std::find_if(std::begin(keys), std::end(keys),
+                                     [name](const Key<Hello>& known) { return known.key == name; });
+      if (key == std::end(keys) || version != (name == "v")) continue;
+      if (!read_value(*key, value, hello)) {
+        return FieldFault{piece.position + equals + 1, rule_of(*key, value)};
+      }
+    }
+    if constexpr (!std::is_same_v<Hello, StreamsAsked>) {
+      if (hello.version != kProtocolVersion) return hello;
     }
   }
+  return hello;
+}
 
-  /// A whole number of `min` to `max`; nothing when the key is absent or its value is refused. A
-  /// repeated key: the last wins.
-  std::optional<std::uint64_t> number(std::string_view key, std::uint64_t max,
-                                      std::uint64_t min = 0) {
-    const Field* field = find(key);
-    if (field == nullptr) return std::nullopt;
-    std::uint64_t value = 0;
-    bool fits = !field->value.empty() && field->value.size() <= kDigitsMax;
-    for (const char byte : field->value) {
-      fits = fits && is_digit(byte);
-      if (fits) value = value * 10 + static_cast<std::uint64_t>(byte - '0');
+/// The text of a value; nothing when it is the default or cannot stand in a field.
+template <typename Hello>
+std::optional<std::string> value_text(const Key<Hello>& key, const Hello& hello) {
+  return std::visit(
+      [&](auto member) -> std::optional<std::string> {
+        const auto& value = hello.*member;
+        if (!key.always && value == Hello{}.*member) return std::nullopt;
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, std::string>) {
+          return fits(key.kind, value) ? std::optional(value) : std::nullopt;
+        } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
+          return std::to_string(*value);
+        } else {
+          return std::to_string(static_cast<std::uint64_t>(value));
+        }
+      },
+      key.member);
+}
+
+template <typename Hello, std::size_t N>
+std::string encode_fields(std::string_view word, const Hello& hello, const Key<Hello> (&keys)[N]) {
+  std::string text = '{' + std::string(word);
+  for (const Key<Hello>& key : keys) {
+    if (const auto value = value_text(key, hello)) {
+      text.append(" ").append(key.key).append("=").append(*value);
     }
-    if (fits && value >= min && value <= max) return value;
-    refuse(field->position, std::string(key) + " is a number of " + std::to_string(min) + "-" +
-                                std::to_string(max) + ", found '" + escaped(field->value) + "'");
-    return std::nullopt;
   }
+  return text + '}';
+}
 
-  std::optional<bool> flag(std::string_view key) {
-    const auto value = number(key, 1);
-    if (!value) return std::nullopt;
-    return *value == 1;
-  }
-
-  std::optional<std::string> stream_name(std::string_view key) {
-    const Field* field = find(key);
-    if (field == nullptr) return std::nullopt;
-    if (is_stream_name(field->value)) return std::string(field->value);
-    refuse(field->position, std::string(key) + " is a name of 1-64 letters, digits, '.', '_' or " +
-                                "'-', found '" + escaped(field->value) + "'");
-    return std::nullopt;
-  }
-
-  std::optional<std::string> text(std::string_view key) const {
-    const Field* field = find(key);
-    if (field == nullptr) return std::nullopt;
-    return std::string(field->value);
-  }
-
-  [[nodiscard]] const std::optional<FieldFault>& fault() const { return fault_; }
-
- private:
-  struct Field {
-    std::string_view key;
-    std::string_view value;
-    std::size_t position = 0;  ///< of the value
-  };
-
-  /// More digits than any of our numbers has; 18 digits cannot overflow.
-  static constexpr std::size_t kDigitsMax = 18;
-
-  [[nodiscard]] const Field* find(std::string_view key) const {
-    const auto found = std::find_if(fields_.rbegin(), fields_.rend(),
-                                    [key](const Field& field) { return field.key == key; });
-    return found == fields_.rend() ? nullptr : &*found;
-  }
-
-  void refuse(std::size_t position, std::string reason) {
-    if (!fault_) fault_ = FieldFault{position, std::move(reason)};
-  }
-
-  std::vector<Field> fields_;
-  std::optional<FieldFault> fault_;
-};
-
-/// Windows above kWindowMax may be asked for (less is granted); this only bounds the digits.
-constexpr std::uint64_t kWindowAskedMax = 999'999;
-constexpr std::uint64_t kVersionAskedMax = 999'999;
-
-/// The version, which must be understood before any other field means something.
-int read_version(Fields& fields) {
-  return static_cast<int>(fields.number("v", kVersionAskedMax).value_or(kProtocolVersion));
+/// A byte of an error's text: what cannot stand in a packet, replaced. A backslash is let through
+/// alone: the text often quotes what has been escaped before.
+std::string printable(char byte) {
+  if (byte == '{') return "(";
+  if (byte == '}') return ")";
+  if (byte == '\\') return "\\";
+  return escaped(std::string_view(&byte, 1));
 }
 
 }  // namespace
@@ -167,36 +250,15 @@ bool is_field_value(std::string_view text) {
 }
 
 std::variant<HelloAsked, FieldFault> parse_hello_asked(std::string_view text) {
-  Fields fields(text);
-  HelloAsked hello;
-  hello.version = read_version(fields);
-  if (fields.fault()) return *fields.fault();
-  if (hello.version != kProtocolVersion) return hello;
-  hello.window = static_cast<int>(fields.number("window", kWindowAskedMax).value_or(1));
-  hello.stream = fields.stream_name("stream").value_or("");
-  hello.token = fields.text("token").value_or("");
-  hello.delta = fields.flag("delta").value_or(false);
-  hello.from_ms = fields.number("from", kPlaceMsMax).value_or(0);
-  if (fields.fault()) return *fields.fault();
-  return hello;
+  return parse_fields(text, kAskedKeys);
 }
 
 std::variant<HelloGranted, FieldFault> parse_hello_granted(std::string_view text) {
-  Fields fields(text);
-  HelloGranted hello;
-  hello.version = read_version(fields);
-  if (fields.fault()) return *fields.fault();
-  if (hello.version != kProtocolVersion) return hello;
-  hello.window = static_cast<int>(fields.number("window", kWindowMax).value_or(1));
-  hello.delta = fields.flag("delta").value_or(false);
-  hello.stream = fields.stream_name("stream").value_or("");
-  hello.live = fields.flag("live").value_or(false);
-  hello.duration_ms = fields.number("duration", kPlaceMsMax);
-  hello.keyframe_ms =
-      static_cast<std::uint32_t>(fields.number("keyframe", kDurationMsMax, 1).value_or(250));
-  hello.from_ms = fields.number("from", kPlaceMsMax).value_or(0);
-  if (fields.fault()) return *fields.fault();
-  return hello;
+  return parse_fields(text, kGrantedKeys);
+}
+
+std::variant<StreamsAsked, FieldFault> parse_streams_asked(std::string_view text) {
+  return parse_fields(text, kListKeys);
 }
 
 std::variant<ErrorReply, FieldFault> parse_error_reply(std::string_view text) {
@@ -228,10 +290,37 @@ std::variant<StreamList, FieldFault> parse_stream_list(std::string_view text) {
   return list;
 }
 
-std::variant<StreamsAsked, FieldFault> parse_streams_asked(std::string_view text) {
-  const Fields fields(text);
-  if (fields.fault()) return *fields.fault();
-  return StreamsAsked{fields.text("token").value_or("")};
+std::string encode(const HelloAsked& hello) {
+  return encode_fields("hello", hello, kAskedKeys);
+}
+
+std::string encode(const HelloGranted& hello) {
+  return encode_fields("hello", hello, kGrantedKeys);
+}
+
+std::string encode(const StreamsAsked& asked) {
+  return encode_fields("streams", asked, kListKeys);
+}
+
+std::string encode(const ErrorReply& error) {
+  std::string text = "{error " + std::to_string(error.code) + ' ';
+  constexpr std::string_view kCut = "...}";
+  for (const char byte : error.text) {
+    std::string piece = printable(byte);
+    if (text.size() + piece.size() + kCut.size() > kHelloBytesMax) return text.append(kCut);
+    text += piece;
+  }
+  return text + '}';
+}
+
+std::string encode(const StreamList& list) {
+  std::string text = "{streams";
+  for (const std::string& name : list.names) {
+    if (!is_stream_name(name)) continue;
+    if (text.size() + name.size() + 2 > kPacketBytesMax) break;
+    text += ' ' + name;
+  }
+  return text + '}';
 }
 
 }  // namespace aucast::protocol

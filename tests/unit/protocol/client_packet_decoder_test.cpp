@@ -106,14 +106,43 @@ TEST(ClientPacketDecoder, NamesEachFaultAndItsPlace) {
 }
 
 TEST(ClientPacketDecoder, HoldsHelloAndBlanksToTheirLimits) {
-  std::string hello = "{hello token=";
+  std::string hello = "{hello unknown=";
   hello.append(kHelloBytesMax - hello.size() - 1, 'x');
-  EXPECT_EQ(decoded(hello + "}").size(), kHelloBytesMax + std::string("v=2 window=1 ").size());
+  EXPECT_EQ(decoded(hello + "}"), "{hello v=2 window=1}");
   EXPECT_EQ(error_of(hello + "x}").fault, DecodeFault::PacketTooLong);
   EXPECT_EQ(error_of(hello + "x}").position, kHelloBytesMax - 0U);
   const std::string blanks(kBlankBytesMax, '\n');
   EXPECT_EQ(decoded(blanks + "1" + blanks + "1"), "1 1");
   EXPECT_EQ(error_of("1" + blanks + " 1").fault, DecodeFault::TooManyBlanks);
+}
+
+TEST(ClientPacketDecoder, RefusesATokenThatIsTooLongAndDoesNotRepeatIt) {
+  const std::string longest(kTokenBytesMax, 'x');
+  EXPECT_EQ(decoded("{hello token=" + longest + "}"), "{hello v=2 window=1 token=" + longest + "}");
+  EXPECT_EQ(decoded("{streams token=" + longest + "}"), "{streams token=" + longest + "}");
+  for (const std::string word : {"{hello token=", "{streams token="}) {
+    const DecodeError error = error_of(word + longest + "x}");
+    EXPECT_EQ(name(error.fault), "bad field");
+    EXPECT_EQ(error.position, word.size());
+    EXPECT_EQ(error.reason, "token is longer than 256 bytes");
+  }
+}
+
+TEST(ClientPacketDecoder, TakesTheLastOfARepeatedKeyAndNamesTheFirstBadValue) {
+  EXPECT_EQ(decoded("{hello window=3 stream=a window=4 stream=b}"),
+            "{hello v=2 window=4 stream=b}");
+  EXPECT_EQ(decoded("{hello token=a token=}"), "{hello v=2 window=1}") << "an empty token is none";
+  EXPECT_EQ(error_of("{hello window=x window=4}").position, 14U);
+  EXPECT_EQ(error_of("{hello from=x window=y}").position, 12U);
+  EXPECT_EQ(error_of("{hello window=x nonsense v=y}").position, 16U) << "the form comes first";
+  EXPECT_EQ(error_of("{hello window=x v=y}").position, 18U) << "then the version";
+}
+
+TEST(ClientPacketDecoder, ReadsNumbersOfAHelloOfUpToThirteenDigits) {
+  EXPECT_EQ(decoded("{hello window=0000000000007 v=0002}"), "{hello v=2 window=7}");
+  EXPECT_EQ(error_of("{hello window=00000000000007}").fault, DecodeFault::BadField);
+  EXPECT_EQ(decoded("{hello v=999999}"), "{hello v=999999 window=1}");
+  EXPECT_EQ(error_of("{hello v=1000000}").fault, DecodeFault::BadField);
 }
 
 TEST(ClientPacketDecoder, IsStickyAndDeliversWhatCameBefore) {

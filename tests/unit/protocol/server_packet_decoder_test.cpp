@@ -54,6 +54,7 @@ TEST(ServerPacketDecoder, ReadsEveryKindOfPacket) {
 
 TEST(ServerPacketDecoder, AcceptsBlanksBetweenPacketsAndAroundNumbers) {
   EXPECT_EQ(decoded(" \r\n{ 1 ,\r\n6 }\n{ -2 }\n"), "{1,6}{-2}");
+  EXPECT_EQ(decoded("{ L 12 C ; 40 @ 0 }"), "{L12:50;40@0}");
 }
 
 TEST(ServerPacketDecoder, NamesEachFaultAndItsPlace) {
@@ -75,13 +76,16 @@ TEST(ServerPacketDecoder, NamesEachFaultAndItsPlace) {
       {"{ hello}", DecodeFault::IllegalByte, 2},
       {"{- 2}", DecodeFault::IllegalByte, 2},
       {"{-2x}", DecodeFault::IllegalByte, 3},
+      {"{-}", DecodeFault::IllegalByte, 2},
       {"{100}", DecodeFault::NumberTooBig, 3},
       {"{001}", DecodeFault::NumberTooBig, 3},
       {"{1:101}", DecodeFault::NumberTooBig, 5},
+      {"{1:0100}", DecodeFault::NumberTooBig, 6},
       {"{1;3600001}", DecodeFault::NumberTooBig, 9},
       {"{1;1@1000000000001}", DecodeFault::NumberTooBig, 17},
       {"{-3}", DecodeFault::UnknownPacket, 2},
       {"{-22}", DecodeFault::UnknownPacket, 3},
+      {"{-2 1}", DecodeFault::UnknownPacket, 4},
       {"{hallo}", DecodeFault::UnknownPacket, 2},
       {"{hell}", DecodeFault::UnknownPacket, 5},
       {"{hello=1}", DecodeFault::UnknownPacket, 6},
