@@ -85,7 +85,8 @@ class ClientSession {
   [[nodiscard]] std::string stop();
 
   [[nodiscard]] Level level() const;
-  /// Packets that may be on their way unanswered: room for so many must stay free. 1 in classic.
+  /// Packets that may be on their way unanswered: room for so many must stay free. 1 in classic. A
+  /// server that sends more is held back by an owner that reads no further.
   [[nodiscard]] int window() const;
   [[nodiscard]] bool paused() const;
   [[nodiscard]] std::size_t unanswered() const;

@@ -15,8 +15,8 @@ namespace {
 /// What a TLS client begins with.
 constexpr char kTlsFirstByte = '\x16';
 
-constexpr const char* kFullHouse = "there are as many clients as may be";
-constexpr const char* kFullAddress = "there are as many clients from this address as may be";
+constexpr const char* kFull = "the server is full";
+constexpr const char* kFullAddress = "too many clients from this address";
 
 using Why = CloseConnection::Why;
 
@@ -451,7 +451,7 @@ ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_tr
   AUCAST_CHECK(!catalogue.streams.empty());
   state_->catalogue = &catalogue;
   state_->stream = &catalogue.streams.front();
-  if (admission == Admission::Full) state_->no_room = kFullHouse;
+  if (admission == Admission::Full) state_->no_room = kFull;
   if (admission == Admission::FullAddress) state_->no_room = kFullAddress;
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
   // Where a token is needed nobody is served without a hello, so it may take its time.

@@ -153,7 +153,7 @@ TEST(ServerMaxClients, RefusesByLevelAndLetsInWhenOneHasLeft) {
     EXPECT_EQ(inside.receive(kSixPackets[0].size()), kSixPackets[0]);
     std::string reply;
     RawClient talking = say_hello(server, "{hello v=2 window=4}", reply);
-    EXPECT_EQ(reply, "{error 503 there are as many clients as may be}");
+    EXPECT_EQ(reply, "{error 503 the server is full}");
     EXPECT_EQ(talking.receive_all(), "");
     RawClient classic = server.connect();
     EXPECT_TRUE(classic.send("1"));

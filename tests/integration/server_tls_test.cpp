@@ -239,7 +239,7 @@ TEST(ServerLimits, SoManyClientsFromOneAddress) {
   RawClient first = say_hello(server, "{hello v=2}", reply);
   RawClient second = say_hello(server, "{hello v=2}", reply);
   RawClient third = say_hello(server, "{hello v=2}", reply);
-  EXPECT_EQ(reply, "{error 503 there are as many clients from this address as may be}");
+  EXPECT_EQ(reply, "{error 503 too many clients from this address}");
   third.end_sending();
   EXPECT_TRUE(third.wait_for_end());
   first.send("-4");

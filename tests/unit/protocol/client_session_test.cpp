@@ -183,20 +183,28 @@ TEST_F(Client, WindowZeroMayBeGrantedAsOne) {
   EXPECT_EQ(session_->answer_received(), "1");
 }
 
-TEST_F(Client, HoldsTheServerToItsWindow) {
+TEST_F(Client, LeavesItToItsOwnerToReadNoFurtherThanThereIsRoom) {
   start_granted();
-  EXPECT_EQ(get("{1}{2}{3}"), "store {1} | store {2} | fail protocol error");
+  EXPECT_EQ(get("{1}{2}{3}"), "store {1} | store {2} | store {3}") << "beyond the window of 2";
+  EXPECT_EQ(session_->unanswered(), 3U);
   start_granted();
-  EXPECT_EQ(why("{1}{2}{3}"), "the server sent more than 2 packets without waiting for an answer");
+  std::string_view bytes = "{1}{2}";
+  EXPECT_EQ(text_of(session_->on_bytes(bytes, now_)), "store {1}");
+  EXPECT_EQ(bytes, "{2}") << "to be read when there is room";
 }
 
-TEST_F(Client, PutsUpWithAClassicServerThatRunsAheadALittle) {
+TEST_F(Client, AnswersNothingAfterTheEnd) {
+  start_granted();
+  EXPECT_EQ(get("{1}{-2}{2}"), "store {1} | ended") << "what follows is dropped";
+  EXPECT_EQ(session_->answer_received(), "");
+}
+
+TEST_F(Client, WaitsForAWholePacketNotForBytes) {
+  start_granted();
+  EXPECT_FALSE(session_->deadline().has_value()) << "after the hello a server may take its time";
   start_classic();
-  std::string packets;
-  for (int i = 0; i < kWindowMax; ++i) packets += "{1}";
-  (void)get(packets);
-  EXPECT_EQ(session_->unanswered(), static_cast<std::size_t>(kWindowMax));
-  EXPECT_EQ(get("{1}"), "fail protocol error");
+  EXPECT_EQ(get(" \r\n{1"), "");
+  EXPECT_EQ(pass(10s), "fail silent");
 }
 
 TEST_F(Client, RefusesGarbageAndDeliversWhatCameBeforeIt) {

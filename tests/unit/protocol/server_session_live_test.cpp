@@ -269,7 +269,7 @@ class FullHouse : public LiveServer {
 
 TEST_F(FullHouse, RefusesAHelloByItsNumber) {
   const auto events = session_->on_bytes("{hello v=2 window=4}", now_);
-  EXPECT_EQ(text_of(events), "send {error 503 there are as many clients as may be} | shutdown");
+  EXPECT_EQ(text_of(events), "send {error 503 the server is full} | shutdown");
   EXPECT_EQ(peer_end(), "close refused");
 }
 

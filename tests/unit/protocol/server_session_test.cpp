@@ -400,10 +400,43 @@ TEST_F(Server, ATokenThatChangesShutsNobodyOut) {
   EXPECT_EQ(get("{hello v=2 window=2 token=two}").substr(0, 12), "send {hello ");
 }
 
-TEST_F(Server, TellsAFullAddressFromAFullHouse) {
+TEST_F(Server, TellsAFullAddressFromAFullServer) {
   session_.emplace(catalogue_, 0ms, now_, Admission::FullAddress);
-  EXPECT_EQ(get("{hello v=2}").substr(0, 69),
-            "send {error 503 there are as many clients from this address as may be");
+  EXPECT_TRUE(
+      get("{hello v=2}").starts_with("send {error 503 too many clients from this address}"));
+}
+
+TEST_F(Server, RefusesForTheFirstReasonInOrder) {
+  catalogue_.token = "word";
+  const auto refused = [this](std::string_view hello) {
+    session_.emplace(catalogue_, 0ms, now_, Admission::Full);
+    return get(hello).substr(0, 15);
+  };
+  EXPECT_EQ(refused("{hello v=3 nonsense}"), "send {error 400") << "what cannot be read";
+  EXPECT_EQ(refused("{hello v=3 window=x}"), "send {error 505") << "the version, without a token";
+  EXPECT_EQ(refused("{hello token=drow stream=none}"), "send {error 401") << "the token";
+  EXPECT_EQ(refused("{hello token=word stream=none}"), "send {error 404") << "the stream";
+  EXPECT_EQ(refused("{hello token=word}"), "send {error 503") << "room, at last";
+  EXPECT_EQ(refused("{streams}"), "send {error 401");
+  EXPECT_EQ(refused("{streams token=word}"), "send {streams t") << "which takes no room";
+  EXPECT_EQ(refused("1"), "send {error 401") << "classic, where a token is wanted";
+  catalogue_.token.clear();
+  EXPECT_EQ(refused("1"), "close refused");
+}
+
+TEST_F(Server, WantingATokenMeetsAFarewellAndGarbageAsOthersDo) {
+  catalogue_.token = "word";
+  start();
+  EXPECT_EQ(get("-4"), kBye);
+  start();
+  EXPECT_EQ(get("GET /"), "close protocol error");
+}
+
+TEST_F(Server, HasNoTimeLimitForALateHello) {
+  pass(100ms);
+  EXPECT_EQ(get("{hel"), "");
+  EXPECT_FALSE(session_->deadline().has_value());
+  EXPECT_EQ(get("lo}1"), "send {2}");
 }
 
 }  // namespace
