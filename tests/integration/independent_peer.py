@@ -11,11 +11,13 @@ import socket
 import time
 
 PACKET_BYTES_MAX = 4096
+HELLO_BYTES_MAX = 512
+TOKEN_BYTES_MAX = 256
 PATIENCE = 10.0  # seconds until a test gives up waiting
 
 TERM = re.compile(r"([LR]?)(0|[1-9][0-9]?)(?::(0|[1-9][0-9]?|100))?")
 TIMING = re.compile(r"(0|[1-9][0-9]*)(?:@(0|[1-9][0-9]*))?")
-FIELDS = re.compile(r"((?: +[!-<>-z|~]+=[!-z|~]*)*) *")  # of a hello [2]
+FIELDS = re.compile(r"((?: +[!-<>-z|~]+=[!-z|~]*)*) *")  # of a hello [4]
 NAME = re.compile(r"[A-Za-z0-9._-]{1,64}")
 
 
@@ -147,6 +149,82 @@ def changed(before, after, timing=""):
     return "{~" + ",".join(words) + timing + "}"
 
 
+NUMBER = re.compile(r"[0-9]{1,13}")
+ASKED = {"v": (0, 999999), "window": (0, 999999), "delta": (0, 1), "from": (0, 1000000000000)}
+
+
+def refusal(word, fields, token="", names=(), full_up=False):
+    """The code of the error that a server gives a hello or {streams} with this text between its word
+    and the brace [4, 5, 6]; None when it is granted."""
+    if len(word) + len(fields) + 2 > HELLO_BYTES_MAX or not FIELDS.fullmatch(fields):
+        return 400
+    pairs = [field.split("=", 1) for field in fields.split()]
+
+    def readable(key, value):
+        if key == "token":
+            return len(value) <= TOKEN_BYTES_MAX
+        if word == "streams" or key not in (*ASKED, "stream"):
+            return True
+        if key == "stream":
+            return NAME.fullmatch(value)
+        return NUMBER.fullmatch(value) and ASKED[key][0] <= int(value) <= ASKED[key][1]
+
+    known = dict(pairs)
+    if word == "hello":
+        if not all(readable(key, value) for key, value in pairs if key == "v"):
+            return 400
+        if int(known.get("v", "2")) != 2:
+            return 505
+    if not all(readable(key, value) for key, value in pairs):
+        return 400
+    if token and known.get("token", "") != token:
+        return 401
+    if word == "hello" and "stream" in known and known["stream"] not in names:
+        return 404
+    return 503 if word == "hello" and full_up else None
+
+
+def read_stream_file(data):
+    """The terms and timing of each packet of a stream file [11]: [(terms, timing)]."""
+    line_end = rb"(?:\r?\n|\Z)"
+    tail = rb"[ \t]*(?:#[\t\x20-\x7e\x80-\xff]*)?" + line_end
+    lines = re.findall(rb"[^\n]*\n|[^\n]+\Z", data.removeprefix(b"\xef\xbb\xbf"))
+    packets, place, last = [], "before", 0
+    for line in lines:
+        if len(line.rstrip(b"\r\n")) > 65536:
+            raise Violation("a line too long")
+        if re.fullmatch(tail, line):
+            continue
+        if tag := re.fullmatch(rb"[ \t]*(Beg_Stream|End_Stream)" + tail, line):
+            if (place, tag[1]) not in (("before", b"Beg_Stream"), ("inside", b"End_Stream")):
+                raise Violation(f"a tag where none is due: {line!r}")
+            place = "inside" if place == "before" else "after"
+            continue
+        text = re.fullmatch(rb"[ \t]*(\{[^{}#]*\}|[^{}#]*?)" + tail, line)
+        if not text or place != "inside":
+            raise Violation(f"no packet: {line!r}")
+        words = re.sub(r"[ \t]", "", spaced(text[1].decode("ascii")))
+        terms, has_timing, timing = words.strip("{}").partition(";")
+        term = r"[LR]?[0-9]{1,2}(?::[0-9]{1,3}|[A-Exyz])?"
+        if not re.fullmatch(f"{term}(?:[,+]{term})*", terms):
+            raise Violation(f"no terms: {line!r}")
+        match = re.fullmatch(r"([0-9]{1,7})(?:@([0-9]{1,13}))?", timing)
+        if has_timing and (not match or int(match[2] or last) < last):
+            raise Violation(f"no timing: {line!r}")
+        last = int(match[2] or last) if match else last
+        packets.append((re.split("[,+]", terms), timing))
+    if place != "after" or not packets:
+        raise Violation("no whole stream")
+    return packets
+
+
+def spaced(text):
+    """A blank may not divide a number."""
+    if re.search(r"[0-9][ \t]+[0-9]", text):
+        raise Violation(f"a blank within a number: {text!r}")
+    return text
+
+
 class Bytes:
     """A TCP connection to read from with patience."""
 
@@ -267,7 +345,7 @@ class Connection(Bytes):
         return match[1].decode("ascii")
 
     def serve(self, packets, window=None, one_by_one=False):
-        """Sends them with at most `window` unanswered, then {-2} [5]: classic without one. The codes
+        """Sends them with at most `window` unanswered, then {-2} [6]: classic without one. The codes
         that came."""
         classic, window = window is None, window or 1
         codes, in_flight, paused, waiting = [], 0, False, list(packets)
@@ -292,7 +370,7 @@ class Connection(Bytes):
         return codes
 
     def close_properly(self):
-        """Section 7: shut, read to the client's end for 2 s at most, close."""
+        """Section 8: shut, read to the client's end for 2 s at most, close."""
         self.shut()
         until = time.monotonic() + 2
         while time.monotonic() < until and self.more(until - time.monotonic()):

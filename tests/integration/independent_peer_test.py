@@ -5,8 +5,10 @@
 """
 
 import argparse
+import contextlib
 import json
 import pathlib
+import random
 import signal
 import subprocess
 import sys
@@ -15,10 +17,18 @@ import time
 import unittest
 
 from independent_peer import (Client, END, Error, Hello, Keyframe, Server, Streams, Violation,
-                              changed, full)
+                              changed, full, read_stream_file, refusal)
 
 BIN = pathlib.Path()
+DATA = pathlib.Path(__file__).parents[2] / "data"
 LETTERS = {10: "A", 25: "B", 50: "C", 80: "D", 100: "E"}
+
+
+def bounded(terms, timing):
+    """Whether the numbers are within their limits [2]; the terms have the form."""
+    percents = [int(term.partition(":")[2] or 0) for term in terms]
+    duration, _, place = timing.partition("@")
+    return max(percents) <= 100 and int(duration or 0) <= 3600000 and int(place or 0) <= 1000000000000
 
 
 def faces(count):
@@ -329,12 +339,93 @@ class OurClient(PeerTest):
                           "{hello x={}", "{hello delta=2}", "{hello " + "x=y " * 130 + "}",
                           "{hello from=1000000000001}", "{1,6}"):
                 self.expect_error(server, 400, hello)
+            self.expect_error(server, 505, "{hello window=many v=3}")
             with Client(server.port, "{hello v=2") as client:  # never completed
                 packet = client.packet(8)
                 self.assertEqual(packet.code, 400)
             with Client(server.port, "{hello v=2") as client:  # ends in the middle
                 client.shut()
                 self.assertIsNone(client.packet())
+
+    def test_every_reason_to_refuse_and_its_order(self):
+        """Hellos of good and bad fields in any order, against what the page says of them."""
+        path, _ = self.stream(1)
+        pieces = ("v=2", "v=3", "v=x", "v=0002", "v=1000000", "window=0000000000004", "window=x",
+                  "window=00000000000004", "stream=lively", "stream=other", "stream=", "delta=1",
+                  "delta=2", "token=sesame", "token=", "token=" + "x" * 256, "token=" + "x" * 257,
+                  "from=1000000000000", "from=1000000000001", "colour=green", "colour=", "bare", "=1")
+        chosen = random.Random(4650)
+        for token in ("", "sesame"):
+            options = []
+            if token:
+                (self.folder / "token").write_text(token, encoding="ascii")
+                (self.folder / "token").chmod(0o600)
+                options = ["--token-file", self.folder / "token"]
+            with Transmitter("--max-clients", "1", *options, path) as server:
+                grant = " token=sesame" if token else ""
+                for full_up in (False, True):
+                    with contextlib.ExitStack() as stack:
+                        if full_up:
+                            first = stack.enter_context(Client(server.port, "{hello" + grant + "}"))
+                            self.assertIsInstance(first.packet(), Hello)
+                        for _ in range(60):
+                            word = chosen.choice(("hello", "hello", "hello", "streams"))
+                            fields = "".join(" " + piece for piece in
+                                             chosen.choices(pieces, k=chosen.randint(0, 3)))
+                            code = refusal(word, fields, token, ("lively",), full_up)
+                            if code:
+                                self.expect_error(server, code, "{" + word + fields + "}")
+                                continue
+                            with Client(server.port, "{" + word + fields + "}") as client:
+                                packet = client.packet()
+                                self.assertIsInstance(
+                                    packet, Hello if word == "hello" else Streams, fields)
+                                if word == "hello":
+                                    client.rest()
+
+    def test_a_late_hello_may_take_its_time(self):
+        path, states = self.stream(3)
+        with Transmitter(path) as server, Client(server.port) as client:
+            client.packet()
+            client.send("{hel")
+            self.assertTrue(client.is_quiet(5.5))
+            client.send("lo v=2}1")
+            self.assertEqual(client.packet().text, classic_form(states[1]))
+            client.send("1")
+            self.assertEqual(len(client.rest()), 1)
+
+    def test_a_blank_may_stand_before_a_letter(self):
+        """What a receiver must accept, though no sender writes it."""
+        path = self.folder / "blanks.txt"
+        path.write_text("Beg_Stream\n{ L 12 C , 4 : 050 ; 40 @ 0 }\n12C+6B\nEnd_Stream", encoding="ascii")
+        self.assertEqual(read_stream_file(path.read_bytes()),
+                         [(["L12C", "4:050"], "40@0"), (["12C", "6B"], "")])
+        with Transmitter(path) as server, Client(server.port, "{hello}") as client:
+            client.packet()
+            self.assertEqual([keyframe.text for keyframe in client.rest()],
+                             ["{4:50,L12:50;40@0}", "{6:25,12:50}"])
+
+    def test_stream_files_by_the_page(self):
+        """Good and bad files: the page and the program agree on which is which."""
+        files = [path.read_bytes() for path in sorted((DATA / "streams").glob("**/*.txt"))]
+        around = b"Beg_Stream\n%s\nEnd_Stream\n"
+        files += [around % line for line in (
+            b"1", b"{1}", b"{1", b"1}", b"{1} 2", b"1 2", b"~1", b"1;40", b"1;40@0", b"1;@0", b"L12C+R4",
+            b"L 12 C", b"12:C", b"1,,2", b"1\x00", b"1\t#\xc3\xa9", b"1\xc3", b"1;40@5\n1;40@4", b"", b"#",
+            b"1\r", b"1\r\n2", b"Beg_Stream", b"End_Stream", b"1" + b" " * 65535, b"1" + b" " * 65536,
+            b"{}", b"{ 1 } # one", b"12 : 40 ; 7 @ 7", b"1 0", b"-2")]
+        files += [b"\xef\xbb\xbf" + around % b"1", b"# x\n\n" + around % b"1" + b"# y", b"", b"Beg_Stream\n1",
+                  around % b"1" + b"1", b"1\n" + around % b"1", b"End_Stream", (around % b"1")[:-1]]
+        for data in files:
+            path = self.folder / "file.txt"
+            path.write_bytes(data)
+            said = subprocess.run((BIN / "au-transmitter", "--check", path), capture_output=True,
+                                  check=False, text=True, errors="replace")
+            try:
+                good = all(bounded(terms, timing) for terms, timing in read_stream_file(data))
+            except (Violation, UnicodeDecodeError):
+                good = False
+            self.assertEqual(said.returncode, 0 if good else 3, (data[:200], said.stdout, said.stderr))
 
     def test_token(self):
         path, states = self.stream(3)
@@ -345,6 +436,14 @@ class OurClient(PeerTest):
             for hello in ("{hello}", "{hello token=sesam}", "{hello token=sesames stream=other}",
                           "{streams}", "{streams token=x}"):
                 self.expect_error(server, 401, hello)
+            self.expect_error(server, 505, "{hello v=3 stream=other}")
+            for word in ("{hello token=", "{streams token="):
+                self.expect_error(server, 400, word + "x" * 257 + "}")
+            with Client(server.port, "-4") as client:
+                self.assertEqual(client.packet(), END)
+                client.expect_end()
+            with Client(server.port, "GET /") as client:
+                self.assertIsNone(client.packet())
             with Client(server.port) as client:  # classic
                 self.assertEqual(client.packet(8).code, 401)
             with Client(server.port, "{streams token=sesame}") as client:
@@ -359,6 +458,12 @@ class OurClient(PeerTest):
                 Client(server.port, "{hello}") as first:
             self.assertIsInstance(first.packet(), Hello)
             self.expect_error(server, 503, "{hello}")
+            self.expect_error(server, 400, "{hello window=x}")
+            self.expect_error(server, 505, "{hello v=3}")
+            self.expect_error(server, 404, "{hello stream=other}")
+            with Client(server.port, "{streams}") as asking:
+                self.assertEqual(asking.packet().names, ["lively"])
+                asking.expect_end()
             with Client(server.port) as classic:
                 self.assertIsNone(classic.packet())
             self.assertEqual(len(first.rest()), 3)
@@ -580,6 +685,34 @@ class OurServer(PeerTest):
                 connection.send("{-2}")
                 connection.close_properly()
                 self.expect_played(player, 0)
+
+    def test_a_server_that_does_not_wait(self):
+        """More than the window, {-2} behind it: it is read when there is room, and counts."""
+        packets = "".join(full(state, ";40") for state in faces(600))
+        for hello in ("{hello v=2 window=4}", ""):
+            with Server() as server, \
+                    Player(self.folder, server.port, "--buffer", "8", "--playout", "4") as player:
+                connection = server.accept()
+                connection.hello()
+                connection.send(hello + packets + "{-2}")
+                connection.close_properly()
+                self.expect_played(player, 600)
+
+    def test_silence(self):
+        """Blanks and half a packet are silence; after the first packet there is no limit."""
+        for words in ("", " \r\n", "{1"):
+            with Server() as server, \
+                    Player(self.folder, server.port, "--connect-timeout", "1") as player, \
+                    server.accept() as connection:
+                connection.send(words)
+                self.expect_failed(player, "unreachable")
+        with Server() as server, \
+                Player(self.folder, server.port, "--connect-timeout", "1") as player:
+            connection = server.accept()
+            self.grant(connection)
+            self.assertFalse(connection.more(2))
+            connection.serve(["{1;40}"])
+            self.expect_played(player, 1)
 
     def test_refused(self):
         for code in (400, 401, 404, 503, 505):

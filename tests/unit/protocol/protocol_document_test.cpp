@@ -13,6 +13,7 @@
 #include "protocol/codec.h"
 #include "protocol/decoder.h"
 #include "protocol/limits.h"
+#include "protocol/stream_file.h"
 #include "tests/unit/protocol/transcript.h"
 
 namespace aucast::protocol {
@@ -87,6 +88,16 @@ TEST(ProtocolDocument, ExamplesOfPacketsAreTrue) {
 
 TEST(ProtocolDocument, ExamplesOfCodesAreTrue) {
   check_examples<ClientPacketDecoder>("client-examples", 8);
+}
+
+TEST(ProtocolDocument, TheStreamFileHoldsThePacketsBesideIt) {
+  const std::vector<std::string> files = blocks("stream-file");
+  ASSERT_EQ(files.size(), 1U);
+  const auto stream = parse_stream_file(files.front(), "PROTOCOL.md");
+  ASSERT_TRUE(stream.has_value()) << stream.error().message;
+  std::vector<std::string> packets;
+  for (const Keyframe& keyframe : stream->keyframes) packets.push_back(encode(keyframe));
+  EXPECT_EQ(packets, lines_of_blocks("stream-packets"));
 }
 
 TEST(ProtocolDocument, ByteCountsOfTable55AreTrue) {
