@@ -1,21 +1,17 @@
 #include "protocol/live_clock.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "common/check.h"
 
 namespace aucast::protocol {
 
-LiveClock::LiveClock(std::vector<Milliseconds> times, bool loop, Instant begin)
-    : times_(std::move(times)),
-      sum_(std::accumulate(times_.begin(), times_.end(), Milliseconds::zero())),
-      loop_(loop),
-      next_at_(begin) {
+LiveClock::LiveClock(std::span<const KeyframeTime> times, bool loop, Instant begin)
+    : times_(times), loop_(loop), next_at_(begin) {
   AUCAST_CHECK(!times_.empty());
-  AUCAST_CHECK(*std::min_element(times_.begin(), times_.end()) >= Milliseconds::zero());
-  AUCAST_CHECK(!loop || sum_ > Milliseconds::zero());
+  AUCAST_CHECK(!loop || std::any_of(times_.begin(), times_.end(),
+                                    [](KeyframeTime time) { return time > KeyframeTime::zero(); }));
 }
 
 bool LiveClock::advance(Instant now) {
@@ -28,7 +24,7 @@ bool LiveClock::advance(Instant now) {
 }
 
 bool LiveClock::advance_all(Instant now) {
-  std::vector<LiveMoment> passed;
+  std::vector<Moment> passed;
   bool moved = false;
   while (advance(now)) {
     moved = true;
@@ -46,20 +42,13 @@ void LiveClock::step() {
     }
     next_keyframe_ = 0;
   }
-  newest_ = LiveMoment{newest_ ? newest_->number + 1 : 0, next_keyframe_};
+  newest_ = Moment{newest_ ? newest_->number + 1 : 0, next_keyframe_};
   next_at_ += times_[next_keyframe_++];
 }
 
 std::optional<Instant> LiveClock::next_at() const {
   if (ended_) return std::nullopt;
   return next_at_;
-}
-
-std::size_t LiveClock::moments_in(Milliseconds time) const {
-  const auto count = static_cast<Milliseconds::rep>(times_.size());
-  const auto sum = std::max(sum_.count(), Milliseconds::rep{1});
-  return static_cast<std::size_t>(
-      std::max((time.count() * count + sum - 1) / sum, Milliseconds::rep{1}));
 }
 
 }  // namespace aucast::protocol

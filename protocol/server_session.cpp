@@ -48,7 +48,7 @@ struct ServerSession::State {
   };
 
   const ServerCatalogue* catalogue = nullptr;
-  const ServedStream* stream = nullptr;
+  ServedStream stream;
   ClientPacketDecoder decoder;
   Phase phase = Phase::Grace;
   Level level = Level::Classic;
@@ -103,14 +103,15 @@ struct ServerSession::State {
   [[nodiscard]] bool spend_spare_code();
   [[nodiscard]] bool permitted(std::string_view token);
   void handle_fault(const DecodeError& fault);
-  [[nodiscard]] const std::vector<std::string>& packets() const;
+  [[nodiscard]] const PacketList& packets() const;
+  [[nodiscard]] std::string_view packet_of(const LiveMoment& moment, bool full) const;
   [[nodiscard]] std::size_t window_for(int asked) const;
   [[nodiscard]] bool at_end() const;
   [[nodiscard]] bool may_send() const;
-  void send_keyframe(const std::string& packet);
+  void send_keyframe(std::string_view packet);
   void pump();
   void send_recorded();
-  void send_passed();
+  void send_latest();
   void send_moment(const LiveMoment& moment);
   void settle_peer_end();
 };
@@ -181,7 +182,7 @@ void ServerSession::State::grant(const HelloAsked& asked) {
       refuse(404, "there is no stream '" + asked.stream + "' here");
       return;
     }
-    stream = &*found;
+    stream = *found;
   }
   if (no_room != nullptr) {
     refuse(503, no_room);
@@ -189,13 +190,16 @@ void ServerSession::State::grant(const HelloAsked& asked) {
   }
   level = Level::Negotiated;
   window = window_for(asked.window);
-  delta = asked.delta && !stream->changes.empty();
+  delta =
+      asked.delta && (stream.live ? stream.live->has_changes() : !stream.recorded->changes.empty());
   HelloGranted granted;
   granted.window = static_cast<int>(window);
   granted.delta = delta;
-  granted.live = stream->clock != nullptr;
-  granted.stream = stream->name;
-  granted.duration_ms = stream->duration_ms;
+  granted.live = stream.live != nullptr;
+  granted.stream = stream.name;
+  // A stream that starts again has no length.
+  if (stream.live) granted.duration_ms = stream.live->duration_ms();
+  if (stream.recorded && !catalogue->loop) granted.duration_ms = stream.recorded->duration_ms;
   granted.keyframe_ms = catalogue->keyframe_ms;
   granted.from_ms = begin_at(asked.from_ms);
   send(encode(granted));
@@ -205,13 +209,16 @@ void ServerSession::State::grant(const HelloAsked& asked) {
 /// Sets out with the first keyframe that ends after `from_ms`, and returns the place where it
 /// begins. A live stream has no other place than now.
 std::uint64_t ServerSession::State::begin_at(std::uint64_t from_ms) {
-  if (stream->clock != nullptr || stream->times.size() != packets().size()) return 0;
-  std::uint64_t whole = 0;
-  for (const Milliseconds time : stream->times) whole += static_cast<std::uint64_t>(time.count());
-  if (catalogue->loop) from_ms = whole == 0 ? 0 : from_ms % whole;
+  if (from_ms == 0 || stream.live) return 0;
+  const auto& times = stream.recorded->times;
+  if (catalogue->loop) {
+    std::uint64_t whole = 0;
+    for (const KeyframeTime time : times) whole += time.count();
+    from_ms = whole == 0 ? 0 : from_ms % whole;
+  }
   std::uint64_t begin = 0;
-  for (next_packet = 0; from_ms > 0 && next_packet < stream->times.size(); ++next_packet) {
-    const auto time = static_cast<std::uint64_t>(stream->times[next_packet].count());
+  for (next_packet = 0; from_ms > 0 && next_packet < times.size(); ++next_packet) {
+    const std::uint64_t time = times[next_packet].count();
     if (begin + time > from_ms) break;
     begin += time;
   }
@@ -344,17 +351,22 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
   }
 }
 
-const std::vector<std::string>& ServerSession::State::packets() const {
-  if (level == Level::Classic) return stream->classic;
-  return delta ? stream->changes : stream->negotiated;
+const PacketList& ServerSession::State::packets() const {
+  if (level == Level::Classic) return stream.recorded->classic;
+  return delta ? stream.recorded->changes : stream.recorded->negotiated;
+}
+
+std::string_view ServerSession::State::packet_of(const LiveMoment& moment, bool full) const {
+  if (level == Level::Classic) return moment.classic;
+  return delta && !full ? moment.changes : moment.full;
 }
 
 std::size_t ServerSession::State::window_for(int asked) const {
   const auto most = static_cast<std::size_t>(std::clamp(asked, 0, kWindowMax));
   // A recorded stream has no clock of its own: without answers nothing would pace it.
-  if (stream->clock == nullptr) return std::max<std::size_t>(most, 1);
+  if (!stream.live) return std::max<std::size_t>(most, 1);
   // What is under way grows old: no more of it than a bearable delay.
-  return std::min(most, std::max<std::size_t>(stream->clock->moments_in(kLiveWindowTime), 2));
+  return std::min(most, stream.live->window_max());
 }
 
 bool ServerSession::State::may_send() const {
@@ -363,15 +375,15 @@ bool ServerSession::State::may_send() const {
 
 /// Everything that this client is to get has been sent.
 bool ServerSession::State::at_end() const {
-  if (stream->clock == nullptr) {
+  if (!stream.live) {
     return packets().empty() || (next_packet == packets().size() && !catalogue->loop);
   }
-  if (!stream->clock->ended()) return false;
-  const auto& newest = stream->clock->newest();
-  return !last_moment || !newest || *last_moment == newest->number;
+  if (!stream.live->ended()) return false;
+  const LiveMoment* const newest = stream.live->newest();
+  return !last_moment || newest == nullptr || *last_moment == newest->number;
 }
 
-void ServerSession::State::send_keyframe(const std::string& packet) {
+void ServerSession::State::send_keyframe(std::string_view packet) {
   send(packet);
   ++packets_sent;
   payload_bytes += packet.size();
@@ -386,9 +398,9 @@ void ServerSession::State::send_keyframe(const std::string& packet) {
 
 /// Sends what may be sent now, and the end when everything has been answered.
 void ServerSession::State::pump() {
-  if (stream->clock == nullptr) {
+  if (!stream.live) {
     send_recorded();
-  } else if (const auto& newest = stream->clock->newest()) {
+  } else if (const LiveMoment* const newest = stream.live->newest()) {
     send_moment(*newest);
   }
   if (!paused && !held && in_flight == 0 && at_end()) {
@@ -400,14 +412,15 @@ void ServerSession::State::send_recorded() {
   while (may_send() && !at_end()) {
     if (next_packet == packets().size()) next_packet = 0;
     // The first one names the whole face, wherever the stream begins.
-    const auto& encoded = delta && packets_sent == 0 ? stream->negotiated : packets();
+    const bool full = delta && packets_sent == 0;
+    const PacketList& encoded = full ? stream.recorded->negotiated : packets();
     send_keyframe(encoded[next_packet++]);
   }
 }
 
-/// Who keeps up gets each of several moments that began since the clock was last looked at.
-void ServerSession::State::send_passed() {
-  for (const LiveMoment& moment : stream->clock->passed()) {
+/// Who keeps up gets each of several moments that began at once.
+void ServerSession::State::send_latest() {
+  for (const LiveMoment& moment : stream.live->latest()) {
     if (last_moment && moment.number > *last_moment) send_moment(moment);
   }
 }
@@ -418,8 +431,7 @@ void ServerSession::State::send_moment(const LiveMoment& moment) {
   const bool full = std::exchange(full_next, false) || merged > 0;
   packets_merged += merged;
   last_moment = moment.number;
-  const auto& encoded = delta && full ? stream->negotiated : packets();
-  send_keyframe(encoded[moment.keyframe]);
+  send_keyframe(packet_of(moment, full));
 }
 
 /// A peer that has shut its side can neither answer nor resume any more.
@@ -440,7 +452,7 @@ void ServerSession::State::settle_peer_end() {
   }
   if (phase != Phase::Streaming) return;
   // Live, the next moment is still to come; whether it can be answered shows then.
-  if (stream->clock != nullptr && !paused && in_flight == 0) return;
+  if (stream.live && !paused && in_flight == 0) return;
   close(Why::PeerGone, paused ? "the client ended while it was paused"
                               : "the client ended before it had answered everything");
 }
@@ -450,7 +462,7 @@ ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_tr
     : state_(std::make_unique<State>()) {
   AUCAST_CHECK(!catalogue.streams.empty());
   state_->catalogue = &catalogue;
-  state_->stream = &catalogue.streams.front();
+  state_->stream = catalogue.streams.front();
   if (admission == Admission::Full) state_->no_room = kFull;
   if (admission == Admission::FullAddress) state_->no_room = kFullAddress;
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
@@ -510,7 +522,7 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
 std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   if (!live()) return {};
   state_->begin_call(now);
-  state_->send_passed();
+  state_->send_latest();
   state_->pump();
   state_->settle_peer_end();
   return state_->take_events();
@@ -551,11 +563,11 @@ bool ServerSession::awaiting_answer() const {
 }
 
 bool ServerSession::live() const {
-  return state_->phase == State::Phase::Streaming && state_->stream->clock != nullptr;
+  return state_->phase == State::Phase::Streaming && state_->stream.live != nullptr;
 }
 
 std::string_view ServerSession::stream_name() const {
-  return state_->stream->name;
+  return state_->stream.name;
 }
 
 std::uint64_t ServerSession::packets_sent() const {

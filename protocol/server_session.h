@@ -10,32 +10,27 @@
 #include <vector>
 
 #include "common/time.h"
-#include "protocol/live_clock.h"
+#include "protocol/encoded_stream.h"
+#include "protocol/live_channel.h"
 #include "protocol/packet.h"
 
 namespace aucast::protocol {
 
-/// A stream, encoded once per level and shared by all clients. Immutable while served, but for what
-/// a LiveFeed replaces.
+/// A stream by the name that a hello asks for: recorded, which everybody gets from its beginning,
+/// or live, of which everybody gets what is sent now. Exactly one of the two is set.
 struct ServedStream {
-  std::string name;                     ///< what a hello asks for; the file's stem
-  std::vector<std::string> classic;     ///< one packet per keyframe
-  std::vector<std::string> negotiated;  ///< the same keyframes, level 2
-  std::optional<std::uint64_t> duration_ms;
-  /// The same for who asked for the changes-only form; empty: it is not granted.
-  std::vector<std::string> changes{};
-  std::vector<Milliseconds> times{};  ///< of each keyframe, untimed ones with their default
-  /// Live: what its sessions go by. Moved on by the owner, who then calls their on_moment();
-  /// nothing: a recorded stream, which everybody gets from its beginning.
-  const LiveTime* clock = nullptr;
+  std::string name;
+  std::shared_ptr<const EncodedStream> recorded;
+  std::shared_ptr<const LiveChannel> live{};
 };
 
-/// What the sessions of one server have in common. Must outlive them.
+/// What the sessions of one server have in common. Must outlive them. Streams may be added and the
+/// token may change at any time: a session holds what it sends, and who is in stays.
 struct ServerCatalogue {
   std::vector<ServedStream> streams;  ///< at least one; the first is what a classic client gets
   std::uint32_t keyframe_ms = 250;    ///< granted in the hello
-  bool loop = false;                  ///< start again at the end instead of {-2}
-  /// What a client must show in its hello; empty: nothing. It may change; those who are in stay.
+  bool loop = false;                  ///< recorded: start again at the end instead of {-2}
+  /// What a client must show in its hello; empty: nothing.
   std::string token{};
 };
 
@@ -92,7 +87,8 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> on_lost(Instant now);
   /// Call when deadline() has come.
   [[nodiscard]] std::vector<ServerEvent> on_time(Instant now);
-  /// The clock of a live stream has moved on, by one moment or several. Without effect on others.
+  /// A live channel has moved on, by one moment or several. Without effect when it is not this
+  /// session's.
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
   /// Live: the socket takes no more for now, so no keyframe is handed out; or it does again, and
   /// the newest is.

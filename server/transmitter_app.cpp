@@ -108,7 +108,7 @@ int check(const TransmitterOptions& options) {
   const auto catalogue = make_catalogue(*sources, catalogue_options(options));
   for (std::size_t index = 0; index < sources->size(); ++index) {
     const Source& source = (*sources)[index];
-    const auto& served = catalogue.streams[index];
+    const protocol::EncodedStream& served = *catalogue.streams[index].recorded;
     const auto printed =
         print(options.estimate ? estimate_report(source, served, options.batch)
                                : check_report(source, served, catalogue.keyframe_ms));

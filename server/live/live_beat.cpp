@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "common/log.h"
-#include "server/streams/catalogue.h"
 
 namespace aucast::server {
 namespace {
@@ -19,29 +18,24 @@ Instant now() {
 }
 
 /// Moments so far, those that were left out too.
-std::uint64_t begun(const protocol::LiveClock& clock) {
-  return clock.newest() ? clock.newest()->number + 1 : 0;
+std::uint64_t begun(const protocol::LiveReplay& replay) {
+  return replay.newest() == nullptr ? 0 : replay.newest()->number + 1;
 }
 
 }  // namespace
 
-void LiveBeat::start(protocol::ServerCatalogue& catalogue, const protocol::ServerCatalogue* before,
-                     OnMoment on_moment) {
-  on_moment_ = std::move(on_moment);
-  const Instant begin = now();
-  clocks_.reserve(catalogue.streams.size());  // the streams point into it
-  for (protocol::ServedStream& stream : catalogue.streams) {
-    if (stream.clock != nullptr) continue;  // a source gives the time
-    const protocol::ServedStream* same = before ? find_same(*before, stream) : nullptr;
-    const auto* running =
-        same != nullptr ? dynamic_cast<const protocol::LiveClock*>(same->clock) : nullptr;
-    if (running != nullptr) {
-      stream.clock = &clocks_.emplace_back(*running);
-    } else {
-      stream.clock = &clocks_.emplace_back(stream.times, catalogue.loop, begin);
-    }
+std::shared_ptr<const protocol::LiveChannel> LiveBeat::play(
+    const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop) {
+  for (const Playing& playing : playing_) {
+    const auto replay = playing.replay.lock();
+    if (replay && playing.name == name && *replay->stream() == *stream) return replay;
   }
-  beat();
+  const Instant begin = now();
+  auto replay = std::make_shared<protocol::LiveReplay>(std::move(stream), loop, begin);
+  playing_.push_back({name, replay});
+  replay->advance(begin);
+  wait(begin);
+  return replay;
 }
 
 void LiveBeat::stop() {
@@ -58,14 +52,17 @@ void LiveBeat::beat() {
   bool moved = false;
   std::uint64_t left_out = 0;
   Duration latest{0};
-  for (protocol::LiveClock& clock : clocks_) {
-    const Duration late = moment - clock.next_at().value_or(moment);
-    const std::uint64_t before = begun(clock);
-    if (!clock.advance_all(moment)) continue;
+  for (const Playing& playing : playing_) {
+    const auto replay = playing.replay.lock();
+    if (!replay) continue;
+    const Duration late = moment - replay->next_at().value_or(moment);
+    const std::uint64_t before = begun(*replay);
+    if (!replay->advance(moment)) continue;
     moved = true;
     lag_ = late;
     latest = std::max(latest, late);
-    left_out += begun(clock) - before - clock.passed().size();
+    const std::uint64_t now_begun = begun(*replay);
+    if (now_begun > before) left_out += now_begun - before - replay->latest().size();
   }
   // Once a second at most: less late than that nothing is left out.
   if (left_out > 0) {
@@ -78,15 +75,18 @@ void LiveBeat::beat() {
 }
 
 void LiveBeat::wait(Instant earliest) {
+  std::erase_if(playing_, [](const Playing& playing) { return playing.replay.expired(); });
   std::optional<Instant> next;
-  for (const protocol::LiveClock& clock : clocks_) {
-    const auto at = clock.next_at();
+  for (const Playing& playing : playing_) {
+    const auto replay = playing.replay.lock();
+    const auto at = replay ? replay->next_at() : std::nullopt;
     if (at && (!next || *at < *next)) next = at;
   }
   if (!next || stopped_) return;
   timer_.expires_at(std::max(*next, earliest));
-  timer_.async_wait([this](const std::error_code& error) {
-    if (!error && !stopped_) beat();
+  timer_.async_wait([held = std::weak_ptr(self_)](const std::error_code& error) {
+    const auto self = held.lock();
+    if (self && !error && !(*self)->stopped_) (*self)->beat();
   });
 }
 

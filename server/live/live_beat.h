@@ -1,32 +1,34 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "common/time.h"
-#include "protocol/live_clock.h"
-#include "protocol/server_session.h"
+#include "protocol/live_replay.h"
 
 namespace aucast::server {
 
-/// Keeps the clocks of the live streams going, tells of each moment and warns of those left out.
+/// Moves the recorded streams that are sent live on, each for as long as anybody holds it, tells
+/// when any has moved and warns of moments left out.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class LiveBeat {
  public:
   using OnMoment = std::function<void()>;
 
-  explicit LiveBeat(asio::io_context& io) : timer_(io) {}
+  LiveBeat(asio::io_context& io, OnMoment on_moment)
+      : timer_(io), on_moment_(std::move(on_moment)) {}
   LiveBeat(const LiveBeat&) = delete;
   LiveBeat& operator=(const LiveBeat&) = delete;
 
-  /// Begins all streams of `catalogue` that have no clock now and gives them theirs, which live as
-  /// long as this object. A stream that is live in `before` as it is here goes on where it is
-  /// there. Once.
-  void start(protocol::ServerCatalogue& catalogue, const protocol::ServerCatalogue* before,
-             OnMoment on_moment);
+  /// The stream as a live one. If one of that name and content is running still, it is that one,
+  /// without a gap; else one that begins now.
+  [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> play(
+      const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop);
   void stop();
   /// Tells now of what is due. For who is about to do something that takes time, such as letting
   /// in one of many newcomers: the timer is only looked at when all of that is done.
@@ -36,14 +38,21 @@ class LiveBeat {
   [[nodiscard]] Duration lag() const { return lag_; }
 
  private:
+  struct Playing {
+    std::string name;
+    std::weak_ptr<protocol::LiveReplay> replay;
+  };
+
   void beat();
   void wait(Instant earliest);
 
   asio::steady_timer timer_;
-  std::vector<protocol::LiveClock> clocks_;
   OnMoment on_moment_;
+  std::vector<Playing> playing_;
   Duration lag_{0};
   bool stopped_ = false;
+  /// What a handler that is queued already goes by when this object is gone.
+  std::shared_ptr<LiveBeat*> self_ = std::make_shared<LiveBeat*>(this);
 };
 
 }  // namespace aucast::server

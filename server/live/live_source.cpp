@@ -53,7 +53,7 @@ struct LiveSource::Stream {
   }
 
   std::string name;
-  protocol::LiveFeed feed;
+  std::shared_ptr<protocol::LiveFeed> feed;  ///< its sessions hold it too
   sources::LiveReader reader;
   sources::LiveQueue queue;
   LiveThinning thinning;
@@ -64,7 +64,7 @@ struct LiveSource::Stream {
 LiveSource::Stream::Stream(std::string stream_name, const LiveSourceOptions& options,
                            const sources::LiveOptions& reading)
     : name(std::move(stream_name)),
-      feed(reading.keyframe_ms, options.classic_min),
+      feed(std::make_shared<protocol::LiveFeed>(reading.keyframe_ms, options.classic_min)),
       reader(file_name(options.path), reading, load_arkit_table),
       thinning(reading.keyframe_ms, options.max_kbits) {}
 
@@ -113,18 +113,18 @@ void LiveSource::stop() {
 
 bool LiveSource::over() const {
   return input_.ended() && std::all_of(streams_.begin(), streams_.end(), [](const auto& stream) {
-           return stream->feed.ended() && stream->queue.size() == 0;
+           return stream->feed->ended() && stream->queue.size() == 0;
          });
 }
 
 bool LiveSource::nothing_came() const {
-  return input_.ended() && !streams_.front()->feed.newest();
+  return input_.ended() && streams_.front()->feed->newest() == nullptr;
 }
 
-std::vector<LiveSource::NamedFeed> LiveSource::feeds() const {
-  std::vector<NamedFeed> feeds;
-  for (const auto& stream : streams_) feeds.push_back({stream->name, &stream->feed});
-  return feeds;
+std::vector<protocol::ServedStream> LiveSource::streams() const {
+  std::vector<protocol::ServedStream> served;
+  for (const auto& stream : streams_) served.push_back({stream->name, nullptr, stream->feed});
+  return served;
 }
 
 double LiveSource::now() {
@@ -249,7 +249,7 @@ void LiveSource::send_due(Stream& stream, double moment) {
   if (stream.queue.size() == 0) return;
   if (std::exchange(stream.silence_said, false)) {
     spdlog::info("{}: {}", stream.name,
-                 stream.feed.newest() ? "goes on" : "the first keyframe is there");
+                 stream.feed->newest() != nullptr ? "goes on" : "the first keyframe is there");
   }
   // Rows of a recogniser with a clock of its own follow each other by that.
   while (const auto keyframe = stream.queue.pop(moment)) {
@@ -271,7 +271,7 @@ void LiveSource::send_thinned(Stream& stream, double moment) {
 }
 
 void LiveSource::show(Stream& stream, const protocol::Keyframe& keyframe) {
-  stream.feed.add(keyframe);
+  stream.feed->add(keyframe);
   events_.on_moment();
 }
 
@@ -281,7 +281,7 @@ void LiveSource::rest(Stream& stream, double moment) {
   for (const sources::LiveKeyframe& keyframe : stream.reader.take_keyframes()) {
     send(stream, keyframe, true, moment);
   }
-  const bool can_end = options_.timeout.count() > 0 && !stream.feed.ended();
+  const bool can_end = options_.timeout.count() > 0 && !stream.feed->ended();
   const auto since = stream.reader.silent_since();
   if (!since) {
     if (!can_end || !nothing_came()) return;
@@ -305,7 +305,7 @@ void LiveSource::rest(Stream& stream, double moment) {
 void LiveSource::end(Stream& stream) {
   if (stream.recorder) stream.recorder->end_of_stream();
   if (const auto last = stream.thinning.take_last()) show(stream, *last);
-  stream.feed.end();
+  stream.feed->end();
   events_.on_moment();
 }
 
@@ -322,7 +322,7 @@ std::optional<double> LiveSource::next_of(const Stream& stream) const {
   const auto since = stream.reader.silent_since();
   const auto earlier = [&next](double at) { next = std::min(next.value_or(at), at); };
   if (since && !stream.silence_said) earlier(*since + sources::kHoldSeconds);
-  if (since && options_.timeout.count() > 0 && !stream.feed.ended()) {
+  if (since && options_.timeout.count() > 0 && !stream.feed->ended()) {
     earlier(*since + patience());
   }
   return next;

@@ -51,14 +51,9 @@ class LiveSource {
   static constexpr std::size_t kFacesMost = 16;
 
   struct Events {
-    std::function<void()> on_moment;  ///< a feed has something new
-    /// A face is seen for the first time; its feed is the last of feeds().
+    std::function<void()> on_moment;  ///< a stream has something new
+    /// A face is seen for the first time; its stream is the last of streams().
     std::function<void()> on_face;
-  };
-  /// A stream by its name; the feed is there as long as the source is.
-  struct NamedFeed {
-    std::string name;
-    protocol::LiveFeed* feed;
   };
 
   LiveSource(asio::io_context& io, LiveSourceOptions options, Events events);
@@ -75,7 +70,8 @@ class LiveSource {
   [[nodiscard]] bool over() const;
   /// It has ended before the first keyframe.
   [[nodiscard]] bool nothing_came() const;
-  [[nodiscard]] std::vector<NamedFeed> feeds() const;
+  /// What it is served as, the first stream first.
+  [[nodiscard]] std::vector<protocol::ServedStream> streams() const;
   /// Other settings of the signals from the next row on.
   void condition(const sources::ConditioningSettings& settings);
 

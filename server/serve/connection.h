@@ -78,8 +78,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Since when something waits without a byte of it going out; nothing when nothing does.
   [[nodiscard]] std::optional<Instant> unsent_since() const { return unsent_since_; }
   [[nodiscard]] bool paused() const { return session_.paused(); }
-  /// What it is served from; it stays with this one when the server has a newer one.
-  [[nodiscard]] const protocol::ServerCatalogue& catalogue() const { return *catalogue_; }
 
  private:
   [[nodiscard]] bool handshaking() const { return tls_ && !tls_->ready(); }

@@ -64,20 +64,19 @@ const char* name_of_signal(int number) {
 int unsent_bytes_for(const protocol::ServerCatalogue& catalogue) {
   const std::size_t bytes = bytes_in(catalogue, protocol::kLiveWindowTime / 2);
   const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
-                                   [](const auto& stream) { return stream.classic.empty(); });
+                                   [](const auto& stream) { return !stream.recorded; });
   const std::size_t least = unknown ? kUnsentBytesOfSources : kUnsentBytesLeast;
   return static_cast<int>(std::clamp(bytes, least, kUnsentBytesMost));
 }
 
-/// The streams as they were read at one time, with their clocks. SIGHUP brings another one; who is
-/// connected keeps the one it came to.
+/// The streams as they were read at one time. SIGHUP brings another one; who is connected keeps the
+/// one it came to, which lives as long as any of its clients.
 struct Programme {
-  Programme(asio::io_context& io, protocol::ServerCatalogue streams)
-      : catalogue(std::move(streams)), beat(io), unsent_bytes_max(unsent_bytes_for(catalogue)) {}
+  explicit Programme(protocol::ServerCatalogue streams)
+      : unsent_bytes_max(unsent_bytes_for(streams)), catalogue(std::move(streams)) {}
 
-  protocol::ServerCatalogue catalogue;
-  LiveBeat beat;
   int unsent_bytes_max = 0;  ///< of a live stream
+  protocol::ServerCatalogue catalogue;
 };
 
 /// The listener, the clients and the signals of one run.
@@ -92,7 +91,8 @@ class Transmitter {
         stop_timer_(io_),
         tick_timer_(io_),
         listener_(io_),
-        programme_(std::make_shared<Programme>(io_, std::move(catalogue))),
+        beat_(io_, [this] { on_moment(); }),
+        programme_(std::make_shared<Programme>(std::move(catalogue))),
         reloader_(io_, std::move(load), [this](Result<protocol::ServerCatalogue> loaded) {
           on_reloaded(std::move(loaded));
         }) {}
@@ -113,7 +113,7 @@ class Transmitter {
     begin_ = std::chrono::steady_clock::now();
     await_end_signal();
     await_other_signal();
-    if (options_.live) begin_live(nullptr);
+    make_live(programme_->catalogue);
     listener_.start([this](tcp::socket socket, const tcp::endpoint& peer) {
       welcome(std::move(socket), peer);
     });
@@ -239,7 +239,6 @@ class Transmitter {
       if (auto begun = source->start(); !begun) return begun;
       live_sources_.push_back(std::move(source));
     }
-    attach_sources();
     return {};
   }
 
@@ -253,50 +252,50 @@ class Transmitter {
     }
   }
 
-  void attach_sources() {
-    for (const auto& [name, feed] : feeds()) {
-      for (protocol::ServedStream& stream : programme_->catalogue.streams) {
-        // A face's stream may have the name of a file's, which was there before.
-        const bool free = stream.clock == nullptr && stream.classic.empty();
-        if (stream.name != name || (!free && stream.clock != feed)) continue;
-        feed->attach(std::shared_ptr<protocol::ServedStream>(programme_, &stream));
+  /// Gives each stream that is to be live its channel: of a source its feed, of a recording, with
+  /// --live, one that plays it. A source's faces have streams too, but for names that are taken.
+  void make_live(protocol::ServerCatalogue& catalogue) {
+    for (protocol::ServedStream& stream : catalogue.streams) {
+      if (stream.recorded && options_.live) {
+        stream.live =
+            beat_.play(stream.name, std::exchange(stream.recorded, nullptr), options_.loop);
       }
     }
+    for (protocol::ServedStream& of_source : streams_of_sources()) {
+      const auto same =
+          std::find_if(catalogue.streams.begin(), catalogue.streams.end(),
+                       [&of_source](const auto& stream) { return stream.name == of_source.name; });
+      if (same == catalogue.streams.end()) {
+        catalogue.streams.push_back(std::move(of_source));
+      } else if (!same->recorded && !same->live) {
+        same->live = std::move(of_source.live);
+      }
+    }
+    std::erase_if(catalogue.streams, [](const protocol::ServedStream& stream) {
+      const bool nothing = !stream.recorded && !stream.live;
+      if (nothing) {
+        spdlog::error("{}: it is written live now and was not at the start; restart to serve it",
+                      stream.name);
+      }
+      return nothing;
+    });
   }
 
-  /// Of all live sources.
-  [[nodiscard]] std::vector<LiveSource::NamedFeed> feeds() const {
-    std::vector<LiveSource::NamedFeed> all;
+  [[nodiscard]] std::vector<protocol::ServedStream> streams_of_sources() const {
+    std::vector<protocol::ServedStream> all;
     for (const auto& source : live_sources_) {
-      for (LiveSource::NamedFeed& feed : source->feeds()) all.push_back(std::move(feed));
+      for (protocol::ServedStream& stream : source->streams()) all.push_back(std::move(stream));
     }
     return all;
   }
 
-  /// A catalogue knows the faces of a live source only when they are seen.
-  void add_faces(protocol::ServerCatalogue& catalogue) const {
-    for (const LiveSource::NamedFeed& feed : feeds()) {
-      const bool known =
-          std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
-                      [&feed](const auto& stream) { return stream.name == feed.name; });
-      if (known) continue;
-      protocol::ServedStream stream;
-      stream.name = feed.name;
-      catalogue.streams.push_back(std::move(stream));
-    }
-  }
-
   /// A live source sees a face that has no stream yet.
   void on_face() {
-    if (stopping_) return;
-    protocol::ServerCatalogue catalogue = programme_->catalogue;
-    add_faces(catalogue);
-    serve_from_now(std::move(catalogue));
+    if (!stopping_) make_live(programme_->catalogue);
   }
 
   void on_moment_of_source() {
-    for (const auto& old : old_programmes_) on_moment(*old);
-    on_moment(*programme_);
+    on_moment();
     // Not now: it is a source that calls.
     if (all_over()) {
       asio::post(io_, [this] {
@@ -306,11 +305,18 @@ class Transmitter {
   }
 
   /// Nothing is served any more and nothing can come. Asked at every keyframe: while a source
-  /// lasts, no list of feeds is made.
+  /// lasts, no list of streams is made.
   [[nodiscard]] bool all_over() const {
-    return std::all_of(live_sources_.begin(), live_sources_.end(),
-                       [](const auto& source) { return source->over(); }) &&
-           feeds().size() == programme_->catalogue.streams.size();
+    if (!std::all_of(live_sources_.begin(), live_sources_.end(),
+                     [](const auto& source) { return source->over(); })) {
+      return false;
+    }
+    const auto of_sources = streams_of_sources();
+    const auto& served = programme_->catalogue.streams;
+    return std::all_of(served.begin(), served.end(), [&of_sources](const auto& stream) {
+      return std::any_of(of_sources.begin(), of_sources.end(),
+                         [&stream](const auto& other) { return other.live == stream.live; });
+    });
   }
 
   /// What went wrong without stopping anything.
@@ -319,28 +325,21 @@ class Transmitter {
     for (const auto& source : live_sources_) {
       if (auto recorded = source->finish_record(); !recorded) ending.error = recorded.error();
       if (source->over() && source->nothing_came()) {
-        ending.error = Error{ErrorKind::BadData, source->feeds().front().name +
+        ending.error = Error{ErrorKind::BadData, source->streams().front().name +
                                                      ": the source ended before a keyframe came"};
       }
     }
     return ending;
   }
 
-  /// Streams that `before` has too go on where they are there.
-  void begin_live(const Programme* before) {
-    programme_->beat.start(programme_->catalogue, before ? &before->catalogue : nullptr,
-                           [this, programme = programme_.get()] { on_moment(*programme); });
-  }
-
-  void on_moment(const Programme& programme) {
+  void on_moment() {
     // Of thousands of clients each has left the processor's cache since the last moment: the next
     // ones are fetched while one is served.
     if (audience_.empty()) audience_ = everybody();
     telling_ = true;
     for (std::size_t at = 0; at < audience_.size(); ++at) {
       if (at + kFetchedAhead < audience_.size()) audience_[at + kFetchedAhead]->fetch_ahead();
-      Connection& connection = *audience_[at];
-      if (&connection.catalogue() == &programme.catalogue) connection.on_moment();
+      audience_[at]->on_moment();
     }
     telling_ = false;
     if (std::exchange(audience_changed_, false)) audience_.clear();
@@ -380,10 +379,7 @@ class Transmitter {
   }
 
   /// However many knock at once, those who watch are not kept waiting for them.
-  void serve_before_newcomers() {
-    for (const auto& old : old_programmes_) old->beat.catch_up();
-    programme_->beat.catch_up();
-  }
+  void serve_before_newcomers() { beat_.catch_up(); }
 
   [[nodiscard]] bool any_live() const { return options_.live || !live_sources_.empty(); }
 
@@ -406,17 +402,6 @@ class Transmitter {
     refused_.erase(record.number);
     of_address_.remove(record.number);
     if (stopping_ && connections_.empty()) end();
-    // Not now: a clock of the programme to be forgotten may be what called.
-    if (!old_programmes_.empty()) asio::post(io_, [this] { forget_old_programmes(); });
-  }
-
-  /// Those that nobody is connected to any more.
-  void forget_old_programmes() {
-    std::erase_if(old_programmes_, [this](const std::shared_ptr<Programme>& old) {
-      return std::none_of(connections_.begin(), connections_.end(), [&old](const auto& entry) {
-        return &entry.second->catalogue() == &old->catalogue;
-      });
-    });
   }
 
   void await_end_signal() {
@@ -452,26 +437,38 @@ class Transmitter {
       return;
     }
     ++reloads_;
-    add_faces(*loaded);
-    if (same_streams(*loaded, programme_->catalogue)) {
+    auto programme = std::make_shared<Programme>(std::move(*loaded));
+    make_live(programme->catalogue);
+    if (programme->catalogue.streams.empty()) return;
+    share_recorded(programme->catalogue);
+    if (same_streams(programme->catalogue, programme_->catalogue)) {
       spdlog::info("the sources hold what they held");
       return;
     }
-    loaded->token = programme_->catalogue.token;
-    serve_from_now(std::move(*loaded));
-  }
-
-  /// To who comes from now on.
-  void serve_from_now(protocol::ServerCatalogue catalogue) {
-    const std::shared_ptr<Programme> before = programme_;
-    programme_ = std::make_shared<Programme>(io_, std::move(catalogue));
-    attach_sources();
-    if (options_.live) begin_live(before.get());
-    old_programmes_.push_back(before);
+    programme->catalogue.token = programme_->catalogue.token;
+    programme_ = std::move(programme);
     spdlog::info("serving {} now; for the {} here nothing changes",
                  counted(programme_->catalogue.streams.size(), "stream"),
                  counted(connections_.size(), "client"));
-    forget_old_programmes();
+  }
+
+  /// What a stream held before is held once.
+  void share_recorded(protocol::ServerCatalogue& catalogue) const {
+    for (protocol::ServedStream& stream : catalogue.streams) {
+      for (const protocol::ServedStream& before : programme_->catalogue.streams) {
+        const bool same = stream.recorded && before.recorded && stream.name == before.name &&
+                          *stream.recorded == *before.recorded;
+        if (same) stream.recorded = before.recorded;
+      }
+    }
+  }
+
+  static bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCatalogue& b) {
+    return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
+                      [](const auto& one, const auto& other) {
+                        return one.name == other.name && one.recorded == other.recorded &&
+                               one.live == other.live;
+                      });
   }
 
   void on_end_signal(int number) {
@@ -491,8 +488,7 @@ class Transmitter {
     manager_.stopping();
     listener_.stop();
     for (const auto& source : live_sources_) source->stop();
-    programme_->beat.stop();
-    for (const auto& old : old_programmes_) old->beat.stop();
+    beat_.stop();
     for (const auto& connection : everybody()) connection->stop();
     if (connections_.empty()) {
       end();
@@ -535,7 +531,7 @@ class Transmitter {
       }
       status.queue_bytes += connection->output_bytes();
     }
-    status.lag_seconds = seconds(programme_->beat.lag());
+    status.lag_seconds = seconds(beat_.lag());
     status.reloads = reloads_;
     status.reload_failures = reload_failures_;
     return status;
@@ -559,8 +555,8 @@ class Transmitter {
   ServiceManager manager_;
   Listener listener_;
   std::vector<std::unique_ptr<LiveSource>> live_sources_;
+  LiveBeat beat_;
   std::shared_ptr<Programme> programme_;
-  std::vector<std::shared_ptr<Programme>> old_programmes_;  ///< that clients are still served from
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;
   std::vector<std::shared_ptr<Connection>> audience_;  ///< the same, or empty: not known
   bool telling_ = false;                               ///< the audience of a moment

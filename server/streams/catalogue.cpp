@@ -107,10 +107,8 @@ bool goes_beyond_classic(const protocol::StreamFile& stream) {
                      });
 }
 
-protocol::ServedStream served(const Source& source, const CatalogueOptions& options) {
-  protocol::ServedStream stream;
-  stream.name = source.name;
-  if (source.live) return stream;
+protocol::EncodedStream encoded(const Source& source, const CatalogueOptions& options) {
+  protocol::EncodedStream stream;
   const protocol::StreamFile whole =
       options.max_kbits == 0
           ? source.stream
@@ -122,20 +120,16 @@ protocol::ServedStream served(const Source& source, const CatalogueOptions& opti
     stream.times.emplace_back(keyframe.duration_ms.value_or(options.keyframe_ms));
   }
   if (goes_beyond_classic(whole)) {
-    stream.changes = protocol::encode_changes(whole.keyframes, options.keyframe_ms);
+    for (const auto& packet : protocol::encode_changes(whole.keyframes, options.keyframe_ms)) {
+      stream.changes.push_back(packet);
+    }
   }
-  // A stream that starts again has no length.
-  if (!options.loop) stream.duration_ms = protocol::media_ms(whole, options.keyframe_ms);
+  stream.duration_ms = protocol::media_ms(whole, options.keyframe_ms);
   return stream;
 }
 
-Milliseconds time_of(const protocol::ServedStream& stream) {
+Milliseconds time_of(const protocol::EncodedStream& stream) {
   return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds::zero());
-}
-
-bool same_stream(const protocol::ServedStream& a, const protocol::ServedStream& b) {
-  return a.name == b.name && a.classic == b.classic && a.negotiated == b.negotiated &&
-         a.changes == b.changes && a.times == b.times;
 }
 
 }  // namespace
@@ -183,27 +177,20 @@ protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
   protocol::ServerCatalogue catalogue;
   catalogue.keyframe_ms = options.keyframe_ms;
   catalogue.loop = options.loop;
-  for (const Source& source : sources) catalogue.streams.push_back(served(source, options));
+  for (const Source& source : sources) {
+    protocol::ServedStream stream{source.name, nullptr};
+    if (!source.live) {
+      stream.recorded = std::make_shared<protocol::EncodedStream>(encoded(source, options));
+    }
+    catalogue.streams.push_back(std::move(stream));
+  }
   return catalogue;
-}
-
-const protocol::ServedStream* find_same(const protocol::ServerCatalogue& catalogue,
-                                        const protocol::ServedStream& stream) {
-  const auto found = std::find_if(
-      catalogue.streams.begin(), catalogue.streams.end(),
-      [&stream](const protocol::ServedStream& other) { return same_stream(other, stream); });
-  return found == catalogue.streams.end() ? nullptr : &*found;
-}
-
-bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCatalogue& b) {
-  return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
-                    same_stream);
 }
 
 Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
   if (!catalogue.loop) return {};
   for (const protocol::ServedStream& stream : catalogue.streams) {
-    if (!stream.classic.empty() && time_of(stream) == Milliseconds::zero()) {
+    if (stream.recorded && time_of(*stream.recorded) == Milliseconds::zero()) {
       return Error{ErrorKind::BadData, "the stream '" + stream.name +
                                            "' takes no time at all, so it cannot start again and "
                                            "again live; give its keyframes a time, such as ;250"};
@@ -215,10 +202,10 @@ Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
 std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time) {
   std::size_t most = 0;
   for (const protocol::ServedStream& stream : catalogue.streams) {
-    std::size_t bytes = 0;
-    for (const std::string& packet : stream.negotiated) bytes += packet.size();
+    if (!stream.recorded) continue;
+    const std::size_t bytes = stream.recorded->negotiated.bytes();
     const auto all =
-        static_cast<std::size_t>(std::max<Milliseconds::rep>(time_of(stream).count(), 1));
+        static_cast<std::size_t>(std::max<Milliseconds::rep>(time_of(*stream.recorded).count(), 1));
     most = std::max(most, (bytes * static_cast<std::size_t>(time.count()) + all - 1) / all);
   }
   return most;

@@ -50,17 +50,10 @@ struct CatalogueOptions {
   std::uint32_t max_kbits = 0;  ///< a second, headers included; 0: no limit
 };
 
-/// Encodes every stream once per level, in the order given. Needs at least one source.
+/// Encodes every stream once per level, in the order given; of a source that is live only the name
+/// is known yet. Needs at least one source.
 [[nodiscard]] protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
                                                        const CatalogueOptions& options);
-
-/// The stream of `catalogue` that has the same name and content, or nothing.
-[[nodiscard]] const protocol::ServedStream* find_same(const protocol::ServerCatalogue& catalogue,
-                                                      const protocol::ServedStream& stream);
-
-/// Whether both serve the same streams in the same order.
-[[nodiscard]] bool same_streams(const protocol::ServerCatalogue& a,
-                                const protocol::ServerCatalogue& b);
 
 /// Whether the streams can be sent live: one that starts again must take some time. Bad data
 /// otherwise.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -22,16 +21,16 @@ std::string formatted(const char* format, Values... values) {
   return {line.data(), std::min(static_cast<std::size_t>(length), line.size() - 1)};
 }
 
-std::string bytes_line(const char* level, const std::vector<std::string>& packets) {
-  const auto [smallest, largest] = std::minmax_element(
-      packets.begin(), packets.end(),
-      [](const std::string& a, const std::string& b) { return a.size() < b.size(); });
-  const std::size_t bytes = std::accumulate(
-      packets.begin(), packets.end(), std::size_t{0},
-      [](std::size_t sum, const std::string& packet) { return sum + packet.size(); });
-  return formatted("  %-11s %zu bytes, %.1f a packet (%zu to %zu)\n", level, bytes,
-                   static_cast<double>(bytes) / static_cast<double>(packets.size()),
-                   smallest->size(), largest->size());
+std::string bytes_line(const char* level, const protocol::PacketList& packets) {
+  std::size_t smallest = packets[0].size();
+  std::size_t largest = smallest;
+  for (std::size_t i = 1; i < packets.size(); ++i) {
+    smallest = std::min(smallest, packets[i].size());
+    largest = std::max(largest, packets[i].size());
+  }
+  return formatted("  %-11s %zu bytes, %.1f a packet (%zu to %zu)\n", level, packets.bytes(),
+                   static_cast<double>(packets.bytes()) / static_cast<double>(packets.size()),
+                   smallest, largest);
 }
 
 /// How one AU is used: the larger side of it counts.
@@ -78,7 +77,7 @@ std::string au_lines(const protocol::StreamFile& stream) {
 
 }  // namespace
 
-std::string check_report(const Source& source, const protocol::ServedStream& served,
+std::string check_report(const Source& source, const protocol::EncodedStream& served,
                          std::uint32_t keyframe_ms) {
   const auto& keyframes = source.stream.keyframes;
   const auto untimed = std::count_if(

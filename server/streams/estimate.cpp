@@ -18,8 +18,8 @@ struct Sent {
 };
 
 /// Each packet goes out when the face is to set out for it, or with others within `batch`.
-std::vector<Sent> sendings(const std::vector<std::string>& packets,
-                           const std::vector<Milliseconds>& times, Milliseconds batch,
+std::vector<Sent> sendings(const protocol::PacketList& packets,
+                           const std::vector<protocol::KeyframeTime>& times, Milliseconds batch,
                            std::size_t headers) {
   std::vector<Sent> all;
   Milliseconds at{0};
@@ -58,8 +58,8 @@ double kbits(std::size_t bytes, double seconds) {
   return static_cast<double>(bytes) * 8 / 1000 / seconds;
 }
 
-std::string line_of(const char* form, const std::vector<std::string>& packets,
-                    const protocol::ServedStream& served, Milliseconds batch) {
+std::string line_of(const char* form, const protocol::PacketList& packets,
+                    const protocol::EncodedStream& served, Milliseconds batch) {
   const std::vector<Sent> plain = sendings(packets, served.times, batch, 0);
   const std::vector<Sent> headed = sendings(packets, served.times, batch, kHeaderBytes);
   const Milliseconds whole =
@@ -75,7 +75,7 @@ std::string line_of(const char* form, const std::vector<std::string>& packets,
 
 }  // namespace
 
-std::string estimate_report(const Source& source, const protocol::ServedStream& served,
+std::string estimate_report(const Source& source, const protocol::EncodedStream& served,
                             Milliseconds batch) {
   const Milliseconds whole =
       std::accumulate(served.times.begin(), served.times.end(), Milliseconds::zero());

@@ -12,6 +12,7 @@ namespace aucast::server {
 /// second that it takes when it is played in its own time, on average and in the second that needs
 /// most, without and with the headers of TCP and IP. What is sent within `batch` shares headers.
 [[nodiscard]] std::string estimate_report(const Source& source,
-                                          const protocol::ServedStream& served, Milliseconds batch);
+                                          const protocol::EncodedStream& served,
+                                          Milliseconds batch);
 
 }  // namespace aucast::server

@@ -8,6 +8,7 @@
 
 #include "common/check.h"
 #include "protocol/limits.h"
+#include "protocol/live_replay.h"
 #include "protocol/server_session.h"
 #include "tests/fuzz/fuzz_input.h"
 
@@ -47,18 +48,22 @@ class Watch {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Script script(fuzz::text_of(data, size));
   ServerCatalogue catalogue;
-  catalogue.streams = {{"a", {"{1}", "{2}", "{3}"}, {"{1:30}", "{2;40}", "{3}"}, 120},
-                       {"b", {"{0}"}, {"{0}"}, std::nullopt}};
+  EncodedStream a{{"{1}", "{2}", "{3}"}, {"{1:30}", "{2;40}", "{3}"}, {}, {}, 120};
   const auto kind = script.byte();
   catalogue.loop = (kind & 1U) != 0;
   Instant now{};
-  std::optional<LiveClock> clock;
+  std::shared_ptr<LiveReplay> live;
   if ((kind & 2U) != 0) {
-    catalogue.streams[0].changes = {"{1:30}", "{~2;40}", "{3}"};
-    clock.emplace(std::vector<Milliseconds>{Milliseconds(250), Milliseconds(40), Milliseconds(0)},
-                  catalogue.loop, now);
-    catalogue.streams[0].clock = &*clock;
+    a.changes = {"{1:30}", "{~2;40}", "{3}"};
+    a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
+    live =
+        std::make_shared<LiveReplay>(std::make_shared<const EncodedStream>(a), catalogue.loop, now);
+    catalogue.streams = {{"a", nullptr, live}};
+  } else {
+    catalogue.streams = {{"a", std::make_shared<const EncodedStream>(a)}};
   }
+  catalogue.streams.push_back(
+      {"b", std::make_shared<const EncodedStream>(EncodedStream{{"{0}"}, {"{0}"}, {}, {}, {}})});
   ServerSession session(catalogue, Milliseconds(script.byte()), now);
   Watch watch;
   while (!script.empty()) {
@@ -68,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       case 't':
         now += Milliseconds(10 * line.size());
         watch.take(session.on_time(now));
-        while (clock && clock->advance(now)) watch.take(session.on_moment(now));
+        while (live && live->advance(now)) watch.take(session.on_moment(now));
         break;
       case 'h':
         watch.take(session.hold(line.size() > 1, now));

@@ -161,6 +161,46 @@ TEST_F(LiveSources, EveryFaceGetsAStreamWhenItIsFirstSeen) {
   EXPECT_EQ(kept, 3);
 }
 
+/// A recorded stream that is sent live and the faces of a source are served side by side: who
+/// watches the one sees no gap when another face of the other comes.
+TEST_F(LiveSources, AFaceThatComesDisturbsNoRecordedStreamBesideIt) {
+  const auto path = folder_.path() / "room.fifo";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const auto recorded = folder_.write("rec.txt", "Beg_Stream\n1;20\n2;20\n4;20\nEnd_Stream\n");
+  RunningTransmitter server({"--live", "--loop", "--source-timeout", "0", "--face-id", "all",
+                             recorded.string(), path.string()});
+  std::string reply;
+  RawClient watcher = say_hello(server, "{hello v=2 window=0 stream=rec}", reply);
+  EXPECT_NE(reply.find("live=1"), std::string::npos) << reply;
+  const int writer = ::open(path.c_str(), O_WRONLY);
+  const auto write = [writer](const std::string& text) {
+    EXPECT_EQ(::write(writer, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  };
+  write(std::string(kHeader) + "0,0,1,1\n");
+  for (const char* face : {"1", "2", "3"}) {
+    write(std::string(face) + ",0.04,1,4\n");
+    EXPECT_TRUE(logs(server, std::string("is the stream room-") + face));
+    EXPECT_EQ(watcher.receive_until("{4;20}{1;20}{2;20}").find("{-2}"), std::string::npos);
+    RawClient later = say_hello(server, "{hello v=2 window=0 stream=rec}", reply);
+    EXPECT_NE(later.receive_until("{4;20}").find("{4;20}"), std::string::npos);
+  }
+  ::close(writer);
+  EXPECT_EQ(server.terminate(), 0);
+}
+
+TEST_F(LiveSources, AFileThatHasBecomeAPipeIsNotServedByAReload) {
+  const auto path = folder_.write("a.txt", "Beg_Stream\n1\nEnd_Stream\n");
+  const auto other = folder_.write("b.txt", "Beg_Stream\n2\nEnd_Stream\n");
+  RunningTransmitter server({path.string(), other.string()});
+  std::filesystem::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  server.process().signal(SIGHUP);
+  EXPECT_TRUE(logs(server, "a: it is written live now and was not at the start"));
+  RawClient client = server.connect();
+  EXPECT_EQ(client.receive_until("}"), "{2}") << "the first stream that is left";
+  EXPECT_EQ(server.terminate(), 0);
+}
+
 TEST_F(LiveSources, AMissingFileIsRefused) {
   const Finished missing = run({program("au-transmitter"), "--follow", "--port", "0",
                                 (folder_.path() / "missing.csv").string()});

@@ -27,15 +27,15 @@ int au_of(int keyframe) {
 }
 
 protocol::ServerCatalogue catalogue_of(int count) {
-  protocol::ServedStream stream;
-  stream.name = "numbers";
+  protocol::EncodedStream stream;
   for (int i = 0; i < count; ++i) {
     const std::string packet = "{" + std::to_string(au_of(i)) + "}";
     stream.classic.push_back(packet);
     stream.negotiated.push_back(packet);
   }
   protocol::ServerCatalogue catalogue;
-  catalogue.streams.push_back(std::move(stream));
+  catalogue.streams.push_back(
+      {"numbers", std::make_shared<const protocol::EncodedStream>(std::move(stream))});
   return catalogue;
 }
 

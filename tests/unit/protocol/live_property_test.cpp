@@ -7,9 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "protocol/changes.h"
 #include "protocol/client_session.h"
-#include "protocol/codec.h"
+#include "protocol/live_replay.h"
 #include "protocol/server_session.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/protocol/session_text.h"
@@ -35,17 +34,9 @@ std::vector<Keyframe> numbered(int length) {
 class LivePair {
  public:
   LivePair(Seeded& seeded, int length) : seeded_(seeded) {
-    ServedStream stream;
-    stream.name = "numbered";
-    for (const Keyframe& keyframe : numbered(length)) {
-      stream.negotiated.push_back(encode(keyframe));
-      stream.classic.push_back(encode_classic(keyframe, 0));
-      stream.times.emplace_back(10);
-    }
-    stream.changes = encode_changes(numbered(length), 250);
-    clock_.emplace(stream.times, false, now_);
-    stream.clock = &*clock_;
-    catalogue_.streams.push_back(std::move(stream));
+    const ServedStream stream = test::served("numbered", test::encoded(numbered(length), 0));
+    live_ = std::make_shared<LiveReplay>(stream.recorded, false, now_);
+    catalogue_.streams.push_back({stream.name, nullptr, live_});
     server_.emplace(catalogue_, 0ms, now_);
     ClientSessionOptions options;
     options.hello.window = seeded.integer(0, 5);
@@ -71,7 +62,7 @@ class LivePair {
     switch (seeded_.integer(0, 4)) {
       case 0:
         now_ += Milliseconds(seeded_.integer(0, 25));
-        while (clock_->advance(now_)) take(server_->on_moment(now_));
+        while (live_->advance(now_)) take(server_->on_moment(now_));
         break;
       case 1:
         deliver();
@@ -127,7 +118,7 @@ class LivePair {
   Seeded& seeded_;
   Instant now_ = Instant{} + 1h;
   ServerCatalogue catalogue_;
-  std::optional<LiveClock> clock_;
+  std::shared_ptr<LiveReplay> live_;
   std::optional<ServerSession> server_;
   std::optional<ClientSession> client_;
   std::string to_client_;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/limits.h"
+#include "protocol/live_replay.h"
 #include "protocol/server_session.h"
 #include "tests/unit/protocol/session_text.h"
 
@@ -8,6 +9,7 @@ namespace aucast::protocol {
 namespace {
 
 using namespace std::chrono_literals;
+using test::encoded;
 using test::reason_of;
 using test::served;
 using test::text_of;
@@ -18,26 +20,30 @@ const std::string kHello = "{hello v=2 window=4 stream=talk live=1 keyframe=250}
 class LiveServer : public ::testing::Test {
  protected:
   LiveServer() {
-    catalogue_.streams = {served("talk", {"{1:30}", "{2:30}", "{3:30}", "{4:30}", "{5:30}"},
-                                 {"{1}", "{2}", "{3}", "{4}", "{5}"})};
-    ServedStream& stream = catalogue_.streams.front();
-    stream.changes = {"{1:30}", "{~a2}", "{~a3}", "{~a4}", "{~a5}"};
-    stream.times.assign(5, 100ms);
+    stream_ = encoded({"{1:30}", "{2:30}", "{3:30}", "{4:30}", "{5:30}"},
+                      {"{1}", "{2}", "{3}", "{4}", "{5}"});
+    stream_.changes = {"{1:30}", "{~a2}", "{~a3}", "{~a4}", "{~a5}"};
+    stream_.times.assign(5, KeyframeTime(100));
     start(false);
   }
 
   void start(bool loop) {
-    clock_.emplace(catalogue_.streams.front().times, loop, now_);
-    catalogue_.streams.front().clock = &*clock_;
-    clock_->advance(now_);
+    live_ =
+        std::make_shared<LiveReplay>(std::make_shared<const EncodedStream>(stream_), loop, now_);
+    live_->advance(now_);
+    catalogue_.streams = {{"talk", nullptr, live_}};
+    connect();
+  }
+  void start_recorded() {
+    catalogue_.streams = {served("talk", stream_)};
     connect();
   }
   void connect() { session_.emplace(catalogue_, 0ms, now_); }
 
   /// Goes on to the next moment.
   std::string beat() {
-    now_ = *clock_->next_at();
-    EXPECT_TRUE(clock_->advance(now_));
+    now_ = *live_->next_at();
+    EXPECT_TRUE(live_->advance(now_));
     return text_of(session_->on_moment(now_));
   }
   std::string get(std::string_view bytes) { return text_of(session_->on_bytes(bytes, now_)); }
@@ -45,9 +51,10 @@ class LiveServer : public ::testing::Test {
   std::string grace() { return text_of(session_->on_time(now_ += 100ms)); }
   std::string hold(bool held) { return text_of(session_->hold(held, now_)); }
 
+  EncodedStream stream_;
   ServerCatalogue catalogue_;
   Instant now_ = Instant{} + 1h;
-  std::optional<LiveClock> clock_;
+  std::shared_ptr<LiveReplay> live_;
   std::optional<ServerSession> session_;
 };
 
@@ -72,7 +79,7 @@ TEST_F(LiveServer, GivesAClassicClientTheNewestAtEachAnswer) {
 TEST_F(LiveServer, SendsSeveralMomentsInOnePiece) {
   const auto late = [this] {
     now_ += 200ms;
-    EXPECT_TRUE(clock_->advance_all(now_));
+    EXPECT_TRUE(live_->advance(now_));
     return text_of(session_->on_moment(now_));
   };
   get("{hello v=2 window=0 delta=1}");
@@ -87,7 +94,7 @@ TEST_F(LiveServer, SendsSeveralMomentsInOnePiece) {
 TEST_F(LiveServer, SendsOfSeveralMomentsWhatTheWindowTakes) {
   get("{hello v=2 window=2}");
   now_ += 400ms;
-  EXPECT_TRUE(clock_->advance_all(now_));
+  EXPECT_TRUE(live_->advance(now_));
   EXPECT_EQ(text_of(session_->on_moment(now_)), "send {2:30}");
   EXPECT_EQ(get("1"), "send {5:30}");
   EXPECT_EQ(session_->packets_merged(), 2U);
@@ -111,7 +118,7 @@ TEST_F(LiveServer, EndsAfterTheLastAnswerAndAfterAPause) {
 }
 
 TEST_F(LiveServer, EndsAtOnceForWhoComesAfterTheEnd) {
-  while (clock_->next_at()) clock_->advance(now_ = *clock_->next_at());
+  while (live_->next_at()) live_->advance(now_ = *live_->next_at());
   connect();
   EXPECT_EQ(get("{hello v=2 window=4}"), "send " + kHello + "{-2} | shutdown");
   connect();
@@ -139,7 +146,7 @@ TEST_F(LiveServer, SendsTheNewestWhenTheWindowOpensAgain) {
 
 TEST_F(LiveServer, GrantsNoLongerWindowThanABearableDelay) {
   EXPECT_NE(get("{hello v=2 window=256}").find("window=20 "), std::string::npos);
-  catalogue_.streams.front().times.assign(5, 10s);
+  stream_.times.assign(5, KeyframeTime(10'000));
   start(false);
   EXPECT_NE(get("{hello v=2 window=256}").find("window=2 "), std::string::npos);
   connect();
@@ -233,8 +240,7 @@ TEST_F(LiveServer, ClosesWhoHasShutItsSideWhilePaused) {
 }
 
 TEST_F(LiveServer, IsNotHeldNorMovedWhenRecorded) {
-  catalogue_.streams.front().clock = nullptr;
-  connect();
+  start_recorded();
   get("{hello v=2 window=1}");
   EXPECT_FALSE(session_->live());
   EXPECT_EQ(hold(true), "");
@@ -244,10 +250,7 @@ TEST_F(LiveServer, IsNotHeldNorMovedWhenRecorded) {
 
 class RecordedChanges : public LiveServer {
  protected:
-  RecordedChanges() {
-    catalogue_.streams.front().clock = nullptr;
-    connect();
-  }
+  RecordedChanges() { start_recorded(); }
 };
 
 TEST_F(RecordedChanges, AreSentWhenAskedFor) {
@@ -257,7 +260,8 @@ TEST_F(RecordedChanges, AreSentWhenAskedFor) {
 }
 
 TEST_F(RecordedChanges, AreNotGrantedWhereThereAreNone) {
-  catalogue_.streams.front().changes.clear();
+  stream_.changes = {};
+  start_recorded();
   EXPECT_EQ(get("{hello v=2 window=1 delta=1}"),
             "send {hello v=2 window=1 stream=talk keyframe=250}{1:30}");
 }

@@ -10,6 +10,7 @@ namespace aucast::protocol {
 namespace {
 
 using namespace std::chrono_literals;
+using test::encoded;
 using test::reason_of;
 using test::served;
 using test::text_of;
@@ -20,9 +21,9 @@ const std::string kBye = "send {-2} | shutdown";
 class Server : public ::testing::Test {
  protected:
   Server() {
-    catalogue_.streams = {served("talk", {"{1:30}", "{2;40}", "{3}"}, {"{1}", "{2}", "{3}"}),
-                          served("smile", {"{6,12}"})};
-    catalogue_.streams[0].duration_ms = 540;
+    EncodedStream talk = encoded({"{1:30}", "{2;40}", "{3}"}, {"{1}", "{2}", "{3}"});
+    talk.duration_ms = 540;
+    catalogue_.streams = {served("talk", talk), served("smile", encoded({"{6,12}"}))};
     start();
   }
 
@@ -334,6 +335,20 @@ TEST_F(Server, GivesTheSameForBytesCutAnywhere) {
     }
     EXPECT_EQ(sent, whole) << "cut at " << cut;
   }
+}
+
+TEST_F(Server, AStreamThatStartsAgainHasNoLength) {
+  EXPECT_NE(get("{hello v=2}").find(" duration=540 "), std::string::npos);
+  catalogue_.loop = true;
+  start();
+  EXPECT_EQ(get("{hello v=2}").find("duration"), std::string::npos);
+}
+
+TEST_F(Server, GoesOnWhenAStreamIsAddedToTheCatalogue) {
+  EXPECT_EQ(get("{hello v=2 window=2}").substr(0, 12), "send {hello ");
+  for (int i = 0; i < 100; ++i) catalogue_.streams.push_back(served("more", encoded({"{4}"})));
+  EXPECT_EQ(get("1"), "send {3}");
+  EXPECT_EQ(session_->stream_name(), "talk");
 }
 
 TEST_F(Server, AnEmptyStreamEndsAtOnce) {

@@ -12,9 +12,9 @@
 #include <optional>
 #include <utility>
 
-#include "protocol/changes.h"
 #include "protocol/client_session.h"
 #include "protocol/codec.h"
+#include "protocol/live_replay.h"
 #include "protocol/server_session.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/protocol/faulty_link.h"
@@ -84,18 +84,6 @@ std::vector<Keyframe> numbered(int length) {
   return keyframes;
 }
 
-ServedStream stream_of(const std::vector<Keyframe>& keyframes) {
-  ServedStream stream;
-  stream.name = "numbered";
-  for (const Keyframe& keyframe : keyframes) {
-    stream.negotiated.push_back(encode(keyframe));
-    stream.classic.push_back(encode_classic(keyframe, 0));
-    stream.times.emplace_back(20);
-  }
-  stream.changes = encode_changes(keyframes, 250);
-  return stream;
-}
-
 /// The number of a stored keyframe; 0 when it is none of the stream, as it was sent in `level`.
 int number_of(const AuFrame& aus, Level level, int length) {
   int number = 0;
@@ -121,10 +109,11 @@ class Model {
         setting_(setting),
         to_client_(seeded, Milliseconds(seeded.integer(0, 300))),
         to_server_(seeded, Milliseconds(seeded.integer(0, 300))) {
-    catalogue_.streams = {stream_of(numbered(setting.length))};
+    catalogue_.streams = {test::served("numbered", test::encoded(numbered(setting.length), 0))};
     if (setting.live) {
-      clock_.emplace(catalogue_.streams.front().times, false, now_);
-      catalogue_.streams.front().clock = &*clock_;
+      ServedStream& stream = catalogue_.streams.front();
+      live_ = std::make_shared<LiveReplay>(stream.recorded, false, now_);
+      stream = {stream.name, nullptr, live_};
     }
     server_.emplace(catalogue_, Milliseconds(seeded.integer(0, 600)), now_);
     client_.emplace(setting.options);
@@ -240,7 +229,7 @@ class Model {
     if (seeded_.chance(0.5)) now_ += Milliseconds(seeded_.integer(0, 40));
     if (!server_over_) take(server_->on_time(now_));
     if (!client_over_) take(client_->on_time(now_));
-    if (clock_ && clock_->advance_all(now_) && !server_over_) take(server_->on_moment(now_));
+    if (live_ && live_->advance(now_) && !server_over_) take(server_->on_moment(now_));
     switch (seeded_.integer(0, 3)) {
       case 0:
         deliver_to_client();
@@ -249,7 +238,7 @@ class Model {
         deliver_to_server();
         break;
       case 2:
-        if (clock_ && !server_over_) take(server_->hold(seeded_.chance(0.3), now_));
+        if (live_ && !server_over_) take(server_->hold(seeded_.chance(0.3), now_));
         break;
       default:
         act();
@@ -339,7 +328,7 @@ class Model {
   int moves_ = 0;
   Instant now_ = Instant{} + 1h;
   ServerCatalogue catalogue_;
-  std::optional<LiveClock> clock_;
+  std::shared_ptr<LiveReplay> live_;
   std::optional<ServerSession> server_;
   std::optional<ClientSession> client_;
   FaultyLink to_client_;

@@ -169,16 +169,16 @@ class Pair {
 
 /// A stream in which every keyframe differs from its neighbours: AU n%99+1 at n/99+1 percent.
 ServedStream numbered_stream(int length) {
-  ServedStream stream;
-  stream.name = "numbered";
+  std::vector<Keyframe> keyframes;
   for (int n = 0; n < length; ++n) {
     Keyframe keyframe;
     keyframe.terms = {
         {static_cast<std::uint8_t>(n % 99 + 1), Side::Both, static_cast<std::uint8_t>(n / 99 + 1)}};
-    stream.negotiated.push_back(encode(keyframe));
-    stream.classic.push_back(encode_classic(keyframe, 0));
+    keyframes.push_back(std::move(keyframe));
   }
-  return stream;
+  EncodedStream stream = test::encoded(keyframes, 0);
+  stream.changes = {};
+  return test::served("numbered", std::move(stream));
 }
 
 std::string sets_of(const std::vector<AuFrame>& frames) {
@@ -188,7 +188,8 @@ std::string sets_of(const std::vector<AuFrame>& frames) {
 }
 
 std::string sent_by(const ServedStream& stream, Level level, std::size_t count) {
-  const auto& packets = level == Level::Classic ? stream.classic : stream.negotiated;
+  const auto& packets =
+      level == Level::Classic ? stream.recorded->classic : stream.recorded->negotiated;
   std::string text;
   for (std::size_t n = 0; n < count; ++n) text += packets[n % packets.size()];
   return text;
@@ -219,7 +220,7 @@ TEST(Sessions, LoseDoubleAndReorderNothingAndBothEnd) {
     EXPECT_EQ(pair.client_end, "ended");
     EXPECT_EQ(pair.server_end, "finished: the stream was sent whole");
     EXPECT_EQ(level, pair.server().level());
-    EXPECT_EQ(sets_of(pair.stored), sent_by(stream, level, stream.classic.size()));
+    EXPECT_EQ(sets_of(pair.stored), sent_by(stream, level, stream.recorded->classic.size()));
     EXPECT_EQ(pair.client().packets_received(), pair.server().packets_sent());
     EXPECT_EQ(pair.client().payload_bytes(), pair.server().payload_bytes());
   }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "protocol/changes.h"
 #include "protocol/codec.h"
 
 namespace aucast::test {
@@ -80,10 +81,30 @@ std::string reason_of(const std::vector<ClientEvent>& events) {
   return {};
 }
 
-ServedStream served(std::string name, std::vector<std::string> negotiated,
-                    std::vector<std::string> classic) {
-  if (classic.empty()) classic = negotiated;
-  return {std::move(name), std::move(classic), std::move(negotiated), std::nullopt};
+EncodedStream encoded(std::initializer_list<std::string_view> negotiated,
+                      std::initializer_list<std::string_view> classic) {
+  EncodedStream stream;
+  stream.negotiated = PacketList(negotiated);
+  stream.classic = classic.size() == 0 ? stream.negotiated : PacketList(classic);
+  return stream;
+}
+
+EncodedStream encoded(const std::vector<Keyframe>& keyframes, int classic_min) {
+  constexpr std::uint32_t kKeyframeMs = 250;
+  EncodedStream stream;
+  for (const Keyframe& keyframe : keyframes) {
+    stream.negotiated.push_back(encode(keyframe));
+    stream.classic.push_back(encode_classic(keyframe, classic_min));
+    stream.times.emplace_back(keyframe.duration_ms.value_or(kKeyframeMs));
+  }
+  for (const std::string& packet : encode_changes(keyframes, kKeyframeMs)) {
+    stream.changes.push_back(packet);
+  }
+  return stream;
+}
+
+ServedStream served(std::string name, EncodedStream stream) {
+  return {std::move(name), std::make_shared<const EncodedStream>(std::move(stream))};
 }
 
 }  // namespace aucast::test

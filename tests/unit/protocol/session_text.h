@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,16 @@ namespace aucast::test {
 [[nodiscard]] std::string reason_of(const std::vector<protocol::ServerEvent>& events);
 [[nodiscard]] std::string reason_of(const std::vector<protocol::ClientEvent>& events);
 
-/// A served stream of the given packets; a level-1 client gets `classic`, or the same when empty.
-[[nodiscard]] protocol::ServedStream served(std::string name, std::vector<std::string> negotiated,
-                                            std::vector<std::string> classic = {});
+/// A stream of the given packets without times; a level-1 client gets `classic`, or the same when
+/// empty.
+[[nodiscard]] protocol::EncodedStream encoded(std::initializer_list<std::string_view> negotiated,
+                                              std::initializer_list<std::string_view> classic = {});
+
+/// The same of keyframes, with all its forms and times.
+[[nodiscard]] protocol::EncodedStream encoded(const std::vector<protocol::Keyframe>& keyframes,
+                                              int classic_min);
+
+/// A recorded stream by its name.
+[[nodiscard]] protocol::ServedStream served(std::string name, protocol::EncodedStream stream);
 
 }  // namespace aucast::test

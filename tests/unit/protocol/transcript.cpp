@@ -4,13 +4,14 @@
 #include <charconv>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <sstream>
 
 #include "common/text.h"
-#include "protocol/changes.h"
 #include "protocol/client_session.h"
 #include "protocol/codec.h"
+#include "protocol/live_replay.h"
 #include "protocol/server_session.h"
 #include "tests/unit/protocol/session_text.h"
 
@@ -83,23 +84,18 @@ ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
     if (line.verb == "token") catalogue.token = line.rest;
     if (line.verb != "stream") continue;
     const std::vector<std::string> words = words_of(line.rest);
-    ServedStream stream;
     std::vector<Keyframe> keyframes;
-    stream.name = words.front();
     for (std::size_t i = 1; i < words.size(); ++i) {
       Keyframe keyframe;
       const std::string& packet = words[i];
       (void)parse_keyframe(std::string_view(packet).substr(1, packet.size() - 2), TermSyntax::Wire,
                            keyframe);
-      stream.classic.push_back(encode_classic(keyframe, 20));
-      stream.negotiated.push_back(encode(keyframe));
-      stream.times.emplace_back(keyframe.duration_ms.value_or(catalogue.keyframe_ms));
       keyframes.push_back(std::move(keyframe));
     }
-    stream.changes = encode_changes(keyframes, catalogue.keyframe_ms);
-    catalogue.streams.push_back(std::move(stream));
+    catalogue.streams.push_back(served(words.front(), encoded(keyframes, 20)));
   }
-  if (catalogue.streams.empty()) catalogue.streams = {served("talk", {"{1}", "{2}", "{3}"})};
+  if (catalogue.streams.empty())
+    catalogue.streams = {served("talk", encoded({"{1}", "{2}", "{3}"}))};
   return catalogue;
 }
 
@@ -108,12 +104,8 @@ class ServerReplay {
   explicit ServerReplay(const std::vector<Line>& lines)
       : lines_(lines),
         catalogue_(catalogue_of(lines)),
-        clock_(clock_of(lines)),
-        session_(catalogue_, {}, now_) {
-    if (!clock_) return;
-    clock_->advance(now_);
-    catalogue_.streams.front().clock = &*clock_;
-  }
+        live_(make_live(lines, catalogue_)),
+        session_(catalogue_, {}, now_) {}
 
   std::string run() {
     for (const Line& line : lines_) {
@@ -152,22 +144,25 @@ class ServerReplay {
     return {};
   }
 
-  /// The live clock of the first stream, if there is to be one.
-  std::optional<LiveClock> clock_of(const std::vector<Line>& lines) {
-    for (const Line& line : lines) {
-      if (line.verb == "live") {
-        return LiveClock(catalogue_.streams.front().times, catalogue_.loop, now_);
-      }
-    }
-    return std::nullopt;
+  /// The first stream, if it is to be live.
+  static std::shared_ptr<LiveReplay> make_live(const std::vector<Line>& lines,
+                                               ServerCatalogue& catalogue) {
+    const bool live = std::any_of(lines.begin(), lines.end(),
+                                  [](const Line& line) { return line.verb == "live"; });
+    if (!live) return nullptr;
+    ServedStream& first = catalogue.streams.front();
+    auto replay = std::make_shared<LiveReplay>(first.recorded, catalogue.loop, Instant{});
+    replay->advance(Instant{});
+    first = {first.name, nullptr, replay};
+    return replay;
   }
 
   void pass(Milliseconds time) {
     const Instant until = now_ + time;
-    while (clock_ && clock_->next_at() && *clock_->next_at() <= until) {
-      now_ = std::max(now_, *clock_->next_at());
+    while (live_ && live_->next_at() && *live_->next_at() <= until) {
+      now_ = std::max(now_, *live_->next_at());
       take(session_.on_time(now_));
-      if (clock_->advance(now_)) take(session_.on_moment(now_));
+      if (live_->advance(now_)) take(session_.on_moment(now_));
     }
     now_ = until;
     take(session_.on_time(now_));
@@ -205,7 +200,7 @@ class ServerReplay {
   const std::vector<Line>& lines_;
   ServerCatalogue catalogue_;
   Instant now_{};
-  std::optional<LiveClock> clock_;
+  std::shared_ptr<LiveReplay> live_;
   ServerSession session_;
   Said said_;
   bool shut_ = false;

@@ -120,10 +120,11 @@ TEST(MakeCatalogue, EncodesEveryStreamForBothLevels) {
   EXPECT_EQ(catalogue.keyframe_ms, 100U);
   EXPECT_FALSE(catalogue.loop);
   ASSERT_EQ(catalogue.streams.size(), 1U);
-  const auto& stream = catalogue.streams[0];
-  EXPECT_EQ(stream.name, "talk");
-  EXPECT_EQ(stream.classic, (std::vector<std::string>{"{12}", "{6,12}"}));
-  EXPECT_EQ(stream.negotiated, (std::vector<std::string>{"{1:10,12:80;40}", "{6,12}"}));
+  EXPECT_EQ(catalogue.streams[0].name, "talk");
+  EXPECT_EQ(catalogue.streams[0].live, nullptr);
+  const auto& stream = *catalogue.streams[0].recorded;
+  EXPECT_EQ(stream.classic, (protocol::PacketList{"{12}", "{6,12}"}));
+  EXPECT_EQ(stream.negotiated, (protocol::PacketList{"{1:10,12:80;40}", "{6,12}"}));
   EXPECT_EQ(stream.duration_ms, 140U);
 }
 
@@ -131,17 +132,8 @@ TEST(MakeCatalogue, ClassicMinimumDecidesWhatClassicClientsGet) {
   const TempFolder folder;
   const auto sources = load_sources({folder.write("talk.txt", kTwo)});
   ASSERT_TRUE(sources);
-  EXPECT_EQ(make_catalogue(*sources, {250, 10, false}).streams[0].classic[0], "{1,12}");
-  EXPECT_EQ(make_catalogue(*sources, {250, 81, false}).streams[0].classic[0], "{0}");
-}
-
-TEST(MakeCatalogue, EndlessStreamHasNoDuration) {
-  const TempFolder folder;
-  const auto sources = load_sources({folder.write("talk.txt", kTwo)});
-  ASSERT_TRUE(sources);
-  const auto catalogue = make_catalogue(*sources, {250, 20, true});
-  EXPECT_TRUE(catalogue.loop);
-  EXPECT_FALSE(catalogue.streams[0].duration_ms.has_value());
+  EXPECT_EQ(make_catalogue(*sources, {250, 10, false}).streams[0].recorded->classic[0], "{1,12}");
+  EXPECT_EQ(make_catalogue(*sources, {250, 81, false}).streams[0].recorded->classic[0], "{0}");
 }
 
 TEST(MakeCatalogue, HasTheTimesAndTheChangesForWhoAsks) {
@@ -150,11 +142,11 @@ TEST(MakeCatalogue, HasTheTimesAndTheChangesForWhoAsks) {
       {folder.write("a.txt", "Beg_Stream\n1:10,12:80;40\n1:10,12:70\n14;0\nEnd_Stream\n")});
   ASSERT_TRUE(sources);
   const auto catalogue = make_catalogue(*sources, {300, 20, false});
-  const auto& stream = catalogue.streams.front();
-  EXPECT_EQ(stream.times,
-            (std::vector<Milliseconds>{Milliseconds(40), Milliseconds(300), Milliseconds(0)}));
-  EXPECT_EQ(stream.changes, (std::vector<std::string>{"{1:10,12:80;40}", "{~12:70}", "{14;0}"}));
-  EXPECT_EQ(stream.clock, nullptr);
+  const auto& stream = *catalogue.streams.front().recorded;
+  EXPECT_EQ(stream.times, (std::vector<protocol::KeyframeTime>{protocol::KeyframeTime(40),
+                                                               protocol::KeyframeTime(300),
+                                                               protocol::KeyframeTime(0)}));
+  EXPECT_EQ(stream.changes, (protocol::PacketList{"{1:10,12:80;40}", "{~12:70}", "{14;0}"}));
 }
 
 TEST(MakeCatalogue, LeavesPlainSetsAsTheThesisHasThem) {
@@ -162,7 +154,7 @@ TEST(MakeCatalogue, LeavesPlainSetsAsTheThesisHasThem) {
   const auto sources =
       load_sources({folder.write("a.txt", "Beg_Stream\n1,6,12,14\n6,12\nEnd_Stream\n")});
   ASSERT_TRUE(sources);
-  EXPECT_TRUE(make_catalogue(*sources, {250, 20, false}).streams.front().changes.empty());
+  EXPECT_TRUE(make_catalogue(*sources, {250, 20, false}).streams.front().recorded->changes.empty());
 }
 
 TEST(CheckLive, RefusesOnlyALoopWithoutTime) {

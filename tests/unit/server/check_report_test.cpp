@@ -13,7 +13,7 @@ std::string report_of(const std::string& packets) {
   const auto sources = load_sources({path});
   if (!sources) return sources.error().message;
   const auto catalogue = make_catalogue(*sources, {250, 20, false});
-  std::string text = check_report(sources->front(), catalogue.streams.front(), 250);
+  std::string text = check_report(sources->front(), *catalogue.streams.front().recorded, 250);
   const std::size_t at = text.find(path.string());
   return at == std::string::npos ? text : text.replace(at, path.string().size(), "PATH");
 }

@@ -7,12 +7,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-protocol::ServedStream stream_of(std::vector<std::string> packets,
-                                 std::vector<Milliseconds> times) {
-  protocol::ServedStream stream;
-  stream.classic = packets;
-  stream.negotiated = std::move(packets);
-  stream.times = std::move(times);
+/// Four packets of ten bytes.
+protocol::EncodedStream stream_of(const std::vector<Milliseconds>& times) {
+  protocol::EncodedStream stream;
+  stream.classic = {"{12:34;56}", "{12:34;56}", "{12:34;56}", "{12:34;56}"};
+  stream.negotiated = stream.classic;
+  for (const Milliseconds time : times) stream.times.emplace_back(time.count());
   return stream;
 }
 
@@ -21,8 +21,8 @@ bool holds(const std::string& text, const std::string& line) {
 }
 
 TEST(Estimate, CountsBytesMeanAndPeak) {
-  // Four packets of ten bytes in two seconds, three of them in the second that has most.
-  const auto stream = stream_of(std::vector<std::string>(4, "{12:34;56}"), {500ms, 499ms, 1ms, 1s});
+  // Two seconds; three of the packets are in the second that has most.
+  const auto stream = stream_of({500ms, 499ms, 1ms, 1s});
   const std::string report = estimate_report({"talk.txt", "talk", {}, {}}, stream, 0ms);
   EXPECT_TRUE(holds(report, "talk.txt: talk"));
   EXPECT_NE(report.find("  4 keyframes in 2.000 s "), std::string::npos) << report;
@@ -33,8 +33,7 @@ TEST(Estimate, CountsBytesMeanAndPeak) {
 }
 
 TEST(Estimate, SharesHeadersWithinABatch) {
-  const auto stream =
-      stream_of(std::vector<std::string>(4, "{12:34;56}"), {100ms, 100ms, 100ms, 700ms});
+  const auto stream = stream_of({100ms, 100ms, 100ms, 700ms});
   const std::string report = estimate_report({"talk.txt", "talk", {}, {}}, stream, 200ms);
   EXPECT_TRUE(holds(
       report, "  level 2               40       0.3       0.3          144       1.2       1.2"))

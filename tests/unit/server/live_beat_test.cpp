@@ -1,7 +1,5 @@
 #include "server/live/live_beat.h"
 
-#include <thread>
-
 #include <gtest/gtest.h>
 
 #include "tests/support/raw_client.h"
@@ -10,32 +8,42 @@ namespace aucast::server {
 namespace {
 
 using namespace std::chrono_literals;
+using protocol::KeyframeTime;
 
-protocol::ServerCatalogue two_moments(Milliseconds first) {
-  protocol::ServedStream stream;
-  stream.times = {first, 1h};
-  protocol::ServerCatalogue catalogue;
-  catalogue.streams.push_back(std::move(stream));
-  return catalogue;
+std::shared_ptr<const protocol::EncodedStream> two_moments(Milliseconds first) {
+  protocol::EncodedStream stream;
+  stream.classic = {"{1}", "{2}"};
+  stream.negotiated = stream.classic;
+  stream.times = {KeyframeTime(first.count()), KeyframeTime(3'600'000)};
+  return std::make_shared<const protocol::EncodedStream>(std::move(stream));
+}
+
+/// Lets the loop run until the live stream has come to `number`.
+void run_until(asio::io_context& io, const protocol::LiveChannel& live, std::uint64_t number) {
+  const auto until = std::chrono::steady_clock::now() + test::kPatience;
+  while (live.newest()->number < number && std::chrono::steady_clock::now() < until) {
+    io.run_one_for(1ms);
+  }
+  EXPECT_EQ(live.newest()->number, number);
 }
 
 TEST(LiveBeat, TellsOfWhatIsDueBeforeTheLoopGoesRound) {
   asio::io_context io;
-  auto catalogue = two_moments(50ms);
-  LiveBeat beat(io);
-  beat.start(catalogue, nullptr, [] {});
-  const protocol::LiveTime& clock = *catalogue.streams.front().clock;
+  int told = 0;
+  LiveBeat beat(io, [&told] { ++told; });
+  const auto live = beat.play("a", two_moments(50ms), false);
   const auto until = std::chrono::steady_clock::now() + test::kPatience;
-  while (clock.newest()->number == 0 && std::chrono::steady_clock::now() < until) beat.catch_up();
-  EXPECT_EQ(clock.newest()->number, 1U);
+  while (live->newest()->number == 0 && std::chrono::steady_clock::now() < until) beat.catch_up();
+  EXPECT_EQ(live->newest()->number, 1U);
+  EXPECT_EQ(told, 1);
 }
 
 TEST(LiveBeat, TellsOfEachMomentOnce) {
   asio::io_context io;
-  auto catalogue = two_moments(1h);
   int told = 0;
-  LiveBeat beat(io);
-  beat.start(catalogue, nullptr, [&told] { ++told; });
+  LiveBeat beat(io, [&told] { ++told; });
+  const auto live = beat.play("a", two_moments(1ms), false);
+  run_until(io, *live, 1);
   for (int n = 0; n < 3; ++n) {
     beat.catch_up();
     io.poll();
@@ -43,24 +51,41 @@ TEST(LiveBeat, TellsOfEachMomentOnce) {
   EXPECT_EQ(told, 1);
 }
 
-TEST(LiveBeat, HasNothingToCatchUpWithWithoutClocks) {
+TEST(LiveBeat, HasNothingToCatchUpWithWithoutStreams) {
   asio::io_context io;
-  LiveBeat beat(io);
+  LiveBeat beat(io, [] {});
   beat.catch_up();
   EXPECT_EQ(io.poll(), 0U);
 }
 
 TEST(LiveBeat, IsSilentWhenItHasStopped) {
   asio::io_context io;
-  auto catalogue = two_moments(20ms);
   int told = 0;
-  LiveBeat beat(io);
-  beat.start(catalogue, nullptr, [&told] { ++told; });
+  LiveBeat beat(io, [&told] { ++told; });
+  const auto live = beat.play("a", two_moments(1ms), false);
   beat.stop();
-  std::this_thread::sleep_for(30ms);
-  beat.catch_up();
+  const auto until = std::chrono::steady_clock::now() + 5ms;
+  while (std::chrono::steady_clock::now() < until) beat.catch_up();
   io.run();
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(told, 0);
+}
+
+TEST(LiveBeat, AStreamReadAgainGoesOnWhereItIs) {
+  asio::io_context io;
+  LiveBeat beat(io, [] {});
+  const auto first = beat.play("a", two_moments(1h), false);
+  EXPECT_EQ(beat.play("a", two_moments(1h), false), first);
+  EXPECT_NE(beat.play("b", two_moments(1h), false), first) << "another name";
+  EXPECT_NE(beat.play("a", two_moments(30min), false), first) << "other content";
+}
+
+TEST(LiveBeat, AStreamThatNobodyHoldsIsForgotten) {
+  asio::io_context io;
+  LiveBeat beat(io, [] {});
+  const std::weak_ptr<const protocol::LiveChannel> gone = beat.play("a", two_moments(1ms), false);
+  EXPECT_TRUE(gone.expired());
+  const auto held = beat.play("b", two_moments(1ms), false);
+  run_until(io, *held, 1);
 }
 
 }  // namespace

@@ -26,7 +26,11 @@ std::vector<Source> load(const std::string& name) {
 std::vector<std::string> classic_packets(const std::string& name) {
   const auto sources = load(name);
   if (sources.empty()) return {};
-  return make_catalogue(sources, {}).streams.front().classic;
+  std::vector<std::string> packets;
+  const auto catalogue = make_catalogue(sources, {});
+  const protocol::PacketList& classic = catalogue.streams.front().recorded->classic;
+  for (std::size_t i = 0; i < classic.size(); ++i) packets.emplace_back(classic[i]);
+  return packets;
 }
 
 const std::vector<std::string> kTableThreeTwo = {"{1,2,5,15,16,20,26}", "{1,2,4,5,15,20,26}",
@@ -60,10 +64,10 @@ TEST(StreamData, SingleExpressionsHaveTheBytesOfTableFiveFive) {
 TEST(StreamData, PrototypesHaveIntensities) {
   const auto sources = load("six_prototypes");
   ASSERT_EQ(sources.size(), 1U);
-  EXPECT_EQ(make_catalogue(sources, {}).streams[0].negotiated,
-            (std::vector<std::string>{"{1:80,2:80,5:25,26:80}", "{1:80,2:50,4:50,5:80,20:50,25:50}",
-                                      "{9:80,16:50,26:25}", "{4:80,5:50,7:80,23:80}", "{6:80,12}",
-                                      "{1:80,4:50,11:25,15:25}"}));
+  EXPECT_EQ(make_catalogue(sources, {}).streams[0].recorded->negotiated,
+            (protocol::PacketList{"{1:80,2:80,5:25,26:80}", "{1:80,2:50,4:50,5:80,20:50,25:50}",
+                                  "{9:80,16:50,26:25}", "{4:80,5:50,7:80,23:80}", "{6:80,12}",
+                                  "{1:80,4:50,11:25,15:25}"}));
 }
 
 TEST(StreamData, TalkIsLongTimedAndEndsNeutral) {

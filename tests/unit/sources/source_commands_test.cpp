@@ -63,7 +63,7 @@ TEST(LoadSources, TellsRecordingsByTheirContentAndNotByTheirName) {
   ASSERT_TRUE(sources->at(2).found);
   EXPECT_EQ(sources->at(2).found->format, "Live Link Face");
   const auto catalogue = make_catalogue(*sources, {250, 20, false});
-  const std::string report = check_report(sources->at(0), catalogue.streams[0], 250);
+  const std::string report = check_report(sources->at(0), *catalogue.streams[0].recorded, 250);
   EXPECT_NE(report.find("  format      OpenFace 1\n"), std::string::npos) << report;
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "protocol/packet_list.h"
+
+namespace aucast::protocol {
+
+/// The time of one keyframe; kDurationMsMax fits, and four bytes are enough.
+using KeyframeTime = std::chrono::duration<std::uint32_t, std::milli>;
+
+/// A recorded stream, encoded once in every form it is sent in. Shared by all clients and immutable
+/// from then on.
+struct EncodedStream {
+  PacketList classic;               ///< one packet per keyframe
+  PacketList negotiated;            ///< the same keyframes, level 2
+  PacketList changes;               ///< for who asks for the changes-only form; empty: not granted
+  std::vector<KeyframeTime> times;  ///< of each keyframe, untimed ones with their default
+  std::optional<std::uint64_t> duration_ms{};  ///< their sum, if a hello is to say it
+  friend bool operator==(const EncodedStream&, const EncodedStream&) = default;
+};
+
+}  // namespace aucast::protocol

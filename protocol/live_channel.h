@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace aucast::protocol {
+
+/// A keyframe that is being sent to everybody, in every form. `number` counts from 0 and goes on
+/// when a stream starts again: a client that was sent n and is now due n + 2 has missed one.
+struct LiveMoment {
+  std::uint64_t number = 0;
+  std::string classic;
+  std::string full;     ///< level 2
+  std::string changes;  ///< level 2, for who got the moment before
+};
+
+/// A live stream: the newest moment, and nothing of the past. What a session may ask is public; a
+/// derived class writes it, from a recording (LiveReplay) or a running source (LiveFeed). Shared:
+/// it lives as long as its writer or any session holds it, whoever goes first.
+/// Thread: none of its own; sessions and writer are on the same one.
+class LiveChannel {
+ public:
+  LiveChannel(const LiveChannel&) = delete;
+  LiveChannel& operator=(const LiveChannel&) = delete;
+
+  /// What everybody is sent now; nullptr before the first moment.
+  [[nodiscard]] const LiveMoment* newest() const {
+    return moments_.empty() ? nullptr : &moments_.back();
+  }
+  /// The moments that began when the channel last moved on, the newest last. More than one when the
+  /// writer was late: a session that keeps up sends each of them.
+  [[nodiscard]] std::span<const LiveMoment> latest() const { return moments_; }
+  /// Nothing follows the newest moment for now; a source may come back.
+  [[nodiscard]] bool ended() const { return ended_; }
+  /// Whether the moments have a changes-only form.
+  [[nodiscard]] bool has_changes() const { return has_changes_; }
+  /// Of the whole stream, if it is known and has an end.
+  [[nodiscard]] std::optional<std::uint64_t> duration_ms() const { return duration_ms_; }
+  /// The largest window to grant: what begins within kLiveWindowTime, but at least two moments.
+  [[nodiscard]] std::size_t window_max() const { return window_max_; }
+
+ protected:
+  LiveChannel(bool has_changes, std::optional<std::uint64_t> duration_ms)
+      : has_changes_(has_changes), duration_ms_(duration_ms) {}
+  ~LiveChannel() = default;
+
+  /// `mean_ms` between two moments.
+  void limit_window(double mean_ms);
+
+  std::vector<LiveMoment> moments_;
+  bool ended_ = false;
+
+ private:
+  bool has_changes_;
+  std::optional<std::uint64_t> duration_ms_;
+  std::size_t window_max_ = 2;
+};
+
+}  // namespace aucast::protocol

@@ -1,0 +1,84 @@
+#include "protocol/live_replay.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast::protocol {
+namespace {
+
+using namespace std::chrono_literals;
+
+const Instant kBegin = Instant{} + 1h;
+
+std::shared_ptr<const EncodedStream> stream_of(std::vector<KeyframeTime> times,
+                                               PacketList changes = {}) {
+  EncodedStream stream;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    stream.classic.push_back("{" + std::to_string(i) + "}");
+    stream.negotiated.push_back("{" + std::to_string(i) + ":50}");
+  }
+  stream.changes = std::move(changes);
+  stream.times = std::move(times);
+  stream.duration_ms = 300;
+  return std::make_shared<const EncodedStream>(std::move(stream));
+}
+
+std::vector<KeyframeTime> times(std::size_t count, std::uint32_t ms) {
+  return std::vector<KeyframeTime>(count, KeyframeTime(ms));
+}
+
+TEST(LiveReplay, ShowsEachMomentInEveryFormWhenItsTimeComes) {
+  LiveReplay replay(stream_of(times(3, 100), {"{0:50}", "{~1}", "{~2}"}), false, kBegin);
+  EXPECT_EQ(replay.newest(), nullptr);
+  EXPECT_TRUE(replay.advance(kBegin));
+  ASSERT_NE(replay.newest(), nullptr);
+  EXPECT_FALSE(replay.advance(kBegin + 99ms));
+  EXPECT_TRUE(replay.advance(kBegin + 100ms));
+  EXPECT_EQ(replay.newest()->number, 1U);
+  EXPECT_EQ(replay.newest()->classic, "{1}");
+  EXPECT_EQ(replay.newest()->full, "{1:50}");
+  EXPECT_EQ(replay.newest()->changes, "{~1}");
+  EXPECT_EQ(replay.duration_ms(), 300U);
+  EXPECT_TRUE(replay.has_changes());
+}
+
+TEST(LiveReplay, ShowsAllThatBeganAtOnce) {
+  LiveReplay replay(stream_of(times(3, 100)), false, kBegin);
+  EXPECT_TRUE(replay.advance(kBegin + 250ms));
+  ASSERT_EQ(replay.latest().size(), 3U);
+  EXPECT_EQ(replay.latest()[0].number, 0U);
+  EXPECT_EQ(replay.latest()[2].full, "{2:50}");
+  EXPECT_FALSE(replay.has_changes());
+}
+
+TEST(LiveReplay, EndsWithItsLastMomentHoweverLateItIsAsked) {
+  LiveReplay replay(stream_of(times(3, 100)), false, kBegin);
+  EXPECT_TRUE(replay.advance(kBegin));
+  EXPECT_TRUE(replay.advance(kBegin + 1h));
+  EXPECT_TRUE(replay.ended());
+  EXPECT_EQ(replay.newest()->number, 2U);
+  EXPECT_EQ(replay.newest()->full, "{2:50}");
+  EXPECT_FALSE(replay.advance(kBegin + 2h));
+  EXPECT_FALSE(replay.next_at().has_value());
+}
+
+TEST(LiveReplay, ALoopGoesOnCountingAndHasNoLength) {
+  LiveReplay replay(stream_of(times(2, 100)), true, kBegin);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(replay.advance(kBegin + i * 100ms));
+  EXPECT_EQ(replay.newest()->number, 2U);
+  EXPECT_EQ(replay.newest()->full, "{0:50}");
+  EXPECT_FALSE(replay.duration_ms().has_value());
+}
+
+TEST(LiveReplay, AWindowIsNeverWorthMoreThanTwoSecondsButTwoMoments) {
+  const auto window = [](std::vector<KeyframeTime> of) {
+    return LiveReplay(stream_of(std::move(of)), false, kBegin).window_max();
+  };
+  EXPECT_EQ(window(times(1, 250)), 8U);
+  EXPECT_EQ(window(times(1, 999)), 2U) << "three would be 2,997 ms";
+  EXPECT_EQ(window({KeyframeTime(100), KeyframeTime(200)}), 13U) << "by their mean";
+  EXPECT_EQ(window(times(1, 3'600'000)), 2U);
+  EXPECT_EQ(window(times(1, 0)), 2000U);
+}
+
+}  // namespace
+}  // namespace aucast::protocol
