@@ -1,0 +1,278 @@
+#include "speaker/alignment.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+namespace aucast::speaker {
+namespace {
+
+constexpr std::size_t kBands = 26;
+constexpr double kLowHz = 100;
+constexpr double kHighHz = 7500;
+
+double mel(double hz) {
+  return 1127 * std::log(1 + hz / 700);
+}
+
+/// Power spectra of windows of one length.
+class Spectrum {
+ public:
+  Spectrum(std::size_t window, int rate) : window_(window) {
+    while (size_ < window) size_ *= 2;
+    in_.reset(fftwf_alloc_real(size_));
+    out_.reset(fftwf_alloc_complex(size_ / 2 + 1));
+    plan_.reset(
+        fftwf_plan_dft_r2c_1d(static_cast<int>(size_), in_.get(), out_.get(), FFTW_ESTIMATE));
+    for (std::size_t i = 0; i < window; ++i) {
+      const double x = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(window);
+      hamming_.push_back(static_cast<float>(0.54 - 0.46 * std::cos(x)));
+    }
+    const double bottom = mel(kLowHz);
+    const double width = (mel(kHighHz) - bottom) / (kBands + 1);
+    for (std::size_t bin = 0; bin <= size_ / 2; ++bin) {
+      const double hz = static_cast<double>(bin) * rate / static_cast<double>(size_);
+      places_.push_back((mel(hz) - bottom) / width);
+    }
+  }
+
+  /// The logarithm of the energy in each band of a window that begins at `samples`.
+  [[nodiscard]] std::array<float, kBands> bands(std::span<const float> samples, float before) {
+    constexpr float kPreEmphasis = 0.97F;
+    constexpr float kFloor = 1e-7F;
+    std::fill_n(in_.get(), size_, 0.0F);
+    for (std::size_t i = 0; i < window_; ++i) {
+      in_.get()[i] = (samples[i] - kPreEmphasis * (i == 0 ? before : samples[i - 1])) * hamming_[i];
+    }
+    fftwf_execute(plan_.get());
+    std::array<float, kBands> energy{};
+    for (std::size_t bin = 0; bin < places_.size(); ++bin) {
+      // Triangles that overlap by half: band k is centred at k + 1.
+      const double place = places_[bin];
+      if (place <= 0 || place >= kBands + 1) continue;
+      const float* const value = out_.get()[bin];
+      const float power = value[0] * value[0] + value[1] * value[1];
+      const auto below = static_cast<std::size_t>(place);
+      const auto share = static_cast<float>(place - static_cast<double>(below));
+      if (below >= 1) energy[below - 1] += (1 - share) * power;
+      if (below < kBands) energy[below] += share * power;
+    }
+    for (float& value : energy) value = std::log(value + kFloor);
+    return energy;
+  }
+
+ private:
+  struct Free {
+    void operator()(void* memory) const { fftwf_free(memory); }
+  };
+  struct DestroyPlan {
+    void operator()(fftwf_plan_s* plan) const { fftwf_destroy_plan(plan); }
+  };
+
+  std::size_t window_;
+  std::size_t size_ = 1;
+  std::unique_ptr<float, Free> in_;
+  std::unique_ptr<fftwf_complex, Free> out_;
+  std::unique_ptr<fftwf_plan_s, DestroyPlan> plan_;
+  std::vector<float> hamming_;
+  std::vector<double> places_;  ///< of each bin, in bands
+};
+
+/// The first coefficients of the cosine transform of the bands.
+void add_cosines(const std::array<float, kBands>& bands, std::vector<float>& rows) {
+  for (std::size_t k = 0; k < Cepstrum::kCoefficients; ++k) {
+    double sum = 0;
+    for (std::size_t i = 0; i < kBands; ++i) {
+      const double angle =
+          std::numbers::pi * static_cast<double>(k) * (static_cast<double>(i) + 0.5) / kBands;
+      sum += static_cast<double>(bands[i]) * std::cos(angle);
+    }
+    rows.push_back(static_cast<float>(sum));
+  }
+}
+
+void normalise(Cepstrum& cepstrum) {
+  const std::size_t n = cepstrum.frames();
+  for (std::size_t k = 0; n > 0 && k < Cepstrum::kCoefficients; ++k) {
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = k; i < cepstrum.rows.size(); i += Cepstrum::kCoefficients) {
+      sum += static_cast<double>(cepstrum.rows[i]);
+      squares += static_cast<double>(cepstrum.rows[i]) * static_cast<double>(cepstrum.rows[i]);
+    }
+    const double mean = sum / static_cast<double>(n);
+    const double deviation =
+        std::sqrt(std::max(squares / static_cast<double>(n) - mean * mean, 1e-9));
+    for (std::size_t i = k; i < cepstrum.rows.size(); i += Cepstrum::kCoefficients) {
+      cepstrum.rows[i] =
+          static_cast<float>((static_cast<double>(cepstrum.rows[i]) - mean) / deviation);
+    }
+  }
+}
+
+float distance(const Cepstrum& a, std::size_t i, const Cepstrum& b, std::size_t j) {
+  const float* const x = &a.rows[i * Cepstrum::kCoefficients];
+  const float* const y = &b.rows[j * Cepstrum::kCoefficients];
+  float sum = 0;
+  for (std::size_t k = 0; k < Cepstrum::kCoefficients; ++k) sum += (x[k] - y[k]) * (x[k] - y[k]);
+  return std::sqrt(sum);
+}
+
+/// Which frames of b are looked at for each frame of a: [first, last).
+struct Band {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// Dynamic time warping within a band for each frame of a.
+AlignmentPath warp(const Cepstrum& a, const Cepstrum& b, const std::vector<Band>& bands) {
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  enum Step : std::uint8_t { Both, OfA, OfB };
+  std::vector<std::vector<std::uint8_t>> steps(a.frames());
+  std::vector<float> before;
+  Band band_before{};
+  for (std::size_t i = 0; i < a.frames(); ++i) {
+    const Band band = bands[i];
+    std::vector<float> costs(band.last - band.first, kNever);
+    steps[i].resize(costs.size());
+    const auto above = [&](std::size_t j) {
+      const bool inside = i > 0 && j >= band_before.first && j < band_before.last;
+      return inside ? before[j - band_before.first] : kNever;
+    };
+    for (std::size_t j = band.first; j < band.last; ++j) {
+      const std::size_t at = j - band.first;
+      float cheapest = i == 0 && j == 0 ? 0 : kNever;
+      const auto take = [&](float cost, Step step) {
+        if (cost >= cheapest) return;
+        cheapest = cost;
+        steps[i][at] = step;
+      };
+      if (j > 0) take(above(j - 1), Both);
+      take(above(j), OfA);
+      if (at > 0) take(costs[at - 1], OfB);
+      costs[at] = cheapest + distance(a, i, b, j);
+    }
+    before = std::move(costs);
+    band_before = band;
+  }
+  AlignmentPath path;
+  std::size_t i = a.frames() - 1;
+  std::size_t j = b.frames() - 1;
+  while (true) {
+    path.emplace_back(i, j);
+    if (i == 0 && j == 0) break;
+    const auto step = steps[i][j - bands[i].first];
+    if (i > 0 && step != OfB) --i;
+    if (j > 0 && step != OfA) --j;
+    if (j < bands[i].first || j >= bands[i].last)
+      j = std::clamp(j, bands[i].first, bands[i].last - 1);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+/// The means of `by` frames at a time.
+Cepstrum coarser(const Cepstrum& fine, std::size_t by) {
+  Cepstrum coarse;
+  for (std::size_t begin = 0; begin < fine.frames(); begin += by) {
+    const std::size_t end = std::min(begin + by, fine.frames());
+    for (std::size_t k = 0; k < Cepstrum::kCoefficients; ++k) {
+      float sum = 0;
+      for (std::size_t i = begin; i < end; ++i) sum += fine.rows[i * Cepstrum::kCoefficients + k];
+      coarse.rows.push_back(sum / static_cast<float>(end - begin));
+    }
+  }
+  return coarse;
+}
+
+/// Bands around the diagonal, of `reach` frames to either side.
+std::vector<Band> diagonal(std::size_t a, std::size_t b, std::size_t reach) {
+  std::vector<Band> bands(a);
+  for (std::size_t i = 0; i < a; ++i) {
+    const std::size_t centre = i * b / a;
+    bands[i] = {centre > reach ? centre - reach : 0, std::min(centre + reach + 1, b)};
+  }
+  bands.front().first = 0;
+  bands.back().last = b;
+  return bands;
+}
+
+/// Bands around a path through what is `by` times coarser.
+std::vector<Band> around(const AlignmentPath& coarse, std::size_t by, std::size_t a, std::size_t b,
+                         std::size_t reach) {
+  std::vector<Band> bands(a, Band{b, 0});
+  for (const auto& [i, j] : coarse) {
+    const std::size_t first = j * by > reach ? j * by - reach : 0;
+    const std::size_t last = std::min((j + 1) * by + reach, b);
+    for (std::size_t k = i * by; k < std::min((i + 1) * by, a); ++k) {
+      bands[k].first = std::min(bands[k].first, first);
+      bands[k].last = std::max(bands[k].last, last);
+    }
+  }
+  bands.front().first = 0;
+  bands.back().last = b;
+  return bands;
+}
+
+}  // namespace
+
+Cepstrum cepstrum_of(std::span<const float> samples, int rate) {
+  const auto per_ms = [rate](std::size_t ms) { return ms * static_cast<std::size_t>(rate) / 1000; };
+  const std::size_t window = per_ms(32);
+  Cepstrum cepstrum;
+  Spectrum spectrum(window, rate);
+  for (std::size_t frame = 0;; ++frame) {
+    const std::size_t at = per_ms(frame * static_cast<std::size_t>(Cepstrum::kHop.count()));
+    if (at + window > samples.size()) break;
+    add_cosines(spectrum.bands(samples.subspan(at, window), at == 0 ? 0 : samples[at - 1]),
+                cepstrum.rows);
+  }
+  normalise(cepstrum);
+  return cepstrum;
+}
+
+AlignmentPath align(const Cepstrum& a, const Cepstrum& b) {
+  constexpr std::size_t kCoarser = 20;       // 200 ms
+  constexpr std::size_t kCoarseReach = 300;  // a minute beside the diagonal
+  constexpr std::size_t kReach = 100;        // a second beside the coarse path
+  if (a.frames() == 0 || b.frames() == 0) return {};
+  const Cepstrum coarse_a = coarser(a, kCoarser);
+  const Cepstrum coarse_b = coarser(b, kCoarser);
+  const AlignmentPath coarse =
+      warp(coarse_a, coarse_b, diagonal(coarse_a.frames(), coarse_b.frames(), kCoarseReach));
+  return warp(a, b, around(coarse, kCoarser, a.frames(), b.frames(), kReach));
+}
+
+Speech carried_over(const Speech& spoken, std::vector<float> recording, int rate) {
+  const AlignmentPath path =
+      align(cepstrum_of(spoken.samples, spoken.rate), cepstrum_of(recording, rate));
+  const auto carried = [&path](Milliseconds time) {
+    const auto hop = Cepstrum::kHop;
+    const auto frame = static_cast<std::size_t>(time / hop);
+    const auto found = std::lower_bound(path.begin(), path.end(), std::pair{frame, std::size_t{0}});
+    if (found == path.end())
+      return path.empty() ? time : hop * static_cast<int>(path.back().second);
+    return hop * static_cast<int>(found->second) + time % hop;
+  };
+  Speech speech;
+  speech.rate = rate;
+  speech.samples = std::move(recording);
+  Milliseconds last{0};
+  for (const Phoneme& phoneme : spoken.phonemes) {
+    last = std::max(last, carried(phoneme.begin));
+    speech.phonemes.push_back({phoneme.ipa, last});
+  }
+  for (const Word& word : spoken.words) {
+    speech.words.push_back({carried(word.begin), word.at, word.length});
+  }
+  for (const Milliseconds end : spoken.sentence_ends) speech.sentence_ends.push_back(carried(end));
+  return speech;
+}
+
+}  // namespace aucast::speaker

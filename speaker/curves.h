@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "common/time.h"
+
+namespace aucast::speaker {
+
+/// AUs over time: for each AU that moves (both sides alike) its intensity in [0,1], sampled every
+/// kStep from 0 on.
+struct Curves {
+  static constexpr Milliseconds kStep{20};
+
+  explicit Curves(Milliseconds length) : steps(static_cast<std::size_t>(length / kStep) + 1) {}
+
+  /// The samples of an AU, all 0 at first.
+  [[nodiscard]] std::vector<float>& of(int au) {
+    return samples.try_emplace(au, steps, 0.0F).first->second;
+  }
+  /// The sample at a moment; beyond the end the last one.
+  [[nodiscard]] std::size_t index(Milliseconds time) const {
+    if (time < Milliseconds{0}) return 0;
+    const auto at = static_cast<std::size_t>(time / kStep);
+    return at < steps ? at : steps - 1;
+  }
+
+  std::size_t steps;
+  std::map<int, std::vector<float>> samples;
+};
+
+}  // namespace aucast::speaker

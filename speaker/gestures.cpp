@@ -1,0 +1,246 @@
+#include "speaker/gestures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace aucast::speaker {
+namespace {
+
+using std::chrono::duration_cast;
+
+/// Numbers in [0,1) from a seed (splitmix64): the same on every machine.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+  [[nodiscard]] float roll() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return static_cast<float>((z ^ (z >> 31U)) >> 40U) / 16777216.0F;
+  }
+  [[nodiscard]] float between(float low, float high) { return low + (high - low) * roll(); }
+  [[nodiscard]] Milliseconds between(Milliseconds low, Milliseconds high) {
+    return low + Milliseconds(static_cast<int>(static_cast<float>((high - low).count()) * roll()));
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// A movement: rises, stays, falls.
+struct Beat {
+  Milliseconds begin;
+  Milliseconds onset;
+  Milliseconds apex;
+  Milliseconds offset;
+};
+
+float eased(float x) {
+  return 0.5F - 0.5F * std::cos(std::numbers::pi_v<float> * std::clamp(x, 0.0F, 1.0F));
+}
+
+float share(Milliseconds part, Milliseconds whole) {
+  return whole.count() == 0 ? 1.0F
+                            : static_cast<float>(part.count()) / static_cast<float>(whole.count());
+}
+
+void put(Curves& curves, int au, const Beat& beat, float intensity) {
+  const Milliseconds end = beat.begin + beat.onset + beat.apex + beat.offset;
+  std::vector<float>& samples = curves.of(au);
+  for (std::size_t i = curves.index(beat.begin); i <= curves.index(end); ++i) {
+    const Milliseconds at = Curves::kStep * static_cast<int>(i);
+    const float up = share(at - beat.begin, beat.onset);
+    const float down = share(end - at, beat.offset);
+    samples[i] = std::max(samples[i], intensity * eased(std::min(up, down)));
+  }
+}
+
+/// Pauses that separate phrases.
+struct Pause {
+  Milliseconds begin;
+  Milliseconds end;
+};
+
+std::vector<Pause> pauses_of(const Speech& speech) {
+  constexpr Milliseconds kPauseMin{220};
+  std::vector<Pause> pauses;
+  for (std::size_t i = 0; i < speech.phonemes.size(); ++i) {
+    if (!speech.phonemes[i].ipa.empty()) continue;
+    const Milliseconds begin = speech.phonemes[i].begin;
+    while (i + 1 < speech.phonemes.size() && speech.phonemes[i + 1].ipa.empty()) ++i;
+    const Milliseconds end =
+        i + 1 < speech.phonemes.size() ? speech.phonemes[i + 1].begin : speech.length();
+    if (end - begin >= kPauseMin) pauses.push_back({begin, end});
+  }
+  return pauses;
+}
+
+void blink(const Speech& speech, Dice& dice, Curves& curves) {
+  constexpr Milliseconds kRareMax{4800};
+  constexpr Milliseconds kApart{1600};
+  std::vector<Milliseconds> moments;
+  Milliseconds last{-2000};
+  const auto add = [&](Milliseconds at) {
+    if (at - last < kApart) return;
+    moments.push_back(at);
+    last = at;
+  };
+  std::size_t sentence = 0;
+  for (Milliseconds at = dice.between(Milliseconds(600), Milliseconds(2500)); at < speech.length();
+       at += dice.between(Milliseconds(2200), kRareMax)) {
+    for (; sentence < speech.sentence_ends.size() && speech.sentence_ends[sentence] < at;
+         ++sentence) {
+      if (dice.roll() < 0.7F) add(speech.sentence_ends[sentence] + Milliseconds(60));
+    }
+    add(at);
+  }
+  for (const Milliseconds at : moments) {
+    put(curves, 45, {at, Milliseconds(110), Milliseconds(30), Milliseconds(190)}, 1);
+  }
+}
+
+void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
+  constexpr Milliseconds kApart{750};
+  const std::vector<bool> stressed = stressed_words(speech);
+  Milliseconds last{-10000};
+  for (std::size_t i = 0; i < speech.words.size(); ++i) {
+    const Milliseconds at = speech.words[i].begin;
+    if (!stressed[i] || at - last < kApart) continue;
+    last = at;
+    const float brows = dice.between(0.15F, 0.4F) * options.amount;
+    const float nod = dice.between(0.06F, 0.16F) * options.amount;
+    const float what = dice.roll();
+    if (what < 0.65F) {
+      const Beat beat{at - Milliseconds(140), Milliseconds(200),
+                      dice.between(Milliseconds(60), Milliseconds(260)), Milliseconds(380)};
+      put(curves, 1, beat, 0.8F * brows);
+      put(curves, 2, beat, brows);
+    }
+    if (what > 0.3F) {
+      put(curves, 54,
+          {at - Milliseconds(90), Milliseconds(190), Milliseconds(30), Milliseconds(330)}, nod);
+    }
+  }
+}
+
+/// The mark that ends the sentence in which `word` stands.
+char sentence_mark(const Script& script, const Word& word) {
+  const std::string_view rest = part(script.text, word.at, script.text.size());
+  const std::size_t at = rest.find_first_of(".?!\n");
+  return at == std::string_view::npos ? '.' : rest[at];
+}
+
+void end_sentences(const Speech& speech, const Script& script, const GestureOptions& options,
+                   Dice& dice, Curves& curves) {
+  std::size_t next = 0;
+  for (const Milliseconds end : speech.sentence_ends) {
+    while (next < speech.words.size() && speech.words[next].begin < end) ++next;
+    if (next == 0) continue;
+    const Word& last = speech.words[next - 1];
+    if (sentence_mark(script, last) == '?') {
+      const Beat beat{last.begin - Milliseconds(150), Milliseconds(250), Milliseconds(450),
+                      Milliseconds(500)};
+      const float brows = dice.between(0.4F, 0.6F) * options.amount;
+      put(curves, 1, beat, brows);
+      put(curves, 2, beat, brows);
+      put(curves, 53, beat, 0.12F * options.amount);
+    } else {
+      put(curves, 54,
+          {last.begin + Milliseconds(60), Milliseconds(260), Milliseconds(80), Milliseconds(600)},
+          dice.between(0.08F, 0.18F) * options.amount);
+    }
+  }
+}
+
+/// From one phrase to the next the head comes to look a little elsewhere.
+class Drift {
+ public:
+  Drift(int plus, int minus, float reach) : plus_(plus), minus_(minus), reach_(reach) {}
+
+  void move(Milliseconds from, Milliseconds at, Dice& dice, Curves& curves) {
+    constexpr Milliseconds kTurnTime{650};
+    const float next = dice.between(-reach_, reach_);
+    for (std::size_t i = curves.index(from); i < curves.index(at); ++i) put_at(curves, i, value_);
+    const float before = value_;
+    for (std::size_t i = curves.index(at); i < curves.steps; ++i) {
+      const float x = share(Curves::kStep * static_cast<int>(i) - at, kTurnTime);
+      put_at(curves, i, before + (next - before) * eased(x));
+    }
+    value_ = next;
+  }
+
+ private:
+  void put_at(Curves& curves, std::size_t i, float value) const {
+    curves.of(plus_)[i] = std::max(0.0F, value);
+    curves.of(minus_)[i] = std::max(0.0F, -value);
+  }
+
+  int plus_;
+  int minus_;
+  float reach_;
+  float value_ = 0;
+};
+
+void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
+  Drift turn(51, 52, 0.14F * options.amount);
+  Drift tilt(55, 56, 0.1F * options.amount);
+  Milliseconds from{0};
+  for (const Pause& pause : pauses_of(speech)) {
+    turn.move(from, pause.begin, dice, curves);
+    tilt.move(from, pause.begin + Milliseconds(80), dice, curves);
+    from = pause.begin;
+    const bool long_enough = pause.end - pause.begin > Milliseconds(350);
+    if (long_enough && dice.roll() < 0.4F * options.amount) {
+      const int side = dice.roll() < 0.5F ? 61 : 62;
+      const Beat glance{pause.begin, Milliseconds(60), pause.end - pause.begin - Milliseconds(150),
+                        Milliseconds(60)};
+      put(curves, side, glance, dice.between(0.1F, 0.25F));
+      put(curves, 64, glance, dice.between(0.02F, 0.12F));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<bool> stressed_words(const Speech& speech) {
+  constexpr std::size_t kLettersMin = 4;
+  constexpr std::size_t kNeighbours = 4;
+  constexpr float kLouder = 1.1F;
+  const auto sample_at = [&](Milliseconds time) {
+    const auto at = static_cast<std::size_t>(time.count()) * static_cast<std::size_t>(speech.rate);
+    return std::min(at / 1000, speech.samples.size());
+  };
+  std::vector<float> loudness;
+  for (std::size_t i = 0; i < speech.words.size(); ++i) {
+    const Milliseconds end =
+        i + 1 < speech.words.size() ? speech.words[i + 1].begin : speech.length();
+    float loudest = 0;
+    for (std::size_t k = sample_at(speech.words[i].begin); k < sample_at(end); ++k) {
+      loudest = std::max(loudest, std::abs(speech.samples[k]));
+    }
+    loudness.push_back(loudest);
+  }
+  std::vector<bool> stressed(speech.words.size());
+  for (std::size_t i = 0; i < loudness.size(); ++i) {
+    const std::size_t from = i > kNeighbours ? i - kNeighbours : 0;
+    const std::size_t to = std::min(i + kNeighbours + 1, loudness.size());
+    float sum = 0;
+    for (std::size_t k = from; k < to; ++k) sum += loudness[k];
+    const float mean = sum / static_cast<float>(to - from);
+    stressed[i] = speech.words[i].length >= kLettersMin && loudness[i] > kLouder * mean;
+  }
+  return stressed;
+}
+
+void add_gestures(const Speech& speech, const Script& script, const GestureOptions& options,
+                  Curves& curves) {
+  Dice dice(options.seed);
+  wander(speech, options, dice, curves);
+  stress(speech, options, dice, curves);
+  end_sentences(speech, script, options, dice, curves);
+  blink(speech, dice, curves);
+}
+
+}  // namespace aucast::speaker

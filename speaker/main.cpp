@@ -1,0 +1,13 @@
+#include <cstdio>
+#include <exception>
+
+#include "speaker/speaker_app.h"
+
+int main(int argc, char** argv) {
+  try {
+    return aucast::speaker::run_speaker({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "au-speaker: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,203 @@
+#include "speaker/performance.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "common/text.h"
+#include "common/toml_document.h"
+#include "speaker/lips.h"
+
+namespace aucast::speaker {
+namespace {
+
+/// What speaking lips leave of an expression's mouth, and what they take over themselves.
+constexpr float kMouthWhileSpeaking = 0.55F;
+const std::set<int> kMouth{10, 12, 13, 14, 15, 16, 17, 20, 23, 24};
+const std::set<int> kLipsOnly{18, 19, 22, 25, 26, 27, 28, 32};
+
+/// AUs of a cue at full strength.
+std::optional<std::vector<AuTerm>> named(std::string_view name, const Expressions& expressions) {
+  if (name == "smile") return std::vector<AuTerm>{{6, Side::Both, 50}, {12, Side::Both, 70}};
+  if (const auto found = expressions.find(name); found != expressions.end()) return found->second;
+  protocol::Keyframe keyframe;
+  const bool is_aus = !protocol::parse_stream_line(name, keyframe) && !keyframe.duration_ms;
+  if (!is_aus) return std::nullopt;
+  return keyframe.terms;
+}
+
+std::optional<std::vector<AuTerm>> meaning(const Cue& cue, const Expressions& expressions) {
+  if (auto terms = named(cue.name, expressions)) return terms;
+  const std::size_t blank = cue.name.rfind(' ');
+  if (blank == std::string::npos) return std::nullopt;
+  int percent = 0;
+  const char* const end = cue.name.data() + cue.name.size();
+  const auto read = std::from_chars(cue.name.data() + blank + 1, end, percent);
+  if (read.ec != std::errc{} || read.ptr != end || percent < 0 || percent > 100) {
+    return std::nullopt;
+  }
+  auto terms = named(std::string_view(cue.name).substr(0, blank), expressions);
+  if (terms) {
+    for (AuTerm& term : *terms) {
+      term.percent = static_cast<std::uint8_t>(term.percent * percent / 100);
+    }
+  }
+  return terms;
+}
+
+/// When the word that follows character `at` is heard; nothing: none follows.
+std::optional<Milliseconds> heard_at(const Speech& speech, std::size_t at) {
+  for (const Word& word : speech.words) {
+    if (word.at + word.length > at) return word.begin;
+  }
+  return std::nullopt;
+}
+
+void express(const std::vector<AuTerm>& terms, Milliseconds from, Milliseconds to, Curves& curves) {
+  constexpr Milliseconds kOnset{350};
+  constexpr Milliseconds kOffset{600};
+  for (const AuTerm& term : terms) {
+    if (term.number == 0 || kLipsOnly.contains(term.number)) continue;
+    const float share = kMouth.contains(term.number) ? kMouthWhileSpeaking : 1.0F;
+    const float intensity = share * static_cast<float>(term.percent) / 100;
+    std::vector<float>& samples = curves.of(term.number);
+    for (std::size_t i = curves.index(from - kOnset); i <= curves.index(to + kOffset); ++i) {
+      const Milliseconds at = Curves::kStep * static_cast<int>(i);
+      const auto part = [](Milliseconds a, Milliseconds b) {
+        return static_cast<float>(a.count()) / static_cast<float>(b.count());
+      };
+      const float up = part(at - (from - kOnset), kOnset);
+      const float down = part(to + kOffset - at, kOffset);
+      samples[i] = std::max(samples[i], intensity * std::clamp(std::min(up, down), 0.0F, 1.0F));
+    }
+  }
+}
+
+void follow_cues(const Speech& speech, const Script& script, const Expressions& expressions,
+                 Curves& curves) {
+  for (std::size_t i = 0; i < script.cues.size(); ++i) {
+    const Cue& cue = script.cues[i];
+    const auto paragraph = std::upper_bound(script.ends.begin(), script.ends.end(), cue.at);
+    std::size_t end = paragraph != script.ends.end() ? *paragraph : script.text.size();
+    if (i + 1 < script.cues.size()) end = std::min(end, script.cues[i + 1].at);
+    const auto from = heard_at(speech, cue.at);
+    const auto terms = meaning(cue, expressions);
+    if (from && terms)
+      express(*terms, *from, heard_at(speech, end).value_or(speech.length()), curves);
+  }
+}
+
+/// The curves at one step, as they are written.
+std::vector<AuTerm> terms_at(const Curves& curves, std::size_t step) {
+  constexpr int kPercentMin = 2;  // weaker is nothing
+  std::vector<AuTerm> terms;
+  for (const auto& [number, samples] : curves.samples) {
+    const int percent = static_cast<int>(std::lround(100 * std::min(samples[step], 1.0F)));
+    if (percent < kPercentMin) continue;
+    terms.push_back(
+        {static_cast<std::uint8_t>(number), Side::Both, static_cast<std::uint8_t>(percent)});
+  }
+  if (terms.empty()) terms.push_back({0, Side::Both, 100});
+  return terms;
+}
+
+/// The step between two that lies farthest from the straight lines between them, if any does by
+/// more than the tolerance.
+std::optional<std::size_t> worst_between(const Curves& curves, std::size_t from, std::size_t to,
+                                         float tolerance) {
+  std::optional<std::size_t> worst;
+  for (const auto& [number, samples] : curves.samples) {
+    const float slope = (samples[to] - samples[from]) / static_cast<float>(to - from);
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const float line = samples[from] + slope * static_cast<float>(i - from);
+      if (const float off = std::abs(samples[i] - line); off > tolerance) {
+        tolerance = off;
+        worst = i;
+      }
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+Result<Expressions> read_expressions(std::string_view bytes, std::string_view file) {
+  const auto document = parse_toml(bytes, file);
+  if (!document) return document.error();
+  const auto entry_of = [](const TomlValue& table, std::string_view key) -> const TomlValue* {
+    for (const TomlValue::Entry& entry : table.entries) {
+      if (entry.key == key) return &entry.value;
+    }
+    return nullptr;
+  };
+  Expressions expressions;
+  const TomlValue* const list = entry_of(*document, "expression");
+  for (const TomlValue& item : list != nullptr ? list->items : std::vector<TomlValue>{}) {
+    const TomlValue* const name = entry_of(item, "name");
+    const TomlValue* const aus = entry_of(item, "aus");
+    if (name == nullptr || aus == nullptr) continue;
+    protocol::Keyframe keyframe;
+    if (const auto wrong = protocol::parse_stream_line(aus->text, keyframe)) {
+      return Error{ErrorKind::BadData,
+                   at_place(file, aus->place.line, aus->place.column, wrong->reason)};
+    }
+    expressions.emplace(name->text, keyframe.terms);
+  }
+  return expressions;
+}
+
+Result<void> check_cues(const Script& script, const Expressions& expressions,
+                        std::string_view file) {
+  for (const Cue& cue : script.cues) {
+    if (meaning(cue, expressions)) continue;
+    std::vector<std::string> known{"smile"};
+    for (const auto& [name, terms] : expressions) known.push_back(name);
+    std::string text = "[" + escaped(cue.name) + "] is no expression";
+    if (const auto near = nearest(cue.name, known)) text += "; did you mean [" + *near + "]?";
+    return Error{ErrorKind::BadData, at_place(file, cue.line, cue.column, text)};
+  }
+  return {};
+}
+
+protocol::StreamFile perform(const Speech& speech, const Script& script,
+                             const Expressions& expressions, const GestureOptions& options) {
+  constexpr float kTolerance = 0.07F;
+  Curves curves(speech.length());
+  add_gestures(speech, script, options, curves);
+  follow_cues(speech, script, expressions, curves);
+  move_lips(speech.phonemes, speech.length(), curves);
+  return {keyframes_of(curves, kTolerance)};
+}
+
+std::vector<protocol::Keyframe> keyframes_of(const Curves& curves, float tolerance) {
+  constexpr std::size_t kLongest = 50;  // steps: who joins waits no longer for a whole face
+  std::vector<std::size_t> stops;
+  for (std::size_t from = 0; from + 1 < curves.steps;) {
+    // The farthest point splits a stretch until each is straight enough.
+    std::vector<std::size_t> ends{std::min(from + kLongest, curves.steps - 1)};
+    while (!ends.empty()) {
+      if (const auto split = worst_between(curves, from, ends.back(), tolerance)) {
+        ends.push_back(*split);
+        continue;
+      }
+      from = ends.back();
+      stops.push_back(from);
+      ends.pop_back();
+    }
+  }
+  std::vector<protocol::Keyframe> keyframes;
+  std::size_t before = 0;
+  for (const std::size_t stop : stops) {
+    protocol::Keyframe keyframe;
+    keyframe.terms = terms_at(curves, stop);
+    keyframe.duration_ms = static_cast<std::uint32_t>(
+        (stop - before) * static_cast<std::size_t>(Curves::kStep.count()));
+    keyframes.push_back(std::move(keyframe));
+    before = stop;
+  }
+  return keyframes;
+}
+
+}  // namespace aucast::speaker

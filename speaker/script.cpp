@@ -1,0 +1,159 @@
+#include "speaker/script.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "common/text.h"
+
+namespace aucast::speaker {
+namespace {
+
+bool continues(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+/// Bytes of the character that begins with `lead`; 0 for a byte that cannot begin one.
+std::size_t length_of(char lead) {
+  const auto byte = static_cast<unsigned char>(lead);
+  if (byte < 0x80) return 1;
+  if (byte >= 0xC2 && byte < 0xE0) return 2;
+  if (byte >= 0xE0 && byte < 0xF0) return 3;
+  if (byte >= 0xF0 && byte < 0xF5) return 4;
+  return 0;
+}
+
+/// Where the first byte stands that is no UTF-8; npos: nowhere.
+std::size_t first_bad_byte(std::string_view bytes) {
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t length = length_of(bytes[at]);
+    if (length == 0 || at + length > bytes.size()) return at;
+    for (std::size_t i = 1; i < length; ++i) {
+      if (!continues(bytes[at + i])) return at;
+    }
+    at += length;
+  }
+  return std::string_view::npos;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string_view file) : file_(file) {}
+
+  [[nodiscard]] Result<void> take_line(std::string_view line) {
+    ++line_;
+    const std::string_view content = trimmed(line);
+    if (content.empty()) {
+      end_paragraph();
+    } else if (content.front() == '#') {
+      take_comment(trimmed(content.substr(1)));
+    } else {
+      return take_words(line);
+    }
+    return {};
+  }
+
+  [[nodiscard]] Result<Script> finish() {
+    end_paragraph();
+    const bool speaks = std::any_of(script_.text.begin(), script_.text.end(), [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & '\x80') != 0;
+    });
+    if (!speaks) {
+      return Error{ErrorKind::BadData, at_place(file_, 0, 0, "there are no words to speak")};
+    }
+    return std::move(script_);
+  }
+
+ private:
+  void take_comment(std::string_view comment) {
+    constexpr std::string_view kTitle = "title:";
+    if (lower(comment).starts_with(kTitle)) {
+      script_.title = trimmed(comment.substr(kTitle.size()));
+    }
+  }
+
+  Result<void> take_words(std::string_view line) {
+    if (!script_.text.empty() && script_.text.back() != '\n') script_.text += ' ';
+    while (!line.empty()) {
+      const std::size_t open = line.find('[');
+      append(line.substr(0, open));
+      if (open == std::string_view::npos) break;
+      const std::size_t close = line.find(']', open);
+      if (close == std::string_view::npos) {
+        return Error{ErrorKind::BadData,
+                     at_place(file_, line_, column_, "a [ without its ] on the same line")};
+      }
+      const std::string_view name = trimmed(line.substr(open + 1, close - open - 1));
+      script_.cues.push_back({lower(name), characters(script_.text), line_, column_});
+      column_ += close - open + 1;
+      line.remove_prefix(close + 1);
+    }
+    column_ = 1;
+    return {};
+  }
+
+  void append(std::string_view words) {
+    column_ += words.size();
+    script_.text += trimmed(words).empty() ? std::string_view{} : words;
+    while (!script_.text.empty() && (script_.text.back() == '\r')) script_.text.pop_back();
+  }
+
+  void end_paragraph() {
+    if (script_.text.empty() || script_.text.back() == '\n') return;
+    script_.text += "\n\n";  // espeak-ng ends a sentence there
+    script_.ends.push_back(characters(script_.text));
+  }
+
+  std::string_view file_;
+  std::size_t line_ = 0;
+  std::size_t column_ = 1;
+  Script script_;
+};
+
+}  // namespace
+
+std::size_t characters(std::string_view utf8) {
+  return static_cast<std::size_t>(
+      std::count_if(utf8.begin(), utf8.end(), [](char byte) { return !continues(byte); }));
+}
+
+std::string_view part(std::string_view utf8, std::size_t at, std::size_t count) {
+  const auto byte_of = [&utf8](std::size_t from, std::size_t steps) {
+    while (from < utf8.size() && (steps > 0 || continues(utf8[from]))) {
+      if (!continues(utf8[from])) --steps;
+      ++from;
+    }
+    return from;
+  };
+  const std::size_t begin = byte_of(0, at);
+  return utf8.substr(begin, byte_of(begin, count) - begin);
+}
+
+Result<Script> parse_script(std::string_view bytes, std::string_view file) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  if (const std::size_t bad = first_bad_byte(bytes); bad != std::string_view::npos) {
+    const auto line = static_cast<std::size_t>(
+        std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bad), '\n'));
+    return Error{ErrorKind::BadData,
+                 at_place(file, line + 1, 0, "a byte that is no UTF-8; convert the text to UTF-8")};
+  }
+  Reader reader(file);
+  for (const std::string_view line : split(bytes, '\n')) {
+    if (auto taken = reader.take_line(line); !taken) return taken.error();
+  }
+  return reader.finish();
+}
+
+}  // namespace aucast::speaker

@@ -1,0 +1,81 @@
+#include "speaker/visemes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aucast::speaker {
+namespace {
+
+// AUs by class: tried on the project's own faces. Who leads and who dominates: Edwards et al., JALI
+// (SIGGRAPH 2016): rounded and hushing sounds begin early and take over their neighbours.
+constexpr Viseme kPause{"pause", {}, 0.6F, 0};
+constexpr Viseme kClosed{"closed", {{{24, 0.25F}}}, 1.0F, 60, true};
+constexpr Viseme kTeeth{"teeth", {{{32, 0.6F}, {25, 0.2F}}}, 1.0F, 60, false, true};
+constexpr Viseme kRound{"round", {{{18, 0.7F}, {25, 0.35F}, {26, 0.15F}}}, 0.9F, 150};
+constexpr Viseme kRoundOpen{"round open", {{{22, 0.4F}, {25, 0.5F}, {26, 0.45F}}}, 0.8F, 130};
+constexpr Viseme kHush{"hush", {{{22, 0.6F}, {25, 0.4F}, {26, 0.05F}}}, 0.85F, 130};
+constexpr Viseme kHiss{"hiss", {{{20, 0.2F}, {25, 0.45F}, {26, 0.05F}}}, 0.6F, 90};
+constexpr Viseme kTongueTeeth{"tongue", {{{19, 0.2F}, {25, 0.45F}, {26, 0.15F}}}, 0.6F, 80};
+constexpr Viseme kWide{"wide", {{{20, 0.45F}, {25, 0.45F}, {26, 0.2F}}}, 0.7F, 100};
+constexpr Viseme kMidFront{"mid front", {{{20, 0.25F}, {25, 0.55F}, {26, 0.5F}}}, 0.7F, 110};
+constexpr Viseme kOpen{"open", {{{25, 0.6F}, {26, 0.8F}}}, 0.75F, 120};
+constexpr Viseme kMid{"mid", {{{25, 0.5F}, {26, 0.4F}}}, 0.4F, 100};
+constexpr Viseme kR{"r", {{{22, 0.25F}, {25, 0.35F}, {26, 0.15F}}}, 0.5F, 100};
+
+constexpr std::pair<std::string_view, const Viseme*> kLetters[] = {
+    {"tʃ", &kHush},     {"dʒ", &kHush},       {"tɕ", &kHush},       {"dʑ", &kHush},
+    {"ts", &kHiss},     {"dz", &kHiss},       {"pf", &kClosed},     {"p", &kClosed},
+    {"b", &kClosed},    {"m", &kClosed},      {"ɓ", &kClosed},      {"f", &kTeeth},
+    {"v", &kTeeth},     {"ɱ", &kTeeth},       {"ʋ", &kTeeth},       {"ɸ", &kRound},
+    {"β", &kRound},     {"θ", &kTongueTeeth}, {"ð", &kTongueTeeth}, {"s", &kHiss},
+    {"z", &kHiss},      {"ʃ", &kHush},        {"ʒ", &kHush},        {"ɕ", &kHush},
+    {"ʑ", &kHush},      {"ʂ", &kHush},        {"ʐ", &kHush},        {"w", &kRound},
+    {"ʍ", &kRound},     {"ɥ", &kRound},       {"u", &kRound},       {"ʊ", &kRound},
+    {"y", &kRound},     {"ʏ", &kRound},       {"ʉ", &kRound},       {"o", &kRoundOpen},
+    {"ɔ", &kRoundOpen}, {"ɒ", &kRoundOpen},   {"ø", &kRoundOpen},   {"œ", &kRoundOpen},
+    {"ɵ", &kRoundOpen}, {"ɞ", &kRoundOpen},   {"a", &kOpen},        {"ɑ", &kOpen},
+    {"æ", &kOpen},      {"ɐ", &kOpen},        {"ʌ", &kOpen},        {"ɶ", &kOpen},
+    {"e", &kMidFront},  {"ɛ", &kMidFront},    {"i", &kWide},        {"ɪ", &kWide},
+    {"ɨ", &kWide},      {"j", &kWide},        {"ʎ", &kWide},        {"ə", &kMid},
+    {"ɜ", &kMid},       {"ɚ", &kMid},         {"ɝ", &kMid},         {"ɘ", &kMid},
+    {"ɤ", &kMid},       {"ɯ", &kMid},         {"ɹ", &kR},           {"ɻ", &kR},
+    {"r", &kR},
+};
+
+constexpr std::string_view kVowels[] = {"a", "ɑ", "æ", "ɐ", "ʌ", "e", "ɛ", "i", "ɪ", "o",
+                                        "ɔ", "ɒ", "u", "ʊ", "ə", "ɜ", "y", "ʏ", "ø", "œ"};
+
+/// Bytes of the vowel that `ipa` begins with; 0: none.
+std::size_t vowel_bytes(std::string_view ipa) {
+  for (const std::string_view vowel : kVowels) {
+    if (ipa.starts_with(vowel)) return vowel.size();
+  }
+  return 0;
+}
+
+}  // namespace
+
+const Viseme& pause_viseme() {
+  return kPause;
+}
+
+const Viseme* viseme_of(std::string_view ipa) {
+  if (ipa.empty()) return &kPause;
+  for (const auto& [letters, viseme] : kLetters) {
+    if (ipa.starts_with(letters)) return viseme;
+  }
+  return nullptr;
+}
+
+const Viseme* glide_of(std::string_view ipa) {
+  const std::size_t first = vowel_bytes(ipa);
+  if (first == 0 || vowel_bytes(ipa.substr(first)) == 0) return nullptr;
+  return viseme_of(ipa.substr(first));
+}
+
+int closure_before_ms(std::string_view ipa) {
+  constexpr int kVoicelessStop = 50;
+  return ipa.starts_with("p") ? kVoicelessStop : 0;
+}
+
+}  // namespace aucast::speaker

@@ -1,0 +1,58 @@
+#include "speaker/alignment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace aucast::speaker {
+namespace {
+
+/// Tones of `ms` each, as a voice with vowels that are told apart.
+std::vector<float> tones(const std::vector<int>& hertz, const std::vector<int>& ms, int rate) {
+  std::vector<float> samples;
+  for (std::size_t k = 0; k < hertz.size(); ++k) {
+    const int count = ms[k] * rate / 1000;
+    for (int i = 0; i < count; ++i) {
+      double sum = 0;
+      for (int overtone = 1; overtone < 6; ++overtone) {
+        sum += std::sin(2 * std::numbers::pi * hertz[k] * overtone * i / rate) / overtone;
+      }
+      samples.push_back(static_cast<float>(0.2 * sum));
+    }
+  }
+  return samples;
+}
+
+TEST(CarriedOver, FindsTheSoundsOfASlowerVoiceAtAnotherRate) {
+  const std::vector<int> hertz{200, 900, 400, 1500, 300, 700, 1200, 250};
+  const std::vector<int> spoken_ms{200, 250, 150, 300, 200, 180, 260, 300};
+  const std::vector<int> read_ms{400, 260, 300, 310, 350, 240, 410, 300};
+  Speech spoken;
+  spoken.samples = tones(hertz, spoken_ms, spoken.rate);
+  int at = 0;
+  for (const int ms : spoken_ms) {
+    spoken.phonemes.push_back({"a", Milliseconds(at)});
+    at += ms;
+  }
+  const Speech read = carried_over(spoken, tones(hertz, read_ms, 16000), 16000);
+  ASSERT_EQ(read.phonemes.size(), hertz.size());
+  at = 0;
+  for (std::size_t i = 0; i < hertz.size(); ++i) {
+    EXPECT_NEAR(static_cast<double>(read.phonemes[i].begin.count()), at, 30) << "tone " << i;
+    at += read_ms[i];
+  }
+}
+
+TEST(Align, ASoundWithItselfIsTheDiagonal) {
+  const auto sound = cepstrum_of(tones({200, 900, 400}, {300, 300, 300}, 16000), 16000);
+  for (const auto& [a, b] : align(sound, sound)) EXPECT_EQ(a, b);
+}
+
+TEST(Align, ASoundTooShortForAFrameHasNoPath) {
+  const std::vector<float> short_sound(10);
+  EXPECT_TRUE(align(cepstrum_of(short_sound, 16000), cepstrum_of(short_sound, 16000)).empty());
+}
+
+}  // namespace
+}  // namespace aucast::speaker

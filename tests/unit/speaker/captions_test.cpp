@@ -1,0 +1,56 @@
+#include "speaker/captions.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast::speaker {
+namespace {
+
+Speech words_every(int ms, const Script& script) {
+  Speech speech;
+  std::size_t at = 0;
+  Milliseconds begin{0};
+  while (at < script.text.size()) {
+    const std::size_t end = std::min(script.text.find_first_of(" \n", at), script.text.size());
+    if (end > at) {
+      speech.words.push_back({begin, at, end - at});
+      begin += Milliseconds(ms);
+    }
+    at = end + 1;
+  }
+  speech.samples.resize(static_cast<std::size_t>(begin.count()) * 22050 / 1000);
+  return speech;
+}
+
+TEST(Captions, EndWithTheSentence) {
+  const auto script = parse_script("Good morning. How are you?", "t");
+  ASSERT_TRUE(script);
+  const auto captions = captions_of(words_every(300, *script), *script);
+  ASSERT_EQ(captions.size(), 2U);
+  EXPECT_EQ(captions[0].text, "Good morning.");
+  EXPECT_EQ(captions[1].text, "How are you?");
+  EXPECT_EQ(captions[1].begin, Milliseconds(600));
+  EXPECT_GE(captions[1].end, Milliseconds(1200));
+}
+
+TEST(Captions, HaveTwoLinesOfFortyTwoCharactersAtMost) {
+  std::string text;
+  for (int i = 0; i < 60; ++i) text += "words and ";
+  const auto script = parse_script(text, "t");
+  ASSERT_TRUE(script);
+  const auto captions = captions_of(words_every(200, *script), *script);
+  EXPECT_GT(captions.size(), 5U);
+  for (const Caption& caption : captions) {
+    if (caption.text.size() > 42) {
+      EXPECT_LE(caption.text.find('\n'), 48U) << caption.text;
+    }
+    EXPECT_LE(caption.text.size(), 84U) << caption.text;
+  }
+}
+
+TEST(WebVtt, HasItsForm) {
+  EXPECT_EQ(format_webvtt({{Milliseconds(0), Milliseconds(3723004), "Hello"}}),
+            "WEBVTT\n\n00:00:00.000 --> 01:02:03.004\nHello\n");
+}
+
+}  // namespace
+}  // namespace aucast::speaker

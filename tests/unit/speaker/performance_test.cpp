@@ -1,0 +1,155 @@
+#include "speaker/performance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "speaker/espeak_voice.h"
+
+namespace aucast::speaker {
+namespace {
+
+const char* const kText =
+    "[smile] Peter Piper picked a peck of pickled peppers.\n\nMaybe Bob may mop the big map? "
+    "[surprise 50] Perhaps.\n";
+
+struct Spoken {
+  Script script;
+  Speech speech;
+  protocol::StreamFile stream;
+};
+
+Spoken spoken() {
+  const Expressions expressions{{"surprise", {{1, Side::Both, 100}, {2, Side::Both, 100}}}};
+  auto script = parse_script(kText, "t");
+  EXPECT_TRUE(script);
+  auto speech = speak(script->text, {});
+  EXPECT_TRUE(speech) << speech.error().message;
+  auto stream = perform(*speech, *script, expressions, {});
+  return {*script, *speech, stream};
+}
+
+/// The intensity of an AU at a moment, as a player that draws straight lines shows it.
+float shown(const protocol::StreamFile& stream, int au, Milliseconds time) {
+  const auto of = [au](const protocol::Keyframe& keyframe) {
+    for (const AuTerm& term : keyframe.terms) {
+      if (term.number == au) return static_cast<float>(term.percent) / 100;
+    }
+    return 0.0F;
+  };
+  float from = 0;
+  Milliseconds begin{0};
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    const Milliseconds end = begin + Milliseconds(*keyframe.duration_ms);
+    if (time <= end) {
+      const float mu =
+          static_cast<float>((time - begin).count()) / static_cast<float>((end - begin).count());
+      return from + (of(keyframe) - from) * mu;
+    }
+    from = of(keyframe);
+    begin = end;
+  }
+  return from;
+}
+
+/// The quietest 10 ms in the 80 ms before a moment: where the lips are shut, by the sound alone.
+Milliseconds quietest_before(const Speech& speech, Milliseconds burst) {
+  Milliseconds best = burst;
+  float least = 1e9F;
+  const std::size_t window = static_cast<std::size_t>(speech.rate) / 100;
+  for (Milliseconds at = burst - Milliseconds(80); at <= burst; at += Milliseconds(5)) {
+    const std::size_t from = static_cast<std::size_t>(std::max<long>(at.count(), 0)) *
+                             static_cast<std::size_t>(speech.rate) / 1000;
+    float energy = 0;
+    for (std::size_t i = from; i < from + window && i < speech.samples.size(); ++i) {
+      energy += speech.samples[i] * speech.samples[i];
+    }
+    if (energy < least) {
+      least = energy;
+      best = at;
+    }
+  }
+  return best + Milliseconds(5);
+}
+
+TEST(Perform, LipsAreShutWhereTheSoundSaysSo) {
+  const Spoken talk = spoken();
+  int stops = 0;
+  for (const Phoneme& phoneme : talk.speech.phonemes) {
+    if (!phoneme.ipa.starts_with("p")) continue;
+    ++stops;
+    const Milliseconds shut = quietest_before(talk.speech, phoneme.begin);
+    float nearest = 1;
+    for (Milliseconds at = shut - Milliseconds(25); at <= shut + Milliseconds(25);
+         at += Milliseconds(5)) {
+      nearest = std::min(nearest, shown(talk.stream, 25, at));
+    }
+    EXPECT_LT(nearest, 0.08F) << "the p at " << phoneme.begin.count() << " ms";
+  }
+  EXPECT_GE(stops, 9);
+}
+
+TEST(Perform, TheFaceLastsAsLongAsTheSound) {
+  const Spoken talk = spoken();
+  const auto length = static_cast<double>(media_ms(talk.stream, 250));
+  EXPECT_NEAR(length, static_cast<double>(talk.speech.length().count()), 20);
+}
+
+TEST(Perform, TheSameSeedGivesTheSameFaceAndAnotherAnother) {
+  const Spoken talk = spoken();
+  const auto with_seed = [&talk](std::uint64_t seed) {
+    return perform(talk.speech, talk.script, {}, {seed, 1}).keyframes;
+  };
+  EXPECT_TRUE(with_seed(1) == with_seed(1));
+  EXPECT_FALSE(with_seed(1) == with_seed(2));
+}
+
+TEST(Perform, CuesShowFromTheirWordToTheEndOfTheParagraph) {
+  const Spoken talk = spoken();
+  const auto first_end = talk.script.ends.front();
+  Milliseconds second{0};
+  for (const Word& word : talk.speech.words) {
+    if (word.at >= first_end) {
+      second = word.begin;
+      break;
+    }
+  }
+  EXPECT_GT(shown(talk.stream, 6, Milliseconds(1000)), 0.3F) << "[smile]";
+  EXPECT_LT(shown(talk.stream, 6, second + Milliseconds(1000)), 0.05F);
+  EXPECT_GT(shown(talk.stream, 2, talk.speech.length() - Milliseconds(600)), 0.3F);
+}
+
+TEST(CheckCues, NameTheNearestExpression) {
+  const Expressions expressions{{"surprise", {{1, Side::Both, 100}}}};
+  const auto check = [&](const char* text) {
+    const auto script = parse_script(text, "t.txt");
+    EXPECT_TRUE(script);
+    return check_cues(*script, expressions, "t.txt");
+  };
+  EXPECT_TRUE(check("[surprise] a"));
+  EXPECT_TRUE(check("[surprise 40] a"));
+  EXPECT_TRUE(check("[6,12:60] a"));
+  EXPECT_TRUE(check("[smile 100] a"));
+  EXPECT_FALSE(check("[smile 101] a"));
+  const auto wrong = check("hello [suprise] a");
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().message,
+            "t.txt:1:7: [suprise] is no expression; did you mean [surprise]?");
+}
+
+TEST(KeyframesOf, StayWithinTheToleranceOfTheCurves) {
+  Curves curves{Milliseconds(4000)};
+  std::vector<float>& samples = curves.of(12);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i] = 0.5F - 0.5F * std::cos(static_cast<float>(i) / 9);
+  }
+  const protocol::StreamFile stream{keyframes_of(curves, 0.05F)};
+  EXPECT_LT(stream.keyframes.size(), samples.size() / 2);
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const Milliseconds at = Curves::kStep * static_cast<int>(i);
+    EXPECT_NEAR(shown(stream, 12, at), samples[i], 0.06F + 0.02F) << at.count() << " ms";
+  }
+}
+
+}  // namespace
+}  // namespace aucast::speaker

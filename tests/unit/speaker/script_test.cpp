@@ -1,0 +1,50 @@
+#include "speaker/script.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast::speaker {
+namespace {
+
+TEST(ParseScript, LeavesOutWhatIsNotSpoken) {
+  const auto script = parse_script(
+      "# title: Faces\n# a note\n[smile] Good morning,\neverybody.\n\n  Two [fear 50] more.\n",
+      "t");
+  ASSERT_TRUE(script) << script.error().message;
+  EXPECT_EQ(script->title, "Faces");
+  EXPECT_EQ(script->text, " Good morning, everybody.\n\n  Two  more.\n\n");
+  ASSERT_EQ(script->cues.size(), 2U);
+  EXPECT_EQ(script->cues[0].name, "smile");
+  EXPECT_EQ(script->cues[0].at, 0U);
+  EXPECT_EQ(script->cues[1].name, "fear 50");
+  EXPECT_EQ(script->cues[1].line, 6U);
+  EXPECT_EQ(script->cues[1].column, 7U);
+  EXPECT_EQ(script->ends.size(), 2U);
+}
+
+TEST(ParseScript, CountsCharactersAndNotBytes) {
+  const auto script = parse_script("Schöne Grüße [smile] an alle", "t");
+  ASSERT_TRUE(script);
+  ASSERT_EQ(script->cues.size(), 1U);
+  EXPECT_EQ(script->cues[0].at, 13U);
+  EXPECT_EQ(part(script->text, 7, 5), "Grüße");
+}
+
+TEST(ParseScript, SaysWhereATextIsWrong) {
+  const auto open = parse_script("one\ntwo [smile\n", "t.txt");
+  ASSERT_FALSE(open);
+  EXPECT_EQ(open.error().kind, ErrorKind::BadData);
+  EXPECT_EQ(open.error().message, "t.txt:2:5: a [ without its ] on the same line");
+
+  const auto latin = parse_script(
+      "one\nGr\xfc\xdf"
+      "e\n",
+      "t.txt");
+  ASSERT_FALSE(latin);
+  EXPECT_NE(latin.error().message.find("t.txt:2"), std::string::npos);
+
+  EXPECT_FALSE(parse_script("", "t"));
+  EXPECT_FALSE(parse_script("# only a comment\n\n[smile]\n", "t"));
+}
+
+}  // namespace
+}  // namespace aucast::speaker

@@ -1,0 +1,60 @@
+#include "speaker/speaker_app.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "common/voice/sound_file.h"
+#include "protocol/stream_file.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::speaker {
+namespace {
+
+using aucast::test::TempFolder;
+
+TEST(SpeakerApp, MakesSpeechFaceAndCaptions) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "# title: A talk\nGood morning.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_speaker({text, "-o", out}), 0);
+  const std::string stream = folder.read("out/talk.txt");
+  EXPECT_TRUE(stream.starts_with("# title: A talk\nBeg_Stream\n"));
+  EXPECT_TRUE(protocol::parse_stream_file(stream, "talk.txt"));
+  EXPECT_NE(folder.read("out/talk.vtt").find("Good morning."), std::string::npos);
+  const auto sound = voice::SoundFile::open(folder.path() / "out/talk.wav");
+  ASSERT_TRUE(sound) << sound.error().message;
+  EXPECT_GT(sound->duration(), Milliseconds(500));
+}
+
+TEST(SpeakerApp, GivesARecordedVoiceAFace) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning, everybody.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_speaker({text, "-o", out, "--speed", "120"}), 0);
+  const std::string voice = (folder.path() / "out/talk.wav").string();
+  const std::string again = (folder.path() / "again").string();
+  ASSERT_EQ(run_speaker({text, "-o", again, "--voice", voice}), 0);
+  EXPECT_TRUE(protocol::parse_stream_file(folder.read("again/talk.txt"), "talk.txt"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "again/talk.wav"));
+}
+
+TEST(SpeakerApp, NeverWritesOverTheText) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning.\n").string();
+  EXPECT_EQ(run_speaker({text, "-o", folder.path().string()}), 2);
+  EXPECT_EQ(folder.read("talk.txt"), "Good morning.\n");
+}
+
+TEST(SpeakerApp, ExitCodesAreThoseOfTheOtherPrograms) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good [morning]\n").string();
+  EXPECT_EQ(run_speaker({"--help"}), 0);
+  EXPECT_EQ(run_speaker({}), 2);
+  EXPECT_EQ(run_speaker({"--no-such-option"}), 2);
+  EXPECT_EQ(run_speaker({text}), 3);
+  EXPECT_EQ(run_speaker({(folder.path() / "none.txt").string()}), 4);
+}
+
+}  // namespace
+}  // namespace aucast::speaker
