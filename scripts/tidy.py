@@ -50,6 +50,7 @@ MAY_INCLUDE = {
     "client/app/commands": APP | {"client/app/film", "client/app/window"},
     "client/app": APP | {"client/app/film", "client/app/gallery", "client/app/window",
                          "client/app/commands"},
+    "speaker": {"common", "common/voice", "protocol"},
     "scripts/facegen": {"common", "client/face", "client/view"},
 }
 
