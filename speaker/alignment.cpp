@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -255,10 +256,13 @@ Speech carried_over(const Speech& spoken, std::vector<float> recording, int rate
   const auto carried = [&path](Milliseconds time) {
     const auto hop = Cepstrum::kHop;
     const auto frame = static_cast<std::size_t>(time / hop);
-    const auto found = std::lower_bound(path.begin(), path.end(), std::pair{frame, std::size_t{0}});
-    if (found == path.end())
-      return path.empty() ? time : hop * static_cast<int>(path.back().second);
-    return hop * static_cast<int>(found->second) + time % hop;
+    // Where one frame belongs to several the middle one is the likeliest.
+    const auto [first, last] =
+        std::equal_range(path.begin(), path.end(), std::pair{frame, std::size_t{0}},
+                         [](const auto& x, const auto& y) { return x.first < y.first; });
+    if (first == last) return path.empty() ? time : hop * static_cast<int>(path.back().second);
+    const std::size_t middle = (first->second + std::prev(last)->second) / 2;
+    return hop * static_cast<int>(middle) + time % hop;
   };
   Speech speech;
   speech.rate = rate;
