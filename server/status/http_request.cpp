@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <system_error>
+#include <utility>
+
+#include <asio/ip/address.hpp>
 
 #include "protocol/limits.h"
 
@@ -20,6 +24,8 @@ std::string_view phrase(int status) {
       return "Not Found";
     case 405:
       return "Method Not Allowed";
+    case 421:
+      return "Misdirected Request";
     case 431:
       return "Request Header Fields Too Large";
     case 503:
@@ -78,8 +84,19 @@ std::optional<RequestLine> split(std::string_view line) {
   return good ? std::optional(parts) : std::nullopt;
 }
 
-/// A header field's name in small letters; nothing when the line is none.
-std::optional<std::string> field_name(std::string_view line) {
+struct Field {
+  std::string name;  ///< in small letters
+  std::string_view value;
+};
+
+std::string_view without_blanks(std::string_view text) {
+  while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
+  while (text.ends_with(' ') || text.ends_with('\t')) text.remove_suffix(1);
+  return text;
+}
+
+/// A header field; nothing when the line is none.
+std::optional<Field> field_of(std::string_view line) {
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos || !is_token(line.substr(0, colon))) return std::nullopt;
   const std::string_view value = line.substr(colon + 1);
@@ -87,7 +104,8 @@ std::optional<std::string> field_name(std::string_view line) {
     const auto code = static_cast<unsigned char>(c);
     return (code < 0x20 && c != '\t') || code == 0x7f;
   });
-  return clean ? std::optional(lower(line.substr(0, colon))) : std::nullopt;
+  if (!clean) return std::nullopt;
+  return Field{lower(line.substr(0, colon)), without_blanks(value)};
 }
 
 }  // namespace
@@ -108,11 +126,15 @@ HttpProgress read_http_request(std::string_view bytes) {
     return refused(http ? 505 : 400, "only HTTP/1.0 and HTTP/1.1 are spoken here");
   }
   int hosts = 0;
+  std::string host;
   while (!head.empty()) {
-    const auto name = field_name(take_line(head));
-    if (!name) return refused(400, "a header field is malformed");
-    if (*name == "host") ++hosts;
-    if (*name == "transfer-encoding" || *name == "content-length") {
+    const auto field = field_of(take_line(head));
+    if (!field) return refused(400, "a header field is malformed");
+    if (field->name == "host") {
+      ++hosts;
+      host = field->value;
+    }
+    if (field->name == "transfer-encoding" || field->name == "content-length") {
       return refused(400, "a request has no body here");
     }
   }
@@ -123,7 +145,18 @@ HttpProgress read_http_request(std::string_view bytes) {
     return refused(405, "only GET and HEAD are answered here");
   }
   const std::string_view path = line->target.substr(0, line->target.find('?'));
-  return {HttpRequest{std::string(path), line->method == "HEAD"}, std::nullopt};
+  return {HttpRequest{std::string(path), line->method == "HEAD", std::move(host)}, std::nullopt};
+}
+
+bool is_own_host(std::string_view host, std::string_view bound) {
+  if (host.empty()) return true;
+  const bool bracketed = host.starts_with('[') && host.find(']') != std::string_view::npos;
+  std::string name =
+      lower(bracketed ? host.substr(1, host.find(']') - 1) : host.substr(0, host.find(':')));
+  if (name.ends_with('.')) name.pop_back();  // the root of all names
+  std::error_code no_address;
+  static_cast<void>(asio::ip::make_address(name, no_address));
+  return !no_address || name == "localhost" || name == lower(bound);
 }
 
 std::string format_http_reply(const HttpReply& reply, bool head) {

@@ -1,5 +1,6 @@
 #include "server/status/http_server.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -17,19 +18,14 @@ using asio::ip::tcp;
 /// What the exchanges need of their server; they may live a handler longer than it.
 struct HttpServer::Shared {
   Answer answer;
-  std::size_t open = 0;
+  std::string bound;  ///< the address or name that we listen on
 };
 
 /// One request and its reply.
 class HttpServer::Exchange : public std::enable_shared_from_this<Exchange> {
  public:
   Exchange(tcp::socket socket, std::shared_ptr<Shared> shared)
-      : socket_(std::move(socket)), timer_(socket_.get_executor()), shared_(std::move(shared)) {
-    ++shared_->open;
-  }
-  ~Exchange() { --shared_->open; }
-  Exchange(const Exchange&) = delete;
-  Exchange& operator=(const Exchange&) = delete;
+      : socket_(std::move(socket)), timer_(socket_.get_executor()), shared_(std::move(shared)) {}
 
   void start() {
     timer_.expires_after(protocol::kHttpTimeMax);
@@ -38,6 +34,9 @@ class HttpServer::Exchange : public std::enable_shared_from_this<Exchange> {
     });
     read();
   }
+
+  /// The request has not come yet.
+  [[nodiscard]] bool asking() const { return output_.empty(); }
 
   void close() {
     std::error_code ignored;
@@ -64,10 +63,16 @@ class HttpServer::Exchange : public std::enable_shared_from_this<Exchange> {
     if (progress.refusal) {
       reply(*progress.refusal, false);
     } else if (progress.request) {
-      reply(shared_->answer(progress.request->path), progress.request->head);
+      reply(answer(*progress.request), progress.request->head);
     } else {
       read();
     }
+  }
+
+  [[nodiscard]] HttpReply answer(const HttpRequest& request) const {
+    if (is_own_host(request.host, shared_->bound)) return shared_->answer(request.path);
+    return {421, HttpReply().type,
+            "this server does not answer for that host: use its IP address or localhost\n"};
   }
 
   void reply(const HttpReply& reply, bool head) {
@@ -118,14 +123,30 @@ HttpServer::HttpServer(asio::io_context& io, Answer answer)
 HttpServer::~HttpServer() = default;
 
 Result<void> HttpServer::open(const std::string& address, std::uint16_t port) {
+  shared_->bound = address;
   return listener_.open(address, port, {"--http", "--http"});
 }
 
 void HttpServer::start() {
-  listener_.start([this](tcp::socket socket, const tcp::endpoint&) {
-    if (shared_->open >= protocol::kHttpConnectionsMax) return;  // the socket closes
-    std::make_shared<Exchange>(std::move(socket), shared_)->start();
-  });
+  listener_.start([this](tcp::socket socket, const tcp::endpoint&) { welcome(std::move(socket)); });
+}
+
+void HttpServer::welcome(tcp::socket socket) {
+  std::erase_if(exchanges_, [](const auto& held) { return held.expired(); });
+  if (exchanges_.size() >= protocol::kHttpConnectionsMax) {
+    // One that says nothing must not keep others out.
+    const auto asking = [](const auto& held) {
+      const auto exchange = held.lock();
+      return exchange && exchange->asking();
+    };
+    const auto silent = std::find_if(exchanges_.begin(), exchanges_.end(), asking);
+    const auto oldest = silent == exchanges_.end() ? exchanges_.begin() : silent;
+    if (const auto exchange = oldest->lock()) exchange->close();
+    exchanges_.erase(oldest);
+  }
+  const auto exchange = std::make_shared<Exchange>(std::move(socket), shared_);
+  exchanges_.push_back(exchange);
+  exchange->start();
 }
 
 }  // namespace aucast::server

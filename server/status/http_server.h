@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <asio/io_context.hpp>
 
@@ -14,9 +15,9 @@
 
 namespace aucast::server {
 
-/// Answers GET on the loop that serves the clients, one request a connection. Small on purpose: at
-/// most kHttpConnectionsMax at a time (more are closed), each for kHttpTimeMax in all and with
-/// kHttpHeadBytesMax of request.
+/// Answers GET on the loop that serves the clients, one request per connection. Bounded:
+/// kHttpConnectionsMax connections, each for kHttpTimeMax and with kHttpHeadBytesMax of request;
+/// one more closes the oldest that has not asked yet. Requests for other hosts are refused by 421.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class HttpServer {
  public:
@@ -36,8 +37,11 @@ class HttpServer {
   class Exchange;
   struct Shared;
 
+  void welcome(asio::ip::tcp::socket socket);
+
   Listener listener_;
   std::shared_ptr<Shared> shared_;
+  std::vector<std::weak_ptr<Exchange>> exchanges_;  ///< in the order they came; some may be over
 };
 
 }  // namespace aucast::server

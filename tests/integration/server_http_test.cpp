@@ -96,6 +96,25 @@ TEST_F(ServerHttp, SlowAndManyAskersDisturbNobody) {
   EXPECT_EQ(server_.terminate(), 0);
 }
 
+TEST_F(ServerHttp, ManySilentOnesShutNoMonitorOut) {
+  std::vector<std::unique_ptr<RawClient>> crowd;
+  for (int i = 0; i < 40; ++i) {
+    crowd.push_back(std::make_unique<RawClient>(address_));
+    EXPECT_EQ(body(get("/healthz")), "ok\n") << i;
+  }
+  EXPECT_TRUE(crowd.front()->wait_for_end());
+  EXPECT_EQ(server_.terminate(), 0);
+}
+
+TEST_F(ServerHttp, RequestsForOtherHostsAreRefused) {
+  const std::string reply = ask("GET /status.json HTTP/1.1\r\nHost: evil.example\r\n\r\n");
+  EXPECT_TRUE(reply.starts_with("HTTP/1.1 421 ")) << reply;
+  EXPECT_EQ(reply.find("streams"), std::string::npos);
+  EXPECT_NE(body(reply).find("use its IP address or localhost"), std::string::npos);
+  EXPECT_EQ(body(ask("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n")), "ok\n");
+  EXPECT_EQ(server_.terminate(), 0);
+}
+
 TEST_F(ServerHttp, StopDoesNotWaitForAskers) {
   RawClient idle(address_);
   idle.send("GET /");

@@ -53,6 +53,24 @@ TEST(HttpRequest, WhatIsNotUnderstoodIsRefused) {
   EXPECT_EQ(refusal("\r\n"), 400);
 }
 
+TEST(HttpRequest, TellsTheHostThatItIsFor) {
+  EXPECT_EQ(read_http_request(kGood).request->host, "a");
+  EXPECT_EQ(read_http_request("GET / HTTP/1.1\r\nHost:\t [::1]:80 \r\n\r\n").request->host,
+            "[::1]:80");
+  EXPECT_EQ(read_http_request("GET / HTTP/1.0\r\n\r\n").request->host, "");
+}
+
+TEST(IsOwnHost, TakesAddressesLocalhostAndTheBoundName) {
+  for (const char* own : {"127.0.0.1", "127.0.0.1:9464", "192.168.1.7", "[::1]", "[::1]:9464",
+                          "localhost", "LocalHost:80", "localhost.", "monitor.example:9464", ""}) {
+    EXPECT_TRUE(is_own_host(own, "Monitor.example")) << own;
+  }
+  for (const char* other : {"evil.example", "evil.example:9464", "localhost.evil.example", "[evil]",
+                            "127.0.0.1.evil.example", "1", "::1x", "[::1", " "}) {
+    EXPECT_FALSE(is_own_host(other, "Monitor.example")) << other;
+  }
+}
+
 TEST(HttpRequest, LengthIsBounded) {
   const std::string start = "GET / HTTP/1.1\r\nHost: a\r\nX: ";
   const std::string rest(protocol::kHttpHeadBytesMax - start.size() - 4, 'x');
