@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -176,6 +177,12 @@ void keep_signals() {
   static_cast<void>(kept);
 }
 
+/// Ends the process now, for a thread still reads what it would free.
+[[noreturn]] void end_at_once(int exit_code) {
+  std::fflush(stdout);
+  std::_Exit(exit_code);
+}
+
 int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalogue catalogue) {
   keep_signals();
   Stats stats;
@@ -189,11 +196,13 @@ int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalo
       },
       [&options] { return load_catalogue(options); });
   if (!served) return report(served.error());
+  int exit_code = served->error ? report(*served->error) : 0;
   if (!options.stats.empty()) {
     const auto written = write_file_atomically(options.stats, stats.to_json());
-    if (!written) return report(written.error());
+    if (!written) exit_code = report(written.error());
   }
-  return served->error ? report(*served->error) : 0;
+  if (served->reloading) end_at_once(exit_code);
+  return exit_code;
 }
 
 int convert(std::vector<std::string> arguments) {

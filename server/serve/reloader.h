@@ -18,13 +18,16 @@ class Reloader {
   using Load = std::function<Result<protocol::ServerCatalogue>()>;
   using OnDone = std::function<void(Result<protocol::ServerCatalogue>)>;
 
-  /// `io` must outlive it. Waits in its destructor for a load that is under way.
+  /// `io` must outlive it. Waits in its destructor for a load that is under way: an owner that must
+  /// not wait keeps it, and all that the load uses, until the process ends.
   Reloader(asio::io_context& io, Load load, OnDone on_done);
   Reloader(const Reloader&) = delete;
   Reloader& operator=(const Reloader&) = delete;
 
   /// Loads now; once more afterwards if it is doing so already.
   void start();
+  /// A load is under way.
+  [[nodiscard]] bool running() const { return running_; }
 
  private:
   void done(Result<protocol::ServerCatalogue> loaded);

@@ -322,6 +322,7 @@ class Transmitter {
   /// What went wrong without stopping anything.
   [[nodiscard]] Ending ending() {
     Ending ending;
+    ending.reloading = reloader_.running();
     for (const auto& source : live_sources_) {
       if (auto recorded = source->finish_record(); !recorded) ending.error = recorded.error();
       if (source->over() && source->nothing_came()) {
@@ -582,7 +583,12 @@ Result<Ending> serve(const TransmitterOptions& options, protocol::ServerCatalogu
                      Stats& stats, const OnReady& on_ready, Reloader::Load load) {
   std::signal(SIGPIPE, SIG_IGN);
   raise_descriptor_limit();
-  return Transmitter(options, std::move(catalogue), stats, std::move(load)).run(on_ready);
+  auto transmitter =
+      std::make_unique<Transmitter>(options, std::move(catalogue), stats, std::move(load));
+  auto ending = transmitter->run(on_ready);
+  // A disk may take long, and whoever sent SIGTERM does not wait for it.
+  if (ending && ending->reloading) static_cast<void>(transmitter.release());
+  return ending;
 }
 
 }  // namespace aucast::server

@@ -22,6 +22,9 @@ using OnReady = std::function<Result<void>(const std::string& address)>;
 /// How serving came to its end.
 struct Ending {
   std::optional<Error> error;  ///< what went wrong without stopping anything, such as a recording
+  /// A reload still reads on its thread, from what `options` and `load` refer to: the process must
+  /// end without returning from where they live.
+  bool reloading = false;
 };
 
 /// Serves the catalogue, recorded or live, to any number of clients until SIGTERM or SIGINT: then

@@ -36,6 +36,24 @@ TEST(ServerStop, EveryClientGetsTheEnd) {
   EXPECT_FALSE(waiting.broken() || paused.broken() || negotiated.broken());
 }
 
+/// The loader says what it found when it is through: it must not get there.
+TEST(ServerStop, NobodyWaitsForAReload) {
+  const TempFolder folder;
+  const std::string header = "face_id,timestamp,success,AU12_r\n";
+  const auto path = folder.write("a.csv", header + "0,0.0,1,1\n0,0.1,1,1\n0,0.2,1,1\n");
+  RunningTransmitter server({path.string()});
+  EXPECT_TRUE(logs(server, "AU scale 0-5"));
+  std::string rows = header;
+  for (int row = 0; row < 1'000'000; ++row) rows += "0," + std::to_string(row) + ",1,1\n";
+  folder.write("a.csv", rows);
+  server.process().signal(SIGHUP);
+  EXPECT_TRUE(logs(server, "SIGHUP: reading"));
+  EXPECT_EQ(server.terminate(), 0);
+  const std::string found = "AU scale 0-5";
+  const std::size_t first = server.log().find(found);
+  EXPECT_EQ(server.log().find(found, first + found.size()), std::string::npos) << server.log();
+}
+
 TEST(ServerStop, InterruptIsTheSame) {
   RunningTransmitter server({stream_file("talk.txt")});
   RawClient client = server.connect();
