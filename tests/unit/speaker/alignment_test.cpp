@@ -8,15 +8,17 @@
 namespace aucast::speaker {
 namespace {
 
-/// Tones of `ms` each, as a voice with vowels that are told apart.
+/// Rising tones of `ms` each, as a voice whose sounds are told apart and never stand still.
 std::vector<float> tones(const std::vector<int>& hertz, const std::vector<int>& ms, int rate) {
   std::vector<float> samples;
   for (std::size_t k = 0; k < hertz.size(); ++k) {
     const int count = ms[k] * rate / 1000;
+    double phase = 0;
     for (int i = 0; i < count; ++i) {
+      phase += 2 * std::numbers::pi * hertz[k] * (1 + 0.6 * i / count) / rate;
       double sum = 0;
       for (int overtone = 1; overtone < 6; ++overtone) {
-        sum += std::sin(2 * std::numbers::pi * hertz[k] * overtone * i / rate) / overtone;
+        sum += std::sin(overtone * phase) / overtone;
       }
       samples.push_back(static_cast<float>(0.2 * sum));
     }
