@@ -18,7 +18,8 @@
 namespace aucast::app {
 namespace {
 
-Error at(const std::filesystem::path& file, const toml::source_region& where, std::string text) {
+Error at(const std::filesystem::path& file, const toml::source_region& where,
+         const std::string& text) {
   return {ErrorKind::BadData, at_place(file.string(), where.begin.line, where.begin.column, text)};
 }
 

@@ -137,7 +137,7 @@ void Composer::begin_anew() {
   step({});
 }
 
-void Composer::saved(std::string file) {
+void Composer::saved(const std::string& file) {
   ++revision_;
   now_.stored = now_.keyframes;
   now_.file = file;

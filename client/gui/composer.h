@@ -57,7 +57,7 @@ class Composer {
   void move(int direction);
   void load(const std::vector<ComposedKeyframe>& keyframes, std::string file);
   void begin_anew();
-  void saved(std::string file);
+  void saved(const std::string& file);
   void undo();
   void redo();
 

@@ -13,7 +13,7 @@ if(AUCAST_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${AUCAST_CCACHE})
 endif()
 
-# All programs land beside data/ in the build folder, so that they find it (contract section 4).
+# All programs land beside data/ in the build folder, so that they find it.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 add_library(aucast_warnings INTERFACE)

@@ -189,7 +189,8 @@ void add_lash(Part& part, const Identity& who, const Skin& skin, int side, int n
   const double t = 0.06 + 0.93 * (number + 0.6 * chance(1)) / count;
   // Three or four stand apart at the lid and meet at their tips.
   constexpr int kTogether = 3;
-  const double tuft = 0.06 + 0.93 * ((number / kTogether + 0.5) * kTogether) / count;
+  const int tuft_number = number / kTogether;
+  const double tuft = 0.06 + 0.93 * ((tuft_number + 0.5) * kTogether) / count;
   LashGrowth growth = lash_growth(who, skin, side, true, t);
   const LashGrowth other = lash_growth(who, skin, side, true, std::clamp(tuft, 0.0, 1.0));
   growth.length *= 0.72 + 0.40 * chance(2);

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Checks form and habits of the C++ sources; silent when there is nothing to say.
+#   scripts/lint.sh format [FILE...]      clang-format (.clang-format), default: all that git tracks
+#   scripts/lint.sh tidy [FILE...]        clang-tidy (.clang-tidy), default: all of the programs;
+#                                         needs a configured release build
+set -eu
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+what=${1:-}
+shift || true
+
+case $what in
+format)
+    if [ $# -eq 0 ]; then
+        git ls-files -z '*.h' '*.cpp' | xargs -0 clang-format --dry-run -Werror
+    else
+        clang-format --dry-run -Werror "$@"
+    fi
+    ;;
+tidy)
+    # Tests are left out: they would double the time.
+    if [ $# -eq 0 ]; then
+        mapfile -t files < <(python3 -c '
+import json, sys
+for entry in json.load(open("build/release/compile_commands.json")):
+    path = entry["file"].removeprefix(sys.argv[1] + "/")
+    if not path.startswith(("/", "build/", "tests/")):
+        print(path)' "$root" | sort -u)
+        [ ${#files[@]} -gt 0 ] || { echo "build/release knows no source of the programs" >&2; exit 1; }
+        set -- "${files[@]}"
+    fi
+    # What is on stderr counts suppressed findings of other people's headers.
+    printf '%s\0' "$@" | xargs -0 -n 1 -P "$(nproc)" clang-tidy -p build/release --quiet 2>/dev/null
+    ;;
+*)
+    sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+    ;;
+esac
