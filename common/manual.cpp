@@ -7,6 +7,69 @@
 namespace aucast {
 namespace {
 
+using Names = std::vector<std::string>;
+
+// === --help, in columns
+constexpr std::size_t kLineMax = 80;
+constexpr std::size_t kTextColumn = 25;  ///< where explanations begin
+constexpr std::size_t kHalfLine = 39;    ///< where the second of two options does
+constexpr std::size_t kFirstMax = 44;    ///< the first is no longer
+
+/// An option as it is typed, with its argument.
+std::string tag_of(const OptionRow& row) {
+  std::string tag = row.letter == 0 ? "" : std::string{'-', row.letter} + ", ";
+  tag += typed_name(row);
+  if (row.where != OptionRow::Where::Positional && !row.argument.empty())
+    tag += " " + std::string(row.argument);
+  return tag;
+}
+
+/// The options of --help, line by line: two of a section that are short share a line.
+class HelpLines {
+ public:
+  void add(const OptionRow& row) {
+    if (!row.heading.empty()) {
+      end_line();
+      text_ += std::string(row.heading) + "\n";
+    }
+    if (row.text.empty()) return;
+    if (before_ != nullptr && add_beside(row)) return;
+    end_line();
+    before_ = &row;
+  }
+
+  [[nodiscard]] std::string finish() {
+    end_line();
+    return std::move(text_);
+  }
+
+ private:
+  /// False when both are too long for one line.
+  bool add_beside(const OptionRow& row) {
+    std::string line = "  " + tag_of(*before_) + "  " + std::string(before_->text);
+    if (line.size() > kFirstMax) return false;
+    line.resize(std::max(line.size() + 1, kHalfLine), ' ');
+    line += "  " + tag_of(row) + "  " + std::string(row.text);
+    if (line.size() > kLineMax) return false;
+    text_ += line + "\n";
+    before_ = nullptr;
+    return true;
+  }
+
+  void end_line() {
+    if (before_ == nullptr) return;
+    std::string line = "  " + tag_of(*before_);
+    line.resize(std::max(line.size() + 1, kTextColumn), ' ');
+    text_ += line + std::string(before_->text) + "\n";
+    before_ = nullptr;
+  }
+
+  std::string text_;
+  const OptionRow* before_ = nullptr;  ///< waits for another short one beside it
+};
+
+// === The manual page
+
 /// Running text: backslashes and minus signs by name, no line that begins like a request.
 std::string roff(std::string_view text) {
   std::string out;
@@ -31,60 +94,7 @@ std::string upper(std::string_view text) {
   return out;
 }
 
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    lines.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos) break;
-    text.remove_prefix(end + 1);
-  }
-  return lines;
-}
-
-/// The parts of a line that two blanks or more set apart.
-std::vector<std::string> columns(std::string_view line) {
-  std::vector<std::string> parts;
-  while (true) {
-    const std::size_t begin = line.find_first_not_of(' ');
-    if (begin == std::string_view::npos) return parts;
-    line.remove_prefix(begin);
-    const std::size_t end = line.find("  ");
-    parts.emplace_back(line.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    line.remove_prefix(end);
-  }
-}
-
-/// Options of a help page, gathered until their explanation is complete.
-class Items {
- public:
-  explicit Items(ManualPage& page) : page_(page) {}
-
-  void add_line(std::string_view line) {
-    for (const std::string& part : columns(line)) {
-      if (part.starts_with('-')) {
-        flush();
-        tag_ = part;
-      } else {
-        text_ += (text_.empty() ? "" : " ") + part;
-      }
-    }
-  }
-
-  void flush() {
-    if (!tag_.empty()) page_.item(tag_, text_);
-    tag_.clear();
-    text_.clear();
-  }
-
-  [[nodiscard]] bool open() const { return !tag_.empty(); }
-
- private:
-  ManualPage& page_;
-  std::string tag_;
-  std::string text_;
-};
+// === Completion
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -92,7 +102,69 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string bash_completion(const std::string& name, const Names& options, const Names& commands) {
+  std::string function = "_" + name;
+  std::replace(function.begin(), function.end(), '-', '_');
+  return "# bash completion for " + name + "\n" + function +
+         "() {\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]}\n"
+         "  COMPREPLY=()\n"
+         "  if [[ $word == -* ]]; then\n"
+         "    COMPREPLY=($(compgen -W '" +
+         joined(options) +
+         "' -- \"$word\"))\n"
+         "  elif [[ $COMP_CWORD -eq 1 ]]; then\n"
+         "    mapfile -t COMPREPLY < <(compgen -W '" +
+         joined(commands) +
+         "' -- \"$word\"; compgen -f -- \"$word\")\n"
+         "  fi\n"
+         "}\n"
+         "complete -o filenames -o default -F " +
+         function + " " + name + "\n";
+}
+
+std::string zsh_completion(const std::string& name, const Names& options, const Names& commands) {
+  return "#compdef " + name + "\n" +
+         "if compset -P '--*='; then\n"
+         "  _files\n"
+         "elif [[ $PREFIX == -* ]]; then\n"
+         "  compadd -- " +
+         joined(options) +
+         "\n"
+         "else\n"
+         "  (( CURRENT == 2 )) && compadd -- " +
+         joined(commands) +
+         "\n"
+         "  _files\n"
+         "fi\n";
+}
+
+std::string fish_completion(const std::string& name, const Names& options, const Names& commands) {
+  const std::string begin = "complete -c " + name;
+  std::string text = "# fish completion for " + name + "\n";
+  for (const std::string& command : commands) {
+    text += begin + " -n 'test (count (commandline -opc)) -eq 1' -a " + command + "\n";
+  }
+  for (const std::string& option : options) text += begin + " -l " + option.substr(2) + "\n";
+  return text;
+}
+
 }  // namespace
+
+std::string help_text(const CommandPage& page) {
+  std::string text;
+  for (const std::string_view line : page.usage) {
+    text += (text.empty() ? "usage: " : "       ") + std::string(line) + "\n";
+  }
+  text += std::string(page.about);
+  HelpLines lines;
+  for (const OptionRow& row : page.rows) lines.add(row);
+  text += lines.finish();
+  if (!page.notes.empty()) text += "\n" + std::string(page.notes);
+  if (!page.examples.empty()) text += "\n";
+  for (const std::string_view line : page.examples) text += "  " + std::string(line) + "\n";
+  return text;
+}
 
 ManualPage::ManualPage(std::string_view program, std::string_view version, std::string_view says) {
   const std::string name(program);
@@ -122,121 +194,50 @@ void ManualPage::example(std::string_view line) {
   text_ += ".PP\n.nf\n.RS\n" + roff(line) + "\n.RE\n.fi\n";
 }
 
-void add_help_page(ManualPage& page, std::string_view program, std::string_view help) {
-  Items items(page);
-  std::string running;  // text that goes on in the next line
-  const auto end_paragraph = [&] {
-    items.flush();
-    if (!running.empty()) page.paragraph(running);
-    running.clear();
-  };
-  const std::vector<std::string> lines = lines_of(help);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string& line = lines[i];
-    const std::size_t indent = line.find_first_not_of(' ');
-    if (indent == std::string::npos) {
-      end_paragraph();
-    } else if (indent == 0) {
-      items.flush();
-      const bool heads = i + 1 < lines.size() && lines[i + 1].starts_with("  -");
-      if (heads && running.empty()) {
-        page.heading(line);
-      } else {
-        running += (running.empty() ? "" : " ") + line;
-      }
-    } else if (line.compare(indent, program.size(), program) == 0) {
-      end_paragraph();
-      page.example(line.substr(indent));
-    } else {
-      if (!running.empty()) end_paragraph();
-      if (line[indent] == '-' || items.open()) {
-        items.add_line(line);
-      } else {
-        page.example(line.substr(indent));
-      }
+void ManualPage::options(const std::vector<OptionRow>& rows) {
+  for (const OptionRow& row : rows) {
+    if (!row.heading.empty()) heading(row.heading);
+    std::string text(row.more.empty() ? row.text : row.more);
+    if (!row.fallback.empty()) {
+      if (text.back() != '.') text += ".";
+      text += " Default: " + std::string(row.fallback) + ".";
     }
+    item(tag_of(row), text);
   }
-  end_paragraph();
 }
 
-std::vector<std::string> options_in(std::string_view text) {
-  std::set<std::string> options;
-  for (std::size_t at = text.find("--"); at != std::string_view::npos; at = text.find("--", at)) {
-    std::size_t end = at + 2;
-    while (end < text.size() &&
-           (std::islower(static_cast<unsigned char>(text[end])) != 0 || text[end] == '-')) {
-      ++end;
-    }
-    if (end > at + 2 && text[at + 2] != '-') options.emplace(text.substr(at, end - at));
-    at = end;
+void ManualPage::command(const CommandPage& page) {
+  for (const std::string_view line : page.usage) example(line);
+  paragraph(page.about);
+  options(page.rows);
+  std::string_view notes = page.notes;
+  while (!notes.empty()) {
+    const std::size_t end = notes.find("\n\n");
+    paragraph(notes.substr(0, end));
+    notes.remove_prefix(end == std::string_view::npos ? notes.size() : end + 2);
   }
-  return {options.begin(), options.end()};
-}
-
-std::string bash_completion(std::string_view program, const std::vector<std::string>& options,
-                            const std::vector<std::string>& commands) {
-  const std::string name(program);
-  std::string function = "_" + name;
-  std::replace(function.begin(), function.end(), '-', '_');
-  return "# bash completion for " + name + "\n" + function +
-         "() {\n"
-         "  local word=${COMP_WORDS[COMP_CWORD]}\n"
-         "  COMPREPLY=()\n"
-         "  if [[ $word == -* ]]; then\n"
-         "    COMPREPLY=($(compgen -W '" +
-         joined(options) +
-         "' -- \"$word\"))\n"
-         "  elif [[ $COMP_CWORD -eq 1 ]]; then\n"
-         "    mapfile -t COMPREPLY < <(compgen -W '" +
-         joined(commands) +
-         "' -- \"$word\"; compgen -f -- \"$word\")\n"
-         "  fi\n"
-         "}\n"
-         "complete -o filenames -o default -F " +
-         function + " " + name + "\n";
-}
-
-std::string zsh_completion(std::string_view program, const std::vector<std::string>& options,
-                           const std::vector<std::string>& commands) {
-  const std::string name(program);
-  return "#compdef " + name + "\n" +
-         "if compset -P '--*='; then\n"
-         "  _files\n"
-         "elif [[ $PREFIX == -* ]]; then\n"
-         "  compadd -- " +
-         joined(options) +
-         "\n"
-         "else\n"
-         "  (( CURRENT == 2 )) && compadd -- " +
-         joined(commands) +
-         "\n"
-         "  _files\n"
-         "fi\n";
-}
-
-std::string fish_completion(std::string_view program, const std::vector<std::string>& options,
-                            const std::vector<std::string>& commands) {
-  const std::string name(program);
-  const std::string begin = "complete -c " + name;
-  std::string text = "# fish completion for " + name + "\n";
-  for (const std::string& command : commands) {
-    text += begin + " -n 'test (count (commandline -opc)) -eq 1' -a " + command + "\n";
-  }
-  for (const std::string& option : options) text += begin + " -l " + option.substr(2) + "\n";
-  return text;
+  for (const std::string_view line : page.examples) example(line);
 }
 
 std::optional<std::string> asked_completion(const std::vector<std::string>& arguments,
-                                            std::string_view program,
-                                            const std::vector<std::string>& options,
-                                            const std::vector<std::string>& commands) {
+                                            const std::vector<CommandPage>& pages) {
   if (arguments.empty() || arguments.size() > 2 || arguments[0] != "--help-completion") {
     return std::nullopt;
   }
   const std::string shell = arguments.size() == 2 ? arguments[1] : "bash";
-  if (shell == "bash") return bash_completion(program, options, commands);
-  if (shell == "zsh") return zsh_completion(program, options, commands);
-  if (shell == "fish") return fish_completion(program, options, commands);
+  const std::string program(pages.front().program);
+  std::set<std::string> options;
+  Names commands;
+  for (const CommandPage& page : pages) {
+    if (!page.command.empty()) commands.emplace_back(page.command);
+    for (const OptionRow& row : page.rows) {
+      if (row.where != OptionRow::Where::Positional) options.insert(typed_name(row));
+    }
+  }
+  const Names names(options.begin(), options.end());
+  if (shell == "bash") return bash_completion(program, names, commands);
+  if (shell == "zsh") return zsh_completion(program, names, commands);
+  if (shell == "fish") return fish_completion(program, names, commands);
   return std::nullopt;
 }
 

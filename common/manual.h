@@ -5,7 +5,24 @@
 #include <string_view>
 #include <vector>
 
+#include "common/options.h"
+
 namespace aucast {
+
+/// What a program, or one of its commands, says about itself.
+struct CommandPage {
+  std::string_view program;                     ///< "face-player"
+  std::string_view command = {};                ///< "play"; empty: the program without a command
+  std::vector<std::string_view> usage = {};     ///< lines as they are typed
+  std::string_view about = {};                  ///< lines of running text
+  std::vector<OptionRow> rows = {};             ///< only their names and texts are used
+  std::string_view notes = {};                  ///< paragraphs after the options
+  std::vector<std::string_view> examples = {};  ///< lines as they are typed
+};
+
+/// The page of --help: at most 80 columns where the page's own texts are no wider. Options without
+/// a text are left to the manual page.
+[[nodiscard]] std::string help_text(const CommandPage& page);
 
 /// A manual page in roff, section by section. Texts are plain: what is special to roff is escaped
 /// here.
@@ -22,38 +39,21 @@ class ManualPage {
   /// A line as it is typed.
   void example(std::string_view line);
 
+  /// The options of a command with their whole explanations.
+  void options(const std::vector<OptionRow>& rows);
+  /// All of a command's page, within a section.
+  void command(const CommandPage& page);
+
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
   std::string text_;
 };
 
-/// Adds a page of --help as our programs write them: lines without indent are headings or text,
-/// those indented by two are options with their explanation behind two blanks or more, or command
-/// lines of `program`; what is indented further goes on.
-void add_help_page(ManualPage& page, std::string_view program, std::string_view help);
-
-/// The options (--name) that a text mentions, sorted, each once.
-[[nodiscard]] std::vector<std::string> options_in(std::string_view text);
-
-/// What makes bash complete the program's options and, where they may stand, its commands; other
-/// words are files.
-[[nodiscard]] std::string bash_completion(std::string_view program,
-                                          const std::vector<std::string>& options,
-                                          const std::vector<std::string>& commands);
-/// The same for zsh and for fish.
-[[nodiscard]] std::string zsh_completion(std::string_view program,
-                                         const std::vector<std::string>& options,
-                                         const std::vector<std::string>& commands);
-[[nodiscard]] std::string fish_completion(std::string_view program,
-                                          const std::vector<std::string>& options,
-                                          const std::vector<std::string>& commands);
-
-/// What `PROGRAM --help-completion [bash|zsh|fish]` prints; nothing when that was not asked for, or
-/// for another shell.
+/// What `PROGRAM --help-completion [bash|zsh|fish]` prints: a script that makes the shell complete
+/// the options of all pages and the names of commands; other words are files. Nothing when that was
+/// not asked for, or for another shell.
 [[nodiscard]] std::optional<std::string> asked_completion(const std::vector<std::string>& arguments,
-                                                          std::string_view program,
-                                                          const std::vector<std::string>& options,
-                                                          const std::vector<std::string>& commands);
+                                                          const std::vector<CommandPage>& pages);
 
 }  // namespace aucast

@@ -9,7 +9,6 @@
 #include "client/app/commands/pose_command.h"
 #include "client/app/film/film.h"
 #include "client/app/gallery/gallery_command.h"
-#include "client/app/manual_page.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/app/window/local_stream.h"

@@ -30,7 +30,7 @@ enum class Command : std::uint8_t {
 
 /// What a face is made of and how AUs become a face: common to all commands.
 struct FaceOptions {
-  std::filesystem::path data;    ///< --data; empty: found as the contract says
+  std::filesystem::path data;    ///< --data; empty: see find_data() in assets.h
   std::string face = "default";  ///< --face: a folder, or a name in data/faces
   std::string rules = "facs";    ///< --rules: facs, kumar2010, none or a file
   face::Mixer mixer = face::Mixer::Maximum;
@@ -110,5 +110,15 @@ struct PlayerOptions {
 
 /// Reads the command line (without the program's name). Usage error of one line.
 [[nodiscard]] Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments);
+
+/// "face-player 0.1.0 ..." with protocol version and licence.
+[[nodiscard]] std::string version_text();
+
+/// face-player(1) in roff.
+[[nodiscard]] std::string manual_page();
+
+/// What makes a shell complete face-player's options and commands, where the arguments ask for
+/// that: --help-completion [bash|zsh|fish].
+[[nodiscard]] std::optional<std::string> completion(const std::vector<std::string>& arguments);
 
 }  // namespace aucast::app

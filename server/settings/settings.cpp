@@ -1,6 +1,7 @@
 #include "server/settings/settings.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "common/text.h"
@@ -8,12 +9,21 @@
 namespace aucast::server {
 namespace {
 
-using Kind = OptionRow::Kind;
+using Kind = OptionValue::Kind;
 
 constexpr std::string_view kVariablePrefix = "AUCAST_TRANSMITTER_";
 
 bool is_setting(const OptionRow& row) {
-  return row.read != nullptr;
+  return row.where != OptionRow::Where::Typed;
+}
+
+/// "AUCAST_TRANSMITTER_CLIENT_TIMEOUT".
+std::string variable_name(const OptionRow& row) {
+  std::string name(kVariablePrefix);
+  for (const char c : row.name) {
+    name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return name;
 }
 
 /// A value of the file as the word that the command line would have; nothing: of another type.
@@ -74,26 +84,12 @@ std::string unknown_option(std::string_view said, const std::vector<std::string>
 }
 
 template <typename NameOf>
-std::vector<std::string> names_of_settings(NameOf name_of) {
+std::vector<std::string> names_of_settings(const std::vector<OptionRow>& rows, NameOf name_of) {
   std::vector<std::string> names;
-  for (const OptionRow& row : option_table()) {
+  for (const OptionRow& row : rows) {
     if (is_setting(row)) names.emplace_back(name_of(row));
   }
   return names;
-}
-
-/// What is said about a wrong word, by where it was said.
-Error wrong_word(const OptionRow& row, const Setting& setting, const std::string& word,
-                 const std::string& complaint) {
-  if (setting.layer == Setting::Layer::File) {
-    return {ErrorKind::BadData,
-            at_place(setting.file, setting.place.line, setting.place.column,
-                     std::string(row.name) + " '" + escaped(word) + "' " + complaint)};
-  }
-  const std::string name =
-      setting.layer == Setting::Layer::Environment ? variable_name(row) : typed_name(row);
-  if (word.empty()) return {ErrorKind::Usage, name + " is empty (try --help)"};
-  return {ErrorKind::Usage, name + " '" + escaped(word) + "' " + complaint + " (try --help)"};
 }
 
 /// A TOML string; our own words hold what a command line can hold, which is anything but NUL.
@@ -113,8 +109,96 @@ std::string toml_string(std::string_view word) {
   return text + "\"";
 }
 
-std::string value_text(const OptionRow& row, const Setting& setting) {
-  if (row.kind == Kind::Words) {
+}  // namespace
+
+Settings::Settings(const std::vector<OptionRow>& rows) : rows_(rows) {
+  for (const OptionRow& row : rows) {
+    const bool is_flag = row.value.kind == Kind::Flag;
+    if (!is_setting(row) || (row.fallback.empty() && !is_flag)) continue;
+    settings_[std::string(row.name)].words = {is_flag ? "false" : std::string(row.fallback)};
+  }
+}
+
+Result<void> Settings::add_file(std::string_view text, const std::string& file) {
+  const auto document = parse_toml(text, file);
+  if (!document) return document.error();
+  for (const TomlValue::Entry& entry : document->entries) {
+    const auto bad = [&](const Place& place, const std::string& why) {
+      return Error{ErrorKind::BadData, at_place(file, place.line, place.column, why)};
+    };
+    const OptionRow* row = find_row(rows_, entry.key);
+    if (row == nullptr) {
+      const auto known =
+          names_of_settings(rows_, [](const OptionRow& other) { return other.name; });
+      return bad(entry.place, unknown_option(entry.key, known));
+    }
+    if (!is_setting(*row))
+      return bad(entry.place, "'" + entry.key + "' is for the command line only");
+    auto words = words_of(entry.value, row->value.kind);
+    if (!words) {
+      return bad(entry.value.place,
+                 entry.key + " is not " + std::string(type_name(row->value.kind)));
+    }
+    settings_[entry.key] = {std::move(*words), Layer::File, file, entry.value.place};
+  }
+  return {};
+}
+
+Result<void> Settings::add_environment(const Environment& environment) {
+  for (const auto& [name, value] : environment) {
+    if (!name.starts_with(kVariablePrefix) || value.empty()) continue;
+    const auto row = std::find_if(
+        rows_.begin(), rows_.end(),
+        [&name = name](const OptionRow& other) { return variable_name(other) == name; });
+    if (row == rows_.end()) {
+      return Error{ErrorKind::Usage,
+                   "environment: " + unknown_option(name, names_of_settings(rows_, variable_name))};
+    }
+    if (row->name == "config") continue;  // it has been read to find the file
+    if (!is_setting(*row)) {
+      return Error{ErrorKind::Usage,
+                   name + ": " + typed_name(*row) + " is for the command line only (try --help)"};
+    }
+    std::vector<std::string> words{value};
+    if (row->value.kind == Kind::Words) {
+      const auto parts = split(value, ',');
+      words.assign(parts.begin(), parts.end());
+    }
+    settings_[std::string(row->name)] = {std::move(words), Layer::Variable};
+  }
+  return {};
+}
+
+void Settings::add_typed(const TypedWords& typed) {
+  for (const auto& [name, words] : typed) settings_[name] = {words, Layer::CommandLine};
+}
+
+Result<void> Settings::read() const {
+  for (const OptionRow& row : rows_) {
+    const auto setting = settings_.find(row.name);
+    if (setting == settings_.end()) continue;
+    for (const std::string& word : setting->second.words) {
+      if (const Complaint complaint = read_word(row, word)) {
+        return wrong(row, setting->second, word, *complaint);
+      }
+    }
+  }
+  return {};
+}
+
+Error Settings::wrong(const OptionRow& row, const Setting& setting, const std::string& word,
+                      const std::string& complaint) {
+  if (setting.layer == Layer::File) {
+    return {ErrorKind::BadData,
+            at_place(setting.file, setting.place.line, setting.place.column,
+                     std::string(row.name) + " '" + escaped(word) + "' " + complaint)};
+  }
+  return wrong_word(setting.layer == Layer::Variable ? variable_name(row) : typed_name(row), word,
+                    complaint);
+}
+
+std::string Settings::value_text(const OptionRow& row, const Setting& setting) {
+  if (row.value.kind == Kind::Words) {
     std::string text = "[";
     for (const std::string& word : setting.words) {
       if (text.size() > 1) text += ", ";
@@ -123,109 +207,34 @@ std::string value_text(const OptionRow& row, const Setting& setting) {
     return text + "]";
   }
   const std::string& word = setting.words.front();
-  if (row.kind == Kind::Flag) return word;
-  if (row.kind == Kind::Number) {
+  if (row.value.kind == Kind::Flag) return word;
+  if (row.value.kind == Kind::Number) {
     if (const auto whole = number_of<std::int64_t>(word)) return std::to_string(*whole);
     if (const auto real = number_of<double>(word)) return number_text(*real);
   }
   return toml_string(word);
 }
 
-std::string origin(const OptionRow& row, const Setting& setting) {
+std::string Settings::origin(const OptionRow& row, const Setting& setting) {
   switch (setting.layer) {
-    case Setting::Layer::Default:
+    case Layer::Default:
       return "default";
-    case Setting::Layer::File:
+    case Layer::File:
       return escaped(setting.file, 200) + ":" + std::to_string(setting.place.line);
-    case Setting::Layer::Environment:
+    case Layer::Variable:
       return "environment " + variable_name(row);
-    case Setting::Layer::CommandLine:
+    case Layer::CommandLine:
       return "command line";
   }
   return "";
 }
 
-}  // namespace
-
-Settings default_settings() {
-  Settings settings;
-  for (const OptionRow& row : option_table()) {
-    if (!is_setting(row) || row.fallback.empty()) continue;
-    settings[std::string(row.name)].words = {std::string(row.fallback)};
-  }
-  return settings;
-}
-
-Result<void> add_file(Settings& settings, std::string_view text, const std::string& file) {
-  const auto document = parse_toml(text, file);
-  if (!document) return document.error();
-  for (const TomlValue::Entry& entry : document->entries) {
-    const auto bad = [&](const Place& place, const std::string& why) {
-      return Error{ErrorKind::BadData, at_place(file, place.line, place.column, why)};
-    };
-    const OptionRow* row = find_option(entry.key);
-    if (row == nullptr || !is_setting(*row)) {
-      const auto known = names_of_settings([](const OptionRow& other) { return other.name; });
-      return bad(entry.place, row == nullptr ? unknown_option(entry.key, known)
-                                             : "'" + entry.key + "' is for the command line only");
-    }
-    auto words = words_of(entry.value, row->kind);
-    if (!words) {
-      return bad(entry.value.place, entry.key + " is not " + std::string(type_name(row->kind)));
-    }
-    settings[entry.key] = {std::move(*words), Setting::Layer::File, file, entry.value.place};
-  }
-  return {};
-}
-
-Result<void> add_environment(Settings& settings, const Environment& environment) {
-  for (const auto& variable : environment) {
-    const std::string& name = variable.first;
-    const std::string& value = variable.second;
-    if (!name.starts_with(kVariablePrefix) || value.empty()) continue;
-    const auto rows = option_table();
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const OptionRow& other) {
-      return variable_name(other) == name;
-    });
-    if (row == rows.end()) {
-      return Error{ErrorKind::Usage,
-                   "environment: " + unknown_option(name, names_of_settings(variable_name))};
-    }
-    if (row->name == "config") continue;  // it has been read to find the file
-    if (!is_setting(*row)) {
-      return Error{ErrorKind::Usage,
-                   name + ": " + typed_name(*row) + " is for the command line only (try --help)"};
-    }
-    std::vector<std::string> words{value};
-    if (row->kind == Kind::Words) {
-      const auto parts = split(value, ',');
-      words.assign(parts.begin(), parts.end());
-    }
-    settings[std::string(row->name)] = {std::move(words), Setting::Layer::Environment, {}, {}};
-  }
-  return {};
-}
-
-Result<TransmitterOptions> options_of(const Settings& settings) {
-  TransmitterOptions options;
-  for (const OptionRow& row : option_table()) {
-    const auto setting = settings.find(row.name);
-    if (setting == settings.end() || !is_setting(row)) continue;
-    for (const std::string& word : setting->second.words) {
-      // An empty word is what `--stats "$UNSET"` leaves behind: silence would hide the slip.
-      const Complaint wrong = word.empty() ? "is empty" : row.read(word, options);
-      if (wrong) return wrong_word(row, setting->second, word, *wrong);
-    }
-  }
-  return options;
-}
-
-std::string print_config(const Settings& settings) {
+std::string Settings::print() const {
   std::string text = "# Settings of au-transmitter; what --config takes.\n";
-  for (const OptionRow& row : option_table()) {
+  for (const OptionRow& row : rows_) {
     if (!is_setting(row)) continue;
-    const auto setting = settings.find(row.name);
-    if (setting == settings.end()) {
+    const auto setting = settings_.find(row.name);
+    if (setting == settings_.end()) {
       text += "# " + std::string(row.name) + " is not set\n";
     } else {
       text += std::string(row.name) + " = " + value_text(row, setting->second) + "  # " +

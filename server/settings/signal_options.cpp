@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "common/files.h"
 #include "common/sources/profile.h"
@@ -42,35 +43,24 @@ void apply(const std::vector<AuNumber>& numbers, sources::PerAu& table) {
   }
 }
 
-}  // namespace
-
-Complaint read_neutral(const std::string& word, SignalOptions& options) {
-  const auto seconds = number_of<double>(word);
-  if (!seconds || !(*seconds >= 0 && *seconds <= kNeutralSecondsMax)) {
-    return "is not a number of seconds from 0 (no neutral face) to 60";
-  }
-  options.neutral_seconds = seconds;
-  return std::nullopt;
-}
-
-Complaint read_gain(const std::string& word, SignalOptions& options) {
+Complaint read_gain(const std::string& word, std::vector<AuNumber>& gain) {
   auto numbers = read_au_numbers(word, sources::kGainMax);
   if (!numbers) return "is not a list of numbers from 0 to 10, such as 1.2 or 45=1.6,L12=1.2";
-  options.gain = std::move(*numbers);
+  gain = std::move(*numbers);
   return std::nullopt;
 }
 
-Complaint read_dead_band(const std::string& word, SignalOptions& options) {
+Complaint read_dead_band(const std::string& word, std::vector<AuNumber>& dead_band) {
   auto numbers = read_au_numbers(word, sources::kDeadBandMax);
   for (std::size_t index = 0; numbers && index < numbers->size(); ++index) {
     if (std::floor((*numbers)[index].value) != (*numbers)[index].value) numbers.reset();
   }
   if (!numbers) return "is not a list of whole percents from 0 to 50, such as 2 or 2,12=4,L45=0";
-  options.dead_band = std::move(*numbers);
+  dead_band = std::move(*numbers);
   return std::nullopt;
 }
 
-Complaint read_filter(const std::string& word, SignalOptions& options) {
+Complaint read_filter(const std::string& word, std::optional<sources::OneEuroSettings>& filter) {
   constexpr const char* kWrong =
       "is not CUTOFF[,BETA[,CUTOFF]], Hz to 100 and 0 to 100, such as 1,5; 0 is no filter";
   const auto parts = split(word, ',');
@@ -84,24 +74,55 @@ Complaint read_filter(const std::string& word, SignalOptions& options) {
     values[index] = *value;
   }
   if (values[2] == 0) return kWrong;
-  options.filter = {values[0], values[1], values[2]};
+  filter = {values[0], values[1], values[2]};
   return std::nullopt;
 }
 
-Complaint read_distance(const std::string& word, SignalOptions& options) {
-  if (word != "true" && word != "false") return "is neither true nor false";
-  options.distance = word == "true";
-  return std::nullopt;
-}
+}  // namespace
 
-Complaint read_profile_name(const std::string& word, SignalOptions& options) {
-  options.profile = word;
-  return std::nullopt;
-}
-
-Complaint read_save_profile(const std::string& word, SignalOptions& options) {
-  options.save_profile = word;
-  return std::nullopt;
+std::vector<OptionRow> signal_rows(SignalOptions& options) {
+  return {
+      {"distance", "", "", "send distance as AUs 57, 58",
+       "OpenFace's distance between head and camera becomes AUs 57 (forward) and 58 "
+       "(back), 100 % for 14 mm, relative to the neutral face or, without one, to the first "
+       "second. Heads move further than that: --gain 57=0.1,58=0.1 makes it 14 cm.",
+       flag(options.distance)},
+      {"neutral", "SECONDS", "", "subtract the median face of the first SECONDS",
+       "Up to 60 seconds, starting at the first row with a face. The median of each AU and "
+       "of the rotations of head and eyes is the neutral face, which is subtracted from "
+       "every row. A live source subtracts the median so far while it measures. 0: no "
+       "neutral face, whatever the profile has.",
+       real(options.neutral_seconds, 0, kNeutralSecondsMax,
+            "is not a number of seconds from 0 (no neutral face) to 60")},
+      {"gain", "LIST", "", "multiply intensities: 1.2, or 45=1.6,L12=1.2 (1)",
+       "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "
+       "for AU 45, L12=1.2 for the left side of AU 12; later ones win. Applied after the "
+       "neutral face is subtracted; the result is limited to 100 %.",
+       parsed(OptionValue::Kind::Number, read_gain, options.gain)},
+      {"filter", "CUTOFF[,BETA]", "", "One Euro filter, such as 1,5 (none)",
+       "CUTOFF[,BETA[,CUTOFF]]: the cutoff in Hz for a signal at rest, above 0, up to 100; "
+       "the Hz added to it at a speed of 100 % a second, 0 to 100 (5); the cutoff of the "
+       "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "
+       "Roussel and Vogel 2012. 0: no filter, whatever the profile has.",
+       parsed(OptionValue::Kind::Number, read_filter, options.filter)},
+      {"dead-band", "LIST", "", "suppress smaller changes: 2, or 2,45=0 (2)",
+       "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
+       "AU that is not named. Jitter costs half of the bytes. An intensity is sent when it "
+       "has changed by this much since it was last sent, so its error stays below that; a "
+       "change to 0 is always sent. 0 sends everything. Stream files and convert are not "
+       "affected.",
+       parsed(OptionValue::Kind::Number, read_dead_band, options.dead_band)},
+      {"profile", "FILE", "", "load the above from FILE",
+       "Neutral face, gain, dead band and filter of one person at one camera, as "
+       "--save-profile writes them (TOML); the options above win. SIGHUP reads it again, "
+       "for live sources too.",
+       word(options.profile)},
+      {"save-profile", "FILE", "", "save it",
+       "Writes what profile and options amount to, completely or not at all: with --neutral "
+       "once the neutral face is measured, which requires a single source of a recogniser; "
+       "otherwise at the start. Load it with --profile FILE.",
+       word(options.save_profile)},
+  };
 }
 
 Result<sources::ConditioningSettings> conditioning_of(const SignalOptions& options) {

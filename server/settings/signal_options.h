@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/command_line.h"
+#include "common/options.h"
 #include "common/result.h"
 #include "common/sources/conditioning.h"
-#include "server/settings/option_word.h"
 
 namespace aucast::server {
 
@@ -32,14 +31,8 @@ struct SignalOptions {
   friend bool operator==(const SignalOptions&, const SignalOptions&) = default;
 };
 
-/// One option each, from its word.
-[[nodiscard]] Complaint read_neutral(const std::string& word, SignalOptions& options);
-[[nodiscard]] Complaint read_gain(const std::string& word, SignalOptions& options);
-[[nodiscard]] Complaint read_dead_band(const std::string& word, SignalOptions& options);
-[[nodiscard]] Complaint read_filter(const std::string& word, SignalOptions& options);
-[[nodiscard]] Complaint read_distance(const std::string& word, SignalOptions& options);
-[[nodiscard]] Complaint read_profile_name(const std::string& word, SignalOptions& options);
-[[nodiscard]] Complaint read_save_profile(const std::string& word, SignalOptions& options);
+/// Their options, bound to `options`: --distance to --save-profile.
+[[nodiscard]] std::vector<OptionRow> signal_rows(SignalOptions& options);
 
 /// What the options and their profile come to; the options win. Unreadable or BadData for a
 /// profile.

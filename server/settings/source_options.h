@@ -1,13 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <vector>
 
-#include "common/command_line.h"
+#include "common/options.h"
 #include "common/result.h"
 #include "common/sources/recording.h"
 #include "common/time.h"
-#include "server/settings/option_word.h"
 #include "server/settings/signal_options.h"
 
 namespace aucast::server {
@@ -15,42 +14,13 @@ namespace aucast::server {
 /// How sources are read, whatever is done with them then.
 struct SourceOptions {
   sources::RecordingOptions recording;
-  std::optional<double>
-      rate;  ///< keyframes a second, kRateMin to sources::kRateMax; else as they are
+  std::optional<double> rate;  ///< keyframes a second, 0.1 to 1000; nothing: as they are
   SignalOptions signal;
   friend bool operator==(const SourceOptions&, const SourceOptions&) = default;
 };
 
-/// Slower streams than one keyframe in ten seconds are no faces.
-inline constexpr double kRateMin = 0.1;
-
-/// One option each, from its word.
-[[nodiscard]] Complaint read_fps(const std::string& word, SourceOptions& options);
-[[nodiscard]] Complaint read_au_scale(const std::string& word, SourceOptions& options);
-[[nodiscard]] Complaint read_face_id(const std::string& word, SourceOptions& options);
-[[nodiscard]] Complaint read_min_confidence(const std::string& word, SourceOptions& options);
-[[nodiscard]] Complaint read_rate(const std::string& word, SourceOptions& options);
-
-/// The words of these options as they were typed.
-struct SourceWords {
-  std::string fps;
-  std::string au_scale;
-  std::string face;
-  std::string confidence;
-  std::string rate;
-  std::string neutral = {};
-  std::string gain = {};
-  std::string filter = {};
-  std::string profile = {};
-  std::string save_profile = {};
-  bool distance = false;
-};
-
-/// Binds the options of source and signal to `words`: --fps, --au-scale, ...
-void describe_source_options(CLI::App& app, SourceWords& words);
-
-/// Usage error, one line, for a word that is none of what its option takes.
-[[nodiscard]] Result<SourceOptions> read_source_options(const SourceWords& words);
+/// The options of recordings, bound to `options`: --rate to --face-id.
+[[nodiscard]] std::vector<OptionRow> recording_rows(SourceOptions& options);
 
 /// How sources that are still being written are served.
 struct LiveSourceSettings {
@@ -58,8 +28,5 @@ struct LiveSourceSettings {
   Milliseconds timeout{10'000};  ///< a silent one ends for its clients; 0: never
   friend bool operator==(const LiveSourceSettings&, const LiveSourceSettings&) = default;
 };
-
-[[nodiscard]] Complaint read_follow(const std::string& word, LiveSourceSettings& settings);
-[[nodiscard]] Complaint read_source_timeout(const std::string& word, LiveSourceSettings& settings);
 
 }  // namespace aucast::server

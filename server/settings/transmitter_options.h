@@ -76,9 +76,6 @@ struct Surroundings {
 /// Checks what the options say together and each range; read_command_line() has done so already.
 [[nodiscard]] Result<void> validate(const TransmitterOptions& options);
 
-/// What --help prints: one screen, with examples.
-[[nodiscard]] std::string help_text();
-
 /// "0.1.0"
 [[nodiscard]] std::string version_number();
 

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "server/settings/option_word.h"
+#include "common/number_of.h"
 
 namespace aucast::server {
 namespace {

@@ -1,15 +1,15 @@
 #include "server/streams/convert_command.h"
 
-#include <charconv>
+#include <filesystem>
 #include <utility>
 
-#include "common/command_line.h"
 #include "common/files.h"
 #include "common/sources/openface_table.h"
 #include "common/sources/resample.h"
 #include "common/text.h"
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
+#include "server/settings/source_options.h"
 #include "server/streams/source_reader.h"
 
 namespace aucast::server {
@@ -19,42 +19,44 @@ Error usage(std::string message) {
   return {ErrorKind::Usage, std::move(message) + " (try convert --help)"};
 }
 
-struct Typed {
-  std::vector<std::string> paths;
-  std::string keyframe;
-  SourceWords source;
-  bool mend = false;
-  bool help = false;
+struct ConvertOptions {
+  std::filesystem::path in;
+  std::filesystem::path out;  ///< "-": stdout
+  std::uint32_t keyframe_ms = 250;
+  SourceOptions source;
+  bool mend = false;  ///< the input is a stream file that may have been cut off
 };
 
-Result<ConvertOptions> options_of(const Typed& typed) {
-  ConvertOptions options;
-  if (typed.paths.size() != 2) {
-    return usage("convert takes two files, IN and OUT, and got " +
-                 std::to_string(typed.paths.size()));
-  }
-  for (const std::string& path : typed.paths) {
-    if (path.empty()) return usage("convert: a file's name is empty");
-  }
-  options.in = typed.paths[0];
-  options.out = typed.paths[1];
-  if (!typed.keyframe.empty()) {
-    const char* end = typed.keyframe.data() + typed.keyframe.size();
-    const auto [stopped, error] = std::from_chars(typed.keyframe.data(), end, options.keyframe_ms);
-    if (error != std::errc() || stopped != end || options.keyframe_ms < 1 ||
-        options.keyframe_ms > protocol::kDurationMsMax) {
-      return usage("--keyframe '" + escaped(typed.keyframe) + "' is not a whole number from 1 to " +
-                   std::to_string(protocol::kDurationMsMax));
-    }
-  }
-  auto source = read_source_options(typed.source);
-  if (!source) return source.error();
-  options.source = std::move(*source);
-  options.mend = typed.mend;
+std::vector<OptionRow> rows_of(ConvertOptions& options) {
+  using Where = OptionRow::Where;
+  std::vector<OptionRow> rows{
+      {"in", "IN", "", "a stream file, or a recording of an AU recogniser",
+       "A stream file, or a table of OpenFace 1 or 2, FACSvatar, Py-Feat, LibreFace or Live "
+       "Link Face, told by its columns.",
+       word(options.in), "", Where::Positional},
+      {"out", "OUT", "", "the stream file; - for stdout; NAME.csv: OpenFace 2",
+       "The stream file to write, or - for stdout. A name in .csv is written as a table of "
+       "OpenFace 2.",
+       word(options.out), "", Where::Positional},
+      {"mend", "", "", "IN is a stream file that a power cut has truncated",
+       "IN is a stream file that a power cut has truncated: converts what is intact.",
+       flag(options.mend)},
+      {"keyframe", "MS", "250", "duration of untimed keyframes, for --rate (250)", "",
+       whole(options.keyframe_ms, 1, protocol::kDurationMsMax)}};
+  append(rows, recording_rows(options.source));
+  append(rows, signal_rows(options.source.signal));
+  std::erase_if(rows, [](const OptionRow& row) { return row.name == "dead-band"; });
+  rows.push_back(help_rows().front());
+  return rows;
+}
+
+Result<void> validate(const ConvertOptions& options) {
+  if (options.in.empty() || options.out.empty())
+    return usage("convert needs two files, IN and OUT");
   if (options.source.recording.all_faces) {
     return usage("convert writes one stream; --face-id all is for serving, name one face");
   }
-  return options;
+  return {};
 }
 
 /// Reads a stream file that may have been cut off; what was left out is added to `said`.
@@ -116,47 +118,28 @@ Result<Converted> convert(const ConvertOptions& options) {
 }  // namespace
 
 Result<Converted> run_convert(std::vector<std::string> arguments) {
-  CLI::App app;
-  Typed typed;
-  app.set_help_flag();
-  app.add_flag("-h,--help", typed.help);
-  app.add_option("FILE", typed.paths);
-  app.add_option("--keyframe", typed.keyframe);
-  app.add_flag("--mend", typed.mend);
-  describe_source_options(app, typed.source);
-  if (auto parsed = parse_command_line(app, std::move(arguments)); !parsed) return parsed.error();
-  if (typed.help) return Converted{convert_help_text(), {}};
-  const auto options = options_of(typed);
-  if (!options) return options.error();
-  return convert(*options);
+  ConvertOptions options;
+  const std::vector<OptionRow> rows = rows_of(options);
+  const auto typed = sort_arguments(rows, std::move(arguments));
+  if (!typed) return typed.error();
+  if (typed->contains("help")) return Converted{help_text(convert_page()), {}};
+  if (auto read = read_words(rows, *typed); !read) return read.error();
+  if (auto valid = validate(options); !valid) return valid.error();
+  return convert(options);
 }
 
-std::string convert_help_text() {
-  return R"(usage: au-transmitter convert [OPTIONS] IN OUT
-Writes a recording of an AU recogniser, or a stream file, as a stream file or as a
-table, with every change: there is no dead-band here.
-
-  IN                     a stream file, or a table of OpenFace 1 and 2, FACSvatar, Py-Feat,
-                         LibreFace or Live Link Face; found out by its columns
-  OUT                    the stream file to write; - for stdout; a name in .csv is written
-                         as a table of OpenFace 2
-  --rate HZ              so many keyframes a second, in straight lines between those there are
-  --fps N                pictures a second, for tables without times (Py-Feat) or with wrong ones
-  --au-scale S           full intensity in the table: 1, 5, 100 or auto (auto)
-  --face-id N            which face of several (the most frequent)
-  --min-confidence C     rows less sure are no data, 0 to 1 (0.5): the face holds for 0.5 s,
-                         then goes to neutral in 1 s
-  --mend                 IN is a stream file that a power cut tore: what is whole of it
-  --keyframe MS          time of an untimed keyframe, for --rate (250)
-  --neutral SECONDS   --gain LIST   --filter CUTOFF[,BETA]   --distance
-  --profile FILE   --save-profile FILE   the signals: see au-transmitter --help
-
-examples:
-  au-transmitter convert webcam.csv talk.txt
-  au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt
-  au-transmitter convert webcam.csv - | head
-  au-transmitter convert talk.txt talk.csv
-)";
+CommandPage convert_page() {
+  static ConvertOptions unused;
+  return {.program = "au-transmitter",
+          .command = "convert",
+          .usage = {"au-transmitter convert [OPTIONS] IN OUT"},
+          .about =
+              "Converts a recording or a stream file to a stream file or an OpenFace table,\n"
+              "with every change: no dead band applies.\n",
+          .rows = rows_of(unused),
+          .examples = {"au-transmitter convert webcam.csv talk.txt",
+                       "au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt",
+                       "au-transmitter convert talk.txt talk.csv"}};
 }
 
 }  // namespace aucast::server

@@ -1,23 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "common/manual.h"
 #include "common/result.h"
-#include "server/settings/source_options.h"
 
 namespace aucast::server {
-
-/// What `au-transmitter convert` is asked to do.
-struct ConvertOptions {
-  std::filesystem::path in;
-  std::filesystem::path out;  ///< "-": stdout
-  std::uint32_t keyframe_ms = 250;
-  SourceOptions source;
-  bool mend = false;  ///< the input is a stream file that may have been cut off
-};
 
 /// What a conversion leaves to say.
 struct Converted {
@@ -31,6 +20,7 @@ struct Converted {
 /// milliseconds) and, of a table, the sides.
 [[nodiscard]] Result<Converted> run_convert(std::vector<std::string> arguments);
 
-[[nodiscard]] std::string convert_help_text();
+/// What --help and the manual page say of it.
+[[nodiscard]] CommandPage convert_page();
 
 }  // namespace aucast::server

@@ -1,77 +1,79 @@
-#include "client/app/help_text.h"
-
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include <gtest/gtest.h>
+
+#include "client/app/option_rows.h"
 
 namespace aucast::app {
 namespace {
 
+constexpr Command kCommands[] = {Command::Watch, Command::Play, Command::Pose, Command::Rules,
+                                 Command::Gallery};
+
 TEST(HelpText, FitsOneScreen) {
-  for (const char* command : {"", "play", "pose", "rules", "gallery"}) {
-    const std::string_view text = help_text(command);
-    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 50) << command;
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-      const std::size_t end = text.find('\n', begin);
-      EXPECT_LE(end - begin, 100U) << text.substr(begin, end - begin);
-      begin = end + 1;
+  for (const Command command : kCommands) {
+    std::istringstream lines(help_text(command_page(command)));
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80U) << line;
+    EXPECT_LE(count, 48) << command_page(command).command;
+  }
+}
+
+TEST(HelpText, HasTheOptionsAndTheExamplesOfItsCommand) {
+  for (const Command command : kCommands) {
+    const CommandPage page = command_page(command);
+    const std::string text = help_text(page);
+    for (const OptionRow& row : page.rows) {
+      if (row.text.empty()) continue;
+      EXPECT_NE(text.find(typed_name(row) + " "), std::string::npos) << row.name;
+      EXPECT_NE(text.find(row.text), std::string::npos) << row.name;
+    }
+    EXPECT_FALSE(page.examples.empty());
+    for (const std::string_view line : page.examples) {
+      EXPECT_NE(text.find(line), std::string::npos) << line;
     }
   }
 }
 
-TEST(HelpText, NamesEveryOptionAndAnExample) {
-  for (const char* option : {"--headless",
-                             "--buffer",
-                             "--playout",
-                             "--threshold",
-                             "--stream",
-                             "--list",
-                             "--protocol",
-                             "--connect-timeout",
-                             "--live",
-                             "--live-delay",
-                             "--reconnect",
-                             "--tls",
-                             "--tls-ca",
-                             "--tls-cert",
-                             "--tls-key",
-                             "--token-file",
-                             "--insecure-token",
-                             "--speed",
-                             "--mixer",
-                             "--rules",
-                             "--interpolation",
-                             "--blink",
-                             "--idle",
-                             "--face",
-                             "--data",
-                             "--frames",
-                             "--record",
-                             "--sheet",
-                             "--fps",
-                             "--size",
-                             "--stats",
-                             "--background",
-                             "--fast",
-                             "--exit-at-end",
-                             "--log-level",
-                             "-v",
-                             "-q",
-                             "--help",
-                             "--version",
-                             "face-player --headless 10.0.0.7:4650"}) {
-    EXPECT_NE(help_text("").find(option), std::string_view::npos) << option;
+TEST(OptionRows, OnlyTheManualPageNamesWhatPlayIgnoresAndWhatUsageShows) {
+  std::set<std::string> hidden;
+  for (const OptionRow& row : command_page(Command::Play).rows) {
+    if (row.text.empty()) hidden.insert(typed_name(row));
   }
-  for (const char* option : {"--expression", "--muscle", "--list", "--png", "--obj", "--camera",
-                             "--mixer", "--rules", "--face", "--size", "--data", "--background"}) {
-    EXPECT_NE(help_text("pose").find(option), std::string_view::npos) << option;
+  EXPECT_TRUE(hidden.contains("--buffer") && hidden.contains("--token-file"));
+  for (const OptionRow& row : command_page(Command::Watch).rows) {
+    const bool in_usage = row.name == "host" || row.name == "list";
+    EXPECT_EQ(row.text.empty(), in_usage) << row.name;
   }
-  for (const char* option : {"--only", "--sweep", "--size", "--camera", "--background", "--mixer",
-                             "--rules", "--face", "--data", "face-player gallery pictures"}) {
-    EXPECT_NE(help_text("gallery").find(option), std::string_view::npos) << option;
+}
+
+TEST(OptionRows, DefaultsThatTheyNameAreThoseOfTheProgram) {
+  for (const Command command : kCommands) {
+    PlayerOptions options;
+    const PlayerOptions untouched;
+    for (const OptionRow& row : option_rows(command, options)) {
+      if (!row.fallback.empty()) {
+        EXPECT_EQ(read_word(row, std::string(row.fallback)), std::nullopt) << row.name;
+      }
+    }
+    EXPECT_EQ(options.playback.buffers.receiver_capacity,
+              untouched.playback.buffers.receiver_capacity);
+    EXPECT_EQ(options.playback.buffers.playout_capacity,
+              untouched.playback.buffers.playout_capacity);
+    EXPECT_EQ(options.playback.buffers.threshold_percent,
+              untouched.playback.buffers.threshold_percent);
+    EXPECT_EQ(options.playback.hold, untouched.playback.hold);
+    EXPECT_EQ(options.playback.classic, untouched.playback.classic);
+    EXPECT_EQ(options.playback.connect_timeout, untouched.playback.connect_timeout);
+    EXPECT_EQ(options.playback.interpolation, untouched.playback.interpolation);
+    EXPECT_EQ(options.face.face, untouched.face.face);
+    EXPECT_EQ(options.face.mixer, untouched.face.mixer);
+    EXPECT_EQ(options.face.rules, untouched.face.rules);
+    EXPECT_EQ(options.pose.camera, untouched.pose.camera);
+    EXPECT_EQ(options.log_level, untouched.log_level);
   }
-  EXPECT_NE(help_text("rules").find("--explain"), std::string_view::npos);
 }
 
 TEST(HelpText, VersionNamesProtocolAndLicence) {

@@ -5,6 +5,8 @@
 namespace aucast {
 namespace {
 
+using Where = OptionRow::Where;
+
 TEST(ManualPage, EscapesWhatIsSpecialToRoff) {
   ManualPage page("a-b", "1.0", "does it");
   page.paragraph(".dot -x \\n\n'quote");
@@ -13,54 +15,84 @@ TEST(ManualPage, EscapesWhatIsSpecialToRoff) {
   EXPECT_NE(page.text().find("\n\\&.dot \\-x \\en\n\\&'quote\n"), std::string::npos) << page.text();
 }
 
-TEST(ManualPage, ReadsAPageOfHelp) {
-  ManualPage page("p", "1", "does it");
-  add_help_page(page, "p", R"(p: does it
+/// A command with each form of an option.
+CommandPage example_page(std::string_view command) {
+  static bool loop = false;
+  static int port = 0;
+  return {.program = "a-b",
+          .command = command,
+          .usage = {"a-b [OPTIONS] FILE", "a-b play"},
+          .about = "Does it.\n",
+          .rows = {{"file", "FILE", "", "what to read", "", {}, "", Where::Positional},
+                   {"port", "N", "7", "(7)", "The port.", whole(port, 0, 9), "Network"},
+                   {"loop", "", "", "again", "", flag(loop), "", Where::Anywhere, 'l'},
+                   {"long-one", "SOMETHING", "", "an explanation of more than half a line", "",
+                    whole(port, 0, 9)},
+                   {"rare", "", "", "", "Only in the manual.", flag(loop)}},
+          .notes = "Running text\nthat goes on.\n\nAnother.\n",
+          .examples = {"a-b x.txt"}};
+}
 
-Receiving
-  --one N (5)  --two    what it is
-                        and goes on
-Running text that
-goes on.
+TEST(HelpText, HasTwoShortOptionsInALineAndNoneWithoutAText) {
+  EXPECT_EQ(help_text(example_page("")), R"(usage: a-b [OPTIONS] FILE
+       a-b play
+Does it.
+  FILE                   what to read
+Network
+  --port N  (7)                          -l, --loop  again
+  --long-one SOMETHING   an explanation of more than half a line
 
-  p --one 3
+Running text
+that goes on.
+
+Another.
+
+  a-b x.txt
 )");
-  const std::string expected =
-      ".PP\np: does it\n.SS Receiving\n.TP\n\\fB\\-\\-one N (5)\\fR\n\\&\n"
-      ".TP\n\\fB\\-\\-two\\fR\nwhat it is and goes on\n"
-      ".PP\nRunning text that goes on.\n.PP\n.nf\n.RS\np \\-\\-one 3\n.RE\n.fi\n";
-  EXPECT_TRUE(page.text().ends_with(expected)) << page.text();
 }
 
-TEST(Completion, OptionsAreFoundInAText) {
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(options_in("--b N, --a-c; -x -- --b=1 ---"), (Names{"--a-c", "--b"}));
+TEST(ManualPage, HasEveryOptionWithItsDefault) {
+  ManualPage page("a-b", "1", "does it");
+  page.command(example_page(""));
+  EXPECT_TRUE(page.text().ends_with(
+      ".PP\n.nf\n.RS\na\\-b [OPTIONS] FILE\n.RE\n.fi\n.PP\n.nf\n.RS\na\\-b play\n.RE\n.fi\n"
+      ".PP\nDoes it.\n\n.TP\n\\fBFILE\\fR\nwhat to read\n"
+      ".SS Network\n.TP\n\\fB\\-\\-port N\\fR\nThe port. Default: 7.\n"
+      ".TP\n\\fB\\-l, \\-\\-loop\\fR\nagain\n"
+      ".TP\n\\fB\\-\\-long\\-one SOMETHING\\fR\nan explanation of more than half a line\n"
+      ".TP\n\\fB\\-\\-rare\\fR\nOnly in the manual.\n"
+      ".PP\nRunning text\nthat goes on.\n.PP\nAnother.\n\n"
+      ".PP\n.nf\n.RS\na\\-b x.txt\n.RE\n.fi\n"))
+      << page.text();
 }
 
-TEST(Completion, NamesTheProgramAndItsOptions) {
-  const std::string script = bash_completion("a-b", {"--x", "--y"}, {"play"});
-  EXPECT_NE(script.find("compgen -W '--x --y' "), std::string::npos);
-  EXPECT_NE(script.find("compgen -W 'play' "), std::string::npos);
-  EXPECT_TRUE(script.ends_with("complete -o filenames -o default -F _a_b a-b\n"));
-  const std::string zsh = zsh_completion("a-b", {"--x", "--y"}, {"play"});
-  EXPECT_TRUE(zsh.starts_with("#compdef a-b\n"));
-  EXPECT_NE(zsh.find("compadd -- --x --y\n"), std::string::npos);
-  EXPECT_NE(zsh.find("compadd -- play\n"), std::string::npos);
-  EXPECT_EQ(fish_completion("a-b", {"--x"}, {"play"}),
+TEST(Completion, NamesTheProgramItsCommandsAndAllOptions) {
+  const std::vector<CommandPage> pages{example_page(""), example_page("play")};
+  const auto script = [&pages](const char* shell) {
+    return asked_completion({"--help-completion", shell}, pages).value_or("none");
+  };
+  const std::string bash = script("bash");
+  EXPECT_NE(bash.find("compgen -W '--long-one --loop --port --rare' "), std::string::npos) << bash;
+  EXPECT_NE(bash.find("compgen -W 'play' "), std::string::npos);
+  EXPECT_TRUE(bash.ends_with("complete -o filenames -o default -F _a_b a-b\n"));
+  EXPECT_TRUE(script("zsh").starts_with("#compdef a-b\n"));
+  EXPECT_NE(script("zsh").find("compadd -- --long-one --loop --port --rare\n"), std::string::npos);
+  EXPECT_NE(script("zsh").find("compadd -- play\n"), std::string::npos);
+  EXPECT_EQ(script("fish"),
             "# fish completion for a-b\n"
             "complete -c a-b -n 'test (count (commandline -opc)) -eq 1' -a play\n"
-            "complete -c a-b -l x\n");
+            "complete -c a-b -l long-one\ncomplete -c a-b -l loop\ncomplete -c a-b -l port\n"
+            "complete -c a-b -l rare\n");
 }
 
 TEST(Completion, IsForTheShellThatIsAskedFor) {
   const auto asked = [](const std::vector<std::string>& arguments) {
-    return asked_completion(arguments, "p", {"--x"}, {});
+    return asked_completion(arguments, {example_page("")});
   };
-  EXPECT_EQ(asked({"--help-completion"}), bash_completion("p", {"--x"}, {}));
-  EXPECT_EQ(asked({"--help-completion", "bash"}), bash_completion("p", {"--x"}, {}));
-  EXPECT_EQ(asked({"--help-completion", "zsh"}), zsh_completion("p", {"--x"}, {}));
-  EXPECT_EQ(asked({"--help-completion", "fish"}), fish_completion("p", {"--x"}, {}));
+  EXPECT_NE(asked({"--help-completion"}), std::nullopt);
+  EXPECT_EQ(asked({"--help-completion"}), asked({"--help-completion", "bash"}));
   EXPECT_EQ(asked({"--help-completion", "csh"}), std::nullopt);
+  EXPECT_EQ(asked({"--help-completion", "bash", "more"}), std::nullopt);
   EXPECT_EQ(asked({"--help"}), std::nullopt);
   EXPECT_EQ(asked({}), std::nullopt);
 }

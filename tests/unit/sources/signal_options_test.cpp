@@ -13,18 +13,21 @@ using sources::OneEuroSettings;
 using sources::PerAu;
 using test::TempFolder;
 
-template <auto read>
-SignalOptions read_one(const std::string& word) {
+Complaint read_into(SignalOptions& options, const std::string& name, const std::string& word) {
+  const auto rows = signal_rows(options);
+  return find_row(rows, name)->value.read(word);
+}
+
+SignalOptions read_one(const std::string& name, const std::string& word) {
   SignalOptions options;
-  const Complaint wrong = read(word, options);
+  const Complaint wrong = read_into(options, name, word);
   EXPECT_FALSE(wrong) << word << " " << *wrong;
   return options;
 }
 
-template <auto read>
-std::string complaint(const std::string& word) {
+std::string complaint(const std::string& name, const std::string& word) {
   SignalOptions options;
-  const Complaint wrong = read(word, options);
+  const Complaint wrong = read_into(options, name, word);
   EXPECT_EQ(options, SignalOptions()) << word;
   return wrong.value_or("accepted");
 }
@@ -39,33 +42,33 @@ sources::ConditioningSettings settled(const SignalOptions& options) {
 }
 
 TEST(SignalOptions, AreRead) {
-  EXPECT_EQ(read_one<read_neutral>("2.5").neutral_seconds, 2.5);
-  EXPECT_EQ(read_one<read_gain>("1.2").gain, (std::vector<AuNumber>{{std::nullopt, 1.2}}));
-  EXPECT_EQ(read_one<read_gain>("0.5,45=1.6,L12=2").gain,
+  EXPECT_EQ(read_one("neutral", "2.5").neutral_seconds, 2.5);
+  EXPECT_EQ(read_one("gain", "1.2").gain, (std::vector<AuNumber>{{std::nullopt, 1.2}}));
+  EXPECT_EQ(read_one("gain", "0.5,45=1.6,L12=2").gain,
             (std::vector<AuNumber>{
                 {std::nullopt, 0.5}, {AuName{45, Side::Both}, 1.6}, {AuName{12, Side::Left}, 2}}));
-  EXPECT_EQ(read_one<read_dead_band>("0").dead_band, (std::vector<AuNumber>{{std::nullopt, 0}}));
-  EXPECT_EQ(read_one<read_filter>("0.5").filter, (OneEuroSettings{0.5, 5, 1}));
-  EXPECT_EQ(read_one<read_filter>("0.5,0").filter, (OneEuroSettings{0.5, 0, 1}));
-  EXPECT_EQ(read_one<read_filter>("0.5,2,3").filter, (OneEuroSettings{0.5, 2, 3}));
-  EXPECT_TRUE(read_one<read_distance>("true").distance);
+  EXPECT_EQ(read_one("dead-band", "0").dead_band, (std::vector<AuNumber>{{std::nullopt, 0}}));
+  EXPECT_EQ(read_one("filter", "0.5").filter, (OneEuroSettings{0.5, 5, 1}));
+  EXPECT_EQ(read_one("filter", "0.5,0").filter, (OneEuroSettings{0.5, 0, 1}));
+  EXPECT_EQ(read_one("filter", "0.5,2,3").filter, (OneEuroSettings{0.5, 2, 3}));
+  EXPECT_TRUE(read_one("distance", "true").distance);
 }
 
 TEST(SignalOptions, WrongWordsAreNamedWithTheirForm) {
   for (const char* word : {"-1", "61", "nan", "", "2s"}) {
-    EXPECT_EQ(complaint<read_neutral>(word),
+    EXPECT_EQ(complaint("neutral", word),
               "is not a number of seconds from 0 (no neutral face) to 60");
   }
   for (const char* word : {"-1", "11", "nan", "", "12=", "=2", "0=1", "12:2", "1,,2", "12=1,"}) {
-    EXPECT_EQ(complaint<read_gain>(word),
+    EXPECT_EQ(complaint("gain", word),
               "is not a list of numbers from 0 to 10, such as 1.2 or 45=1.6,L12=1.2");
   }
   for (const char* word : {"1.5", "51", "-1", "12=x", "2,12=0.5"}) {
-    EXPECT_EQ(complaint<read_dead_band>(word),
+    EXPECT_EQ(complaint("dead-band", word),
               "is not a list of whole percents from 0 to 50, such as 2 or 2,12=4,L45=0");
   }
   for (const char* word : {"", "-1", "101", "1,", "1,2,0", "1,2,3,4", "nan", "1;2"}) {
-    EXPECT_EQ(complaint<read_filter>(word),
+    EXPECT_EQ(complaint("filter", word),
               "is not CUTOFF[,BETA[,CUTOFF]], Hz to 100 and 0 to 100, such as 1,5; 0 is no filter");
   }
 }

@@ -1,0 +1,466 @@
+#include "client/app/option_rows.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "common/number_of.h"
+#include "common/text.h"
+
+namespace aucast::app {
+namespace {
+
+using Kind = OptionValue::Kind;
+using Where = OptionRow::Where;
+
+constexpr int kSizeMax = 8192;
+constexpr double kSecondsMax = 86'400;
+
+/// Sets that there is room for when the buffer is measured by time.
+constexpr std::size_t kBufferSetsByTime = 2000;
+
+template <typename Number>
+bool read_whole(std::string_view text, Number low, Number high, Number& out) {
+  const auto value = number_of<Number>(text);
+  if (!value || *value < low || *value > high) return false;
+  out = *value;
+  return true;
+}
+
+Complaint read_size(const std::string& word, OutputOptions& output) {
+  const auto parts = split(word, 'x');
+  output.size_given = parts.size() == 2 && read_whole(parts[0], 1, kSizeMax, output.width) &&
+                      read_whole(parts[1], 1, kSizeMax, output.height);
+  if (output.size_given) return std::nullopt;
+  return "is not WIDTHxHEIGHT, each 1 to " + std::to_string(kSizeMax) + ", such as 800x600";
+}
+
+Complaint read_background(const std::string& word, std::optional<std::uint32_t>& background) {
+  std::uint32_t rgb = 0;
+  const char* const end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, rgb, 16);
+  if (word.size() != 6 || read.ec != std::errc() || read.ptr != end) {
+    return "is not RRGGBB, such as 808080";
+  }
+  background = rgb;
+  return std::nullopt;
+}
+
+Complaint read_layers(const std::string& word, view::Layers& out) {
+  auto layers = view::parse_layers(word);
+  if (!layers) return "is not a list of layers: " + layers.error().message;
+  out = *layers;
+  return std::nullopt;
+}
+
+Complaint read_muscle(const std::string& word,
+                      std::vector<std::pair<std::string, float>>& muscles) {
+  const std::size_t equals = word.find('=');
+  const auto value = equals == std::string::npos
+                         ? std::nullopt
+                         : number_of<float>(std::string_view(word).substr(equals + 1));
+  if (!value || !std::isfinite(*value)) return "is not NAME=VALUE, such as jaw=1.5";
+  muscles.emplace_back(word.substr(0, equals), *value);
+  return std::nullopt;
+}
+
+Complaint read_sections(const std::string& word, std::vector<std::string>& sections) {
+  for (const std::string_view part : split(word, ',')) {
+    std::string section;
+    if (const auto wrong = one_of(section, {"aus", "prototypes", "combinations", "appendix-a",
+                                            "appendix-b", "sweeps", "coverage"})
+                               .read(std::string(part))) {
+      return wrong;
+    }
+    sections.push_back(std::move(section));
+  }
+  return std::nullopt;
+}
+
+/// SEED[:INTERVAL_MS[:CLOSING_MS]]
+Complaint read_blink(const std::string& word, std::optional<playback::BlinkOptions>& out) {
+  playback::BlinkOptions blink;
+  const auto parts = split(word, ':');
+  constexpr auto kSeedMax = std::numeric_limits<std::uint64_t>::max();
+  const bool good = parts.size() <= 3 &&
+                    read_whole(parts[0], std::uint64_t{0}, kSeedMax, blink.seed) &&
+                    (parts.size() < 2 || read_whole(parts[1], 500, 60'000, blink.interval_ms)) &&
+                    (parts.size() < 3 || read_whole(parts[2], 25, 500, blink.closing_ms)) &&
+                    blink.closing_ms * 6 <= blink.interval_ms;
+  if (!good) {
+    return "is not SEED[:INTERVAL[:CLOSING]]: a number, then milliseconds, 500 to 60000 from blink "
+           "to blink and 25 to 500, at most a sixth of that, to close the lids";
+  }
+  out = blink;
+  return std::nullopt;
+}
+
+Complaint read_idle(const std::string& word, PlaybackOptions& playback) {
+  playback.idle_seed = number_of<std::uint64_t>(word);
+  if (!playback.idle_seed) return "is not a whole number";
+  if (!playback.blink) playback.blink = playback::BlinkOptions{*playback.idle_seed};
+  return std::nullopt;
+}
+
+Complaint read_buffer(const std::string& word, playback::BufferOptions& buffers) {
+  if (read_whole(word, std::size_t{1}, std::size_t{10'000}, buffers.receiver_capacity)) {
+    return std::nullopt;
+  }
+  int time_ms = 0;
+  const bool timed =
+      word.ends_with("ms") &&
+      read_whole(std::string_view(word).substr(0, word.size() - 2), 0, 60'000, time_ms);
+  if (word != "auto" && !timed) {
+    return "is neither auto, nor a time of 0ms to 60000ms, nor 1 to 10000 sets";
+  }
+  buffers.receiver_capacity = kBufferSetsByTime;
+  buffers.by_time = true;
+  if (timed) {
+    buffers.live_delay = Milliseconds(time_ms);
+    buffers.adapt = false;
+  }
+  return std::nullopt;
+}
+
+Complaint read_live_delay(const std::string& word, playback::BufferOptions& buffers) {
+  buffers.adapt = false;
+  return whole(buffers.live_delay, 0, 60'000).read(word);
+}
+
+std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
+  playback::BufferOptions& buffers = playback.buffers;
+  net::SecurityOptions& security = playback.security_options;
+  return {
+      {"buffer", "N", "100", "capacity: sets, or auto, or a time such as 300ms (100)",
+       "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "
+       "much as the link needs; a time such as 300ms, up to 60000ms, buffers that much.",
+       parsed(Kind::Word, read_buffer, buffers), "Receiving"},
+      {"playout", "N", "30", "Playout buffer (30)",
+       "Capacity of the Playout buffer, in sets; no larger than --buffer.",
+       whole(buffers.playout_capacity, 1, 10'000)},
+      {"threshold", "PERCENT", "40", "fill to start (40)",
+       "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
+       whole(buffers.threshold_percent, 1, 100)},
+      {"live", "", "", "lowest delay for live",
+       "The lowest delay of a live stream that the link allows, at the risk of stalls.",
+       flag(buffers.low_delay)},
+      {"live-delay", "MS", "", "fixed delay (adapts)",
+       "A fixed delay of live streams, up to 60000 ms. Without it the delay adapts to the "
+       "link.",
+       parsed(Kind::Number, read_live_delay, buffers)},
+      {"hold", "S", "5", "return to neutral after a stall of S seconds (5)", "",
+       seconds(playback.hold, 0, kSecondsMax, "is not a number of seconds from 0 to 86400")},
+      {"stream", "NAME", "", "one of the server's",
+       "Which of the server's streams; its first one by default.", word(playback.stream)},
+      {"protocol", "LEVEL", "auto", "or classic (auto)",
+       "classic never sends a hello: for servers that know only level 1.",
+       one_of(playback.classic, {{"auto", false}, {"classic", true}})},
+      {"connect-timeout", "S", "10", "for the connection and its first packet (10)",
+       "The longest wait for a connection and for its first packet, 0.01 to 86400 seconds.",
+       seconds(playback.connect_timeout, 0.01, kSecondsMax,
+               "is not a number of seconds from 0.01 to 86400")},
+      {"reconnect", "", "", "hold the face and retry after 1, 2, 4 ... 30 s if lost",
+       "When the connection is lost, hold the face and retry after 1, 2, 4, 8, 16, 30, 30 "
+       "... seconds.",
+       flag(playback.reconnect)},
+      {"tls", "", "", "use TLS", "Encrypt the connection and verify the server's certificate.",
+       flag(security.tls)},
+      {"tls-ca", "FILE", "", "trust these CAs",
+       "Trust the authorities in FILE (PEM) and not the system's.",
+       word(security.files.authorities)},
+      {"tls-cert", "FILE", "", "own certificate",
+       "The certificate to present if the server requires one (PEM).",
+       word(security.files.certificate)},
+      {"tls-key", "FILE", "", "its private key", "", word(security.files.key)},
+      {"token-file", "FILE", "", "token to present",
+       "The file with the token that the server requires. It is sent over TLS, to this "
+       "computer, or with --insecure-token.",
+       word(security.token)},
+      {"insecure-token", "", "", "also without TLS",
+       "Send the token without TLS to other computers too: anyone on the path can read it.",
+       flag(security.insecure_token)},
+  };
+}
+
+std::vector<OptionRow> face_rows(FaceOptions& face) {
+  return {
+      {"face", "NAME", "default", "or folder (default)",
+       "The name of a face in data/faces, or its folder.", word(face.face), "Face"},
+      {"mixer", "MIXER", "maximum", "or average (maximum)",
+       "How contractions of one muscle by several AUs are combined: maximum or average.",
+       one_of<face::Mixer>(face.mixer,
+                           {{"maximum", face::Mixer::Maximum}, {"average", face::Mixer::Average}})},
+  };
+}
+
+std::vector<OptionRow> rules_rows(FaceOptions& face) {
+  return {
+      {"rules", "RULES", "facs", "facs, kumar2010, none or FILE (facs)",
+       "The co-occurrence rules: facs, kumar2010 (as published), none, or a file.",
+       word(face.rules)},
+      {"data", "DIR", "", "faces, rules and streams",
+       "The folder with faces, rules and streams, if not the installed one.", word(face.data)},
+  };
+}
+
+std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
+  using playback::Interpolation;
+  return {
+      {"speed", "MS", "", "of untimed keyframes",
+       "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
+       "the server says, or 250 ms.",
+       whole(playback.speed, 1, 1000), "Animation"},
+      {"interpolation", "KIND", "linear", "linear, cosine", "Between keyframes: linear or cosine.",
+       one_of<Interpolation>(playback.interpolation, {{"linear", Interpolation::Linear},
+                                                      {"cosine", Interpolation::Cosine}})},
+      {"blink", "SEED[:MS[:MS]]", "", "blinks: mean interval, closing time (4000:100)",
+       "Adds blinks: a seed for their random times, the mean interval (4000) and the time "
+       "that the lids take to close (100), in ms.",
+       parsed(Kind::Word, read_blink, playback.blink)},
+      {"idle", "SEED", "", "blinks, glances, breathing",
+       "Adds blinks (--blink SEED unless given), saccades and breathing.",
+       parsed(Kind::Number, read_idle, playback)},
+  };
+}
+
+std::vector<OptionRow> picture_rows(OutputOptions& output) {
+  return {
+      {"size", "WxH", "", "pixels",
+       "Size of the pictures in pixels, each side up to 8192: 800x600 by default, 300x375 in "
+       "a gallery.",
+       parsed(Kind::Word, read_size, output), "Pictures"},
+      {"background", "RRGGBB", "", "plain background",
+       "A plain background of this colour behind the face.",
+       parsed(Kind::Word, read_background, output.background)},
+      {"show", "LAYER[,...]", "", "what is drawn; see below (textured)",
+       "Layers: polygons, textured (the default), transparent, wireframe, vertices, muscles, "
+       "jaw-tags, eye-tags.",
+       parsed(Kind::Word, read_layers, output.layers)},
+  };
+}
+
+std::vector<OptionRow> film_rows(PlayerOptions& options) {
+  OutputOptions& output = options.output;
+  return {
+      {"frames", "DIR", "", "frame_000001.png ...: 50 a keyframe, or --fps N",
+       "Writes DIR/frame_000001.png and so on: 50 a keyframe, or --fps N a second.",
+       word(output.frames)},
+      {"record", "FILE", "", ".mp4, .webm or .gif: 30 pictures a second, or --fps N",
+       "Writes a video, .mp4, .webm or .gif: 30 pictures a second, or --fps N.",
+       word(output.record)},
+      {"sheet", "FILE.png", "", "the first 60 poses on one page",
+       "Writes the poses of the first 60 keyframes to one page.", word(output.sheet)},
+      {"fps", "N", "", "frame rate, 1-240", "Pictures a second, 1 to 240.",
+       whole(output.fps, 1, 240)},
+      {"fast", "", "", "render off the clock",
+       "Does not wait for the clock: plays as fast as the computer can. Implied by --frames, "
+       "--record and --sheet.",
+       flag(output.fast)},
+      {"stats", "FILE.json", "", "write statistics at exit",
+       "Writes statistics of buffers, delays and frames at exit.", word(output.stats)},
+      {"headless", "", "", "no window; exits with the stream", "", flag(options.headless),
+       "Program"},
+      {"exit-at-end", "", "", "close at the end", "Closes the window when the stream ends.",
+       flag(options.exit_at_end)},
+      {"no-config", "", "", "ignore window settings",
+       "The window neither reads nor writes ~/.config/aucast/face-player.toml.",
+       flag(options.config, false)},
+  };
+}
+
+std::vector<OptionRow> program_rows(PlayerOptions& options) {
+  return {
+      {"log-level", "LEVEL", "warning", "trace, debug, info, warning, error, off (warning)", "",
+       log_level(options.log_level)},
+      {"verbose", "", "", "info; -vv: debug",
+       "The same as --log-level info; twice, as --log-level debug.", flag(), "", Where::Anywhere,
+       'v'},
+      {"quiet", "", "", "errors only, no progress",
+       "The same as --log-level error, and no progress line.", flag(options.quiet), "",
+       Where::Anywhere, 'q'},
+  };
+}
+
+OptionRow camera_row(PoseOptions& pose) {
+  return {"camera", "VIEW",
+          "front",  "front, three-quarter or profile (front)",
+          "",       one_of(pose.camera, {"front", "three-quarter", "profile"})};
+}
+
+OptionRow aus_row(PoseOptions& pose) {
+  return {"aus",
+          "AUS",
+          "",
+          "such as 1,6,12 or 12:80,R14:50 or 4C+9D",
+          "A set of AUs as in a packet, such as 1,6,12 or 12:80,R14:50, or in FACS notation, "
+          "such as 4C+9D. L and R are the subject's own sides.",
+          word(pose.aus),
+          "",
+          Where::Positional};
+}
+
+std::vector<OptionRow> pose_rows(PoseOptions& pose) {
+  return {
+      aus_row(pose),
+      {"expression", "NAME", "", "a prototype instead: happiness, thesis-anger, ...",
+       "A prototype instead of AUS, such as happiness, thesis-anger or waters-fear; --list "
+       "names them all.",
+       word(pose.expression)},
+      {"muscle", "NAME=VALUE", "", "set a muscle or another channel; repeatable",
+       "Sets a muscle or another channel after the mixer. May be repeated.",
+       parsed(Kind::Words, read_muscle, pose.muscles)},
+      {"list", "", "", "list channels with ranges, AUs and expressions", "", flag(pose.list)},
+      {"png", "FILE", "", "write the picture", "", word(pose.png)},
+      {"obj", "FILE", "", "write the skin",
+       "Writes the deformed skin as Wavefront OBJ, vertices in the order of the face.",
+       word(pose.obj)},
+      camera_row(pose),
+  };
+}
+
+std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
+  GalleryOptions& gallery = options.gallery;
+  return {
+      {"dir", "DIR", "", "folder to write to; other files in it are kept", "", word(gallery.folder),
+       "", Where::Positional},
+      {"only", "SECTION[,...]", "", "some of the sections; see below",
+       "Only these sections: aus, prototypes, combinations, appendix-a, appendix-b, sweeps, "
+       "coverage. May be repeated.",
+       parsed(Kind::Words, read_sections, gallery.only)},
+      {"sweep", "AUS|NAME", "", "neutral to apex and back, as frames and video",
+       "From neutral to the apex and back, as frames, and as a video if ffmpeg is installed: "
+       "a set of AUs, an expression, or all of both. May be repeated.",
+       words(gallery.sweeps)},
+      camera_row(options.pose),
+  };
+}
+
+constexpr std::string_view kLayers =
+    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
+eye-tags.
+)";
+
+constexpr std::string_view kLayersAndSections =
+    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
+eye-tags.
+Sections: aus (A to E, both sides and each alone), prototypes, combinations
+(pairs of basic expressions), appendix-a, appendix-b (the thesis'), sweeps,
+coverage.
+)";
+;
+
+}  // namespace
+
+std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
+  std::vector<OptionRow> rows;
+  if (command == Command::Watch) {
+    rows = {{"host", "HOST", "", "", "The server: HOST or HOST:PORT; the port is 4650 by default.",
+             word(options.playback.endpoint), "", Where::Positional},
+            {"list", "", "", "", "Prints the names of the server's streams.", flag(options.list)}};
+  } else if (command == Command::Play) {
+    rows = {{"file", "FILE", "", "a stream file", "", word(options.playback.file), "",
+             Where::Positional}};
+  } else if (command == Command::Pose) {
+    rows = pose_rows(options.pose);
+  } else if (command == Command::Gallery) {
+    rows = gallery_rows(options);
+  } else {
+    rows = {aus_row(options.pose),
+            {"explain", "", "", "a line for each rule that applied, with its source", "",
+             flag(options.pose.explain)}};
+    append(rows, rules_rows(options.face));
+    append(rows, program_rows(options));
+    append(rows, help_rows());
+    return rows;
+  }
+  const bool plays = command == Command::Watch || command == Command::Play;
+  if (plays) append(rows, receiving_rows(options.playback));
+  if (plays) append(rows, animation_rows(options.playback));
+  append(rows, face_rows(options.face));
+  append(rows, rules_rows(options.face));
+  append(rows, picture_rows(options.output));
+  if (plays) append(rows, film_rows(options));
+  append(rows, program_rows(options));
+  append(rows, help_rows());
+  return rows;
+}
+
+CommandPage command_page(Command command) {
+  static PlayerOptions unused;
+  CommandPage page{.program = "face-player", .rows = option_rows(command, unused)};
+  switch (command) {
+    case Command::Watch:
+    case Command::Help:
+      page.usage = {"face-player [OPTIONS] HOST[:PORT]              in a window (port 4650)",
+                    "face-player --headless [OPTIONS] HOST[:PORT]   without a display",
+                    "face-player --list HOST[:PORT]                 names of the streams",
+                    "face-player play FILE                          a stream file",
+                    "face-player pose|rules|gallery --help          stills, rules, pictures"};
+      page.about = "Receives a face as FACS Action Units and draws it.\n";
+      page.notes =
+          R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
+eye-tags. In the window: ? lists keys and mouse, Tab hides the panel, q leaves.
+Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
+)";
+      page.examples = {"face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json",
+                       "face-player play six_expressions.txt --headless --frames pictures"};
+      break;
+    case Command::Play:
+      page.command = "play";
+      page.usage = {"face-player play FILE [OPTIONS]",
+                    "face-player play FILE --headless [OPTIONS]"};
+      page.about = "Plays a stream file without a server.\n";
+      // Receiving options are accepted so that both commands take the same.
+      for (OptionRow& row : page.rows) {
+        if (find_row(receiving_rows(unused.playback), row.name) != nullptr) row.text = {};
+        if (row.name == "buffer") row.heading = {};
+      }
+      page.notes = kLayers;
+      page.examples = {"face-player play talk.txt --headless --record talk.mp4",
+                       "face-player play six_expressions.txt --speed 500"};
+      break;
+    case Command::Pose:
+      page.command = "pose";
+      page.usage = {"face-player pose [AUS] [OPTIONS]"};
+      page.about =
+          "Writes one still of a face. Without --png and --obj, prints the activations of\n"
+          "its channels.\n";
+      page.notes = kLayers;
+      page.examples = {"face-player pose 6,12 --png smile.png",
+                       "face-player pose --expression sadness --camera three-quarter --png sad.png",
+                       "face-player pose 12 --show wireframe,muscles --png muscles.png",
+                       "face-player pose --muscle left_zygomaticus_major=1 --obj pull.obj"};
+      break;
+    case Command::Rules:
+      page.command = "rules";
+      page.usage = {"face-player rules AUS [OPTIONS]"};
+      page.about = "Prints what the co-occurrence rules make of a set of AUs.\n";
+      page.examples = {"face-player rules 51,52:40",
+                       "face-player rules 1,2,5,15,16,20,26 --rules kumar2010 --explain"};
+      break;
+    case Command::Gallery:
+      page.command = "gallery";
+      page.usage = {"face-player gallery DIR [OPTIONS]"};
+      page.about =
+          "Writes pictures of every AU and expression, with a page (DIR/index.html) and a\n"
+          "list (DIR/manifest.csv), which come last. The same face and options give the\n"
+          "same bytes. Ctrl-C ends it with code 1 and leaves no incomplete picture.\n";
+      page.notes = kLayersAndSections;
+      page.examples = {"face-player gallery pictures",
+                       "face-player gallery stimuli --only aus --size 800x1000 --background 808080",
+                       "face-player gallery sweeps --only sweeps --sweep 12 --sweep happiness"};
+      break;
+  }
+  return page;
+}
+
+std::vector<CommandPage> command_pages() {
+  std::vector<CommandPage> pages;
+  for (const Command command :
+       {Command::Watch, Command::Play, Command::Pose, Command::Rules, Command::Gallery}) {
+    pages.push_back(command_page(command));
+  }
+  return pages;
+}
+
+}  // namespace aucast::app

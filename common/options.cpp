@@ -1,0 +1,121 @@
+#include "common/options.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "common/command_line.h"
+
+namespace aucast {
+namespace {
+
+constexpr std::size_t kAnyNumber = 100'000;
+
+/// As CLI11 wants it: "-v,--verbose".
+std::string cli_name(const OptionRow& row) {
+  return row.letter == 0 ? typed_name(row)
+                         : "-" + std::string(1, row.letter) + "," + typed_name(row);
+}
+
+}  // namespace
+
+std::string typed_name(const OptionRow& row) {
+  return row.where == OptionRow::Where::Positional ? std::string(row.argument)
+                                                   : "--" + std::string(row.name);
+}
+
+const OptionRow* find_row(const std::vector<OptionRow>& rows, std::string_view name) {
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [name](const OptionRow& other) { return other.name == name; });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+void append(std::vector<OptionRow>& rows, std::vector<OptionRow> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(rows));
+}
+
+Result<TypedWords> sort_arguments(const std::vector<OptionRow>& rows,
+                                  std::vector<std::string> arguments) {
+  using Kind = OptionValue::Kind;
+  CLI::App app;
+  app.set_help_flag();  // ours is one of the rows
+  std::map<std::string_view, CLI::Option*> options;
+  std::map<std::string_view, std::vector<std::string>> words;
+  for (const OptionRow& row : rows) {
+    if (row.value.kind == Kind::Flag) {
+      options[row.name] = app.add_flag(cli_name(row));
+      continue;
+    }
+    CLI::Option* option = options[row.name] = app.add_option(cli_name(row), words[row.name]);
+    if (row.where == OptionRow::Where::Positional && row.value.kind == Kind::Words) {
+      option->expected(1, kAnyNumber);
+      continue;
+    }
+    option->expected(1)->allow_extra_args(false);  // or it would take the positional word behind it
+    if (row.value.kind == Kind::Words) option->take_all();
+  }
+  if (auto parsed = parse_command_line(app, std::move(arguments)); !parsed) return parsed.error();
+  TypedWords typed;
+  for (const OptionRow& row : rows) {
+    const CLI::Option& option = *options.at(row.name);
+    if (option.count() == 0) continue;
+    auto& list = typed[std::string(row.name)];
+    list = row.value.kind == Kind::Flag
+               ? std::vector<std::string>(option.count(), option.as<bool>() ? "true" : "false")
+               : words.at(row.name);
+  }
+  return typed;
+}
+
+Complaint read_word(const OptionRow& row, const std::string& word) {
+  if (word.empty()) return "is empty";
+  return row.value.read ? row.value.read(word) : std::nullopt;
+}
+
+Error wrong_word(const std::string& name, const std::string& word, const std::string& complaint) {
+  const std::string said = word.empty() ? "" : " '" + escaped(word) + "'";
+  return {ErrorKind::Usage, name + said + " " + complaint + " (try --help)"};
+}
+
+Result<void> read_words(const std::vector<OptionRow>& rows, const TypedWords& words) {
+  for (const OptionRow& row : rows) {
+    const auto found = words.find(row.name);
+    if (found == words.end()) continue;
+    for (const std::string& word : found->second) {
+      if (const Complaint wrong = read_word(row, word)) {
+        return wrong_word(typed_name(row), word, *wrong);
+      }
+    }
+  }
+  return {};
+}
+
+OptionValue flag(bool& out, bool given) {
+  return {OptionValue::Kind::Flag, [&out, given](const std::string& word) -> Complaint {
+            if (word != "true" && word != "false") return "is neither true nor false";
+            out = (word == "true") == given;
+            return std::nullopt;
+          }};
+}
+
+OptionValue flag() {
+  return {OptionValue::Kind::Flag, {}};
+}
+
+std::vector<OptionRow> help_rows() {
+  constexpr auto kTyped = OptionRow::Where::Typed;
+  return {{"help", "", "", "this page", "A page that fits one screen.", flag(), "", kTyped, 'h'},
+          {"version", "", "", "version, protocol, licence", "Prints version, protocol and licence.",
+           flag(), "", kTyped}};
+}
+
+OptionValue one_of(std::string& out, const std::vector<std::string_view>& names) {
+  std::vector<std::pair<std::string_view, std::string>> choices;
+  for (const std::string_view name : names) choices.emplace_back(name, name);
+  return one_of(out, std::move(choices));
+}
+
+OptionValue log_level(std::string& out) {
+  return one_of(out, {"trace", "debug", "info", "warning", "error", "off"});
+}
+
+}  // namespace aucast

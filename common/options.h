@@ -1,0 +1,180 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/number_of.h"
+#include "common/result.h"
+#include "common/text.h"
+
+namespace aucast {
+
+/// What is wrong with an option's word, to be put after the option's name and the word: "is not a
+/// whole number from 0 to 65535". Nothing: it was read.
+using Complaint = std::optional<std::string>;
+
+/// How the words of an option become the value of a variable.
+struct OptionValue {
+  enum class Kind : std::uint8_t {
+    Flag,    ///< on the command line without a word; read with "true" or "false"
+    Number,  ///< in a settings file a number, or a string
+    Word,    ///< a string
+    Words,   ///< several; read with one at a time
+  };
+  Kind kind = Kind::Word;
+  std::function<Complaint(const std::string& word)> read = {};  ///< nothing: it is only looked for
+};
+
+/// One option of a program, bound to a variable that must outlive it. The command line, the
+/// environment, the settings file, --print-config, --help, the manual page and the completion all
+/// come from rows of these.
+struct OptionRow {
+  /// Anywhere; on the command line only, where it is none of the settings; or on the command line
+  /// without a name, as its `argument`.
+  enum class Where : std::uint8_t { Anywhere, Typed, Positional };
+
+  std::string_view name = {};      ///< without dashes: "port"
+  std::string_view argument = {};  ///< what stands for its word: "N"; empty for a flag
+  std::string_view fallback = {};  ///< the default as a word; empty: not set, or a flag's false
+  std::string_view text = {};      ///< for --help; two short ones in a row share a line there
+  std::string_view more = {};      ///< for the manual page: whole sentences; empty: as in --help
+  OptionValue value = {};
+  std::string_view heading = {};  ///< of the section that begins with this row; empty: goes on
+  Where where = Where::Anywhere;
+  char letter = 0;  ///< its short form: 'v' for -v
+};
+
+/// How it is typed: "--port", "SOURCE".
+[[nodiscard]] std::string typed_name(const OptionRow& row);
+
+/// The row of that name, or nothing.
+[[nodiscard]] const OptionRow* find_row(const std::vector<OptionRow>& rows, std::string_view name);
+
+/// Adds rows to rows.
+void append(std::vector<OptionRow>& rows, std::vector<OptionRow> more);
+
+/// What was typed, by the name of the row: the words of each option that was given at all, "true"
+/// or "false" for each time a flag was.
+using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
+
+/// Sorts the arguments (without the program's name) by row. Usage error of one line for an unknown
+/// option, with the nearest known one, for a missing word and for one too many.
+[[nodiscard]] Result<TypedWords> sort_arguments(const std::vector<OptionRow>& rows,
+                                                std::vector<std::string> arguments);
+
+/// Reads words into the variables of the rows, in the order of the rows. Usage error for the first
+/// word that is wrong.
+[[nodiscard]] Result<void> read_words(const std::vector<OptionRow>& rows, const TypedWords& words);
+
+/// What a row says of one of its words; an empty one is what `--stats "$UNSET"` leaves behind.
+[[nodiscard]] Complaint read_word(const OptionRow& row, const std::string& word);
+
+/// A usage error about a word, such as "--port 'x' is not a whole number ... (try --help)".
+[[nodiscard]] Error wrong_word(const std::string& name, const std::string& word,
+                               const std::string& complaint);
+
+// === Values
+
+/// A flag that sets `out` to `given`, and with the word "false" to its opposite.
+[[nodiscard]] OptionValue flag(bool& out, bool given = true);
+
+/// A flag that is only looked for in what was typed.
+[[nodiscard]] OptionValue flag();
+
+/// --help and --version, which are only looked for.
+[[nodiscard]] std::vector<OptionRow> help_rows();
+
+/// A whole number from `low` to `high`, for a number, an optional or a duration of that unit.
+template <typename T>
+[[nodiscard]] OptionValue whole(T& out, std::int64_t low, std::int64_t high) {
+  return {OptionValue::Kind::Number, [&out, low, high](const std::string& word) -> Complaint {
+            const auto value = number_of<std::int64_t>(word);
+            if (!value || *value < low || *value > high) {
+              return "is not a whole number from " + std::to_string(low) + " to " +
+                     std::to_string(high);
+            }
+            out = T(*value);
+            return std::nullopt;
+          }};
+}
+
+/// A number from `low` to `high`; `complaint` is said of any other.
+template <typename T>
+[[nodiscard]] OptionValue real(T& out, double low, double high, std::string_view complaint) {
+  return {OptionValue::Kind::Number, [&out, low, high, complaint](const std::string& word) {
+            const auto value = number_of<double>(word);
+            if (!value || !(*value >= low && *value <= high)) return Complaint(complaint);
+            out = *value;
+            return Complaint();
+          }};
+}
+
+/// Seconds from `low` to `high`, rounded to milliseconds and never to none of them; `complaint` is
+/// said of any other.
+template <typename T>
+[[nodiscard]] OptionValue seconds(T& out, double low, double high, std::string_view complaint) {
+  return {OptionValue::Kind::Number, [&out, low, high, complaint](const std::string& word) {
+            const auto value = number_of<double>(word);
+            if (!value || !(*value >= low && *value <= high)) return Complaint(complaint);
+            const std::chrono::duration<double> exact(*value);
+            const auto rounded = std::chrono::round<std::chrono::milliseconds>(exact);
+            out = rounded.count() == 0 && *value > 0 ? std::chrono::milliseconds(1) : rounded;
+            return Complaint();
+          }};
+}
+
+/// Any word: a name, a path.
+template <typename T>
+[[nodiscard]] OptionValue word(T& out) {
+  return {OptionValue::Kind::Word, [&out](const std::string& typed) {
+            out = typed;
+            return Complaint();
+          }};
+}
+
+/// Any number of words: the option may be repeated.
+template <typename T>
+[[nodiscard]] OptionValue words(std::vector<T>& out) {
+  return {OptionValue::Kind::Words, [&out](const std::string& typed) {
+            out.emplace_back(typed);
+            return Complaint();
+          }};
+}
+
+/// What a function of the option's own makes of the word.
+template <typename T>
+[[nodiscard]] OptionValue parsed(OptionValue::Kind kind,
+                                 Complaint (*parse)(const std::string& word, T& out), T& out) {
+  return {kind, [parse, &out](const std::string& typed) { return parse(typed, out); }};
+}
+
+/// One of some names, each with the value that it stands for.
+template <typename T>
+[[nodiscard]] OptionValue one_of(T& out, std::vector<std::pair<std::string_view, T>> choices) {
+  return {OptionValue::Kind::Word,
+          [&out, choices = std::move(choices)](const std::string& typed) -> Complaint {
+            std::string names;
+            for (const auto& [name, value] : choices) {
+              names += (names.empty() ? "" : ", ") + std::string(name);
+              if (name != typed) continue;
+              out = value;
+              return std::nullopt;
+            }
+            return "is not one of " + names;
+          }};
+}
+
+/// One of some names, kept as it was typed.
+[[nodiscard]] OptionValue one_of(std::string& out, const std::vector<std::string_view>& names);
+
+/// The names of log levels.
+[[nodiscard]] OptionValue log_level(std::string& out);
+
+}  // namespace aucast

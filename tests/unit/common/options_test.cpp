@@ -1,0 +1,119 @@
+#include "common/options.h"
+
+#include <gtest/gtest.h>
+
+namespace aucast {
+namespace {
+
+using Where = OptionRow::Where;
+
+struct Options {
+  int port = 5;
+  std::optional<int> fps;
+  std::chrono::milliseconds wait{0};
+  bool loop = false;
+  bool config = true;
+  std::string level = "info";
+  bool classic = false;
+  std::vector<std::string> files;
+  std::vector<std::string> muscles;
+};
+
+std::vector<OptionRow> rows_of(Options& options) {
+  return {
+      {"file", "FILE", "", "", "", words(options.files), "", Where::Positional},
+      {"port", "N", "", "", "", whole(options.port, 0, 9)},
+      {"fps", "N", "", "", "", whole(options.fps, 1, 240)},
+      {"wait", "S", "", "", "", seconds(options.wait, 0, 10, "is no wait")},
+      {"loop", "", "", "", "", flag(options.loop), "", Where::Anywhere, 'l'},
+      {"no-config", "", "", "", "", flag(options.config, false)},
+      {"level", "LEVEL", "", "", "", log_level(options.level)},
+      {"protocol", "P", "", "", "", one_of(options.classic, {{"auto", false}, {"classic", true}})},
+      {"muscle", "M", "", "", "", words(options.muscles)},
+      {"help", "", "", "", "", {OptionValue::Kind::Flag}, "", Where::Anywhere, 'h'}};
+}
+
+Options read(std::vector<std::string> arguments) {
+  Options options;
+  const auto rows = rows_of(options);
+  const auto typed = sort_arguments(rows, std::move(arguments));
+  EXPECT_TRUE(typed) << typed.error().message;
+  const auto done = read_words(rows, *typed);
+  EXPECT_TRUE(done) << done.error().message;
+  return options;
+}
+
+std::string message(std::vector<std::string> arguments) {
+  Options options;
+  const auto rows = rows_of(options);
+  const auto typed = sort_arguments(rows, std::move(arguments));
+  const auto done = typed ? read_words(rows, *typed) : Result<void>(typed.error());
+  if (done) return "accepted";
+  EXPECT_EQ(done.error().kind, ErrorKind::Usage);
+  return done.error().message;
+}
+
+TEST(Options, WordsReachTheVariables) {
+  const Options options =
+      read({"a", "--port", "7", "--fps=25", "b", "-l", "--no-config", "--protocol", "classic",
+            "--muscle", "x=1", "--muscle", "y=2", "--level", "off", "--wait", "2.5", "-"});
+  EXPECT_EQ(options.files, (std::vector<std::string>{"a", "b", "-"}));
+  EXPECT_EQ(options.port, 7);
+  EXPECT_EQ(options.fps, 25);
+  EXPECT_EQ(options.wait, std::chrono::milliseconds(2500));
+  EXPECT_TRUE(options.loop);
+  EXPECT_FALSE(options.config);
+  EXPECT_EQ(options.level, "off");
+  EXPECT_TRUE(options.classic);
+  EXPECT_EQ(options.muscles, (std::vector<std::string>{"x=1", "y=2"}));
+}
+
+TEST(Options, WhatIsNotTypedStays) {
+  const Options options = read({});
+  EXPECT_EQ(options.port, 5);
+  EXPECT_FALSE(options.fps);
+  EXPECT_TRUE(options.config);
+}
+
+TEST(Options, FlagsAreCountedAndCanBeTurnedOff) {
+  Options options;
+  const auto rows = rows_of(options);
+  EXPECT_EQ(sort_arguments(rows, {"-l", "--loop"})->at("loop").size(), 2U);
+  EXPECT_EQ(sort_arguments(rows, {"-hl"})->size(), 2U);
+  EXPECT_FALSE(read({"--loop=false"}).loop);
+}
+
+TEST(Options, WrongWordsAreNamedWithWhatIsRight) {
+  EXPECT_EQ(message({"--port", "10"}),
+            "--port '10' is not a whole number from 0 to 9 (try --help)");
+  EXPECT_EQ(message({"--port", "-1"}),
+            "--port '-1' is not a whole number from 0 to 9 (try --help)");
+  EXPECT_EQ(message({"--port", "7x"}),
+            "--port '7x' is not a whole number from 0 to 9 (try --help)");
+  EXPECT_EQ(message({"--wait", "11"}), "--wait '11' is no wait (try --help)");
+  EXPECT_EQ(message({"--wait", "nan"}), "--wait 'nan' is no wait (try --help)");
+  EXPECT_EQ(message({"--protocol", "udp"}),
+            "--protocol 'udp' is not one of auto, classic (try --help)");
+  EXPECT_EQ(message({"--level", "loud"}),
+            "--level 'loud' is not one of trace, debug, info, warning, error, off (try --help)");
+}
+
+TEST(Options, EmptyWordsAreSaidToBeEmpty) {
+  EXPECT_EQ(message({"--port", ""}), "--port is empty (try --help)");
+  EXPECT_EQ(message({""}), "FILE is empty (try --help)");
+}
+
+TEST(Options, UnknownMissingAndRepeatedOnesAreRefused) {
+  EXPECT_EQ(message({"--prot", "1"}), "unknown option --prot; did you mean --port? (try --help)");
+  EXPECT_NE(message({"--port"}).find("--port"), std::string::npos);
+  EXPECT_NE(message({"--port", "1", "--port", "2"}).find("--port"), std::string::npos);
+}
+
+TEST(Options, AWaitThatWasAskedForIsNeverNone) {
+  EXPECT_EQ(read({"--wait", "0.0001"}).wait, std::chrono::milliseconds(1));
+  EXPECT_EQ(read({"--wait", "0"}).wait, std::chrono::milliseconds(0));
+  EXPECT_EQ(read({"--wait", "0.07"}).wait, std::chrono::milliseconds(70));
+}
+
+}  // namespace
+}  // namespace aucast
