@@ -18,7 +18,7 @@
 #include <asio/write.hpp>
 
 #include "client/net/au_reader.h"
-#include "client/net/name_lookup.h"
+#include "common/link/name_lookup.h"
 #include "common/tcp.h"
 #include "common/text.h"
 #include "common/tls/channel.h"
@@ -126,7 +126,7 @@ class RemoteSource::Connection {
 
   asio::io_context io_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
-  NameLookup lookup_{io_};
+  link::NameLookup lookup_{io_};
   tcp::socket socket_{io_};
   asio::steady_timer reach_timer_{io_};     // the time for the address being tried
   asio::steady_timer session_timer_{io_};   // what the session waits for
@@ -184,7 +184,7 @@ void RemoteSource::Connection::resolve() {
             "check the network or give the address in numbers");
   }));
   lookup_.start(options_.host, options_.port,
-                [this](const std::string& failure, NameLookup::Addresses found) {
+                [this](const std::string& failure, link::Addresses found) {
                   if (!failure.empty()) {
                     give_up(failure, "check the host's name");
                     return;

@@ -14,7 +14,7 @@
 #include <asio/steady_timer.hpp>
 #include <asio/write.hpp>
 
-#include "client/net/name_lookup.h"
+#include "common/link/name_lookup.h"
 #include "common/text.h"
 #include "common/tls/channel.h"
 #include "protocol/codec.h"
@@ -46,7 +46,7 @@ class Question {
     const auto address = asio::ip::make_address(options_.host, no_address);
     if (no_address) {
       lookup_.start(options_.host, options_.port,
-                    [this](const std::string& failure, NameLookup::Addresses found) {
+                    [this](const std::string& failure, link::Addresses found) {
                       if (failure.empty()) {
                         connect(std::move(found));
                       } else {
@@ -61,7 +61,7 @@ class Question {
   }
 
  private:
-  void connect(NameLookup::Addresses addresses) {
+  void connect(link::Addresses addresses) {
     addresses_ = std::move(addresses);
     asio::async_connect(socket_, addresses_,
                         [this](const std::error_code& error, const tcp::endpoint& peer) {
@@ -160,8 +160,8 @@ class Question {
   const RemoteOptions& options_;
   asio::io_context io_{1};
   asio::steady_timer timer_{io_};
-  NameLookup lookup_{io_};
-  NameLookup::Addresses addresses_;
+  link::NameLookup lookup_{io_};
+  link::Addresses addresses_;
   tcp::socket socket_{io_};
   std::unique_ptr<tls::Channel> tls_;  ///< nothing: plain
   protocol::ServerPacketDecoder decoder_;

@@ -9,6 +9,8 @@
 
 #include <asio/ip/v6_only.hpp>
 
+#include "common/link/host.h"
+#include "common/link/name_lookup.h"
 #include "common/log.h"
 #include "common/text.h"
 #include "protocol/limits.h"
@@ -17,12 +19,6 @@ namespace aucast::server {
 namespace {
 
 using asio::ip::tcp;
-
-std::string place(const std::string& bind, std::uint16_t port) {
-  const bool bare_v6 = bind.find(':') != std::string::npos && !bind.starts_with('[');
-  const std::string address = escaped(bind);
-  return (bare_v6 ? "[" + address + "]" : address) + ":" + std::to_string(port);
-}
 
 std::string without_brackets(const std::string& bind) {
   const bool bracketed = bind.size() > 2 && bind.front() == '[' && bind.back() == ']';
@@ -55,8 +51,8 @@ std::string hint(const std::error_code& cause, const ListenOptions& names) {
 
 Error cannot_listen(const std::string& bind, std::uint16_t port, const std::error_code& cause,
                     const ListenOptions& names) {
-  return {ErrorKind::Network,
-          "cannot listen on " + place(bind, port) + ": " + cause.message() + hint(cause, names)};
+  return {ErrorKind::Network, "cannot listen on " + link::host_and_port(bind, port) + ": " +
+                                  cause.message() + hint(cause, names)};
 }
 
 std::error_code listen_at(tcp::acceptor& acceptor, const tcp::endpoint& endpoint) {
@@ -102,13 +98,17 @@ Listener::Listener(asio::io_context& io) : acceptor_(io), pause_(io) {}
 Result<void> Listener::open(const std::string& bind, std::uint16_t port,
                             const ListenOptions& names) {
   std::error_code error;
-  tcp::resolver resolver(acceptor_.get_executor());
-  const auto found =
-      resolver.resolve(without_brackets(bind), std::to_string(port),
-                       tcp::resolver::passive | tcp::resolver::numeric_service, error);
-  if (error) return cannot_listen(bind, port, error, names);
-  for (const auto& entry : found) {
-    error = listen_at(acceptor_, entry.endpoint());
+  const std::string host = without_brackets(bind);
+  link::Addresses addresses = link::known_addresses(host, port);
+  if (addresses.empty()) {
+    tcp::resolver resolver(acceptor_.get_executor());
+    const auto found = resolver.resolve(
+        host, std::to_string(port), tcp::resolver::passive | tcp::resolver::numeric_service, error);
+    if (error) return cannot_listen(bind, port, error, names);
+    for (const auto& entry : found) addresses.push_back(entry.endpoint());
+  }
+  for (const tcp::endpoint& address : addresses) {
+    error = listen_at(acceptor_, address);
     if (!error) {
       endpoint_ = acceptor_.local_endpoint(error);
       break;

@@ -17,9 +17,13 @@
 #include <asio/signal_set.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "common/link/tcp_link.h"
+#include "common/link/tls_link.h"
 #include "common/log.h"
 #include "common/text.h"
+#include "protocol/codec.h"
 #include "protocol/limits.h"
+#include "protocol/link_limits.h"
 #include "server/live/live_beat.h"
 #include "server/live/live_source.h"
 #include "server/serve/address_counts.h"
@@ -35,9 +39,6 @@ namespace aucast::server {
 namespace {
 
 using asio::ip::tcp;
-
-/// Clients between the one that is served and the one that is fetched from memory.
-constexpr std::size_t kFetchedAhead = 2;
 
 /// Of a live stream, what the system may hold back unsent for one client: some time's worth, but
 /// not so little that every packet has to wait for the one before.
@@ -334,14 +335,9 @@ class Transmitter {
   }
 
   void on_moment() {
-    // Of thousands of clients each has left the processor's cache since the last moment: the next
-    // ones are fetched while one is served.
     if (audience_.empty()) audience_ = everybody();
     telling_ = true;
-    for (std::size_t at = 0; at < audience_.size(); ++at) {
-      if (at + kFetchedAhead < audience_.size()) audience_[at + kFetchedAhead]->fetch_ahead();
-      audience_[at]->on_moment();
-    }
+    for (const auto& connection : audience_) connection->on_moment();
     telling_ = false;
     if (std::exchange(audience_changed_, false)) audience_.clear();
   }
@@ -363,11 +359,10 @@ class Transmitter {
     }
     const std::uint64_t number = ++last_number_;
     auto connection = std::make_shared<Connection>(
-        std::move(socket),
+        link_of(std::move(socket)),
         std::shared_ptr<const protocol::ServerCatalogue>(programme_, &programme_->catalogue),
         Connection::Settings{number, endpoint_text(peer), &client_log_, options_.client_timeout,
-                             admission, any_live() ? programme_->unsent_bytes_max : 0, tls_,
-                             options_.batch},
+                             admission, options_.batch},
         [this](const ClientRecord& record) { farewell(record); });
     if (refused) {
       refused_.insert(number);
@@ -377,6 +372,15 @@ class Transmitter {
     connections_.emplace(number, connection);
     forget_audience();
     connection->start();
+  }
+
+  [[nodiscard]] std::shared_ptr<link::Link> link_of(tcp::socket socket) const {
+    const int held_back_max = any_live() ? programme_->unsent_bytes_max : 0;
+    auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, held_back_max);
+    if (!tls_) return link;
+    return link::tls_link(std::move(link), tls::Channel(*tls_), protocol::kLinkLimits,
+                          protocol::encode(protocol::ErrorReply{
+                              400, "this server speaks TLS only (face-player --tls)"}));
   }
 
   /// However many knock at once, those who watch are not kept waiting for them.

@@ -16,7 +16,7 @@
 namespace aucast::server {
 
 /// Answers GET on the loop that serves the clients, one request per connection. Bounded:
-/// kHttpConnectionsMax connections, each for kHttpTimeMax and with kHttpHeadBytesMax of request;
+/// kHttpConnectionsMax connections, each with kHttpTimeMax and kHttpHeadBytesMax for its request;
 /// one more closes the oldest that has not asked yet. Requests for other hosts are refused by 421.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class HttpServer {
@@ -35,13 +35,13 @@ class HttpServer {
 
  private:
   class Exchange;
-  struct Shared;
 
   void welcome(asio::ip::tcp::socket socket);
 
   Listener listener_;
-  std::shared_ptr<Shared> shared_;
-  std::vector<std::weak_ptr<Exchange>> exchanges_;  ///< in the order they came; some may be over
+  Answer answer_;
+  std::string bound_;                                 ///< the address or name that we listen on
+  std::vector<std::shared_ptr<Exchange>> exchanges_;  ///< in the order they came
 };
 
 }  // namespace aucast::server

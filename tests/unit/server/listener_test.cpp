@@ -27,5 +27,12 @@ TEST(Listener, LetsOthersHaveTheirTurnWhenManyKnock) {
   EXPECT_EQ(taken, 3 * protocol::kAcceptsInARow);
 }
 
+TEST(Listener, LocalhostIsTheLoopbackWhateverAResolverSays) {
+  asio::io_context io;
+  Listener listener(io);
+  ASSERT_TRUE(listener.open("au.localhost", 0));
+  EXPECT_TRUE(listener.endpoint().address().is_loopback());
+}
+
 }  // namespace
 }  // namespace aucast::server

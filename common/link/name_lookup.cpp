@@ -1,4 +1,4 @@
-#include "client/net/name_lookup.h"
+#include "common/link/name_lookup.h"
 
 #include <netdb.h>
 #include <sys/socket.h>
@@ -11,21 +11,36 @@
 
 #include <asio/post.hpp>
 
+#include "common/link/host.h"
 #include "common/text.h"
 
-namespace aucast::net {
+namespace aucast::link {
 
 /// Shared with the thread, which may outlive everybody else.
-struct NameLookup::Request {
+struct NameLookup::Request : std::enable_shared_from_this<Request> {
   std::mutex mutex;
   asio::io_context* io = nullptr;  ///< guarded by mutex; nothing: cancelled
   OnFound on_found;                ///< of the io_context's thread
+
+  /// In the thread of the io_context, unless it was cancelled.
+  void answer(std::string failure, Addresses found) {
+    const std::lock_guard lock(mutex);
+    if (io == nullptr) return;
+    asio::post(*io,
+               [self = shared_from_this(), failure = std::move(failure), found = std::move(found)] {
+                 {
+                   const std::lock_guard again(self->mutex);
+                   if (self->io == nullptr) return;
+                 }
+                 self->on_found(failure, found);
+               });
+  }
 };
 
 namespace {
 
 /// Blocks. Returns the failure in words.
-std::string look_up(const std::string& host, std::uint16_t port, NameLookup::Addresses& found) {
+std::string look_up(const std::string& host, std::uint16_t port, Addresses& found) {
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
   wanted.ai_flags = AI_ADDRCONFIG | AI_NUMERICSERV;
@@ -46,23 +61,29 @@ std::string look_up(const std::string& host, std::uint16_t port, NameLookup::Add
 
 }  // namespace
 
+Addresses known_addresses(const std::string& host, std::uint16_t port) {
+  if (is_localhost(host)) {
+    return {{asio::ip::address_v4::loopback(), port}, {asio::ip::address_v6::loopback(), port}};
+  }
+  std::error_code no_address;
+  const auto address = asio::ip::make_address(host, no_address);
+  if (no_address) return {};
+  return {{address, port}};
+}
+
 void NameLookup::start(const std::string& host, std::uint16_t port, OnFound on_found) {
   cancel();
   request_ = std::make_shared<Request>();
   request_->io = &io_;
   request_->on_found = std::move(on_found);
+  if (Addresses known = known_addresses(host, port); !known.empty()) {
+    request_->answer({}, std::move(known));
+    return;
+  }
   std::thread([request = request_, host, port] {
     Addresses found;
     std::string failure = look_up(host, port, found);
-    const std::lock_guard lock(request->mutex);
-    if (request->io == nullptr) return;
-    asio::post(*request->io, [request, failure = std::move(failure), found = std::move(found)] {
-      {
-        const std::lock_guard again(request->mutex);
-        if (request->io == nullptr) return;
-      }
-      request->on_found(failure, found);
-    });
+    request->answer(std::move(failure), std::move(found));
   }).detach();
 }
 
@@ -72,4 +93,4 @@ void NameLookup::cancel() {
   request_->io = nullptr;
 }
 
-}  // namespace aucast::net
+}  // namespace aucast::link

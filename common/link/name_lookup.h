@@ -9,13 +9,17 @@
 #include <asio/io_context.hpp>
 #include <asio/ip/tcp.hpp>
 
-namespace aucast::net {
+namespace aucast::link {
 
-/// The addresses of a host by the system's own look-up, which cannot be broken off: it runs in a
-/// thread that nobody waits for. What comes too late is dropped.
+using Addresses = std::vector<asio::ip::tcp::endpoint>;
+
+/// Those that nobody has to be asked for: of an address in numbers, and of localhost. Else none.
+[[nodiscard]] Addresses known_addresses(const std::string& host, std::uint16_t port);
+
+/// The addresses of a host. The system's own look-up cannot be broken off, so it runs in a thread
+/// that nobody waits for, and what comes too late is dropped.
 class NameLookup {
  public:
-  using Addresses = std::vector<asio::ip::tcp::endpoint>;
   /// `failure`: the system's words; empty when there are addresses.
   using OnFound = std::function<void(const std::string& failure, Addresses found)>;
 
@@ -24,8 +28,9 @@ class NameLookup {
   NameLookup(const NameLookup&) = delete;
   NameLookup& operator=(const NameLookup&) = delete;
 
-  /// Calls `on_found` in the thread of the io_context, unless cancelled before. One at a time: a
-  /// new one cancels the one before. Throws std::system_error when the system has no thread left.
+  /// Calls `on_found` in the thread of the io_context, never from within start(), unless cancelled
+  /// before. One at a time: a new one cancels the one before. Throws std::system_error when the
+  /// system has no thread left.
   void start(const std::string& host, std::uint16_t port, OnFound on_found);
   void cancel();
 
@@ -36,4 +41,4 @@ class NameLookup {
   std::shared_ptr<Request> request_;
 };
 
-}  // namespace aucast::net
+}  // namespace aucast::link

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "common/link/link.h"
+#include "common/link/name_lookup.h"
+#include "common/link_limits.h"
+#include "common/time.h"
+#include "common/tls/context.h"
+
+namespace aucast::link {
+
+struct DialOptions {
+  std::string host;
+  std::uint16_t port = 0;
+  /// For the name, the connection and the handshake of TLS together.
+  Milliseconds time_max{10'000};
+  std::optional<tls::Context> tls{};  ///< nothing: plain
+  /// What will be said is nobody else's business: only over TLS or to this very computer.
+  bool secret = false;
+  Limits limits{};
+};
+
+/// Why no connection could be made.
+struct DialFailure {
+  bool final = false;  ///< another attempt would not change it
+  std::string reason;  ///< cause and remedy
+};
+
+using Dialled = std::variant<std::shared_ptr<Link>, DialFailure>;
+
+/// Makes connections, one at a time: looks the name up and tries every address, each with an even
+/// share of the time that is left. The link is not started yet; over TLS its handshake, which
+/// checks that the certificate is for `host`, has the rest of the time.
+/// Thread: that of the io_context, which must outlive it.
+class Dialler {
+ public:
+  using OnDialled = std::function<void(Dialled)>;
+
+  explicit Dialler(asio::io_context& io) : lookup_(io), socket_(io), timer_(io) {}
+  ~Dialler() { cancel(); }
+  Dialler(const Dialler&) = delete;
+  Dialler& operator=(const Dialler&) = delete;
+
+  /// Calls `on_dialled` once, never from within dial(), unless cancelled or replaced before. Throws
+  /// std::system_error when the system has no thread left to look the name up.
+  void dial(DialOptions options, OnDialled on_dialled);
+  void cancel();
+
+ private:
+  void try_next_address();
+  void on_connected();
+  void fail(std::string cause, const char* remedy);
+  void end(Dialled dialled);
+  void drop_socket();
+
+  NameLookup lookup_;
+  asio::ip::tcp::socket socket_;
+  asio::steady_timer timer_;  ///< of the name, then of each address
+  DialOptions options_;
+  OnDialled on_dialled_;
+  std::uint64_t attempt_ = 0;  ///< handlers of an earlier one mean nothing
+  Instant until_{};
+  Addresses addresses_;
+  std::size_t next_address_ = 0;
+  std::string first_failure_;
+};
+
+}  // namespace aucast::link

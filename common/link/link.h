@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/time.h"
+
+namespace aucast::link {
+
+/// Why a connection is closed.
+struct Ending {
+  enum class Why : std::uint8_t {
+    Finished,   ///< by finish(): all is sent, and the peer has ended or the drain's limits are met
+    Lost,       ///< it broke
+    NotTls,     ///< the peer does not speak TLS
+    Untrusted,  ///< a certificate is not accepted, by us or by the peer
+    TlsFailed,  ///< anything else that went wrong with TLS, a slow handshake among it
+  };
+  Why why = Why::Finished;
+  std::string reason{};  ///< a clause for the user; peer text escaped
+};
+
+/// What a link tells whoever uses it. Nothing is told from within a call of the user's, except
+/// on_open() from within start().
+class LinkUser {
+ public:
+  virtual ~LinkUser() = default;
+
+  /// write() may be called from now on. Comes first, once.
+  virtual void on_open() = 0;
+  virtual void on_bytes(std::string_view bytes) = 0;
+  /// The peer has ended its sending side. Comes once.
+  virtual void on_peer_end() = 0;
+  /// The link was blocked() and everything has been taken since.
+  virtual void on_room() = 0;
+  /// The moment asked for by wake_at() has come.
+  virtual void on_time() = 0;
+  /// TLS has failed. Its last words are drained before on_closed() says the same.
+  virtual void on_failure(const Ending& /*failure*/) {}
+  /// The link has closed; nothing is told any more. Does not come after close().
+  virtual void on_closed(const Ending& ending) = 0;
+};
+
+/// One byte connection: dialled or accepted, plain or TLS, over TCP or over another link. Its user
+/// sees plain bytes and one timer, and knows neither socket nor clock.
+///
+/// finish() drains, by the same rule everywhere: what was written is sent to the end, the sending
+/// side is shut, and what still comes is read and dropped until the peer ends, so that no reset
+/// takes the last words back; Limits bounds the time and the bytes.
+/// Thread: that of the executor it was made with. A link that tells its user something stays alive
+/// until the call has returned, so the user may let go of it there.
+class Link {
+ public:
+  Link() = default;
+  virtual ~Link() = default;
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+
+  /// Begins. `user` must live until on_closed() or close().
+  virtual void start(LinkUser& user) = 0;
+  /// Sends at once what is taken at once; the rest waits. Ignored after finish().
+  virtual void write(std::string_view bytes) = 0;
+  /// Nothing more will be written: drains, then on_closed(). Nothing else is told meanwhile.
+  virtual void finish() = 0;
+  /// Closes at once, whatever is under way.
+  virtual void close() = 0;
+  /// While false nothing is read, and flow control holds the peer back.
+  virtual void set_reading(bool reading) = 0;
+  /// Asks for one on_time(); replaces what was asked before. Nothing: no call.
+  virtual void wake_at(std::optional<Instant> when) = 0;
+
+  [[nodiscard]] virtual Instant now() const = 0;
+  /// The smoothed round trip as the system measured it; zero when unknown.
+  [[nodiscard]] virtual Duration round_trip() const = 0;
+  /// The peer takes no more for now, so that what is written waits.
+  [[nodiscard]] virtual bool blocked() const = 0;
+  /// Since when it is blocked without a byte being taken.
+  [[nodiscard]] virtual std::optional<Instant> stuck_since() const = 0;
+  [[nodiscard]] virtual std::size_t unsent_bytes() const = 0;
+  /// Bytes sent so far, as they go over the wire.
+  [[nodiscard]] virtual std::uint64_t wire_bytes() const = 0;
+};
+
+}  // namespace aucast::link

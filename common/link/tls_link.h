@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "common/link/link.h"
+#include "common/link_limits.h"
+#include "common/tls/channel.h"
+
+namespace aucast::link {
+
+/// TLS over another link. Opens when the handshake is done, for which there is
+/// `limits.tls_handshake`; a failure is drained like any last word, so that the peer gets the
+/// alert that explains it.
+/// `plain_answer`: what a peer is told that does not speak TLS, or says nothing in time; it may not
+/// even know that this is TLS, so it is told without. Empty: nothing.
+[[nodiscard]] std::shared_ptr<Link> tls_link(std::shared_ptr<Link> below, tls::Channel channel,
+                                             const Limits& limits, std::string plain_answer = {});
+
+}  // namespace aucast::link

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+
+#include "common/time.h"
+
+namespace aucast::link {
+
+/// What one connection may cost in time and memory.
+struct Limits {
+  Milliseconds tls_handshake{0};
+  /// Draining: the longest wait without progress, and what is read and dropped meanwhile.
+  Milliseconds drain_time{0};
+  std::size_t drain_bytes = 0;
+  /// While so much waits to be sent, nothing is read: who does not listen cannot go on asking.
+  std::size_t unsent_bytes = 0;
+
+  // When a silent peer has vanished. A system that refuses any of it still has a connection.
+
+  /// Nothing is under way to the peer: probes begin after so long a silence (whole seconds), ...
+  Milliseconds keep_alive_idle{0};
+  Milliseconds keep_alive_interval{0};  ///< ... so far apart (whole seconds), ...
+  int keep_alive_probes = 0;            ///< ... and so many go without an answer.
+  /// Something is under way to it and has not been acknowledged, or not been taken.
+  Milliseconds unanswered_time{0};
+};
+
+}  // namespace aucast::link
