@@ -16,20 +16,17 @@ using protocol::SessionFailed;
 
 constexpr std::size_t kWindowAsked = 64;
 
-/// Live, what is held ready beside the jitter itself, and what it may grow to.
-constexpr Milliseconds kDelayMargin{60};
-constexpr Milliseconds kDelayMost{4'000};
-
-/// A lost packet comes again after a round trip, three packets behind it and some jitter.
-Milliseconds delay_for(Duration round_trip) {
-  return std::chrono::duration_cast<Milliseconds>(round_trip * 5 / 2);
-}
-
-protocol::ClientSessionOptions session_options(const AuReaderOptions& options, bool negotiate) {
+/// `answers`: without, the window is 0.
+protocol::ClientSessionOptions session_options(const AuReaderOptions& options, bool negotiate,
+                                               bool answers) {
   protocol::ClientSessionOptions session;
   session.negotiate = negotiate;
-  session.hello.window =
-      static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity));
+  if (answers) {
+    session.hello.window =
+        static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity));
+  } else {
+    session.hello.window = 0;
+  }
   session.hello.stream = options.stream;
   session.hello.delta = true;
   session.hello.token = options.token;
@@ -68,16 +65,23 @@ std::string_view remedy(SessionFailed::Why why) {
 
 }  // namespace
 
+void AuReader::begin_session() {
+  protocol::ClientSessionOptions again = session_options(options_, negotiate_, answers_);
+  if (!status_.live) again.hello.from_ms = place_ms_;
+  session_ = protocol::ClientSession(std::move(again));
+}
+
 AuReader::AuReader(AuReaderOptions options)
     : options_(std::move(options)),
       negotiate_(!options_.classic),
-      session_(session_options(options_, negotiate_)),
-      buffers_(options_.buffers) {}
+      answers_(!options_.buffers.low_delay),
+      session_(session_options(options_, negotiate_, answers_)),
+      buffers_(options_.buffers),
+      timing_(options_.buffers) {}
 
 Reaction AuReader::connected(Instant now, Duration round_trip) {
   connected_at_ = now;
-  first_delay_ = std::clamp(delay_for(round_trip), options_.buffers.live_delay,
-                            std::max(kDelayMost, options_.buffers.live_delay));
+  timing_.connected(round_trip);
   status_.connected = true;
   status_.receive_seconds = 0;
   waiting_.clear();
@@ -142,12 +146,8 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   bytes_before_ += session_.payload_bytes();
   owed_ = 0;
   negotiate_ = !options_.classic;
-  protocol::ClientSessionOptions again = session_options(options_, negotiate_);
-  if (!status_.live) again.hello.from_ms = place_ms_;
-  session_ = protocol::ClientSession(std::move(again));
-  measured_since_.reset();
-  jitter_.begin_again();
-  playout_.begin_again();
+  begin_session();
+  timing_.begin_again();
   status_.connected = false;
   status_.negotiated = false;
   ++status_.reconnects;
@@ -224,6 +224,12 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
+  if (!answers_ && !event.hello.live) {
+    // Only a live stream goes without answers; a recorded one would come packet by packet.
+    answers_ = true;
+    connect_anew(reaction);
+    return;
+  }
   reaction.changed = true;
   status_.negotiated = true;
   status_.keyframe_time = Milliseconds(event.hello.keyframe_ms);
@@ -232,7 +238,7 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
                                  : std::nullopt);
   buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
   if (options_.buffers.adapt && !options_.buffers.low_delay && status_.live)
-    buffers_.set_delay(first_delay_);
+    buffers_.set_delay(timing_.first_delay());
   place_ms_ = event.hello.from_ms;
   answer(reaction.send);  // the user may have paused already
 }
@@ -244,14 +250,19 @@ void AuReader::handle(const protocol::StreamEnded& /*event*/, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::ReconnectClassic& /*event*/, Reaction& reaction) {
+  negotiate_ = false;
+  connect_anew(reaction);
+}
+
+/// Another connection at once, with another way to talk; nothing of this one counts.
+void AuReader::connect_anew(Reaction& reaction) {
   reaction = {};
   reaction.changed = true;
   reaction.next = Reaction::Next::Reconnect;
   first_.reset();
   owed_ = 0;
   status_.connected = false;
-  negotiate_ = false;
-  session_ = protocol::ClientSession(session_options(options_, negotiate_));
+  begin_session();
 }
 
 void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) {
@@ -265,41 +276,17 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
 
 void AuReader::note_live(const protocol::DeliverKeyframe& event, TimedAus& keyframe) {
   keyframe.arrived = now_;
-  const Milliseconds time =
-      keyframe.duration.value_or(options_.speed.value_or(status_.keyframe_time));
-  if (!options_.buffers.low_delay) {
-    note_arrival(time);
-  } else if (user_paused_) {
-    playout_.begin_again();
-  } else {
-    std::optional<Milliseconds> place;
-    if (event.place_ms) place = Milliseconds(*event.place_ms);
-    keyframe.due = playout_.arrived(now_, time, place);
-  }
-}
-
-/// Measures the jitter. The first keyframe tells nothing: who joins is sent one that has begun.
-void AuReader::note_arrival(Milliseconds time) {
-  if (!options_.buffers.adapt || user_paused_) {
-    measured_since_.reset();
-    return;
-  }
-  if (!measured_since_) {
-    measured_since_ = now_;
-    return;
-  }
-  jitter_.arrived(now_, time);
-  const auto spread =
-      std::chrono::duration_cast<Milliseconds>(jitter_.spread().value_or(Duration{}));
-  Milliseconds delay = std::min(spread + kDelayMargin, kDelayMost);
-  if (now_ - *measured_since_ < playback::JitterMeter::kWindow)
-    delay = std::max(delay, first_delay_);
-  buffers_.set_delay(delay);
+  if (user_paused_) return;
+  std::optional<Milliseconds> place;
+  if (event.place_ms) place = Milliseconds(*event.place_ms);
+  const Milliseconds untimed = options_.speed.value_or(status_.keyframe_time);
+  if (const auto delay = timing_.arrived(keyframe, untimed, place)) buffers_.set_delay(*delay);
 }
 
 void AuReader::take_in(const TimedAus& keyframe) {
-  kept_.push_back(keyframe);
   store_kept();
+  const bool stored = kept_.empty() && buffers_.store(keyframe) == KeyframeBuffers::Stored::Yes;
+  if (!stored) kept_.push_back(keyframe);
 }
 
 void AuReader::store_kept() {
@@ -394,10 +381,7 @@ bool AuReader::has_words() const {
 }
 
 void AuReader::set_paused(bool paused) {
-  if (user_paused_ && !paused) {
-    jitter_.begin_again();
-    playout_.begin_again();
-  }
+  if (user_paused_ && !paused) timing_.begin_again();
   user_paused_ = paused;
 }
 
@@ -419,7 +403,7 @@ playback::SourceStatus AuReader::status() const {
   status.keyframes_dropped = buffers_.dropped();
   status.delay = buffers_.delay();
   if (status_.live && options_.buffers.low_delay) {
-    status.delay = std::chrono::round<Milliseconds>(playout_.delay());
+    status.delay = timing_.low_delay();
   }
   status.buffered = buffers_.buffered();
   return status;

@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "client/net/back_off.h"
-#include "client/playback/jitter_meter.h"
+#include "client/net/live_timing.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
-#include "client/playback/live_playout.h"
 #include "common/time.h"
 #include "protocol/client_session.h"
 
@@ -55,9 +54,8 @@ struct Reaction {
 /// wait for answers is read no faster than the player makes room. With `reconnect` a loss is not
 /// the end: the face holds, and the stream of the next connection follows what had been received:
 /// a recorded one at the place where it was cut off, if the server knows how, a live one now.
-/// With BufferOptions::adapt a live stream is held back by what its jitter asks for, and before
-/// that is known by the round trip: a packet that was lost takes one and more to come again.
-/// With BufferOptions::low_delay each keyframe of a live stream says when it is due instead.
+/// With BufferOptions::low_delay a live stream is asked for without answers (window=0); if the
+/// server's is a recorded one, the reader connects once more with a window.
 /// Thread: none of its own; the owner guards it.
 class AuReader {
  public:
@@ -107,9 +105,10 @@ class AuReader {
   void handle(const protocol::StreamEnded& event, Reaction& reaction);
   void handle(const protocol::ReconnectClassic& event, Reaction& reaction);
   void handle(const protocol::SessionFailed& event, Reaction& reaction);
+  void connect_anew(Reaction& reaction);
+  void begin_session();
 
   void note_live(const protocol::DeliverKeyframe& event, playback::TimedAus& keyframe);
-  void note_arrival(Milliseconds time);
   void take_in(const playback::TimedAus& keyframe);
   void store_kept();
   void answer(std::string& send);
@@ -124,6 +123,7 @@ class AuReader {
 
   AuReaderOptions options_;
   bool negotiate_;
+  bool answers_;  ///< the next hello asks for a window
   protocol::ClientSession session_;
   playback::KeyframeBuffers buffers_;
   std::optional<playback::TimedAus> first_;  ///< kept aside until the server is known to go on
@@ -136,11 +136,8 @@ class AuReader {
   playback::SourceStatus status_;  ///< without what can be asked from the others
   Instant connected_at_{};
   Instant now_{};  ///< of the call that is being worked on
-  playback::LivePlayout playout_;
-  playback::JitterMeter jitter_;
-  Milliseconds first_delay_{0};            ///< before the jitter is known
-  std::optional<Instant> measured_since_;  ///< nothing: the next keyframe tells nothing of it
-  std::uint64_t place_ms_ = 0;             ///< recorded: how far it has come
+  LiveTiming timing_;
+  std::uint64_t place_ms_ = 0;  ///< recorded: how far it has come
   BackOff back_off_;
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;

@@ -41,15 +41,14 @@ struct Endpoint {
 };
 [[nodiscard]] Result<Endpoint> parse_endpoint(std::string_view text);
 
-/// The keyframes of a server. A thread of its own connects, reads, lets an AuReader decide, and
-/// answers. What both threads touch is one guarded object; what the player asks of the network
-/// thread is posted to it.
+/// The keyframes of a server. A thread of its own dials and runs a Connection. The reader is the
+/// one object that both threads touch; what the player asks of the network thread is posted to it.
 /// A failure shows in status(): Unreachable, ConnectionLost, ProtocolError or Refused, with a
 /// sentence for the user. What was received before is still given.
 class RemoteSource final : public playback::KeyframeSource {
  public:
   explicit RemoteSource(RemoteOptions options);  ///< starts connecting at once
-  /// Stops as stop() does and joins the thread: a second at most for the last words.
+  /// Stops as stop() does and joins the thread: kFarewellTimeMax for the last words.
   ~RemoteSource() override;
 
   [[nodiscard]] std::optional<playback::TimedAus> take() override;
@@ -64,10 +63,8 @@ class RemoteSource final : public playback::KeyframeSource {
   void resume();
 
  private:
-  struct Shared;
-  class Connection;
-  std::unique_ptr<Shared> shared_;
-  std::unique_ptr<Connection> connection_;
+  class Network;
+  std::unique_ptr<Network> network_;
 };
 
 }  // namespace aucast::net

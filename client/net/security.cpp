@@ -2,19 +2,11 @@
 
 #include <utility>
 
-#include <asio/ip/address.hpp>
-
+#include "common/link/host.h"
 #include "common/text.h"
 #include "protocol/token_file.h"
 
 namespace aucast::net {
-
-bool is_own_host(std::string_view host) {
-  if (host == "localhost") return true;
-  std::error_code no_address;
-  const auto address = asio::ip::make_address(std::string(host), no_address);
-  return !no_address && address.is_loopback();
-}
 
 Result<Security> load_security(const SecurityOptions& options, std::string_view host) {
   Security security;
@@ -29,7 +21,7 @@ Result<Security> load_security(const SecurityOptions& options, std::string_view 
   if (!token) return token.error();
   security.token = std::move(token->word);
   security.warning = std::move(token->warning);
-  if (!security.tls && !options.insecure_token && !host.empty() && !is_own_host(host)) {
+  if (!security.tls && !options.insecure_token && !host.empty() && !link::is_own_host(host)) {
     return Error{ErrorKind::Usage,
                  "everybody on the way to " + escaped(host) +
                      " could read the token: add --tls, or --insecure-token to show it all the "

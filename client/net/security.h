@@ -30,7 +30,4 @@ struct Security {
 /// go to `host` for everybody on the way to read.
 [[nodiscard]] Result<Security> load_security(const SecurityOptions& options, std::string_view host);
 
-/// Names this very computer: localhost or an address of the loopback.
-[[nodiscard]] bool is_own_host(std::string_view host);
-
 }  // namespace aucast::net

@@ -13,6 +13,7 @@ using aucast::test::ManualClock;
 using playback::EndReason;
 using Next = Reaction::Next;
 
+const std::string kLow = "{hello v=2 window=0 delta=1 live=1 keyframe=200}";
 const std::string kLive = "{hello v=2 window=4 delta=1 live=1 keyframe=200}";
 
 class LiveReading : public ::testing::Test {
@@ -91,7 +92,7 @@ class LowDelay : public LiveReading {
 };
 
 TEST_F(LowDelay, PlaysWithTheFirstKeyframeAndSaysWhenItIsDue) {
-  feed(kLive + "{1}");
+  feed(kLow + "{1}");
   ASSERT_TRUE(reader_->ready());
   const auto first = reader_->take();
   EXPECT_EQ(first->arrived, clock_.now());
@@ -104,7 +105,7 @@ TEST_F(LowDelay, PlaysWithTheFirstKeyframeAndSaysWhenItIsDue) {
 }
 
 TEST_F(LowDelay, GoesByTheTimesAndPlacesOfTheStream) {
-  feed(kLive + "{1;40@5000}");
+  feed(kLow + "{1;40@5000}");
   clock_.advance(119ms);
   feed("{2;40@5120}");  // two were left out
   static_cast<void>(reader_->take());
@@ -112,7 +113,7 @@ TEST_F(LowDelay, GoesByTheTimesAndPlacesOfTheStream) {
 }
 
 TEST_F(LowDelay, SkipsToThePresentWhileTheFaceStands) {
-  feed(kLive);
+  feed(kLow);
   for (int i = 0; i < 100; ++i) {
     clock_.advance(39ms);
     feed("{1;40}");
@@ -122,7 +123,7 @@ TEST_F(LowDelay, SkipsToThePresentWhileTheFaceStands) {
   clock_.advance(2s);
   std::string burst;
   for (int i = 0; i < 50; ++i) burst += i == 49 ? "{9;40}" : "{2;40}";
-  EXPECT_EQ(feed(burst), std::string(50, '1')) << "answered in one write";
+  EXPECT_EQ(feed(burst), "") << "with window=0 nothing is answered";
   std::optional<playback::TimedAus> last;
   int left = 0;
   while (const auto next = reader_->take()) {
@@ -135,15 +136,33 @@ TEST_F(LowDelay, SkipsToThePresentWhileTheFaceStands) {
   EXPECT_EQ(status().keyframes_dropped, 50U - static_cast<unsigned>(left));
 }
 
-TEST_F(LowDelay, IsNothingForARecordedStream) {
-  feed("{hello v=2 window=4 keyframe=200}{1}{2}");
+TEST_F(LowDelay, AsksForALiveStreamWithoutAnswers) {
+  EXPECT_EQ(said_, "{hello v=2 window=0 delta=1}");
+  EXPECT_EQ(feed(kLow + "{1;40}{2;40}"), "");
+  EXPECT_FALSE(reader_->has_words());
+  reader_->set_paused(true);
+  EXPECT_EQ(reader_->speak(clock_.now()).send, "-1");
+  reader_->set_paused(false);
+  EXPECT_EQ(reader_->speak(clock_.now()).send, "-3");
+}
+
+TEST_F(LowDelay, AServerThatWantsAnswersGetsThem) {
+  EXPECT_EQ(feed("{hello v=2 window=1 live=1 keyframe=200}{1;40}"), "1");
+}
+
+TEST_F(LowDelay, TakesARecordedStreamWithAWindowOverAnotherConnection) {
+  EXPECT_EQ(feed("{hello v=2 window=1 keyframe=200}{1}"), "");
+  EXPECT_EQ(last_.next, Next::Reconnect);
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1}");
+  EXPECT_EQ(feed("{hello v=2 window=4 keyframe=200}{1}{2}"), "11");
   EXPECT_FALSE(reader_->ready()) << "the threshold holds";
+  EXPECT_EQ(status().packets_received, 2U);
   static_cast<void>(close());
   EXPECT_FALSE(reader_->take()->due);
 }
 
 TEST_F(LowDelay, BeginsAgainAfterThePauseOfTheUser) {
-  feed(kLive + "{1;40}{1;40}");
+  feed(kLow + "{1;40}{1;40}");
   reader_->set_paused(true);
   clock_.advance(10s);
   reader_->set_paused(false);

@@ -1,0 +1,125 @@
+#include "client/net/connection.h"
+
+#include <utility>
+
+namespace aucast::net {
+
+using playback::EndReason;
+using Why = link::Ending::Why;
+
+Connection::Connection(SharedReader& reader, std::string peer, Owner owner)
+    : reader_(reader), peer_(std::move(peer)), owner_(std::move(owner)) {}
+
+Connection::~Connection() {
+  drop_link();
+}
+
+void Connection::begin(std::shared_ptr<link::Link> link) {
+  link_ = std::move(link);
+  link_->start(*this);
+}
+
+void Connection::fail(const std::string& reason, bool final) {
+  carry_out(reader_.with([&](AuReader& reader) {
+    return final ? reader.refused(EndReason::Refused, reason)
+                 : reader.unreachable("cannot reach " + peer_ + ": " + reason);
+  }));
+}
+
+void Connection::on_open() {
+  open_ = true;
+  carry_out(reader_.with(
+      [&](AuReader& reader) { return reader.connected(link_->now(), link_->round_trip()); }));
+}
+
+void Connection::on_bytes(std::string_view bytes) {
+  carry_out(reader_.with([&](AuReader& reader) { return reader.received(bytes, link_->now()); }));
+}
+
+void Connection::on_peer_end() {
+  peer_ended_ = true;
+  carry_out({});
+}
+
+void Connection::on_time() {
+  carry_out(reader_.with([&](AuReader& reader) { return reader.time(link_->now()); }));
+}
+
+void Connection::on_closed(const link::Ending& ending) {
+  if (leaving_) {
+    drop_link();
+    over_ = true;
+    owner_.over();
+  } else if (ending.why == Why::NotTls || ending.why == Why::Untrusted) {
+    const bool spoke = ending.why == Why::Untrusted;
+    carry_out(reader_.with([&](AuReader& reader) {
+      return reader.refused(spoke ? EndReason::Refused : EndReason::ProtocolError, ending.reason);
+    }));
+  } else if (!open_) {
+    fail(ending.reason + "; does it speak TLS?", false);
+  } else {
+    on_peer_end();
+  }
+}
+
+void Connection::speak(Instant now) {
+  if (!open_ || leaving_) return;
+  carry_out(reader_.with([&](AuReader& reader) { return reader.speak(now); }));
+}
+
+void Connection::leave() {
+  if (over_ || leaving_) return;
+  if (!open_) {
+    drop_link();
+    over_ = true;
+    owner_.over();
+    return;
+  }
+  leaving_ = true;
+  send(reader_.with([](AuReader& reader) { return reader.farewell(); }));
+  link_->finish();
+}
+
+void Connection::carry_out(const Reaction& reaction) {
+  if (!reaction.send.empty()) send(reaction.send);
+  switch (reaction.next) {
+    case Reaction::Next::GoOn: {
+      const auto [wants, deadline] = reader_.with([](const AuReader& reader) {
+        return std::pair(reader.wants_bytes(), reader.deadline());
+      });
+      // What the peer said before its end may still wait for room.
+      if (wants && std::exchange(peer_ended_, false)) {
+        carry_out(reader_.with([&](AuReader& reader) { return reader.closed(link_->now()); }));
+        return;
+      }
+      link_->set_reading(wants);
+      link_->wake_at(deadline);
+      break;
+    }
+    case Reaction::Next::Reconnect:
+    case Reaction::Next::ReconnectLater:
+      drop_link();
+      owner_.dial(reaction.retry_after);
+      break;
+    case Reaction::Next::Close:
+      drop_link();
+      over_ = true;
+      owner_.over();
+      break;
+  }
+  if (reaction.changed) owner_.changed();
+}
+
+void Connection::send(std::string_view words) {
+  bytes_sent_ += words.size();
+  link_->write(words);
+}
+
+void Connection::drop_link() {
+  open_ = false;
+  peer_ended_ = false;
+  if (link_) link_->close();
+  link_.reset();
+}
+
+}  // namespace aucast::net

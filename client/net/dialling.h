@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+
+#include "client/net/remote_source.h"
+#include "common/link/dialler.h"
+#include "protocol/link_limits.h"
+
+namespace aucast::net {
+
+/// How a server is dialled, whatever it is asked then.
+[[nodiscard]] inline link::DialOptions dial_options(const RemoteOptions& options) {
+  const Security& security = options.security;
+  link::DialOptions dial;
+  dial.host = options.host;
+  dial.port = options.port;
+  dial.time_max = std::chrono::ceil<Milliseconds>(options.connect_timeout);
+  dial.tls = security.tls;
+  dial.secret = !security.token.empty() && !security.insecure_token;
+  dial.limits = protocol::kLinkLimits;
+  dial.limits.drain_time = protocol::kFarewellTimeMax;
+  return dial;
+}
+
+}  // namespace aucast::net

@@ -1,0 +1,59 @@
+#include "client/net/live_timing.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace aucast::net {
+namespace {
+
+/// What is held ready beside the jitter itself, and what it may grow to.
+constexpr Milliseconds kDelayMargin{60};
+constexpr Milliseconds kDelayMost{4'000};
+
+/// A lost packet comes again after a round trip, three packets behind it and some jitter.
+Milliseconds delay_for(Duration round_trip) {
+  return std::chrono::duration_cast<Milliseconds>(round_trip * 5 / 2);
+}
+
+}  // namespace
+
+void LiveTiming::connected(Duration round_trip) {
+  first_delay_ = std::clamp(delay_for(round_trip), options_.live_delay,
+                            std::max(kDelayMost, options_.live_delay));
+}
+
+void LiveTiming::begin_again() {
+  measured_since_.reset();
+  jitter_.begin_again();
+  playout_.begin_again();
+}
+
+std::optional<Milliseconds> LiveTiming::arrived(playback::TimedAus& keyframe, Milliseconds untimed,
+                                                std::optional<Milliseconds> place) {
+  const Milliseconds time = keyframe.duration.value_or(untimed);
+  if (options_.low_delay) {
+    keyframe.due = playout_.arrived(*keyframe.arrived, time, place);
+    return std::nullopt;
+  }
+  return options_.adapt ? measured(*keyframe.arrived, time) : std::nullopt;
+}
+
+/// The first keyframe tells nothing of the jitter: who joins is sent one that has begun.
+std::optional<Milliseconds> LiveTiming::measured(Instant now, Milliseconds time) {
+  if (!measured_since_) {
+    measured_since_ = now;
+    return std::nullopt;
+  }
+  jitter_.arrived(now, time);
+  const auto spread =
+      std::chrono::duration_cast<Milliseconds>(jitter_.spread().value_or(Duration{}));
+  const Milliseconds delay = std::min(spread + kDelayMargin, kDelayMost);
+  const bool enough = now - *measured_since_ >= playback::JitterMeter::kWindow;
+  return enough ? delay : std::max(delay, first_delay_);
+}
+
+Milliseconds LiveTiming::low_delay() const {
+  return std::chrono::round<Milliseconds>(playout_.delay());
+}
+
+}  // namespace aucast::net
