@@ -347,7 +347,6 @@ Sections: aus (A to E, both sides and each alone), prototypes, combinations
 (pairs of basic expressions), appendix-a, appendix-b (the thesis'), sweeps,
 coverage.
 )";
-;
 
 }  // namespace
 
