@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -12,9 +13,23 @@
 
 namespace aucast::face {
 
-/// How a part of the face takes light.
-/// A crease is a line that an expression draws on the skin: invisible but for its channel.
-enum class Material : std::uint8_t { Skin, Eye, Teeth, Mouth, Hair, Cloth, Brow, Crease };
+/// What a part of the face is made of. A crease is a line that an expression draws on the skin:
+/// invisible but for its channel.
+enum class Material : std::uint8_t {
+  Skin,
+  Eye,
+  Teeth,
+  Mouth,
+  Hair,
+  GreyHair,
+  Cloth,
+  Brow,
+  Lash,
+  Crease,
+};
+/// In the order of Material, as mesh files have them.
+inline constexpr std::array<std::string_view, 10> kMaterialNames = {
+    "skin", "eye", "teeth", "mouth", "hair", "grey_hair", "cloth", "brow", "lash", "crease"};
 
 /// A named run of vertices and triangles: skin, left_eye, upper_teeth, ... `skin` comes first.
 struct MeshPart {

@@ -17,8 +17,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "mesh files are little-endian");
 
-constexpr std::string_view kMaterialNames[] = {"skin", "eye",   "teeth", "mouth",
-                                               "hair", "cloth", "brow",  "crease"};
 constexpr std::string_view kCoordinates[] = {"x", "y", "z"};
 constexpr std::string_view kColourNames[] = {"red", "green", "blue", "alpha"};
 constexpr std::size_t kHeaderBytesMax = 64 * 1024;

@@ -9,9 +9,9 @@
 
 namespace aucast::render {
 
-/// Draws a face with OpenGL 3.3 core into whatever framebuffer is bound. The same for window and
-/// headless. Needs a current context for all its life.
-/// Thread: the one the context is current on.
+/// Draws a face with OpenGL 3.3 core or OpenGL ES 3.0 into whatever framebuffer is bound. The same
+/// for window and headless. Needs a current context for all its life. Thread: the one the context
+/// is current on.
 class FaceRenderer {
  public:
   /// Failed, with the compiler's words, when the shaders do not build.
@@ -20,10 +20,12 @@ class FaceRenderer {
   FaceRenderer(const FaceRenderer&) = delete;
   FaceRenderer& operator=(const FaceRenderer&) = delete;
 
+  /// Takes over a face; pose() must follow.
   void load(const view::StaticMesh& mesh);
+  /// What draw() shows from here on. Borrows what is not per vertex until the next call.
+  void pose(const view::MovingMesh& mesh);
   /// Clears and draws into the bound framebuffer; width and height in pixels.
-  void draw(const view::MovingMesh& mesh, const view::Camera& camera, const view::Style& style,
-            int width, int height);
+  void draw(const view::Camera& camera, const view::Style& style, int width, int height);
 
  private:
   struct State;

@@ -70,9 +70,10 @@ constexpr std::array<Way, 3> kWays{{{"surfaceless", surfaceless_display},
                                     {"device", device_display},
                                     {"default display", default_display}}};
 
-EGLContext make_context(EGLDisplay display) {
+EGLContext make_context(EGLDisplay display, Api api) {
+  const bool es = api == Api::OpenGlEs30;
   const std::array<EGLint, 5> config_wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE,
-                                            EGL_OPENGL_BIT, EGL_NONE};
+                                            es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (eglChooseConfig(display, config_wanted.data(), &config, 1, &count) != EGL_TRUE || count < 1) {
@@ -81,8 +82,8 @@ EGLContext make_context(EGLDisplay display) {
   const std::array<EGLint, 7> context_wanted{EGL_CONTEXT_MAJOR_VERSION,
                                              3,
                                              EGL_CONTEXT_MINOR_VERSION,
-                                             3,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                             es ? 0 : 3,
+                                             es ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                              EGL_NONE};
   return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wanted.data());
@@ -106,13 +107,14 @@ struct OffscreenContext::State {
   }
 
   /// The reason when it did not work.
-  [[nodiscard]] std::optional<std::string> open(const Way& way) {
+  [[nodiscard]] std::optional<std::string> open(const Way& way, Api api) {
     const EGLDisplay found = way.display();
     if (found == EGL_NO_DISPLAY) return "not there";
     if (eglInitialize(found, nullptr, nullptr) != EGL_TRUE) return egl_reason();
     display = found;
-    if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) return "no OpenGL, " + egl_reason();
-    context = make_context(display);
+    if (eglBindAPI(api == Api::OpenGlEs30 ? EGL_OPENGL_ES_API : EGL_OPENGL_API) != EGL_TRUE)
+      return "no OpenGL, " + egl_reason();
+    context = make_context(display, api);
     if (context == EGL_NO_CONTEXT) return "no OpenGL 3.3 core, " + egl_reason();
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
       return egl_reason();
@@ -124,14 +126,14 @@ struct OffscreenContext::State {
 OffscreenContext::OffscreenContext(std::unique_ptr<State> state) : state_(std::move(state)) {}
 OffscreenContext::~OffscreenContext() = default;
 
-Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
+Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create(Api api) {
   if (const auto library = missing_library(); library.has_value()) {
     return Error{ErrorKind::Failed, *library + " cannot be loaded" + kRemedy};
   }
   std::string tried;
   for (const Way& way : kWays) {
     auto state = std::make_unique<State>();
-    const auto reason = state->open(way);
+    const auto reason = state->open(way, api);
     if (!reason.has_value()) {
       return std::unique_ptr<OffscreenContext>(new OffscreenContext(std::move(state)));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "client/view/image.h"
@@ -7,12 +8,15 @@
 
 namespace aucast::render {
 
-/// An OpenGL 3.3 core context without a display: EGL, the surfaceless platform first, an EGL device
-/// second. Current on the thread that made it.
+enum class Api : std::uint8_t { OpenGl33Core, OpenGlEs30 };
+
+/// A context without a display: EGL, the surfaceless platform first, an EGL device second. Current
+/// on the thread that made it.
 class OffscreenContext {
  public:
   /// Failed, with what each way said and what to install, when there is none.
-  [[nodiscard]] static Result<std::unique_ptr<OffscreenContext>> create();
+  [[nodiscard]] static Result<std::unique_ptr<OffscreenContext>> create(
+      Api api = Api::OpenGl33Core);
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;

@@ -1,12 +1,6 @@
 #include "client/render/segment_renderer.h"
 
-#include <array>
 #include <cstddef>
-#include <utility>
-
-#include <glm/gtc/type_ptr.hpp>
-
-#include "client/render/shaders.h"
 
 namespace aucast::render {
 namespace {
@@ -20,7 +14,7 @@ void per_segment(GLuint slot, GLint components, std::size_t offset) {
 
 }  // namespace
 
-SegmentRenderer::SegmentRenderer(Program program) : program_(std::move(program)) {
+SegmentRenderer::SegmentRenderer() {
   glBindVertexArray(array_.id());
   glBindBuffer(GL_ARRAY_BUFFER, segments_.id());
   per_segment(0, 3, offsetof(view::Segment, from));
@@ -30,33 +24,17 @@ SegmentRenderer::SegmentRenderer(Program program) : program_(std::move(program))
   glBindVertexArray(0);
 }
 
-Result<SegmentRenderer> SegmentRenderer::create() {
-  namespace glsl = shaders;
-  auto program = build_program("segments", std::array{glsl::kVersion, glsl::kSegmentVertex},
-                               std::array{glsl::kVersion, glsl::kSegmentFragment});
-  if (!program.has_value()) return program.error();
-  return SegmentRenderer(std::move(program.value()));
-}
-
-void SegmentRenderer::load(std::span<const view::Segment> segments, const glm::mat4& world_to_clip,
-                           int width, int height, float scale) {
+void SegmentRenderer::load(std::span<const view::Segment> segments) {
   count_ = static_cast<GLsizei>(segments.size());
   glBindBuffer(GL_ARRAY_BUFFER, segments_.id());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(segments.size_bytes()), segments.data(),
                GL_STREAM_DRAW);
-  glUseProgram(program_.id());
-  const auto location = [this](const char* name) {
-    return glGetUniformLocation(program_.id(), name);
-  };
-  glUniformMatrix4fv(location("u_world_to_clip"), 1, GL_FALSE, glm::value_ptr(world_to_clip));
-  glUniform2f(location("u_viewport_px"), static_cast<float>(width), static_cast<float>(height));
-  glUniform1f(location("u_scale"), scale);
 }
 
-void SegmentRenderer::draw(float alpha) {
+void SegmentRenderer::draw(const Program& program, float alpha) const {
   if (count_ == 0) return;
-  glUseProgram(program_.id());
-  glUniform1f(glGetUniformLocation(program_.id(), "u_alpha"), alpha);
+  glUseProgram(program.id());
+  glUniform1f(glGetUniformLocation(program.id(), "u_alpha"), alpha);
   glBindVertexArray(array_.id());
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   glEnable(GL_BLEND);

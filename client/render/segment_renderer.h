@@ -2,11 +2,8 @@
 
 #include <span>
 
-#include <glm/mat4x4.hpp>
-
 #include "client/render/gl_objects.h"
 #include "client/view/style.h"
-#include "common/result.h"
 
 namespace aucast::render {
 
@@ -14,18 +11,14 @@ namespace aucast::render {
 /// Thread: the one the context is current on.
 class SegmentRenderer {
  public:
-  [[nodiscard]] static Result<SegmentRenderer> create();
+  SegmentRenderer();
 
-  /// Takes over what is drawn next; camera and size of the picture.
-  void load(std::span<const view::Segment> segments, const glm::mat4& world_to_clip, int width,
-            int height, float scale);
+  /// What draw() draws from here on.
+  void load(std::span<const view::Segment> segments);
   /// Blends them over the picture with their opacity times `alpha`. The depth test is the caller's.
-  void draw(float alpha);
+  void draw(const Program& program, float alpha) const;
 
  private:
-  explicit SegmentRenderer(Program program);
-
-  Program program_;
   VertexArray array_;
   Buffer segments_;
   GLsizei count_ = 0;

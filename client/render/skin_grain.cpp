@@ -75,7 +75,7 @@ Texels texels() {
 }  // namespace
 
 SkinGrain::SkinGrain() {
-  bind();
+  glBindTexture(GL_TEXTURE_2D, texture_.id());
   const Texels all = texels();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kSide, kSide, 0, GL_RG, GL_UNSIGNED_BYTE, all.data());
@@ -96,7 +96,8 @@ std::vector<glm::vec2> SkinGrain::places(std::span<const glm::vec3> rest) {
   return places;
 }
 
-void SkinGrain::bind() const {
+void SkinGrain::bind(GLenum unit) const {
+  glActiveTexture(unit);
   glBindTexture(GL_TEXTURE_2D, texture_.id());
 }
 

@@ -11,17 +11,15 @@
 
 namespace aucast::render {
 
-/// What is too fine for the vertices of a skin: an even grain of its colour and pores that break up
-/// its shine. A small texture, wrapped round the head as it is at rest. Needs a current context.
+/// What is too fine for a skin's vertices: blotches of its colour and pores that break up its
+/// highlights. A small texture that is wrapped round the head at rest. Needs a current context.
 class SkinGrain {
  public:
   SkinGrain();
 
-  /// Where on the texture the vertices of a head at rest lie. Out of 8 bits, from the same numbers
-  /// every time.
+  /// The texture coordinates of the vertices of a head at rest.
   [[nodiscard]] static std::vector<glm::vec2> places(std::span<const glm::vec3> rest);
-  /// To the texture unit that is active.
-  void bind() const;
+  void bind(GLenum unit) const;
 
  private:
   Texture texture_;

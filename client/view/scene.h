@@ -10,16 +10,35 @@
 
 namespace aucast::view {
 
-/// How a run of triangles takes light.
-enum class Shading : std::uint8_t { Skin, Eye, Teeth, Mouth, Hair, Cloth, Brow, Crease };
+/// What a surface is drawn as; all but Surface have a light model of their own.
+enum class Shader : std::uint8_t { Surface, Hair, Eye, Crease };
 
-struct ShadedRange {
-  Shading shading = Shading::Skin;
+/// How a surface answers the light.
+struct Material {
+  Shader shader = Shader::Surface;
+  /// Outermost first, so that what lies beneath is never shaded: 0 hair, 1 cloth, 2 skin, 3 the
+  /// rest. What encloses the head (0 to 2) casts shadows and is what a transparent face lets
+  /// through.
+  std::uint8_t order = 3;
+  bool two_sided = true;
+  float wrap = 1;  ///< how far the key light reaches round into the shade; 1 is skin
+  float specular = 0;
+  float power = 20;       ///< of the highlight
+  float shadow_kept = 0;  ///< share of the key light in its shadow, at least
+  float grain = 0;        ///< pores and blotches; 1 is skin
+  float thinning = 0;     ///< 1: fades where it is seen at a grazing angle
+  float grey = 0;         ///< of hair: 1 is white hairs among dark ones
+
+  [[nodiscard]] bool encloses() const { return order < 3; }
+};
+
+struct MaterialRange {
+  Material material;
   std::uint32_t triangle_begin = 0;
   std::uint32_t triangle_count = 0;
-  int eye = -1;              ///< for Eye: index into eye_centres
+  int eye = -1;              ///< of an eyeball: index into eye_centres
   bool translucent = false;  ///< some vertex has alpha below 1: drawn after the solid ones
-  int crease = -1;           ///< for Crease: index into creases
+  int crease = -1;           ///< of a crease: index into creases
   bool rounded = false;      ///< drawn with a smoother outline than its triangles have
 };
 
@@ -29,7 +48,7 @@ struct StaticMesh {
   std::span<const glm::vec4> colours;                       ///< linear RGB, alpha
   std::span<const float> occlusion;                         ///< ambient light that arrives, [0,1]
   std::span<const float> gloss;                             ///< factor on the highlight
-  std::span<const ShadedRange> ranges;
+  std::span<const MaterialRange> ranges;
   std::span<const glm::vec3> rest = {};  ///< positions; without, no grain and no rounding
   /// Where across the hair a vertex lies, [0,1]: strands run where it is the same. Empty: no
   /// strands.
@@ -50,7 +69,7 @@ struct MovingMesh {
 };
 
 /// A camera that looks at `target` from `distance`, turned by yaw (to the subject's left is
-/// positive) and pitch (up is positive). The long lens flatters (face.md 5).
+/// positive) and pitch (up is positive). A long lens, as for portraits.
 struct Camera {
   glm::vec3 target{0.0F, 0.6F, 2.0F};
   float distance = 60;

@@ -8,8 +8,8 @@ Strands::Strands(const StaticMesh& mesh, std::size_t vertex_count) {
   for (const float number : mesh.strand) strands_.emplace_back(0, 0, 0, number);
   strands_.resize(vertex_count);
   if (mesh.strand.empty()) return;
-  for (const ShadedRange& range : mesh.ranges) {
-    if (range.shading != Shading::Hair) continue;
+  for (const MaterialRange& range : mesh.ranges) {
+    if (range.material.shader != Shader::Hair) continue;
     const auto hair = mesh.triangles.subspan(range.triangle_begin, range.triangle_count);
     triangles_.insert(triangles_.end(), hair.begin(), hair.end());
   }

@@ -339,7 +339,7 @@ Part make_brow(const Identity& who, int side) {
 Part make_lashes(const Identity& who, const Skin& skin) {
   Part lashes;
   lashes.name = "lashes";
-  lashes.material = face::Material::Brow;
+  lashes.material = face::Material::Lash;
   for (const int side : {1, -1}) {
     add_lid_band(lashes, who, skin, side);
     for (const bool upper : {true, false}) add_lid_shade(lashes, skin, side, upper);

@@ -40,7 +40,7 @@ Vec3 shade_of(const Identity& who, double light) {
 Part make_hair(const Identity& who) {
   Part hair = who.hair.guides.empty() ? make_short_hair(who) : make_long_hair(who);
   hair.name = "hair";
-  hair.material = face::Material::Hair;
+  hair.material = who.hair.grey ? face::Material::GreyHair : face::Material::Hair;
   hair.fill(Map::Head, 1);
   return hair;
 }

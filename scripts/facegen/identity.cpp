@@ -254,12 +254,12 @@ Identity man_of_fifty() {
   form.furrow = 0.07;
   form.jowl = 0.05;
   form.chin_fold = 0.14;
-  Haircut& hair = who.hair;
-  hair.hairline = kRecedingHairline;
-  hair.combed = kCombedBack;
-  hair.crown = {0.6, 9.6, 1.2};
-  hair.side = 0.28;
-  hair.top = 0.64;
+  who.hair = {.hairline = kRecedingHairline,
+              .crown = {0.6, 9.6, 1.2},
+              .combed = kCombedBack,
+              .side = 0.28,
+              .top = 0.64,
+              .grey = true};
   who.lines = {.seed = 2, .depth = 1.12, .width = 0.94, .uneven = 0.16, .forehead_up = 0.06};
   Palette& colours = who.colours;
   colours.skin = {0.50, 0.295, 0.195};

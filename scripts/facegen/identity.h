@@ -74,12 +74,13 @@ struct Haircut {
   Vec3 crown{0.9, 9.9, -2.6};
   /// How long hair falls: lines from root to tip at equal steps across the hair, from the front of
   /// the left side over the back to the front of the right one. None: short hair along the scalp.
-  std::span<const std::array<Vec3, 9>> guides;
+  std::span<const std::array<Vec3, 9>> guides = {};
   /// How the top of short hair is combed: lines from the hairline of the forehead over the crown,
   /// at equal steps from the parting on the left to the right side. Its height is `top`.
   std::span<const std::array<Vec3, 5>> combed;
   double side = 0.30;  ///< thickness over the skin
   double top = 0.72;   ///< the same, of short hair on top
+  bool grey = false;   ///< white hairs among dark ones
 };
 
 /// How the lines look that expressions draw on this skin (`creases`).

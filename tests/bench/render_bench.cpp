@@ -89,7 +89,8 @@ Result<void> run(double seconds) {
     const Rate face = measure(seconds, [&, width = width, height = height](int frame) {
       (*scene)->pose(moving(frame));
       (*target)->bind();
-      (*renderer)->draw((*scene)->moving_mesh(), {}, {}, width, height);
+      (*renderer)->pose((*scene)->moving_mesh());
+      (*renderer)->draw({}, {}, width, height);
       static_cast<void>((*target)->read());
     });
     const auto print = [&size, &clear](const char* frame, const Rate& rate) {

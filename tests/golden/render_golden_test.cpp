@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -16,10 +18,12 @@
 #include "client/render/window.h"
 #include "client/view/camera.h"
 #include "client/view/image.h"
+#include "common/embedded_file.h"
 #include "common/files.h"
 #include "tests/golden/baseline.h"
 #include "tests/golden/render_scene.h"
 #include "tests/support/process.h"
+#include "tests/support/temp_folder.h"
 
 namespace aucast {
 namespace {
@@ -47,7 +51,8 @@ class RenderGolden : public testing::Test {
     auto target = render::OffscreenTarget::create(width, height);
     EXPECT_TRUE(target.has_value()) << target.error().message;
     (*target)->bind();
-    renderer_->draw(mesh, camera, {.background = background}, width, height);
+    renderer_->pose(mesh);
+    renderer_->draw(camera, {.background = background}, width, height);
     return (*target)->read();
   }
 
@@ -91,7 +96,8 @@ TEST_F(RenderGolden, EveryLayerLooksAsBefore) {
     ASSERT_TRUE(target.has_value()) << target.error().message;
     (*target)->bind();
     view::Style style{.layers = *view::parse_layers(layers), .diagram = marks};
-    renderer().draw(head.moving_mesh(), {}, style, kSide, kSide);
+    renderer().pose(head.moving_mesh());
+    renderer().draw({}, style, kSide, kSide);
     std::string name = "render_layers_" + layers;
     std::replace(name.begin(), name.end(), ',', '_');
     expect_as_baseline((*target)->read(), name);
@@ -109,7 +115,8 @@ TEST_F(RenderGolden, TheKeyLightLightsItsSide) {
     EXPECT_TRUE(target.has_value());
     (*target)->bind();
     const view::Style style{.light = view::key_light(yaw_deg, 20, strength)};
-    renderer().draw(head.moving_mesh(), {}, style, kSide, kSide);
+    renderer().pose(head.moving_mesh());
+    renderer().draw({}, style, kSide, kSide);
     return (*target)->read();
   };
   const int left = kSide / 2 + 30;
@@ -139,8 +146,65 @@ TEST_F(RenderGolden, DrawsTheSameBytesTwice) {
   auto target = render::OffscreenTarget::create(kSide, kSide);
   ASSERT_TRUE(target.has_value());
   (*target)->bind();
-  (*again)->draw(head.moving_mesh(), {}, {}, kSide, kSide);
+  (*again)->pose(head.moving_mesh());
+  (*again)->draw({}, {}, kSide, kSide);
   EXPECT_TRUE((*target)->read().rgba == first.rgba);
+}
+
+TEST(FaceRenderer, DrawsTheSamePictureWithOpenGlEs) {
+  const test::SphereHead head;
+  const auto drawn_with = [&](render::Api api) {
+    const auto context = render::OffscreenContext::create(api);
+    EXPECT_TRUE(context.has_value()) << context.error().message;
+    EXPECT_EQ(epoxy_is_desktop_gl(), api == render::Api::OpenGl33Core);
+    auto renderer = render::FaceRenderer::create();
+    EXPECT_TRUE(renderer.has_value()) << renderer.error().message;
+    (*renderer)->load(head.static_mesh());
+    (*renderer)->pose(head.moving_mesh());
+    auto target = render::OffscreenTarget::create(kSide, kSide);
+    EXPECT_TRUE(target.has_value());
+    (*target)->bind();
+    (*renderer)->draw({}, {}, kSide, kSide);
+    const view::Image image = (*target)->read();
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    return image;
+  };
+  const view::Image wanted = drawn_with(render::Api::OpenGl33Core);
+  EXPECT_EQ(view::compare(drawn_with(render::Api::OpenGlEs30), wanted, 1).share, 0);
+}
+
+TEST(FaceRenderer, ShadersInTheFolderOfTheEnvironmentMayChangeWhileItRuns) {
+  const auto context = render::OffscreenContext::create();
+  ASSERT_TRUE(context.has_value()) << context.error().message;
+  const test::TempFolder folder;
+  for (const auto& file : embedded::shaders()) folder.write(std::string(file.name), file.bytes);
+  auto written = std::filesystem::file_time_type::clock::now();
+  const auto write_backdrop = [&](const std::string& main) {
+    const auto file = folder.write("backdrop_fragment.glsl", "out vec4 o_colour;\n" + main);
+    std::filesystem::last_write_time(file, written += std::chrono::seconds(1));
+  };
+  write_backdrop("void main() { o_colour = vec4(1.0, 0.0, 0.0, 1.0); }\n");
+  ::setenv("AUCAST_SHADERS", folder.path().c_str(), 1);
+  auto renderer = render::FaceRenderer::create();
+  ASSERT_TRUE(renderer.has_value()) << renderer.error().message;
+  auto target = render::OffscreenTarget::create(1, 1);
+  ASSERT_TRUE(target.has_value()) << target.error().message;
+  (*renderer)->load({});
+  const auto pixel = [&] {
+    (*target)->bind();
+    (*renderer)->draw({}, {}, 1, 1);
+    return (*target)->read().rgba;
+  };
+  EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{255, 0, 0, 255}));
+  write_backdrop("void main() { o_colour = vec4(0.0, 1.0, 0.0, 1.0); }\n");
+  EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
+  write_backdrop("void main() { nonsense; }\n");
+  EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
+  std::filesystem::remove(folder.path() / "lit_vertex.glsl");
+  const auto broken = render::FaceRenderer::create();
+  ::unsetenv("AUCAST_SHADERS");
+  ASSERT_FALSE(broken.has_value());
+  EXPECT_NE(broken.error().message.find("lit_vertex.glsl"), std::string::npos);
 }
 
 TEST_F(RenderGolden, GivesCompletePicturesOfAnySize) {
@@ -245,8 +309,8 @@ TEST_F(RenderGolden, AnIrisIsSeenFromTheSide) {
       colours[i] = {1, 0, 0, 1};
     }
   }
-  std::vector<view::ShadedRange> ranges(eye.ranges.begin(), eye.ranges.end());
-  std::erase_if(ranges, [](const view::ShadedRange& range) { return range.eye != 0; });
+  std::vector<view::MaterialRange> ranges(eye.ranges.begin(), eye.ranges.end());
+  std::erase_if(ranges, [](const view::MaterialRange& range) { return range.eye != 0; });
   ASSERT_EQ(ranges.size(), 1U);
   eye.colours = colours;
   eye.ranges = ranges;

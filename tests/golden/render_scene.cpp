@@ -17,15 +17,15 @@ constexpr int kColumns = 48;
 }  // namespace
 
 SphereHead::SphereHead() {
-  using view::Shading;
+  using face::Material;
   const glm::vec4 skin(0.74F, 0.505F, 0.385F, 1);
-  add({Shading::Skin, {0, 1.5F, 2}, {5, 7, 6}, skin, 0, kRows, false, -1});
-  add({Shading::Skin, {0, 0.6F, 8}, {0.8F, 1.4F, 1.2F}, skin, 0, kRows, false, -1});
-  add({Shading::Skin, {0, -7, 1}, {2.6F, 5, 2.6F}, skin, 0, kRows, false, -1});
+  add({Material::Skin, {0, 1.5F, 2}, {5, 7, 6}, skin, 0, kRows, false, -1});
+  add({Material::Skin, {0, 0.6F, 8}, {0.8F, 1.4F, 1.2F}, skin, 0, kRows, false, -1});
+  add({Material::Skin, {0, -7, 1}, {2.6F, 5, 2.6F}, skin, 0, kRows, false, -1});
   const glm::vec4 iris(0.25F, 0.33F, 0.22F, 1);
-  add({Shading::Eye, {2.1F, 2.7F, 6.6F}, glm::vec3(1.27F), iris, 0, kRows, false, 0});
-  add({Shading::Eye, {-2.1F, 2.7F, 6.6F}, glm::vec3(1.27F), iris, 0, kRows, false, 1});
-  add({Shading::Mouth,
+  add({Material::Eye, {2.1F, 2.7F, 6.6F}, glm::vec3(1.27F), iris, 0, kRows, false, 0});
+  add({Material::Eye, {-2.1F, 2.7F, 6.6F}, glm::vec3(1.27F), iris, 0, kRows, false, 1});
+  add({Material::Mouth,
        {0, -2.6F, 6.6F},
        {1.8F, 0.8F, 1},
        {0.42F, 0.13F, 0.12F, 1},
@@ -33,7 +33,7 @@ SphereHead::SphereHead() {
        kRows,
        false,
        -1});
-  add({Shading::Teeth,
+  add({Material::Teeth,
        {0, -2.4F, 6.9F},
        {1.2F, 0.35F, 1},
        {0.9F, 0.87F, 0.81F, 1},
@@ -41,7 +41,7 @@ SphereHead::SphereHead() {
        kRows,
        false,
        -1});
-  add({Shading::Hair,
+  add({Material::Hair,
        {0, 2.6F, 1},
        {5.4F, 6.8F, 6.2F},
        {0.2F, 0.11F, 0.06F, 1},
@@ -49,10 +49,10 @@ SphereHead::SphereHead() {
        kRows * 2 / 5,
        true,
        -1});
-  add({Shading::Cloth, {0, -11, 0}, {9, 4, 5}, {0.1F, 0.14F, 0.2F, 1}, 0, kRows / 2, false, -1});
+  add({Material::Cloth, {0, -11, 0}, {9, 4, 5}, {0.1F, 0.14F, 0.2F, 1}, 0, kRows / 2, false, -1});
   const glm::vec4 brow(0.125F, 0.075F, 0.048F, 0.7F);
-  add({Shading::Brow, {2.1F, 4.4F, 7.2F}, {1.3F, 0.25F, 0.5F}, brow, 0, kRows, false, -1});
-  add({Shading::Brow, {-2.1F, 4.4F, 7.2F}, {1.3F, 0.25F, 0.5F}, brow, 0, kRows, false, -1});
+  add({Material::Brow, {2.1F, 4.4F, 7.2F}, {1.3F, 0.25F, 0.5F}, brow, 0, kRows, false, -1});
+  add({Material::Brow, {-2.1F, 4.4F, 7.2F}, {1.3F, 0.25F, 0.5F}, brow, 0, kRows, false, -1});
 }
 
 void SphereHead::add(const Ball& ball) {
@@ -82,7 +82,7 @@ void SphereHead::add(const Ball& ball) {
       triangles_.push_back({a + 1, below, below + 1});
     }
   }
-  ranges_.push_back({ball.shading, first_triangle,
+  ranges_.push_back({app::look_of(ball.material), first_triangle,
                      static_cast<std::uint32_t>(triangles_.size()) - first_triangle, ball.eye,
                      ball.clear_edge || ball.colour.a < 1});
   if (ball.eye >= 0) {

@@ -27,7 +27,7 @@ class SphereHead {
 
  private:
   struct Ball {
-    view::Shading shading = view::Shading::Skin;
+    face::Material material = face::Material::Skin;
     glm::vec3 centre{0};
     glm::vec3 radii{1};
     glm::vec4 colour{1};
@@ -43,7 +43,7 @@ class SphereHead {
   std::vector<glm::vec4> colours_;
   std::vector<float> occlusion_;
   std::vector<float> gloss_;
-  std::vector<view::ShadedRange> ranges_;
+  std::vector<view::MaterialRange> ranges_;
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
   std::vector<glm::vec3> eye_centres_;

@@ -7,29 +7,6 @@
 namespace aucast::app {
 namespace {
 
-view::Shading shading_of(face::Material material) {
-  switch (material) {
-    case face::Material::Skin:
-      return view::Shading::Skin;
-    case face::Material::Eye:
-      return view::Shading::Eye;
-    case face::Material::Teeth:
-      return view::Shading::Teeth;
-    case face::Material::Mouth:
-      return view::Shading::Mouth;
-    case face::Material::Hair:
-      return view::Shading::Hair;
-    case face::Material::Cloth:
-      return view::Shading::Cloth;
-    case face::Material::Brow:
-      return view::Shading::Brow;
-    case face::Material::Crease:
-      return view::Shading::Crease;
-  }
-  AUCAST_CHECK(false);
-  return view::Shading::Skin;
-}
-
 int eye_of(const face::Face& face, const std::string& part) {
   const auto found = std::find_if(face.eyes.begin(), face.eyes.end(),
                                   [&](const face::Eye& eye) { return eye.part == part; });
@@ -38,11 +15,45 @@ int eye_of(const face::Face& face, const std::string& part) {
 
 }  // namespace
 
+view::Material look_of(face::Material material) {
+  using view::Shader;
+  switch (material) {
+    case face::Material::Skin:
+      return {.order = 2, .two_sided = false, .specular = 0.19F, .grain = 1};
+    case face::Material::Eye:
+      return {.shader = Shader::Eye, .two_sided = false, .wrap = 0.25F, .power = 60};
+    case face::Material::Teeth:
+      // Teeth behind a lip are lit through and from all sides; in true shadow they look grey.
+      return {.wrap = 0.8F, .specular = 0.5F, .power = 40, .shadow_kept = 0.5F};
+    case face::Material::Mouth:
+      return {.wrap = 0.7F, .specular = 0.4F, .power = 24};
+    case face::Material::Hair:
+    case face::Material::GreyHair:
+      return {.shader = Shader::Hair,
+              .order = 0,
+              .two_sided = false,
+              .wrap = 0.35F,
+              .specular = 0.46F,
+              .power = 18,
+              .grey = material == face::Material::GreyHair ? 1.0F : 0.0F};
+    case face::Material::Cloth:
+      return {.order = 1, .wrap = 0.15F, .specular = 0.06F, .power = 8};
+    case face::Material::Brow:
+      return {.wrap = 0.2F, .specular = 0.05F, .power = 10, .thinning = 1};
+    case face::Material::Lash:
+      return {.wrap = 0.2F, .specular = 0.05F, .power = 10};
+    case face::Material::Crease:
+      return {.shader = Shader::Crease};
+  }
+  AUCAST_CHECK(false);
+  return {};
+}
+
 FaceScene::FaceScene(const face::Face& face) : face_(face) {
   int creases = 0;
   for (const face::MeshPart& part : face.mesh.parts) {
-    view::ShadedRange range;
-    range.shading = shading_of(part.material);
+    view::MaterialRange range;
+    range.material = look_of(part.material);
     range.triangle_begin = part.triangle_begin;
     range.triangle_count = part.triangle_count;
     range.eye = eye_of(face, part.name);

@@ -8,6 +8,9 @@
 
 namespace aucast::app {
 
+/// How the renderer draws a material.
+[[nodiscard]] view::Material look_of(face::Material material);
+
 /// A face as the renderer wants to see it. Borrows from the face, which must outlive it.
 class FaceScene {
  public:
@@ -18,7 +21,7 @@ class FaceScene {
 
  private:
   const face::Face& face_;
-  std::vector<view::ShadedRange> ranges_;
+  std::vector<view::MaterialRange> ranges_;
 };
 
 }  // namespace aucast::app

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "client/app/film/face_view.h"
 #include "client/face/face.h"
 #include "client/view/image.h"
 #include "client/view/scene.h"
@@ -19,11 +20,6 @@ namespace aucast::app {
 
 /// The plain ground of --background (sRGB, 0xRRGGBB); nothing: the usual one, lit from behind.
 [[nodiscard]] view::Background backdrop(std::optional<std::uint32_t> rgb);
-
-/// Film is for many pictures; a Still is drawn with four times the pixels, where the driver takes
-/// so large a picture, and brought down to its size: strands of hair and lashes then do not
-/// flicker.
-enum class Sharpness : std::uint8_t { Film, Still };
 
 /// Activations in, picture out, without a display. In a build without OpenGL create() fails and
 /// says so.

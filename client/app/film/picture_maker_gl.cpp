@@ -1,9 +1,8 @@
+#include "client/app/film/picture_maker.h"
+
 #include <algorithm>
 
-#include "client/app/film/face_diagram.h"
-#include "client/app/film/face_scene.h"
-#include "client/app/film/picture_maker.h"
-#include "client/render/face_renderer.h"
+#include "client/app/film/face_view.h"
 #include "client/render/offscreen.h"
 
 namespace aucast::app {
@@ -18,22 +17,11 @@ float scale_of(int height) {
 }  // namespace
 
 struct PictureMaker::State {
-  State(const face::Face& face, const view::Camera& from, const view::Background& behind)
-      : camera(from), background(behind), scene(face), deformer(face), diagram(face) {}
-
   view::Camera camera;
-  view::Background background;
-  FaceScene scene;
-  face::FaceDeformer deformer;
-  FaceDiagram diagram;
-  view::Layers layers;
-  // In the order of their making: what needs the context goes before it.
+  view::Style style;
+  // The view needs the context, so it goes first.
   std::unique_ptr<render::OffscreenContext> context;
-  std::unique_ptr<render::OffscreenTarget> target;
-  std::unique_ptr<render::FaceRenderer> renderer;
-  int width = 0;
-  int height = 0;
-  int drawn_larger = 1;  ///< factor
+  std::unique_ptr<FaceView> view;
 };
 
 PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -43,46 +31,29 @@ Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& fac
                                                            int height, const view::Camera& camera,
                                                            const view::Background& behind,
                                                            Sharpness sharpness) {
-  auto state = std::make_unique<State>(face, camera, behind);
   auto context = render::OffscreenContext::create();
   if (!context) return context.error();
-  state->context = std::move(*context);
-  auto target = render::OffscreenTarget::create(width, height);
-  if (!target) return target.error();
-  if (sharpness == Sharpness::Still) {
-    if (auto larger = render::OffscreenTarget::create(2 * width, 2 * height); larger) {
-      target = std::move(larger);
-      state->drawn_larger = 2;
-    }
+  auto view = FaceView::create(face);
+  if (!view) return view.error();
+  if (auto prepared = (*view)->prepare(width, height, sharpness); !prepared) {
+    return prepared.error();
   }
-  state->width = width;
-  state->height = height;
-  state->target = std::move(*target);
-  auto renderer = render::FaceRenderer::create();
-  if (!renderer) return renderer.error();
-  state->renderer = std::move(*renderer);
-  state->renderer->load(state->scene.still());
+  auto state = std::make_unique<State>();
+  state->camera = camera;
+  state->style.background = behind;
+  state->style.scale = scale_of(height);
+  state->context = std::move(*context);
+  state->view = std::move(*view);
   return std::unique_ptr<PictureMaker>(new PictureMaker(std::move(state)));
 }
 
 void PictureMaker::show(const view::Layers& layers) {
-  state_->layers = layers;
+  state_->style.layers = layers;
 }
 
 view::Image PictureMaker::picture(std::span<const float> activations) {
-  State& s = *state_;
-  const face::DeformedFace& deformed = s.deformer.deform(activations);
-  s.target->bind();
-  s.diagram.update(s.layers, activations, deformed);
-  const view::Style style{.background = s.background,
-                          .layers = s.layers,
-                          .scale = scale_of(s.height) * static_cast<float>(s.drawn_larger),
-                          .diagram = s.diagram.muscles(),
-                          .tags = s.diagram.tags()};
-  s.renderer->draw(FaceScene::moving(deformed), s.camera, style, s.width * s.drawn_larger,
-                   s.height * s.drawn_larger);
-  view::Image image = s.target->read();
-  return s.drawn_larger == 2 ? view::halved(image) : image;
+  state_->view->pose(activations);
+  return state_->view->picture(state_->camera, state_->style);
 }
 
 }  // namespace aucast::app

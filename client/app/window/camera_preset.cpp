@@ -25,7 +25,7 @@ view::Camera camera_preset(std::string_view name, const face::Face& face) {
 
 view::Background backdrop(std::optional<std::uint32_t> rgb) {
   if (!rgb) return {};
-  // The inverse of the renderer's tone curve (to_screen in render/shaders.h).
+  // The inverse of the renderer's tone curve (to_screen() in client/render/shaders/common.glsl).
   const auto linear = [rgb](unsigned shift) {
     const float value = static_cast<float>((*rgb >> shift) & 255U) / 255.0F;
     return value * value / (1.0F - 0.14F * value * value);

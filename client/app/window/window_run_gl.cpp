@@ -9,18 +9,14 @@
 #include <optional>
 #include <string>
 
-#include "client/app/film/face_diagram.h"
-#include "client/app/film/face_scene.h"
+#include "client/app/film/face_view.h"
 #include "client/app/film/picture_maker.h"
 #include "client/app/start_times.h"
 #include "client/app/steady.h"
 #include "client/app/window/session_video.h"
 #include "client/app/window/window_overlay.h"
 #include "client/app/window/window_session.h"
-#include "client/face/face_deformer.h"
 #include "client/gui/redraw.h"
-#include "client/render/face_renderer.h"
-#include "client/render/offscreen.h"
 #include "client/render/window.h"
 #include "common/log.h"
 
@@ -79,10 +75,7 @@ class WindowRun {
         data_folder_(assets.data_folder),
         settings_(settings),
         stats_(stats),
-        session_(assets, options, std::move(source), stats),
-        scene_(session_.face()),
-        deformer_(session_.face()),
-        diagram_(session_.face()) {
+        session_(assets, options, std::move(source), stats) {
     session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
     start_times_.passed("session");
   }
@@ -96,10 +89,9 @@ class WindowRun {
     window_ = std::move(*window);
     start_times_.passed("window and OpenGL");
     look_from(gui::View::Front);
-    auto renderer = render::FaceRenderer::create();
-    if (!renderer) return renderer.error();
-    renderer_ = std::move(*renderer);
-    renderer_->load(scene_.still());
+    auto view = FaceView::create(session_.face());
+    if (!view) return view.error();
+    view_ = std::move(*view);
     start_times_.passed("face in OpenGL");
     overlay_ = std::make_unique<WindowOverlay>(*window_);
     if (auto icon = view::read_png(data_folder_ / "icons" / "aucast.png")) {
@@ -242,19 +234,12 @@ class WindowRun {
     frames_due_ = gui::kFramesAfterChange;
   }
 
-  /// Drawn into a framebuffer of its own, so that it does not depend on what lies over the window;
-  /// `larger`: its lines are as many times as wide.
-  Result<view::Image> picture(int width, int height, int larger = 1) {
-    if (!target_ || target_width_ != width || target_height_ != height) {
-      auto target = render::OffscreenTarget::create(width, height);
-      if (!target) return target.error();
-      target_ = std::move(*target);
-      target_width_ = width;
-      target_height_ = height;
+  /// Drawn into a framebuffer of its own, so that it does not depend on what lies over the window.
+  Result<view::Image> picture(int width, int height, Sharpness sharpness) {
+    if (auto prepared = view_->prepare(width, height, sharpness); !prepared) {
+      return prepared.error();
     }
-    target_->bind();
-    draw_face(width, height, static_cast<float>(larger));
-    view::Image image = target_->read();
+    view::Image image = view_->picture(window_->camera(), style());
     window_->bind_framebuffer();
     return image;
   }
@@ -269,9 +254,7 @@ class WindowRun {
     int width = 0;
     int height = 0;
     free_size(width, height);
-    // A still is drawn larger, as everywhere (Sharpness), where the driver can do that.
-    auto image = picture(2 * width, 2 * height, 2);
-    image = image ? Result<view::Image>(view::halved(*image)) : picture(width, height);
+    const auto image = picture(width, height, Sharpness::Still);
     if (!image) return complain(image.error());
     const std::filesystem::path file = free_name(".", ".png");
     if (const auto written = view::write_png(*image, file); !written) {
@@ -301,7 +284,7 @@ class WindowRun {
 
   void record() {
     if (!video_ || !video_->due(steady_now())) return;
-    const auto image = picture(video_->width(), video_->height());
+    const auto image = picture(video_->width(), video_->height(), Sharpness::Film);
     const auto shown = image ? video_->show(*image, steady_now()) : Result<void>(image.error());
     if (shown) return;
     video_.reset();
@@ -344,10 +327,10 @@ class WindowRun {
     const Instant before = steady_now();
     if (moved) {
       shown_activations_ = activations;
-      deformed_ = &deformer_.deform(shown_activations_);
+      view_->pose(shown_activations_);
     }
     const Instant deformed = steady_now();
-    draw_face(overlay_->free_width(width), height);
+    view_->draw(window_->camera(), style(), overlay_->free_width(width), height);
     const Instant drawn = steady_now();
     overlay_->draw(model, commands_);
     shown_model_ = std::move(model);
@@ -367,19 +350,14 @@ class WindowRun {
     if (moved) measure_pace(times);
   }
 
-  void draw_face(int width, int height, float larger = 1) {
+  [[nodiscard]] view::Style style() {
     const gui::RenderingSettings& settings = session_.rendering();
-    diagram_.update(settings.layers, shown_activations_, *deformed_);
-    const view::Style style{
-        .background = background_of(settings.ground, options_),
-        .layers = settings.layers,
-        .light = view::key_light(static_cast<float>(settings.light_yaw_deg),
-                                 static_cast<float>(settings.light_pitch_deg),
-                                 static_cast<float>(settings.light_percent) / 100),
-        .scale = window_->scale() * larger,
-        .diagram = diagram_.muscles(),
-        .tags = diagram_.tags()};
-    renderer_->draw(FaceScene::moving(*deformed_), window_->camera(), style, width, height);
+    return {.background = background_of(settings.ground, options_),
+            .layers = settings.layers,
+            .light = view::key_light(static_cast<float>(settings.light_yaw_deg),
+                                     static_cast<float>(settings.light_pitch_deg),
+                                     static_cast<float>(settings.light_percent) / 100),
+            .scale = window_->scale()};
   }
 
   /// Only frames in which the face moved count, or showing the pace would be a reason to draw.
@@ -413,21 +391,14 @@ class WindowRun {
   WindowSettings& settings_;
   PlayerStats& stats_;
   WindowSession session_;
-  FaceScene scene_;
-  face::FaceDeformer deformer_;
-  const face::DeformedFace* deformed_ = nullptr;
-  FaceDiagram diagram_;
   std::unique_ptr<render::Window> window_;
-  std::unique_ptr<render::FaceRenderer> renderer_;
+  std::unique_ptr<FaceView> view_;
   std::unique_ptr<WindowOverlay> overlay_;
   std::vector<float> shown_activations_;
   gui::GuiModel shown_model_;
   gui::GuiCommands commands_;
   std::string title_;
   int frames_due_ = gui::kFramesAfterChange;
-  std::unique_ptr<render::OffscreenTarget> target_;
-  int target_width_ = 0;
-  int target_height_ = 0;
   std::unique_ptr<SessionVideo> video_;
   bool leaving_ = false;
   int pace_frames_ = 0;

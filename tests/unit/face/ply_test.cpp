@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -66,6 +67,21 @@ TEST(Ply, ReadsBackWhatItWrites) {
   for (int channel = 0; channel < 4; ++channel) {
     EXPECT_NEAR(read->colours[3][channel], written.colours[3][channel], 0.004F);
   }
+}
+
+TEST(Ply, EveryMaterialKeepsItsName) {
+  for (const std::string_view name : kMaterialNames) {
+    FaceMesh written = small_mesh();
+    written.parts[1].material = static_cast<Material>(
+        std::find(kMaterialNames.begin(), kMaterialNames.end(), name) - kMaterialNames.begin());
+    const std::string bytes = format_ply(written, kPolygons);
+    EXPECT_NE(bytes.find("comment part left_eye " + std::string(name) + "\n"), std::string::npos);
+    const auto read = parse_ply(bytes, "m.ply");
+    ASSERT_TRUE(read.has_value()) << read.error().message;
+    EXPECT_EQ(read->parts[1].material, written.parts[1].material) << name;
+  }
+  EXPECT_EQ(name(Material::GreyHair), "grey_hair");
+  EXPECT_EQ(name(Material::Crease), "crease");
 }
 
 TEST(Ply, SplitsQuadsAndSortsTrianglesByPart) {

@@ -16,7 +16,7 @@ struct Patch {
   std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                    {5, 0, 0}, {6, 0, 0}, {6, 1, 0}};
   std::vector<Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
-  std::vector<ShadedRange> ranges{{Shading::Hair, 0, 2}, {Shading::Skin, 2, 1}};
+  std::vector<MaterialRange> ranges{{{.shader = Shader::Hair}, 0, 2}, {{}, 2, 1}};
   std::vector<float> numbers;
 
   explicit Patch(const glm::vec3& across) {

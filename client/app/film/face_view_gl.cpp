@@ -1,0 +1,89 @@
+#include "client/app/film/face_view.h"
+
+#include <vector>
+
+#include "client/app/film/face_diagram.h"
+#include "client/app/film/face_scene.h"
+#include "client/face/face_deformer.h"
+#include "client/render/face_renderer.h"
+#include "client/render/offscreen.h"
+#include "common/check.h"
+
+namespace aucast::app {
+
+struct FaceView::State {
+  State(const face::Face& face, std::unique_ptr<render::FaceRenderer> made)
+      : deformer(face),
+        diagram(face),
+        renderer(std::move(made)),
+        activations(face.channels.size()) {
+    renderer->load(FaceScene(face).still());
+  }
+
+  face::FaceDeformer deformer;
+  FaceDiagram diagram;
+  std::unique_ptr<render::FaceRenderer> renderer;
+  std::vector<float> activations;
+  const face::DeformedFace* deformed = nullptr;
+  std::unique_ptr<render::OffscreenTarget> target;
+  int width = 0;  ///< of pictures
+  int height = 0;
+  Sharpness sharpness = Sharpness::Film;
+  int drawn_larger = 1;  ///< factor
+};
+
+FaceView::FaceView(std::unique_ptr<State> state) : state_(std::move(state)) {
+  pose(std::vector<float>(state_->activations.size()));
+}
+FaceView::~FaceView() = default;
+
+Result<std::unique_ptr<FaceView>> FaceView::create(const face::Face& face) {
+  auto renderer = render::FaceRenderer::create();
+  if (!renderer) return renderer.error();
+  return std::unique_ptr<FaceView>(
+      new FaceView(std::make_unique<State>(face, std::move(*renderer))));
+}
+
+void FaceView::pose(std::span<const float> activations) {
+  State& s = *state_;
+  s.activations.assign(activations.begin(), activations.end());
+  s.deformed = &s.deformer.deform(activations);
+  s.renderer->pose(FaceScene::moving(*s.deformed));
+}
+
+void FaceView::draw(const view::Camera& camera, view::Style style, int width, int height) {
+  State& s = *state_;
+  s.diagram.update(style.layers, s.activations, *s.deformed);
+  style.diagram = s.diagram.muscles();
+  style.tags = s.diagram.tags();
+  s.renderer->draw(camera, style, width, height);
+}
+
+Result<void> FaceView::prepare(int width, int height, Sharpness sharpness) {
+  State& s = *state_;
+  if (s.target && s.width == width && s.height == height && s.sharpness == sharpness) return {};
+  s.drawn_larger = sharpness == Sharpness::Still ? 2 : 1;
+  auto target = render::OffscreenTarget::create(s.drawn_larger * width, s.drawn_larger * height);
+  if (!target && sharpness == Sharpness::Still) {
+    s.drawn_larger = 1;
+    target = render::OffscreenTarget::create(width, height);
+  }
+  if (!target) return target.error();
+  s.target = std::move(*target);
+  s.width = width;
+  s.height = height;
+  s.sharpness = sharpness;
+  return {};
+}
+
+view::Image FaceView::picture(const view::Camera& camera, view::Style style) {
+  State& s = *state_;
+  AUCAST_CHECK(s.target != nullptr);
+  s.target->bind();
+  style.scale *= static_cast<float>(s.drawn_larger);
+  draw(camera, style, s.drawn_larger * s.width, s.drawn_larger * s.height);
+  view::Image image = s.target->read();
+  return s.drawn_larger == 2 ? view::halved(image) : image;
+}
+
+}  // namespace aucast::app

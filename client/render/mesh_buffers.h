@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "client/render/gl_objects.h"
+#include "client/render/uniform_blocks.h"
+#include "client/view/rounded_mesh.h"
+#include "client/view/scene.h"
+#include "client/view/strands.h"
+
+namespace aucast::render {
+
+/// A run of triangles with one material.
+struct Run {
+  view::Material material;
+  std::size_t block = 0;  ///< of the material in MeshBuffers::materials()
+  int index = -1;         ///< of the eye or the crease
+  bool rounded = false;
+  std::size_t first_index = 0;
+  GLsizei index_count = 0;
+
+  /// With the program in use and the mesh's vertices bound.
+  void draw() const;
+};
+
+/// A face in OpenGL's memory: its vertices, and its triangles as runs in the order in which they
+/// are drawn. Needs a current context for all its life.
+/// Thread: the one the context is current on.
+class MeshBuffers {
+ public:
+  MeshBuffers();
+
+  void load(const view::StaticMesh& mesh);
+  /// Where the vertices are from here on.
+  void place(const view::MovingMesh& mesh);
+  /// Binds the vertices; without `textured` all are of one plain colour.
+  void bind(bool textured) const;
+
+  /// Outermost first.
+  [[nodiscard]] const std::vector<Run>& solid() const { return solid_; }
+  /// The same runs with the mesh's own triangles, not rounded.
+  [[nodiscard]] const std::vector<Run>& plain() const { return plain_; }
+  [[nodiscard]] const std::vector<Run>& translucent() const { return translucent_; }
+  [[nodiscard]] const std::vector<Run>& creases() const { return creases_; }
+  [[nodiscard]] const BlockBuffer<MaterialBlock>& materials() const { return materials_; }
+
+ private:
+  using Triangles = std::vector<view::RoundedMesh::Triangle>;
+
+  [[nodiscard]] Triangles sort_into_runs(const view::StaticMesh& mesh);
+  void round_off(std::span<const glm::vec3> rest, Triangles& triangles);
+
+  VertexArray array_;
+  Buffer positions_;
+  Buffer normals_;
+  Buffer colours_;
+  Buffer occlusion_gloss_;
+  Buffer grain_places_;
+  Buffer strand_ways_;
+  Buffer indices_;
+  BlockBuffer<MaterialBlock> materials_;
+  std::size_t vertex_count_ = 0;  ///< without those that rounding adds
+  view::RoundedMesh rounded_;
+  view::Strands strands_;
+  std::vector<Run> solid_;
+  std::vector<Run> plain_;
+  std::vector<Run> translucent_;
+  std::vector<Run> creases_;
+};
+
+}  // namespace aucast::render

@@ -1,0 +1,47 @@
+#include "client/render/mesh_lines.h"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace aucast::render {
+namespace {
+
+/// Stands out from what is behind.
+glm::vec4 line_colour(const view::Style& style) {
+  if (style.layers.surface()) return {0.02F, 0.03F, 0.05F, 0.45F};
+  const glm::vec3& ground = style.background.centre;
+  const bool bright = ground.r + ground.g + ground.b > 1.2F;
+  return bright ? glm::vec4(0.10F, 0.16F, 0.24F, 0.8F) : glm::vec4(0.70F, 0.82F, 0.90F, 0.8F);
+}
+
+}  // namespace
+
+void draw_mesh_lines(const Program& lines, std::span<const Run> runs, const view::Style& style) {
+  if (!epoxy_is_desktop_gl() || (!style.layers.wireframe && !style.layers.vertices)) return;
+  glUseProgram(lines.id());
+  const glm::vec4 colour = line_colour(style);
+  glUniform4fv(glGetUniformLocation(lines.id(), "u_colour"), 1, glm::value_ptr(colour));
+  glUniform1f(glGetUniformLocation(lines.id(), "u_point_px"), std::max(1.0F, 2.0F * style.scale));
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  glPolygonOffset(-1, -1);
+  for (const GLenum mode : std::array<GLenum, 2>{GL_LINE, GL_POINT}) {
+    if (!(mode == GL_LINE ? style.layers.wireframe : style.layers.vertices)) continue;
+    const GLenum offset = mode == GL_LINE ? GL_POLYGON_OFFSET_LINE : GL_POLYGON_OFFSET_POINT;
+    glPolygonMode(GL_FRONT_AND_BACK, mode);
+    glEnable(offset);
+    for (const Run& run : runs) run.draw();
+    glDisable(offset);
+  }
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glDisable(GL_PROGRAM_POINT_SIZE);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+}  // namespace aucast::render

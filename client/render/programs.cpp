@@ -1,0 +1,78 @@
+#include "client/render/programs.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "client/render/uniform_blocks.h"
+
+namespace aucast::render {
+namespace {
+
+constexpr const char* kCorePreamble = "#version 330 core\n";
+constexpr const char* kEsPreamble =
+    "#version 300 es\n"
+    "precision highp float;\n"
+    "precision highp int;\n"
+    "precision highp sampler2D;\n"
+    "precision highp sampler2DShadow;\n";
+
+struct Recipe {
+  const char* name;
+  Program Programs::*program;
+  const char* define;
+  const char* vertex;
+  const char* fragment;
+};
+
+constexpr std::array<Recipe, 8> kRecipes{{
+    {"surface", &Programs::surface, "#define SURFACE\n", "lit_vertex.glsl", "lit_fragment.glsl"},
+    {"hair", &Programs::hair, "#define HAIR\n", "lit_vertex.glsl", "lit_fragment.glsl"},
+    {"eye", &Programs::eye, "#define EYE\n", "lit_vertex.glsl", "lit_fragment.glsl"},
+    {"crease", &Programs::crease, "", "crease_vertex.glsl", "crease_fragment.glsl"},
+    {"depth", &Programs::depth, "", "depth_vertex.glsl", "depth_fragment.glsl"},
+    {"backdrop", &Programs::backdrop, "", "backdrop_vertex.glsl", "backdrop_fragment.glsl"},
+    {"lines", &Programs::lines, "", "lines_vertex.glsl", "lines_fragment.glsl"},
+    {"segments", &Programs::segments, "", "segment_vertex.glsl", "segment_fragment.glsl"},
+}};
+
+void bind_block(const Program& program, const char* name, GLuint slot) {
+  const GLuint index = glGetUniformBlockIndex(program.id(), name);
+  if (index != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), index, slot);
+}
+
+/// What neither GLSL 3.30 nor ES 3.00 can say in the text.
+void bind_inputs(const Program& program) {
+  bind_block(program, "Camera", CameraBlock::kSlot);
+  bind_block(program, "Lights", LightsBlock::kSlot);
+  bind_block(program, "Material", MaterialBlock::kSlot);
+  glUseProgram(program.id());
+  glUniform1i(glGetUniformLocation(program.id(), "u_shadow_map"), kShadowUnit - GL_TEXTURE0);
+  glUniform1i(glGetUniformLocation(program.id(), "u_grain_map"), kGrainUnit - GL_TEXTURE0);
+}
+
+}  // namespace
+
+Result<Programs> build_programs(const ShaderFiles& files) {
+  const auto common = files.text("common.glsl");
+  if (!common) return common.error();
+  const char* const preamble = epoxy_is_desktop_gl() ? kCorePreamble : kEsPreamble;
+  Programs programs;
+  for (const Recipe& recipe : kRecipes) {
+    const auto vertex = files.text(recipe.vertex);
+    if (!vertex) return vertex.error();
+    const auto fragment = files.text(recipe.fragment);
+    if (!fragment) return fragment.error();
+    const auto pieces = [&](const std::string& stage) {
+      // The compiler's words then count the lines of the stage's own file.
+      return std::array{preamble, recipe.define, common->c_str(), "#line 1\n", stage.c_str()};
+    };
+    auto built = build_program(recipe.name, pieces(*vertex), pieces(*fragment));
+    if (!built) return built.error();
+    bind_inputs(*built);
+    programs.*recipe.program = std::move(*built);
+  }
+  return programs;
+}
+
+}  // namespace aucast::render

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "client/render/gl_objects.h"
+
+namespace aucast::render {
+
+// The uniform blocks of shaders/common.glsl in their std140 layout: a vec3 stands at a multiple of
+// 16 bytes, and a float fills its fourth place.
+
+struct CameraBlock {
+  static constexpr GLuint kSlot = 0;
+  glm::mat4 world_to_clip{1};
+  glm::mat4 world_to_shadow{1};
+  glm::vec3 eye{0};
+  float scale = 1;
+  glm::vec2 viewport_px{1};
+  glm::vec2 unused{0};
+};
+static_assert(sizeof(CameraBlock) == 160);
+
+struct LightsBlock {
+  static constexpr GLuint kSlot = 1;
+  alignas(16) glm::vec3 key_direction{0, 0, 1};
+  float key_strength = 1;
+  alignas(16) glm::vec3 key_colour{1.05F, 0.97F, 0.88F};
+  float fill_wrap = 0.35F;
+  alignas(16) glm::vec3 fill_direction = glm::normalize(glm::vec3(0.85F, 0.10F, 0.55F));
+  float rim_strength = 0.75F;
+  alignas(16) glm::vec3 fill_colour{0.34F, 0.32F, 0.33F};
+  float second_rim_strength = 0.28F;
+  alignas(16) glm::vec3 rim_direction = glm::normalize(glm::vec3(0.65F, 0.45F, -0.75F));
+  alignas(16) glm::vec3 rim_colour{0.75F, 0.80F, 0.95F};
+  alignas(16) glm::vec3 second_rim_direction = glm::normalize(glm::vec3(-0.80F, 0.30F, -0.60F));
+  alignas(16) glm::vec3 second_rim_colour{0.90F, 0.75F, 0.60F};
+  alignas(16) glm::vec3 sky{0.38F, 0.385F, 0.41F};
+  alignas(16) glm::vec3 ground{0.35F, 0.265F, 0.225F};
+};
+static_assert(sizeof(LightsBlock) == 160);
+
+struct MaterialBlock {
+  static constexpr GLuint kSlot = 2;
+  alignas(16) glm::vec3 wrap{0};
+  float specular = 0;
+  alignas(16) glm::vec3 shadow_kept{0};
+  float power = 1;
+  float grain = 0;
+  float thinning = 0;
+  float grey = 0;
+};
+static_assert(sizeof(MaterialBlock) == 48);
+
+/// Blocks of one kind in a buffer, one of them in force. Needs a current context.
+template <typename Block>
+class BlockBuffer {
+ public:
+  void set(const Block& block) { set(std::span(&block, 1)); }
+
+  void set(std::span<const Block> blocks) {
+    GLint alignment = 1;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    const auto step = static_cast<std::size_t>(alignment);
+    stride_ = (sizeof(Block) + step - 1) / step * step;
+    std::vector<std::byte> bytes(stride_ * blocks.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      std::memcpy(&bytes[i * stride_], &blocks[i], sizeof(Block));
+    }
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer_.id());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                 GL_STREAM_DRAW);
+  }
+
+  /// What the programs read from here on.
+  void use(std::size_t index = 0) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, Block::kSlot, buffer_.id(),
+                      static_cast<GLintptr>(index * stride_), sizeof(Block));
+  }
+
+ private:
+  Buffer buffer_;
+  std::size_t stride_ = 0;
+};
+
+}  // namespace aucast::render
