@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,30 +27,28 @@ struct OpposedChannels {
   std::optional<std::size_t> minus;
 };
 
-/// One turn about the x axis and one about the y axis; for a lid or the jaw only the first.
+/// Radians about the x axis and about the y axis.
 struct Turn {
   float pitch = 0;
   float yaw = 0;
   bool operator==(const Turn&) const = default;
 };
 
-struct LidField {
-  std::optional<std::size_t> close;
-  std::optional<std::size_t> raise;
-  glm::vec3 centre{0};
-  WeightedBlocks angles;  ///< radians at full closure, positive downwards
+/// A part that turns about a point by the share that each vertex has in it: a lid, the jaw, an eye.
+/// glTF calls it a joint.
+struct Mover {
+  WeightedBlocks part;
+  glm::vec3 hinge{0};
+  float forward_per_rad = 0;  ///< it slides forward as it turns down
+  std::function<Turn()> wanted;
   Turn turn;
 };
 
-struct EyeField {
-  OpposedChannels yaw;    ///< to the left, to the right
-  OpposedChannels pitch;  ///< up, down
-  float yaw_rad = 0;
-  float pitch_rad = 0;
+struct EyeLook {
   glm::vec3 centre{0};
   float head_share = 0;  ///< how much of the head's turn the eye takes part in
-  WeightedBlocks part;
-  Turn turn;
+  std::size_t mover = 0;
+  std::optional<std::size_t> close;
 };
 
 struct HeadChannels {
@@ -84,19 +83,18 @@ std::string sided_name(Side side, std::string_view base) {
   return std::string(prefix) + std::string(base);
 }
 
-/// Takes `next`; whatever is different moves the blocks.
-void take_turn(Turn& turn, Turn next, const WeightedBlocks& part, BlockSet& moved) {
-  if (next == turn) return;
-  turn = next;
-  moved |= part.all;
-}
-
 }  // namespace
 
 struct FaceDeformer::State {
   explicit State(const Face& driven);
 
+  State(const State&) = delete;  // movers refer to it
+  State& operator=(const State&) = delete;
+
   void take(std::span<const float> given);
+  [[nodiscard]] std::optional<std::size_t> channel(Side side, std::string_view base) const {
+    return face.channel_index(sided_name(side, base));
+  }
   [[nodiscard]] float value(const std::optional<std::size_t>& channel) const {
     return channel ? activations[*channel] : 0.0F;
   }
@@ -106,9 +104,10 @@ struct FaceDeformer::State {
   void move(std::span<const float> given);
   void relax_yielding();
   void rest_vanished();
-  void move_lids();
-  void move_jaw();
-  void move_eyes();
+  void add_lids(const Eye& eye);
+  void add_jaw();
+  void add_eye(const Eye& eye);
+  void apply(const Mover& mover);
   void look();
   [[nodiscard]] HeadTurn::Pose head_pose() const;
 
@@ -118,13 +117,10 @@ struct FaceDeformer::State {
   std::vector<VertexBlock> now;  ///< before the head turns
   BlockSet moved;                ///< the blocks that are elsewhere than the last time
   BlockSet shown;                ///< likewise, with the head's turn
-  std::optional<std::size_t> jaw_channel;
-  WeightedBlocks jaw;
-  Turn jaw_turn;
-  std::vector<LidField> lids;
+  std::vector<Mover> movers;     ///< in the order in which they turn: lids, jaw, eyes
   std::vector<std::pair<std::size_t, std::size_t>>
       yielding;  ///< a muscle, and the lid it yields to
-  std::vector<EyeField> eyes;
+  std::vector<EyeLook> eyes;
   HeadChannels head_channels;
   DrawnBlocks drawn;
   NormalField normals;
@@ -142,60 +138,80 @@ FaceDeformer::State::State(const Face& driven)
       drawn(driven),
       normals(driven.mesh) {
   AUCAST_CHECK(face.muscles.size() <= face.channels.size());
-  const std::size_t vertex_count = face.mesh.positions.size();
-  const auto channel = [this](std::string_view name) { return face.channel_index(name); };
-  const auto* const jaw_map = find_map(face.mesh, "jaw");
-  if (face.jaw) {
-    jaw_channel = channel("jaw");
-    jaw = gather(vertex_count, [&](std::size_t i) { return map_at(jaw_map, i, 0); });
+  if (face.lids) {
+    for (const Eye& eye : face.eyes) add_lids(eye);
   }
-  const auto* const lid_map = find_map(face.mesh, "lid_angle");
-  const auto* const head_map = find_map(face.mesh, "head");
-  for (const Eye& eye : face.eyes) {
-    const Side side = side_at(eye.centre.x);
-    if (face.lids) {
-      const auto close = channel(sided_name(side, "lid_close"));
-      for (std::size_t m = 0; close && m < face.muscles.size(); ++m) {
-        if (!face.muscles[m].yields_to_lids || face.channels[m].side != side) continue;
-        yielding.emplace_back(m, *close);
-      }
-      const auto angle_here = [&](std::size_t i) {
-        const bool left = face.mesh.positions[i].x >= 0;
-        const bool mine = side == Side::Both || left == (side == Side::Left);
-        return mine ? map_at(lid_map, i, 0) : 0.0F;
-      };
-      lids.push_back({channel(sided_name(side, "lid_close")),
-                      channel(sided_name(side, "lid_raise")),
-                      eye.centre,
-                      gather(vertex_count, angle_here),
-                      {}});
-    }
-    EyeField field;
-    field.yaw = {channel(sided_name(side, "gaze_left")), channel(sided_name(side, "gaze_right"))};
-    field.pitch = {channel(sided_name(side, "gaze_up")), channel(sided_name(side, "gaze_down"))};
-    field.yaw_rad = kRadPerDeg * eye.yaw_deg;
-    field.pitch_rad = kRadPerDeg * eye.pitch_deg;
-    field.centre = eye.centre;
-    for (const MeshPart& part : face.mesh.parts) {
-      if (part.name != eye.part) continue;
-      field.part = gather(vertex_count, [&](std::size_t i) {
-        return i >= part.vertex_begin && i - part.vertex_begin < part.vertex_count ? 1.0F : 0.0F;
-      });
-      field.head_share = map_at(head_map, part.vertex_begin, 0);
-    }
-    eyes.push_back(std::move(field));
-  }
+  if (face.jaw) add_jaw();
+  for (const Eye& eye : face.eyes) add_eye(eye);
   if (face.head) {
-    head_channels = {{channel("head_turn_left"), channel("head_turn_right")},
-                     {channel("head_up"), channel("head_down")},
-                     {channel("head_tilt_left"), channel("head_tilt_right")},
-                     {channel("head_forward"), channel("head_back")}};
+    const auto opposed = [this](std::string_view plus, std::string_view minus) {
+      return OpposedChannels{face.channel_index(plus), face.channel_index(minus)};
+    };
+    head_channels = {opposed("head_turn_left", "head_turn_right"), opposed("head_up", "head_down"),
+                     opposed("head_tilt_left", "head_tilt_right"),
+                     opposed("head_forward", "head_back")};
     head.emplace(face);
   }
   result.positions = face.mesh.positions;
-  result.normals.assign(vertex_count, {0, 0, 1});
+  result.normals.assign(face.mesh.positions.size(), {0, 0, 1});
   for (std::size_t block = 0; block < now.size(); ++block) shown.insert(block);
   normals.update(shown, result.normals);
+}
+
+/// The map says radians at full closure, positive downwards.
+void FaceDeformer::State::add_lids(const Eye& eye) {
+  const Side side = side_at(eye.centre.x);
+  const auto close = channel(side, "lid_close");
+  const auto raise = channel(side, "lid_raise");
+  for (std::size_t m = 0; close && m < face.muscles.size(); ++m) {
+    if (!face.muscles[m].yields_to_lids || face.channels[m].side != side) continue;
+    yielding.emplace_back(m, *close);
+  }
+  const auto* const map = find_map(face.mesh, "lid_angle");
+  const auto angle_here = [&](std::size_t i) {
+    const bool left = face.mesh.positions[i].x >= 0;
+    const bool mine = side == Side::Both || left == (side == Side::Left);
+    return mine ? map_at(map, i, 0) : 0.0F;
+  };
+  const auto wanted = [this, close, raise] {
+    return Turn{-(value(close) - face.lids->raised(value(raise))), 0};
+  };
+  movers.push_back({gather(face.mesh.positions.size(), angle_here), eye.centre, 0, wanted, {}});
+}
+
+void FaceDeformer::State::add_jaw() {
+  const auto* const map = find_map(face.mesh, "jaw");
+  const auto weight = [map](std::size_t i) { return map_at(map, i, 0); };
+  const auto wanted = [this, jaw = face.channel_index("jaw")] {
+    return Turn{-(value(jaw) * kRadPerDeg * face.jaw->degrees_per_unit), 0};
+  };
+  movers.push_back({gather(face.mesh.positions.size(), weight),
+                    face.jaw->hinge,
+                    face.jaw->forward_per_rad,
+                    wanted,
+                    {}});
+}
+
+void FaceDeformer::State::add_eye(const Eye& eye) {
+  const Side side = side_at(eye.centre.x);
+  const OpposedChannels yaw{channel(side, "gaze_left"), channel(side, "gaze_right")};
+  const OpposedChannels pitch{channel(side, "gaze_up"), channel(side, "gaze_down")};
+  const auto part = std::find_if(face.mesh.parts.begin(), face.mesh.parts.end(),
+                                 [&](const MeshPart& one) { return one.name == eye.part; });
+  const bool found = part != face.mesh.parts.end();
+  const auto weight = [&](std::size_t i) {
+    return found && i >= part->vertex_begin && i - part->vertex_begin < part->vertex_count ? 1.0F
+                                                                                           : 0.0F;
+  };
+  const auto wanted = [this, yaw, pitch, yaw_rad = kRadPerDeg * eye.yaw_deg,
+                       pitch_rad = kRadPerDeg * eye.pitch_deg] {
+    return Turn{pitch_rad * difference(pitch), yaw_rad * difference(yaw)};
+  };
+  const float head_share =
+      found ? map_at(find_map(face.mesh, "head"), part->vertex_begin, 0) : 0.0F;
+  const auto close = face.lids ? channel(side, "lid_close") : std::nullopt;
+  eyes.push_back({eye.centre, head_share, movers.size(), close});
+  movers.push_back({gather(face.mesh.positions.size(), weight), eye.centre, 0, wanted, {}});
 }
 
 void FaceDeformer::State::take(std::span<const float> given) {
@@ -207,17 +223,11 @@ void FaceDeformer::State::take(std::span<const float> given) {
   moved.clear();
   relax_yielding();
   muscles.take(activations, moved);
-  for (LidField& lid : lids) {
-    const float closure = value(lid.close) - face.lids->raised(value(lid.raise));
-    take_turn(lid.turn, {-closure, 0}, lid.angles, moved);
-  }
-  if (face.jaw) {
-    const float angle = value(jaw_channel) * kRadPerDeg * face.jaw->degrees_per_unit;
-    take_turn(jaw_turn, {-angle, 0}, jaw, moved);
-  }
-  for (EyeField& eye : eyes) {
-    const Turn turn{eye.pitch_rad * difference(eye.pitch), eye.yaw_rad * difference(eye.yaw)};
-    take_turn(eye.turn, turn, eye.part, moved);
+  for (Mover& mover : movers) {
+    const Turn wanted = mover.wanted();
+    if (wanted == mover.turn) continue;
+    mover.turn = wanted;
+    moved |= mover.part.all;
   }
   shown = moved;
   if (head) head->take(head_pose(), shown);
@@ -240,9 +250,7 @@ void FaceDeformer::State::move(std::span<const float> given) {
   rest_vanished();
   if (shown.empty()) return;
   moved.for_each([this](std::size_t block) { muscles.at(block, now[block]); });
-  move_lids();
-  move_jaw();
-  move_eyes();
+  for (const Mover& mover : movers) apply(mover);
   const auto show = [this](std::size_t block, const VertexBlock& place) {
     const std::array<Four, kLanes> points = points_of(place);
     normals.place(block, points);
@@ -267,38 +275,17 @@ void FaceDeformer::State::rest_vanished() {
   });
 }
 
-void FaceDeformer::State::move_lids() {
-  for (const LidField& lid : lids) {
-    if (lid.turn == Turn{}) continue;
-    for (std::size_t k = 0; k < lid.angles.blocks.size(); ++k) {
-      const std::uint32_t block = lid.angles.blocks[k];
-      if (!moved.contains(block)) continue;
-      pitch(now[block], lid.angles.weights[k], lid.turn.pitch, lid.centre.y, lid.centre.z);
-    }
-  }
-}
-
-void FaceDeformer::State::move_jaw() {
-  if (jaw_turn == Turn{}) return;
-  const float forward = face.jaw->forward_per_rad * -jaw_turn.pitch;
-  for (std::size_t k = 0; k < jaw.blocks.size(); ++k) {
-    if (!moved.contains(jaw.blocks[k])) continue;
-    VertexBlock& block = now[jaw.blocks[k]];
-    const Lanes& weights = jaw.weights[k];
-    pitch(block, weights, jaw_turn.pitch, face.jaw->hinge.y, face.jaw->hinge.z);
+void FaceDeformer::State::apply(const Mover& mover) {
+  const glm::vec3& hinge = mover.hinge;
+  const float forward = mover.forward_per_rad * -mover.turn.pitch;
+  for (std::size_t k = 0; mover.turn != Turn{} && k < mover.part.blocks.size(); ++k) {
+    if (!moved.contains(mover.part.blocks[k])) continue;
+    VertexBlock& block = now[mover.part.blocks[k]];
+    const Lanes& weights = mover.part.weights[k];
+    if (mover.turn.pitch != 0) pitch(block, weights, mover.turn.pitch, hinge.y, hinge.z);
+    if (mover.turn.yaw != 0) turn(block, weights, mover.turn.yaw, hinge.x, hinge.z);
+    if (forward == 0) continue;
     for (std::size_t i = 0; i < kLanes; ++i) block.z[i] += forward * weights[i];
-  }
-}
-
-void FaceDeformer::State::move_eyes() {
-  for (const EyeField& eye : eyes) {
-    if (eye.turn == Turn{}) continue;
-    for (std::size_t k = 0; k < eye.part.blocks.size(); ++k) {
-      const std::uint32_t block = eye.part.blocks[k];
-      if (!moved.contains(block)) continue;
-      pitch(now[block], eye.part.weights[k], eye.turn.pitch, eye.centre.y, eye.centre.z);
-      turn(now[block], eye.part.weights[k], eye.turn.yaw, eye.centre.x, eye.centre.z);
-    }
   }
 }
 
@@ -311,16 +298,17 @@ HeadTurn::Pose FaceDeformer::State::head_pose() const {
 void FaceDeformer::State::look() {
   result.eye_centres.resize(eyes.size());
   result.eye_forward.resize(eyes.size());
-  result.eye_open.assign(eyes.size(), 1);
-  for (std::size_t e = 0; e < lids.size(); ++e) result.eye_open[e] = 1 - value(lids[e].close);
+  result.eye_open.resize(eyes.size());
   for (std::size_t e = 0; e < eyes.size(); ++e) {
-    const EyeField& eye = eyes[e];
+    const EyeLook& eye = eyes[e];
+    const Turn& gaze = movers[eye.mover].turn;
     VertexBlock ahead;
     set_lane(ahead, 0, {0, 0, 1});
     Lanes wholly{};
     wholly.fill(1);
-    pitch(ahead, wholly, eye.turn.pitch, 0, 0);
-    turn(ahead, wholly, eye.turn.yaw, 0, 0);
+    pitch(ahead, wholly, gaze.pitch, 0, 0);
+    turn(ahead, wholly, gaze.yaw, 0, 0);
+    result.eye_open[e] = 1 - value(eye.close);
     result.eye_centres[e] = eye.centre;
     result.eye_forward[e] = {ahead.x[0], ahead.y[0], ahead.z[0]};
     if (head) head->carry(eye.head_share, result.eye_centres[e], result.eye_forward[e]);

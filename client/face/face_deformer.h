@@ -23,13 +23,13 @@ struct DeformedFace {
   std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
 };
 
-/// Turns activations into positions. All muscles displace from the rest face and are summed, so
-/// that their order does not matter; then lids, jaw, eyes and head turn, in that order. What is
-/// linear in its activation is computed once, sparsely, when the deformer is made; what no change
-/// of activations reaches is left as it is. A crease of depth 0 is not drawn: its vertices stay at
-/// rest while the face moves away from them, but for those in one block with something drawn. The
-/// result depends on the activations only, to the last bit, not on what was shown before.
-/// The face must outlive the deformer. Thread: one deformer per thread.
+/// Turns activations into positions. Muscles displace vertices from the rest face, and their
+/// displacements are summed, so that their order does not matter; then lids, jaw, eyes and head
+/// turn, in that order. Displacements per unit of activation are computed once, when the deformer
+/// is made; deform() computes only the vertices that a changed activation reaches. A crease of
+/// depth 0 is not drawn and its vertices stay at rest, except those that share a block of vertices
+/// with something drawn. The result depends on the activations alone, to the last bit, not on
+/// earlier calls. The face must outlive the deformer. Thread: one deformer per thread.
 class FaceDeformer {
  public:
   explicit FaceDeformer(const Face& face);
@@ -38,8 +38,8 @@ class FaceDeformer {
   FaceDeformer& operator=(FaceDeformer&&) noexcept;
 
   /// `activations`: one per channel, clamped to [0, activation_max]; not finite counts as 0. All
-  /// zero gives the rest face bit for bit. The result stands until the next call; nothing is
-  /// allocated after the head has turned once.
+  /// zero gives the rest face bit for bit. The result is valid until the next call. Nothing is
+  /// allocated after the first call.
   const DeformedFace& deform(std::span<const float> activations);
 
  private:

@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/support/allocations.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/face/small_face.h"
 
@@ -321,13 +322,16 @@ TEST_F(Deformer, WhatWasShownBeforeLeavesNoTrace) {
 }
 
 TEST_F(Deformer, AllocatesNothingAfterTheFirstCall) {
-  const std::vector<float> activations(face_.channels.size(), 1.0F);
-  const DeformedFace& before = deformer_.deform(activations);
-  const auto* const positions_before = before.positions.data();
-  const auto* const normals_before = before.normals.data();
-  const DeformedFace& after = deformer_.deform(std::vector<float>(activations.size(), 0.5F));
-  EXPECT_EQ(after.positions.data(), positions_before);
-  EXPECT_EQ(after.normals.data(), normals_before);
+  const std::vector<float> rest(face_.channels.size(), 0.0F);
+  const std::vector<float> some(face_.channels.size(), 0.5F);
+  const std::vector<float> all(face_.channels.size(), 1.0F);
+  deformer_.deform(rest);
+  const std::size_t before = aucast::test::allocations();
+  for (const auto* activations : {&all, &some, &rest, &all}) deformer_.deform(*activations);
+  EXPECT_EQ(aucast::test::allocations(), before);
+  // The count sees what a deformer allocates.
+  const FaceDeformer other(face_);
+  EXPECT_GT(aucast::test::allocations(), before);
 }
 
 /// The small face and two ribbons of twice ten and twice twenty vertices beside parts of its skin,
@@ -404,6 +408,18 @@ TEST(DeformerOfABareFace, CopesWithoutTrianglesMapsAndMovers) {
   const DeformedFace& out = deformer.deform({});
   EXPECT_EQ(out.positions, face.mesh.positions);
   EXPECT_EQ(out.normals, std::vector<glm::vec3>(3, glm::vec3(0, 0, 1)));
+}
+
+TEST(DeformerOfABareFace, AnEyeWithoutAPartLooksAndMovesNothing) {
+  Face face;
+  face.mesh.positions.assign(700, {1, 2, 3});
+  face.mesh.parts = {{"skin", Material::Skin, 0, 700, 0, 0}};
+  face.eyes = {{"left_eye", {1, 2, 3}}};
+  face.channels = {{"left_gaze_left", Side::Left, 1}};
+  FaceDeformer deformer(face);
+  const DeformedFace& out = deformer.deform(std::vector<float>{1});
+  EXPECT_EQ(out.positions, face.mesh.positions);
+  EXPECT_GT(out.eye_forward.at(0).x, 0.4F);
 }
 
 }  // namespace
