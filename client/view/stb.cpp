@@ -1,4 +1,4 @@
-// The one place where stb's code is compiled.
+// The one place where stb's pictures are compiled.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_ONLY_PNG

@@ -36,6 +36,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE
 
 if(TARGET face-player)
   aucast_install_program(face-player)
+  install(FILES ${PROJECT_SOURCE_DIR}/client/view/fonts/LICENSE
+          DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.Inter)
   if(AUCAST_BUILD_RENDER)
     install(FILES ${PROJECT_SOURCE_DIR}/data/icons/aucast.png
             DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps)
