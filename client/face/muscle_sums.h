@@ -11,19 +11,19 @@
 
 namespace aucast::face {
 
-/// Where the muscles alone bring the vertices: the rest face plus the sum of what each does. What
-/// a muscle does per unit is computed once; it is kept by block, so that a block is summed in one
-/// go whatever the number of muscles. Most muscles pull all their vertices the same way, one
-/// further than another: of those one number is kept for a vertex instead of three.
+/// The rest face plus the displacements of all muscles. Displacements per unit of activation are
+/// computed once and stored by block, so that a block is summed in one pass. Most muscles pull all
+/// their vertices in one direction, only some further than others: those store one number per
+/// vertex instead of three.
 class MuscleSums {
  public:
   explicit MuscleSums(const Face& face);
 
-  /// One activation per muscle, finite. Adds to `moved` the blocks on which a muscle pulls that
-  /// pulls otherwise than before.
+  /// One activation per muscle, finite. Adds to `moved` the blocks of the muscles whose activation
+  /// has changed.
   void take(std::span<const float> activations, BlockSet& moved);
 
-  /// Says which blocks at() will be asked for until the next take().
+  /// The blocks that at() will be called for until the next take().
   void list(const BlockSet& blocks);
 
   /// A listed block with all muscles' displacements, always summed in the same order.

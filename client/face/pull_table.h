@@ -10,9 +10,9 @@
 
 namespace aucast::face {
 
-/// What muscles do to blocks of vertices, by block and in each of them in the muscles' order, and
-/// which of it counts while some of the muscles act: few of them do in most expressions, and
-/// asking all the others would take longer than adding up.
+/// The pulls of muscles on blocks of vertices, sorted by block and then by muscle, and a list of
+/// those whose muscle is active: most expressions need few, and testing all the others would take
+/// longer than the sums.
 template <typename Pull>
 class PullTable {
  public:
@@ -22,8 +22,8 @@ class PullTable {
     Pull pull{};
   };
 
-  /// A pull of a muscle that acts: where it and what belongs to the muscle stand in their tables,
-  /// as distances in bytes, which saves multiplications.
+  /// A pull of an active muscle: its place and its muscle's in their tables, as byte offsets, which
+  /// saves multiplications.
   struct Acting {
     std::uint32_t pull = 0;
     std::uint32_t muscle = 0;
@@ -45,10 +45,9 @@ class PullTable {
     begin_.resize(block_count + 1, static_cast<std::uint32_t>(pulls_.size()));
   }
 
-  /// From here on those muscles act for which `acts` is 1; it is 0 for all others. `muscle_bytes`:
-  /// the size of an element of the caller's table of muscles. `blocks`: those that will be asked
-  /// for, in this order. Which muscle acts is not asked with a jump, which no processor could
-  /// foresee.
+  /// Lists the pulls of the muscles for which `acts` is 1; it is 0 for all others. `muscle_bytes`:
+  /// the size of an element of the caller's table of muscles. `blocks`: those that acting() will be
+  /// called for, in this order. Free of branches that no processor could predict.
   void list_acting(std::span<const std::uint32_t> acts, std::size_t muscle_bytes,
                    const BlockSet& blocks) {
     std::uint32_t count = 0;
@@ -64,13 +63,13 @@ class PullTable {
     });
   }
 
-  /// Of the muscles that act, those that pull on a listed block.
+  /// The pulls of active muscles on a listed block.
   [[nodiscard]] std::span<const Acting> acting(std::size_t block) const {
     return {acting_.data() + acting_in_[block].begin, acting_.data() + acting_in_[block].end};
   }
 
-  /// What one of acting() does per unit of activation. Sends for one of the next meanwhile: they
-  /// lie too far from each other for a processor to guess.
+  /// The displacement per unit of activation. Prefetches a later one: they lie too far apart for a
+  /// processor to guess.
   [[nodiscard]] const Pull& fetch(const Acting& acting) const {
     const Pull& later = at_distance(pulls_.data(), (&acting)[kAhead].pull);
     __builtin_prefetch(&later);

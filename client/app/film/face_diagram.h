@@ -10,8 +10,8 @@
 
 namespace aucast::app {
 
-/// What drives a face, drawn: muscles with attachment, insertion, zone of influence and fall-off
-/// radii; the vertices that the jaw and the lids carry. As in thesis figure 5.6.
+/// A drawing of what drives a face: muscles with attachment, insertion, zone of influence and
+/// fall-off radii; the vertices that the jaw and the lids carry.
 /// The face must outlive it. Thread: one at a time.
 class FaceDiagram {
  public:
@@ -20,12 +20,12 @@ class FaceDiagram {
   FaceDiagram(const FaceDiagram&) = delete;
   FaceDiagram& operator=(const FaceDiagram&) = delete;
 
-  /// Makes what `layers` ask for, for this face. `activations`: one per channel.
+  /// Draws what `layers` ask for. `activations`: one per channel.
   void update(const view::Layers& layers, std::span<const float> activations,
               const face::DeformedFace& deformed);
 
-  /// The muscles: they go with head and jaw, but stay where they are when the skin moves. Muscles
-  /// at work are coloured by their activation.
+  /// The muscles: they follow head and jaw but not the skin. Active ones are coloured by their
+  /// activation.
   [[nodiscard]] std::span<const view::Segment> muscles() const;
   /// Jaw and lids: dots on the vertices, from blue (a little) to red (all the way).
   [[nodiscard]] std::span<const view::Segment> tags() const;
