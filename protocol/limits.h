@@ -30,7 +30,8 @@ inline constexpr std::chrono::milliseconds kDefaultKeyframeTime{250};
 inline constexpr std::chrono::milliseconds kGraceMin{100};   ///< wait for a first byte, at least
 inline constexpr std::chrono::milliseconds kGraceMax{3000};  ///< and at most
 inline constexpr int kGraceRoundTrips = 3;                   ///< in between: so many round trips
-inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};  ///< for a hello begun with {
+inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};    ///< for a hello begun with {
+inline constexpr std::chrono::milliseconds kWrongTokenTime{1000};  ///< until it is refused
 inline constexpr std::chrono::milliseconds kTlsHandshakeTimeMax{10'000};
 inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};  ///< for last words after {-2}
 inline constexpr std::size_t kDrainBytesMax = 65536;

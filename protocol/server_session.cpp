@@ -43,7 +43,8 @@ struct ServerSession::State {
     Grace,  ///< waiting for a first byte
     Hello,  ///< a '{' came first
     Streaming,
-    Draining,  ///< the last byte is said; reading the peer's last words
+    WrongToken,  ///< it was shown; the refusal is held back until the deadline
+    Draining,    ///< the last byte is said; reading the peer's last words
     Closed,
   };
 
@@ -228,8 +229,13 @@ std::uint64_t ServerSession::State::begin_at(std::uint64_t from_ms) {
 /// Whether the token opens this server; refuses if not.
 bool ServerSession::State::permitted(std::string_view token) {
   if (catalogue->token.empty() || same_secret(token, catalogue->token)) return true;
-  refuse(401, token.empty() ? "a token is needed here (--token-file)"
-                            : "this token does not open this server (--token-file)");
+  if (token.empty()) {
+    refuse(401, "a token is needed here (--token-file)");
+  } else {
+    // Who guesses is made to wait; nobody else is.
+    phase = Phase::WrongToken;
+    deadline = now + kWrongTokenTime;
+  }
   return false;
 }
 
@@ -241,7 +247,10 @@ void ServerSession::State::list_streams() {
 
 void ServerSession::State::read(std::string_view bytes) {
   if (!bytes.empty() && first_byte == '\0') first_byte = bytes.front();
-  while (!bytes.empty() && phase != Phase::Draining && phase != Phase::Closed) {
+  const auto listens = [this] {
+    return phase != Phase::WrongToken && phase != Phase::Draining && phase != Phase::Closed;
+  };
+  while (!bytes.empty() && listens()) {
     note_first_byte(bytes);
     if (const auto packet = decoder.next(bytes)) {
       handle(*packet);
@@ -509,6 +518,9 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
       break;
     case State::Phase::Hello:
       state_->refuse(400, "the hello was not complete within 5 seconds");
+      break;
+    case State::Phase::WrongToken:
+      state_->refuse(401, "this token does not open this server (--token-file)");
       break;
     case State::Phase::Draining:
       state_->close(state_->farewell.why, state_->farewell.reason);

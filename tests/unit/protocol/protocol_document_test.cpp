@@ -139,6 +139,7 @@ TEST(ProtocolDocument, LimitsAreThoseOfTheHeader) {
       {"kSpareCodesPerSecond", kSpareCodesPerSecond},
       {"kSpareCodesPerPacket", kSpareCodesPerPacket},
       {"kTokenBytesMax", kTokenBytesMax},
+      {"kWrongTokenTime", kWrongTokenTime.count()},
       {"kTlsHandshakeTimeMax", kTlsHandshakeTimeMax.count()},
       {"kStreamLineBytesMax", kStreamLineBytesMax},
       {"kStreamNameBytesMax", kStreamNameBytesMax},

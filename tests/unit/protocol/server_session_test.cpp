@@ -410,9 +410,24 @@ TEST_F(Server, ATokenThatChangesShutsNobodyOut) {
   catalogue_.token = "two";
   EXPECT_EQ(get("1"), "send {3}");
   start();
-  EXPECT_EQ(get("{hello v=2 window=2 token=one}").substr(0, 16), "send {error 401 ");
+  EXPECT_EQ(get("{hello v=2 window=2 token=one}"), "");
   start();
   EXPECT_EQ(get("{hello v=2 window=2 token=two}").substr(0, 12), "send {hello ");
+}
+
+TEST_F(Server, AWrongTokenIsRefusedOnlyAfterASecond) {
+  catalogue_.token = "word";
+  for (const char* guess : {"{hello token=wore}", "{streams token=wore}", "{hello token=w}x-4"}) {
+    start();
+    EXPECT_EQ(get(guess), "") << guess;
+    EXPECT_EQ(get("garbage tells nothing sooner"), "");
+    EXPECT_EQ(peer_end(), "");
+    EXPECT_EQ(session_->deadline(), now_ + 1s);
+    EXPECT_EQ(text_of(session_->on_time(now_ + 999ms)), "");
+    EXPECT_TRUE(text_of(session_->on_time(now_ + 1s)).starts_with("send {error 401 ")) << guess;
+  }
+  start();
+  EXPECT_TRUE(get("{hello}").starts_with("send {error 401 ")) << "no token is no guess";
 }
 
 TEST_F(Server, TellsAFullAddressFromAFullServer) {
@@ -425,7 +440,9 @@ TEST_F(Server, RefusesForTheFirstReasonInOrder) {
   catalogue_.token = "word";
   const auto refused = [this](std::string_view hello) {
     session_.emplace(catalogue_, 0ms, now_, Admission::Full);
-    return get(hello).substr(0, 15);
+    std::string said = get(hello);
+    if (said.empty()) said = text_of(session_->on_time(*session_->deadline()));
+    return said.substr(0, 15);
   };
   EXPECT_EQ(refused("{hello v=3 nonsense}"), "send {error 400") << "what cannot be read";
   EXPECT_EQ(refused("{hello v=3 window=x}"), "send {error 505") << "the version, without a token";
