@@ -38,14 +38,14 @@ KeyframeBuffers::Stored KeyframeBuffers::store(const TimedAus& keyframe) {
     return Stored::Yes;
   }
   const bool full = room() == 0;
-  const bool playing = !playout_.empty();
+  const bool playing = has_next();
   if (full && playing) return Stored::No;  // case A
   if (full) fill_playout();                // case B
 
   // Case D compares before it stores, as figure 5.13 does; a threshold of the whole receiver is
   // therefore reached by case B.
-  const bool start = !full && !playing && (ended_ || receiver_.size() >= threshold());
-  receiver_.push_back(keyframe);  // all but case A
+  const bool start = !full && !playing && (ended_ || receiver_fill() >= threshold());
+  keyframes_.push_back(keyframe);  // all but case A
   if (options_.by_time ? !playing && (!starved_ || enough()) : start) fill_playout();
   return Stored::Yes;
 }
@@ -56,34 +56,32 @@ void KeyframeBuffers::set_delay(Milliseconds delay) {
 
 bool KeyframeBuffers::enough() const {
   if (ended_) return true;
-  if (live_ && options_.low_delay) return has_next() || !receiver_.empty();
-  return receiver_.size() + playout_.size() >= kLiveKeyframesMin &&
-         buffered() >= options_.live_delay;
+  if (live_ && options_.low_delay) return !keyframes_.empty();
+  return keyframes_.size() >= kLiveKeyframesMin && buffered() >= options_.live_delay;
 }
 
 void KeyframeBuffers::store_live(const TimedAus& keyframe) {
-  receiver_.push_back(keyframe);
+  keyframes_.push_back(keyframe);
   drop_oldest();
   if (starved_ && !enough()) return;
-  if (playout_.empty()) fill_playout();
+  if (!has_next()) fill_playout();
 }
 
 void KeyframeBuffers::drop_oldest() {
-  const auto count = [this] { return receiver_.size() + playout_.size(); };
   const auto drop_one = [this] {
-    (playout_.empty() ? receiver_ : playout_).pop_front();
+    pop_front();
     ++dropped_;
   };
-  while (receiver_.size() > options_.receiver_capacity) drop_one();
+  while (receiver_fill() > options_.receiver_capacity) drop_one();
   const Milliseconds lag = options_.low_delay ? kStandingLagMax : kLiveLagMax;
   if (!starved_ || buffered() <= held_ready() + lag) return;
   const std::size_t least = options_.low_delay ? 1 : kLiveKeyframesMin;
-  while (count() > least && buffered() > held_ready()) drop_one();
+  while (keyframes_.size() > least && buffered() > held_ready()) drop_one();
 }
 
 Milliseconds KeyframeBuffers::held_ready() const {
   if (!options_.low_delay) return options_.live_delay;
-  const TimedAus& newest = receiver_.empty() ? playout_.back() : receiver_.back();
+  const TimedAus& newest = keyframes_.back();
   if (!newest.due || !newest.arrived) return time_of(newest);
   return std::chrono::ceil<Milliseconds>(*newest.due - *newest.arrived);
 }
@@ -94,17 +92,16 @@ Milliseconds KeyframeBuffers::time_of(const TimedAus& keyframe) const {
 
 Milliseconds KeyframeBuffers::buffered() const {
   Milliseconds sum{0};
-  for (const TimedAus& keyframe : playout_) sum += time_of(keyframe);
-  for (const TimedAus& keyframe : receiver_) sum += time_of(keyframe);
+  for (const TimedAus& keyframe : keyframes_) sum += time_of(keyframe);
   return sum;
 }
 
 std::size_t KeyframeBuffers::room() const {
-  return options_.receiver_capacity - receiver_.size();
+  return options_.receiver_capacity - receiver_fill();
 }
 
 void KeyframeBuffers::release() {
-  if (playout_.empty()) fill_playout();
+  if (!has_next()) fill_playout();
 }
 
 void KeyframeBuffers::end_of_stream() {
@@ -113,7 +110,7 @@ void KeyframeBuffers::end_of_stream() {
 }
 
 std::optional<TimedAus> KeyframeBuffers::take() {
-  if (playout_.empty()) {
+  if (!has_next()) {
     const bool stall = begun_ && !starved_ && !ended_;
     if (stall && options_.adapt && options_.by_time && !live_) {
       options_.live_delay = std::min(options_.live_delay * 2, kAdaptedMax);
@@ -123,35 +120,35 @@ std::optional<TimedAus> KeyframeBuffers::take() {
   }
   starved_ = false;
   begun_ = true;
-  TimedAus keyframe = playout_.front();
-  playout_.pop_front();
-  if (playout_.empty()) fill_playout();
-  const Milliseconds time = time_of(keyframe);
+  std::optional<TimedAus> keyframe(keyframes_.front());
+  pop_front();
+  if (!has_next()) fill_playout();
+  const Milliseconds time = time_of(*keyframe);
   if (!live_ || options_.low_delay) return keyframe;
   const Milliseconds ahead = buffered();
   if (ahead > options_.live_delay + time) {
-    keyframe.pace_percent = kFasterPercent;
+    keyframe->pace_percent = kFasterPercent;
   } else if (options_.adapt && ahead + 2 * time < options_.live_delay) {
-    keyframe.pace_percent = kSlowerPercent;
+    keyframe->pace_percent = kSlowerPercent;
   }
   return keyframe;
 }
 
 bool KeyframeBuffers::has_next() const {
-  return !playout_.empty();
+  return playout_ > 0;
 }
 
 bool KeyframeBuffers::finished() const {
-  return ended_ && playout_.empty() && receiver_.empty();
+  return ended_ && keyframes_.empty();
 }
 
 void KeyframeBuffers::fill_playout() {
-  const std::size_t places = options_.playout_capacity - playout_.size();
-  const std::size_t count = std::min(places, receiver_.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    playout_.push_back(receiver_.front());
-    receiver_.pop_front();
-  }
+  playout_ += std::min(options_.playout_capacity - playout_, receiver_fill());
+}
+
+void KeyframeBuffers::pop_front() {
+  keyframes_.pop_front();
+  if (playout_ > 0) --playout_;
 }
 
 std::size_t KeyframeBuffers::threshold() const {

@@ -76,8 +76,8 @@ class KeyframeBuffers {
   /// True when the stream has ended and everything has been taken.
   [[nodiscard]] bool finished() const;
 
-  [[nodiscard]] std::size_t receiver_fill() const { return receiver_.size(); }
-  [[nodiscard]] std::size_t playout_fill() const { return playout_.size(); }
+  [[nodiscard]] std::size_t receiver_fill() const { return keyframes_.size() - playout_; }
+  [[nodiscard]] std::size_t playout_fill() const { return playout_; }
   /// What is there, in the stream's own time.
   [[nodiscard]] Milliseconds buffered() const;
   /// Live keyframes that were dropped to catch up.
@@ -96,13 +96,15 @@ class KeyframeBuffers {
   [[nodiscard]] Milliseconds time_of(const TimedAus& keyframe) const;
   [[nodiscard]] bool enough() const;
   void fill_playout();
+  void pop_front();
   /// How many sets the receiver must hold before the Playout buffer is filled for the first time or
   /// after a stall; at least 1.
   [[nodiscard]] std::size_t threshold() const;
 
   BufferOptions options_;
-  std::deque<TimedAus> receiver_;
-  std::deque<TimedAus> playout_;
+  /// Both buffers, so that a keyframe passes from one to the other where it lies.
+  std::deque<TimedAus> keyframes_;
+  std::size_t playout_ = 0;  ///< of `keyframes_`, from the front; the rest is the receiver's
   bool ended_ = false;
   std::optional<Milliseconds> live_;  ///< the time of an untimed keyframe
   Milliseconds untimed_{250};         ///< the same for recorded streams
