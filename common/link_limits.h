@@ -6,6 +6,9 @@
 
 namespace aucast::link {
 
+/// Read from one peer before others have their turn.
+inline constexpr std::size_t kReadBytes = 1024;
+
 /// What one connection may cost in time and memory.
 struct Limits {
   Milliseconds tls_handshake{0};

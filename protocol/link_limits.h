@@ -10,4 +10,6 @@ inline constexpr link::Limits kLinkLimits{
     kTlsHandshakeTimeMax, kDrainTimeMax,      kDrainBytesMax,   kOutputBytesMax,
     kKeepAliveIdle,       kKeepAliveInterval, kKeepAliveProbes, kUnansweredTimeMax};
 
+static_assert(link::kReadBytes == kReadBytesMax);
+
 }  // namespace aucast::protocol

@@ -19,9 +19,6 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::steady_clock;
 
-/// Read from one peer before others have their turn.
-constexpr std::size_t kReadBytes = 1024;
-
 void set_option(int socket, int level, int option, int value) {
   static_cast<void>(::setsockopt(socket, level, option, &value, sizeof value));
 }
