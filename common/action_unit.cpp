@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace aucast {
@@ -48,9 +49,14 @@ constexpr std::pair<int, std::string_view> kFacsNames[] = {
     {37, "Lip Wipe"},
     {38, "Nostril Dilator"},
     {39, "Nostril Compressor"},
+    {40, "Sniff"},
+    {41, "Lid Droop"},
+    {42, "Slit"},
     {43, "Eye Closure"},
+    {44, "Squint"},
     {45, "Blink"},
     {46, "Wink"},
+    {50, "Speech"},
     {51, "Head Turn Left"},
     {52, "Head Turn Right"},
     {53, "Head Up"},
@@ -65,7 +71,41 @@ constexpr std::pair<int, std::string_view> kFacsNames[] = {
     {64, "Eyes Down"},
     {65, "Walleye"},
     {66, "Cross-eye"},
+    {80, "Swallow"},
+    {81, "Chewing"},
+    {82, "Shoulder Shrug"},
+    {84, "Head Shake Back and Forth"},
+    {85, "Head Nod Up and Down"},
 };
+
+/// Names that FACS (1978), the thesis and the recognisers have for some of them.
+constexpr std::pair<int, std::string_view> kOtherNames[] = {
+    {11, "Nasolabial Deepener"},
+    {11, "Nasolabial Fold Deepener"},
+    {13, "Cheek Puffer"},
+    {18, "Lip Puckerer"},
+    {22, "Lip Funneller"},
+    {24, "Lip Pressor"},
+    {28, "Lip Suck"},
+    {34, "Cheek Puff"},
+    {43, "Eyes Closed"},
+    {51, "Turn Left"},
+    {52, "Turn Right"},
+    {55, "Tilt Left"},
+    {56, "Tilt Right"},
+    {61, "Eyes Left"},
+    {62, "Eyes Right"},
+};
+
+/// Small letters alone: "Cross-eye" and "cross eye" are the same name.
+std::string letters_of(std::string_view name) {
+  std::string letters;
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z') letters += static_cast<char>(c - 'A' + 'a');
+    if (c >= 'a' && c <= 'z') letters += c;
+  }
+  return letters;
+}
 
 std::uint8_t rounded_percent(float intensity) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(intensity, 0.0F, 1.0F) * 100.0F));
@@ -73,12 +113,24 @@ std::uint8_t rounded_percent(float intensity) {
 
 }  // namespace
 
+bool shows_on_one_side(int number) {
+  constexpr int kJawSideways = 30;
+  constexpr int kTongueBulge = 36;
+  constexpr int kWink = 46;
+  return number == kJawSideways || number == kTongueBulge || number == kWink;
+}
+
+void set_intensity(AuFrame& frame, std::uint8_t number, Side side, float intensity) {
+  if (side == Side::Both && shows_on_one_side(number)) side = Side::Right;
+  if (side != Side::Right) frame.left[number] = intensity;
+  if (side != Side::Left) frame.right[number] = intensity;
+}
+
 void apply_terms(AuFrame& frame, std::span<const AuTerm> terms) {
   for (const AuTerm& term : terms) {
     if (term.number == 0 || term.number > kAuNumberMax) continue;
     const float intensity = static_cast<float>(term.percent) / 100.0F;
-    if (term.side != Side::Right) frame.left[term.number] = intensity;
-    if (term.side != Side::Left) frame.right[term.number] = intensity;
+    set_intensity(frame, term.number, term.side, intensity);
   }
 }
 
@@ -95,7 +147,7 @@ std::vector<AuTerm> canonical_terms(const AuFrame& frame) {
     const auto id = static_cast<std::uint8_t>(number);
     const std::uint8_t left = rounded_percent(frame.left[index]);
     const std::uint8_t right = rounded_percent(frame.right[index]);
-    if (left == right) {
+    if (left == right && !shows_on_one_side(number)) {
       if (left != 0) terms.push_back({id, Side::Both, left});
       continue;
     }
@@ -111,6 +163,20 @@ std::optional<std::string_view> facs_name(int number) {
                                    [number](const auto& entry) { return entry.first == number; });
   if (found == std::end(kFacsNames)) return std::nullopt;
   return found->second;
+}
+
+std::optional<std::uint8_t> facs_number(std::string_view name) {
+  const std::string letters = letters_of(name);
+  for (const std::span<const std::pair<int, std::string_view>> names :
+       {std::span<const std::pair<int, std::string_view>>(kFacsNames),
+        std::span<const std::pair<int, std::string_view>>(kOtherNames)}) {
+    for (const auto& [number, known] : names) {
+      if (!letters.empty() && letters == letters_of(known)) {
+        return static_cast<std::uint8_t>(number);
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<std::uint8_t> percent_of_letter(char letter) {

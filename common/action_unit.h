@@ -13,7 +13,8 @@ namespace aucast {
 inline constexpr int kAuNumberMax = 99;
 inline constexpr int kAuCount = kAuNumberMax + 1;
 
-/// The subject's own side. Both is an AU scored without a side.
+/// The subject's own side. Both is an AU scored without a side: it is on both sides, or, of those
+/// that shows_on_one_side(), on the right one.
 enum class Side : std::uint8_t { Both, Left, Right };
 
 /// One AU as written in a packet: number 0-99, side, intensity in whole percent 0-100.
@@ -32,6 +33,12 @@ struct AuFrame {
   friend bool operator==(const AuFrame&, const AuFrame&) = default;
 };
 
+/// AUs that are seen on one side at a time: 30 jaw sideways, 36 tongue bulge, 46 wink.
+[[nodiscard]] bool shows_on_one_side(int number);
+
+/// Sets AU `number` (1-99) on a side, or on those that Side::Both means for it.
+void set_intensity(AuFrame& frame, std::uint8_t number, Side side, float intensity);
+
 /// The frame that the terms describe. A repeated AU and side: the last wins; AU 0 adds nothing; 0
 /// percent is absent.
 [[nodiscard]] AuFrame frame_from_terms(std::span<const AuTerm> terms);
@@ -39,13 +46,18 @@ struct AuFrame {
 /// Changes `frame` by terms of the changes-only form: what is not named stays.
 void apply_terms(AuFrame& frame, std::span<const AuTerm> terms);
 
-/// The canonical form: ascending numbers, equal sides joined, left before right, rounded to whole
-/// percent with zeros dropped; {0} when nothing is left.
+/// The canonical form: ascending numbers, equal sides joined (AUs that shows_on_one_side() keep
+/// theirs), left before right, rounded to whole percent with zeros dropped; {0} when nothing is
+/// left.
 [[nodiscard]] std::vector<AuTerm> canonical_terms(const AuFrame& frame);
 
-/// The FACS (2002) name of an AU, such as "Lip Corner Puller" for 12; nothing for numbers without
-/// one.
+/// The FACS name of an AU or action descriptor, such as "Lip Corner Puller" for 12: that of 2002,
+/// of 1978 where 2002 has none. Nothing for numbers without one.
 [[nodiscard]] std::optional<std::string_view> facs_name(int number);
+
+/// The number of such a name; case, blanks and hyphens do not matter, and other usual names
+/// ("Lip Pressor") are known too. Nothing for what is no AU, such as "smile".
+[[nodiscard]] std::optional<std::uint8_t> facs_number(std::string_view name);
 
 /// The percent that a FACS intensity letter stands for: A 10, B 25, C 50, D 80, E 100 (2002) and
 /// x 25, y 60, z 100 (1978). Nothing for other letters; case matters.

@@ -31,7 +31,8 @@ Keyframe changes_between(const Keyframe& from, const Keyframe& to) {
     const bool left_changed = left != percent_of(before.left[number]);
     const bool right_changed = right != percent_of(before.right[number]);
     // A side that stays may be named too: one term for both is shorter than one with its side.
-    if ((left_changed || right_changed) && left == right) {
+    const bool joined = left == right && !shows_on_one_side(static_cast<int>(number));
+    if ((left_changed || right_changed) && joined) {
       changes.terms.push_back({id, Side::Both, left});
     } else {
       if (left_changed) changes.terms.push_back({id, Side::Left, left});

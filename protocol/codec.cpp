@@ -28,14 +28,15 @@ std::vector<AuTerm> canonical_changes(const std::vector<AuTerm>& terms) {
   std::array<Change, kAuCount> changes{};
   for (const AuTerm& term : terms) {
     if (term.number == 0 || term.number > kAuNumberMax) continue;
-    if (term.side != Side::Right) changes[term.number].left = term.percent;
+    const bool of_right = term.side == Side::Both && shows_on_one_side(term.number);
+    if (term.side != Side::Right && !of_right) changes[term.number].left = term.percent;
     if (term.side != Side::Left) changes[term.number].right = term.percent;
   }
   std::vector<AuTerm> canonical;
   for (std::size_t number = 1; number < changes.size(); ++number) {
     const auto& [left, right] = changes[number];
     const auto id = static_cast<std::uint8_t>(number);
-    if (left && left == right) {
+    if (left && left == right && !shows_on_one_side(id)) {
       canonical.push_back({id, Side::Both, *left});
       continue;
     }

@@ -1,4 +1,8 @@
+#include <algorithm>
+
+#include "common/action_unit.h"
 #include "common/text.h"
+#include "common/text_file.h"
 #include "protocol/codec.h"
 #include "protocol/keyframe_parser.h"
 
@@ -26,6 +30,49 @@ std::optional<std::string_view> without_braces(std::string_view text, std::size_
   return text.substr(1, text.size() - 2);
 }
 
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// "Left Lip Corner Puller" as a term: "L12". Nothing for a name that is none of FACS.
+std::optional<std::string> term_of_name(std::string_view name) {
+  std::string side;
+  auto number = facs_number(name);
+  for (const std::string_view word : {"left ", "l ", "right ", "r "}) {
+    if (number || name.size() <= word.size()) continue;
+    const bool same = std::equal(word.begin(), word.end(), name.begin(), [](char a, char b) {
+      return a == b || (is_letter(b) && a == static_cast<char>(b | 0x20));
+    });
+    if (!same) continue;
+    number = facs_number(name.substr(word.size()));
+    side = word.front() == 'l' ? "L" : "R";
+  }
+  if (!number) return std::nullopt;
+  return side + std::to_string(*number);
+}
+
+/// The set with numbers where FACS names stood: "Inner Brow Raiser:50,12" is "1:50,12".
+Result<std::string> with_numbers(std::string_view text) {
+  std::string numbers;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(",+;{}", at), text.size());
+    const std::size_t name_end = std::min(text.find(':', at), end);
+    const std::string_view name = text.substr(at, name_end - at);
+    if (std::count_if(name.begin(), name.end(), is_letter) < 3) {
+      numbers += name;
+    } else if (const auto term = term_of_name(trimmed(name, kTextBlanks))) {
+      numbers += *term;
+    } else {
+      return au_set_error(text, at,
+                          "'" + escaped(trimmed(name, kTextBlanks)) +
+                              "' is not the FACS name of an AU, such as Inner Brow Raiser");
+    }
+    numbers += text.substr(name_end, end + 1 - name_end);
+    at = end + 1;
+  }
+  return numbers;
+}
+
 }  // namespace
 
 std::optional<TextError> parse_keyframe(std::string_view text, TermSyntax syntax, Keyframe& out) {
@@ -40,7 +87,10 @@ std::optional<TextError> parse_keyframe(std::string_view text, TermSyntax syntax
   return std::nullopt;
 }
 
-Result<AuFrame> parse_au_set(std::string_view text) {
+Result<AuFrame> parse_au_set(std::string_view typed) {
+  const auto numbers = with_numbers(typed);
+  if (!numbers) return numbers.error();
+  const std::string_view text = *numbers;
   std::size_t shift = 0;
   const std::optional<std::string_view> inside = without_braces(text, shift);
   if (!inside) {

@@ -11,8 +11,6 @@ namespace {
 
 using Values = std::array<float, kAuCount>;
 
-constexpr std::size_t kWink = 46;
-
 /// An excluding AU below this is minute and excludes nothing; from twice this it excludes wholly.
 constexpr float kMinute = 0.2F;
 
@@ -220,15 +218,10 @@ void add_fired(std::vector<RuleFired>& fired, std::vector<RuleFired> left,
 
 AuFrame blend(const RuleSet& rules, const AuFrame& frame, std::vector<RuleFired>* fired) {
   AuFrame result = frame;
-  // A wink without a side is the right eye's: the rules of the left side must not see it. It stays
-  // without a side in the result, so that it stays the right eye's there.
-  const bool wink_unsided = frame.left[kWink] == frame.right[kWink];
-  if (wink_unsided) result.left[kWink] = 0;
   std::vector<RuleFired> left;
   std::vector<RuleFired> right;
   result.left = blend_side(rules, result.left, Side::Left, left);
   result.right = blend_side(rules, result.right, Side::Right, right);
-  if (wink_unsided) result.left[kWink] = result.right[kWink];
   if (fired != nullptr) add_fired(*fired, std::move(left), std::move(right));
   return result;
 }

@@ -20,9 +20,8 @@ struct RuleFired {
 /// listed first; exclusion y' = y clamp((2e - x)/e, 0, 1) with e = 0.2; cap y' = min(y, cap);
 /// substitution s = min(sources), target' = max(target, s), sources - s; dominance y' = y (1 - x);
 /// x of several sources is the largest (or smallest, where all are needed). Where two rules of one
-/// group lower an AU, the lower value counts. AU46 on both sides alike is the right eye's and stays
-/// written without a side. Intensities are in [0,1]. Adds to `fired` what happened when it is
-/// given, group by group; the rules must outlive that.
+/// group lower an AU, the lower value counts. Intensities are in [0,1]. Adds to `fired` what
+/// happened when it is given, group by group; the rules must outlive that.
 [[nodiscard]] AuFrame blend(const RuleSet& rules, const AuFrame& frame,
                             std::vector<RuleFired>* fired = nullptr);
 

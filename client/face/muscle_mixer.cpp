@@ -9,18 +9,15 @@ namespace {
 
 /// What the channel's side gets of an AU.
 float intensity_for(const AuFrame& frame, std::size_t number, Side side) {
-  const float left = frame.left[number];
-  const float right = frame.right[number];
-  const bool right_only = shows_on_one_side(static_cast<int>(number)) && left == right;
   switch (side) {
     case Side::Left:
-      return right_only ? 0 : left;
+      return frame.left[number];
     case Side::Right:
-      return right;
+      return frame.right[number];
     case Side::Both:
       break;
   }
-  return std::max(left, right);
+  return std::max(frame.left[number], frame.right[number]);
 }
 
 /// The demands of all AUs on one channel, gathered one after the other.
@@ -43,11 +40,16 @@ struct Demand {
 
 }  // namespace
 
-bool shows_on_one_side(int number) {
-  constexpr int kJawSideways = 30;
-  constexpr int kTongueBulge = 36;
-  constexpr int kWink = 46;
-  return number == kJawSideways || number == kTongueBulge || number == kWink;
+std::string not_shown(const Face& face, const AuFrame& frame) {
+  std::string text;
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    const int id = static_cast<int>(number);
+    if (std::max(frame.left[number], frame.right[number]) <= 0) continue;
+    if (face.recordings.contains(id)) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(id);
+    if (const auto name = facs_name(id)) text += " " + std::string(*name);
+  }
+  return text;
 }
 
 void mix(const Face& face, const AuFrame& frame, Mixer mixer, std::span<float> activations) {

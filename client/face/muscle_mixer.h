@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
+#include <string>
 
 #include "client/face/face.h"
 #include "common/action_unit.h"
@@ -15,12 +15,12 @@ enum class Mixer : std::uint8_t {
   Average,  ///< over the AUs that use the channel: sum(i a) / sum(i) x max(i) (table 5.1 at 100 %)
 };
 
-/// AUs that only one side can show at a time: the jaw sideways, the tongue in a cheek, a wink.
-[[nodiscard]] bool shows_on_one_side(int number);
-
 /// Fills `activations` (one per channel of the face). A channel of the left side takes the left
-/// intensities, a central one the larger side. An AU that shows on one side only is the right one's
-/// when both sides have it alike. An AU without recording does nothing.
+/// intensities, a central one the larger side. An AU without recording does nothing.
 void mix(const Face& face, const AuFrame& frame, Mixer mixer, std::span<float> activations);
+
+/// What `frame` has and the face has no recording of, one after the other with its FACS name, such
+/// as "50 Speech, 84 Head Shake Back and Forth"; empty when the face shows everything.
+[[nodiscard]] std::string not_shown(const Face& face, const AuFrame& frame);
 
 }  // namespace aucast::face

@@ -82,7 +82,7 @@ class FaceCalibration : public DefaultFace {
 
   /// Both sides, if the AU shows on both.
   [[nodiscard]] static Positions at_full(const CalibratedAu& au) {
-    return at(au, face::shows_on_one_side(au.number) ? Side::Left : Side::Both, 100);
+    return at(au, shows_on_one_side(au.number) ? Side::Left : Side::Both, 100);
   }
   [[nodiscard]] static std::string label(const CalibratedAu& au, const std::string& landmark) {
     return "AU" + std::to_string(au.number) + " " + landmark;
@@ -145,7 +145,7 @@ TEST_F(FaceCalibration, GrowsFromEveryIntensityLetterToTheNext) {
       const auto percent = percent_of_letter(letter);
       ASSERT_TRUE(percent);
       const Positions positions =
-          at(au, face::shows_on_one_side(au.number) ? Side::Left : Side::Both, *percent);
+          at(au, shows_on_one_side(au.number) ? Side::Left : Side::Both, *percent);
       for (std::size_t i = 0; i < au.expect.size(); ++i) {
         // What may go either way is a bound, not a movement.
         if (au.expect[i].least_mm < 0 && au.expect[i].most_mm > 0) continue;

@@ -430,7 +430,7 @@ TEST_F(DefaultFaceRecordings, MovesOnlyTheSideThatIsNamed) {
 
 TEST_F(DefaultFaceRecordings, MirrorsLeftAndRight) {
   for (const auto& [number, recording] : face().recordings) {
-    if (turns_head(number) || face::shows_on_one_side(number) || number == 61 || number == 62) {
+    if (turns_head(number) || shows_on_one_side(number) || number == 61 || number == 62) {
       continue;
     }
     const auto positions = posed(number);

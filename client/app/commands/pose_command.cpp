@@ -1,5 +1,7 @@
 #include "client/app/commands/pose_command.h"
 
+#include <spdlog/spdlog.h>
+
 #include <cstdio>
 
 #include "client/app/assets.h"
@@ -126,6 +128,9 @@ Result<void> run_pose(const PlayerOptions& options) {
   }
   auto aus = requested_aus(options.pose, expression);
   if (!aus) return aus.error();
+  if (const std::string missing = face::not_shown((*assets)->face, *aus); !missing.empty()) {
+    spdlog::warn("the face '{}' cannot show AU {}", (*assets)->face.name, missing);
+  }
   std::vector<float> activations((*assets)->face.channels.size());
   face::mix((*assets)->face, face::blend((*assets)->rules, *aus), options.face.mixer, activations);
   auto applied = apply_muscles((*assets)->face, expression, activations);

@@ -50,7 +50,7 @@ const char* word(face::Mixer mixer) {
 /// The sides on which an AU is shown. A wink is on one side or it is none, a jaw goes to one.
 std::vector<Side> sides_of(const face::Face& face, int number) {
   if (!is_sided(face, number)) return {Side::Both};
-  if (face::shows_on_one_side(number)) return {Side::Left, Side::Right};
+  if (shows_on_one_side(number)) return {Side::Left, Side::Right};
   return {Side::Both, Side::Left, Side::Right};
 }
 

@@ -49,13 +49,39 @@ TEST(CanonicalTerms, KeepEveryWholePercent) {
   }
 }
 
-TEST(FacsName, KnowsTheThesisTableAndNothingElse) {
+TEST(CanonicalTerms, WhatShowsOnOneSideKeepsItsSide) {
+  for (const std::uint8_t number : std::vector<std::uint8_t>{30, 36, 46}) {
+    EXPECT_EQ(canonical_terms(frame_from_terms(Terms{{number, Side::Both, 80}})),
+              (Terms{{number, Side::Right, 80}}));
+    const Terms both{{number, Side::Left, 80}, {number, Side::Right, 80}};
+    EXPECT_EQ(canonical_terms(frame_from_terms(both)), both);
+  }
+}
+
+TEST(FacsName, KnowsTheCodesOf1978And2002) {
   EXPECT_EQ(facs_name(12), "Lip Corner Puller");
   EXPECT_EQ(facs_name(46), "Wink");
   EXPECT_EQ(facs_name(66), "Cross-eye");
+  for (const int number : {8, 40, 41, 42, 44, 50, 80, 81, 82, 84, 85}) {
+    EXPECT_TRUE(facs_name(number).has_value()) << number;
+  }
   EXPECT_FALSE(facs_name(3).has_value());
   EXPECT_FALSE(facs_name(99).has_value());
   EXPECT_FALSE(facs_name(-1).has_value());
+}
+
+TEST(FacsNumber, IsFoundByEveryNameAndByNothingElse) {
+  for (int number = 0; number <= kAuNumberMax; ++number) {
+    const auto name = facs_name(number);
+    if (!name) continue;
+    EXPECT_EQ(facs_number(*name), number) << *name;
+  }
+  EXPECT_EQ(facs_number("inner brow raiser"), 1);
+  EXPECT_EQ(facs_number(" Cross eye "), 66);
+  EXPECT_EQ(facs_number("Cheek Puffer"), 13) << "as the thesis calls it";
+  for (const char* other : {"smile", "", "12", "Inner Brow"}) {
+    EXPECT_FALSE(facs_number(other).has_value()) << other;
+  }
 }
 
 TEST(PercentOfLetter, FollowsTheContract) {

@@ -43,6 +43,8 @@ TEST(ChangesBetween, NamesNothingWhenNothingChanged) {
 TEST(ChangesBetween, SpeaksOfOneSideWhereTheOtherStays) {
   EXPECT_EQ(changes("12", "L12:40,R12"), "{~L12:40}");
   EXPECT_EQ(changes("12", "R12"), "{~L12:0}");
+  EXPECT_EQ(changes("46", "L46:50,R46:50"), "{~L46:50,R46:50}") << "no side would be the right one";
+  EXPECT_EQ(changes("L46,R46", "0"), "{~L46:0,R46:0}");
 }
 
 TEST(ChangesBetween, NamesBothSidesInOneTermWhereTheyMeet) {

@@ -105,6 +105,21 @@ TEST(ParseAuSet, ReadsWhatPeopleType) {
   EXPECT_EQ(text(" { 4C + 9 } "), "4:50,9");
   EXPECT_EQ(text("0"), "0");
   EXPECT_EQ(text("12,12:0"), "0");
+  EXPECT_EQ(text("L46,R46"), "L46,R46") << "both eyes";
+  EXPECT_EQ(text("46"), "R46");
+}
+
+TEST(ParseAuSet, ReadsFacsNamesForNumbers) {
+  const auto text = [](std::string_view typed) {
+    const auto frame = parse_au_set(typed);
+    return frame ? format_au_set(*frame) : frame.error().message;
+  };
+  EXPECT_EQ(text("Inner Brow Raiser,lip corner puller:80"), "1,12:80");
+  EXPECT_EQ(text("{ Left Wink , R Dimpler:50, 4C}"), "4:50,R14:50,L46");
+  EXPECT_EQ(text("Lid Tightener"), "7") << "L is the side only where it stands alone";
+  EXPECT_EQ(text("1,smile"),
+            "AU set '1,smile', column 3: 'smile' is not the FACS name of an AU, such as Inner Brow "
+            "Raiser");
 }
 
 TEST(ParseAuSet, RefusesWithTheColumn) {

@@ -24,7 +24,7 @@ std::vector<AuTerm> random_changes(Seeded& seeded) {
     if (!seeded.chance(0.1)) continue;
     const auto id = static_cast<std::uint8_t>(number);
     const auto percent = static_cast<std::uint8_t>(seeded.integer(0, 100));
-    switch (seeded.integer(0, 2)) {
+    switch (seeded.integer(shows_on_one_side(number) ? 1 : 0, 2)) {
       case 0:
         terms.push_back({id, Side::Both, percent});
         break;

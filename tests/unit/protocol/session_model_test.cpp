@@ -89,7 +89,8 @@ int number_of(const AuFrame& aus, Level level, int length) {
   int number = 0;
   for (int au = 1; au <= length; ++au) {
     const auto at = static_cast<std::size_t>(au);
-    if (aus.left[at] > 0 && aus.left[at] == aus.right[at]) number = number == 0 ? au : -1;
+    const bool whole = aus.left[at] == aus.right[at] || shows_on_one_side(au);
+    if (aus.right[at] > 0 && whole) number = number == 0 ? au : -1;
   }
   if (number <= 0) return 0;
   Keyframe expected = numbered(number).back();

@@ -167,13 +167,13 @@ class Pair {
   bool client_over_ = false;
 };
 
-/// A stream in which every keyframe differs from its neighbours: AU n%99+1 at n/99+1 percent.
+/// A stream in which every keyframe differs from its neighbours: AU n%29+1 at n/29+1 percent.
 ServedStream numbered_stream(int length) {
   std::vector<Keyframe> keyframes;
   for (int n = 0; n < length; ++n) {
     Keyframe keyframe;
     keyframe.terms = {
-        {static_cast<std::uint8_t>(n % 99 + 1), Side::Both, static_cast<std::uint8_t>(n / 99 + 1)}};
+        {static_cast<std::uint8_t>(n % 29 + 1), Side::Both, static_cast<std::uint8_t>(n / 29 + 1)}};
     keyframes.push_back(std::move(keyframe));
   }
   EncodedStream stream = test::encoded(keyframes, 0);
