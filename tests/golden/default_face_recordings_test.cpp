@@ -216,9 +216,9 @@ TEST_F(DefaultFaceRecordings, HasTheMusclesOfTheThesisByName) {
 
 TEST_F(DefaultFaceRecordings, CoversTheActionUnitsOfTheThesisAndMore) {
   for (const int number :
-       {0,  1,  2,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20,
-        21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39,
-        43, 45, 46, 51, 52, 53, 54, 55, 56, 57, 58, 61, 62, 63, 64, 65, 66}) {
+       {0,  1,  2,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19,
+        20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38,
+        39, 43, 45, 46, 51, 52, 53, 54, 55, 56, 57, 58, 61, 62, 63, 64, 65, 66}) {
     EXPECT_TRUE(face().recordings.contains(number)) << "AU" << number;
   }
 }
