@@ -183,5 +183,14 @@ TEST(MediaMs, CountsUntimedKeyframesWithTheDefault) {
   EXPECT_EQ(media_ms(*stream, 250), 350U);
 }
 
+TEST(StreamFile, RoomForItsKeyframesIsMadeOnce) {
+  std::string text = "Beg_Stream\n";
+  for (int line = 0; line < 1000; ++line) text += "1\n";
+  const auto stream = parse_stream_file(text + "End_Stream\n", "f");
+  ASSERT_TRUE(stream);
+  EXPECT_EQ(stream->keyframes.size(), 1000U);
+  EXPECT_LE(stream->keyframes.capacity(), 1002U) << "growing takes three times as much memory";
+}
+
 }  // namespace
 }  // namespace aucast::protocol
