@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "common/files.h"
 #include "common/sources/csv_reader.h"
 #include "common/text.h"
 
@@ -51,6 +52,15 @@ Result<ArkitTable> parse_arkit_table(std::string_view text, std::string_view fil
   }
   if (reader->has_errors()) return reader->error();
   return table;
+}
+
+Result<ArkitTable> load_arkit_table() {
+  const auto data = find_data_folder({});
+  if (!data) return data.error();
+  const auto path = *data / "sources" / "arkit_to_au.csv";
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  return parse_arkit_table(*text, path.string());
 }
 
 }  // namespace aucast::sources

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +23,12 @@ struct ArkitCurve {
 struct ArkitTable {
   std::vector<ArkitCurve> curves;
 };
+
+/// Where the table comes from when it is needed.
+using LoadCurves = std::function<Result<ArkitTable>()>;
+
+/// The one in the data folder.
+[[nodiscard]] Result<ArkitTable> load_arkit_table();
 
 /// Reads a table with the columns curve, au, side (L, R or B) and gain. BadData with
 /// file:line:column for what is wrong.

@@ -29,10 +29,12 @@ char separator_of(std::string_view header) {
   return best;
 }
 
-/// The words for "no data" of C, C++, Python, R and Excel, in small letters without a sign.
+/// The words for "no data" of C, C++, Python, R, Excel and FaceReader, in small letters without a
+/// sign.
 bool means_no_data(std::string_view cell) {
-  constexpr std::array<std::string_view, 9> kWords = {"nan",      "inf",  "infinity", "na",  "n/a",
-                                                      "nan(ind)", "null", "none",     "#n/a"};
+  constexpr std::array<std::string_view, 12> kWords = {
+      "nan",  "inf",  "infinity", "na",         "n/a",         "nan(ind)",
+      "null", "none", "#n/a",     "fit_failed", "find_failed", "unknown"};
   if (cell.empty()) return true;
   if (cell.front() == '-' || cell.front() == '+') cell.remove_prefix(1);
   std::string word(cell.substr(0, 16));
@@ -50,6 +52,13 @@ bool are_thousands(std::string_view whole) {
 }
 
 }  // namespace
+
+bool is_preamble(std::string_view line) {
+  line = unquoted(trimmed(line, kBlanks));
+  const std::string_view first = trimmed(line.substr(0, line.find('\t')), kBlanks);
+  return line.starts_with('#') || line.starts_with("sep=") || line.ends_with("detailed log") ||
+         first.ends_with(':');
+}
 
 std::optional<double> parse_number(std::string_view text, bool commas) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -77,6 +86,11 @@ std::optional<double> parse_number(std::string_view text, bool commas) {
 Result<CsvReader> CsvReader::open(std::string_view text, std::string_view file) {
   CsvReader reader(text, file);
   if (text.starts_with(kByteOrderMark)) reader.position_ = kByteOrderMark.size();
+  // A line that ends in CR alone: all of them do.
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end != std::string_view::npos && text[end] == '\r' && text.substr(end + 1, 1) != "\n") {
+    reader.line_end_ = '\r';
+  }
   if (auto read = reader.read_header(); !read) return read.error();
   return reader;
 }
@@ -87,7 +101,7 @@ Result<void> CsvReader::read_header() {
       refuse_at(0, "the file holds nothing; expected a line with the names of columns");
       return error();
     }
-  } while (trimmed(content_, kBlanks).empty());
+  } while (trimmed(content_, kBlanks).empty() || is_preamble(content_));
   header_ = trimmed(content_, kBlanks);
   separator_ = separator_of(header_);
   if (content_.size() > kCsvLineBytesMax) {
@@ -114,7 +128,7 @@ std::optional<std::size_t> CsvReader::column(std::string_view name) const {
 
 bool CsvReader::take_line() {
   if (position_ >= text_.size()) return false;
-  const std::size_t end = text_.find('\n', position_);
+  const std::size_t end = text_.find(line_end_, position_);
   ended_ = end != std::string_view::npos;
   content_ = text_.substr(position_, ended_ ? end - position_ : std::string_view::npos);
   position_ = ended_ ? end + 1 : text_.size();

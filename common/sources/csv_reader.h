@@ -15,21 +15,23 @@ namespace aucast::sources {
 inline constexpr std::size_t kCsvLineBytesMax = std::size_t{256} << 10U;
 inline constexpr std::size_t kCsvColumnsMax = 8192;
 
-/// Reads a table row by row; columns are found by name, never by position. Accepts LF, CRLF, a
-/// UTF-8 byte order mark, blanks around cells, quoted cells, and ',', ';' or tab between cells
-/// (whichever the first line has most of). Refers to the text, which must outlive it; holds one
-/// row at a time. What is wrong with a row or a number is collected, the first 20 of it.
+/// Reads a table row by row; columns are found by name, never by position. Accepts LF, CRLF, CR, a
+/// UTF-8 byte order mark, a preamble (is_preamble()), blanks around cells, quoted cells, and ',',
+/// ';' or tab between cells (whichever the header has most of). Refers to the text, which must
+/// outlive it; holds one row at a time. What is wrong with a row or a number is collected, the
+/// first 20 of it.
 class CsvReader {
  public:
   enum class Next : std::uint8_t {
     Row,             ///< a row with a cell for every column
-    RepeatedHeader,  ///< the first line once more: another recording was appended
+    RepeatedHeader,  ///< the header once more: another recording was appended
     Truncated,       ///< a last line without its end: its writer was stopped; it counts for nothing
     Faulty,          ///< a line with too few or too many cells; noted in errors()
     End,
   };
 
-  /// Reads the first line. BadData when there is none, it is too long or names too many columns.
+  /// Reads the line with the names of the columns, the first that is not blank and no preamble.
+  /// BadData when there is none, it is too long or names too many columns.
   [[nodiscard]] static Result<CsvReader> open(std::string_view text, std::string_view file);
 
   /// The names of the columns, trimmed.
@@ -72,6 +74,7 @@ class CsvReader {
   void refuse_at(std::size_t byte, const std::string& reason);
 
   std::string_view text_;
+  char line_end_ = '\n';
   std::size_t position_ = 0;    ///< of the next line
   std::size_t rows_begin_ = 0;  ///< of the line after the header
   std::size_t rows_line_ = 0;   ///< number of the header's line
@@ -84,6 +87,10 @@ class CsvReader {
   std::vector<std::string_view> cells_;
   protocol::ErrorList errors_;
 };
+
+/// Whether a line before a table is none of it: "sep=;" for spreadsheets, a comment from '#' on, or
+/// what FaceReader says of a recording ("Face Model:" and so on).
+[[nodiscard]] bool is_preamble(std::string_view line);
 
 /// A number as recognisers and spreadsheets write it: 1.5, 1,5 and 1,234.5 (`commas`). Nothing
 /// when it is none or not finite.

@@ -25,7 +25,7 @@ std::string line(std::string name, const std::string& value) {
 }
 
 std::string format_of(const Found& found) {
-  return found.format + (found.approximate ? " (curves read as AUs by a table, approximate)" : "");
+  return found.format + (found.note.empty() ? "" : " (" + found.note + ")");
 }
 
 std::string scale_of(const Found& found) {
@@ -46,6 +46,13 @@ std::string faces_of(const Found& found) {
   return text + (found.faces.size() > kShown ? ", ..." : "");
 }
 
+/// What was left out, and what reads it, if that is more than a hitch.
+std::string left_out_of(const Found& found) {
+  const std::string text = std::to_string(found.left_out) + " left out (no later time)";
+  if (found.left_out * 50 < found.rows || found.steps_a_second == 0) return text;
+  return text + "; --fps " + fixed(found.steps_a_second, 0) + " reads them all";
+}
+
 /// Nothing for a clock that a camera can have.
 std::string hasty_clock(const Found& found) {
   if (found.rows_a_second <= kRowsASecondMax) return {};
@@ -59,8 +66,7 @@ std::string found_lines(const Found& found) {
   text += line("scale", scale_of(found));
   text += line("people", faces_of(found));
   text += line("rows", std::to_string(found.rows) + ", " + std::to_string(found.lost) +
-                           " of them no data, " + std::to_string(found.left_out) +
-                           " left out (no later time)");
+                           " of them no data, " + left_out_of(found));
   text += line("gaps", found.gaps == 0 ? "none over 0.5 s"
                                        : std::to_string(found.gaps) + " over 0.5 s, the longest " +
                                              fixed(found.gap_seconds_max, 2) + " s");

@@ -7,12 +7,12 @@
 
 namespace aucast::sources {
 
-/// Lines out of bytes that come in pieces. A line is there when its line feed is; of a line longer
-/// than `bytes_max` only the beginning is kept, so memory is bounded.
+/// Lines out of bytes that come in pieces. A line is there when its end is: LF, CRLF or CR; of a
+/// line longer than `bytes_max` only the beginning is kept, so memory is bounded.
 class LineSplitter {
  public:
   struct Line {
-    std::string text;        ///< without line feed and carriage return
+    std::string text;        ///< without its end
     std::size_t number = 0;  ///< from 1
     bool too_long = false;   ///< it was cut
   };
@@ -33,6 +33,7 @@ class LineSplitter {
   std::string_view fed_;
   std::string partial_;
   bool cut_ = false;
+  bool after_return_ = false;  ///< the last line ended in CR: an LF that follows belongs to it
   std::size_t number_ = 0;
 };
 

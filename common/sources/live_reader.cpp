@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/sources/content.h"
+#include "common/sources/format.h"
 #include "common/text.h"
 #include "common/text_file.h"
 #include "protocol/limits.h"
@@ -35,6 +37,7 @@ struct LiveReader::Table {
       : header(std::move(header_line)), csv(std::move(opened)), format(std::move(found)) {}
 
   std::string header;
+  std::string note;  ///< as it was said
   CsvReader csv;
   std::unique_ptr<Format> format;
   Observation row;
@@ -73,6 +76,9 @@ void LiveReader::restart() {
   splitter_.restart();
   table_.reset();
   text_ = false;
+  beginning_.clear();
+  beginning_lines_ = 0;
+  labels_.reset();
   clock_.restart();
   timeline_.restart();
 }
@@ -99,12 +105,18 @@ std::string LiveReader::header() const {
   return table_ ? table_->header + '\n' : "";
 }
 
-void LiveReader::complain(std::string text) {
+void LiveReader::say_of_run(bool warning, std::string text) {
   ++complaints_;
-  if (complaints_ <= kSaidMax) messages_.push_back({true, std::move(text)});
+  understood_ = 0;
+  if (complaints_ <= kSaidMax) messages_.push_back({warning, std::move(text)});
   if (complaints_ == kSaidMax) {
     messages_.push_back({true, file_ + ": more of this kind is left out without a word"});
   }
+}
+
+/// One good line between bad ones ends no run: they would fill the log.
+void LiveReader::understood() {
+  if (++understood_ >= kRunEnds) complaints_ = 0;
 }
 
 void LiveReader::read_line(LineSplitter::Line& line, double now) {
@@ -117,7 +129,7 @@ void LiveReader::read_line(LineSplitter::Line& line, double now) {
         "the line is longer than " + std::to_string(kCsvLineBytesMax) + " bytes; it was left out"));
     return;
   }
-  if (trimmed(line.text, kBlanks).empty()) return;
+  if (trimmed(line.text, kBlanks).empty() || (!text_ && is_preamble(line.text))) return;
   if (trimmed(line.text, kBlanks) == "Beg_Stream" && table_) {
     table_.reset();
     timeline_.restart();
@@ -125,7 +137,9 @@ void LiveReader::read_line(LineSplitter::Line& line, double now) {
   if (may_be_header(line.text) && begin_table(line)) return;
   if (table_) {
     read_row(line, now);
-  } else if (!read_text(line, now) && !text_) {
+  } else if (is_no_text(line)) {
+    complain(at_place(file_, line.number, 1, *labels_));
+  } else if (!read_text(line, now) && !text_ && complaints_ <= kSaidMax) {
     say(file_ + ": waiting for the names of columns, or for lines of a stream file");
   }
 }
@@ -133,41 +147,51 @@ void LiveReader::read_line(LineSplitter::Line& line, double now) {
 /// True when the line names the columns of a recogniser: a table begins, or begins again.
 bool LiveReader::begin_table(const LineSplitter::Line& line) {
   if (table_ && trimmed(line.text, kBlanks) == trimmed(table_->header, kBlanks)) {
-    say(at_place(file_, line.number, 0, "the header once more: another recording begins"));
+    say_of_run(false,
+               at_place(file_, line.number, 0, "the header once more: another recording begins"));
     clock_.restart();
     timeline_.restart();
     return true;
   }
   const ContentKind kind = content_kind(line.text);
   if (kind == ContentKind::StreamFile) return false;
-  ArkitTable curves;
-  if (kind == ContentKind::LiveLinkFace) {
-    auto loaded = load_curves_();
-    if (!loaded) {
-      complain(loaded.error().message);
-      return false;
-    }
-    curves = std::move(*loaded);
-  }
-  auto csv = CsvReader::open(line.text, file_);
-  auto format = csv ? open_format(*csv, curves) : nullptr;
-  if (!format) {
-    if (!table_) complain(at_place(file_, line.number, 1, std::string(kUnknownTable)));
+  if (kind == ContentKind::Unknown) {
+    if (!table_) complain(at_place(file_, line.number, 1, unknown_reason(line.text)));
     return false;
   }
-  if (table_ || text_) {
+  auto csv = CsvReader::open(line.text, file_);
+  if (!csv) return false;
+  auto format = open_format(*csv, load_curves_);
+  if (!format) {
+    complain(format.error().message);
+    return false;
+  }
+  const bool another = table_ || text_;
+  if (another) {
     clock_.restart();
     timeline_.restart();
   }
   text_ = false;
-  complaints_ = 0;
-  table_ = std::make_unique<Table>(line.text, std::move(*csv), std::move(format));
+  table_ = std::make_unique<Table>(line.text, std::move(*csv), std::move(*format));
   table_->scale =
       options_.recording.au_scale.value_or(scale_for(table_->format->native_scale(), 0));
-  say(file_ + ": " + std::string(table_->format->name()) +
-      (table_->format->approximate() ? " (curves read as AUs by a table, approximate)" : "") +
-      ", live, AU scale 0-" + std::to_string(static_cast<int>(table_->scale)));
+  table_->note = table_->format->note();
+  std::string found = file_ + ": " + std::string(table_->format->name()) +
+                      (table_->note.empty() ? "" : " (" + table_->note + ")") +
+                      ", live, AU scale 0-" + std::to_string(static_cast<int>(table_->scale));
+  another ? say_of_run(false, std::move(found)) : say(std::move(found));
   return true;
+}
+
+/// True when the lines so far are labels of a database, which look like lines of a stream file.
+bool LiveReader::is_no_text(const LineSplitter::Line& line) {
+  constexpr std::size_t kLines = 3;
+  if (beginning_lines_ < kLines) {
+    ++beginning_lines_;
+    beginning_ += line.text.substr(0, 1024) + '\n';
+    labels_ = label_file(beginning_);
+  }
+  return labels_.has_value();
 }
 
 /// False when the line is none of a stream file.
@@ -177,7 +201,7 @@ bool LiveReader::read_text(const LineSplitter::Line& line, double now) {
   if (content.empty()) return true;
   if (content == "Beg_Stream" || content == "End_Stream") {
     text_ = true;
-    complaints_ = 0;
+    understood();
     if (content == "End_Stream" && arrived_) silent_since_ = now;
     return true;
   }
@@ -194,7 +218,7 @@ bool LiveReader::read_text(const LineSplitter::Line& line, double now) {
   }
   if (!text_) say(file_ + ": lines of a stream file, live");
   text_ = true;
-  complaints_ = 0;
+  understood();
   play_text(keyframe, now);
   return true;
 }
@@ -228,27 +252,32 @@ void LiveReader::read_row(const LineSplitter::Line& line, double now) {
     table_->format->scan(csv);
     table_->format->read(csv, table_->row);
     if (!csv.has_errors()) {
-      complaints_ = 0;
-      take_row(now);
+      if (take_row(now)) understood();
       return;
     }
   }
   for (std::string& reason : csv.take_errors()) complain(reason + "; the row was left out");
 }
 
-void LiveReader::take_row(double now) {
+/// False when the row was left out, which was said.
+bool LiveReader::take_row(double now) {
+  if (std::string note = table_->format->note(); note != table_->note) {
+    say(at_place(file_, table_->csv.line(), 0, note + " from now on"));
+    table_->note = std::move(note);
+  }
   const bool sure = is_sure(table_->row, options_.recording.confidence_min);
-  if (!is_chosen(sure, now)) return;
+  if (!is_chosen(sure, now)) return true;
   const auto moment = moment_of_row(now);
   if (!moment) {
     complain(at_place(file_, table_->csv.line(), 0,
                       "the row's time is not later than the last; the row was left out"));
-    return;
+    return false;
   }
   if (sure) settle_scale();
   arrived_ = now;
   silent_since_ = now;
   timeline_.add(*moment, update_of(table_->row, table_->scale, sure));
+  return true;
 }
 
 /// The face that was asked for, or the first one that is seen, until it is gone.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "common/result.h"
+#include "common/sources/arkit_table.h"
 #include "common/sources/line_splitter.h"
 #include "common/sources/live_timeline.h"
 #include "common/sources/recording.h"
@@ -35,16 +35,16 @@ struct LiveMessage {
 /// first line. Pure: bytes and seconds on any steady clock go in, keyframes and messages come out.
 ///
 /// Nothing that comes in ends it. A line that is not understood is left out and said, the first
-/// kSaidMax of a run of them; a line without its end waits for the rest; a header in the middle
-/// (the same, or of another format) begins a new table whose clock goes on from the last moment.
-/// Rows without a clock (Py-Feat without --fps) and lines without a time take the time since the
-/// one before.
+/// kSaidMax of a run of them, which kRunEnds good lines in a row end; a line without its end waits
+/// for the rest; a header in the middle (the same, or of another format) begins a new table whose
+/// clock goes on from the last moment. Rows without a clock (Py-Feat without --fps) and lines
+/// without a time take the time since the one before.
 class LiveReader {
  public:
-  using LoadCurves = std::function<Result<ArkitTable>()>;
   static constexpr std::size_t kSaidMax = 20;
+  static constexpr std::size_t kRunEnds = 100;
 
-  /// `file`: what messages call it. `load_curves` is called when Live Link Face is met.
+  /// `file`: what messages call it. `load_curves` is called when ARKit's curves are met.
   LiveReader(std::string file, LiveOptions options, LoadCurves load_curves);
   ~LiveReader();
   LiveReader(LiveReader&&) noexcept;
@@ -85,12 +85,16 @@ class LiveReader {
   [[nodiscard]] bool read_text(const LineSplitter::Line& line, double now);
   void play_text(const protocol::Keyframe& keyframe, double now);
   void read_row(const LineSplitter::Line& line, double now);
-  void take_row(double now);
+  [[nodiscard]] bool take_row(double now);
+  [[nodiscard]] bool is_no_text(const LineSplitter::Line& line);
+  void understood();
   [[nodiscard]] bool is_chosen(bool sure, double now);
   void settle_scale();
   [[nodiscard]] std::optional<double> moment_of_row(double now);
   [[nodiscard]] double arrival_step(double now, double usual);
-  void complain(std::string text);
+  /// A message that may come again and again.
+  void say_of_run(bool warning, std::string text);
+  void complain(std::string text) { say_of_run(true, std::move(text)); }
   void say(std::string text) { messages_.push_back({false, std::move(text)}); }
 
   std::string file_;
@@ -108,7 +112,11 @@ class LiveReader {
   double face_seen_ = 0;
   std::set<std::int64_t> faces_seen_;
   std::vector<std::int64_t> new_faces_;
-  std::size_t complaints_ = 0;  ///< since the last line that was understood
+  std::string beginning_;  ///< the first lines of what is no table
+  std::size_t beginning_lines_ = 0;
+  std::optional<std::string> labels_;  ///< what they are said to be, when they are labels
+  std::size_t complaints_ = 0;         ///< of this run
+  std::size_t understood_ = 0;         ///< lines since the last complaint
   std::vector<LiveMessage> messages_;
 };
 

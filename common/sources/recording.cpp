@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "common/sources/content.h"
 #include "common/sources/format.h"
-#include "common/sources/live_link_face.h"
 #include "common/sources/row_reading.h"
 #include "common/sources/timeline.h"
 #include "common/text.h"
@@ -23,6 +23,22 @@ void count_gap(double seconds, Found& found) {
   if (seconds <= kHoldSeconds) return;
   ++found.gaps;
   found.gap_seconds_max = std::max(found.gap_seconds_max, seconds);
+}
+
+/// How many usual steps a second has; pauses and hitches do not count.
+double steps_a_second(const protocol::StreamFile& stream) {
+  if (stream.keyframes.empty()) return 0;
+  // The first keyframe takes the usual time.
+  const double usual = stream.keyframes.front().duration_ms.value_or(0);
+  double sum = 0;
+  double steps = 0;
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    const double step = keyframe.duration_ms.value_or(0);
+    if (step < usual / 2 || step > usual * 1.5) continue;
+    sum += step;
+    ++steps;
+  }
+  return sum > 0 ? 1000 * steps / sum : 0;
 }
 
 /// One face on its way through the second pass.
@@ -86,7 +102,6 @@ Result<std::vector<Recording>> RecordingReader::read() {
 void RecordingReader::survey() {
   Found& found = found_;
   found.format = format_.name();
-  found.approximate = format_.approximate();
   FaceNames names;
   std::unordered_map<std::int64_t, std::size_t> places;
   Observation row;
@@ -113,6 +128,7 @@ void RecordingReader::survey() {
 std::optional<Error> RecordingReader::settle() {
   Found& found = found_;
   if (table_.has_errors()) return table_.error();
+  found.note = format_.note();
   if (found.faces.empty()) {
     return Error{ErrorKind::BadData,
                  at_place(file_, table_.line(), 1, "the recording has no rows")};
@@ -241,6 +257,7 @@ Result<std::vector<Recording>> RecordingReader::finish() {
       track.found.rows_a_second = steps / track.last_seconds;
     }
     Recording recording{track.timeline.finish(), std::move(track.found)};
+    recording.found.steps_a_second = steps_a_second(recording.stream);
     const std::size_t keyframes = recording.stream.keyframes.size();
     // A tracker's passing mistakes are no people, as long as there are people.
     const bool nobody = options_.all_faces && recording.found.lost == recording.found.rows;
@@ -259,47 +276,30 @@ Result<std::vector<Recording>> RecordingReader::finish() {
 
 }  // namespace
 
-ContentKind content_kind(std::string_view text) {
-  // A comment may have any words, and a stream file any number of them.
-  if (text.substr(0, text.find('\n')).find('#') != std::string_view::npos) {
-    return ContentKind::StreamFile;
-  }
-  const auto table = CsvReader::open(text, "");
-  if (!table || table->columns().size() < 3) return ContentKind::StreamFile;
-  if (is_live_link_face(*table)) return ContentKind::LiveLinkFace;
-  if (open_format(*table, {})) return ContentKind::Recording;
-  // A stream file without its tags has commas too, but no names.
-  const auto named =
-      std::count_if(table->columns().begin(), table->columns().end(), [](const std::string& name) {
-        return name.size() >= 3 && name.find_first_of("#{;") == std::string::npos &&
-               std::count_if(name.begin(), name.end(), [](char letter) {
-                 return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
-               }) >= 3;
-      });
-  return named >= 3 ? ContentKind::UnknownTable : ContentKind::StreamFile;
-}
-
 Result<Recording> read_recording(std::string_view text, std::string_view file,
-                                 const RecordingOptions& options, const ArkitTable& curves,
-                                 const ConditioningSettings& conditioning) {
+                                 const RecordingOptions& options,
+                                 const ConditioningSettings& conditioning,
+                                 const LoadCurves& load_curves) {
   RecordingOptions of_one = options;
   of_one.all_faces = false;
-  auto faces = read_faces(text, file, of_one, curves, conditioning);
+  auto faces = read_faces(text, file, of_one, conditioning, load_curves);
   if (!faces) return faces.error();
   return std::move(faces->front());
 }
 
 Result<std::vector<Recording>> read_faces(std::string_view text, std::string_view file,
-                                          const RecordingOptions& options, const ArkitTable& curves,
-                                          const ConditioningSettings& conditioning) {
+                                          const RecordingOptions& options,
+                                          const ConditioningSettings& conditioning,
+                                          const LoadCurves& load_curves) {
   auto table = CsvReader::open(text, file);
   if (!table) return table.error();
-  const auto format = open_format(*table, curves);
-  if (!format) {
-    table->refuse(std::nullopt, std::string(kUnknownTable));
+  const auto format = open_format(*table, load_curves);
+  if (!format) return format.error();
+  if (!*format) {
+    table->refuse(std::nullopt, unknown_reason(text));
     return table->error();
   }
-  return RecordingReader(*table, *format, file, options, conditioning).read();
+  return RecordingReader(*table, **format, file, options, conditioning).read();
 }
 
 }  // namespace aucast::sources

@@ -34,7 +34,7 @@ struct Found {
   };
 
   std::string format;
-  bool approximate = false;  ///< AUs are read from something else by a table
+  std::string note;          ///< what the format's reader decided or assumed
   double scale = 1;          ///< full intensity: 1, 5 or 100
   bool scale_asked = false;  ///< by --au-scale
   double largest = 0;        ///< of the file's own AU values
@@ -48,6 +48,7 @@ struct Found {
   bool truncated = false;    ///< the last line had no end and was not counted
   std::size_t gaps = 0;      ///< stretches longer than kHoldSeconds without a sure row
   double gap_seconds_max = 0;
+  double steps_a_second = 0;               ///< usual steps of the clock; 0 of a single row
   double rows_a_second = 0;                ///< on the recording's clock; 0 of a single row
   std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
 };
@@ -58,24 +59,15 @@ struct Recording {
   Found found;
 };
 
-/// What a text is, by its first line and not by its name.
-enum class ContentKind : std::uint8_t {
-  StreamFile,    ///< or something that is to be refused as one
-  Recording,     ///< a recogniser's table
-  LiveLinkFace,  ///< one that read_recording() needs the ArkitTable for
-  UnknownTable,  ///< names of columns, but none of ours
-};
-[[nodiscard]] ContentKind content_kind(std::string_view text);
-
 /// Reads a recogniser's recording whole, in two passes that hold one row each. `file` is what
 /// messages call it. BadData with one line file:line:column for each of the first 20 errors; Usage
-/// when only an option can help (--fps, --face-id). `curves` is used for Live Link Face alone. What
-/// `conditioning` measures is measured before the first keyframe; its dead band is not applied
-/// here.
+/// when only an option can help (--fps, --face-id). What `conditioning` measures is measured before
+/// the first keyframe; its dead band is not applied here. `load_curves`: for tables of ARKit's
+/// curves.
 [[nodiscard]] Result<Recording> read_recording(std::string_view text, std::string_view file,
                                                const RecordingOptions& options,
-                                               const ArkitTable& curves = {},
-                                               const ConditioningSettings& conditioning = {});
+                                               const ConditioningSettings& conditioning = {},
+                                               const LoadCurves& load_curves = load_arkit_table);
 
 /// More people are not told apart by any tracker; with all_faces the rest is left out and counted.
 inline constexpr std::size_t kFacesMax = 64;
@@ -85,7 +77,8 @@ inline constexpr std::size_t kFacesMax = 64;
 /// together are together: who comes late is neutral until then.
 [[nodiscard]] Result<std::vector<Recording>> read_faces(
     std::string_view text, std::string_view file, const RecordingOptions& options,
-    const ArkitTable& curves = {}, const ConditioningSettings& conditioning = {});
+    const ConditioningSettings& conditioning = {},
+    const LoadCurves& load_curves = load_arkit_table);
 
 /// What was found, one line each: "  format      OpenFace 2".
 [[nodiscard]] std::string found_lines(const Found& found);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "common/sources/live_link_face.h"
 #include "common/sources/signals.h"
 
 namespace aucast::sources {
@@ -18,17 +17,8 @@ constexpr double kClockSecondsMax = 1e10;
 
 }  // namespace
 
-std::unique_ptr<Format> open_format(const CsvReader& table, const ArkitTable& curves) {
-  if (auto format = open_live_link_face(table, curves)) return format;
-  for (const auto open : {open_openface2, open_openface1, open_facsvatar, open_pyfeat2,
-                          open_pyfeat1, open_libreface}) {
-    if (auto format = open(table)) return format;
-  }
-  return nullptr;
-}
-
 double scale_for(double native, double largest) {
-  if (largest > 10) return 100;
+  if (native == 100 || largest > 10) return 100;
   if (native == 5) return 5;
   if (native == 1) return largest > 1.5 ? 5 : 1;
   return largest > 1 ? 5 : 1;
@@ -45,8 +35,7 @@ AuFrame update_of(const Observation& row, double scale, bool sure) {
     const double intensity = au.native ? au.value / scale : au.value;
     const double most = opposite_of(au.number) != 0 ? kTurnMax : 1.0;
     const auto value = static_cast<float>(std::clamp(intensity, 0.0, most));
-    if (au.side != Side::Right) update.left[au.number] = value;
-    if (au.side != Side::Left) update.right[au.number] = value;
+    set_intensity(update, au.number, au.side, value);
   }
   // A lost face has 0 millimetres.
   if (row.distance_mm && *row.distance_mm > 0) {

@@ -1,27 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <string_view>
 
 #include "common/action_unit.h"
-#include "common/sources/arkit_table.h"
-#include "common/sources/csv_reader.h"
-#include "common/sources/format.h"
 #include "common/sources/observation.h"
 
 /// From the rows of a table to moments of a face: what recordings and live sources share.
 namespace aucast::sources {
-
-/// The format whose columns these are, or nothing. `curves` is used for Live Link Face alone.
-[[nodiscard]] std::unique_ptr<Format> open_format(const CsvReader& table, const ArkitTable& curves);
-
-/// What is said of a table that nobody here knows.
-inline constexpr std::string_view kUnknownTable =
-    "a table whose columns are of no recogniser known here; known are OpenFace (AU01_r, ... with "
-    "timestamp or confidence), FACSvatar, Py-Feat (AU01, ... with FaceScore), LibreFace "
-    "(au_1_intensity, ...) and Live Link Face (JawOpen, ...)";
 
 /// The scale that the format has, unless the values say otherwise. `native`: as the format says, 0
 /// when only values can tell; `largest` of them.

@@ -7,7 +7,6 @@
 
 #include "common/log.h"
 #include "common/sources/profile.h"
-#include "server/streams/source_reader.h"
 
 namespace aucast::server {
 namespace {
@@ -65,7 +64,7 @@ LiveSource::Stream::Stream(std::string stream_name, const LiveSourceOptions& opt
                            const sources::LiveOptions& reading)
     : name(std::move(stream_name)),
       feed(std::make_shared<protocol::LiveFeed>(reading.keyframe_ms, options.classic_min)),
-      reader(file_name(options.path), reading, load_arkit_table),
+      reader(file_name(options.path), reading, sources::load_arkit_table),
       thinning(reading.keyframe_ms, options.max_kbits) {}
 
 LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, Events events)

@@ -7,11 +7,11 @@
 
 #include "common/check.h"
 #include "common/sources/dead_band.h"
+#include "common/sources/source_reader.h"
 #include "common/text.h"
 #include "protocol/changes.h"
 #include "protocol/codec.h"
 #include "server/live/live_source.h"
-#include "server/streams/source_reader.h"
 #include "server/streams/thinning.h"
 
 namespace aucast::server {
@@ -37,9 +37,10 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path,
     streams.push_back({path, stem, {}, std::nullopt, true});
     return streams;
   }
-  auto contents = read_streams(path, options, conditioning, keyframe_ms);
+  auto contents =
+      sources::read_streams(path, {options.recording, options.rate, conditioning, keyframe_ms});
   if (!contents) return contents.error();
-  for (SourceContent& content : *contents) {
+  for (sources::SourceContent& content : *contents) {
     const bool one_of_several = content.found && content.found->all_taken;
     const std::string name = one_of_several ? face_stream_name(stem, content.found->face) : stem;
     if (auto can = check_name(path, name); !can) return can.error();

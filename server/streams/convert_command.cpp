@@ -6,11 +6,11 @@
 #include "common/files.h"
 #include "common/sources/openface_table.h"
 #include "common/sources/resample.h"
+#include "common/sources/source_reader.h"
 #include "common/text.h"
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
 #include "server/settings/source_options.h"
-#include "server/streams/source_reader.h"
 
 namespace aucast::server {
 namespace {
@@ -60,7 +60,7 @@ Result<void> validate(const ConvertOptions& options) {
 }
 
 /// Reads a stream file that may have been cut off; what was left out is added to `said`.
-Result<SourceContent> read_cut_off(const ConvertOptions& options, std::string& said) {
+Result<sources::SourceContent> read_cut_off(const ConvertOptions& options, std::string& said) {
   const auto text = read_file(options.in);
   if (!text) return text.error();
   const auto mended = protocol::mend_stream_text(*text);
@@ -72,7 +72,7 @@ Result<SourceContent> read_cut_off(const ConvertOptions& options, std::string& s
   if (options.source.rate) {
     *stream = sources::resample(*stream, *options.source.rate, options.keyframe_ms);
   }
-  return SourceContent{std::move(*stream), std::nullopt};
+  return sources::SourceContent{std::move(*stream), std::nullopt};
 }
 
 std::string sides_sentence(std::size_t uneven) {
@@ -86,8 +86,10 @@ Result<Converted> convert(const ConvertOptions& options) {
   if (!conditioning) return conditioning.error();
   std::string said = options.in.string() + ": ";
   const auto content =
-      options.mend ? read_cut_off(options, said)
-                   : read_source(options.in, options.source, *conditioning, options.keyframe_ms);
+      options.mend
+          ? read_cut_off(options, said)
+          : sources::read_source(options.in, {options.source.recording, options.source.rate,
+                                              *conditioning, options.keyframe_ms});
   if (!content) return content.error();
   if (!signal.save_profile.empty()) {
     if (measures_neutral(signal) && !content->found) {

@@ -1,6 +1,7 @@
 // Any table: an error with the file's name, or a stream that a stream file can hold.
 
 #include "common/check.h"
+#include "common/sources/content.h"
 #include "common/sources/recording.h"
 #include "protocol/limits.h"
 #include "tests/fuzz/fuzz_input.h"
@@ -17,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   RecordingOptions options;
   // The first byte of the text decides nothing in a table: a blank before it is trimmed.
   if (text.starts_with(' ')) options.fps = 30;
-  const auto recording = read_recording(text, "f", options, kCurves);
+  const auto recording =
+      read_recording(text, "f", options, {}, [] { return Result<ArkitTable>(kCurves); });
   if (!recording) {
     AUCAST_CHECK(recording.error().message.starts_with("f:"));
     return 0;

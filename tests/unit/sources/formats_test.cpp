@@ -1,6 +1,7 @@
 // Every dialect by a tiny table of its own: which it is, what its numbers mean.
 #include <gtest/gtest.h>
 
+#include "common/sources/content.h"
 #include "common/sources/recording.h"
 #include "protocol/codec.h"
 #include "tests/unit/sources/tables.h"
@@ -21,7 +22,8 @@ const ArkitTable kCurves = {{{"eyeBlinkLeft", 45, Side::Left, 1},
                              {"notThere", 1, Side::Both, 1}}};
 
 Recording read(const std::string& text, const RecordingOptions& options = {}) {
-  auto recording = read_recording(text, "f.csv", options, kCurves);
+  auto recording =
+      read_recording(text, "f.csv", options, {}, [] { return Result<ArkitTable>(kCurves); });
   if (!recording) {
     ADD_FAILURE() << recording.error().message;
     return {};
@@ -121,6 +123,154 @@ TEST(PyFeat2, RadiansAndOtherSigns) {
   EXPECT_EQ(packet(recording, 1), "{1:50,12:25;40}");
 }
 
+TEST(OpenFace2, GazeWithoutTheHeadsPoseIsNoData) {
+  const std::string header =
+      "frame,face_id,timestamp,success,gaze_angle_x,gaze_angle_y,pose_Rx,pose_Ry,pose_Rz,AU01_r\n";
+  const auto recording = read(header + "1,0,0,1,0.1,0.2,0.3,0.2,0.1,0\n" +
+                              "2,0,0.04,1,0.1,0.2,,,,0\n3,0,0.08,1,0.1,0.2,0.3,0.2,0.1,0\n");
+  EXPECT_EQ(packet(recording, 1), packet(recording, 0)) << "the eyes do not jump, they are held";
+  EXPECT_EQ(packet(read("timestamp,success,gaze_angle_x,gaze_angle_y,AU01_r\n0,1,0.244346,0,0\n"
+                        "0.04,1,0,0,0\n"),
+                   0),
+            "{61:50;40}")
+      << "a table that never has a pose is of a straight head";
+}
+
+/// Rows of Py-Feat with landmarks of a nose: its tip is the lower, the more the head is down.
+std::string nodding(const std::string& more_columns, const std::string& more_cells,
+                    double pitch_of_down) {
+  std::string text =
+      "frame,FaceScore,x_27,x_30,x_33,y_27,y_30,y_33,Pitch,Roll,Yaw,AU01" + more_columns + "\n";
+  for (int frame = 0; frame < 20; ++frame) {
+    const double down = 0.01 * frame;
+    text += std::to_string(frame) + ",0.9,100,100,100,100," + std::to_string(135 + 40 * down) +
+            ",150," + std::to_string(down * pitch_of_down) + ",0,0,0" + more_cells + "\n";
+  }
+  return text;
+}
+
+TEST(PyFeat2, TheLandmarksTellWhichWayANodGoes) {
+  const auto as_documented = read(nodding(",valence", ",0", -1), at_fps(25));
+  EXPECT_EQ(as_documented.found.note, "pose in radians, positive pitch up as the landmarks say");
+  EXPECT_EQ(packet(as_documented, 19), "{54:49;40}");
+  const auto older = read(nodding(",valence", ",0", 1), at_fps(25));
+  EXPECT_EQ(older.found.note, "pose in radians, positive pitch down as the landmarks say");
+  EXPECT_EQ(packet(older, 19), "{54:49;40}");
+  EXPECT_NE(found_lines(older.found).find("positive pitch down as the landmarks say"),
+            std::string::npos);
+  EXPECT_EQ(read(kPyFeat2, at_fps(25)).found.note,
+            "pose in radians, positive pitch up as documented");
+}
+
+TEST(PyFeat1, TodaysPoseIsInRadiansWithGaze) {
+  const auto recording = read(
+      "FaceRectX,FaceScore,Pitch,Roll,Yaw,X,Y,Z,AU01,anger,gaze_pitch,gaze_yaw,gaze_angle,frame\n"
+      "236,0.99,0,0.191986,0.305433,0,0,0,0.25,0.1,0.191986,-0.244346,0,0\n"
+      "236,0.99,0,0,0,0,0,0,0.25,0.1,0,0,0,1\n",
+      at_fps(25));
+  EXPECT_EQ(recording.found.format, "Py-Feat 1");
+  EXPECT_EQ(recording.found.note, "pose in radians, positive pitch up as documented");
+  EXPECT_EQ(packet(recording, 0), "{1:25,52:50,56:50,61:50,63:50;40}");
+}
+
+TEST(PyFeat1, ATurnBeyondAQuarterIsInDegrees) {
+  const auto recording = read(
+      "FaceScore,Pitch,Roll,Yaw,X,AU01,frame\n0.9,0,0,17.5,1,0,0\n0.9,0,0,0.5,1,0,1\n", at_fps(25));
+  EXPECT_EQ(packet(recording, 0), "{52:50;40}");
+}
+
+TEST(ArkitCurves, CamelCaseWithOrWithoutAColumnBefore) {
+  const auto recording = read(kMediaPipe, at_fps(30));
+  EXPECT_EQ(recording.found.format, "ARKit curves");
+  EXPECT_EQ(packet(recording, 0), "{L12:50,26:40,L45:25,R45:75;33}");
+  EXPECT_EQ(packet(recording, 1), "{26,L30:50;33}");
+  EXPECT_EQ(packet(read("eyeBlinkLeft,eyeBlinkRight,jawOpen\n0,0,0.5\n1,1,0\n", at_fps(50)), 1),
+            "{45;20}");
+}
+
+TEST(ArkitCurves, TimesAreSecondsOrMillisecondsByTheirSteps) {
+  const auto time = [](const std::string& name, const std::string& first,
+                       const std::string& second) {
+    return packet(read(name + ",eyeBlinkLeft,jawOpen\n" + first + ",0,1\n" + second + ",0,1\n"), 1);
+  };
+  EXPECT_EQ(time("timestamp", "0", "0.04"), "{26;40}");
+  EXPECT_EQ(time("timestamp", "0", "40"), "{26;40}");
+  EXPECT_EQ(time("timestamp", "1700000000000", "1700000000040"), "{26;40}");
+  EXPECT_EQ(time("time", "7.5", "7.54"), "{26;40}");
+  EXPECT_EQ(time("timestamp_ms", "0", "4"), "{26;4}");
+}
+
+TEST(FaceReader, NumbersAndLettersBySideBehindItsPreamble) {
+  const auto recording = read(kFaceReader);
+  EXPECT_EQ(recording.found.format, "FaceReader");
+  EXPECT_EQ(packet(recording, 0), "{1:25,L12:75,R12:50;40}");
+  EXPECT_EQ(packet(recording, 1), "{1:50,43;40}");
+  EXPECT_EQ(recording.found.lost, 1U) << "FIND_FAILED is no data";
+  const auto broken = read_recording(
+      "Video Time\tNeutral\tAction Unit 01 - Inner Brow Raiser\n1\t0\t0\n", "f.txt", {});
+  ASSERT_FALSE(broken);
+  EXPECT_EQ(broken.error().message,
+            "f.txt:2:1: expected a time HH:MM:SS.fff, such as 00:01:20.040");
+}
+
+TEST(IMotions, FacetsEvidenceIsAnIntensityOnlyAboveEvenOdds) {
+  const auto recording = read(kFacet);
+  EXPECT_EQ(recording.found.format, "iMotions (FACET)");
+  EXPECT_EQ(recording.found.note, "evidence read as intensity, approximate");
+  EXPECT_EQ(packet(recording, 0), "{12:82,51:50,54:50,56:50;40}");
+  EXPECT_EQ(packet(recording, 1), "{12;40}");
+  EXPECT_EQ(recording.found.lost, 1U) << "no face";
+}
+
+TEST(IMotions, AffdexIsPercentByItsOwnNames) {
+  const auto recording = read(kAffdex);
+  EXPECT_EQ(recording.found.format, "iMotions (AFFDEX)");
+  EXPECT_EQ(recording.found.scale, 100);
+  EXPECT_EQ(packet(recording, 0), "{1:3,2:25,12:76;40}");
+  EXPECT_EQ(packet(recording, 1), "{12:4,43;40}");
+}
+
+TEST(Tables, SeparatorLinesAndReturnsAloneAreUnderstood) {
+  const std::string rows = "timestamp;success;AU01_r\r0,0;1;2,5\r0,04;1;5,0\r";
+  for (const std::string& text : {rows, "sep=;\r" + rows, "\"sep=;\"\r" + rows}) {
+    EXPECT_EQ(packet(read(text), 0), "{1:50;40}") << text;
+    EXPECT_EQ(packet(read(text), 1), "{1;40}") << text;
+  }
+  EXPECT_EQ(content_kind("sep=;\r\n" + rows.substr(0, rows.find('\r')) + "\r\n"),
+            ContentKind::Recording);
+}
+
+TEST(Labels, OfDatabasesAreNamedWithWhatIsMissing) {
+  const std::string bp4d =
+      "0,1,2,4,5,6,7,9,10,11,12,13,14,15,16,17,18,19,20,22,23,24,27,28\n1,0,0,0,0,0,0,0,0,0,0,0,0,"
+      "0,"
+      "0,0,0,0,0,0,0,0,0,9\n";
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"1,0\r\n2,0\r\n3,5\r\n4,0\r\n", "label file of DISFA or BP4D"},
+      {"2440,9\n2441,0\n2442,3\n", "label file of DISFA or BP4D"},
+      {bp4d, "occurrence file of BP4D"},
+      {"   1.2000000e+01   3.0000000e+00\n   2.5000000e+01   0.0000000e+00\n", "FACS file of CK+"}};
+  for (const auto& [text, seems] : files) {
+    EXPECT_EQ(content_kind(text), ContentKind::Unknown) << text;
+    const auto recording = read_recording(text, "f.txt", {});
+    ASSERT_FALSE(recording) << text;
+    EXPECT_NE(recording.error().message.find(seems), std::string::npos)
+        << recording.error().message;
+    EXPECT_NE(recording.error().message.find("timestamp,AU01_r"), std::string::npos);
+  }
+  for (const char* text :
+       {"1,6\n2,4\n3,1\nEnd_Stream", "Beg_Stream\n1,0\n2,0\n3,0\n", "1,0\n2,0\n"}) {
+    EXPECT_EQ(label_file(text), std::nullopt) << text;
+  }
+}
+
+TEST(UnknownTable, OfAusIsToldHowToNameThem) {
+  const std::string reason = unknown_reason("time,AU1,AU2,AU12\n0,1,2,3\n");
+  EXPECT_NE(reason.find("named AU01_r, AU02_r, ... beside a timestamp they are read"),
+            std::string::npos)
+      << reason;
+}
+
 TEST(LibreFace, MillisecondsAndPresences) {
   const auto recording = read(kLibreFace);
   EXPECT_EQ(recording.found.format, "LibreFace");
@@ -132,7 +282,7 @@ TEST(LibreFace, MillisecondsAndPresences) {
 TEST(LiveLinkFace, CurvesByNameOverMidnight) {
   const auto recording = read(kLiveLinkFace);
   EXPECT_EQ(recording.found.format, "Live Link Face");
-  EXPECT_TRUE(recording.found.approximate);
+  EXPECT_EQ(recording.found.note, "curves read as AUs by a table, approximate");
   // 0.1 rad right and 0.2 rad down of 28 and 22 degrees; two frames of 60 a second.
   EXPECT_EQ(packet(recording, 0), "{L12:60,R12:50,26:40,R30:30,L45:25,R45:75,62:20,64:52;33}");
   EXPECT_EQ(packet(recording, 1), "{26,L30:20,61:20,63:52;33}");
@@ -165,7 +315,7 @@ TEST(LiveLinkFace, WrongTimecodesAreRefused) {
        {"x", "1:2:3", "1:2:3:4:5", "24:00:00:00", "00:60:00:00", "0:0:0:-1"}) {
     const auto recording = read_recording(
         std::string("Timecode,BlendShapeCount,EyeBlinkLeft,JawOpen\n") + timecode + ",61,0,0\n",
-        "f.csv", {}, kCurves);
+        "f.csv", {}, {}, [] { return Result<ArkitTable>(kCurves); });
     ASSERT_FALSE(recording) << timecode;
     EXPECT_EQ(recording.error().message,
               "f.csv:2:1: expected a timecode HH:MM:SS:FF.fff, such as 16:55:51:38.453");
@@ -174,11 +324,11 @@ TEST(LiveLinkFace, WrongTimecodesAreRefused) {
 
 TEST(ContentKind, IsFoundByTheFirstLine) {
   EXPECT_EQ(content_kind(kOpenFace2Header), ContentKind::Recording);
-  for (const char* text : {kOpenFace1, kFacsvatar, kPyFeat1, kPyFeat2, kLibreFace}) {
+  for (const char* text : {kOpenFace1, kFacsvatar, kPyFeat1, kPyFeat2, kLibreFace, kFaceReader,
+                           kFacet, kAffdex, kLiveLinkFace, kMediaPipe}) {
     EXPECT_EQ(content_kind(text), ContentKind::Recording) << text;
   }
-  EXPECT_EQ(content_kind(kLiveLinkFace), ContentKind::LiveLinkFace);
-  EXPECT_EQ(content_kind("time,happiness,sadness\n1,2,3\n"), ContentKind::UnknownTable);
+  EXPECT_EQ(content_kind("time,happiness,sadness\n1,2,3\n"), ContentKind::Unknown);
   for (const char* text : {"", "Beg_Stream\n1,2\nEnd_Stream\n", "# talk, AUs, and more\nBeg_Stream",
                            "1,2,3\n", "{1,6,12}\n", "1C+4B,5,6", "hello"}) {
     EXPECT_EQ(content_kind(text), ContentKind::StreamFile) << text;

@@ -27,7 +27,7 @@ std::string smile(int frame, const std::string& seconds, const std::string& of_f
 
 class LiveReaderTest : public ::testing::Test {
  protected:
-  void start(LiveOptions options = {}, LiveReader::LoadCurves curves = no_curves) {
+  void start(LiveOptions options = {}, LoadCurves curves = no_curves) {
     reader_.emplace("face.csv", std::move(options), std::move(curves));
   }
 
@@ -120,9 +120,11 @@ TEST_F(LiveReaderTest, SpacedHeadersOfVersionOneAreUnderstood) {
 }
 
 TEST_F(LiveReaderTest, EveryTableOfARecogniserIsUnderstood) {
-  for (const char* table : {tables::kFacsvatar, tables::kLibreFace}) {
+  for (const char* table :
+       {tables::kFacsvatar, tables::kLibreFace, tables::kFacet, tables::kAffdex}) {
     start();
-    EXPECT_EQ(fed(table).size(), 2U) << table;
+    EXPECT_GE(fed(table).size(), 2U) << table;
+    EXPECT_EQ(messages().find("left out"), std::string::npos) << table;
   }
   for (const char* table : {tables::kPyFeat1, tables::kPyFeat2}) {
     start();
@@ -132,8 +134,13 @@ TEST_F(LiveReaderTest, EveryTableOfARecogniserIsUnderstood) {
     start(options);
     EXPECT_EQ(fed(table).size(), 2U) << table;
   }
-  start({}, jaw_only);
-  EXPECT_EQ(fed(tables::kLiveLinkFace).size(), 2U);
+  start();
+  EXPECT_EQ(fed(tables::kFaceReader).size(), 3U);
+  EXPECT_EQ(messages(), "face.csv: FaceReader, live, AU scale 0-1\n");
+  for (const char* table : {tables::kLiveLinkFace, tables::kMediaPipe}) {
+    start({}, jaw_only);
+    EXPECT_EQ(fed(table).size(), 2U) << table;
+  }
 }
 
 TEST_F(LiveReaderTest, LiveLinkFaceSaysWhenItsTableIsMissing) {
@@ -311,6 +318,56 @@ TEST_F(LiveReaderTest, ARateLeavesMomentsOut) {
   const Texts all = fed(text);
   EXPECT_EQ(all.size(), 10U);
   EXPECT_EQ(all.back(), "{12;100}");
+}
+
+TEST_F(LiveReaderTest, AClockThatStandsStillDoesNotFillTheLog) {
+  start();
+  std::string rows = kOpenFace2Header + smile(1, "0.000", "1");
+  for (int frame = 2; frame < 1000; ++frame) rows += smile(frame, "0.000", "1");
+  static_cast<void>(fed(rows));
+  EXPECT_EQ(reader_->take_messages().size(), LiveReader::kSaidMax + 2)
+      << "with the table and an end";
+}
+
+TEST_F(LiveReaderTest, AGoodRowBetweenBadOnesEndsNoRunOfComplaints) {
+  start();
+  std::string rows = kOpenFace2Header;
+  for (int frame = 1; frame < 300; ++frame) {
+    const std::string row = smile(frame, std::to_string(frame) + ".000", "1");
+    rows += row + row;
+  }
+  static_cast<void>(fed(rows));
+  EXPECT_EQ(reader_->take_messages().size(), LiveReader::kSaidMax + 2)
+      << "with the table and an end";
+  rows.clear();
+  for (int frame = 300; frame < 401; ++frame)
+    rows += smile(frame, std::to_string(frame) + ".000", "1");
+  static_cast<void>(fed(rows));
+  EXPECT_EQ(fed("1,2\n"), Texts{});
+  EXPECT_EQ(reader_->take_messages().size(), 1U) << "after a hundred good ones it is news again";
+}
+
+TEST_F(LiveReaderTest, LabelsOfDatabasesAreNamed) {
+  start();
+  static_cast<void>(fed("1,0\n2,0\n3,5\n"));
+  EXPECT_NE(messages().find("face.csv:3:1: this seems to be a label file of DISFA or BP4D"),
+            std::string::npos);
+  EXPECT_EQ(fed("4,5\n"), Texts{});
+}
+
+TEST_F(LiveReaderTest, WhichWayANodGoesIsSaidWhenTheLandmarksTell) {
+  start();
+  std::string rows = "frame,FaceScore,x_27,x_30,x_33,y_27,y_30,y_33,Pitch,Roll,Yaw,AU01,valence\n";
+  for (int frame = 0; frame < 12; ++frame) {
+    rows += std::to_string(frame) + ",0.9,100,100,100,100," + std::to_string(135 + frame) +
+            ",150,0." + std::to_string(10 + frame) + ",0,0,0,0\n";
+  }
+  static_cast<void>(fed(rows));
+  EXPECT_EQ(
+      messages(),
+      "face.csv: Py-Feat 2 (pose in radians, positive pitch up as documented), live, AU scale "
+      "0-1\n"
+      "face.csv:11: pose in radians, positive pitch down as the landmarks say from now on\n");
 }
 
 }  // namespace

@@ -333,5 +333,24 @@ TEST(Recording, AClockThatNoCameraHasIsSaid) {
   EXPECT_EQ(found_sentence(read(rows, thirty).found).find("no camera"), std::string::npos);
 }
 
+TEST(Recording, AClockThatStoodStillIsToldWithTheRateThatReadsEveryRow) {
+  std::string rows;
+  for (int frame = 0; frame < 610; ++frame) {
+    // A hundred rows have the time of the first of them.
+    const int shown = frame < 200 ? frame : std::max(200, frame - 100);
+    rows += row(frame + 1, std::to_string(shown / 60.0));
+  }
+  const auto recording = read(rows);
+  EXPECT_EQ(recording.found.left_out, 100U);
+  EXPECT_NE(found_lines(recording.found)
+                .find("610, 0 of them no data, 100 left out (no later time); --fps 60 reads them "
+                      "all\n"),
+            std::string::npos)
+      << found_lines(recording.found);
+  RecordingOptions options;
+  options.fps = 60;
+  EXPECT_EQ(read(rows, options).found.left_out, 0U);
+}
+
 }  // namespace
 }  // namespace aucast::sources

@@ -56,4 +56,39 @@ inline constexpr const char* kLiveLinkFace =
     "23:59:59:58.000,61,0.25,0.1,0.75,0.3,0,0.4,0.6,0.5,0,0,0,0.1,0.2,0,0.1,0.2,0\n"
     "00:00:00:00.000,61,0,0,0,0,0.2,1.05,0,0,0,0,0,-0.1,-0.2,0,-0.1,-0.2,0\n";
 
+/// As curves are published: the picture's number or nothing before them.
+inline constexpr const char* kMediaPipe =
+    "frame,_neutral,eyeBlinkLeft,eyeBlinkRight,jawLeft,jawOpen,mouthSmileLeft\n"
+    "0,0.01,0.25,0.75,0,0.4,0.5\n"
+    "1,0.01,0,0,0.5,1,0\n";
+
+/// A detailed log: lines about the recording, then tabs.
+inline constexpr const char* kFaceReader =
+    "Video analysis detailed log\r\n"
+    "Face Model:\tGeneral\r\n"
+    "Filename:\tC:\\films\\a, b, and c.mp4\r\n"
+    "Frame rate:\t25\r\n"
+    "\r\n"
+    "Video Time\tNeutral\tHappy\tY - Head Orientation\tAction Unit 01 - Inner Brow Raiser\t"
+    "Action Unit 12 - Lip Corner Puller\tAction Unit 12 - Lip Corner Puller - Left\t"
+    "Action Unit 43 - Eyes Closed\r\n"
+    "00:00:01.000\t0.9\t0\t-3.5\t0.25\t0.5\t0.75\t0\r\n"
+    "00:00:01.040\t0.9\t0\t-3.5\tC\tNotActive\t0\tE\r\n"
+    "00:00:01.080\tFIND_FAILED\tFIND_FAILED\tFIND_FAILED\tFIND_FAILED\tFIND_FAILED\tFIND_FAILED\t"
+    "FIND_FAILED\r\n";
+
+inline constexpr const char* kFacet =
+    "#Study : a\r\n#Version : 6.1\r\n\r\n"
+    "StudyName\tTimestamp\tFrameNo\tNoOfFaces\tAU1 Evidence\tAU12 Evidence\tYaw Degrees\t"
+    "Pitch Degrees\tRoll Degrees\r\n"
+    "a\t35\t0\t1\t-2.5\t1\t17.5\t11\t11\r\n"
+    "a\t75\t1\t1\t0\t3\t0\t0\t0\r\n"
+    "a\t115\t2\t0\t\t\t\t\t\r\n";
+
+inline constexpr const char* kAffdex =
+    "#Study : a\n"
+    "Timestamp,Brow Furrow,Brow Raise,Inner Brow Raise,Lip Corner Depressor,Smile,Eye Closure,"
+    "Smirk,Pitch\n"
+    "0,0,25,3,0,75.5,0,90,4\n40,0,0,0,0,4,100,0,4\n";
+
 }  // namespace aucast::sources::tables

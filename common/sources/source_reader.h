@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "common/result.h"
+#include "common/sources/conditioning.h"
+#include "common/sources/recording.h"
+#include "protocol/stream_file.h"
+
+namespace aucast::sources {
+
+/// How a file is read as keyframes.
+struct ReadOptions {
+  RecordingOptions recording;
+  std::optional<double> rate;         ///< keyframes a second, (0, kRateMax]; else as they are
+  ConditioningSettings conditioning;  ///< its dead band is not applied
+  std::uint32_t keyframe_ms = 250;    ///< of an untimed keyframe
+};
+
+/// What a file holds, whichever kind it is.
+struct SourceContent {
+  protocol::StreamFile stream;
+  std::optional<Found> found;  ///< of a recording; nothing for a stream file
+};
+
+/// Reads a stream file or a recogniser's recording, told apart by what is in it. Of several faces
+/// one. The path "-" is stdin, read to its end.
+[[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
+                                                const ReadOptions& options = {});
+
+/// The same as one stream for each face when options.recording.all_faces, the most frequent first.
+[[nodiscard]] Result<std::vector<SourceContent>> read_streams(const std::filesystem::path& path,
+                                                              const ReadOptions& options);
+
+}  // namespace aucast::sources
