@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
@@ -59,6 +62,47 @@ std::array<Use, kAuCount> uses_of(const protocol::StreamFile& stream) {
   return uses;
 }
 
+/// Of a recording whose face is turned away most of the time (in the middle of all keyframes):
+/// where it looks, and what mends it.
+std::string turned_away_line(const protocol::StreamFile& stream) {
+  constexpr int kMuch = 25;
+  constexpr std::array<std::size_t, 5> kTurns{51, 53, 55, 61, 63};
+  std::array<std::vector<float>, kTurns.size()> turns;
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    const AuFrame frame = frame_from_terms(keyframe.terms);
+    for (std::size_t turn = 0; turn < kTurns.size(); ++turn) {
+      turns[turn].push_back(frame.left[kTurns[turn]] - frame.left[kTurns[turn] + 1]);
+    }
+  }
+  std::string text;
+  for (std::size_t turn = 0; turn < kTurns.size(); ++turn) {
+    const auto size = static_cast<std::ptrdiff_t>(turns[turn].size());
+    const auto middle = turns[turn].begin() + size / 2;
+    std::nth_element(turns[turn].begin(), middle, turns[turn].end());
+    const auto percent = static_cast<int>(std::lround(*middle * 100));
+    if (std::abs(percent) < kMuch) continue;
+    const int number = static_cast<int>(kTurns[turn]) + (percent > 0 ? 0 : 1);
+    text += (text.empty() ? "" : ", ") + std::string(facs_name(number).value_or("")) + " " +
+            std::to_string(std::abs(percent)) + " %";
+  }
+  if (text.empty()) return {};
+  return "  looks away  " + text +
+         " most of the time; --neutral 2 straightens it if its first 2 s are like the rest\n";
+}
+
+/// The bit rate of what is sent to a peer that takes changes, and what lowers it where it is much.
+std::string rate_line(const protocol::EncodedStream& served) {
+  constexpr double kPromisedKbits = 12;
+  const auto& packets = served.changes.empty() ? served.negotiated : served.changes;
+  std::chrono::milliseconds time{};
+  for (const auto one : served.times) time += one;
+  if (time.count() == 0) return {};
+  const double kbits = static_cast<double>(packets.bytes()) * 8 / static_cast<double>(time.count());
+  return formatted(
+      "  %-11s %.1f kbit/s%s\n", "bit rate", kbits,
+      kbits <= kPromisedKbits ? "" : "; --max-bitrate 12, --rate 15 or --dead-band 5 lower it");
+}
+
 std::string au_lines(const protocol::StreamFile& stream) {
   const auto uses = uses_of(stream);
   std::string text = "  AU  packets  percent  name\n";
@@ -91,6 +135,9 @@ std::string check_report(const Source& source, const protocol::EncodedStream& se
                     keyframe_ms);
   text += bytes_line("classic", served.classic);
   text += bytes_line("negotiated", served.negotiated);
+  if (!served.changes.empty()) text += bytes_line("changes", served.changes);
+  text += rate_line(served);
+  if (source.found) text += turned_away_line(source.stream);
   return text + au_lines(source.stream);
 }
 

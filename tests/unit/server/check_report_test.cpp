@@ -25,6 +25,8 @@ TEST(CheckReport, SaysWhatAStreamHolds) {
             "  duration    1.290 s at 250 ms an untimed keyframe\n"
             "  classic     15 bytes, 5.0 a packet (3 to 6)\n"
             "  negotiated  37 bytes, 12.3 a packet (6 to 23)\n"
+            "  changes     37 bytes, 12.3 a packet (6 to 23)\n"
+            "  bit rate    0.2 kbit/s\n"
             "  AU  packets  percent  name\n"
             "   0        1      100  Neutral Face\n"
             "   1        1       30  Inner Brow Raiser\n"
@@ -35,6 +37,35 @@ TEST(CheckReport, SaysWhatAStreamHolds) {
 TEST(CheckReport, NumberWithoutANameIsSaid) {
   EXPECT_NE(report_of("99\n").find("  99        1      100  (not a FACS number)\n"),
             std::string::npos);
+}
+
+/// Half a second at 200 pictures a second; the head looks down and AUs 1 and 12 tremble.
+std::string report_of_table(const std::string& pitch_rad) {
+  const test::TempFolder folder;
+  std::string table = "frame,face_id,timestamp,success,pose_Rx,pose_Ry,pose_Rz,AU01_r,AU12_r\n";
+  for (int frame = 0; frame < 100; ++frame) {
+    table += std::to_string(frame) + ",0," + std::to_string(frame * 0.005) + ",1," + pitch_rad +
+             ",0,0," + (frame % 2 == 0 ? "1,4" : "3,2") + "\n";
+  }
+  const auto sources = load_sources({folder.write("talk.csv", table)});
+  if (!sources) return sources.error().message;
+  const auto catalogue = make_catalogue(*sources, {250, 20, false});
+  return check_report(sources->front(), *catalogue.streams.front().recorded, 250);
+}
+
+TEST(CheckReport, AFaceThatLooksAwayIsToldWithWhatMendsIt) {
+  EXPECT_NE(report_of_table("0.19").find(
+                "  looks away  Head Down 49 % most of the time; --neutral 2 straightens it"),
+            std::string::npos)
+      << report_of_table("0.19");
+  EXPECT_EQ(report_of_table("0.05").find("looks away"), std::string::npos);
+}
+
+TEST(CheckReport, MoreThanAThinLineTakesIsToldWithWhatLowersIt) {
+  const std::string text = report_of_table("0");
+  EXPECT_NE(text.find("kbit/s; --max-bitrate 12, --rate 15 or --dead-band 5 lower it\n"),
+            std::string::npos)
+      << text;
 }
 
 TEST(CheckReport, TableFiveFiveIsInIt) {
