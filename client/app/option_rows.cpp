@@ -292,8 +292,8 @@ OptionRow aus_row(PoseOptions& pose) {
           "AUS",
           "",
           "such as 1,6,12 or 12:80,R14:50 or 4C+9D",
-          "A set of AUs as in a packet, such as 1,6,12 or 12:80,R14:50, or in FACS notation, "
-          "such as 4C+9D. L and R are the subject's own sides.",
+          "A set of AUs as in a packet, such as 1,6,12 or 12:80,R14:50, in FACS notation, such as "
+          "4C+9D, or by FACS names: 'Cheek Raiser:50'. L and R are the subject's own sides.",
           word(pose.aus),
           "",
           Where::Positional};

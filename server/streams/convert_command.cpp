@@ -31,8 +31,8 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
   using Where = OptionRow::Where;
   std::vector<OptionRow> rows{
       {"in", "IN", "", "a stream file, or a recording of an AU recogniser",
-       "A stream file, or a table of OpenFace 1 or 2, FACSvatar, Py-Feat, LibreFace or Live "
-       "Link Face, told by its columns.",
+       "A stream file, or a table of OpenFace 1 or 2, FACSvatar, Py-Feat, LibreFace, FaceReader, "
+       "iMotions, Live Link Face or MediaPipe, told by its columns.",
        word(options.in), "", Where::Positional},
       {"out", "OUT", "", "the stream file; - for stdout; NAME.csv: OpenFace 2",
        "The stream file to write, or - for stdout. A name in .csv is written as a table of "
