@@ -9,7 +9,7 @@
 namespace aucast::face {
 namespace {
 
-using Values = std::array<float, kAuCount>;
+using Values = Intensities;
 
 /// An excluding AU below this is minute and excludes nothing; from twice this it excludes wholly.
 constexpr float kMinute = 0.2F;
@@ -38,78 +38,62 @@ float smallest(const std::vector<int>& numbers, const Values& values) {
   return result;
 }
 
-std::vector<Change> opposition(const Rule& rule, const Values& before) {
-  const std::size_t one = index_of(rule.sources[0]);
-  const std::size_t other = index_of(rule.sources[1]);
-  return {{one, std::max(0.0F, before[one] - before[other])},
-          {other, std::max(0.0F, before[other] - before[one])}};
+int strongest(const std::vector<int>& numbers, const Values& values) {
+  return *std::max_element(numbers.begin(), numbers.end(),
+                           [&](int a, int b) { return values[index_of(a)] < values[index_of(b)]; });
 }
 
-std::vector<Change> alternative(const Rule& rule, const Values& before) {
-  const auto winner =
-      *std::max_element(rule.sources.begin(), rule.sources.end(),
-                        [&](int a, int b) { return before[index_of(a)] < before[index_of(b)]; });
-  std::vector<Change> changes;
-  for (const int number : rule.sources) {
-    if (number != winner) changes.push_back({index_of(number), 0});
-  }
-  return changes;
+/// The share of an excluded or dominated AU that is left.
+float share_left(const Rule& rule, const Values& before) {
+  const float source = rule.all_needed && rule.kind == RuleKind::MultipleDominance
+                           ? smallest(rule.sources, before)
+                           : largest(rule.sources, before);
+  if (rule.kind != RuleKind::Exclusion) return 1 - source;
+  return std::clamp((2 * kMinute - source) / kMinute, 0.0F, 1.0F);
 }
 
-std::vector<Change> scaled_targets(const Rule& rule, const Values& before, float factor) {
-  std::vector<Change> changes;
-  for (const int number : rule.targets) {
-    changes.push_back({index_of(number), before[index_of(number)] * factor});
-  }
-  return changes;
-}
-
-std::vector<Change> cap(const Rule& rule, const Values& before) {
-  std::vector<Change> changes;
-  if (largest(rule.sources, before) <= 0) return changes;
-  for (const int number : rule.targets) {
-    changes.push_back({index_of(number), std::min(before[index_of(number)], rule.cap)});
-  }
-  return changes;
-}
-
-std::vector<Change> substitution(const Rule& rule, const Values& before) {
-  const float share = smallest(rule.sources, before);
-  if (share <= 0) return {};
-  std::vector<Change> changes{{index_of(rule.targets[0]), share, true}};
-  if (rule.keep_sources) return changes;
-  for (const int number : rule.sources) {
-    changes.push_back({index_of(number), before[index_of(number)] - share});
-  }
-  return changes;
-}
-
-/// The formulas of data/rules/README.md.
-std::vector<Change> changes_of(const Rule& rule, const Values& before) {
+/// The formulas of data/rules/README.md: hands each Change of the rule to `visit`.
+template <typename Visit>
+void for_each_change(const Rule& rule, const Values& before, Visit visit) {
+  const auto value = [&](int number) { return before[index_of(number)]; };
+  const auto lower = [&](int number, float to) { visit(Change{index_of(number), to, false}); };
   switch (rule.kind) {
-    case RuleKind::Opposition:
-      return opposition(rule, before);
-    case RuleKind::Alternative:
-      return alternative(rule, before);
-    case RuleKind::Exclusion: {
-      const float left_over = (2 * kMinute - largest(rule.sources, before)) / kMinute;
-      return scaled_targets(rule, before, std::clamp(left_over, 0.0F, 1.0F));
+    case RuleKind::Opposition: {
+      const float difference = value(rule.sources[0]) - value(rule.sources[1]);
+      lower(rule.sources[0], std::max(0.0F, difference));
+      lower(rule.sources[1], std::max(0.0F, -difference));
+      return;
+    }
+    case RuleKind::Alternative: {
+      const int winner = strongest(rule.sources, before);
+      for (const int number : rule.sources) {
+        if (number != winner) lower(number, 0);
+      }
+      return;
     }
     case RuleKind::Cap:
-      return cap(rule, before);
-    case RuleKind::Substitution:
-      return substitution(rule, before);
+      if (largest(rule.sources, before) <= 0) return;
+      for (const int number : rule.targets) lower(number, std::min(value(number), rule.cap));
+      return;
+    case RuleKind::Substitution: {
+      const float share = smallest(rule.sources, before);
+      if (share <= 0) return;
+      visit(Change{index_of(rule.targets[0]), share, true});
+      if (rule.keep_sources) return;
+      for (const int number : rule.sources) lower(number, value(number) - share);
+      return;
+    }
+    case RuleKind::Exclusion:
     case RuleKind::Dominance:
-      return scaled_targets(rule, before, 1 - largest(rule.sources, before));
-    case RuleKind::MultipleDominance:
-      return scaled_targets(
-          rule, before,
-          1 - (rule.all_needed ? smallest(rule.sources, before) : largest(rule.sources, before)));
+    case RuleKind::MultipleDominance: {
+      const float share = share_left(rule, before);
+      for (const int number : rule.targets) lower(number, value(number) * share);
+      return;
+    }
     case RuleKind::Additive:
     case RuleKind::Different:
-      break;
+      return;
   }
-  return {};
 }
 
 bool changes_something(const Change& change, const Values& before) {
@@ -122,7 +106,7 @@ std::string percent(float value) {
 }
 
 /// "51 100 % and 52 40 %: 51 60 %, 52 gone".
-std::string told(const Rule& rule, const Values& before, std::span<const Change> changes) {
+std::string in_words(const Rule& rule, const Values& before) {
   std::string present;
   std::vector<int> named = rule.sources;
   named.insert(named.end(), rule.targets.begin(), rule.targets.end());
@@ -132,11 +116,11 @@ std::string told(const Rule& rule, const Values& before, std::span<const Change>
                percent(before[index_of(number)]);
   }
   std::string after;
-  for (const Change& change : changes) {
-    if (!changes_something(change, before)) continue;
+  for_each_change(rule, before, [&](const Change& change) {
+    if (!changes_something(change, before)) return;
     after += (after.empty() ? "" : ", ") + std::to_string(change.number) + " " +
              (change.value > 0 ? percent(change.value) : "gone");
-  }
+  });
   return present + ": " + after;
 }
 
@@ -168,62 +152,60 @@ constexpr int kGroupLast = 6;
 /// brings counts after them.
 template <typename Belongs>
 void apply_group(const RuleSet& rules, Belongs belongs, Values& values, Side side,
-                 std::vector<RuleFired>& fired) {
+                 std::vector<RuleFired>* fired) {
   const Values before = values;
   Values raised{};
   for (const Rule& rule : rules.rules) {
     if (!belongs(rule)) continue;
-    const std::vector<Change> changes = changes_of(rule, before);
-    const auto matters = [&](const Change& change) { return changes_something(change, before); };
-    if (std::none_of(changes.begin(), changes.end(), matters)) continue;
-    fired.push_back({&rule, side, told(rule, before, changes)});
-    for (const Change& change : changes) {
+    bool matters = false;
+    for_each_change(rule, before,
+                    [&](const Change& change) { matters |= changes_something(change, before); });
+    if (!matters) continue;
+    if (fired != nullptr) fired->push_back({&rule, side, before});
+    for_each_change(rule, before, [&](const Change& change) {
       float& limit = change.raises ? raised[change.number] : values[change.number];
       limit = change.raises ? std::max(limit, change.value) : std::min(limit, change.value);
-    }
+    });
   }
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], raised[i]);
 }
 
-Values blend_side(const RuleSet& rules, Values values, Side side, std::vector<RuleFired>& fired) {
+void blend_side(const RuleSet& rules, Values& values, Side side, std::vector<RuleFired>* fired) {
   if (rules.all_read_input) {
     apply_group(
         rules, [](const Rule&) { return true; }, values, side, fired);
-    return values;
+    return;
   }
   for (int group = 1; group <= kGroupLast; ++group) {
     const auto belongs = [group](const Rule& rule) { return group_of(rule.kind) == group; };
     apply_group(rules, belongs, values, side, fired);
   }
-  return values;
-}
-
-/// Joins what happened alike on both sides.
-void add_fired(std::vector<RuleFired>& fired, std::vector<RuleFired> left,
-               std::vector<RuleFired> right) {
-  for (RuleFired& one : left) {
-    const auto twin = std::find_if(right.begin(), right.end(), [&](const RuleFired& other) {
-      return other.rule == one.rule && other.what == one.what;
-    });
-    if (twin != right.end()) {
-      one.side = Side::Both;
-      right.erase(twin);
-    }
-    fired.push_back(std::move(one));
-  }
-  std::move(right.begin(), right.end(), std::back_inserter(fired));
 }
 
 }  // namespace
 
 AuFrame blend(const RuleSet& rules, const AuFrame& frame, std::vector<RuleFired>* fired) {
   AuFrame result = frame;
-  std::vector<RuleFired> left;
-  std::vector<RuleFired> right;
-  result.left = blend_side(rules, result.left, Side::Left, left);
-  result.right = blend_side(rules, result.right, Side::Right, right);
-  if (fired != nullptr) add_fired(*fired, std::move(left), std::move(right));
+  blend_side(rules, result.left, Side::Left, fired);
+  blend_side(rules, result.right, Side::Right, fired);
   return result;
+}
+
+std::vector<RuleExplained> explain(std::span<const RuleFired> fired) {
+  std::vector<RuleExplained> explained;
+  for (const RuleFired& one : fired) {
+    RuleExplained next{one.rule, one.side, in_words(*one.rule, one.before)};
+    const auto twin =
+        std::find_if(explained.begin(), explained.end(), [&](const RuleExplained& other) {
+          return other.rule == next.rule && other.side != next.side && other.what == next.what;
+        });
+    if (twin != explained.end()) {
+      twin->side = Side::Both;
+    } else {
+      explained.push_back(std::move(next));
+    }
+  }
+  return explained;
 }
 
 }  // namespace aucast::face

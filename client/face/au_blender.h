@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,11 +10,14 @@
 
 namespace aucast::face {
 
-/// One rule that changed something, for --explain.
+/// The intensities of one side by AU number, in [0,1].
+using Intensities = std::array<float, kAuCount>;
+
+/// One rule that changed something on one side.
 struct RuleFired {
   const Rule* rule = nullptr;
-  Side side = Side::Both;  ///< Both when it changed both sides alike
-  std::string what;        ///< "51 100 % and 52 40 %: 51 60 %, 52 gone"
+  Side side = Side::Left;  ///< Left or Right
+  Intensities before{};    ///< what the rule read
 };
 
 /// Applies the rules to intensities, each side by itself.
@@ -20,9 +25,20 @@ struct RuleFired {
 /// listed first; exclusion y' = y clamp((2e - x)/e, 0, 1) with e = 0.2; cap y' = min(y, cap);
 /// substitution s = min(sources), target' = max(target, s), sources - s; dominance y' = y (1 - x);
 /// x of several sources is the largest (or smallest, where all are needed). Where two rules of one
-/// group lower an AU, the lower value counts. Intensities are in [0,1]. Adds to `fired` what
-/// happened when it is given, group by group; the rules must outlive that.
+/// group lower an AU, the lower value counts. Intensities are in [0,1]. Appends the rules that
+/// changed something to `fired` when it is given: the left side's, then the right side's, each
+/// group by group. The rules must outlive it. Allocates nothing but what `fired` needs to grow.
 [[nodiscard]] AuFrame blend(const RuleSet& rules, const AuFrame& frame,
                             std::vector<RuleFired>* fired = nullptr);
+
+/// A rule that fired, for people.
+struct RuleExplained {
+  const Rule* rule = nullptr;
+  Side side = Side::Both;  ///< Both when it changed both sides alike
+  std::string what;        ///< "51 100 % and 52 40 %: 51 60 %, 52 gone"
+};
+
+/// What the rules of one blend() did, left side first; alike on both sides is said once.
+[[nodiscard]] std::vector<RuleExplained> explain(std::span<const RuleFired> fired);
 
 }  // namespace aucast::face

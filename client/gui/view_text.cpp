@@ -41,9 +41,9 @@ bool names(const std::vector<int>& numbers, int number) {
 
 /// The rules that have to do with an AU on a side, each once: "opposition: 51 100 % and 52 40 %:
 /// 51 60 %, 52 gone".
-std::string reasons(int number, Side side, const std::vector<face::RuleFired>& fired) {
+std::string reasons(int number, Side side, std::span<const face::RuleExplained> rules) {
   std::string text;
-  for (const face::RuleFired& one : fired) {
+  for (const face::RuleExplained& one : rules) {
     const bool on_this_side = side == Side::Both || one.side == Side::Both || one.side == side;
     const bool about_it = names(one.rule->sources, number) || names(one.rule->targets, number);
     if (!on_this_side || !about_it) continue;
@@ -56,13 +56,13 @@ std::string reasons(int number, Side side, const std::vector<face::RuleFired>& f
 }
 
 AuRow row_of(int number, Side side, float received, float shown,
-             const std::vector<face::RuleFired>& fired) {
+             std::span<const face::RuleExplained> rules) {
   AuRow row;
   row.label = (side == Side::Left ? "L" : side == Side::Right ? "R" : "") + std::to_string(number);
   row.name = facs_name(number).value_or("");
   row.received_percent = percent(received);
   row.shown_percent = percent(shown);
-  if (row.received_percent != row.shown_percent) row.why = reasons(number, side, fired);
+  if (row.received_percent != row.shown_percent) row.why = reasons(number, side, rules);
   return row;
 }
 
@@ -120,19 +120,19 @@ std::string traffic_text(std::uint64_t bytes, double rate, double mean) {
 }
 
 std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,
-                           const std::vector<face::RuleFired>& fired) {
+                           std::span<const face::RuleExplained> rules) {
   std::vector<AuRow> rows;
   for (std::size_t i = 1; i < kAuCount; ++i) {
     const int number = static_cast<int>(i);
     const bool alike = received.left[i] == received.right[i] && blended.left[i] == blended.right[i];
     if (alike) {
-      AuRow row = row_of(number, Side::Both, received.left[i], blended.left[i], fired);
+      AuRow row = row_of(number, Side::Both, received.left[i], blended.left[i], rules);
       if (row.received_percent + row.shown_percent > 0) rows.push_back(std::move(row));
       continue;
     }
-    AuRow left = row_of(number, Side::Left, received.left[i], blended.left[i], fired);
+    AuRow left = row_of(number, Side::Left, received.left[i], blended.left[i], rules);
     if (left.received_percent + left.shown_percent > 0) rows.push_back(std::move(left));
-    AuRow right = row_of(number, Side::Right, received.right[i], blended.right[i], fired);
+    AuRow right = row_of(number, Side::Right, received.right[i], blended.right[i], rules);
     if (right.received_percent + right.shown_percent > 0) rows.push_back(std::move(right));
   }
   return rows;

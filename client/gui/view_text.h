@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,8 +36,8 @@ namespace aucast::gui {
 [[nodiscard]] std::string traffic_text(std::uint64_t bytes, double rate, double mean);
 
 /// The AUs of a keyframe before and after the rules, ascending, a side by itself where both differ.
-/// `fired` are the rules that changed something; their Rule objects must still be there.
+/// `rules` are those that changed something.
 [[nodiscard]] std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,
-                                         const std::vector<face::RuleFired>& fired);
+                                         std::span<const face::RuleExplained> rules);
 
 }  // namespace aucast::gui

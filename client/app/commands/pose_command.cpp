@@ -157,7 +157,7 @@ Result<void> run_rules(const PlayerOptions& options) {
   std::printf("%s\n", protocol::format_au_set(blended).c_str());
   if (!options.pose.explain) return {};
   if (fired.empty()) std::printf("no rule of '%s' changed anything\n", rules->name.c_str());
-  for (const face::RuleFired& one : fired) {
+  for (const face::RuleExplained& one : face::explain(fired)) {
     std::printf("%s (%s): %s [%s]\n", std::string(face::name(one.rule->kind)).c_str(),
                 side_word(one.side), one.what.c_str(), one.rule->source.c_str());
   }

@@ -153,7 +153,7 @@ void WindowSession::begin_keyframe(const AuFrame& aus, double cut_at) {
 void WindowSession::explain(const AuFrame& aus) {
   std::vector<face::RuleFired> fired;
   const AuFrame blended = face::blend(rules_, aus, &fired);
-  aus_ = gui::au_rows(aus, blended, fired);
+  aus_ = gui::au_rows(aus, blended, face::explain(fired));
 }
 
 void WindowSession::advance(Instant now) {
@@ -451,7 +451,7 @@ void WindowSession::carry_out(const gui::ShowAus& command, Instant now) {
   std::vector<float> target(face_.channels.size());
   face::mix(face_, blended, animation_.mixer, target);
   take_slowly(std::move(target), now);
-  compound_ = gui::au_rows(*aus, blended, fired);
+  compound_ = gui::au_rows(*aus, blended, face::explain(fired));
 }
 
 /// The editor takes a face, on the way from the one that is shown.

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "tests/support/allocations.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::face {
@@ -330,15 +331,47 @@ TEST(Blender, TellsWhichRuleDidWhat) {
       frame_from_terms(Terms{
           {51, Side::Both, 100}, {52, Side::Both, 40}, {13, Side::Left, 50}, {14, Side::Left, 50}}),
       &fired));
-  ASSERT_EQ(fired.size(), 2U);
-  std::sort(fired.begin(), fired.end(),
+  EXPECT_EQ(fired.size(), 3U) << "a side by itself";
+  std::vector<RuleExplained> explained = explain(fired);
+  ASSERT_EQ(explained.size(), 2U);
+  std::sort(explained.begin(), explained.end(),
             [](const auto& a, const auto& b) { return a.what > b.what; });
-  EXPECT_EQ(fired[0].what, "51 100 % and 52 40 %: 51 60 %, 52 gone");
-  EXPECT_EQ(fired[0].side, Side::Both);
-  EXPECT_EQ(fired[0].rule->kind, RuleKind::Opposition);
-  EXPECT_NE(fired[0].rule->source.find("FACS 2002"), std::string::npos);
-  EXPECT_EQ(fired[1].what, "13 50 % and 14 50 %: 12 50 %, 13 gone, 14 gone");
-  EXPECT_EQ(fired[1].side, Side::Left);
+  EXPECT_EQ(explained[0].what, "51 100 % and 52 40 %: 51 60 %, 52 gone");
+  EXPECT_EQ(explained[0].side, Side::Both);
+  EXPECT_EQ(explained[0].rule->kind, RuleKind::Opposition);
+  EXPECT_NE(explained[0].rule->source.find("FACS 2002"), std::string::npos);
+  EXPECT_EQ(explained[1].what, "13 50 % and 14 50 %: 12 50 %, 13 gone, 14 gone");
+  EXPECT_EQ(explained[1].side, Side::Left);
+}
+
+TEST(Blender, ExplainsASideByItselfWhereBothDiffer) {
+  const RuleSet rules = one(rule(RuleKind::Opposition, {51, 52}));
+  std::vector<RuleFired> fired;
+  static_cast<void>(blend(
+      rules,
+      frame_from_terms(Terms{{51, Side::Both, 100}, {52, Side::Left, 40}, {52, Side::Right, 30}}),
+      &fired));
+  const std::vector<RuleExplained> explained = explain(fired);
+  ASSERT_EQ(explained.size(), 2U);
+  EXPECT_EQ(explained[0].side, Side::Left);
+  EXPECT_EQ(explained[1].side, Side::Right);
+  EXPECT_EQ(explained[1].what, "51 100 % and 52 30 %: 51 70 %, 52 gone");
+}
+
+TEST(Blender, AllocatesNothing) {
+  const RuleSet rules = profile("facs");
+  std::vector<RuleFired> fired;
+  fired.reserve(2 * rules.rules.size());
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 100; ++run) {
+    const AuFrame frame = random_frame(seeded, {1, 4, 5, 7, 9, 12, 13, 14, 23, 26, 51, 52});
+    fired.clear();
+    const std::size_t before = test::allocations();
+    static_cast<void>(blend(rules, frame, &fired));
+    ASSERT_EQ(test::allocations(), before);
+  }
+  EXPECT_FALSE(fired.empty());
 }
 
 TEST(Blender, TellsNothingWhenNothingChanges) {

@@ -88,7 +88,7 @@ TEST(ViewText, AChangedAuNamesTheRule) {
       frame({{51, Side::Both, 100}, {52, Side::Both, 40}, {1, Side::Both, 50}});
   std::vector<face::RuleFired> fired;
   const AuFrame blended = face::blend(rules, received, &fired);
-  const auto rows = au_rows(received, blended, fired);
+  const auto rows = au_rows(received, blended, face::explain(fired));
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].why, "");
   const std::string why = "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone";
