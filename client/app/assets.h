@@ -12,6 +12,7 @@
 #include "client/app/player_options.h"
 #include "client/face/co_occurrence_rules.h"
 #include "client/face/face.h"
+#include "client/pipeline/au_mapping.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -59,6 +60,11 @@ struct Assets {
 /// value counts, cut to what the channel can do. BadData when the face has no such muscle.
 [[nodiscard]] Result<void> apply_muscles(const face::Face& face, const Expression& expression,
                                          std::span<float> activations);
+
+/// How the face of `assets` is driven.
+[[nodiscard]] inline pipeline::AuMapping au_mapping(const Assets& assets, face::Mixer mixer) {
+  return {assets.face, assets.face.recordings, assets.rules, mixer};
+}
 
 /// The label of the first expression that is exactly these AUs, else the AUs themselves: for
 /// captions.

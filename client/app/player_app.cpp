@@ -11,18 +11,21 @@
 #include "client/app/gallery/gallery_command.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
-#include "client/app/window/local_stream.h"
+#include "client/app/window/composition_file.h"
 #include "client/app/window/window_run.h"
 #include "client/app/window/window_settings.h"
 #include "client/net/remote_source.h"
 #include "client/net/security.h"
 #include "client/net/stream_list.h"
 #include "client/playback/file_source.h"
+#include "client/playback/seekable_playback.h"
 #include "common/files.h"
 #include "common/log.h"
 
 namespace aucast::app {
 namespace {
+
+using playback::SourcePlayback;
 
 volatile std::sig_atomic_t g_interrupted = 0;
 
@@ -46,11 +49,18 @@ void set_up_signals() {
   ::sigaction(SIGPIPE, &action, nullptr);
 }
 
-Result<std::unique_ptr<playback::KeyframeSource>> open_file(const PlaybackOptions& options) {
-  auto keyframes = read_stream(options.file);
+/// In a window a file can be sought; without one it is played as if it came from a server.
+Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& options,
+                                                      const SourcePlayback::Options& how) {
+  auto keyframes = read_stream(options.playback.file);
   if (!keyframes) return keyframes.error();
-  return std::unique_ptr<playback::KeyframeSource>(
-      std::make_unique<playback::FileSource>(std::move(*keyframes)));
+  if (!options.headless) {
+    return std::unique_ptr<playback::Playback>(std::make_unique<playback::SeekablePlayback>(
+        std::move(*keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime)));
+  }
+  auto source = std::make_unique<playback::FileSource>(std::move(*keyframes));
+  return std::unique_ptr<playback::Playback>(
+      std::make_unique<SourcePlayback>(std::move(source), how));
 }
 
 Result<net::RemoteOptions> remote_options(const PlaybackOptions& options) {
@@ -69,10 +79,12 @@ Result<net::RemoteOptions> remote_options(const PlaybackOptions& options) {
   return remote;
 }
 
-Result<std::unique_ptr<playback::KeyframeSource>> open_remote(const PlaybackOptions& options) {
+Result<std::unique_ptr<playback::Playback>> open_remote(const PlaybackOptions& options,
+                                                        const SourcePlayback::Options& how) {
   auto remote = remote_options(options);
   if (!remote) return remote.error();
-  return std::unique_ptr<playback::KeyframeSource>(std::make_unique<net::RemoteSource>(*remote));
+  return std::unique_ptr<playback::Playback>(
+      std::make_unique<SourcePlayback>(std::make_unique<net::RemoteSource>(*remote), how));
 }
 
 Result<void> print_list(const PlaybackOptions& options) {
@@ -103,32 +115,34 @@ Result<void> outcome(const playback::SourceStatus& status) {
 Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
   WindowSettings settings = WindowSettings::load(given);
   const PlayerOptions options = settings.applied(given);
-  std::unique_ptr<playback::KeyframeSource> source;
+  SourcePlayback::Options how{options.playback.speed, options.playback.hold, false};
+  if (options.output.fast) how = {options.playback.speed, std::nullopt, true};
+  std::unique_ptr<playback::Playback> playback;
   if (options.command == Command::Play) {
-    auto opened = open_file(options.playback);
+    auto opened = open_file(options, how);
     if (!opened) return opened.error();
-    source = std::move(*opened);
+    playback = std::move(*opened);
   }
   auto assets = load_assets(options.face);
   if (!assets) return assets.error();
   if (!options.playback.endpoint.empty()) {
-    auto opened = open_remote(options.playback);
+    auto opened = open_remote(options.playback, how);
     if (!opened) return opened.error();
-    source = std::move(*opened);
+    playback = std::move(*opened);
   }
   Result<void> done;
   if (!options.headless) {
-    done = run_window(**assets, options, source, settings, stop_asked, stats);
+    done = run_window(**assets, options, playback, settings, stop_asked, stats);
   } else if (options.output.fast) {
-    done = run_film(**assets, options, *source, stop_asked, stats);
+    done = run_film(**assets, options, *playback, stop_asked, stats);
   } else {
-    run_clocked(**assets, options, *source, stop_asked, stats);
+    run_clocked(**assets, options, *playback, stop_asked, stats);
   }
-  if (source == nullptr) {
+  if (playback == nullptr) {
     stats.end_reason = "stopped";
     return done;
   }
-  const playback::SourceStatus status = source->status();
+  const playback::SourceStatus status = playback->status();
   stats.take(status);
   if (!done) stats.end_reason = "failed";
   return done ? outcome(status) : done;

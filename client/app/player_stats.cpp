@@ -16,12 +16,12 @@ double milliseconds(Duration time) {
 
 }  // namespace
 
-void PlayerStats::take(const playback::PlaybackController& controller) {
-  keyframes_played = controller.keyframes_played();
-  stalls = controller.stalls();
-  media_seconds = seconds(controller.media_time());
-  live_delay = controller.delays().all();
-  const playback::DelaySummary meant = controller.delays_meant().all();
+void PlayerStats::take(const playback::Playback& playback) {
+  keyframes_played = playback.keyframes_played();
+  stalls = playback.stalls();
+  media_seconds = seconds(playback.media_time());
+  live_delay = playback.delays().all();
+  const playback::DelaySummary meant = playback.delays_meant().all();
   if (meant.keyframes > 0) live_delay_target = meant.median;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "client/playback/keyframe_source.h"
-#include "client/playback/playback_controller.h"
+#include "client/playback/playback.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -38,8 +38,8 @@ struct PlayerStats {
 
   /// Takes over what a source counted.
   void take(const playback::SourceStatus& status);
-  /// Takes over what playing it came to.
-  void take(const playback::PlaybackController& controller);
+  /// Takes over what playing came to, but not what its source counted.
+  void take(const playback::Playback& playback);
 };
 
 [[nodiscard]] std::string to_json(const PlayerStats& stats);

@@ -65,15 +65,18 @@ struct HeadPose {
   float shift = 1;  ///< 57/58: mesh units at 100 %
 };
 
-/// What one AU does at full intensity: activations of channels on the subject's left and right.
-/// Indexed like Face::channels; central channels stand in both arrays with the same value.
+/// What one AU does at full intensity on both sides. A channel of one side takes that side's
+/// intensity, a central one the larger of both (muscle_mixer.h).
 struct AuRecording {
   int number = 0;
-  std::vector<float> activation;  ///< one per channel; a channel belongs to its own side
+  std::vector<float> activation;  ///< one per channel, in the order of Face::channels
   std::string note;
 };
 
-/// Everything that makes a face move. Immutable once loaded.
+using AuRecordings = std::map<int, AuRecording>;  ///< by AU number
+
+/// A face as it was loaded. It is never copied and never changed: whoever edits recordings has a
+/// copy of those.
 /// Channel order: muscles as in the file, then jaw, left_lid_close, right_lid_close,
 /// left_lid_raise, right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left,
 /// head_turn_right, head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back,
@@ -88,10 +91,9 @@ struct Face {
   std::optional<Lids> lids;
   std::vector<Eye> eyes;  ///< left one first
   std::optional<HeadPose> head;
-  std::map<int, AuRecording> recordings;
-  std::vector<std::string>
-      remarks;           ///< said once to the user: duplicates dropped, AUs not playable
-  bool classic = false;  ///< from a folder in Waters' format
+  AuRecordings recordings;
+  std::vector<std::string> remarks;  ///< for the user, once: duplicates dropped, AUs not playable
+  bool classic = false;              ///< from a folder in Waters' format
 
   [[nodiscard]] std::optional<std::size_t> channel_index(std::string_view channel_name) const;
 };

@@ -52,12 +52,13 @@ std::string not_shown(const Face& face, const AuFrame& frame) {
   return text;
 }
 
-void mix(const Face& face, const AuFrame& frame, Mixer mixer, std::span<float> activations) {
-  AUCAST_CHECK(activations.size() == face.channels.size());
+void mix(std::span<const Channel> channels, const AuRecordings& recordings, const AuFrame& frame,
+         Mixer mixer, std::span<float> activations) {
+  AUCAST_CHECK(activations.size() == channels.size());
   for (std::size_t i = 0; i < activations.size(); ++i) {
-    const Channel& channel = face.channels[i];
+    const Channel& channel = channels[i];
     Demand demand;
-    for (const auto& [number, recording] : face.recordings) {
+    for (const auto& [number, recording] : recordings) {
       const float activation = recording.activation[i];
       const float intensity = intensity_for(frame, static_cast<std::size_t>(number), channel.side);
       if (activation != 0 && intensity > 0) demand.add(intensity, activation);

@@ -15,9 +15,15 @@ enum class Mixer : std::uint8_t {
   Average,  ///< over the AUs that use the channel: sum(i a) / sum(i) x max(i) (table 5.1 at 100 %)
 };
 
-/// Fills `activations` (one per channel of the face). A channel of the left side takes the left
-/// intensities, a central one the larger side. An AU without recording does nothing.
-void mix(const Face& face, const AuFrame& frame, Mixer mixer, std::span<float> activations);
+/// Fills `activations`, one per channel. A channel of the left side takes the left intensities, a
+/// central one the larger side. An AU without recording does nothing. Allocates nothing.
+void mix(std::span<const Channel> channels, const AuRecordings& recordings, const AuFrame& frame,
+         Mixer mixer, std::span<float> activations);
+
+/// With the recordings that the face was loaded with.
+inline void mix(const Face& face, const AuFrame& frame, Mixer mixer, std::span<float> activations) {
+  mix(face.channels, face.recordings, frame, mixer, activations);
+}
 
 /// What `frame` has and the face has no recording of, one after the other with its FACS name, such
 /// as "50 Speech, 84 Head Shake Back and Forth"; empty when the face shows everything.

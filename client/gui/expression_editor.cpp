@@ -27,7 +27,8 @@ std::optional<std::size_t> partner_of(const face::Face& face, std::size_t channe
   return std::nullopt;
 }
 
-ExpressionEditor::ExpressionEditor(const face::Face& face) : face_(face) {
+ExpressionEditor::ExpressionEditor(const face::Face& face, const face::AuRecordings& recordings)
+    : face_(face), recordings_(recordings) {
   now_.activations.assign(face.channels.size(), 0.0F);
   now_.stored = now_.activations;
 }
@@ -59,8 +60,8 @@ void ExpressionEditor::set(std::size_t channel, float activation, bool continued
 void ExpressionEditor::load(int au) {
   State next;
   next.au = au;
-  const auto found = face_.recordings.find(au);
-  if (found != face_.recordings.end()) {
+  const auto found = recordings_.find(au);
+  if (found != recordings_.end()) {
     next.activations = found->second.activation;
   } else {
     next.activations.assign(face_.channels.size(), 0.0F);

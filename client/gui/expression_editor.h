@@ -11,10 +11,10 @@ namespace aucast::gui {
 /// The expression editor of thesis 5.4.3 without its widgets: the activations of every channel, the
 /// AU they are meant for, and every step so that it can be taken back. Loading another AU is a step
 /// like any other, so that unsaved changes are never lost.
-/// The face must outlive it; its recordings may change meanwhile, its channels may not.
+/// Face and recordings must outlive it; the recordings may change meanwhile.
 class ExpressionEditor {
  public:
-  explicit ExpressionEditor(const face::Face& face);
+  ExpressionEditor(const face::Face& face, const face::AuRecordings& recordings);
 
   /// One per channel of the face.
   [[nodiscard]] const std::vector<float>& activations() const { return now_.activations; }
@@ -54,6 +54,7 @@ class ExpressionEditor {
   void step(State next);
 
   const face::Face& face_;
+  const face::AuRecordings& recordings_;
   State now_;
   std::vector<State> past_;
   std::vector<State> future_;

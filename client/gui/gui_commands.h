@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -83,12 +84,27 @@ struct TakePicture {};
 /// Begins a video of what is shown, or ends it.
 struct ToggleVideo {};
 
-using GuiCommand =
-    std::variant<Connect, Pause, Resume, Stop, ChangeAnimation, ShowExpression, ChangeTransition,
-                 SetChannel, SetLinked, LoadAu, SaveAu, RevertAu, NeutralFace, Undo, Redo,
-                 ChangeRendering, LookFrom, Leave, LocalCommand, ComposerCommand, Browse,
-                 EnterFolder, ChooseFile, CloseBrowser, OpenStream, CloseNotice, ShowAus,
-                 TakePicture, ToggleVideo>;
+/// About what plays.
+using PlaybackCommand = std::variant<Connect, Pause, Resume, Stop, LocalCommand>;
+/// About the face of the expression panel.
+using EditorCommand = std::variant<ShowExpression, ChangeTransition, SetChannel, SetLinked, LoadAu,
+                                   SaveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
+
+using GuiCommand = std::variant<PlaybackCommand, EditorCommand, ComposerCommand, ChangeAnimation,
+                                ChangeRendering, LookFrom, Leave, Browse, EnterFolder, ChooseFile,
+                                CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
+
+/// The command when it is a `Wanted`, in whichever group that stands; else null.
+template <typename Wanted, typename Command>
+[[nodiscard]] const Wanted* command_if(const Command& command) {
+  if constexpr (std::is_same_v<Wanted, Command>) {
+    return &command;
+  } else if constexpr (requires { std::variant_size<Command>::value; }) {
+    return std::visit([](const auto& one) { return command_if<Wanted>(one); }, command);
+  } else {
+    return nullptr;
+  }
+}
 
 }  // namespace aucast::gui

@@ -64,7 +64,10 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
   const bool paused = activity == Activity::Paused;
   const bool running =
       !model.remote.local && (connecting || paused || activity == Activity::Playing);
-  const bool may_connect = !running && !wrong;
+  // A mistyped server may be corrected while it is still being tried.
+  const bool corrected = form.settings.address != model.remote_settings.address ||
+                         form.settings.port != model.remote_settings.port;
+  const bool may_connect = (!running || corrected) && !wrong;
   const bool pressed = wide_button("Connect", 0, 3, may_connect, may_connect);
   if ((pressed || entered) && may_connect) commands.push_back(Connect{form.settings});
   const bool resumes = running && paused;
@@ -116,7 +119,7 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
     number(look, "Playout", "##playout", form.settings.playout);
     number(look, "Threshold %", "##threshold", form.settings.threshold_percent);
     number(look, "Speed ms", "##speed", form.settings.speed_ms);
-    quiet_text("Speed 0 is the server's own.");
+    quiet_text("Speed is for keyframes without a time of their own; 0: the server's.");
     label(look, "When lost");
     ImGui::Checkbox("connect again", &form.settings.reconnect);
   }

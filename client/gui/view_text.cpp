@@ -119,21 +119,27 @@ std::string traffic_text(std::uint64_t bytes, double rate, double mean) {
   return text;
 }
 
-std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,
-                           std::span<const face::RuleExplained> rules) {
+std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,
+                           std::span<const face::RuleExplained> rules,
+                           const face::AuRecordings& recordings) {
   std::vector<AuRow> rows;
+  const auto add = [&](AuRow row, int number) {
+    if (row.received_percent + row.shown_percent == 0) return;
+    if (row.shown_percent > 0 && !recordings.contains(number)) {
+      row.shown_percent = 0;
+      row.why = "this face has no AU " + std::to_string(number);
+    }
+    rows.push_back(std::move(row));
+  };
   for (std::size_t i = 1; i < kAuCount; ++i) {
     const int number = static_cast<int>(i);
-    const bool alike = received.left[i] == received.right[i] && blended.left[i] == blended.right[i];
+    const bool alike = received.left[i] == received.right[i] && shown.left[i] == shown.right[i];
     if (alike) {
-      AuRow row = row_of(number, Side::Both, received.left[i], blended.left[i], rules);
-      if (row.received_percent + row.shown_percent > 0) rows.push_back(std::move(row));
+      add(row_of(number, Side::Both, received.left[i], shown.left[i], rules), number);
       continue;
     }
-    AuRow left = row_of(number, Side::Left, received.left[i], blended.left[i], rules);
-    if (left.received_percent + left.shown_percent > 0) rows.push_back(std::move(left));
-    AuRow right = row_of(number, Side::Right, received.right[i], blended.right[i], rules);
-    if (right.received_percent + right.shown_percent > 0) rows.push_back(std::move(right));
+    add(row_of(number, Side::Left, received.left[i], shown.left[i], rules), number);
+    add(row_of(number, Side::Right, received.right[i], shown.right[i], rules), number);
   }
   return rows;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/face/au_blender.h"
+#include "client/face/face.h"
 #include "client/gui/gui_model.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
@@ -35,9 +36,10 @@ namespace aucast::gui {
 /// Rates are in bytes a second.
 [[nodiscard]] std::string traffic_text(std::uint64_t bytes, double rate, double mean);
 
-/// The AUs of a keyframe before and after the rules, ascending, a side by itself where both differ.
-/// `rules` are those that changed something.
-[[nodiscard]] std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& blended,
-                                         std::span<const face::RuleExplained> rules);
+/// The AUs of a keyframe as they came and as the face shows them, ascending, a side by itself where
+/// both differ. `rules` are those that changed something; an AU without a recording is not shown.
+[[nodiscard]] std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,
+                                         std::span<const face::RuleExplained> rules,
+                                         const face::AuRecordings& recordings);
 
 }  // namespace aucast::gui

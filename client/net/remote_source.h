@@ -59,8 +59,8 @@ class RemoteSource final : public playback::KeyframeSource {
 
   /// The user pauses or resumes the transmission; what is buffered plays on. At once in level 2;
   /// in classic -1 may only stand in place of an answer, so one more packet comes.
-  void pause();
-  void resume();
+  void pause() override;
+  void resume() override;
 
  private:
   class Network;

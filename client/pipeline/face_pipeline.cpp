@@ -1,29 +1,32 @@
 #include "client/pipeline/face_pipeline.h"
 
-#include <algorithm>
-
 namespace aucast::pipeline {
 
-FacePipeline::FacePipeline(const face::Face& face, const face::RuleSet& rules,
-                           PipelineOptions options)
-    : face_(face),
-      rules_(rules),
-      options_(options),
-      start_(face.channels.size()),
-      end_(face.channels.size()),
-      current_(face.channels.size()) {}
-
-void FacePipeline::begin_keyframe(const AuFrame& aus) {
-  std::copy(current_.begin(), current_.end(), start_.begin());
-  received_ = aus;
-  blended_ = face::blend(rules_, received_);
-  face::mix(face_, blended_, options_.mixer, end_);
+FacePipeline::FacePipeline(const AuMapping& mapping, playback::Interpolation interpolation)
+    : mapping_(mapping), interpolation_(interpolation), start_(neutral()), end_(neutral()) {
+  fired_.reserve(2 * mapping.rules.rules.size());
 }
 
-const std::vector<float>& FacePipeline::at(double mu) {
-  const float weight = playback::ease(options_.interpolation, mu);
-  playback::interpolate(start_, end_, weight, current_);
-  return current_;
+FaceState FacePipeline::neutral() const {
+  return {{}, std::vector<float>(mapping_.face.channels.size())};
+}
+
+void FacePipeline::begin_keyframe(const AuFrame& aus, const FaceState& start) {
+  received_ = aus;
+  start_ = start;
+  remake();
+}
+
+void FacePipeline::remake() {
+  fired_.clear();
+  end_.aus = mapping_.apply(received_, end_.activations, &fired_);
+}
+
+void FacePipeline::at(double mu, FaceState& state) const {
+  const float weight = playback::ease(interpolation_, mu);
+  playback::interpolate(start_.aus.left, end_.aus.left, weight, state.aus.left);
+  playback::interpolate(start_.aus.right, end_.aus.right, weight, state.aus.right);
+  playback::interpolate(start_.activations, end_.activations, weight, state.activations);
 }
 
 }  // namespace aucast::pipeline

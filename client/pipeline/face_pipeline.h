@@ -1,50 +1,53 @@
 #pragma once
 
-#include <optional>
+#include <span>
 #include <vector>
 
-#include "client/face/au_blender.h"
-#include "client/face/face.h"
-#include "client/face/muscle_mixer.h"
+#include "client/pipeline/au_mapping.h"
 #include "client/playback/interpolator.h"
 
 namespace aucast::pipeline {
 
-struct PipelineOptions {
-  face::Mixer mixer = face::Mixer::Maximum;
-  playback::Interpolation interpolation = playback::Interpolation::Linear;
+/// A face at one moment.
+struct FaceState {
+  AuFrame aus;  ///< after the rules; on the way, in between as the activations are
+  std::vector<float> activations;  ///< one per channel of the face
 };
 
-/// The one place that fixes the order from a set of AUs to activations: blend (rules), mix, then in
-/// between start and end frame interpolate. Deforming is the caller's, with a FaceDeformer, because
+/// The one place that fixes the order from a set of AUs to activations: blend (rules), mix, then
+/// interpolate between start and end frame. Deforming is the caller's, with a FaceDeformer, because
 /// not every position is drawn.
-/// The face and the rules must outlive it. Nothing is allocated after construction.
+/// The mapping must outlive it; a change of it counts from the next keyframe or remake() on.
+/// No function allocates after construction, unless the rules have become more.
 /// Thread: the player's.
 class FacePipeline {
  public:
-  FacePipeline(const face::Face& face, const face::RuleSet& rules, PipelineOptions options);
+  FacePipeline(const AuMapping& mapping, playback::Interpolation interpolation);
 
-  /// A keyframe begins: the face as at() gave it last becomes the start frame. That is exactly the
-  /// end frame of the one before after at(1).
-  void begin_keyframe(const AuFrame& aus);
-  /// The activations at fraction `mu` in [0,1] of the current keyframe; neutral before the first.
-  /// What is returned stays the same object and is overwritten by the next call.
-  [[nodiscard]] const std::vector<float>& at(double mu);
+  /// A keyframe begins: the face goes from `start` to `aus`.
+  void begin_keyframe(const AuFrame& aus, const FaceState& start);
+  /// The end frame once more, because the mapping has changed.
+  void remake();
+  /// The face at fraction `mu` in [0,1] of the current keyframe: exactly `start` at 0 and the end
+  /// frame at 1; neutral before the first. `state` must be as large as neutral().
+  void at(double mu, FaceState& state) const;
+  [[nodiscard]] FaceState neutral() const;
 
   [[nodiscard]] const AuFrame& received() const { return received_; }
-  [[nodiscard]] const AuFrame& blended() const { return blended_; }
-  /// The mixer counts from the next keyframe on, the interpolation at once.
-  void set_options(PipelineOptions options) { options_ = options; }
+  /// After the rules.
+  [[nodiscard]] const AuFrame& blended() const { return end_.aus; }
+  /// The rules that changed something in this keyframe.
+  [[nodiscard]] std::span<const face::RuleFired> fired() const { return fired_; }
+  /// Counts at once.
+  void set_interpolation(playback::Interpolation kind) { interpolation_ = kind; }
 
  private:
-  const face::Face& face_;
-  const face::RuleSet& rules_;
-  PipelineOptions options_;
+  const AuMapping& mapping_;
+  playback::Interpolation interpolation_;
   AuFrame received_;
-  AuFrame blended_;
-  std::vector<float> start_;  ///< one activation per channel of the face, like the next two
-  std::vector<float> end_;
-  std::vector<float> current_;
+  FaceState start_;
+  FaceState end_;
+  std::vector<face::RuleFired> fired_;
 };
 
 }  // namespace aucast::pipeline

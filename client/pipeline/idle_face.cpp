@@ -27,6 +27,12 @@ IdleFace::IdleFace(const face::Face& face)
   }
 }
 
+void IdleFace::apply(const IdleOptions& options, double seconds,
+                     std::span<float> activations) const {
+  if (options.seed) move(playback::idle_motion(*options.seed, seconds), activations);
+  if (options.blink) blink(playback::blink_closure(*options.blink, seconds), activations);
+}
+
 void IdleFace::blink(float closure, std::span<float> activations) const {
   for (const Channel& lid : {left_lid_, right_lid_}) {
     if (lid) activations[*lid] = std::max(activations[*lid], closure);
@@ -42,24 +48,24 @@ void IdleFace::shift(const Channel& plus, const Channel& minus, double by,
   activations[*minus] = std::clamp(-sum, 0.0F, face_.channels[*minus].activation_max);
 }
 
-void IdleFace::stir(const playback::IdleMoment& moment, std::span<float> activations) const {
+void IdleFace::move(const playback::IdleMotion& motion, std::span<float> activations) const {
   for (const Eye& eye : eyes_) {
     if (eye.yaw_deg > 0) {
-      shift(eye.left, eye.right, moment.gaze_left_deg / static_cast<double>(eye.yaw_deg),
+      shift(eye.left, eye.right, motion.gaze_left_deg / static_cast<double>(eye.yaw_deg),
             activations);
     }
     if (eye.pitch_deg > 0) {
-      shift(eye.up, eye.down, moment.gaze_up_deg / static_cast<double>(eye.pitch_deg), activations);
+      shift(eye.up, eye.down, motion.gaze_up_deg / static_cast<double>(eye.pitch_deg), activations);
     }
   }
   if (!face_.head) return;
   if (face_.head->pitch_deg > 0) {
     shift(head_up_, head_down_,
-          moment.breath * kBreathNod_deg / static_cast<double>(face_.head->pitch_deg), activations);
+          motion.breath * kBreathNod_deg / static_cast<double>(face_.head->pitch_deg), activations);
   }
   if (face_.head->shift > 0) {
     shift(head_forward_, head_back_,
-          moment.breath * kBreathForward / static_cast<double>(face_.head->shift), activations);
+          motion.breath * kBreathForward / static_cast<double>(face_.head->shift), activations);
   }
 }
 

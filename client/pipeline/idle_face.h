@@ -1,14 +1,22 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "client/face/face.h"
+#include "client/playback/blinking.h"
 #include "client/playback/idle_life.h"
 
 namespace aucast::pipeline {
+
+/// What a face does by itself.
+struct IdleOptions {
+  std::optional<std::uint64_t> seed{};            ///< gaze and breath (playback/idle_life.h)
+  std::optional<playback::BlinkOptions> blink{};  ///< playback/blinking.h
+};
 
 /// Puts what a face does by itself onto the activations that are shown. What the face has no
 /// channel for is left out. The face must outlive it.
@@ -16,12 +24,15 @@ class IdleFace {
  public:
   explicit IdleFace(const face::Face& face);
 
+  /// All of it, at `seconds` of the clock that the options' functions go by.
+  void apply(const IdleOptions& options, double seconds, std::span<float> activations) const;
+
   /// Closes both lids at least so far.
   void blink(float closure, std::span<float> activations) const;
 
   /// Looks aside from where the eyes look, and lifts the head with the breath: by half a degree of
   /// nodding and 0.7 mm forward.
-  void stir(const playback::IdleMoment& moment, std::span<float> activations) const;
+  void move(const playback::IdleMotion& motion, std::span<float> activations) const;
 
  private:
   using Channel = std::optional<std::size_t>;

@@ -88,7 +88,7 @@ double breath(std::uint64_t seed, double seconds) {
 
 }  // namespace
 
-IdleMoment idle_moment(std::uint64_t seed, double seconds) {
+IdleMotion idle_motion(std::uint64_t seed, double seconds) {
   const double at = std::max(0.0, seconds);
   const Gaze looking = gaze(seed, at);
   return {looking.left_deg, looking.up_deg, breath(seed, at)};

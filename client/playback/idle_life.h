@@ -4,8 +4,8 @@
 
 namespace aucast::playback {
 
-/// What a face at rest does besides blinking.
-struct IdleMoment {
+/// What a face does by itself besides blinking.
+struct IdleMotion {
   double gaze_left_deg = 0;  ///< to the subject's left
   double gaze_up_deg = 0;
   double breath = 0;  ///< 0 breathed out, up to 1 breathed in
@@ -20,6 +20,6 @@ struct IdleMoment {
 /// its fastest moment in the middle; between two there are at least 200 ms. Breathing is 12 to 16.5
 /// breaths a minute (adults at rest breathe 12 to 20 times), two fifths of each going in, no two
 /// quite alike.
-[[nodiscard]] IdleMoment idle_moment(std::uint64_t seed, double seconds);
+[[nodiscard]] IdleMotion idle_motion(std::uint64_t seed, double seconds);
 
 }  // namespace aucast::playback

@@ -7,7 +7,7 @@
 
 namespace aucast::playback {
 
-/// How much a stream has to be held back so that what comes late still comes in time: the spread
+/// How much a stream has to be delayed so that what comes late still comes in time: the spread
 /// of how late keyframes were, against their own times, over the last kWindow. A keyframe that was
 /// lost and sent again counts as late as it was.
 /// Thread: none of its own.

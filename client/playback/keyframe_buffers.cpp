@@ -74,12 +74,12 @@ void KeyframeBuffers::drop_oldest() {
   };
   while (receiver_fill() > options_.receiver_capacity) drop_one();
   const Milliseconds lag = options_.low_delay ? kStandingLagMax : kLiveLagMax;
-  if (!starved_ || buffered() <= held_ready() + lag) return;
+  if (!starved_ || buffered() <= wanted() + lag) return;
   const std::size_t least = options_.low_delay ? 1 : kLiveKeyframesMin;
-  while (keyframes_.size() > least && buffered() > held_ready()) drop_one();
+  while (keyframes_.size() > least && buffered() > wanted()) drop_one();
 }
 
-Milliseconds KeyframeBuffers::held_ready() const {
+Milliseconds KeyframeBuffers::wanted() const {
   if (!options_.low_delay) return options_.live_delay;
   const TimedAus& newest = keyframes_.back();
   if (!newest.due || !newest.arrived) return time_of(newest);

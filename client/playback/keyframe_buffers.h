@@ -14,7 +14,7 @@ struct BufferOptions {
   std::size_t playout_capacity = 30;    ///< sets, 1-10,000, at most receiver_capacity
   int threshold_percent = 40;           ///< of the receiver buffer, 1-100; for the first fill and
                                         ///< after a stall
-  Milliseconds live_delay{300};         ///< live: held ready instead, 0-60,000
+  Milliseconds live_delay{300};         ///< live: buffered instead, 0-60,000
   bool by_time = false;                 ///< --buffer auto or Nms: recorded streams wait for
                                         ///< `live_delay` too, and not for the threshold
   bool adapt = false;                   ///< `live_delay` is only where it begins
@@ -29,11 +29,11 @@ struct BufferOptions {
 /// capacities; nothing is lost, doubled or reordered; keyframes leave in the order in which they
 /// came.
 /// A live stream is buffered by time: playing starts when two keyframes and `live_delay` are there,
-/// first and after a stall. Who has more plays up to 5 % faster, who has less up to 5 % slower.
-/// While it plays nothing is left out; while it stands, who is kLiveLagMax behind drops the oldest,
-/// and so does who has no room: nothing is held back from a live stream, so there is no case A.
-/// With `low_delay` playing starts with one keyframe, and who stands and has kStandingLagMax more
-/// than what is due drops the oldest.
+/// first and after a stall. With more in the buffer it plays up to 5 % faster, with less up to 5 %
+/// slower. While it plays no keyframe is dropped; while it waits, the oldest are dropped beyond
+/// kLiveLagMax or when there is no room. A live source is never paused, so there is no case A.
+/// With `low_delay` playing starts with one keyframe, and while it waits the oldest are dropped
+/// beyond kStandingLagMax more than what is due.
 /// With `by_time` a recorded stream begins after `live_delay` as well; with `adapt` each stall
 /// doubles that for the next time.
 /// Thread: none of its own; the owner guards it.
@@ -56,7 +56,7 @@ class KeyframeBuffers {
   void set_live(std::optional<Milliseconds> untimed);
   /// The time of a recorded keyframe that has none of its own.
   void set_untimed(Milliseconds time) { untimed_ = time; }
-  /// From now on so much is held ready.
+  /// From now on so much is buffered.
   void set_delay(Milliseconds delay);
   [[nodiscard]] Milliseconds delay() const { return options_.live_delay; }
   /// Free places of the receiver.
@@ -91,8 +91,8 @@ class KeyframeBuffers {
 
   void store_live(const TimedAus& keyframe);
   void drop_oldest();
-  /// Live: so much is held ready.
-  [[nodiscard]] Milliseconds held_ready() const;
+  /// Live: how much should be buffered.
+  [[nodiscard]] Milliseconds wanted() const;
   [[nodiscard]] Milliseconds time_of(const TimedAus& keyframe) const;
   [[nodiscard]] bool enough() const;
   void fill_playout();

@@ -45,7 +45,7 @@ struct SourceStatus {
   bool negotiated = false;              ///< level 2
   bool live = false;                    ///< the server has one clock for all
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
-  Milliseconds delay{0};                ///< held ready, by time (live, --buffer auto or Nms);
+  Milliseconds delay{0};                ///< buffered, by time (live, --buffer auto or Nms);
                                         ///< --live: from arrival until the face is there
   Milliseconds buffered{0};             ///< what is there, in the stream's own time
   std::uint64_t reconnects = 0;         ///< attempts after a loss (--reconnect)
@@ -77,6 +77,10 @@ class KeyframeSource {
   /// The user leaves: -4 to a server. Returns at once; nothing more is given, and status().end
   /// becomes Stopped unless everything had been given already.
   virtual void stop() = 0;
+  /// The user pauses or resumes: a server is asked to do the same. What was given already is not
+  /// taken back.
+  virtual void pause() {}
+  virtual void resume() {}
 };
 
 }  // namespace aucast::playback

@@ -10,7 +10,7 @@
 namespace aucast::playback {
 
 /// When the keyframes of a live stream are due with the lowest delay that the jitter allows
-/// (--live). The face may set out for a keyframe when it has come, so the face is held back by as
+/// (--live). The face may set out for a keyframe when it has come, so the face is delayed by as
 /// much as keyframes come late by the stream's own clock, and by no more: each is due its own time
 /// after the latest moment at which it would have come.
 ///

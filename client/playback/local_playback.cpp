@@ -42,9 +42,9 @@ Duration LocalPlayback::position(Instant now) const {
 
 StreamPlace LocalPlayback::place(Duration position) const {
   const auto found = std::upper_bound(ends_.begin(), ends_.end(), position);
-  if (found == ends_.end()) return {ends_.size() - 1, 1.0};
   const auto keyframe = static_cast<std::size_t>(found - ends_.begin());
   const Duration begin = keyframe == 0 ? Duration::zero() : ends_[keyframe - 1];
+  if (found == ends_.end() || (keyframe > 0 && position == begin)) return {keyframe - 1, 1.0};
   const Duration done = std::max(position - begin, Duration::zero());
   return {keyframe,
           static_cast<double>(done.count()) / static_cast<double>((*found - begin).count())};

@@ -32,7 +32,8 @@ class LocalPlayback {
   [[nodiscard]] const std::vector<Duration>& ends() const { return ends_; }
   /// Between 0 and total().
   [[nodiscard]] Duration position(Instant now) const;
-  /// The keyframe under way at a position; the end is the last keyframe, reached.
+  /// The keyframe under way at a position; where one ends and the next begins, the one that is
+  /// reached there.
   [[nodiscard]] StreamPlace place(Duration position) const;
   /// The clock runs; also true at the end until somebody pauses.
   [[nodiscard]] bool playing() const { return playing_; }

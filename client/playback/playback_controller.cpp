@@ -66,11 +66,16 @@ std::string_view name(PlaybackState state) {
   return "unknown";
 }
 
+bool is_over(PlaybackState state) {
+  return state == PlaybackState::Ended || state == PlaybackState::Stopped ||
+         state == PlaybackState::Lost;
+}
+
 PlaybackController::PlaybackController(std::optional<Milliseconds> speed) : speed_(speed) {}
 
 std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSource& source) {
   looked_before_ = std::exchange(looked_at_, now);
-  if (state_ == PlaybackState::Lost) return hold(now);
+  if (state_ == PlaybackState::Lost) return ease_when_due(now);
   if (state_ == PlaybackState::Paused || over()) return std::nullopt;
   if (state_ == PlaybackState::Stalled || state_ == PlaybackState::Stale) {
     return advance_stalled(now, source);
@@ -78,7 +83,7 @@ std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSo
   if (state_ != PlaybackState::Playing) return begin_next(now, now, source);
 
   move_to(now);
-  if (moment_.position < kPositionsPerKeyframe) return std::nullopt;
+  if (progress_.position < kPositionsPerKeyframe) return std::nullopt;
   finish_keyframe(now);
   return begin_next(last_position_at_, now, source);
 }
@@ -87,32 +92,32 @@ std::optional<KeyframeBegun> PlaybackController::advance_stalled(Instant now,
                                                                  KeyframeSource& source) {
   count_stall(now);
   move_easing(now);
-  const double cut_at = eased_ ? moment_.mu : 1;
+  const double cut_at = eased_ ? progress_.mu : 1;
   if (auto begun = begin_next(now, now, source)) {
     begun->cut_at = cut_at;
     return begun;
   }
-  return hold(now);
+  return ease_when_due(now);
 }
 
 /// Nothing comes: begins the easing when it is time for it.
-std::optional<KeyframeBegun> PlaybackController::hold(Instant now) {
+std::optional<KeyframeBegun> PlaybackController::ease_when_due(Instant now) {
   move_easing(now);
   if (eased_ || !hold_ || !first_begin_ || now - stalled_since_ < *hold_) return std::nullopt;
   if (state_ == PlaybackState::Stalled) state_ = PlaybackState::Stale;
   eased_ = true;
   ease_begin_ = now;
-  moment_.mu = 0;
-  moment_.position = 0;
+  progress_.mu = 0;
+  progress_.position = 0;
   return KeyframeBegun{{AuFrame{}, kEaseTime}, kEaseTime};
 }
 
 void PlaybackController::move_easing(Instant now) {
   if (!eased_) return;
   const Duration eased = std::min<Duration>(now - ease_begin_, kEaseTime);
-  moment_.mu = static_cast<double>(eased.count()) /
-               static_cast<double>(std::chrono::duration_cast<Duration>(kEaseTime).count());
-  moment_.position = static_cast<int>(moment_.mu * kPositionsPerKeyframe);
+  progress_.mu = static_cast<double>(eased.count()) /
+                 static_cast<double>(std::chrono::duration_cast<Duration>(kEaseTime).count());
+  progress_.position = static_cast<int>(progress_.mu * kPositionsPerKeyframe);
 }
 
 void PlaybackController::count_stall(Instant now) {
@@ -158,7 +163,7 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
   state_ = PlaybackState::Playing;
   keyframe_begin_ = begin;
   if (!first_begin_) first_begin_ = begin;
-  ++moment_.keyframe;
+  ++progress_.keyframe;
   move_to(now);
   return KeyframeBegun{std::move(*keyframe), duration_};
 }
@@ -174,13 +179,13 @@ void PlaybackController::move_to(Instant now) {
   const Duration whole = takes_;
   const Duration elapsed = std::clamp(now - keyframe_begin_, Duration::zero(), whole);
   if (elapsed == whole) {
-    moment_.position = kPositionsPerKeyframe;
-    moment_.mu = 1;
+    progress_.position = kPositionsPerKeyframe;
+    progress_.mu = 1;
   } else {
-    moment_.position = static_cast<int>(elapsed * kPositionsPerKeyframe / whole);
-    moment_.mu = static_cast<double>(elapsed.count()) / static_cast<double>(whole.count());
+    progress_.position = static_cast<int>(elapsed * kPositionsPerKeyframe / whole);
+    progress_.mu = static_cast<double>(elapsed.count()) / static_cast<double>(whole.count());
   }
-  last_position_at_ = keyframe_begin_ + whole * moment_.position / kPositionsPerKeyframe;
+  last_position_at_ = keyframe_begin_ + whole * progress_.position / kPositionsPerKeyframe;
 }
 
 PlaybackState PlaybackController::state() const {
@@ -188,16 +193,16 @@ PlaybackState PlaybackController::state() const {
   return waits ? PlaybackState::Playing : state_;
 }
 
-PlaybackMoment PlaybackController::moment() const {
-  return moment_;
+PlaybackProgress PlaybackController::progress() const {
+  return progress_;
 }
 
 std::optional<Instant> PlaybackController::next_position_at() const {
   const bool neutral_next = state_ == PlaybackState::Stale || state_ == PlaybackState::Lost;
-  const bool eases = eased_ && neutral_next && moment_.mu < 1;
+  const bool eases = eased_ && neutral_next && progress_.mu < 1;
   if (state_ != PlaybackState::Playing && !eases) return std::nullopt;
   const Duration whole = eases ? Duration(kEaseTime) : takes_;
-  const int next = std::min(moment_.position + 1, kPositionsPerKeyframe);
+  const int next = std::min(progress_.position + 1, kPositionsPerKeyframe);
   return (eases ? ease_begin_ : keyframe_begin_) + whole * next / kPositionsPerKeyframe;
 }
 
@@ -223,14 +228,13 @@ void PlaybackController::stop(Instant now) {
   if (over()) return;
   if (state_ == PlaybackState::Playing) move_to(now);
   const PlaybackState at = state_ == PlaybackState::Paused ? paused_from_ : state_;
-  if (at == PlaybackState::Playing && moment_.position == kPositionsPerKeyframe)
+  if (at == PlaybackState::Playing && progress_.position == kPositionsPerKeyframe)
     finish_keyframe(now);
   state_ = PlaybackState::Stopped;
 }
 
 bool PlaybackController::over() const {
-  return state_ == PlaybackState::Ended || state_ == PlaybackState::Stopped ||
-         state_ == PlaybackState::Lost;
+  return is_over(state_);
 }
 
 std::uint64_t PlaybackController::keyframes_played() const {

@@ -27,16 +27,20 @@ enum class PlaybackState : std::uint8_t {
 
 [[nodiscard]] std::string_view name(PlaybackState state);
 
+/// Ended, Stopped or Lost: nothing moves any more, except that a lost face eases to neutral.
+[[nodiscard]] bool is_over(PlaybackState state);
+
 /// A keyframe that has just begun: the face goes from where it is to `target`.
 struct KeyframeBegun {
   TimedAus target;
   Milliseconds duration{0};  ///< its time: packet, --speed, server's default; live it may take 5 %
                              ///< more or less
   double cut_at = 1;         ///< where the one before was left: 1, or less within the easing
+  std::optional<AuFrame> from{};  ///< the face sets out from these AUs; nothing: from where it is
 };
 
 /// Where playback stands. position is k in 0..50 of the current keyframe, mu = the exact fraction.
-struct PlaybackMoment {
+struct PlaybackProgress {
   std::uint64_t keyframe = 0;  ///< counts from 1; 0 before the first
   int position = 0;            ///< whole positions reached, 0..50
   double mu = 0;               ///< fraction in [0,1]
@@ -76,15 +80,15 @@ class PlaybackController {
   [[nodiscard]] PlaybackState state() const;
   /// True in Ended, Stopped and Lost: nothing moves any more.
   [[nodiscard]] bool over() const;
-  [[nodiscard]] PlaybackMoment moment() const;
+  [[nodiscard]] PlaybackProgress progress() const;
   /// When position k+1 of the current keyframe, or of the easing, is reached; nothing when the
   /// clock stands.
   [[nodiscard]] std::optional<Instant> next_position_at() const;
 
-  /// The user holds the face where it is at `now`; resume() goes on from that very fraction.
+  /// The user pauses: the face stays where it is at `now`; resume() goes on from there.
   /// Without effect when paused already or over.
   void pause(Instant now);
-  /// Goes on where pause() held. Without effect when not paused.
+  /// Goes on from where it was paused. Without effect when not paused.
   void resume(Instant now);
   /// The user leaves: the last position reached at `now` stays. Without effect when it is over.
   void stop(Instant now);
@@ -102,20 +106,20 @@ class PlaybackController {
   [[nodiscard]] Milliseconds media_time() const;
 
  private:
-  /// Sets moment_ and last_position_at_ for `now`, inside the current keyframe.
+  /// Sets progress_ and last_position_at_ for `now`, inside the current keyframe.
   void move_to(Instant now);
   /// The next keyframe, beginning at `begin`; or the state that its absence means.
   [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant begin, Instant now,
                                                         KeyframeSource& source);
   [[nodiscard]] std::optional<KeyframeBegun> advance_stalled(Instant now, KeyframeSource& source);
-  [[nodiscard]] std::optional<KeyframeBegun> hold(Instant now);
+  [[nodiscard]] std::optional<KeyframeBegun> ease_when_due(Instant now);
   void move_easing(Instant now);
   void count_stall(Instant now);
   void finish_keyframe(Instant now);
 
   std::optional<Milliseconds> speed_;
   PlaybackState state_ = PlaybackState::Buffering;
-  PlaybackMoment moment_;
+  PlaybackProgress progress_;
   Instant keyframe_begin_{};
   Milliseconds duration_{0};
   Duration takes_{0};  ///< as it is played: more or less than duration_

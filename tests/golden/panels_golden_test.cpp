@@ -54,13 +54,13 @@ class Replay : public testing::Test {
     target_.reset();
   }
 
-  void open(float scale, std::unique_ptr<playback::KeyframeSource> source) {
+  void open(float scale, std::unique_ptr<playback::Playback> playback) {
     scale_ = scale;
     auto target = render::OffscreenTarget::create(scaled(kWidth), scaled(kHeight));
     ASSERT_TRUE(target) << target.error().message;
     target_ = std::move(*target);
     options_.playback.endpoint = "lecture.example.org";
-    session_.emplace(*assets_, options_, std::move(source), stats_);
+    session_.emplace(*assets_, options_, std::move(playback), stats_);
     gui_ = std::make_unique<gui::Gui>(scale);
     ASSERT_TRUE(ImGui_ImplOpenGL3_Init("#version 330 core"));
     frames(2);
@@ -170,7 +170,7 @@ class Replay : public testing::Test {
 std::unique_ptr<app::Assets> Replay::assets_;
 
 /// Three keyframes, one of which the rules change.
-std::unique_ptr<playback::KeyframeSource> small_stream() {
+std::unique_ptr<playback::Playback> small_stream() {
   auto source = std::make_unique<playback::test::ScriptedSource>();
   source->now.connected = true;
   const auto add = [&](std::initializer_list<AuTerm> terms) {
@@ -180,7 +180,8 @@ std::unique_ptr<playback::KeyframeSource> small_stream() {
   add({{6, Side::Both, 80}, {12, Side::Both, 100}});
   add({{1, Side::Both, 100}, {51, Side::Both, 100}, {52, Side::Both, 40}});
   add({{4, Side::Both, 100}});
-  return source;
+  return std::make_unique<playback::SourcePlayback>(std::move(source),
+                                                    playback::SourcePlayback::Options{});
 }
 
 void as_from_a_server(gui::GuiModel& model) {

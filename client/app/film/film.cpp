@@ -11,10 +11,8 @@
 #include "client/app/film/picture_sinks.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
-#include "client/pipeline/face_pipeline.h"
 #include "client/pipeline/idle_face.h"
-#include "client/playback/blinking.h"
-#include "client/playback/playback_controller.h"
+#include "client/pipeline/player.h"
 #include "common/log.h"
 
 namespace aucast::app {
@@ -79,7 +77,9 @@ class Film {
         options_(options),
         stop_(stop),
         stats_(stats),
-        pipeline_(assets.face, assets.rules, {options.face.mixer, options.playback.interpolation}),
+        mapping_(au_mapping(assets, options.face.mixer)),
+        player_(mapping_, options.playback.interpolation),
+        drawn_(player_.face()),
         progress_(options.output.pictures() && !options.quiet),
         idle_(assets.face) {}
 
@@ -102,7 +102,6 @@ class Film {
   /// Draws one keyframe that begins at `begin_ms` of the film, or as much of it as there is time
   /// for before the user stops.
   Result<void> keyframe(const playback::KeyframeBegun& begun, std::int64_t begin_ms) {
-    pipeline_.begin_keyframe(begun.target.aus);
     const std::int64_t duration_ms = begun.duration.count();
     if (sinks_.frames) {
       if (auto drawn = frames(begin_ms, duration_ms); !drawn) return drawn;
@@ -115,9 +114,10 @@ class Film {
     if (sinks_.sheet && !sinks_.sheet->full()) {
       sinks_.sheet->add(draw(1.0, begin_ms + duration_ms), describe(assets_, begun.target.aus));
     }
-    static_cast<void>(pipeline_.at(1.0));
     return {};
   }
+
+  [[nodiscard]] pipeline::Player& player() { return player_; }
 
   Result<void> finish() {
     if (sinks_.video) {
@@ -161,14 +161,10 @@ class Film {
 
   view::Image draw(double mu, double film_ms) {
     const Instant begin = steady_now();
-    activations_ = pipeline_.at(mu);
-    if (const auto& seed = options_.playback.idle_seed) {
-      idle_.stir(playback::idle_moment(*seed, film_ms / 1000.0), activations_);
-    }
-    if (const auto& blink = options_.playback.blink) {
-      idle_.blink(playback::blink_closure(*blink, film_ms / 1000.0), activations_);
-    }
-    view::Image image = maker_->picture(activations_);
+    player_.pipeline().at(mu, drawn_);
+    idle_.apply({options_.playback.idle_seed, options_.playback.blink}, film_ms / 1000.0,
+                drawn_.activations);
+    view::Image image = maker_->picture(drawn_.activations);
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
     stats_.draw_seconds += seconds(steady_now() - begin);
     progress_.show([&] { return how_far(stats_.frames_drawn, film_ms); });
@@ -182,46 +178,48 @@ class Film {
   const PlayerOptions& options_;
   const std::function<bool()>& stop_;
   PlayerStats& stats_;
-  pipeline::FacePipeline pipeline_;
+  pipeline::AuMapping mapping_;
+  pipeline::Player player_;
+  pipeline::FaceState drawn_;
   ProgressLine progress_;
   pipeline::IdleFace idle_;
   std::unique_ptr<PictureMaker> maker_;
   Sinks sinks_;
-  std::vector<float> activations_;
 };
 
 }  // namespace
 
 Result<void> run_film(const Assets& assets, const PlayerOptions& options,
-                      playback::KeyframeSource& source, const std::function<bool()>& stop,
+                      playback::Playback& playback, const std::function<bool()>& stop,
                       PlayerStats& stats) {
   Film film(assets, options, stop, stats);
   if (auto opened = film.open(); !opened) return opened;
-  playback::PlaybackController controller(options.playback.speed);
-  controller.set_film_clock();
-  Instant film_now{};
+  film.player().open(&playback);
   std::optional<Instant> first;
-  std::int64_t begin_ms = 0;
-  for (;;) {
-    // The film clock stands still until the source has something or has ended.
-    while (!source.wait_until(steady_now() + Milliseconds(50)) && !stop()) {
-    }
-    if (stop()) {
-      source.stop();
-      controller.stop(film_now);
-      break;
-    }
-    const auto begun = controller.advance(film_now, source);
-    if (!begun) break;
+  std::int64_t film_ms = 0;
+  const auto film_now = [&film_ms] { return Instant(Milliseconds(film_ms)); };
+  Result<void> drawn;
+  const auto draw = [&](const playback::KeyframeBegun& begun) {
+    if (!drawn) return;
     if (!first) first = steady_now();
     if (stats.first_frame_ms == 0) stats.first_frame_ms = since_start_ms();
-    if (auto drawn = film.keyframe(*begun, begin_ms); !drawn) return drawn;
-    begin_ms += begun->duration.count();
-    film_now += begun->duration;
+    drawn = film.keyframe(begun, film_ms);
+    film_ms += begun.duration.count();
     stats.playback_seconds = seconds(steady_now() - *first);
+  };
+  while (!playback.over()) {
+    // The film clock stands still until the source has something or has ended.
+    while (!playback.wait_until(steady_now() + Milliseconds(50)) && !stop()) {
+    }
+    if (stop()) {
+      playback.stop(film_now());
+      break;
+    }
+    film.player().advance(film_now(), draw);
+    if (!drawn) return drawn;
   }
-  stats.keyframes_played = controller.keyframes_played();
-  stats.media_seconds = seconds(controller.media_time());
+  stats.keyframes_played = playback.keyframes_played();
+  stats.media_seconds = seconds(playback.media_time());
   return film.finish();
 }
 

@@ -5,16 +5,16 @@
 #include "client/app/assets.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
-#include "client/playback/keyframe_source.h"
+#include "client/playback/playback.h"
 
 namespace aucast::app {
 
-/// Plays `source` to its end on the film clock: nothing waits but for keyframes that have not come
-/// yet. Draws what the options ask for. `stop` is asked often; when it says true the source is
-/// stopped and the files are finished with what there is.
-/// The source's own failures are in its status; the Result is about pictures and files.
+/// Plays to the end on the film clock, which `playback` must have been made for: nothing waits but
+/// for keyframes that have not come yet. Draws what the options ask for. `stop` is asked often;
+/// when it says true, playing is stopped and the files are finished with what there is. The
+/// source's own failures are in its status; the Result is about pictures and files.
 [[nodiscard]] Result<void> run_film(const Assets& assets, const PlayerOptions& options,
-                                    playback::KeyframeSource& source,
-                                    const std::function<bool()>& stop, PlayerStats& stats);
+                                    playback::Playback& playback, const std::function<bool()>& stop,
+                                    PlayerStats& stats);
 
 }  // namespace aucast::app

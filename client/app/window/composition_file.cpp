@@ -11,6 +11,26 @@ namespace aucast::app {
 
 static_assert(gui::Composer::kMsMax == protocol::kDurationMsMax);
 
+Result<std::vector<playback::TimedAus>> read_stream(const std::filesystem::path& file) {
+  auto text = read_file(file);
+  if (!text) return text.error();
+  auto stream = protocol::parse_stream_file(*text, file.string());
+  if (!stream) return stream.error();
+  std::vector<playback::TimedAus> keyframes;
+  for (const protocol::Keyframe& keyframe : stream->keyframes) {
+    playback::TimedAus timed{frame_from_terms(keyframe.terms), std::nullopt};
+    if (keyframe.duration_ms) timed.duration = Milliseconds(*keyframe.duration_ms);
+    keyframes.push_back(timed);
+  }
+  return keyframes;
+}
+
+gui::ComposedKeyframe composed(const playback::TimedAus& keyframe) {
+  gui::ComposedKeyframe composed{keyframe.aus, std::nullopt};
+  if (keyframe.duration) composed.ms = static_cast<std::uint32_t>(keyframe.duration->count());
+  return composed;
+}
+
 Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes) {
   if (keyframes.empty()) {
     return Error{ErrorKind::Failed, "there are no keyframes to save: add one first"};

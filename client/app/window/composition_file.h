@@ -2,11 +2,20 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "client/gui/composer.h"
+#include "client/playback/keyframe_source.h"
 #include "common/result.h"
 
 namespace aucast::app {
+
+/// The keyframes of a stream file. Unreadable, or BadData with a line for each error.
+[[nodiscard]] Result<std::vector<playback::TimedAus>> read_stream(
+    const std::filesystem::path& file);
+
+/// A keyframe that was read or received, as the composer has them.
+[[nodiscard]] gui::ComposedKeyframe composed(const playback::TimedAus& keyframe);
 
 /// The text of a stream file with these keyframes, read back by the same reader before it is handed
 /// out. Failed when there is none.

@@ -1,9 +1,5 @@
 #include "client/app/window/live_text.h"
 
-#include "client/app/steady.h"
-#include "common/log.h"
-#include "protocol/codec.h"
-
 namespace aucast::app {
 namespace {
 
@@ -26,12 +22,6 @@ std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted)
   if (delay.keyframes == 0) return {};
   return ms_text(delay.median) + " ms (at most " + ms_text(delay.longest) + ", wanted " +
          ms_text(wanted) + ")";
-}
-
-void trace_reached(const AuFrame& aus, Instant now) {
-  if (!spdlog::should_log(spdlog::level::trace)) return;
-  spdlog::trace("reached {{{}}} at {:.6f}", protocol::format_au_set(aus),
-                seconds(now.time_since_epoch()));
 }
 
 }  // namespace aucast::app

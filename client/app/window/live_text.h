@@ -16,8 +16,4 @@ namespace aucast::app {
 /// "42 ms (at most 57, wanted 41)"; empty when nothing was measured.
 [[nodiscard]] std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted);
 
-/// For the log at level trace: which face was reached when, by the clock that all programs of this
-/// computer share (CLOCK_MONOTONIC).
-void trace_reached(const AuFrame& aus, Instant now);
-
 }  // namespace aucast::app

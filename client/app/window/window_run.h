@@ -7,16 +7,16 @@
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/app/window/window_settings.h"
-#include "client/playback/keyframe_source.h"
+#include "client/playback/playback.h"
 
 namespace aucast::app {
 
-/// Shows `source` in a window until the user leaves it (or, with --exit-at-end, the stream ends).
-/// `source` may be null: the face at rest; afterwards it is what was played last, because the user
-/// may connect elsewhere. `settings` are in force at the start, and kept at the end. In a build
-/// without OpenGL it fails and says so.
+/// Shows what plays in a window until the user leaves it (or, with --exit-at-end, playing ends).
+/// `playback` may be null: the neutral face; afterwards it is what was played last, because the
+/// user may connect elsewhere. `settings` are in force at the start, and kept at the end. In a
+/// build without OpenGL it fails and says so.
 [[nodiscard]] Result<void> run_window(const Assets& assets, const PlayerOptions& options,
-                                      std::unique_ptr<playback::KeyframeSource>& source,
+                                      std::unique_ptr<playback::Playback>& playback,
                                       WindowSettings& settings, const std::function<bool()>& stop,
                                       PlayerStats& stats);
 

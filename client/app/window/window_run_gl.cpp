@@ -69,13 +69,13 @@ struct FrameTimes {
 class WindowRun {
  public:
   WindowRun(const Assets& assets, const PlayerOptions& options,
-            std::unique_ptr<playback::KeyframeSource> source, WindowSettings& settings,
+            std::unique_ptr<playback::Playback> playback, WindowSettings& settings,
             PlayerStats& stats)
-      : options_(options),
-        data_folder_(assets.data_folder),
+      : assets_(assets),
+        options_(options),
         settings_(settings),
         stats_(stats),
-        session_(assets, options, std::move(source), stats) {
+        session_(assets, options, std::move(playback), stats) {
     session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
     start_times_.passed("session");
   }
@@ -89,12 +89,12 @@ class WindowRun {
     window_ = std::move(*window);
     start_times_.passed("window and OpenGL");
     look_from(gui::View::Front);
-    auto view = FaceView::create(session_.face());
+    auto view = FaceView::create(assets_.face);
     if (!view) return view.error();
     view_ = std::move(*view);
     start_times_.passed("face in OpenGL");
     overlay_ = std::make_unique<WindowOverlay>(*window_);
-    if (auto icon = view::read_png(data_folder_ / "icons" / "aucast.png")) {
+    if (auto icon = view::read_png(assets_.data_folder / "icons" / "aucast.png")) {
       window_->set_icon(std::move(*icon));
     }
     start_times_.passed("panels");
@@ -102,10 +102,10 @@ class WindowRun {
   }
 
   void tick(bool stopped_from_outside) {
-    Duration rest = session_.rest(steady_now());
+    Duration idle = session_.idle_time(steady_now());
     if (video_)
-      rest = std::min<Duration>(rest, std::chrono::milliseconds(1000 / SessionVideo::kFps));
-    window_->poll(waits_for_frames() ? 0 : seconds(rest));
+      idle = std::min<Duration>(idle, std::chrono::milliseconds(1000 / SessionVideo::kFps));
+    window_->poll(waits_for_frames() ? 0 : seconds(idle));
     handle_closing(stopped_from_outside);
     handle_drops();
     session_.advance(steady_now());
@@ -121,7 +121,7 @@ class WindowRun {
     return leaving_ || session_.leaving() || (options_.exit_at_end && session_.over());
   }
 
-  [[nodiscard]] std::unique_ptr<playback::KeyframeSource> finish() {
+  [[nodiscard]] std::unique_ptr<playback::Playback> finish() {
     keep_settings();
     if (video_) end_video();
     return session_.finish(steady_now());
@@ -178,19 +178,19 @@ class WindowRun {
     using render::Key;
     switch (key) {
       case Key::Left:
-        return carry_out(gui::LocalCommand(gui::StepKeyframe{-1}));
+        return carry_out(gui::StepKeyframe{-1});
       case Key::Right:
-        return carry_out(gui::LocalCommand(gui::StepKeyframe{1}));
+        return carry_out(gui::StepKeyframe{1});
       case Key::Comma:
-        return carry_out(gui::LocalCommand(gui::StepFrame{-1}));
+        return carry_out(gui::StepFrame{-1});
       case Key::Period:
-        return carry_out(gui::LocalCommand(gui::StepFrame{1}));
+        return carry_out(gui::StepFrame{1});
       case Key::Slower:
-        return carry_out(gui::LocalCommand(gui::ChangeSpeed{-1}));
+        return carry_out(gui::ChangeSpeed{-1});
       case Key::Faster:
-        return carry_out(gui::LocalCommand(gui::ChangeSpeed{1}));
+        return carry_out(gui::ChangeSpeed{1});
       case Key::L:
-        return carry_out(gui::LocalCommand(gui::MarkLoop{}));
+        return carry_out(gui::MarkLoop{});
       case Key::O:
         return carry_out(gui::Browse{gui::Purpose::PlayStream});
       case Key::V:
@@ -220,7 +220,7 @@ class WindowRun {
     if (std::holds_alternative<gui::ToggleVideo>(command)) toggle_video();
     session_.apply(command, steady_now());
     // An address is worth remembering even if the machine goes down.
-    if (std::holds_alternative<gui::Connect>(command)) keep_settings();
+    if (gui::command_if<gui::Connect>(command)) keep_settings();
   }
 
   void keep_settings() {
@@ -230,7 +230,7 @@ class WindowRun {
   }
 
   void look_from(gui::View view) {
-    window_->camera() = camera_preset(name_of(view), session_.face());
+    window_->camera() = camera_preset(name_of(view), assets_.face);
     frames_due_ = gui::kFramesAfterChange;
   }
 
@@ -386,8 +386,8 @@ class WindowRun {
   }
 
   StartTimes start_times_;
+  const Assets& assets_;
   const PlayerOptions& options_;
-  std::filesystem::path data_folder_;
   WindowSettings& settings_;
   PlayerStats& stats_;
   WindowSession session_;
@@ -409,15 +409,15 @@ class WindowRun {
 }  // namespace
 
 Result<void> run_window(const Assets& assets, const PlayerOptions& options,
-                        std::unique_ptr<playback::KeyframeSource>& source, WindowSettings& settings,
+                        std::unique_ptr<playback::Playback>& playback, WindowSettings& settings,
                         const std::function<bool()>& stop, PlayerStats& stats) {
-  WindowRun run(assets, options, std::move(source), settings, stats);
+  WindowRun run(assets, options, std::move(playback), settings, stats);
   if (auto opened = run.open(); !opened) {
-    source = run.finish();
+    playback = run.finish();
     return opened;
   }
   while (!run.done()) run.tick(stop());
-  source = run.finish();
+  playback = run.finish();
   return {};
 }
 

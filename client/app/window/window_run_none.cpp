@@ -2,9 +2,8 @@
 
 namespace aucast::app {
 
-Result<void> run_window(const Assets&, const PlayerOptions&,
-                        std::unique_ptr<playback::KeyframeSource>&, WindowSettings&,
-                        const std::function<bool()>&, PlayerStats&) {
+Result<void> run_window(const Assets&, const PlayerOptions&, std::unique_ptr<playback::Playback>&,
+                        WindowSettings&, const std::function<bool()>&, PlayerStats&) {
   return Error{ErrorKind::Failed,
                "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no window; "
                "use --headless"};

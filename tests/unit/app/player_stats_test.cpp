@@ -72,12 +72,11 @@ TEST(PlayerStats, HasTheDelayOfALiveStream) {
     playback::TimedAus keyframe{{}, Milliseconds(40)};
     keyframe.arrived = Instant{};
     if (due) keyframe.due = Instant{} + *due;
-    OneKeyframe source(keyframe);
-    playback::PlaybackController controller(std::nullopt);
-    EXPECT_TRUE(controller.advance(Instant{} + std::chrono::microseconds(2'500), source));
-    EXPECT_FALSE(controller.advance(Instant{} + std::chrono::milliseconds(45), source));
+    playback::SourcePlayback playback(std::make_unique<OneKeyframe>(keyframe), {});
+    EXPECT_TRUE(playback.advance(Instant{} + std::chrono::microseconds(2'500)));
+    EXPECT_FALSE(playback.advance(Instant{} + std::chrono::milliseconds(45)));
     PlayerStats stats;
-    stats.take(controller);
+    stats.take(playback);
     playback::SourceStatus status;
     status.live = true;
     status.delay = Milliseconds(300);

@@ -21,7 +21,7 @@ class ExpressionEditorTest : public testing::Test {
   [[nodiscard]] float value(const char* name) const { return editor_.activations()[channel(name)]; }
 
   face::Face face_ = face::test::small_face();
-  ExpressionEditor editor_{face_};
+  ExpressionEditor editor_{face_, face_.recordings};
 };
 
 TEST_F(ExpressionEditorTest, BeginsWithTheNeutralFace) {

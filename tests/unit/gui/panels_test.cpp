@@ -101,7 +101,7 @@ class Panels : public testing::Test {
   std::optional<Command> find_by_clicking(float x, float from_y, float to_y) {
     for (float y = from_y; y < to_y; y += 12) {
       for (const GuiCommand& command : click(x, y)) {
-        if (const auto* found = std::get_if<Command>(&command)) return *found;
+        if (const auto* found = command_if<Command>(command)) return *found;
       }
     }
     return std::nullopt;
@@ -160,6 +160,15 @@ TEST_F(Panels, ConnectTakesTheForm) {
   EXPECT_EQ(connect->settings, model_.remote_settings);
 }
 
+TEST_F(Panels, AMistypedServerIsCorrectedWhileItIsStillTried) {
+  model_.remote.activity = Activity::Connecting;
+  EXPECT_FALSE(find_by_clicking<Connect>(480, 100, 260).has_value()) << "it is being tried";
+  model_.remote_settings.port = 1;
+  const auto connect = find_by_clicking<Connect>(480, 100, 260);
+  ASSERT_TRUE(connect.has_value()) << "the form says another port than is tried";
+  EXPECT_NE(connect->settings.port, 1);
+}
+
 TEST_F(Panels, AFormThatIsWrongConnectsNowhere) {
   model_.remote.activity = Activity::Idle;
   model_.remote_settings.address.clear();
@@ -187,9 +196,7 @@ TEST_F(Panels, ExpressionsAreButtonsOfTheirTab) {
 template <typename Command>
 std::optional<Command> local_command(const GuiCommands& commands) {
   for (const GuiCommand& command : commands) {
-    const auto* local = std::get_if<LocalCommand>(&command);
-    const auto* found = local == nullptr ? nullptr : std::get_if<Command>(local);
-    if (found != nullptr) return *found;
+    if (const auto* found = command_if<Command>(command)) return *found;
   }
   return std::nullopt;
 }
@@ -218,7 +225,7 @@ TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {
     const GuiCommands all = click(x, kHeight - 24);
     if (const auto step = local_command<StepKeyframe>(all)) steps.insert(10 * step->direction);
     if (const auto step = local_command<StepFrame>(all)) steps.insert(step->direction);
-    for (const GuiCommand& one : all) plays |= std::holds_alternative<Resume>(one);
+    for (const GuiCommand& one : all) plays |= command_if<Resume>(one) != nullptr;
   }
   EXPECT_EQ(steps, (std::set<int>{-10, -1, 1, 10}));
   EXPECT_TRUE(plays);
@@ -231,8 +238,7 @@ TEST_F(Panels, AFaceIsComposedByClickingAndPutInARow) {
     using Wanted = decltype(wanted);
     std::optional<Wanted> found;
     for (const GuiCommand& command : all) {
-      const auto* one = std::get_if<ComposerCommand>(&command);
-      if (one != nullptr && std::holds_alternative<Wanted>(*one)) found = std::get<Wanted>(*one);
+      if (const auto* one = command_if<Wanted>(command)) found = *one;
     }
     return found;
   };

@@ -21,6 +21,13 @@ AuFrame frame(std::initializer_list<AuTerm> terms) {
   return frame_from_terms({terms.begin(), terms.size()});
 }
 
+/// A face that has every AU.
+const face::AuRecordings kAll = [] {
+  face::AuRecordings all;
+  for (int number = 0; number <= kAuNumberMax; ++number) all[number].number = number;
+  return all;
+}();
+
 TEST(ViewText, TheStateIsSaidInWords) {
   const playback::BufferOptions buffers;  // 40 of 100
   EXPECT_EQ(state_in_words(PlaybackState::Buffering, {}, buffers), "connecting");
@@ -66,14 +73,15 @@ TEST(ViewText, BytesGetTheUnitThatFits) {
 
 TEST(ViewText, UnchangedAusHaveNoReason) {
   const AuFrame both = frame({{12, Side::Both, 80}, {1, Side::Both, 100}});
-  EXPECT_EQ(au_rows(both, both, {}), (std::vector<AuRow>{{"1", "Inner Brow Raiser", 100, 100, ""},
-                                                         {"12", "Lip Corner Puller", 80, 80, ""}}));
-  EXPECT_TRUE(au_rows({}, {}, {}).empty());
+  EXPECT_EQ(au_rows(both, both, {}, kAll),
+            (std::vector<AuRow>{{"1", "Inner Brow Raiser", 100, 100, ""},
+                                {"12", "Lip Corner Puller", 80, 80, ""}}));
+  EXPECT_TRUE(au_rows({}, {}, {}, kAll).empty());
 }
 
 TEST(ViewText, SidesThatDifferHaveRowsOfTheirOwn) {
   const AuFrame aus = frame({{12, Side::Left, 80}, {14, Side::Left, 10}, {14, Side::Right, 20}});
-  const auto rows = au_rows(aus, aus, {});
+  const auto rows = au_rows(aus, aus, {}, kAll);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].label, "L12");
   EXPECT_EQ(rows[1].label, "L14");
@@ -88,7 +96,7 @@ TEST(ViewText, AChangedAuNamesTheRule) {
       frame({{51, Side::Both, 100}, {52, Side::Both, 40}, {1, Side::Both, 50}});
   std::vector<face::RuleFired> fired;
   const AuFrame blended = face::blend(rules, received, &fired);
-  const auto rows = au_rows(received, blended, face::explain(fired));
+  const auto rows = au_rows(received, blended, face::explain(fired), kAll);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].why, "");
   const std::string why = "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone";

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "client/playback/file_source.h"
+#include "client/app/window/composition_file.h"
 #include "common/files.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/gui/window_session_fixture.h"
@@ -87,6 +87,22 @@ TEST_F(StreamSessionTest, AStepTakesTheFaceBackFromTheEditor) {
   EXPECT_LT(shown("jaw"), 4);
 }
 
+TEST_F(StreamSessionTest, TheTableOfAusIsOfTheFaceThatIsShown) {
+  open();
+  session_->toggle_pause(clock_.now());
+  ask(LocalCommand(gui::StepKeyframe{1}));
+  EXPECT_EQ(model().remote.keyframe, "keyframe 1 of 3");
+  ASSERT_EQ(model().remote.aus.size(), 1U);
+  EXPECT_EQ(model().remote.aus[0].label, "26");
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 100);
+  ask(LocalCommand(gui::Seek{Milliseconds(200)}));
+  ASSERT_EQ(model().remote.aus.size(), 1U) << "on the way to neutral";
+  EXPECT_EQ(model().remote.aus[0].received_percent, 0);
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 50);
+  ask(LocalCommand(gui::StepKeyframe{1}));
+  EXPECT_TRUE(model().remote.aus.empty());
+}
+
 TEST_F(StreamSessionTest, OtherRulesAreSeenWhereItStands) {
   const auto file = folder_.write("opposed.txt", "Beg_Stream\n51,52:40;100\nEnd_Stream\n");
   ask(gui::OpenStream{file.string()});
@@ -131,13 +147,15 @@ TEST_F(StreamSessionTest, TheFileOfTheCommandLineEndsWithItsStatistics) {
   auto keyframes = read_stream(file_);
   ASSERT_TRUE(keyframes);
   options_.playback.file = file_;
-  session_.emplace(*assets_, options_, std::make_unique<playback::FileSource>(*keyframes), stats_);
+  session_.emplace(*assets_, options_,
+                   std::make_unique<playback::SeekablePlayback>(*keyframes, Milliseconds(250)),
+                   stats_);
   go_on(Milliseconds(0));
   EXPECT_EQ(model().local.name, "three.txt");
   go_on(Milliseconds(600));
-  const auto source = session_->finish(clock_.now());
-  ASSERT_NE(source, nullptr);
-  EXPECT_EQ(source->status().end, playback::EndReason::EndOfStream);
+  const auto last = session_->finish(clock_.now());
+  ASSERT_NE(last, nullptr);
+  EXPECT_EQ(last->status().end, playback::EndReason::EndOfStream);
   EXPECT_EQ(stats_.keyframes_played, 3U);
   EXPECT_DOUBLE_EQ(stats_.media_seconds, 0.6);
 }
@@ -163,9 +181,9 @@ TEST_F(StreamSessionTest, NothingPlayedIsNothingToExport) {
 TEST_F(StreamSessionTest, LeavingBeforeTheEndIsAStop) {
   open();
   go_on(Milliseconds(150));
-  const auto source = session_->finish(clock_.now());
-  ASSERT_NE(source, nullptr);
-  EXPECT_EQ(source->status().end, playback::EndReason::Stopped);
+  const auto last = session_->finish(clock_.now());
+  ASSERT_NE(last, nullptr);
+  EXPECT_EQ(last->status().end, playback::EndReason::Stopped);
   EXPECT_EQ(stats_.keyframes_played, 1U);
 }
 

@@ -33,7 +33,10 @@ class WindowSessionTest : public SessionOnDefaultFace {
     source_ = source.get();
     source_->now.connected = true;
     for (const AuFrame& aus : keyframes) source_->keyframes.push_back({aus, Milliseconds(100)});
-    session_.emplace(*assets_, options_, std::move(source), stats_);
+    const playback::SourcePlayback::Options how{options_.playback.speed, options_.playback.hold};
+    auto playback = std::make_unique<playback::SourcePlayback>(std::move(source), how);
+    playback_ = playback.get();
+    session_.emplace(*assets_, options_, std::move(playback), stats_);
   }
   void open_nothing() { session_.emplace(*assets_, options_, nullptr, stats_); }
 
@@ -43,15 +46,16 @@ class WindowSessionTest : public SessionOnDefaultFace {
   }
 
   ScriptedSource* source_ = nullptr;
+  playback::Playback* playback_ = nullptr;  ///< of source_
 };
 
-TEST_F(WindowSessionTest, WithoutASourceTheFaceRests) {
+TEST_F(WindowSessionTest, WithoutASourceTheFaceIsNeutral) {
   open_nothing();
   EXPECT_EQ(model().remote.activity, Activity::Idle);
   EXPECT_EQ(model().remote.state, "no connection");
   EXPECT_EQ(session_->title(), "AUcast");
   EXPECT_FALSE(session_->over());
-  EXPECT_GE(session_->rest(clock_.now()), Milliseconds(250));
+  EXPECT_GE(session_->idle_time(clock_.now()), Milliseconds(250));
   EXPECT_EQ(session_->activations(clock_.now()), std::vector<float>(assets_->face.channels.size()));
 }
 
@@ -63,7 +67,7 @@ TEST_F(WindowSessionTest, PlaysAndShowsWhatCameAndWhatTheRulesMadeOfIt) {
   EXPECT_EQ(model().remote.aus[0].shown_percent, 60);
   EXPECT_EQ(model().remote.aus[0].why, "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone");
   EXPECT_EQ(model().remote.keyframe, "keyframe 1");
-  EXPECT_LE(session_->rest(clock_.now()), Milliseconds(2));
+  EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(2));
   go_on(Milliseconds(100));
   EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
 }
@@ -139,14 +143,14 @@ TEST_F(WindowSessionTest, AFaceThatIsLostForLongGoesToNeutralAndSaysSo) {
   go_on(Milliseconds(2000));
   EXPECT_EQ(shown("jaw"), held) << "it sets out";
   EXPECT_TRUE(model().remote.eased);
-  EXPECT_LE(session_->rest(clock_.now()), Milliseconds(20)) << "and is drawn on its way";
+  EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20)) << "and is drawn on its way";
   go_on(Milliseconds(500));
   EXPECT_FLOAT_EQ(shown("jaw"), held / 2);
   go_on(Milliseconds(500));
   EXPECT_EQ(shown("jaw"), 0);
   EXPECT_EQ(model().remote.state, "lost");
   EXPECT_TRUE(model().remote.aus.empty());
-  EXPECT_GT(session_->rest(clock_.now()), Milliseconds(20));
+  EXPECT_GT(session_->idle_time(clock_.now()), Milliseconds(20));
 }
 
 TEST_F(WindowSessionTest, TheDelayOfALiveStreamIsShown) {
@@ -189,6 +193,16 @@ TEST_F(WindowSessionTest, OtherRulesAreSeenOnAFaceThatStands) {
   settings.rules = "none";
   ask(gui::ChangeAnimation{settings});
   EXPECT_FLOAT_EQ(shown("head_turn_right"), 0.4F);
+}
+
+TEST_F(WindowSessionTest, AnAuThatTheFaceLacksIsNotShown) {
+  ASSERT_FALSE(assets_->face.recordings.contains(90));
+  open({frame({{90, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  ASSERT_EQ(model().remote.aus.size(), 1U);
+  EXPECT_EQ(model().remote.aus[0].received_percent, 100);
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 0);
+  EXPECT_EQ(model().remote.aus[0].why, "this face has no AU 90");
 }
 
 TEST_F(WindowSessionTest, RulesThatAreNotThereChangeNothing) {
@@ -247,6 +261,8 @@ TEST_F(WindowSessionTest, SeveralAusTogetherGoThroughRulesAndMixer) {
   EXPECT_TRUE(model().editor.compound.empty()) << "the face is another one now";
   ask(gui::ShowAus{"no AUs"});
   EXPECT_TRUE(model().notice.bad);
+  ask(gui::ShowAus{"12"});
+  EXPECT_EQ(model().notice.text, "") << "the mistake is mended";
 }
 
 TEST_F(WindowSessionTest, EveryAuHasItsMusclesAndWhatItLooksLike) {
@@ -370,7 +386,7 @@ TEST_F(WindowSessionTest, BlinkingClosesTheLidsNowAndThen) {
     largest = std::max(largest, shown("left_lid_close"));
   }
   EXPECT_EQ(largest, 1);
-  EXPECT_LE(session_->rest(clock_.now()), Milliseconds(20));
+  EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20));
 }
 
 TEST_F(WindowSessionTest, IdleLifeMovesTheEyesAndNothingElseDoes) {
@@ -386,7 +402,18 @@ TEST_F(WindowSessionTest, IdleLifeMovesTheEyesAndNothingElseDoes) {
   EXPECT_EQ(gaze_of_ten_seconds(), 0);
   options_.playback.idle_seed = 3;
   EXPECT_GT(gaze_of_ten_seconds(), 0.02F);
-  EXPECT_LE(session_->rest(clock_.now()), Milliseconds(20));
+  EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20));
+}
+
+TEST_F(WindowSessionTest, AnEmptyViewIsNotKeptForTheNextStart) {
+  open_nothing();
+  gui::KeptSettings settings;
+  settings.rendering.layers.textured = false;
+  session_->begin_with(settings, "", clock_.now());
+  EXPECT_TRUE(session_->rendering().layers.textured);
+  settings.rendering.layers.wireframe = true;
+  session_->begin_with(settings, "", clock_.now());
+  EXPECT_FALSE(session_->rendering().layers.textured);
 }
 
 TEST_F(WindowSessionTest, ConnectNeedsAFormThatIsRight) {
@@ -406,6 +433,7 @@ TEST_F(WindowSessionTest, ConnectReplacesWhatPlayedAndHoldsTheFace) {
   EXPECT_EQ(model().remote.receiver.capacity, 50U);
   EXPECT_EQ(model().remote.receiver.threshold_percent, 30);
   EXPECT_TRUE(model().remote.keyframe.empty());
+  EXPECT_TRUE(model().remote.aus.empty());
   const auto last = session_->finish(clock_.now());
   ASSERT_NE(last, nullptr);
 }
@@ -414,8 +442,8 @@ TEST_F(WindowSessionTest, FinishCompletesTheStatistics) {
   open({frame({{26, Side::Both, 100}}), frame({})});
   go_on(Milliseconds(0));
   go_on(Milliseconds(100));
-  const auto source = session_->finish(clock_.now());
-  EXPECT_EQ(source.get(), source_);
+  const auto last = session_->finish(clock_.now());
+  EXPECT_EQ(last.get(), playback_);
   EXPECT_EQ(stats_.keyframes_played, 1U);
   EXPECT_DOUBLE_EQ(stats_.media_seconds, 0.1);
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/allocations.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::pipeline {
@@ -42,99 +43,160 @@ AuFrame aus(std::vector<AuTerm> terms) {
   return frame_from_terms(terms);
 }
 
+AuMapping mapping_of(const face::Face& face, face::RuleSet rules = {},
+                     face::Mixer mixer = face::Mixer::Maximum) {
+  return {face, face.recordings, std::move(rules), mixer};
+}
+
+FaceState state_at(const FacePipeline& pipeline, double mu) {
+  FaceState state = pipeline.neutral();
+  pipeline.at(mu, state);
+  return state;
+}
+
+Activations at(const FacePipeline& pipeline, double mu) {
+  return state_at(pipeline, mu).activations;
+}
+
+constexpr auto kLinear = playback::Interpolation::Linear;
+constexpr auto kCosine = playback::Interpolation::Cosine;
+
 TEST(FacePipeline, IsNeutralBeforeTheFirstKeyframe) {
   const face::Face face = small_face();
-  const face::RuleSet rules;
-  FacePipeline pipeline(face, rules, {});
-  for (const double mu : {0.0, 0.5, 1.0}) EXPECT_EQ(pipeline.at(mu), (Activations{0, 0, 0}));
+  const AuMapping mapping = mapping_of(face);
+  FacePipeline pipeline(mapping, kLinear);
+  for (const double mu : {0.0, 0.5, 1.0}) EXPECT_EQ(at(pipeline, mu), (Activations{0, 0, 0}));
   EXPECT_EQ(pipeline.received(), AuFrame{});
 }
 
 TEST(FacePipeline, ReachesTheMixOfTheBlendedSet) {
   const face::Face face = small_face();
-  const face::RuleSet rules = closing_rules();
-  FacePipeline pipeline(face, rules, {});
-  pipeline.begin_keyframe(aus({{12}, {26}}));
-  EXPECT_EQ(pipeline.at(0), (Activations{0, 0, 0}));
-  EXPECT_EQ(pipeline.at(0.5), (Activations{0.75F, 0.75F, 0}));
-  EXPECT_EQ(pipeline.at(1), (Activations{1.5F, 1.5F, 0})) << "the rules act before the mixer";
+  const AuMapping mapping = mapping_of(face, closing_rules());
+  FacePipeline pipeline(mapping, kLinear);
+  pipeline.begin_keyframe(aus({{12}, {26}}), pipeline.neutral());
+  EXPECT_EQ(at(pipeline, 0), (Activations{0, 0, 0}));
+  EXPECT_EQ(at(pipeline, 0.5), (Activations{0.75F, 0.75F, 0}));
+  EXPECT_EQ(at(pipeline, 1), (Activations{1.5F, 1.5F, 0})) << "the rules act before the mixer";
   EXPECT_EQ(pipeline.received(), aus({{12}, {26}}));
   EXPECT_EQ(pipeline.blended(), aus({{12}}));
 }
 
 TEST(FacePipeline, GoesWithoutRulesByTheMixerAlone) {
   const face::Face face = small_face();
-  const face::RuleSet rules;
-  FacePipeline pipeline(face, rules, {});
-  pipeline.begin_keyframe(aus({{12, Side::Left, 50}, {26}}));
-  EXPECT_EQ(pipeline.at(1), (Activations{0.75F, 0, 3}));
+  const AuMapping mapping = mapping_of(face);
+  FacePipeline pipeline(mapping, kLinear);
+  pipeline.begin_keyframe(aus({{12, Side::Left, 50}, {26}}), pipeline.neutral());
+  EXPECT_EQ(at(pipeline, 1), (Activations{0.75F, 0, 3}));
 }
 
 TEST(FacePipeline, ChoosesTheMixer) {
   const face::Face face = small_face();
-  const face::RuleSet rules;
-  FacePipeline maximum(face, rules, {.mixer = face::Mixer::Maximum});
-  FacePipeline average(face, rules, {.mixer = face::Mixer::Average});
-  maximum.begin_keyframe(aus({{6}, {12}}));
-  average.begin_keyframe(aus({{6}, {12}}));
-  EXPECT_EQ(maximum.at(1), (Activations{1.5F, 1.5F, 0}));
-  EXPECT_EQ(average.at(1), (Activations{1, 1, 0}));
+  const AuMapping largest = mapping_of(face, {}, face::Mixer::Maximum);
+  const AuMapping mean = mapping_of(face, {}, face::Mixer::Average);
+  FacePipeline maximum(largest, kLinear);
+  FacePipeline average(mean, kLinear);
+  maximum.begin_keyframe(aus({{6}, {12}}), maximum.neutral());
+  average.begin_keyframe(aus({{6}, {12}}), average.neutral());
+  EXPECT_EQ(at(maximum, 1), (Activations{1.5F, 1.5F, 0}));
+  EXPECT_EQ(at(average, 1), (Activations{1, 1, 0}));
 }
 
-TEST(FacePipeline, TheEndFrameBecomesTheStartFrame) {
+TEST(FacePipeline, GoesFromTheFaceThatIsHandedInToTheEndFrame) {
   const face::Face face = small_face();
-  const face::RuleSet rules;
-  FacePipeline pipeline(face, rules, {});
-  pipeline.begin_keyframe(aus({{12, Side::Both, 37}}));
-  const Activations end = pipeline.at(1);
-  pipeline.begin_keyframe(aus({{26}}));
-  EXPECT_EQ(pipeline.at(0), end) << "bit for bit";
-  EXPECT_EQ(pipeline.at(1), (Activations{0, 0, 3}));
+  const AuMapping mapping = mapping_of(face);
+  FacePipeline pipeline(mapping, kLinear);
+  pipeline.begin_keyframe(aus({{12, Side::Both, 37}}), pipeline.neutral());
+  const FaceState end = state_at(pipeline, 1);
+  pipeline.begin_keyframe(aus({{26}}), end);
+  EXPECT_EQ(at(pipeline, 0), end.activations) << "bit for bit";
+  EXPECT_EQ(at(pipeline, 1), (Activations{0, 0, 3}));
+  const FaceState on_the_way = state_at(pipeline, 0.3);
+  pipeline.begin_keyframe(aus({{0}}), on_the_way);
+  EXPECT_EQ(at(pipeline, 0), on_the_way.activations);
+  EXPECT_EQ(at(pipeline, 1), (Activations{0, 0, 0}));
 }
 
-TEST(FacePipeline, StartsFromTheFaceLastShown) {
+TEST(FacePipeline, SaysWhichAusTheFaceShowsOnTheWay) {
   const face::Face face = small_face();
-  const face::RuleSet rules;
-  FacePipeline pipeline(face, rules, {});
-  pipeline.begin_keyframe(aus({{12}}));
-  const Activations shown = pipeline.at(0.3);
-  pipeline.begin_keyframe(aus({{26}}));
-  EXPECT_EQ(pipeline.at(0), shown);
-  pipeline.begin_keyframe(aus({{0}}));
-  EXPECT_EQ(pipeline.at(0), shown);
-  EXPECT_EQ(pipeline.at(1), (Activations{0, 0, 0}));
+  const AuMapping mapping = mapping_of(face, closing_rules());
+  FacePipeline pipeline(mapping, kLinear);
+  pipeline.begin_keyframe(aus({{26}}), pipeline.neutral());
+  pipeline.begin_keyframe(aus({{12}, {26}}), state_at(pipeline, 1));
+  EXPECT_EQ(state_at(pipeline, 0).aus, aus({{26}}));
+  EXPECT_EQ(state_at(pipeline, 0.25).aus, aus({{12, Side::Both, 25}, {26, Side::Both, 75}}));
+  EXPECT_EQ(state_at(pipeline, 1).aus, aus({{12}}));
+}
+
+TEST(FacePipeline, SaysWhichRulesFired) {
+  const face::Face face = small_face();
+  const AuMapping mapping = mapping_of(face, closing_rules());
+  FacePipeline pipeline(mapping, kLinear);
+  pipeline.begin_keyframe(aus({{12}, {26}}), pipeline.neutral());
+  ASSERT_EQ(face::explain(pipeline.fired()).size(), 1U);
+  EXPECT_EQ(face::explain(pipeline.fired())[0].what, "12 100 % and 26 100 %: 26 gone");
+  pipeline.begin_keyframe(aus({{26}}), pipeline.neutral());
+  EXPECT_TRUE(pipeline.fired().empty());
+}
+
+TEST(FacePipeline, AnotherMappingCountsFromRemakeOn) {
+  const face::Face face = small_face();
+  AuMapping mapping = mapping_of(face, closing_rules());
+  FacePipeline pipeline(mapping, kLinear);
+  pipeline.begin_keyframe(aus({{12}, {26}}), pipeline.neutral());
+  mapping.rules = {};
+  EXPECT_EQ(at(pipeline, 1)[2], 0);
+  pipeline.remake();
+  EXPECT_EQ(at(pipeline, 1)[2], 3);
+  mapping.recordings[26].activation[2] = 1;
+  pipeline.remake();
+  EXPECT_EQ(at(pipeline, 1)[2], 1);
+}
+
+TEST(FacePipeline, AllocatesNothing) {
+  const face::Face face = small_face();
+  const AuMapping mapping = mapping_of(face, closing_rules());
+  FacePipeline pipeline(mapping, kLinear);
+  FaceState state = pipeline.neutral();
+  const std::array<AuFrame, 2> keyframes = {aus({{12}, {26}}), aus({{6}})};
+  const std::size_t before = test::allocations();
+  for (int i = 0; i < 10; ++i) {
+    pipeline.begin_keyframe(keyframes[static_cast<std::size_t>(i % 2)], state);
+    pipeline.at(0.5, state);
+  }
+  EXPECT_EQ(test::allocations(), before);
+  EXPECT_GT(state.activations[0], 0);
 }
 
 TEST(FacePipeline, InterpolatesAsChosen) {
   const face::Face face = small_face();
-  const face::RuleSet rules;
-  FacePipeline pipeline(face, rules, {.interpolation = playback::Interpolation::Cosine});
-  pipeline.begin_keyframe(aus({{26}}));
-  EXPECT_FLOAT_EQ(pipeline.at(1.0 / 3)[2], 0.75F);
-  pipeline.set_options({.interpolation = playback::Interpolation::Linear});
-  EXPECT_FLOAT_EQ(pipeline.at(1.0 / 3)[2], 1);
+  const AuMapping mapping = mapping_of(face);
+  FacePipeline pipeline(mapping, kCosine);
+  pipeline.begin_keyframe(aus({{26}}), pipeline.neutral());
+  EXPECT_FLOAT_EQ(at(pipeline, 1.0 / 3)[2], 0.75F);
+  pipeline.set_interpolation(kLinear);
+  EXPECT_FLOAT_EQ(at(pipeline, 1.0 / 3)[2], 1);
 }
 
 TEST(FacePipeline, TheSameKeyframeTwiceHoldsStill) {
   const face::Face face = small_face();
-  const face::RuleSet rules;
-  FacePipeline pipeline(face, rules, {});
-  pipeline.begin_keyframe(aus({{12, Side::Both, 37}}));
-  const Activations end = pipeline.at(1);
-  pipeline.begin_keyframe(aus({{12, Side::Both, 37}}));
-  for (int k = 1; k <= 50; ++k) EXPECT_EQ(pipeline.at(k / 50.0), end);
+  const AuMapping mapping = mapping_of(face);
+  FacePipeline pipeline(mapping, kLinear);
+  pipeline.begin_keyframe(aus({{12, Side::Both, 37}}), pipeline.neutral());
+  const FaceState end = state_at(pipeline, 1);
+  pipeline.begin_keyframe(aus({{12, Side::Both, 37}}), end);
+  for (int k = 1; k <= 50; ++k) EXPECT_EQ(at(pipeline, k / 50.0), end.activations);
 }
 
-// Whatever comes: inside the channels' ranges, no jump from one position to the next, one buffer.
+// Whatever comes: inside the channels' ranges, no jump from one position to the next.
 TEST(FacePipeline, IsContinuousAndBounded) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());
   const face::Face face = small_face();
-  const face::RuleSet rules = closing_rules();
-  FacePipeline pipeline(face, rules, {});
+  const AuMapping mapping = mapping_of(face, closing_rules());
+  FacePipeline pipeline(mapping, kLinear);
   constexpr std::array<std::uint8_t, 4> kNumbers{6, 12, 26, 99};
-  const float* const buffer = pipeline.at(0).data();
-  Activations before = pipeline.at(0);
+  FaceState now = pipeline.neutral();
+  Activations before = now.activations;
   for (int keyframe = 0; keyframe < 200; ++keyframe) {
     std::vector<AuTerm> terms;
     for (const std::uint8_t number : kNumbers) {
@@ -144,18 +206,18 @@ TEST(FacePipeline, IsContinuousAndBounded) {
     }
     const auto kind =
         seeded.chance(0.5) ? playback::Interpolation::Linear : playback::Interpolation::Cosine;
-    pipeline.set_options({.interpolation = kind});
-    pipeline.begin_keyframe(aus(terms));
+    pipeline.set_interpolation(kind);
+    pipeline.begin_keyframe(aus(terms), now);
     const int last = seeded.chance(0.8) ? 50 : seeded.integer(0, 50);
     for (int k = 0; k <= last; ++k) {
-      const Activations& now = pipeline.at(k / 50.0);
-      ASSERT_EQ(now.data(), buffer);
-      for (std::size_t i = 0; i < now.size(); ++i) {
-        ASSERT_GE(now[i], 0);
-        ASSERT_LE(now[i], face.channels[i].activation_max);
-        ASSERT_LE(std::abs(now[i] - before[i]), face.channels[i].activation_max / 25);
+      pipeline.at(k / 50.0, now);
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        const float value = now.activations[i];
+        ASSERT_GE(value, 0);
+        ASSERT_LE(value, face.channels[i].activation_max);
+        ASSERT_LE(std::abs(value - before[i]), face.channels[i].activation_max / 25);
       }
-      before = now;
+      before = now.activations;
     }
   }
 }

@@ -40,13 +40,13 @@ TEST_F(Idle, NothingLeavesTheFaceAsItIs) {
   at("left_gaze_left") = 0.3F;
   at("left_gaze_right") = 0.1F;
   const std::vector<float> before = activations_;
-  idle_.stir({}, activations_);
+  idle_.move({}, activations_);
   EXPECT_EQ(activations_, before);
 }
 
 TEST_F(Idle, GazeIsAddedInDegreesToWhereTheEyesLook) {
   at("right_gaze_right") = 0.5F;
-  idle_.stir({2.8, -2.2, 0}, activations_);
+  idle_.move({2.8, -2.2, 0}, activations_);
   EXPECT_FLOAT_EQ(at("left_gaze_left"), 0.1F);
   EXPECT_FLOAT_EQ(at("right_gaze_right"), 0.4F);
   EXPECT_EQ(at("right_gaze_left"), 0);
@@ -56,7 +56,7 @@ TEST_F(Idle, GazeIsAddedInDegreesToWhereTheEyesLook) {
 
 TEST_F(Idle, BreathLiftsTheHeadALittle) {
   at("head_down") = 0.5F;
-  idle_.stir({0, 0, 1}, activations_);
+  idle_.move({0, 0, 1}, activations_);
   EXPECT_NEAR(at("head_down"), 0.5F - 0.5F / 22, 1e-6F);
   EXPECT_FLOAT_EQ(at("head_forward"), 0.05F);
 }
@@ -64,7 +64,7 @@ TEST_F(Idle, BreathLiftsTheHeadALittle) {
 TEST_F(Idle, StaysWithinTheChannels) {
   at("left_gaze_left") = 1;
   at("head_forward") = 1;
-  idle_.stir({3, 0, 1}, activations_);
+  idle_.move({3, 0, 1}, activations_);
   EXPECT_EQ(at("left_gaze_left"), 1);
   EXPECT_EQ(at("head_forward"), 1);
 }
@@ -75,7 +75,7 @@ TEST(IdleOfABareFace, DoesNothing) {
   std::vector<float> activations{0.5F};
   const IdleFace idle(face);
   idle.blink(1, activations);
-  idle.stir({3, 1, 1}, activations);
+  idle.move({3, 1, 1}, activations);
   EXPECT_EQ(activations, std::vector<float>{0.5F});
 }
 

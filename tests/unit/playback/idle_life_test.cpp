@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kStep = 0.001;
 
-double away(const IdleMoment& moment) {
-  return std::hypot(moment.gaze_left_deg, moment.gaze_up_deg);
+double away(const IdleMotion& motion) {
+  return std::hypot(motion.gaze_left_deg, motion.gaze_up_deg);
 }
 
 TEST(IdleLife, EyesRestOnTheViewerOrOneToThreeDegreesAway) {
@@ -20,8 +20,8 @@ TEST(IdleLife, EyesRestOnTheViewerOrOneToThreeDegreesAway) {
     int moving = 0;
     double largest = 0;
     for (int step = 1; step < 300'000; ++step) {
-      const IdleMoment before = idle_moment(seed, (step - 1) * kStep);
-      const IdleMoment now = idle_moment(seed, step * kStep);
+      const IdleMotion before = idle_motion(seed, (step - 1) * kStep);
+      const IdleMotion now = idle_motion(seed, step * kStep);
       const bool moves =
           before.gaze_left_deg != now.gaze_left_deg || before.gaze_up_deg != now.gaze_up_deg;
       (moves ? moving : resting)++;
@@ -43,7 +43,7 @@ TEST(IdleLife, LooksToBothSides) {
   double left = 0;
   double right = 0;
   for (int step = 0; step < 2000; ++step) {
-    const double gaze = idle_moment(5, step * 0.1).gaze_left_deg;
+    const double gaze = idle_motion(5, step * 0.1).gaze_left_deg;
     left = std::max(left, gaze);
     right = std::min(right, gaze);
   }
@@ -55,9 +55,9 @@ TEST(IdleLife, BreathesTwelveToSixteenTimesAMinute) {
   for (const std::uint64_t seed : {1U, 9U, 1234U}) {
     std::vector<double> ends;
     for (int step = 1; step + 1 < 600'000; ++step) {
-      const double before = idle_moment(seed, (step - 1) * kStep).breath;
-      const double now = idle_moment(seed, step * kStep).breath;
-      const double after = idle_moment(seed, (step + 1) * kStep).breath;
+      const double before = idle_motion(seed, (step - 1) * kStep).breath;
+      const double now = idle_motion(seed, step * kStep).breath;
+      const double after = idle_motion(seed, (step + 1) * kStep).breath;
       ASSERT_GE(now, 0);
       ASSERT_LE(now, 1);
       ASSERT_NEAR(now, before, 0.002) << "a jump at " << step * kStep;
@@ -73,20 +73,20 @@ TEST(IdleLife, BreathesTwelveToSixteenTimesAMinute) {
 }
 
 TEST(IdleLife, DependsOnSeedAndTimeAlone) {
-  const IdleMoment one = idle_moment(3, 12.345);
-  static_cast<void>(idle_moment(3, 500));
-  const IdleMoment again = idle_moment(3, 12.345);
+  const IdleMotion one = idle_motion(3, 12.345);
+  static_cast<void>(idle_motion(3, 500));
+  const IdleMotion again = idle_motion(3, 12.345);
   EXPECT_EQ(one.gaze_left_deg, again.gaze_left_deg);
   EXPECT_EQ(one.gaze_up_deg, again.gaze_up_deg);
   EXPECT_EQ(one.breath, again.breath);
-  EXPECT_NE(idle_moment(3, 12.345).breath, idle_moment(4, 12.345).breath);
+  EXPECT_NE(idle_motion(3, 12.345).breath, idle_motion(4, 12.345).breath);
 }
 
 TEST(IdleLife, BeginsWithTheEyesOnTheViewerBreathedOut) {
-  const IdleMoment begin = idle_moment(1, 0);
+  const IdleMotion begin = idle_motion(1, 0);
   EXPECT_EQ(away(begin), 0);
   EXPECT_EQ(begin.breath, 0);
-  EXPECT_EQ(idle_moment(1, -5).breath, 0);
+  EXPECT_EQ(idle_motion(1, -5).breath, 0);
 }
 
 }  // namespace

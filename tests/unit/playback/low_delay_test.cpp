@@ -93,16 +93,16 @@ class Watching {
       to_ = static_cast<float>(last_mark_ % 2);
       before_ = -1;
     }
-    const PlaybackMoment moment = controller_.moment();
-    if (moment.keyframe == 0) return;
-    if (before_ >= 0 && moment.mu < 1) {
+    const PlaybackProgress progress = controller_.progress();
+    if (progress.keyframe == 0) return;
+    if (before_ >= 0 && progress.mu < 1) {
       const double own = 1.0 / static_cast<double>(time_.count());  // in a millisecond
-      EXPECT_GE(moment.mu - before_, own / 1.051);
-      EXPECT_LE(moment.mu - before_, own / 0.949);
+      EXPECT_GE(progress.mu - before_, own / 1.051);
+      EXPECT_LE(progress.mu - before_, own / 0.949);
     }
-    before_ = moment.mu;
+    before_ = progress.mu;
     float shown = 0;
-    interpolate({&from_, 1}, {&to_, 1}, ease(Interpolation::Cosine, moment.mu), {&shown, 1});
+    interpolate({&from_, 1}, {&to_, 1}, ease(Interpolation::Cosine, progress.mu), {&shown, 1});
     EXPECT_GE(shown, std::min(from_, to_));
     EXPECT_LE(shown, std::max(from_, to_));
   }
@@ -198,7 +198,7 @@ TEST(LowDelay, AWaitThatNobodySeesIsNoStall) {
     EXPECT_TRUE(controller.advance(now, source));
     now += 42ms;
     EXPECT_FALSE(controller.advance(now, source));
-    EXPECT_EQ(controller.moment().mu, 1.0);
+    EXPECT_EQ(controller.progress().mu, 1.0);
     EXPECT_FALSE(controller.next_position_at());
     EXPECT_EQ(controller.state(), PlaybackState::Playing);
     now += wait;
@@ -239,7 +239,7 @@ TEST(LowDelay, WhatCameWhileTheUserPausedBeginsNow) {
   now += 10s;
   controller.resume(now);
   EXPECT_TRUE(controller.advance(now, source));
-  EXPECT_EQ(controller.moment().mu, 0.0) << "and not long ago";
+  EXPECT_EQ(controller.progress().mu, 0.0) << "and not long ago";
 }
 
 TEST(LowDelay, CountsFromTheArrivalToTheFace) {

@@ -34,15 +34,15 @@ TEST(PlaybackController, WaitsForTheFirstKeyframe) {
   PlaybackController controller(std::nullopt);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
   EXPECT_EQ(controller.state(), PlaybackState::Buffering);
-  EXPECT_EQ(controller.moment().keyframe, 0U);
+  EXPECT_EQ(controller.progress().keyframe, 0U);
   EXPECT_FALSE(controller.next_position_at());
 
   clock.advance(3s);
   source.keyframes = {marked(1)};
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{1});
   EXPECT_EQ(controller.state(), PlaybackState::Playing);
-  EXPECT_EQ(controller.moment().keyframe, 1U);
-  EXPECT_EQ(controller.moment().position, 0);
+  EXPECT_EQ(controller.progress().keyframe, 1U);
+  EXPECT_EQ(controller.progress().position, 0);
   EXPECT_EQ(controller.stalls(), 0U) << "waiting for the first is no stall";
 }
 
@@ -53,17 +53,17 @@ TEST(PlaybackController, ReachesFiftyPositionsByTheClock) {
   PlaybackController controller(std::nullopt);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{1});
   for (int k = 0; k < kPositionsPerKeyframe; ++k) {
-    EXPECT_EQ(controller.moment().position, k);
-    EXPECT_EQ(controller.moment().mu, k / 50.0);
+    EXPECT_EQ(controller.progress().position, k);
+    EXPECT_EQ(controller.progress().mu, k / 50.0);
     ASSERT_EQ(controller.next_position_at(), clock.now() + 5ms);
     clock.advance(5ms - 1ns);
     EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
-    EXPECT_EQ(controller.moment().position, k) << "a nanosecond before";
+    EXPECT_EQ(controller.progress().position, k) << "a nanosecond before";
     clock.advance(1ns);
     EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
   }
-  EXPECT_EQ(controller.moment().position, 50);
-  EXPECT_EQ(controller.moment().mu, 1.0);
+  EXPECT_EQ(controller.progress().position, 50);
+  EXPECT_EQ(controller.progress().mu, 1.0);
 }
 
 TEST(PlaybackController, TakesAKeyframesTimeFromPacketSpeedServerInThisOrder) {
@@ -91,7 +91,7 @@ TEST(PlaybackController, TheNextBeginsWhereTheLastEnded) {
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{1});
   clock.advance(130ms);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{2});
-  EXPECT_EQ(controller.moment().position, 15);
+  EXPECT_EQ(controller.progress().position, 15);
   EXPECT_EQ(controller.keyframes_played(), 1U);
 }
 
@@ -104,7 +104,7 @@ TEST(PlaybackController, ShortKeyframesMayBeginAndEndInOneTick) {
   clock.advance(5ms);
   EXPECT_EQ(begun(controller, clock.now(), source), (Marks{2, 3, 4}));
   EXPECT_EQ(controller.keyframes_played(), 3U);
-  EXPECT_EQ(controller.moment().mu, 0.02);
+  EXPECT_EQ(controller.progress().mu, 0.02);
   EXPECT_EQ(controller.media_time(), 3ms);
 }
 
@@ -116,8 +116,8 @@ TEST(PlaybackController, AKeyframeOfNoTimeIsAJump) {
   PlaybackController controller(std::nullopt);
   auto first = controller.advance(clock.now(), source);
   ASSERT_TRUE(first);
-  EXPECT_EQ(controller.moment().position, 50);
-  EXPECT_EQ(controller.moment().mu, 1.0);
+  EXPECT_EQ(controller.progress().position, 50);
+  EXPECT_EQ(controller.progress().mu, 1.0);
   EXPECT_EQ(begun(controller, clock.now(), source), (Marks{2, 3}));
   clock.advance(10ms);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{4});
@@ -136,7 +136,7 @@ TEST(PlaybackController, CountsAStallOnceAndStartsTheClockAnew) {
   for (int tick = 0; tick < 5; ++tick) {
     EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
     EXPECT_EQ(controller.state(), PlaybackState::Stalled);
-    EXPECT_EQ(controller.moment().position, 50) << "the face holds";
+    EXPECT_EQ(controller.progress().position, 50) << "the face holds";
     EXPECT_FALSE(controller.next_position_at());
     clock.advance(10ms);
   }
@@ -145,7 +145,7 @@ TEST(PlaybackController, CountsAStallOnceAndStartsTheClockAnew) {
 
   source.keyframes = {marked(2, 100ms)};
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{2});
-  EXPECT_EQ(controller.moment().position, 0) << "after a stall it takes its whole time";
+  EXPECT_EQ(controller.progress().position, 0) << "after a stall it takes its whole time";
   clock.advance(100ms);
   source.now.end = EndReason::EndOfStream;
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
@@ -165,7 +165,7 @@ TEST(PlaybackController, ALateTickIsNoStallWhenTheNextIsThere) {
   source.keyframes = {marked(2, 100ms)};
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{2});
   EXPECT_EQ(controller.stalls(), 0U);
-  EXPECT_EQ(controller.moment().position, 20);
+  EXPECT_EQ(controller.progress().position, 20);
 }
 
 TEST(PlaybackController, NamesEveryEnd) {
@@ -243,17 +243,17 @@ TEST(PlaybackController, PauseKeepsTheFraction) {
   clock.advance(37ms);
   controller.pause(clock.now());
   EXPECT_EQ(controller.state(), PlaybackState::Paused);
-  EXPECT_EQ(controller.moment().position, 18);
-  EXPECT_EQ(controller.moment().mu, 0.37);
+  EXPECT_EQ(controller.progress().position, 18);
+  EXPECT_EQ(controller.progress().mu, 0.37);
   EXPECT_FALSE(controller.next_position_at());
   clock.advance(10s);
   controller.pause(clock.now());
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
-  EXPECT_EQ(controller.moment().mu, 0.37);
+  EXPECT_EQ(controller.progress().mu, 0.37);
   controller.resume(clock.now());
   EXPECT_EQ(controller.state(), PlaybackState::Playing);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
-  EXPECT_EQ(controller.moment().mu, 0.37);
+  EXPECT_EQ(controller.progress().mu, 0.37);
   clock.advance(63ms);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{2});
   clock.advance(100ms);
@@ -293,7 +293,7 @@ TEST(PlaybackController, ResumeWithoutPauseDoesNothing) {
   clock.advance(50ms);
   controller.resume(clock.now());
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
-  EXPECT_EQ(controller.moment().position, 25);
+  EXPECT_EQ(controller.progress().position, 25);
 }
 
 TEST(PlaybackController, StopHoldsTheLastPositionReached) {
@@ -305,7 +305,7 @@ TEST(PlaybackController, StopHoldsTheLastPositionReached) {
   clock.advance(51ms);
   controller.stop(clock.now());
   EXPECT_EQ(controller.state(), PlaybackState::Stopped);
-  EXPECT_EQ(controller.moment().position, 25);
+  EXPECT_EQ(controller.progress().position, 25);
   EXPECT_EQ(controller.playback_time(), 50ms);
   EXPECT_EQ(controller.keyframes_played(), 0U);
   clock.advance(1s);

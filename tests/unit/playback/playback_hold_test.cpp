@@ -38,18 +38,18 @@ class Holding : public ::testing::Test {
 
 TEST_F(Holding, EasesToNeutralAfterTheHold) {
   EXPECT_FALSE(advance(4999ms));
-  EXPECT_EQ(controller_.moment().mu, 1.0) << "it holds";
+  EXPECT_EQ(controller_.progress().mu, 1.0) << "it holds";
   const auto easing = advance(1ms);
   ASSERT_TRUE(easing);
   EXPECT_EQ(easing->target.aus, AuFrame{});
   EXPECT_EQ(easing->duration, PlaybackController::kEaseTime);
   EXPECT_EQ(easing->cut_at, 1.0);
   EXPECT_EQ(controller_.state(), PlaybackState::Stale);
-  EXPECT_EQ(controller_.moment().mu, 0.0);
+  EXPECT_EQ(controller_.progress().mu, 0.0);
   EXPECT_FALSE(advance(250ms));
-  EXPECT_EQ(controller_.moment().mu, 0.25);
+  EXPECT_EQ(controller_.progress().mu, 0.25);
   EXPECT_FALSE(advance(1h));
-  EXPECT_EQ(controller_.moment().mu, 1.0);
+  EXPECT_EQ(controller_.progress().mu, 1.0);
   EXPECT_EQ(controller_.state(), PlaybackState::Stale);
   EXPECT_EQ(controller_.keyframes_played(), 1U) << "the easing is none";
   EXPECT_EQ(controller_.stalls(), 1U);
@@ -63,7 +63,7 @@ TEST_F(Holding, GoesOnFromWhereTheEasingWas) {
   ASSERT_TRUE(next);
   EXPECT_EQ(next->cut_at, 0.3);
   EXPECT_EQ(controller_.state(), PlaybackState::Playing);
-  EXPECT_EQ(controller_.moment().mu, 0.0);
+  EXPECT_EQ(controller_.progress().mu, 0.0);
   EXPECT_FALSE(advance(100ms));
   EXPECT_EQ(controller_.keyframes_played(), 2U);
 }
@@ -111,9 +111,9 @@ TEST_F(Holding, ALossIsHeldAndEasedAsWell) {
   EXPECT_TRUE(controller_.eased());
   EXPECT_EQ(controller_.next_position_at(), clock_.now() + 20ms);
   EXPECT_FALSE(advance(500ms));
-  EXPECT_EQ(controller_.moment().mu, 0.5);
+  EXPECT_EQ(controller_.progress().mu, 0.5);
   EXPECT_FALSE(advance(1h));
-  EXPECT_EQ(controller_.moment().mu, 1.0);
+  EXPECT_EQ(controller_.progress().mu, 1.0);
   EXPECT_FALSE(controller_.next_position_at());
   EXPECT_EQ(controller_.keyframes_played(), 1U);
 }
@@ -123,9 +123,9 @@ TEST_F(Holding, ALossWithinTheEasingEndsTheEasingFirst) {
   source_.now.end = EndReason::ConnectionLost;
   EXPECT_FALSE(advance(400ms));
   EXPECT_EQ(controller_.state(), PlaybackState::Lost);
-  EXPECT_EQ(controller_.moment().mu, 0.4);
+  EXPECT_EQ(controller_.progress().mu, 0.4);
   EXPECT_FALSE(advance(300ms));
-  EXPECT_EQ(controller_.moment().mu, 0.7);
+  EXPECT_EQ(controller_.progress().mu, 0.7);
 }
 
 TEST_F(Holding, WhatEndedWellStaysAsItIs) {
@@ -160,7 +160,7 @@ TEST_F(Holding, NoFrameJumps) {
       from += (to - from) * static_cast<float>(begun->cut_at);
       to = begun->target.aus.left[1];
     }
-    const float next = from + (to - from) * static_cast<float>(controller_.moment().mu);
+    const float next = from + (to - from) * static_cast<float>(controller_.progress().mu);
     EXPECT_LE(std::abs(next - shown), 0.11F);
     shown = next;
   };

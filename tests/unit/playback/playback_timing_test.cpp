@@ -63,10 +63,10 @@ TEST(PlaybackTiming, FollowingNextPositionMeetsEveryPositionOnce) {
   while (const auto next = controller.next_position_at()) {
     ASSERT_GT(*next, clock.now());
     clock.advance(*next - clock.now());
-    const PlaybackMoment before = controller.moment();
+    const PlaybackProgress before = controller.progress();
     int begun = 0;
     while (controller.advance(clock.now(), source)) ++begun;
-    const PlaybackMoment now = controller.moment();
+    const PlaybackProgress now = controller.progress();
     ++positions;
     if (before.position == 49 && controller.state() == PlaybackState::Playing) {
       ASSERT_EQ(begun, 1);

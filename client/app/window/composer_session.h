@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/app/assets.h"
+#include "client/gui/composer.h"
+#include "client/gui/gui_model.h"
+#include "client/pipeline/au_mapping.h"
+#include "client/playback/keyframe_source.h"
+#include "common/result.h"
+#include "common/time.h"
+
+namespace aucast::app {
+
+/// The composer in the window: the stream that is being made, and the face of its keyframe.
+/// Assets and mapping must outlive it. Thread: the player's.
+class ComposerSession {
+ public:
+  ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping);
+
+  /// True when the composer's face is to be shown. PlayComposition and SaveComposition are not
+  /// carried out here: they need a player and a file.
+  bool apply(const gui::ComposerCommand& command, Instant now);
+  /// The mapping has changed.
+  void remake();
+  /// Reads a stream file in place of what is there, which undo brings back.
+  [[nodiscard]] Result<void> load(const std::filesystem::path& file);
+  /// Returns a sentence about where it went.
+  [[nodiscard]] Result<std::string> save(const std::filesystem::path& file);
+
+  [[nodiscard]] const std::vector<float>& activations(Instant) const { return activations_; }
+  [[nodiscard]] bool unsaved() const { return composer_.unsaved(); }
+  /// Where it came from or went to; empty: nowhere yet.
+  [[nodiscard]] std::filesystem::path file() const { return composer_.file(); }
+  [[nodiscard]] std::vector<playback::TimedAus> keyframes() const;
+  /// `active` is the caller's to set.
+  [[nodiscard]] gui::ComposerView view() const;
+
+ private:
+  void list_keyframes();
+
+  const pipeline::AuMapping& mapping_;
+  gui::Composer composer_;
+  std::vector<float> activations_;
+  std::uint64_t listed_revision_ = 0;  ///< that rows_ and total_ are of
+  std::shared_ptr<const std::vector<gui::TimelineRow>> rows_;
+  std::string total_;
+  std::shared_ptr<const std::vector<gui::PadPoint>> pad_;
+  std::optional<std::array<float, 2>> pad_at_;
+};
+
+}  // namespace aucast::app

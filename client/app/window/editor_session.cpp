@@ -1,0 +1,187 @@
+#include "client/app/window/editor_session.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <variant>
+
+#include "client/gui/channel_groups.h"
+#include "client/gui/user_face.h"
+#include "client/gui/view_text.h"
+#include "common/overloaded.h"
+#include "protocol/codec.h"
+
+namespace aucast::app {
+namespace {
+
+std::vector<gui::ExpressionButton> buttons_of(const std::vector<Expression>& expressions) {
+  using gui::ExpressionKind;
+  std::vector<gui::ExpressionButton> buttons;
+  for (const Expression& expression : expressions) {
+    const auto same = [&](const gui::ExpressionButton& one) {
+      return one.kind == ExpressionKind::Main && one.label == expression.label;
+    };
+    gui::ExpressionButton button{expression.label, protocol::format_au_set(expression.aus),
+                                 ExpressionKind::Main};
+    if (!expression.muscles.empty()) {
+      button.kind = ExpressionKind::Macro;
+      button.what = expression.source;
+    } else if (std::any_of(buttons.begin(), buttons.end(), same)) {
+      button.kind = ExpressionKind::Other;
+      button.label = expression.name;
+    }
+    buttons.push_back(std::move(button));
+  }
+  return buttons;
+}
+
+}  // namespace
+
+EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
+                             const std::vector<float>& shown)
+    : assets_(assets),
+      mapping_(mapping),
+      notices_(notices),
+      shown_(shown),
+      editor_(mapping.face, mapping.recordings),
+      buttons_(buttons_of(assets.expressions)) {
+  list_aus();
+}
+
+bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
+  // What is edited is shown at once, and is no longer what was put together.
+  const auto edit = [&](auto change) {
+    transition_.reset();
+    compound_.clear();
+    change();
+    return true;
+  };
+  const Overloaded carry_out{
+      [&](const gui::ShowExpression& one) { return show_expression(one.index, now); },
+      [&](const gui::ShowAus& one) { return show_aus(one.aus, now); },
+      [&](const gui::ChangeTransition& one) {
+        transition_settings_ = one.settings;
+        return false;
+      },
+      [&](const gui::SetChannel& one) {
+        const bool known =
+            one.channel >= 0 && static_cast<std::size_t>(one.channel) < shown_.size();
+        return known && edit([&] {
+                 editor_.set(static_cast<std::size_t>(one.channel), one.value, one.continued);
+               });
+      },
+      [&](const gui::SetLinked& one) {
+        editor_.set_linked(one.linked);
+        return false;
+      },
+      [&](const gui::LoadAu& one) { return edit([&] { editor_.load(one.number); }); },
+      [&](const gui::SaveAu& one) {
+        save_au(one.number);
+        return false;
+      },
+      [&](const gui::RevertAu&) { return edit([&] { editor_.revert(); }); },
+      [&](const gui::NeutralFace&) { return edit([&] { editor_.neutral(); }); },
+      [&](const gui::Undo&) { return edit([&] { editor_.undo(); }); },
+      [&](const gui::Redo&) { return edit([&] { editor_.redo(); }); }};
+  return std::visit(carry_out, command);
+}
+
+bool EditorSession::show_expression(std::size_t index, Instant now) {
+  if (index >= assets_.expressions.size()) return false;
+  const Expression& expression = assets_.expressions[index];
+  std::vector<float> target(shown_.size());
+  mapping_.apply(expression.aus, target);
+  if (const auto set = apply_muscles(mapping_.face, expression, target); !set) {
+    notices_.say(set.error().message, true, now);
+    return false;
+  }
+  go_to(std::move(target), now);
+  compound_.clear();
+  return true;
+}
+
+bool EditorSession::show_aus(const std::string& text, Instant now) {
+  const auto aus = protocol::parse_au_set(text);
+  if (!aus) {
+    complaint_ = aus.error().message;
+    notices_.say(complaint_, true, now);
+    return false;
+  }
+  if (notices_.view().text == complaint_) notices_.clear();
+  std::vector<face::RuleFired> fired;
+  std::vector<float> target(shown_.size());
+  const AuFrame blended = mapping_.apply(*aus, target, &fired);
+  go_to(std::move(target), now);
+  compound_ = gui::au_rows(*aus, blended, face::explain(fired), mapping_.recordings);
+  return true;
+}
+
+/// The editor takes a face, on the way from the one that is shown.
+void EditorSession::go_to(std::vector<float> target, Instant now) {
+  editor_.take(target);
+  transition_.emplace(shown_, std::move(target), transition_settings_, now);
+}
+
+void EditorSession::save_au(int number) {
+  const Result<std::string> saved = save_recording(number);
+  save_failed_ = !saved;
+  saved_to_ = saved ? *saved : saved.error().message;
+}
+
+/// Returns a sentence about where it went.
+Result<std::string> EditorSession::save_recording(int number) {
+  auto faces = gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"));
+  if (!faces) return faces.error();
+  auto folder = gui::writable_face(assets_.face_folder, *faces);
+  if (!folder) return folder.error();
+  const std::vector<float>& activations = editor_.activations();
+  auto file = gui::save_au(*folder, number, gui::drive_of(mapping_.face, activations));
+  if (!file) return file.error();
+  face::AuRecording& recording = mapping_.recordings[number];
+  recording.number = number;
+  recording.activation = activations;
+  editor_.saved(number);
+  list_aus();
+  return "AU" + std::to_string(number) + " saved in " + file->string() + "; use it with --face " +
+         folder->string();
+}
+
+void EditorSession::list_aus() {
+  std::vector<gui::AuEntry> entries;
+  for (const auto& [number, recording] : mapping_.recordings) {
+    if (number == 0) continue;
+    gui::AuEntry entry;
+    entry.number = number;
+    const auto name = facs_name(number);
+    entry.name = name ? std::string(*name) : recording.note;
+    entry.muscles = gui::drive_in_words(gui::drive_of(mapping_.face, recording.activation));
+    const auto looks = assets_.au_looks.find(number);
+    if (looks != assets_.au_looks.end()) entry.looks = looks->second;
+    entries.push_back(std::move(entry));
+  }
+  known_aus_ = std::make_shared<const std::vector<gui::AuEntry>>(std::move(entries));
+}
+
+std::vector<float> EditorSession::activations(Instant now) const {
+  return transition_ ? transition_->at(now) : editor_.activations();
+}
+
+std::optional<Instant> EditorSession::next_frame_at(Instant now) const {
+  return transition_ ? transition_->next_frame_at(now) : std::nullopt;
+}
+
+gui::EditorView EditorSession::view() const {
+  gui::EditorView view;
+  view.groups = gui::channel_groups(mapping_.face, editor_.activations());
+  view.linked = editor_.linked();
+  view.au = editor_.au().value_or(-1);
+  view.unsaved = editor_.unsaved();
+  view.can_undo = editor_.can_undo();
+  view.can_redo = editor_.can_redo();
+  view.saved_to = saved_to_;
+  view.save_failed = save_failed_;
+  view.compound = compound_;
+  return view;
+}
+
+}  // namespace aucast::app

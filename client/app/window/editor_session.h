@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/app/assets.h"
+#include "client/app/window/notices.h"
+#include "client/gui/expression_editor.h"
+#include "client/gui/gui_commands.h"
+#include "client/gui/transition.h"
+#include "client/pipeline/au_mapping.h"
+
+namespace aucast::app {
+
+/// The expression panel and the expression editor in the window: named expressions, AUs put
+/// together, and the recording of one AU. What is saved goes into the mapping's recordings too.
+/// All that is handed in must outlive it. Thread: the player's.
+class EditorSession {
+ public:
+  /// `shown`: the face in the window, whoever's it is; expressions are reached from there.
+  EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
+                const std::vector<float>& shown);
+
+  /// True when the editor's face is to be shown.
+  bool apply(const gui::EditorCommand& command, Instant now);
+  void set_transition(const gui::TransitionSettings& settings) { transition_settings_ = settings; }
+  [[nodiscard]] const gui::TransitionSettings& transition() const { return transition_settings_; }
+
+  /// The expression on its way, or what is being edited.
+  [[nodiscard]] std::vector<float> activations(Instant now) const;
+  /// When activations() are others; nothing while they stay.
+  [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
+  [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
+  [[nodiscard]] bool unsaved() const { return editor_.unsaved(); }
+  /// `active` is the caller's to set.
+  [[nodiscard]] gui::EditorView view() const;
+  /// One for each expression, in their order.
+  [[nodiscard]] const std::vector<gui::ExpressionButton>& expressions() const { return buttons_; }
+  /// The AUs of the face with what they drive.
+  [[nodiscard]] const std::shared_ptr<const std::vector<gui::AuEntry>>& known_aus() const {
+    return known_aus_;
+  }
+
+ private:
+  bool show_expression(std::size_t index, Instant now);
+  bool show_aus(const std::string& text, Instant now);
+  void save_au(int number);
+  void go_to(std::vector<float> target, Instant now);
+  [[nodiscard]] Result<std::string> save_recording(int number);
+  void list_aus();
+
+  const Assets& assets_;
+  pipeline::AuMapping& mapping_;
+  Notices& notices_;
+  const std::vector<float>& shown_;
+  gui::ExpressionEditor editor_;
+  std::optional<gui::Transition> transition_;
+  gui::TransitionSettings transition_settings_;
+  std::string saved_to_;
+  bool save_failed_ = false;
+  std::string complaint_;             ///< about the AUs that were typed last
+  std::vector<gui::AuRow> compound_;  ///< the AUs that were last put together
+  std::vector<gui::ExpressionButton> buttons_;
+  std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;
+};
+
+}  // namespace aucast::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "client/gui/gui_model.h"
+#include "common/time.h"
+
+namespace aucast::app {
+
+/// One sentence for the user, which goes away by itself: the last one that was said.
+class Notices {
+ public:
+  void say(std::string text, bool bad, Instant now) {
+    notice_ = {std::move(text), bad};
+    until_ = now + (bad ? kBadTime : kTime);
+  }
+  void clear() { notice_ = {}; }
+  /// Forgets what was said long enough ago.
+  void expire(Instant now) {
+    if (now >= until_) clear();
+  }
+  [[nodiscard]] const gui::Notice& view() const { return notice_; }
+  /// When it goes away; only while there is one.
+  [[nodiscard]] Instant until() const { return until_; }
+
+ private:
+  static constexpr Milliseconds kTime{6'000};
+  static constexpr Milliseconds kBadTime{20'000};
+
+  gui::Notice notice_;
+  Instant until_{};
+};
+
+}  // namespace aucast::app

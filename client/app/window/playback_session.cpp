@@ -1,0 +1,345 @@
+#include "client/app/window/playback_session.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "client/app/steady.h"
+#include "client/app/window/composition_file.h"
+#include "client/app/window/live_text.h"
+#include "client/gui/kept_settings.h"
+#include "client/gui/view_text.h"
+#include "client/net/remote_source.h"
+#include "common/log.h"
+#include "common/overloaded.h"
+#include "common/text.h"
+#include "protocol/limits.h"
+
+namespace aucast::app {
+namespace {
+
+using playback::PlaybackState;
+
+/// An hour of a live stream at 25 a second.
+constexpr std::size_t kKeyframesKept = 90'000;
+/// Buffers and bytes change without anything moving: so often they are looked at.
+constexpr Milliseconds kLookEvery{50};
+constexpr Milliseconds kIdle{250};
+constexpr Milliseconds kFrameMax{20};
+constexpr Milliseconds kJustInTime{2};
+
+bool went_wrong(playback::EndReason end) {
+  using playback::EndReason;
+  return end != EndReason::NotEnded && end != EndReason::EndOfStream && end != EndReason::Stopped;
+}
+
+gui::RemoteSettings settings_of(const PlaybackOptions& options) {
+  gui::RemoteSettings settings;
+  if (const auto endpoint = net::parse_endpoint(options.endpoint)) {
+    settings.address = endpoint->host;
+    settings.port = endpoint->port;
+  }
+  settings.buffer = static_cast<int>(options.buffers.receiver_capacity);
+  settings.playout = static_cast<int>(options.buffers.playout_capacity);
+  settings.threshold_percent = options.buffers.threshold_percent;
+  if (options.speed) settings.speed_ms = static_cast<int>(options.speed->count());
+  settings.reconnect = options.reconnect;
+  return settings;
+}
+
+}  // namespace
+
+PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const PlayerOptions& options,
+                                 PlayerStats& stats, Notices& notices,
+                                 const std::vector<float>& shown)
+    : mapping_(mapping),
+      options_(options),
+      stats_(stats),
+      notices_(notices),
+      shown_(shown),
+      remote_settings_(settings_of(options.playback)),
+      buffers_(options.playback.buffers),
+      player_(mapping, options.playback.interpolation),
+      meter_(stats) {}
+
+void PlaybackSession::set_remote(const gui::RemoteSettings& settings,
+                                 std::vector<std::string> recent) {
+  remote_settings_ = settings;
+  recent_ = std::move(recent);
+}
+
+playback::SeekablePlayback* PlaybackSession::seekable() const {
+  return playback_ == nullptr ? nullptr : playback_->seekable();
+}
+
+// === Playing.
+
+void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::string name,
+                           Instant now) {
+  if (running()) playback_->stop(now);
+  retired_ = std::exchange(playback_, std::move(playback));
+  name_ = std::move(name);
+  player_.set_face(shown_);
+  player_.open(playback_.get());
+  meter_.begin_again();
+  explained_.clear();
+  received_.clear();
+  history_.clear();
+}
+
+void PlaybackSession::open(std::vector<playback::TimedAus> keyframes, std::string name,
+                           Instant now) {
+  const Milliseconds untimed = options_.playback.speed.value_or(protocol::kDefaultKeyframeTime);
+  open(std::make_unique<playback::SeekablePlayback>(std::move(keyframes), untimed), std::move(name),
+       now);
+}
+
+bool PlaybackSession::connect(const gui::RemoteSettings& settings, Instant now) {
+  if (gui::problem(settings)) return false;
+  remote_settings_ = settings;
+  gui::remember_address(recent_, remote_settings_);
+  buffers_.receiver_capacity = static_cast<std::size_t>(remote_settings_.buffer);
+  buffers_.playout_capacity = static_cast<std::size_t>(remote_settings_.playout);
+  buffers_.threshold_percent = remote_settings_.threshold_percent;
+  net::RemoteOptions remote;
+  remote.host = remote_settings_.address;
+  remote.port = static_cast<std::uint16_t>(remote_settings_.port);
+  remote.classic = options_.playback.classic;
+  remote.stream = options_.playback.stream;
+  remote.connect_timeout = options_.playback.connect_timeout;
+  if (remote_settings_.speed_ms > 0) remote.speed = Milliseconds(remote_settings_.speed_ms);
+  remote.reconnect = remote_settings_.reconnect;
+  remote.security = options_.playback.security;
+  remote.buffers = buffers_;
+  const playback::SourcePlayback::Options how{remote.speed, options_.playback.hold, false};
+  open(std::make_unique<playback::SourcePlayback>(
+           std::make_unique<net::RemoteSource>(std::move(remote)), how),
+       {}, now);
+  return true;
+}
+
+void PlaybackSession::advance(Instant now) {
+  if (playback_ == nullptr) return;
+  const bool first =
+      meter_.advance(player_, now, [this](const playback::KeyframeBegun& one) { begun(one); });
+  if (first && seekable() == nullptr) {
+    const std::string objection = live_objection(options_.playback, playback_->status());
+    if (!objection.empty()) {
+      spdlog::warn("{}", objection);
+      notices_.say(objection, false, now);
+    }
+  }
+  remember(now);
+}
+
+void PlaybackSession::begun(const playback::KeyframeBegun& keyframe) {
+  explain();
+  // A file can be asked again; the easing to neutral was not received.
+  if (seekable() != nullptr || playback_->eased() || received_.size() >= kKeyframesKept) return;
+  received_.push_back(std::make_shared<const gui::ComposedKeyframe>(gui::ComposedKeyframe{
+      keyframe.target.aus, static_cast<std::uint32_t>(keyframe.duration.count())}));
+}
+
+void PlaybackSession::explain() {
+  explained_ = face::explain(player_.pipeline().fired());
+}
+
+void PlaybackSession::remember(Instant now) {
+  if (!running() || seekable() != nullptr || !history_.due(now)) return;
+  const playback::SourceStatus status = playback_->status();
+  const float fill = static_cast<float>(status.receiver_fill) /
+                     static_cast<float>(std::max<std::size_t>(buffers_.receiver_capacity, 1));
+  history_.add(now, fill, status, player_.face().aus);
+}
+
+void PlaybackSession::remake(playback::Interpolation interpolation) {
+  player_.set_interpolation(interpolation);
+  player_.remake();
+  explain();
+}
+
+std::unique_ptr<playback::Playback> PlaybackSession::finish(Instant now) {
+  if (running()) playback_->stop(now);
+  if (playback_ != nullptr) stats_.take(*playback_);
+  player_.open(nullptr);
+  return std::move(playback_);
+}
+
+Result<std::string> PlaybackSession::export_to(const std::filesystem::path& file) const {
+  gui::Composer::Keyframes keyframes = received_;
+  if (const auto* whole = seekable()) {
+    for (const playback::TimedAus& one : whole->keyframes()) {
+      keyframes.push_back(std::make_shared<const gui::ComposedKeyframe>(composed(one)));
+    }
+  }
+  if (keyframes.empty()) {
+    return Error{ErrorKind::Failed, "nothing has been played that could be exported"};
+  }
+  auto saved = save_stream(keyframes, file);
+  if (!saved) return saved;
+  return std::to_string(keyframes.size()) + " keyframes " + *saved;
+}
+
+// === What the panels ask for.
+
+bool PlaybackSession::apply(const gui::PlaybackCommand& command, Instant now) {
+  const Overloaded carry_out{[&](const gui::Connect& one) { return connect(one.settings, now); },
+                             [&](const gui::Pause&) {
+                               if (running()) playback_->pause(now);
+                               return false;
+                             },
+                             [&](const gui::Resume&) { return resume(now); },
+                             [&](const gui::Stop&) {
+                               if (!running()) return false;
+                               if (seekable() != nullptr) {
+                                 playback_->pause(now);
+                               } else {
+                                 playback_->stop(now);
+                               }
+                               return false;
+                             },
+                             [&](const gui::LocalCommand& one) { return apply_local(one, now); }};
+  return std::visit(carry_out, command);
+}
+
+bool PlaybackSession::resume(Instant now) {
+  if (seekable() == nullptr && !running()) return false;
+  playback_->resume(now);
+  return true;
+}
+
+bool PlaybackSession::apply_local(const gui::LocalCommand& command, Instant now) {
+  auto* const whole = seekable();
+  if (whole == nullptr) return false;
+  playback::LocalPlayback& playhead = whole->playhead(now);
+  const Overloaded carry_out{[&](const gui::Seek& one) {
+                               playhead.seek(one.position, now);
+                               return true;
+                             },
+                             [&](const gui::StepKeyframe& one) {
+                               playhead.step_keyframe(one.direction, now);
+                               return true;
+                             },
+                             [&](const gui::StepFrame& one) {
+                               playhead.step_frame(one.direction, now);
+                               return true;
+                             },
+                             [&](const gui::SetSpeed& one) {
+                               playhead.set_speed(one.percent, now);
+                               return false;
+                             },
+                             [&](const gui::ChangeSpeed& one) {
+                               playhead.change_speed(one.direction, now);
+                               return false;
+                             },
+                             [&](const gui::MarkLoop&) {
+                               playhead.mark_loop(now);
+                               return false;
+                             }};
+  return std::visit(carry_out, command);
+}
+
+// === What the panels show.
+
+bool PlaybackSession::stands() const {
+  if (playback_ == nullptr) return false;
+  if (seekable() != nullptr) return playback_->state() != PlaybackState::Playing;
+  return playback_->state() == PlaybackState::Paused;
+}
+
+Duration PlaybackSession::idle_time(Instant now) const {
+  if (playback_ == nullptr) return kIdle;
+  if (const auto next = playback_->next_position_at()) {
+    return std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
+  }
+  if (!running() || playback_->seekable() != nullptr) return kIdle;
+  if (!options_.playback.buffers.low_delay) return kLookEvery;
+  // Keyframes that come just in time are waited for between two positions.
+  return playback_->state() == PlaybackState::Playing ? kJustInTime : kFrameMax;
+}
+
+std::string PlaybackSession::title() const {
+  std::string title = "AUcast";
+  if (playback_ == nullptr) return title;
+  if (seekable() != nullptr) return name_ + " - " + title;
+  const playback::SourceStatus status = playback_->status();
+  title += " - " + std::string(playback::name(playback_->state()));
+  // What plays on from the buffers has not ended, whatever the server said.
+  if (over() && !status.detail.empty()) title += ": " + status.detail;
+  return title;
+}
+
+void PlaybackSession::describe_traffic(const playback::SourceStatus& status,
+                                       gui::RemoteView& view) const {
+  const PlaybackHistory::Rates rates = running() ? history_.rates() : PlaybackHistory::Rates{};
+  const PlaybackHistory::Rates means = history_.mean_rates();
+  view.in = counted(status.packets_received, "packet") + ", " +
+            gui::traffic_text(status.bytes_received, rates.in, means.in);
+  view.out = gui::traffic_text(status.bytes_sent, rates.out, means.out);
+  view.protocol = status.negotiated ? "level 2" : "classic";
+  if (status.live) view.protocol += ", live";
+}
+
+std::vector<gui::AuRow> PlaybackSession::au_rows() const {
+  if (playback_ == nullptr || playback_->progress().keyframe == 0) return {};
+  const pipeline::FacePipeline& pipeline = player_.pipeline();
+  // Who can stop anywhere wants to read what the face shows there. What comes and goes is read as
+  // a whole keyframe.
+  const AuFrame& shown = seekable() != nullptr ? player_.face().aus : pipeline.blended();
+  return gui::au_rows(pipeline.received(), shown, explained_, mapping_.recordings);
+}
+
+gui::RemoteView PlaybackSession::remote_view() const {
+  gui::RemoteView view;
+  view.state = "no connection";
+  view.receiver.capacity = buffers_.receiver_capacity;
+  view.receiver.threshold_percent = buffers_.threshold_percent;
+  view.playout.capacity = buffers_.playout_capacity;
+  if (playback_ == nullptr) return view;
+  const playback::SourceStatus status = playback_->status();
+  const PlaybackState state = playback_->state();
+  view.activity = gui::activity_of(state, status);
+  view.state = gui::state_in_words(state, status, buffers_);
+  view.aus = au_rows();
+  const std::uint64_t keyframe = playback_->progress().keyframe;
+  if (keyframe > 0) view.keyframe = "keyframe " + std::to_string(keyframe);
+  if (const auto* whole = seekable()) {
+    view.local = true;
+    if (keyframe > 0) view.keyframe += " of " + std::to_string(whole->keyframes().size());
+    return view;
+  }
+  // Without an end a detail says why it is tried again.
+  const bool tries_again =
+      status.end == playback::EndReason::NotEnded && !status.connected && status.reconnects > 0;
+  if (went_wrong(status.end) || tries_again) view.detail = status.detail;
+  const bool empty = status.receiver_fill + status.playout_fill == 0;
+  view.stale = keyframe > 0 && (state == PlaybackState::Lost || (tries_again && empty));
+  view.eased = playback_->eased();
+  view.receiver.fill = status.receiver_fill;
+  view.playout.fill = status.playout_fill;
+  view.receiver_history = history_.fills();
+  view.au_history = history_.traces();
+  if (status.connected || status.packets_received > 0) describe_traffic(status, view);
+  view.delay = delay_text(playback_->delays().lately(), status.delay);
+  return view;
+}
+
+gui::LocalView PlaybackSession::local_view() const {
+  gui::LocalView view;
+  const auto* const whole = seekable();
+  if (whole == nullptr) return view;
+  const playback::LocalPlayback& playhead = std::as_const(*whole).playhead();
+  view.open = true;
+  view.name = name_;
+  view.playing = whole->state() == PlaybackState::Playing;
+  view.position = whole->position();
+  view.total = playhead.total();
+  view.ends = whole->ends();
+  view.keyframe = std::max<std::uint64_t>(whole->progress().keyframe, 1);
+  view.speed_percent = playhead.speed_percent();
+  view.loop_begin = playhead.loop_begin();
+  view.loop_end = playhead.loop_end();
+  return view;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,77 @@
+#include "client/playback/playback.h"
+
+#include <utility>
+
+#include "common/check.h"
+
+namespace aucast::playback {
+
+namespace {
+
+const DelayMeter& no_delays() {
+  static const DelayMeter none;
+  return none;
+}
+
+}  // namespace
+
+const DelayMeter& Playback::delays() const {
+  return no_delays();
+}
+
+const DelayMeter& Playback::delays_meant() const {
+  return no_delays();
+}
+
+SourcePlayback::SourcePlayback(std::unique_ptr<KeyframeSource> source, const Options& options)
+    : source_(std::move(source)), controller_(options.speed) {
+  AUCAST_CHECK(source_ != nullptr);
+  if (options.hold) controller_.set_hold(*options.hold);
+  if (options.film_clock) controller_.set_film_clock();
+}
+
+std::optional<KeyframeBegun> SourcePlayback::advance(Instant now) {
+  return controller_.advance(now, *source_);
+}
+
+void SourcePlayback::pause(Instant now) {
+  controller_.pause(now);
+  source_->pause();
+}
+
+void SourcePlayback::resume(Instant now) {
+  controller_.resume(now);
+  source_->resume();
+}
+
+void SourcePlayback::stop(Instant now) {
+  if (over()) return;
+  source_->stop();
+  controller_.stop(now);
+}
+
+std::optional<Instant> SourcePlayback::next_position_at() const {
+  return controller_.next_position_at();
+}
+
+std::uint64_t SourcePlayback::keyframes_played() const {
+  return controller_.keyframes_played();
+}
+
+Duration SourcePlayback::media_time() const {
+  return controller_.media_time();
+}
+
+std::uint64_t SourcePlayback::stalls() const {
+  return controller_.stalls();
+}
+
+const DelayMeter& SourcePlayback::delays() const {
+  return controller_.delays();
+}
+
+const DelayMeter& SourcePlayback::delays_meant() const {
+  return controller_.delays_meant();
+}
+
+}  // namespace aucast::playback

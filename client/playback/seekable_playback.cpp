@@ -1,0 +1,97 @@
+#include "client/playback/seekable_playback.h"
+
+#include <utility>
+
+namespace aucast::playback {
+namespace {
+
+/// A hundred pictures a second are more than a display shows.
+constexpr Milliseconds kLookEvery{10};
+
+std::vector<Milliseconds> times_of(const std::vector<TimedAus>& keyframes, Milliseconds untimed) {
+  std::vector<Milliseconds> times;
+  times.reserve(keyframes.size());
+  for (const TimedAus& keyframe : keyframes) {
+    times.push_back(keyframe.duration.value_or(untimed));
+  }
+  return times;
+}
+
+}  // namespace
+
+SeekablePlayback::SeekablePlayback(std::vector<TimedAus> keyframes, Milliseconds untimed)
+    : keyframes_(std::move(keyframes)),
+      playhead_(times_of(keyframes_, untimed)),
+      ends_(std::make_shared<const std::vector<Duration>>(playhead_.ends())),
+      untimed_(untimed) {}
+
+LocalPlayback& SeekablePlayback::playhead(Instant now) {
+  if (std::exchange(untouched_, false)) playhead_.play(now);
+  return playhead_;
+}
+
+std::optional<KeyframeBegun> SeekablePlayback::advance(Instant now) {
+  looked_at_ = now;
+  position_ = playhead(now).position(now);
+  ended_ = playhead_.over(now);
+  const StreamPlace before = std::exchange(place_, playhead_.place(position_));
+  if (std::exchange(begun_, true) && before.keyframe == place_.keyframe) return std::nullopt;
+  return under_way();
+}
+
+KeyframeBegun SeekablePlayback::under_way() const {
+  const TimedAus& target = keyframes_[place_.keyframe];
+  KeyframeBegun begun{target, target.duration.value_or(untimed_)};
+  begun.from = place_.keyframe == 0 ? AuFrame{} : keyframes_[place_.keyframe - 1].aus;
+  return begun;
+}
+
+void SeekablePlayback::pause(Instant now) {
+  untouched_ = false;
+  playhead_.pause(now);
+}
+
+void SeekablePlayback::resume(Instant now) {
+  untouched_ = false;
+  stopped_ = false;
+  playhead_.play(now);
+}
+
+void SeekablePlayback::stop(Instant now) {
+  looked_at_ = now;
+  stopped_ = !ended_;
+  pause(now);
+}
+
+PlaybackState SeekablePlayback::state() const {
+  if (stopped_) return PlaybackState::Stopped;
+  if (ended_) return PlaybackState::Ended;
+  return playhead_.playing() ? PlaybackState::Playing : PlaybackState::Paused;
+}
+
+PlaybackProgress SeekablePlayback::progress() const {
+  if (!begun_) return {};
+  return {place_.keyframe + 1, static_cast<int>(place_.mu * kPositionsPerKeyframe), place_.mu};
+}
+
+std::optional<Instant> SeekablePlayback::next_position_at() const {
+  if (state() != PlaybackState::Playing) return std::nullopt;
+  return looked_at_ + kLookEvery;
+}
+
+std::uint64_t SeekablePlayback::keyframes_played() const {
+  return playhead_.keyframes_played(looked_at_);
+}
+
+Duration SeekablePlayback::media_time() const {
+  return playhead_.media_time(looked_at_);
+}
+
+SourceStatus SeekablePlayback::status() const {
+  SourceStatus status;
+  status.end = stopped_ ? EndReason::Stopped : EndReason::EndOfStream;
+  status.packets_received = keyframes_.size();
+  return status;
+}
+
+}  // namespace aucast::playback

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "client/playback/local_playback.h"
+#include "client/playback/playback.h"
+
+namespace aucast::playback {
+
+/// Plays a stream that is there whole: the position is a function of time, and the face at a
+/// position does not depend on how it was reached.
+/// Thread: none of its own.
+class SeekablePlayback final : public Playback {
+ public:
+  /// `keyframes`: at least one; those without a time of their own take `untimed`. It plays from the
+  /// first advance() on, unless it was paused or sought before.
+  SeekablePlayback(std::vector<TimedAus> keyframes, Milliseconds untimed);
+
+  [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now) override;
+  void pause(Instant now) override;
+  /// At the end it begins anew.
+  void resume(Instant now) override;
+  void stop(Instant now) override;
+  [[nodiscard]] PlaybackState state() const override;
+  [[nodiscard]] PlaybackProgress progress() const override;
+  [[nodiscard]] std::optional<Instant> next_position_at() const override;
+  [[nodiscard]] std::uint64_t keyframes_played() const override;
+  [[nodiscard]] Duration media_time() const override;
+  [[nodiscard]] SourceStatus status() const override;
+  [[nodiscard]] SeekablePlayback* seekable() override { return this; }
+
+  /// For seeking, steps, speed and loop; playing begins by it.
+  [[nodiscard]] LocalPlayback& playhead(Instant now);
+  [[nodiscard]] const LocalPlayback& playhead() const { return playhead_; }
+  /// Of the last advance().
+  [[nodiscard]] Duration position() const { return position_; }
+  [[nodiscard]] const std::vector<TimedAus>& keyframes() const { return keyframes_; }
+  /// When each keyframe is reached, ascending.
+  [[nodiscard]] const std::shared_ptr<const std::vector<Duration>>& ends() const { return ends_; }
+  /// The keyframe under way begins once more, from the face before it: something else has changed.
+  [[nodiscard]] KeyframeBegun under_way() const;
+
+ private:
+  std::vector<TimedAus> keyframes_;
+  LocalPlayback playhead_;
+  std::shared_ptr<const std::vector<Duration>> ends_;
+  Milliseconds untimed_;
+  StreamPlace place_;
+  Duration position_{0};
+  Instant looked_at_{};
+  bool begun_ = false;
+  bool untouched_ = true;  ///< not played, paused or sought yet
+  bool ended_ = false;
+  bool stopped_ = false;
+};
+
+}  // namespace aucast::playback
