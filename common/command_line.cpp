@@ -26,10 +26,7 @@ std::string unexpected(const CLI::App& app, const std::vector<std::string>& extr
     return "unexpected argument '" + escaped(extras.empty() ? "" : extras.front()) + "'";
   }
   const std::string name = option->substr(0, option->find('='));
-  std::string message = "unknown option " + escaped(name);
-  if (const auto near = nearest(name, option_names(app)))
-    message += "; did you mean " + *near + "?";
-  return message;
+  return "unknown option " + escaped(name) + did_you_mean(name, option_names(app));
 }
 
 }  // namespace

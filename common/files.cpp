@@ -1,12 +1,17 @@
 #include "common/files.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <random>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -16,12 +21,23 @@
 namespace aucast {
 namespace {
 
-Error unreadable(const std::filesystem::path& path, std::string_view why) {
-  return {ErrorKind::Unreadable, path.string() + ": cannot be read: " + std::string(why)};
+namespace fs = std::filesystem;
+
+constexpr std::size_t kReadBytes = std::size_t{1} << 16U;
+
+/// How much a file may grow while it is read. Files of /proc are endless and say they are empty.
+constexpr std::size_t kGrowthMax = std::size_t{1} << 20U;
+
+Error unreadable(const fs::path& path, std::string_view why) {
+  return {ErrorKind::Unreadable, at_place(path.string(), "cannot be read: " + std::string(why))};
 }
 
-Error unwritable(const std::filesystem::path& path, std::string_view why) {
-  return {ErrorKind::Failed, path.string() + ": cannot be written: " + std::string(why)};
+Error unwritable(const fs::path& path, std::string_view why) {
+  return {ErrorKind::Failed, at_place(path.string(), "cannot be written: " + std::string(why))};
+}
+
+std::string longer_than(std::size_t bytes_max) {
+  return "it is longer than " + std::to_string(bytes_max) + " bytes";
 }
 
 /// A file descriptor that closes itself.
@@ -31,6 +47,8 @@ class Descriptor {
   ~Descriptor() {
     if (value_ >= 0) ::close(value_);
   }
+  Descriptor(Descriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
+  Descriptor& operator=(Descriptor&&) = delete;
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return value_; }
@@ -40,6 +58,52 @@ class Descriptor {
  private:
   int value_;
 };
+
+/// Why an open file is not read; empty: it is.
+std::string_view objection(const struct stat& status) {
+  if (S_ISREG(status.st_mode)) return "";
+  if (S_ISDIR(status.st_mode)) return "it is a folder";
+  if (S_ISFIFO(status.st_mode)) return "it is a pipe, not a file";
+  const bool is_null = S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
+  return is_null ? "" : "it is a device, not a file";
+}
+
+/// Appends up to kReadBytes; 0 at the end, negative (errno) on failure.
+ssize_t read_some(int descriptor, std::string& bytes) {
+  std::array<char, kReadBytes> chunk;
+  for (;;) {
+    const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got > 0) bytes.append(chunk.data(), static_cast<std::size_t>(got));
+    return got;
+  }
+}
+
+Result<std::string> read_open(const Descriptor& file, const struct stat& status,
+                              const fs::path& path, std::size_t bytes_max) {
+  if (const auto why = objection(status); !why.empty()) return unreadable(path, why);
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > bytes_max) return unreadable(path, longer_than(bytes_max));
+  std::string bytes;
+  bytes.reserve(size);
+  for (;;) {
+    const ssize_t got = read_some(file.get(), bytes);
+    if (got < 0) return unreadable(path, system_reason(errno));
+    if (got == 0) return bytes;
+    if (bytes.size() > bytes_max) return unreadable(path, longer_than(bytes_max));
+    if (bytes.size() > size + kGrowthMax) return unreadable(path, "it grows while it is read");
+  }
+}
+
+Result<std::pair<Descriptor, struct stat>> open_to_read(const fs::path& path) {
+  // Not blocking: a FIFO would be waited for.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  struct stat status {};
+  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) {
+    return unreadable(path, system_reason(errno));
+  }
+  return std::pair{std::move(file), status};
+}
 
 bool write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -51,61 +115,135 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-}  // namespace
-
-Result<std::string> read_file(const std::filesystem::path& path, std::size_t bytes_max) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) return unreadable(path, system_reason(errno));
-  struct stat status {};
-  if (::fstat(file.get(), &status) != 0) return unreadable(path, system_reason(errno));
-  if (S_ISDIR(status.st_mode)) return unreadable(path, "it is a folder");
-  std::string bytes;
-  std::vector<char> chunk(std::size_t{1} << 16U);
-  for (;;) {
-    const ssize_t got = ::read(file.get(), chunk.data(), chunk.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return unreadable(path, system_reason(errno));
-    if (got == 0) return bytes;
-    bytes.append(chunk.data(), static_cast<std::size_t>(got));
-    if (bytes.size() > bytes_max) {
-      return unreadable(path, "it is longer than " + std::to_string(bytes_max) + " bytes");
-    }
-  }
+/// A device or a FIFO has no "beside it" and nothing to lose: it is written directly.
+bool is_special(const fs::file_status& status) {
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-Result<void> write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
-  std::error_code status_error;
-  const auto status = std::filesystem::status(path, status_error);
-  if (std::filesystem::is_directory(status)) return unwritable(path, "it is a folder");
-  // A device or a pipe (/dev/stdout) has no "beside it" and nothing to lose: write it directly.
-  const bool special = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-  std::filesystem::path temporary = path;
-  if (!special) temporary += ".part-" + std::to_string(::getpid());
-  const int flags = special ? O_WRONLY | O_CLOEXEC : O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
-  Descriptor file(::open(temporary.c_str(), flags, 0644));
+Result<void> write_special(const fs::path& path, std::string_view bytes) {
+  // Opened without blocking, so that a FIFO without a reader is an error and not a wait.
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (file.get() < 0) return unwritable(path, system_reason(errno));
-  if (!write_all(file.get(), bytes) || (!special && ::fsync(file.get()) != 0) || !file.close()) {
-    const int error_number = errno;
-    if (!special) ::unlink(temporary.c_str());
-    return unwritable(path, system_reason(error_number));
-  }
-  if (!special && ::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int error_number = errno;
-    ::unlink(temporary.c_str());
-    return unwritable(path, system_reason(error_number));
+  static_cast<void>(::fcntl(file.get(), F_SETFL, O_WRONLY));
+  if (!write_all(file.get(), bytes) || !file.close()) {
+    return unwritable(path, system_reason(errno));
   }
   return {};
 }
 
-Result<std::filesystem::path> find_data_folder(const std::filesystem::path& chosen) {
-  std::vector<std::filesystem::path> places;
+/// A new file and its name.
+struct Temporary {
+  fs::path path;
+  Descriptor file;
+};
+
+Result<Temporary> open_temporary_beside(const fs::path& path) {
+  constexpr int kAttempts = 100;
+  constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  std::random_device random;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    fs::path temporary = path;
+    temporary += ".part-" + std::to_string(random());
+    Descriptor file(::open(temporary.c_str(), kFlags, 0644));
+    if (file.get() >= 0) return Temporary{std::move(temporary), std::move(file)};
+    if (errno != EEXIST) break;
+  }
+  return unwritable(path, system_reason(errno));
+}
+
+}  // namespace
+
+Result<std::string> read_file(const fs::path& path, std::size_t bytes_max) {
+  const auto opened = open_to_read(path);
+  if (!opened) return opened.error();
+  return read_open(opened->first, opened->second, path, bytes_max);
+}
+
+Result<SecretFile> read_secret_file(const fs::path& path, std::size_t bytes_max) {
+  const auto opened = open_to_read(path);
+  if (!opened) return opened.error();
+  auto bytes = read_open(opened->first, opened->second, path, bytes_max);
+  if (!bytes) return bytes.error();
+  return SecretFile{std::move(*bytes), (opened->second.st_mode & S_IRWXO) != 0};
+}
+
+Result<std::string> read_standard_input(std::size_t bytes_max) {
+  std::string bytes;
+  for (;;) {
+    const ssize_t got = read_some(STDIN_FILENO, bytes);
+    if (got == 0) return bytes;
+    if (got < 0 && errno == EAGAIN) {  // whoever gave it to us does not block on it
+      pollfd input{STDIN_FILENO, POLLIN, 0};
+      static_cast<void>(::poll(&input, 1, -1));
+    } else if (got < 0) {
+      return unreadable("stdin", system_reason(errno));
+    }
+    if (bytes.size() > bytes_max) return unreadable("stdin", longer_than(bytes_max));
+  }
+}
+
+Result<void> write_file_atomically(const fs::path& path, std::string_view bytes) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) return unwritable(path, "it is a folder");
+  if (is_special(status)) return write_special(path, bytes);
+  auto temporary = open_temporary_beside(path);
+  if (!temporary) return temporary.error();
+  const int file = temporary->file.get();
+  const auto mode = static_cast<mode_t>(status.permissions() & fs::perms::all);
+  const bool done = (!fs::exists(status) || ::fchmod(file, mode) == 0) && write_all(file, bytes) &&
+                    ::fsync(file) == 0 && temporary->file.close() &&
+                    ::rename(temporary->path.c_str(), path.c_str()) == 0;
+  if (done) return {};
+  const int error_number = errno;
+  ::unlink(temporary->path.c_str());
+  return unwritable(path, system_reason(error_number));
+}
+
+Result<void> check_writable(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (is_special(status)) {
+    if (::access(path.c_str(), W_OK) == 0) return {};
+    return unwritable(path, system_reason(errno));
+  }
+  const auto temporary = create_temporary_beside(path);
+  if (!temporary) return temporary.error();
+  ::unlink(temporary->c_str());
+  return {};
+}
+
+void ignore_file_size_signal() {
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+Result<fs::path> create_temporary_beside(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return unwritable(path, "it is a folder");
+  auto temporary = open_temporary_beside(path);
+  if (!temporary) return temporary.error();
+  return std::move(temporary->path);
+}
+
+Result<void> replace_file(const fs::path& temporary, const fs::path& path) {
+  const Descriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  const bool done =
+      file.get() >= 0 && ::fsync(file.get()) == 0 && ::rename(temporary.c_str(), path.c_str()) == 0;
+  if (done) return {};
+  const int error_number = errno;
+  ::unlink(temporary.c_str());
+  return unwritable(path, system_reason(error_number));
+}
+
+Result<fs::path> find_data_folder(const fs::path& chosen) {
+  std::vector<fs::path> places;
   if (!chosen.empty()) {
     places.push_back(chosen);
   } else if (const char* named = std::getenv("AUCAST_DATA"); named != nullptr && *named != '\0') {
     places.emplace_back(named);
   } else {
     std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto program = fs::read_symlink("/proc/self/exe", error);
     if (!error) {
       places.push_back(program.parent_path() / "data");
       places.push_back(program.parent_path().parent_path() / "share" / "aucast");
@@ -114,11 +252,11 @@ Result<std::filesystem::path> find_data_folder(const std::filesystem::path& chos
   std::string tried;
   for (const auto& place : places) {
     std::error_code error;
-    if (std::filesystem::is_directory(place, error)) return place;
+    if (fs::is_directory(place, error)) return place;
     tried += (tried.empty() ? "" : ", ") + place.string();
   }
-  return Error{ErrorKind::Unreadable,
-               "no data folder (tried " + tried + "): name it with --data DIR or AUCAST_DATA"};
+  return Error{ErrorKind::Unreadable, "no data folder (tried " + printable(tried) +
+                                          "): name it with --data DIR or AUCAST_DATA"};
 }
 
 }  // namespace aucast

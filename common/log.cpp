@@ -61,21 +61,6 @@ std::string utc(spdlog::log_clock::time_point time) {
   return text.data();
 }
 
-/// Printable bytes as they are, UTF-8 among them; control characters as \xNN, so that no entry can
-/// look like two or reach the terminal.
-std::string harmless(std::string_view message) {
-  std::string text;
-  for (const char byte : message.substr(0, kMessageBytesMax)) {
-    const auto code = static_cast<unsigned char>(byte);
-    if (code < 0x20 || code == 0x7f) {
-      text += escaped({&byte, 1});
-    } else {
-      text += byte;
-    }
-  }
-  return text;
-}
-
 /// The inside of a JSON string. Bytes above ASCII may be cut or no UTF-8 at all, so that they too
 /// are written as the text \xNN.
 std::string json_text(std::string_view message) {
@@ -118,7 +103,7 @@ class LineFormatter : public spdlog::formatter {
       entry.color_range_end = out.size();
       add(" " + program_ + ": ");
     }
-    add(harmless(message) + "\n");
+    add(printable(message.substr(0, kMessageBytesMax)) + "\n");
   }
 
   [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override {
@@ -156,7 +141,7 @@ void print_error(std::string_view text) {
   const char* before = stderr_is_the_journal() ? prefix.data() : "";
   std::istringstream lines{std::string(text)};
   for (std::string line; std::getline(lines, line);) {
-    std::fprintf(stderr, "%s%s\n", before, line.c_str());
+    std::fprintf(stderr, "%s%s\n", before, printable(line).c_str());
   }
 }
 

@@ -26,10 +26,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string hex_escape(char byte) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  const auto code = static_cast<unsigned char>(byte);
+  return {'\\', 'x', kHex[code >> 4U], kHex[code & 15U]};
+}
+
 }  // namespace
 
 std::string escaped(std::string_view bytes, std::size_t length_max) {
-  constexpr std::string_view kHex = "0123456789abcdef";
   std::string text;
   for (const char byte : bytes) {
     if (text.size() >= length_max) return text + "...";
@@ -37,8 +42,43 @@ std::string escaped(std::string_view bytes, std::size_t length_max) {
     if (code >= 0x20 && code < 0x7f && byte != '\\') {
       text += byte;
     } else {
-      text += {'\\', 'x', kHex[code >> 4U], kHex[code & 15U]};
+      text += hex_escape(byte);
     }
+  }
+  return text;
+}
+
+std::size_t utf8_length(std::string_view bytes) {
+  const auto byte = [&bytes](std::size_t i) -> std::uint32_t {
+    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
+  };
+  const std::uint32_t first = byte(0);
+  if (first < 0x80) return bytes.empty() ? 0 : 1;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  constexpr std::array<std::uint32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
+  std::uint32_t code = first & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80) return 0;
+    code = code << 6U | (byte(i) & 0x3fU);
+  }
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  const bool valid =
+      first >= 0xc0 && first < 0xf8 && code >= kSmallest[length] && code < 0x110000 && !surrogate;
+  return valid ? length : 0;
+}
+
+std::string printable(std::string_view bytes) {
+  std::string text;
+  while (!bytes.empty()) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(bytes), 1);
+    const auto first = static_cast<unsigned char>(bytes[0]);
+    const bool control =
+        first < 0x20 || first == 0x7f ||
+        (first == 0xc2 && length == 2 && static_cast<unsigned char>(bytes[1]) < 0xa0);
+    const bool plain = !control && utf8_length(bytes) != 0;
+    for (const char byte : bytes.substr(0, length))
+      text += plain ? std::string(1, byte) : hex_escape(byte);
+    bytes.remove_prefix(length);
   }
   return text;
 }
@@ -54,6 +94,11 @@ std::optional<std::string> nearest(std::string_view word, const std::vector<std:
     }
   }
   return best;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const auto near = nearest(word, known);
+  return near ? "; did you mean " + *near + "?" : std::string();
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -83,10 +128,14 @@ std::string system_reason(int error_number) {
 
 std::string at_place(std::string_view file, std::size_t line, std::size_t column,
                      std::string_view text) {
-  std::string place(file);
+  std::string place = printable(file);
   if (line != 0) place += ":" + std::to_string(line);
   if (line != 0 && column != 0) place += ":" + std::to_string(column);
   return place + ": " + std::string(text);
+}
+
+std::string at_place(std::string_view file, std::string_view text) {
+  return at_place(file, 0, 0, text);
 }
 
 }  // namespace aucast

@@ -8,30 +8,44 @@
 
 namespace aucast {
 
-/// Bytes from outside made safe for a terminal or a log: printable ASCII as it is, everything else
-/// as \xNN, cut to `length_max` with "..." when longer.
+/// Bytes of a peer or a file for a terminal or a log: printable ASCII as it is, everything else as
+/// \xNN, cut to `length_max` with "..." when longer.
 [[nodiscard]] std::string escaped(std::string_view bytes, std::size_t length_max = 60);
 
-/// The known word nearest to `word` by edits, when it is near enough to be meant; for "did you
-/// mean".
+/// The length of the UTF-8 character that `bytes` begins with; 0 when it begins with none.
+[[nodiscard]] std::size_t utf8_length(std::string_view bytes);
+
+/// A path or text of a person for a terminal or a log: UTF-8 as it is, control characters and what
+/// is no UTF-8 as \xNN.
+[[nodiscard]] std::string printable(std::string_view bytes);
+
+/// The known word with the fewest edits to `word`; nothing when even that is too far.
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  const std::vector<std::string>& known);
 
-/// The parts between separators, as many as there are of these and one; they may be empty. They are
-/// views into `text`.
+/// "; did you mean X?" with the nearest() word, or nothing.
+[[nodiscard]] std::string did_you_mean(std::string_view word,
+                                       const std::vector<std::string>& known);
+
+/// The parts between separators, some perhaps empty: one more than there are separators. Views into
+/// `text`.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// "1 packet", "6 packets".
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view thing);
 
-/// Shortest text that is read back as the same number.
+/// The shortest text that reads back as the same number.
 [[nodiscard]] std::string number_text(double value);
 
-/// What the system says of an errno: "No such file or directory".
+/// The message of an errno: "No such file or directory".
 [[nodiscard]] std::string system_reason(int error_number);
 
-/// "file:line:column: text"; line and column count from 1 and 0 leaves them out.
+/// "file:line:column: text" with the file's name printable(); line and column count from 1, and 0
+/// leaves them out. This is how every message about a file begins.
 [[nodiscard]] std::string at_place(std::string_view file, std::size_t line, std::size_t column,
                                    std::string_view text);
+
+/// "file: text", likewise.
+[[nodiscard]] std::string at_place(std::string_view file, std::string_view text);
 
 }  // namespace aucast

@@ -7,17 +7,16 @@
 
 namespace aucast::protocol {
 
-/// A token as a hello shows it, from a file of one line.
+/// A token as sent in a hello.
 struct TokenFile {
   std::string word;
-  /// For the log: everybody on this computer can use the file; else empty. A group may, for a
-  /// service is often let in as one.
+  /// For the log: other users have access to the file; else empty.
   std::string warning;
 };
 
-/// Reads the file: one word of printable ASCII without braces, at most kTokenBytesMax, blanks and
-/// line ends around it left out. Unreadable, or BadData when it holds none or another thing; what
-/// it holds is never part of a message.
+/// Reads a file with one word of printable ASCII without braces, of at most kTokenBytesMax bytes;
+/// white space around it is ignored. Unreadable, or BadData when it is empty or holds anything
+/// else; no message quotes it.
 [[nodiscard]] Result<TokenFile> read_token_file(const std::filesystem::path& path);
 
 }  // namespace aucast::protocol

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <optional>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 #include <asio/io_context.hpp>
@@ -48,18 +47,6 @@ Result<void> print(const std::string& text) {
   errno = 0;
   if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
   return Error{ErrorKind::Failed, "stdout: cannot be written: " + system_reason(errno)};
-}
-
-/// Tries the file before anything is served: at the end it would be too late to choose another.
-Result<void> try_stats_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  const bool special = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-  if (special && !std::filesystem::is_directory(status)) {
-    if (::access(path.c_str(), W_OK) == 0) return {};
-    return Error{ErrorKind::Failed, path.string() + ": cannot be written: " + system_reason(errno)};
-  }
-  return write_file_atomically(path, Stats().to_json());
 }
 
 /// Those that are live when they are served; --check reads all of them whole.
@@ -189,8 +176,9 @@ int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalo
   const auto served = serve(
       options, std::move(catalogue), stats,
       [&options](const std::string& address) -> Result<void> {
+        // At the end it would be too late to choose another.
         if (!options.stats.empty()) {
-          if (auto tried = try_stats_file(options.stats); !tried) return tried;
+          if (auto can = check_writable(options.stats); !can) return can;
         }
         return print("listening on " + address + "\n");
       },
@@ -216,6 +204,7 @@ int convert(std::vector<std::string> arguments) {
 }  // namespace
 
 int run_transmitter(std::vector<std::string> arguments) {
+  ignore_file_size_signal();
   if (!arguments.empty() && arguments.front() == "convert") {
     arguments.erase(arguments.begin());
     return convert(std::move(arguments));

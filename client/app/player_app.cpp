@@ -199,6 +199,7 @@ Result<void> run(PlayerOptions options) {
 }  // namespace
 
 int run_player(std::vector<std::string> arguments) {
+  ignore_file_size_signal();
   // For the build, which installs both.
   const bool page = arguments == std::vector<std::string>{"--help-man"};
   const std::optional<std::string> script = page ? manual_page() : completion(arguments);
@@ -212,7 +213,7 @@ int run_player(std::vector<std::string> arguments) {
     done = Error{ErrorKind::Failed, "standard output cannot be written"};
   }
   if (done) return 0;
-  std::fprintf(stderr, "face-player: %s\n", done.error().message.c_str());
+  print_error("face-player: " + done.error().message);
   return exit_code(done.error());
 }
 

@@ -14,13 +14,16 @@ Result<Security> load_security(const SecurityOptions& options, std::string_view 
   if (options.tls || options.files != tls::Files{}) {
     auto context = tls::Context::for_client(options.files);
     if (!context) return context.error();
+    security.warning = context->warning();
     security.tls = std::move(*context);
   }
   if (options.token.empty()) return security;
   auto token = protocol::read_token_file(options.token);
   if (!token) return token.error();
   security.token = std::move(token->word);
-  security.warning = std::move(token->warning);
+  if (!token->warning.empty()) {
+    security.warning += (security.warning.empty() ? "" : "; ") + token->warning;
+  }
   if (!security.tls && !options.insecure_token && !host.empty() && !link::is_own_host(host)) {
     return Error{ErrorKind::Usage,
                  "everybody on the way to " + escaped(host) +

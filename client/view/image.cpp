@@ -11,6 +11,7 @@
 #include "client/view/lettering.h"
 #include "common/check.h"
 #include "common/files.h"
+#include "common/text.h"
 
 namespace aucast::view {
 namespace {
@@ -81,7 +82,8 @@ Result<void> write_png(const Image& image, const std::filesystem::path& path) {
   const int done =
       stbi_write_png_to_func(append, &bytes, image.width, image.height, channels,
                              drop_alpha ? rgb.data() : image.rgba.data(), image.width * channels);
-  if (done == 0) return Error{ErrorKind::Failed, path.string() + ": no memory for a picture"};
+  if (done == 0)
+    return Error{ErrorKind::Failed, at_place(path.string(), "no memory for a picture")};
   return write_file_atomically(path, bytes);
 }
 
@@ -97,8 +99,10 @@ Result<Image> read_png(const std::filesystem::path& path) {
       &stbi_image_free);
   if (pixels == nullptr) {
     const char* reason = stbi_failure_reason();
-    return Error{ErrorKind::BadData, path.string() + ": not a PNG picture that can be read (" +
-                                         (reason == nullptr ? "no reason given" : reason) + ")"};
+    return Error{
+        ErrorKind::BadData,
+        at_place(path.string(), std::string("not a PNG picture that can be read (") +
+                                    (reason == nullptr ? "no reason given" : reason) + ")")};
   }
   image.rgba.assign(pixels.get(), pixels.get() + index_of(image, 0, image.height));
   return image;

@@ -1,10 +1,6 @@
 #include "client/view/video_encoder.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -13,6 +9,7 @@
 
 #include "client/view/child.h"
 #include "common/check.h"
+#include "common/files.h"
 #include "common/text.h"
 
 namespace aucast::view {
@@ -31,10 +28,6 @@ std::optional<Format> format_of(const std::filesystem::path& path) {
   if (ending == ".webm") return Format::Webm;
   if (ending == ".gif") return Format::Gif;
   return std::nullopt;
-}
-
-Error unwritable(const std::filesystem::path& path, const std::string& why) {
-  return {ErrorKind::Failed, path.string() + ": cannot be written: " + why};
 }
 
 std::vector<std::string> format_arguments(Format format, int fps) {
@@ -112,9 +105,11 @@ int even(int side) {
 
 Result<void> check_request(const std::filesystem::path& path, int width, int height, int fps) {
   if (!format_of(path).has_value()) {
-    return Error{ErrorKind::Usage, path.string() +
-                                       ": not a kind of video that can be written: let its name "
-                                       "end in .mp4, .webm or .gif"};
+    return Error{
+        ErrorKind::Usage,
+        at_place(
+            path.string(),
+            "not a kind of video that can be written: let its name end in .mp4, .webm or .gif")};
   }
   if (width < 1 || height < 1 || width > kSideMax || height > kSideMax) {
     return Error{ErrorKind::Usage, "a video of " + std::to_string(width) + "x" +
@@ -135,17 +130,6 @@ std::string one_line(std::string words) {
   if (words.size() > kWordsShown) words.erase(0, words.size() - kWordsShown);
   std::replace(words.begin(), words.end(), '\n', ' ');
   return escaped(words, 4 * kWordsShown);
-}
-
-/// Finds out now, not after the last picture, whether the place can be written.
-Result<void> create_empty(const std::filesystem::path& path,
-                          const std::filesystem::path& temporary) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return unwritable(path, "it is a folder");
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) return unwritable(path, system_reason(errno));
-  ::close(file);
-  return {};
 }
 
 }  // namespace
@@ -169,8 +153,9 @@ Result<void> VideoEncoder::State::give_up() {
   const std::string words = one_line(ffmpeg->last_words());
   const std::string how = code >= 128 ? "was killed by signal " + std::to_string(code - 128)
                                       : "ended with code " + std::to_string(code);
-  failure = Error{ErrorKind::Failed, path.string() + ": ffmpeg " + how +
-                                         (words.empty() ? " and said nothing" : ": " + words)};
+  failure = Error{ErrorKind::Failed,
+                  at_place(path.string(),
+                           "ffmpeg " + how + (words.empty() ? " and said nothing" : ": " + words))};
   ffmpeg.reset();
   std::error_code ignored;
   std::filesystem::remove(temporary, ignored);
@@ -193,14 +178,13 @@ Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::
   }
   auto state = std::make_unique<State>();
   state->path = path;
-  state->temporary = path;
-  state->temporary += ".part-" + std::to_string(::getpid());
   state->format = *format_of(path);
   state->width = width;
   state->height = height;
-  if (const auto created = create_empty(path, state->temporary); !created.has_value()) {
-    return created.error();
-  }
+  // Made now: after the last picture it would be too late to learn that the place is not writable.
+  auto temporary = create_temporary_beside(path);
+  if (!temporary.has_value()) return temporary.error();
+  state->temporary = std::move(*temporary);
   const bool pairs = state->format != Format::Gif;
   bool missing = false;
   auto ffmpeg = Child::start(ffmpeg_arguments(state->format, pairs ? even(width) : width,
@@ -210,9 +194,9 @@ Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::
     std::error_code ignored;
     std::filesystem::remove(state->temporary, ignored);
     if (!missing) return ffmpeg.error();
-    return Error{ErrorKind::Failed, path.string() +
-                                        ": ffmpeg, which writes the video, is not installed: apt "
-                                        "install ffmpeg"};
+    return Error{ErrorKind::Failed,
+                 at_place(path.string(),
+                          "ffmpeg, which writes the video, is not installed: apt install ffmpeg")};
   }
   state->ffmpeg = std::move(ffmpeg.value());
   return std::unique_ptr<VideoEncoder>(new VideoEncoder(std::move(state)));
@@ -247,11 +231,11 @@ Result<void> VideoEncoder::finish() {
   const int code = state.ffmpeg->wait();
   if (code != 0) return state.give_up();
   state.ffmpeg.reset();
-  std::filesystem::rename(state.temporary, state.path, error);
-  if (!error) return {};
-  state.failure = unwritable(state.path, error.message());
-  std::filesystem::remove(state.temporary, error);
-  return *state.failure;
+  if (const auto replaced = replace_file(state.temporary, state.path); !replaced.has_value()) {
+    state.failure = replaced.error();
+    return *state.failure;
+  }
+  return {};
 }
 
 }  // namespace aucast::view

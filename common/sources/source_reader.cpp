@@ -40,7 +40,7 @@ Result<SourceContent> read_source(const std::filesystem::path& path, const ReadO
 
 Result<std::vector<SourceContent>> read_streams(const std::filesystem::path& path,
                                                 const ReadOptions& options) {
-  const auto text = read_file(path == "-" ? "/dev/stdin" : path);
+  const auto text = path == "-" ? read_standard_input() : read_file(path);
   if (!text) return text.error();
   auto contents = read_content(*text, path == "-" ? "stdin" : path.string(), options);
   if (!contents || !options.rate) return contents;

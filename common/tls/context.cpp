@@ -1,18 +1,20 @@
 #include "common/tls/context.h"
 
 #include <openssl/err.h>
+#include <openssl/pem.h>
 #include <openssl/ssl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <string>
+#include <string_view>
 #include <utility>
 
+#include "common/files.h"
 #include "common/text.h"
 
 namespace aucast::tls {
 namespace {
+
+/// More than all authorities of a system take.
+constexpr std::size_t kPemBytesMax = std::size_t{4} << 20U;
 
 /// The first cause that OpenSSL noted, which is the one nearest to the trouble.
 std::string cause_and_clear() {
@@ -22,40 +24,94 @@ std::string cause_and_clear() {
   return reason == nullptr ? "no cause is known" : reason;
 }
 
-Result<void> readable(const std::filesystem::path& path, const std::string& what) {
-  if (::access(path.c_str(), R_OK) == 0) return {};
-  return Error{ErrorKind::Unreadable,
-               path.string() + ": cannot be read: " + system_reason(errno) + " (" + what + ")"};
+/// Files are read as all others are and OpenSSL gets bytes: it would wait for a FIFO.
+using Bio = std::unique_ptr<BIO, decltype(&BIO_free)>;
+
+Bio bio_of(std::string_view bytes) {
+  return {BIO_new_mem_buf(bytes.data(), static_cast<int>(bytes.size())), BIO_free};
+}
+
+/// `option`: what named the file.
+Error with_option(const Error& error, std::string_view option) {
+  return {error.kind, error.message + " (" + std::string(option) + ")"};
 }
 
 Error bad_file(const std::filesystem::path& path, const std::string& what) {
-  return {ErrorKind::BadData, path.string() + ": " + what + ": " + cause_and_clear()};
-}
-
-Result<void> use_own(SSL_CTX* context, const Files& files) {
-  if (auto can = readable(files.certificate, "--tls-cert"); !can) return can;
-  if (auto can = readable(files.key, "--tls-key"); !can) return can;
-  if (SSL_CTX_use_certificate_chain_file(context, files.certificate.c_str()) != 1) {
-    return bad_file(files.certificate, "is no certificate in PEM form");
-  }
-  if (SSL_CTX_use_PrivateKey_file(context, files.key.c_str(), SSL_FILETYPE_PEM) != 1) {
-    return bad_file(files.key, "is no key of " + files.certificate.string() + " in PEM form");
-  }
-  return {};
-}
-
-Result<void> believe(SSL_CTX* context, const std::filesystem::path& authorities,
-                     const std::string& option) {
-  if (auto can = readable(authorities, option); !can) return can;
-  if (SSL_CTX_load_verify_file(context, authorities.c_str()) != 1) {
-    return bad_file(authorities, "holds no certificates in PEM form");
-  }
-  return {};
+  return {ErrorKind::BadData, at_place(path.string(), what + ": " + cause_and_clear())};
 }
 
 /// A key that wants a pass phrase must not stop a service at a prompt.
 int no_pass_phrase(char*, int, int, void*) {
   return 0;
+}
+
+/// Our own certificate, then those of its authorities.
+bool use_chain(SSL_CTX* context, BIO* pem) {
+  using Certificate = std::unique_ptr<X509, decltype(&X509_free)>;
+  const Certificate own(PEM_read_bio_X509_AUX(pem, nullptr, no_pass_phrase, nullptr), X509_free);
+  if (own == nullptr || SSL_CTX_use_certificate(context, own.get()) != 1) return false;
+  for (;;) {
+    X509* const next = PEM_read_bio_X509(pem, nullptr, no_pass_phrase, nullptr);
+    if (next == nullptr) break;
+    if (SSL_CTX_add0_chain_cert(context, next) != 1) {
+      X509_free(next);
+      return false;
+    }
+  }
+  // The end of the file looks like a missing certificate; anything else is one that is broken.
+  const unsigned long end = ERR_peek_last_error();
+  if (ERR_GET_LIB(end) != ERR_LIB_PEM || ERR_GET_REASON(end) != PEM_R_NO_START_LINE) return false;
+  ERR_clear_error();
+  return true;
+}
+
+bool use_key(SSL_CTX* context, BIO* pem) {
+  EVP_PKEY* const key = PEM_read_bio_PrivateKey(pem, nullptr, no_pass_phrase, nullptr);
+  const bool used = key != nullptr && SSL_CTX_use_PrivateKey(context, key) == 1;
+  EVP_PKEY_free(key);
+  return used;
+}
+
+/// What is said of the key's file; empty: nothing.
+Result<std::string> use_own(SSL_CTX* context, const Files& files) {
+  const auto certificate = read_file(files.certificate, kPemBytesMax);
+  if (!certificate) return with_option(certificate.error(), "--tls-cert");
+  const auto key = read_secret_file(files.key, kPemBytesMax);
+  if (!key) return with_option(key.error(), "--tls-key");
+  if (!use_chain(context, bio_of(*certificate).get())) {
+    return bad_file(files.certificate, "is no certificate in PEM form");
+  }
+  if (!use_key(context, bio_of(key->bytes).get())) {
+    return bad_file(files.key,
+                    "is no key of " + printable(files.certificate.string()) + " in PEM form");
+  }
+  if (!key->open_to_others) return std::string();
+  return at_place(files.key.string(), "other users have access to the private key (chmod 600)");
+}
+
+/// Certificates and revocation lists that peers are checked with; servers name the certificates to
+/// their clients.
+Result<void> believe(SSL_CTX* context, const std::filesystem::path& authorities,
+                     std::string_view option, bool name_them) {
+  const auto bytes = read_file(authorities, kPemBytesMax);
+  if (!bytes) return with_option(bytes.error(), option);
+  const auto free_all = [](STACK_OF(X509_INFO) * all) {
+    sk_X509_INFO_pop_free(all, X509_INFO_free);
+  };
+  const std::unique_ptr<STACK_OF(X509_INFO), decltype(free_all)> all(
+      PEM_X509_INFO_read_bio(bio_of(*bytes).get(), nullptr, no_pass_phrase, nullptr), free_all);
+  X509_STORE* const store = SSL_CTX_get_cert_store(context);
+  int certificates = 0;
+  for (int i = 0; i < sk_X509_INFO_num(all.get()); ++i) {
+    const X509_INFO* const info = sk_X509_INFO_value(all.get(), i);
+    if (info->crl != nullptr) X509_STORE_add_crl(store, info->crl);
+    if (info->x509 == nullptr || X509_STORE_add_cert(store, info->x509) != 1) continue;
+    if (name_them) SSL_CTX_add_client_CA(context, info->x509);
+    ++certificates;
+  }
+  if (certificates == 0) return bad_file(authorities, "holds no certificates in PEM form");
+  ERR_clear_error();
+  return {};
 }
 
 std::shared_ptr<SSL_CTX> make(const SSL_METHOD* method) {
@@ -84,15 +140,14 @@ Result<Context> Context::for_server(const Files& files) {
   auto context = make(TLS_server_method());
   if (!context) return no_library();
   SSL_CTX_set_options(context.get(), SSL_OP_CIPHER_SERVER_PREFERENCE);
-  if (auto own = use_own(context.get(), files); !own) return own.error();
+  auto warning = use_own(context.get(), files);
+  if (!warning) return warning.error();
   if (!files.authorities.empty()) {
-    if (auto can = believe(context.get(), files.authorities, "--tls-client-ca"); !can) {
-      return can.error();
-    }
-    SSL_CTX_set_client_CA_list(context.get(), SSL_load_client_CA_file(files.authorities.c_str()));
+    auto believed = believe(context.get(), files.authorities, "--tls-client-ca", true);
+    if (!believed) return believed.error();
     SSL_CTX_set_verify(context.get(), SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT, nullptr);
   }
-  return Context(std::move(context), true);
+  return Context(std::move(context), true, std::move(*warning));
 }
 
 Result<Context> Context::for_client(const Files& files) {
@@ -100,14 +155,15 @@ Result<Context> Context::for_client(const Files& files) {
   if (!context) return no_library();
   if (files.authorities.empty()) {
     if (SSL_CTX_set_default_verify_paths(context.get()) != 1) return no_library();
-  } else if (auto can = believe(context.get(), files.authorities, "--tls-ca"); !can) {
-    return can.error();
+  } else if (auto believed = believe(context.get(), files.authorities, "--tls-ca", false);
+             !believed) {
+    return believed.error();
   }
-  if (!files.certificate.empty()) {
-    if (auto own = use_own(context.get(), files); !own) return own.error();
-  }
+  Result<std::string> warning = std::string();
+  if (!files.certificate.empty()) warning = use_own(context.get(), files);
+  if (!warning) return warning.error();
   SSL_CTX_set_verify(context.get(), SSL_VERIFY_PEER, nullptr);
-  return Context(std::move(context), false);
+  return Context(std::move(context), false, std::move(*warning));
 }
 
 }  // namespace aucast::tls

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "common/result.h"
 
@@ -29,13 +31,17 @@ class Context {
   /// to know who comes.
   [[nodiscard]] static Result<Context> for_client(const Files& files);
 
+  /// For the log: other users have access to the key; else empty.
+  [[nodiscard]] const std::string& warning() const { return warning_; }
+
  private:
   friend class Channel;
-  explicit Context(std::shared_ptr<ssl_ctx_st> context, bool server)
-      : context_(std::move(context)), server_(server) {}
+  Context(std::shared_ptr<ssl_ctx_st> context, bool server, std::string warning)
+      : context_(std::move(context)), server_(server), warning_(std::move(warning)) {}
 
   std::shared_ptr<ssl_ctx_st> context_;
   bool server_;
+  std::string warning_;
 };
 
 }  // namespace aucast::tls

@@ -55,7 +55,8 @@ Result<int> LiveInput::open_path() const {
   const int descriptor = path_ == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
                                       : ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor >= 0) return descriptor;
-  return Error{ErrorKind::Unreadable, path_.string() + ": cannot be read: " + system_reason(errno)};
+  return Error{ErrorKind::Unreadable,
+               at_place(path_.string(), "cannot be read: " + system_reason(errno))};
 }
 
 void LiveInput::take(int descriptor) {

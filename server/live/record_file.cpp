@@ -16,7 +16,7 @@ namespace aucast::server {
 namespace {
 
 Error cannot_record(const std::filesystem::path& path, const std::string& why) {
-  return {ErrorKind::Failed, path.string() + ": cannot be recorded to: " + why};
+  return {ErrorKind::Failed, at_place(path.string(), "cannot be recorded to: " + why)};
 }
 
 bool write_at(int descriptor, std::string_view bytes, std::int64_t place) {
@@ -73,7 +73,8 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
 }
 
 Error RecordFile::failed() const {
-  return {ErrorKind::Failed, path_.string() + ": cannot be written: " + system_reason(errno)};
+  return {ErrorKind::Failed,
+          at_place(path_.string(), "cannot be written: " + system_reason(errno))};
 }
 
 Result<void> RecordFile::add(std::string_view line) {

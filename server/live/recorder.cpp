@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/log.h"
+#include "common/text.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::server {
@@ -41,8 +42,8 @@ void Recorder::add(const protocol::Keyframe& keyframe, double now, bool free) {
   const std::lock_guard lock(mutex_);
   if (error_) return;
   if (waiting_.size() + lines.size() > kWaitingBytesMost) {
-    error_ =
-        Error{ErrorKind::Failed, path_.string() + ": cannot be written: the disk takes nothing"};
+    error_ = Error{ErrorKind::Failed,
+                   at_place(path_.string(), "cannot be written: the disk takes nothing")};
     spdlog::error("{}; the recording ends here, serving goes on", error_->message);
     return;
   }

@@ -6,18 +6,31 @@
 #include "protocol/token_file.h"
 
 namespace aucast::server {
+namespace {
+
+/// A shorter token may be found by trying.
+constexpr std::size_t kTokenBytesGood = 16;
+
+}  // namespace
 
 Result<Credentials> load_credentials(const CredentialFiles& files) {
   Credentials credentials;
   if (!files.tls.certificate.empty()) {
     auto context = tls::Context::for_server(files.tls);
     if (!context) return context.error();
+    if (!context->warning().empty()) spdlog::warn("{}", context->warning());
     credentials.tls = std::move(*context);
   }
   if (!files.token.empty()) {
     auto token = protocol::read_token_file(files.token);
     if (!token) return token.error();
     if (!token->warning.empty()) spdlog::warn("{}", token->warning);
+    if (token->word.size() < kTokenBytesGood) {
+      spdlog::warn(
+          "{}: the token has fewer than {} characters and may be guessed; "
+          "'openssl rand -hex 16' makes a good one",
+          files.token.string(), kTokenBytesGood);
+    }
     credentials.token = std::move(token->word);
   }
   return credentials;

@@ -21,7 +21,8 @@ struct Credentials {
   std::string token;                ///< empty: none is needed
 };
 
-/// Reads all of them. Unreadable or BadData naming the file and the cause.
+/// Reads all of them and warns in the log of a secret that other users have access to and of a
+/// token that is easy to guess. Unreadable or BadData naming the file and the cause.
 [[nodiscard]] Result<Credentials> load_credentials(const CredentialFiles& files);
 
 }  // namespace aucast::server

@@ -156,8 +156,8 @@ bool measures_neutral(const SignalOptions& options) {
 Result<void> save_profile(const SignalOptions& options,
                           const std::optional<sources::MeasuredNeutral>& measured) {
   if (measured && measured->rows == 0) {
-    return Error{ErrorKind::BadData, options.save_profile.string() +
-                                         ": not written, because no face was seen to measure"};
+    return Error{ErrorKind::BadData, at_place(options.save_profile.string(),
+                                              "not written, because no face was seen to measure")};
   }
   auto settings = conditioning_of(options);
   if (!settings) return settings.error();

@@ -19,10 +19,12 @@ namespace {
 
 Result<void> check_name(const std::filesystem::path& path, const std::string& name) {
   if (protocol::is_stream_name(name)) return {};
-  return Error{ErrorKind::Usage,
-               path.string() + ": '" + escaped(name) +
+  return Error{
+      ErrorKind::Usage,
+      at_place(path.string(),
+               "'" + escaped(name) +
                    "' cannot be a stream's name; rename the file: 1 to 64 letters, digits, "
-                   "'.', '_' or '-' before the extension"};
+                   "'.', '_' or '-' before the extension")};
 }
 
 /// The streams of one file: one, or one for each face.
@@ -71,11 +73,12 @@ Result<std::vector<std::filesystem::path>> files_of(const std::filesystem::path&
     }
   }
   if (error) {
-    return Error{ErrorKind::Unreadable, path.string() + ": cannot be read: " + error.message()};
+    return Error{ErrorKind::Unreadable,
+                 at_place(path.string(), "cannot be read: " + error.message())};
   }
   if (files.empty()) {
     return Error{ErrorKind::BadData,
-                 path.string() + ": there is no .txt or .csv file in this folder"};
+                 at_place(path.string(), "there is no .txt or .csv file in this folder")};
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -95,9 +98,10 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
     return candidate.name == source.name;
   });
   if (other == sources.end()) return std::nullopt;
-  return Error{ErrorKind::Usage, source.path.string() + ": a stream named '" + source.name +
-                                     "' comes from " + other->path.string() +
-                                     " already; leave one out or rename a file"};
+  return Error{ErrorKind::Usage,
+               at_place(source.path.string(), "a stream named '" + source.name + "' comes from " +
+                                                  printable(other->path.string()) +
+                                                  " already; leave one out or rename a file")};
 }
 
 /// Streams of plain AU sets are what the thesis measured: every packet stays as it is there.

@@ -11,6 +11,7 @@
 
 #include "common/action_unit.h"
 #include "common/check.h"
+#include "common/text.h"
 
 namespace aucast::server {
 namespace {
@@ -127,7 +128,7 @@ std::string check_report(const Source& source, const protocol::EncodedStream& se
   const auto untimed = std::count_if(
       keyframes.begin(), keyframes.end(),
       [](const protocol::Keyframe& keyframe) { return !keyframe.duration_ms.has_value(); });
-  std::string text = source.name + ": " + source.path.string() + "\n";
+  std::string text = source.name + ": " + printable(source.path.string()) + "\n";
   if (source.found) text += sources::found_lines(*source.found);
   text += formatted("  %-11s %zu, %td of them untimed\n", "packets", keyframes.size(), untimed);
   text += formatted("  %-11s %.3f s at %u ms an untimed keyframe\n", "duration",

@@ -84,7 +84,7 @@ Result<Converted> convert(const ConvertOptions& options) {
   const SignalOptions& signal = options.source.signal;
   const auto conditioning = conditioning_of(signal);
   if (!conditioning) return conditioning.error();
-  std::string said = options.in.string() + ": ";
+  std::string said = at_place(options.in.string(), "");
   const auto content =
       options.mend
           ? read_cut_off(options, said)
@@ -93,8 +93,9 @@ Result<Converted> convert(const ConvertOptions& options) {
   if (!content) return content.error();
   if (!signal.save_profile.empty()) {
     if (measures_neutral(signal) && !content->found) {
-      return Error{ErrorKind::Usage,
-                   options.in.string() + ": a stream file has no neutral face to measure and save"};
+      return Error{
+          ErrorKind::Usage,
+          at_place(options.in.string(), "a stream file has no neutral face to measure and save")};
     }
     const auto saved =
         save_profile(signal, content->found ? content->found->neutral : std::nullopt);
@@ -107,7 +108,7 @@ Result<Converted> convert(const ConvertOptions& options) {
   if (options.out.extension() == ".csv") {
     auto table = sources::write_openface_table(content->stream, options.keyframe_ms);
     text = std::move(table.text);
-    said += options.out.string() + ": a table of OpenFace 2, " + std::to_string(table.rows) +
+    said += at_place(options.out.string(), "a table of OpenFace 2, ") + std::to_string(table.rows) +
             " rows" + sides_sentence(table.uneven) + "\n";
   } else {
     text = protocol::format_stream_file(content->stream);

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "common/text.h"
 #include "server/streams/thinning.h"
 
 namespace aucast::server {
@@ -84,7 +85,7 @@ std::string estimate_report(const Source& source, const protocol::EncodedStream&
                 "  %zu keyframes in %.3f s            kbit/s       with TCP/IP          kbit/s\n"
                 "  form               bytes      mean      peak        bytes      mean      peak\n",
                 served.negotiated.size(), static_cast<double>(whole.count()) / 1000);
-  std::string text = source.path.string() + ": " + source.name + "\n" + head.data();
+  std::string text = at_place(source.path.string(), source.name) + "\n" + head.data();
   text += line_of("classic", served.classic, served, batch);
   text += line_of("level 2", served.negotiated, served, batch);
   if (!served.changes.empty()) text += line_of("changes only", served.changes, served, batch);

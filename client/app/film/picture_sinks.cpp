@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <system_error>
 
+#include "common/text.h"
+
 namespace aucast::app {
 namespace {
 
@@ -30,9 +32,10 @@ Result<void> make_output_folder(std::string_view asked_by, const std::filesystem
     error = std::error_code(errno, std::generic_category());
   }
   if (!error) return {};
-  return Error{ErrorKind::Failed, std::string(asked_by) + " " + folder.string() +
-                                      ": cannot be written: " + error.message() +
-                                      "; choose another folder"};
+  return Error{ErrorKind::Failed,
+               std::string(asked_by) + " " +
+                   at_place(folder.string(), "cannot be written: " + error.message()) +
+                   "; choose another folder"};
 }
 
 Result<FrameFolder> FrameFolder::open(const std::filesystem::path& folder) {

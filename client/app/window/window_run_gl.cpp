@@ -19,6 +19,7 @@
 #include "client/gui/redraw.h"
 #include "client/render/window.h"
 #include "common/log.h"
+#include "common/text.h"
 
 namespace aucast::app {
 namespace {
@@ -293,7 +294,7 @@ class WindowRun {
   }
 
   void tell(const std::string& sentence) {
-    std::fprintf(stderr, "%s\n", sentence.c_str());
+    std::fprintf(stderr, "%s\n", printable(sentence).c_str());
     session_.say(sentence, false, steady_now());
   }
 

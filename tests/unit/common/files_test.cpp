@@ -35,6 +35,54 @@ TEST(ReadFile, RefusesWhatIsTooLong) {
   EXPECT_FALSE(read_file(file, 99).has_value());
 }
 
+TEST(ReadFile, NeverWaitsForWhatIsNoFile) {
+  const test::TempFolder folder;
+  const auto fifo = folder.path() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  const auto pipe = read_file(fifo);
+  ASSERT_FALSE(pipe.has_value());
+  EXPECT_EQ(pipe.error().kind, ErrorKind::Unreadable);
+  EXPECT_NE(pipe.error().message.find("fifo: cannot be read: it is a pipe"), std::string::npos);
+
+  const auto device = read_file("/dev/zero");
+  ASSERT_FALSE(device.has_value());
+  EXPECT_NE(device.error().message.find("it is a device"), std::string::npos);
+  EXPECT_EQ(read_file("/dev/null").value(), "");
+}
+
+TEST(ReadFile, RefusesAnEndlessFileOfProc) {
+  const auto endless = read_file("/proc/self/pagemap");
+  ASSERT_FALSE(endless.has_value());
+  EXPECT_NE(endless.error().message.find("it grows while it is read"), std::string::npos);
+}
+
+TEST(ReadFile, RefusesAHugeFileBeforeItIsRead) {
+  const test::TempFolder folder;
+  const auto file = folder.write("x", "");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40U);  // sparse: reading would take hours
+  const auto huge = read_file(file);
+  ASSERT_FALSE(huge.has_value());
+  EXPECT_NE(huge.error().message.find("it is longer than"), std::string::npos);
+}
+
+TEST(ReadFile, NamesAFileThatATerminalWouldObeyHarmlessly) {
+  const auto missing = read_file("/no/\x1b[2J\n.txt");
+  ASSERT_FALSE(missing.has_value());
+  EXPECT_TRUE(missing.error().message.starts_with("/no/\\x1b[2J\\x0a.txt: cannot be read"));
+}
+
+TEST(ReadSecretFile, SaysWhetherOthersHaveAccess) {
+  const test::TempFolder folder;
+  const auto file = folder.write("x", "word");
+  for (const auto& [mode, open] : {std::pair{0600U, false}, {0640U, false}, {0644U, true}}) {
+    std::filesystem::permissions(file, static_cast<std::filesystem::perms>(mode));
+    const auto secret = read_secret_file(file, 100);
+    ASSERT_TRUE(secret.has_value());
+    EXPECT_EQ(secret->bytes, "word");
+    EXPECT_EQ(secret->open_to_others, open);
+  }
+}
+
 TEST(WriteFileAtomically, ReplacesAndLeavesNothingBeside) {
   const test::TempFolder folder;
   const auto file = folder.write("x", "old");
@@ -55,6 +103,48 @@ TEST(WriteFileAtomically, SaysThatTheDiskIsFull) {
   const auto result = write_file_atomically("/dev/full", "new");
   ASSERT_FALSE(result.has_value());
   EXPECT_NE(result.error().message.find("No space left"), std::string::npos);
+}
+
+TEST(WriteFileAtomically, ReplacesALinkAndDoesNotFollowIt) {
+  const test::TempFolder folder;
+  const auto victim = folder.write("victim", "dear");
+  const auto file = folder.path() / "stats.json";
+  std::filesystem::create_symlink(victim, file);
+  // Where a name that can be guessed would be looked for.
+  std::filesystem::create_symlink(victim, file.string() + ".part-" + std::to_string(::getpid()));
+  ASSERT_TRUE(write_file_atomically(file, "new").has_value());
+  EXPECT_EQ(folder.read("victim"), "dear");
+  EXPECT_EQ(folder.read("stats.json"), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(file));
+}
+
+TEST(WriteFileAtomically, KeepsTheModeOfTheFileThatWasThere) {
+  namespace fs = std::filesystem;
+  const test::TempFolder folder;
+  const auto file = folder.write("x", "old");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  ASSERT_TRUE(write_file_atomically(file, "new").has_value());
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(WriteFileAtomically, NeverWaitsForTheReaderOfAFifo) {
+  const test::TempFolder folder;
+  const auto fifo = folder.path() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  const auto nobody = write_file_atomically(fifo, "new");
+  ASSERT_FALSE(nobody.has_value());
+  EXPECT_EQ(nobody.error().kind, ErrorKind::Failed);
+}
+
+TEST(CheckWritable, ChangesNothing) {
+  const test::TempFolder folder;
+  const auto file = folder.write("stats.json", "old");
+  EXPECT_TRUE(check_writable(file).has_value());
+  EXPECT_TRUE(check_writable(folder.path() / "new").has_value());
+  EXPECT_EQ(folder.read("stats.json"), "old");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+  EXPECT_FALSE(check_writable(folder.path()).has_value());
+  EXPECT_FALSE(check_writable(folder.path() / "none" / "x").has_value());
 }
 
 TEST(FindDataFolder, TakesTheChosenOneAndNothingElse) {

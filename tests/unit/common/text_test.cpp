@@ -13,6 +13,21 @@ TEST(Escaped, KeepsPrintableAndHidesTheRest) {
   EXPECT_EQ(escaped("\\"), "\\x5c");
 }
 
+TEST(Printable, KeepsWhatPeopleWriteAndHidesWhatATerminalObeys) {
+  for (const std::string_view text : {"/home/J\xc3\xb6rg/l\xc3\xa4"
+                                      "cheln \xf0\x9f\x99\x82.txt",
+                                      "a\\b", ""}) {
+    EXPECT_EQ(printable(text), text);
+  }
+  EXPECT_EQ(printable("a\nb\x1b[2J\x7f"), "a\\x0ab\\x1b[2J\\x7f");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "2J"),
+            "\\xc2\\x9b"
+            "2J")
+      << "the other escape of terminals";
+  EXPECT_EQ(printable("\xff\xc0\x8a\xed\xa0\x80\xc3"), "\\xff\\xc0\\x8a\\xed\\xa0\\x80\\xc3");
+}
+
 TEST(Escaped, IsCut) {
   EXPECT_EQ(escaped(std::string(100, 'x'), 5), "xxxxx...");
 }
@@ -41,6 +56,7 @@ TEST(AtPlace, LeavesOutWhatIsNotKnown) {
   EXPECT_EQ(at_place("a.txt", 3, 7, "bad"), "a.txt:3:7: bad");
   EXPECT_EQ(at_place("a.txt", 3, 0, "bad"), "a.txt:3: bad");
   EXPECT_EQ(at_place("a.txt", 0, 0, "bad"), "a.txt: bad");
+  EXPECT_EQ(at_place("a\n.txt", "bad"), "a\\x0a.txt: bad");
 }
 
 TEST(Text, CountsThings) {

@@ -1,9 +1,13 @@
 // Files that are no certificates and keys, or not those that belong together.
 #include "common/tls/context.h"
 
+#include <sys/stat.h>
+
 #include <gtest/gtest.h>
 
+#include "common/files.h"
 #include "tests/support/certificates.h"
+#include "tests/support/temp_folder.h"
 
 namespace aucast::tls {
 namespace {
@@ -36,6 +40,42 @@ TEST(TlsContext, NamesTheFileThatIsWrong) {
                "junk.pem: holds no certificates");
   EXPECT_TRUE(Context::for_client({}));
   EXPECT_TRUE(Context::for_client({own.file, own.key, authority.file()}));
+}
+
+TEST(TlsContext, NeverWaitsForAFifo) {
+  test::Authority authority;
+  const test::Certificate own = authority.issue("own", "DNS:a");
+  const test::TempFolder folder;
+  const auto fifo = folder.path() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  expect_error(Context::for_server({fifo, own.key, {}}), ErrorKind::Unreadable, "it is a pipe");
+  expect_error(Context::for_server({own.file, fifo, {}}), ErrorKind::Unreadable, "it is a pipe");
+  expect_error(Context::for_server({own.file, own.key, fifo}), ErrorKind::Unreadable,
+               "it is a pipe, not a file (--tls-client-ca)");
+  expect_error(Context::for_client({{}, {}, fifo}), ErrorKind::Unreadable, "it is a pipe");
+}
+
+TEST(TlsContext, RefusesABrokenCertificateInTheChain) {
+  test::Authority authority;
+  const test::Certificate own = authority.issue("own", "DNS:a");
+  const test::TempFolder folder;
+  const std::string good = read_file(own.file).value();
+  EXPECT_TRUE(Context::for_server({folder.write("chain.pem", good + good), own.key, {}}));
+  const std::string broken = good + good.substr(0, good.size() / 2);
+  expect_error(Context::for_server({folder.write("torn.pem", broken), own.key, {}}),
+               ErrorKind::BadData, "torn.pem: is no certificate in PEM form");
+}
+
+TEST(TlsContext, WarnsOfAPrivateKeyThatOthersMayRead) {
+  namespace fs = std::filesystem;
+  test::Authority authority;
+  const test::Certificate own = authority.issue("own", "DNS:a");
+  for (const auto& [mode, is_said] : {std::pair{0600U, false}, {0640U, false}, {0644U, true}}) {
+    fs::permissions(own.key, static_cast<fs::perms>(mode));
+    const auto context = Context::for_server({own.file, own.key, {}});
+    ASSERT_TRUE(context);
+    EXPECT_EQ(!context->warning().empty(), is_said) << std::oct << mode << context->warning();
+  }
 }
 
 }  // namespace
