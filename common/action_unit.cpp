@@ -107,11 +107,25 @@ std::string letters_of(std::string_view name) {
   return letters;
 }
 
-std::uint8_t rounded_percent(float intensity) {
+constexpr std::string_view kLeft = "left_";
+constexpr std::string_view kRight = "right_";
+
+}  // namespace
+
+std::uint8_t percent_of(float intensity) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(intensity, 0.0F, 1.0F) * 100.0F));
 }
 
-}  // namespace
+std::string sided_name(Side side, std::string_view base) {
+  if (side == Side::Both) return std::string(base);
+  return std::string(side == Side::Left ? kLeft : kRight) + std::string(base);
+}
+
+SidedName split_side(std::string_view name) {
+  if (name.starts_with(kLeft)) return {Side::Left, name.substr(kLeft.size())};
+  if (name.starts_with(kRight)) return {Side::Right, name.substr(kRight.size())};
+  return {Side::Both, name};
+}
 
 bool shows_on_one_side(int number) {
   constexpr int kJawSideways = 30;
@@ -145,8 +159,8 @@ std::vector<AuTerm> canonical_terms(const AuFrame& frame) {
   for (int number = 1; number <= kAuNumberMax; ++number) {
     const auto index = static_cast<std::size_t>(number);
     const auto id = static_cast<std::uint8_t>(number);
-    const std::uint8_t left = rounded_percent(frame.left[index]);
-    const std::uint8_t right = rounded_percent(frame.right[index]);
+    const std::uint8_t left = percent_of(frame.left[index]);
+    const std::uint8_t right = percent_of(frame.right[index]);
     if (left == right && !shows_on_one_side(number)) {
       if (left != 0) terms.push_back({id, Side::Both, left});
       continue;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,24 @@ struct AuFrame {
 
 /// Sets AU `number` (1-99) on a side, or on those that Side::Both means for it.
 void set_intensity(AuFrame& frame, std::uint8_t number, Side side, float intensity);
+
+/// Whole percent of an intensity, rounded; what is outside [0,1] is cut.
+[[nodiscard]] std::uint8_t percent_of(float intensity);
+
+/// A name with its side: "left_brow", "right_brow", or "brow" for both.
+[[nodiscard]] std::string sided_name(Side side, std::string_view base);
+
+/// What sided_name() put together; Both for a name without a side. The base is a view into `name`.
+struct SidedName {
+  Side side = Side::Both;
+  std::string_view base;
+};
+[[nodiscard]] SidedName split_side(std::string_view name);
+
+/// Left for Right, Right for Left, Both for Both.
+[[nodiscard]] constexpr Side opposite(Side side) {
+  return side == Side::Left ? Side::Right : side == Side::Right ? Side::Left : side;
+}
 
 /// The frame that the terms describe. A repeated AU and side: the last wins; AU 0 adds nothing; 0
 /// percent is absent.

@@ -4,10 +4,14 @@
 
 namespace aucast {
 
-/// A moment on the steady clock. Pure code takes it as an argument and never reads a clock, so that
-/// tests can hand in any moment they like.
+/// A time on the steady clock. Pure code takes it as an argument and never reads a clock, so that
+/// tests control it.
 using Instant = std::chrono::steady_clock::time_point;
 using Duration = std::chrono::steady_clock::duration;
 using Milliseconds = std::chrono::milliseconds;
+
+[[nodiscard]] constexpr double seconds(Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
 
 }  // namespace aucast

@@ -5,6 +5,7 @@
 
 #include <toml++/toml.h>
 
+#include "common/files.h"
 #include "common/text.h"
 
 namespace aucast {
@@ -49,6 +50,13 @@ TomlValue value_of(const toml::node& node) {
 
 }  // namespace
 
+const TomlValue* TomlValue::find(std::string_view key) const {
+  for (const Entry& entry : entries) {
+    if (entry.key == key) return &entry.value;
+  }
+  return nullptr;
+}
+
 Result<TomlValue> parse_toml(std::string_view bytes, std::string_view file) {
   try {
     return value_of(toml::parse(bytes));
@@ -57,6 +65,12 @@ Result<TomlValue> parse_toml(std::string_view bytes, std::string_view file) {
     return Error{ErrorKind::BadData,
                  at_place(file, place.line, place.column, escaped(error.description(), 200))};
   }
+}
+
+Result<TomlValue> read_toml(const std::filesystem::path& path, std::size_t bytes_max) {
+  const auto bytes = read_file(path, bytes_max);
+  if (!bytes) return bytes.error();
+  return parse_toml(*bytes, path.string());
 }
 
 }  // namespace aucast

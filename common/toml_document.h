@@ -1,24 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "common/problems.h"
 #include "common/result.h"
 
 namespace aucast {
 
-/// Line and column in a file, both from 1.
-struct Place {
-  std::size_t line = 0;
-  std::size_t column = 0;
-};
-
-/// A value of a TOML file and where it stands. A tree of our own, so that one source only includes
-/// the TOML library. Which members are used depends on the kind; Other is what we never read (dates
-/// and times).
+/// A value of a TOML file and its place. A tree of our own, so that only toml_document.cpp includes
+/// the TOML library. The kind says which members are set; Other is a date or a time.
 struct TomlValue {
   enum class Kind : std::uint8_t { Boolean, Integer, Real, Text, Array, Table, Other };
 
@@ -32,6 +27,10 @@ struct TomlValue {
   std::string text;
   std::vector<TomlValue> items;  ///< of an array
   std::vector<Entry> entries;    ///< of a table, in the order of the file
+
+  [[nodiscard]] bool is_number() const { return kind == Kind::Integer || kind == Kind::Real; }
+  /// The value of that key of a table; null when there is none.
+  [[nodiscard]] const TomlValue* find(std::string_view key) const;
 };
 
 struct TomlValue::Entry {
@@ -40,7 +39,11 @@ struct TomlValue::Entry {
   TomlValue value;
 };
 
-/// The file's table. BadData "file:line:column: ..." when it is no TOML.
+/// The table of a whole file. BadData "file:line:column: ..." when the text is not TOML.
 [[nodiscard]] Result<TomlValue> parse_toml(std::string_view bytes, std::string_view file);
+
+/// read_file(), then parse_toml().
+[[nodiscard]] Result<TomlValue> read_toml(const std::filesystem::path& path,
+                                          std::size_t bytes_max = std::size_t{4} << 20U);
 
 }  // namespace aucast

@@ -1,6 +1,5 @@
 #include "protocol/changes.h"
 
-#include <cmath>
 #include <cstddef>
 
 #include "common/check.h"
@@ -8,13 +7,6 @@
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
-namespace {
-
-std::uint8_t percent_of(float intensity) {
-  return static_cast<std::uint8_t>(std::lround(intensity * 100.0F));
-}
-
-}  // namespace
 
 Keyframe changes_between(const Keyframe& from, const Keyframe& to) {
   AUCAST_CHECK(!from.changes_only && !to.changes_only);

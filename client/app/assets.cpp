@@ -8,58 +8,38 @@
 #include <string_view>
 #include <system_error>
 
-#include <toml++/toml.h>
-
 #include "common/files.h"
 #include "common/log.h"
 #include "common/text.h"
+#include "common/toml_reader.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
 namespace {
 
-Error at(const std::filesystem::path& file, const toml::source_region& where,
-         const std::string& text) {
-  return {ErrorKind::BadData, at_place(file.string(), where.begin.line, where.begin.column, text)};
-}
-
 /// How classic folders spell a muscle, by our name of it.
 using Spellings = std::map<std::string, std::vector<std::string>, std::less<>>;
 
-Result<Spellings> read_spellings(const toml::table& document, const std::filesystem::path& file) {
+Spellings read_spellings(TableReader& document, Problems& problems) {
   Spellings spellings;
-  const toml::table* table = document["muscle_names"].as_table();
+  const TomlValue* table = document.table_if("muscle_names");
   if (table == nullptr) return spellings;
-  for (const auto& [key, node] : *table) {
-    const toml::array* list = node.as_array();
-    if (list == nullptr || !list->is_homogeneous<std::string>()) {
-      return at(file, node.source(), "'" + std::string(key.str()) + "' is not a list of names");
-    }
-    for (const toml::node& spelling : *list) {
-      spellings[std::string(key.str())].push_back(spelling.value_or(std::string()));
-    }
+  TableReader reader(*table, problems);
+  for (const TomlValue::Entry& entry : table->entries) {
+    spellings[entry.key] = reader.texts(entry.key);
   }
   return spellings;
 }
 
 /// muscles = { name = [left, right], ... }
-Result<std::vector<ExpressionMuscle>> read_muscles(const toml::node& node,
-                                                   const Spellings& spellings,
-                                                   const std::filesystem::path& file) {
+std::vector<ExpressionMuscle> read_muscles(const TomlValue& table, const Spellings& spellings,
+                                           Problems& problems) {
   std::vector<ExpressionMuscle> muscles;
-  const toml::table* table = node.as_table();
-  if (table == nullptr) return at(file, node.source(), "'muscles' is not a table");
-  for (const auto& [key, value] : *table) {
-    const toml::array* pair = value.as_array();
-    const bool is_pair = pair != nullptr && pair->size() == 2;
-    const auto left = is_pair ? pair->get(0)->value<float>() : std::nullopt;
-    const auto right = is_pair ? pair->get(1)->value<float>() : std::nullopt;
-    if (!left || !right || !(*left >= 0) || !(*right >= 0)) {
-      return at(file, value.source(),
-                "'" + std::string(key.str()) + "' is not [left, right], each 0 or more");
-    }
-    ExpressionMuscle muscle{std::string(key.str()), {}, *left, *right};
-    if (const auto known = spellings.find(key.str()); known != spellings.end()) {
+  TableReader reader(table, problems);
+  for (const TomlValue::Entry& entry : table.entries) {
+    const auto [left, right] = reader.numbers<2>(entry.key, {.low = 0});
+    ExpressionMuscle muscle{entry.key, {}, left, right};
+    if (const auto known = spellings.find(entry.key); known != spellings.end()) {
       muscle.spellings = known->second;
     }
     muscles.push_back(std::move(muscle));
@@ -67,68 +47,31 @@ Result<std::vector<ExpressionMuscle>> read_muscles(const toml::node& node,
   return muscles;
 }
 
-/// pad = [x, y], each -1 to 1.
-Result<std::array<float, 2>> read_pad(const toml::node& node, const std::filesystem::path& file) {
-  const toml::array* pair = node.as_array();
-  const bool is_pair = pair != nullptr && pair->size() == 2;
-  const auto x = is_pair ? pair->get(0)->value<float>() : std::nullopt;
-  const auto y = is_pair ? pair->get(1)->value<float>() : std::nullopt;
-  const auto fits = [](float value) { return value >= -1 && value <= 1; };
-  if (!x || !y || !fits(*x) || !fits(*y)) {
-    return at(file, node.source(), "'pad' is not [x, y], each -1 to 1");
-  }
-  return std::array{*x, *y};
-}
-
 /// One [[expression]] table.
-Result<Expression> read_expression(const toml::table& table, const Spellings& spellings,
-                                   const std::filesystem::path& file) {
+Expression read_expression(const TomlValue& table, const Spellings& spellings, Problems& problems) {
+  TableReader reader(table, problems);
   Expression expression;
-  std::string aus = "0";
-  for (const auto& [key, node] : table) {
-    if (key == "muscles") {
-      auto muscles = read_muscles(node, spellings, file);
-      if (!muscles) return muscles.error();
-      expression.muscles = std::move(*muscles);
-      continue;
-    }
-    if (key == "pad") {
-      auto pad = read_pad(node, file);
-      if (!pad) return pad.error();
-      expression.pad = *pad;
-      continue;
-    }
-    const auto text = node.value<std::string>();
-    if (!text) return at(file, node.source(), "'" + std::string(key.str()) + "' is not a text");
-    if (key == "name") {
-      expression.name = *text;
-    } else if (key == "label") {
-      expression.label = *text;
-    } else if (key == "source") {
-      expression.source = *text;
-    } else if (key == "aus") {
-      aus = *text;
-    } else {
-      return at(file, key.source(),
-                "unknown key '" + std::string(key.str()) +
-                    "'; known are name, label, aus, muscles, source, pad");
-    }
-  }
-  if (expression.name.empty()) return at(file, table.source(), "an expression without name");
+  expression.name = reader.text("name");
   if (!protocol::is_stream_name(expression.name)) {
-    return at(file, table.source(),
-              "'" + escaped(expression.name) +
-                  "' is no name: at most 64 letters, digits, '.', '_' and '-'");
+    reader.wrong("name", "'" + escaped(expression.name) +
+                             "' must be 1 to 64 letters, digits, '.', '_' and '-'");
   }
-  if (!table.contains("aus") && expression.muscles.empty()) {
-    return at(file, table.source(), "expression '" + expression.name + "' has no aus, no muscles");
+  expression.label = reader.text_or("label", expression.name);
+  expression.source = reader.text_or("source", "");
+  if (reader.has("pad")) expression.pad = reader.numbers<2>("pad", Bounds::between(-1, 1));
+  if (const TomlValue* muscles = reader.table_if("muscles")) {
+    expression.muscles = read_muscles(*muscles, spellings, problems);
   }
-  auto frame = protocol::parse_au_set(aus);
-  if (!frame)
-    return at(file, table.source(),
-              "expression '" + expression.name + "': " + frame.error().message);
-  expression.aus = *frame;
-  if (expression.label.empty()) expression.label = expression.name;
+  if (expression.muscles.empty() && !reader.has("aus")) {
+    problems.add(table.place, "expression '" + expression.name + "' has neither aus nor muscles");
+  }
+  const auto aus = protocol::parse_au_set(reader.text_or("aus", "0"));
+  if (aus) {
+    expression.aus = *aus;
+  } else {
+    reader.wrong("aus", "of expression '" + expression.name + "': " + aus.error().message);
+  }
+  reader.finish();
   return expression;
 }
 
@@ -158,56 +101,47 @@ std::filesystem::path face_folder(const FaceOptions& options, const std::filesys
 }  // namespace
 
 Result<std::vector<Expression>> load_expressions(const std::filesystem::path& file) {
-  auto text = read_file(file);
-  if (!text) return text.error();
+  const auto document = read_toml(file);
+  if (!document) return document.error();
+  Problems problems(file.string());
+  TableReader reader(*document, problems);
+  const Spellings spellings = read_spellings(reader, problems);
   std::vector<Expression> expressions;
-  try {
-    const toml::table table = toml::parse(*text, file.string());
-    const auto spellings = read_spellings(table, file);
-    if (!spellings) return spellings.error();
-    std::set<std::string> names;
-    const toml::array* list = table["expression"].as_array();
-    if (list == nullptr) {
-      return at(file, table.source(), "no [[expression]] in it");
-    }
-    for (const toml::node& node : *list) {
-      if (!node.is_table()) return at(file, node.source(), "expression is not a table");
-      auto expression = read_expression(*node.as_table(), *spellings, file);
-      if (!expression) return expression.error();
-      if (!names.insert(expression->name).second) {
-        return at(file, node.source(), "a second expression '" + expression->name + "'");
-      }
-      expressions.push_back(std::move(*expression));
-    }
-  } catch (const toml::parse_error& error) {
-    return at(file, error.source(), std::string(error.description()));
+  std::set<std::string> names;
+  for (const TomlValue* table : reader.tables("expression")) {
+    expressions.push_back(read_expression(*table, spellings, problems));
+    if (names.insert(expressions.back().name).second) continue;
+    problems.add(table->place, "a second expression '" + expressions.back().name + "'");
   }
+  reader.finish();
+  if (expressions.empty()) problems.add(document->place, "no [[expression]] in it");
+  if (auto good = problems.result(); !good) return good.error();
   return expressions;
 }
 
 Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file) {
-  auto text = read_file(file);
-  if (!text) return text.error();
+  const auto document = read_toml(file);
+  if (!document) return document.error();
+  Problems problems(file.string());
+  TableReader reader(*document, problems);
   std::map<int, std::string> looks;
-  try {
-    const toml::table document = toml::parse(*text, file.string());
-    const toml::table* table = document["looks"].as_table();
-    if (table == nullptr) return at(file, document.source(), "no [looks] in it");
-    for (const auto& [key, node] : *table) {
-      const auto words = node.value<std::string>();
-      if (!words) return at(file, node.source(), "'" + std::string(key.str()) + "' is not a text");
-      int number = 0;
-      const std::string_view name = key.str();
-      const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
-      if (read.ec != std::errc() || read.ptr != name.data() + name.size() || number < 0 ||
+  if (const TomlValue* table = reader.table_if("looks")) {
+    TableReader texts(*table, problems);
+    for (const TomlValue::Entry& entry : table->entries) {
+      const std::string& key = entry.key;
+      int number = -1;
+      const auto read = std::from_chars(key.data(), key.data() + key.size(), number);
+      if (read.ec != std::errc() || read.ptr != key.data() + key.size() || number < 0 ||
           number > kAuNumberMax) {
-        return at(file, key.source(), "'" + escaped(name) + "' is no AU number, 0 to 99");
+        problems.add(entry.place, "'" + escaped(key) + "' is not an AU number, 0 to 99");
       }
-      looks[number] = *words;
+      looks[number] = texts.text(key);
     }
-  } catch (const toml::parse_error& error) {
-    return at(file, error.source(), std::string(error.description()));
+  } else {
+    problems.add(document->place, "no [looks] in it");
   }
+  reader.finish();
+  if (auto good = problems.result(); !good) return good.error();
   return looks;
 }
 
@@ -240,9 +174,9 @@ Result<Expression> find_expression(const Assets& assets, const std::string& name
     if (expression.name == name) return expression;
     names.push_back(expression.name);
   }
-  std::string message = "no expression '" + escaped(name) + "'";
-  if (const auto near = nearest(name, names)) message += "; did you mean " + *near + "?";
-  return Error{ErrorKind::Usage, message + " (face-player pose --list names them)"};
+  return Error{ErrorKind::Usage, "no expression '" + escaped(name) + "'" +
+                                     did_you_mean(name, names) +
+                                     " (face-player pose --list names them)"};
 }
 
 Result<void> apply_muscles(const face::Face& face, const Expression& expression,

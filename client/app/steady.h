@@ -10,10 +10,6 @@ namespace aucast::app {
   return std::chrono::steady_clock::now();
 }
 
-[[nodiscard]] inline double seconds(Duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
 /// Milliseconds since the process was started, by the kernel's account of it.
 [[nodiscard]] double since_start_ms();
 

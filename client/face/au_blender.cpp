@@ -102,7 +102,7 @@ bool changes_something(const Change& change, const Values& before) {
 }
 
 std::string percent(float value) {
-  return std::to_string(std::lround(std::clamp(value, 0.0F, 1.0F) * 100)) + " %";
+  return std::to_string(percent_of(value)) + " %";
 }
 
 /// "51 100 % and 52 40 %: 51 60 %, 52 gone".

@@ -20,8 +20,8 @@ struct Drive {
 std::vector<std::size_t> channels_named(const Face& face, std::string_view name) {
   if (const auto exact = face.channel_index(name)) return {*exact};
   std::vector<std::size_t> found;
-  for (const std::string_view side : {"left_", "right_"}) {
-    if (const auto sided = face.channel_index(std::string(side) + std::string(name))) {
+  for (const Side side : {Side::Left, Side::Right}) {
+    if (const auto sided = face.channel_index(sided_name(side, name))) {
       found.push_back(*sided);
     }
   }

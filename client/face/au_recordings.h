@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "client/face/face.h"
-#include "client/face/table_reader.h"
+#include "common/toml_reader.h"
 
 namespace aucast::face {
 

@@ -14,7 +14,6 @@
 #include "client/face/classic_scanner.h"
 #include "client/face/face_folder.h"
 #include "client/face/muscle_file.h"
-#include "client/face/table_reader.h"
 #include "common/files.h"
 #include "common/text.h"
 
@@ -234,9 +233,7 @@ std::map<std::string, std::set<std::string>, std::less<>> read_aliases(TableRead
 }
 
 Result<void> read_classic_aus(const std::filesystem::path& path, Face& face) {
-  const auto bytes = read_file(path, kFileBytesMax);
-  if (!bytes) return bytes.error();
-  const auto document = parse_toml(*bytes, path.string());
+  const auto document = read_toml(path);
   if (!document) return document.error();
   Problems problems(path.string());
   TableReader reader(*document, problems);

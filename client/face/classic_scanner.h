@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/face/table_reader.h"
+#include "common/problems.h"
 
 namespace aucast::face {
 

@@ -6,9 +6,8 @@
 #include <system_error>
 #include <utility>
 
-#include "client/face/table_reader.h"
-#include "common/files.h"
 #include "common/text.h"
+#include "common/toml_reader.h"
 
 namespace aucast::face {
 namespace {
@@ -104,9 +103,7 @@ std::string_view name(RuleKind kind) {
 }
 
 Result<RuleSet> load_rules(const std::filesystem::path& file) {
-  const auto bytes = read_file(file, kRulesBytesMax);
-  if (!bytes) return bytes.error();
-  const auto document = parse_toml(*bytes, file.string());
+  const auto document = read_toml(file, kRulesBytesMax);
   if (!document) return document.error();
   Problems problems(file.string());
   TableReader reader(*document, problems);

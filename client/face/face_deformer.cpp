@@ -76,13 +76,6 @@ WeightedBlocks gather(std::size_t vertex_count, Weight weight) {
   return result;
 }
 
-std::string sided_name(Side side, std::string_view base) {
-  const std::string_view prefix = side == Side::Left    ? "left_"
-                                  : side == Side::Right ? "right_"
-                                                        : "";
-  return std::string(prefix) + std::string(base);
-}
-
 }  // namespace
 
 struct FaceDeformer::State {

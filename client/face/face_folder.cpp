@@ -7,27 +7,20 @@
 #include "client/face/au_recordings.h"
 #include "client/face/muscle_file.h"
 #include "client/face/ply.h"
-#include "client/face/table_reader.h"
+#include "client/face/toml_points.h"
 #include "common/files.h"
 #include "common/text.h"
 
 namespace aucast::face {
 namespace {
 
-constexpr std::size_t kTomlBytesMax = std::size_t{4} << 20U;
 constexpr float kMuscleMax = 2;
 constexpr float kJawMax = 4;
-
-Result<TomlValue> read_toml(const std::filesystem::path& path) {
-  const auto bytes = read_file(path, kTomlBytesMax);
-  if (!bytes) return bytes.error();
-  return parse_toml(*bytes, path.string());
-}
 
 Jaw read_jaw(const TomlValue& table, Problems& problems) {
   TableReader reader(table, problems);
   Jaw jaw;
-  jaw.hinge = reader.point("hinge");
+  jaw.hinge = read_point(reader, "hinge");
   jaw.degrees_per_unit =
       reader.number("degrees_per_unit", {.low = 0, .high = 90 / kJawMax, .low_open = true});
   jaw.forward_per_rad = reader.number_or("forward_per_rad", 0, Bounds::between(-10, 10));
@@ -39,7 +32,7 @@ Eye read_eye(const TomlValue& table, Problems& problems) {
   TableReader reader(table, problems);
   Eye eye;
   eye.part = reader.text("part");
-  eye.centre = reader.point("centre");
+  eye.centre = read_point(reader, "centre");
   eye.yaw_deg = reader.number_or("yaw_deg", eye.yaw_deg, Bounds::between(0, 90));
   eye.pitch_deg = reader.number_or("pitch_deg", eye.pitch_deg, Bounds::between(0, 90));
   reader.finish();
@@ -49,7 +42,7 @@ Eye read_eye(const TomlValue& table, Problems& problems) {
 HeadPose read_head(const TomlValue& table, Problems& problems) {
   TableReader reader(table, problems);
   HeadPose head;
-  head.pivot = reader.point("pivot");
+  head.pivot = read_point(reader, "pivot");
   head.turn_deg = reader.number_or("turn_deg", head.turn_deg, Bounds::between(0, 90));
   head.pitch_deg = reader.number_or("pitch_deg", head.pitch_deg, Bounds::between(0, 90));
   head.tilt_deg = reader.number_or("tilt_deg", head.tilt_deg, Bounds::between(0, 90));
@@ -101,12 +94,6 @@ void read_movers(TableReader& reader, Face& face, Problems& problems) {
   }
 }
 
-std::string sided(Side side, std::string_view name) {
-  if (side == Side::Left) return "left_" + std::string(name);
-  if (side == Side::Right) return "right_" + std::string(name);
-  return std::string(name);
-}
-
 /// Where a part lies by the mean of its vertices.
 Side side_of(const MeshPart& part, const FaceMesh& mesh) {
   float sum = 0;
@@ -126,7 +113,7 @@ std::vector<Channel> channels_of(const Face& face) {
   const auto add_for_eyes = [&](std::string_view name) {
     for (const Eye& eye : face.eyes) {
       const Side side = side_at(eye.centre.x);
-      channels.push_back({sided(side, name), side, 1, name == "lid_close"});
+      channels.push_back({sided_name(side, name), side, 1, name == "lid_close"});
     }
   };
   if (face.lids) {
@@ -136,7 +123,7 @@ std::vector<Channel> channels_of(const Face& face) {
   for (const Eye& eye : face.eyes) {
     const Side side = side_at(eye.centre.x);
     for (const std::string_view name : {"gaze_left", "gaze_right", "gaze_up", "gaze_down"}) {
-      channels.push_back({sided(side, name), side, 1});
+      channels.push_back({sided_name(side, name), side, 1});
     }
   }
   if (face.head) {
@@ -158,9 +145,7 @@ std::vector<std::string> drive_names(const Face& face) {
   std::set<std::string> names;
   for (const Channel& channel : face.channels) {
     names.insert(channel.name);
-    for (const std::string_view side : {"left_", "right_"}) {
-      if (channel.name.starts_with(side)) names.insert(channel.name.substr(side.size()));
-    }
+    names.emplace(split_side(channel.name).base);
   }
   return {names.begin(), names.end()};
 }

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "client/face/toml_points.h"
 #include "common/text.h"
 
 namespace aucast::face {
@@ -26,8 +27,8 @@ float divisor(TableReader& reader, std::string_view key, float fallback) {
 
 LinearMuscle read_linear(TableReader& reader) {
   LinearMuscle muscle;
-  muscle.attachment = reader.point("attachment");
-  muscle.insertion = reader.point("insertion");
+  muscle.attachment = read_point(reader, "attachment");
+  muscle.insertion = read_point(reader, "insertion");
   check_ends(reader, muscle.attachment, muscle.insertion);
   muscle.zone_rad = kRadPerDeg * reader.number("zone_deg", Bounds::inside(0, 90));
   muscle.falloff_start = reader.number("falloff_start", {.low = 0});
@@ -41,8 +42,8 @@ LinearMuscle read_linear(TableReader& reader) {
 
 MouthSphincter read_mouth(TableReader& reader) {
   MouthSphincter muscle;
-  muscle.centre = reader.point("centre");
-  muscle.semi_axes = reader.pair("semi_axes", Bounds::above(0));
+  muscle.centre = read_point(reader, "centre");
+  muscle.semi_axes = read_pair(reader, "semi_axes", Bounds::above(0));
   if (muscle.semi_axes.x < muscle.semi_axes.y) {
     reader.wrong("semi_axes", "must have the longer one first");
   }
@@ -53,8 +54,8 @@ MouthSphincter read_mouth(TableReader& reader) {
 
 EyeSphincter read_eye(TableReader& reader) {
   EyeSphincter muscle;
-  muscle.centre = reader.point("centre");
-  muscle.semi_axes = reader.pair("semi_axes", Bounds::above(0));
+  muscle.centre = read_point(reader, "centre");
+  muscle.semi_axes = read_pair(reader, "semi_axes", Bounds::above(0));
   muscle.depth = reader.number("depth", Bounds::above(0));
   muscle.bulge = divisor(reader, "bulge", muscle.bulge);
   muscle.upper_share = reader.number_or("upper_share", muscle.upper_share, Bounds::between(0, 1));
@@ -64,8 +65,8 @@ EyeSphincter read_eye(TableReader& reader) {
 
 SheetMuscle read_sheet(TableReader& reader) {
   SheetMuscle muscle;
-  muscle.attachment = reader.point("attachment");
-  muscle.insertion = reader.point("insertion");
+  muscle.attachment = read_point(reader, "attachment");
+  muscle.insertion = read_point(reader, "insertion");
   check_ends(reader, muscle.attachment, muscle.insertion);
   muscle.width = reader.number("width", Bounds::above(0));
   muscle.peak = reader.number_or("peak", muscle.peak, Bounds::inside(0, 1));
@@ -75,10 +76,10 @@ SheetMuscle read_sheet(TableReader& reader) {
 
 LocalPull read_pull(TableReader& reader) {
   LocalPull muscle;
-  muscle.centre = reader.point("centre");
-  muscle.direction = reader.point("direction");
+  muscle.centre = read_point(reader, "centre");
+  muscle.direction = read_point(reader, "direction");
   if (muscle.direction == glm::vec3(0)) reader.wrong("direction", "must not be zero");
-  muscle.radii = reader.point("radii", Bounds::above(0));
+  muscle.radii = read_point(reader, "radii", Bounds::above(0));
   return muscle;
 }
 
@@ -155,9 +156,9 @@ std::vector<Muscle> read_muscles(TableReader& document, const FaceMesh& mesh, Pr
     if (both_sides && !(x_of(muscle.shape) > 0)) {
       reader.wrong("mirrored", "needs the insertion or centre at x > 0, the left side");
     }
-    for (const std::string_view side : {"left_", "right_"}) {
-      if (both_sides) muscle.name = std::string(side) + name;
-      if (side == "right_") {
+    for (const Side side : {Side::Left, Side::Right}) {
+      if (both_sides) muscle.name = sided_name(side, name);
+      if (side == Side::Right) {
         if (!both_sides) break;
         muscle.shape = mirrored(muscle.shape);
       }

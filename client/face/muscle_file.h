@@ -4,7 +4,7 @@
 
 #include "client/face/face_mesh.h"
 #include "client/face/muscle.h"
-#include "client/face/table_reader.h"
+#include "common/toml_reader.h"
 
 namespace aucast::face {
 

@@ -2,39 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <optional>
 
 #include "client/face/au_recordings.h"
 #include "common/text.h"
 #include "common/toml_document.h"
+#include "common/toml_writer.h"
 
 namespace aucast::gui {
 namespace {
-
-const TomlValue::Entry* entry_of(const TomlValue& table, std::string_view key) {
-  for (const TomlValue::Entry& entry : table.entries) {
-    if (entry.key == key) return &entry;
-  }
-  return nullptr;
-}
-
-/// A number as TOML wants a real one, no longer than it takes to read the same back.
-std::string number_text(float value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  std::string number(text.data(), end);
-  if (number.find_first_of(".e") == std::string::npos) number += ".0";
-  return number;
-}
 
 std::string drive_text(const Drive& drive) {
   if (drive.empty()) return "{}";
   std::string text = "{ ";
   for (const auto& [name, value] : drive) {
     if (text.size() > 2) text += ", ";
-    text += name + " = " + number_text(value);
+    text += toml_key(name) + " = " + toml_real(value);
   }
   return text + " }";
 }
@@ -80,14 +64,12 @@ std::optional<std::size_t> end_of_braces(std::string_view text, std::size_t open
 
 /// The [[au]] table of a number; null when there is none.
 const TomlValue* table_of(const TomlValue& document, int number) {
-  const TomlValue::Entry* aus = entry_of(document, "au");
+  const TomlValue* aus = document.find("au");
   if (aus == nullptr) return nullptr;
-  for (const TomlValue& table : aus->value.items) {
-    const TomlValue::Entry* entry = entry_of(table, "number");
-    if (entry != nullptr && entry->value.kind == TomlValue::Kind::Integer &&
-        entry->value.integer == number) {
-      return &table;
-    }
+  for (const TomlValue& table : aus->items) {
+    const TomlValue* value = table.find("number");
+    const bool is_it = value != nullptr && value->kind == TomlValue::Kind::Integer;
+    if (is_it && value->integer == number) return &table;
   }
   return nullptr;
 }
@@ -97,7 +79,7 @@ std::string with_new_au(std::string_view text, int number, const Drive& drive) {
   if (!result.empty() && result.back() != '\n') result += '\n';
   result +=
       "\n[[au]]\nnumber = " + std::to_string(number) + "\ndrive = " + drive_text(drive) + "\n";
-  if (const auto name = facs_name(number)) result += "note = \"" + std::string(*name) + "\"\n";
+  if (const auto name = facs_name(number)) result += toml_line("note", toml_text(*name));
   return result;
 }
 
@@ -115,24 +97,16 @@ Drive in_order_of(const TomlValue& table, Drive drive) {
 }  // namespace
 
 Drive drive_of(const face::Face& face, const std::vector<float>& activations) {
-  constexpr std::string_view kLeft = "left_";
-  constexpr std::string_view kRight = "right_";
   Drive drive;
   for (std::size_t i = 0; i < face.channels.size(); ++i) {
     const std::string& name = face.channels[i].name;
-    const bool left = name.starts_with(kLeft);
-    const bool right = name.starts_with(kRight);
+    const auto [side, base] = split_side(name);
     std::optional<std::size_t> partner;
-    std::string common;
-    if (left || right) {
-      common = name.substr(left ? kLeft.size() : kRight.size());
-      partner = face.channel_index(std::string(left ? kRight : kLeft) + common);
-    }
+    if (side != Side::Both) partner = face.channel_index(sided_name(opposite(side), base));
     const bool joined =
-        partner && !face.channel_index(common) && activations[i] == activations[*partner];
-    if (joined && right && *partner < i) continue;  // written with its left one
-    if (joined && left && *partner < i) continue;
-    if (activations[i] > 0) drive.emplace_back(joined ? common : name, activations[i]);
+        partner && !face.channel_index(base) && activations[i] == activations[*partner];
+    if (joined && *partner < i) continue;  // written with its partner
+    if (activations[i] > 0) drive.emplace_back(joined ? base : name, activations[i]);
   }
   return drive;
 }
@@ -155,13 +129,13 @@ Result<std::string> with_au(std::string_view text, std::string_view file, int nu
   if (!document) return document.error();
   const TomlValue* table = table_of(*document, number);
   if (table == nullptr) return with_new_au(text, number, drive);
-  const TomlValue::Entry* old = entry_of(*table, "drive");
+  const TomlValue* old = table->find("drive");
   if (old == nullptr) {
     return Error{ErrorKind::BadData,
                  at_place(file, table->place.line, table->place.column,
                           "AU" + std::to_string(number) + " has no drive to be replaced")};
   }
-  const auto begin = byte_at(text, old->value.place);
+  const auto begin = byte_at(text, old->place);
   const auto end = begin ? end_of_braces(text, *begin) : std::nullopt;
   if (!end) {
     return Error{ErrorKind::BadData,
@@ -171,7 +145,7 @@ Result<std::string> with_au(std::string_view text, std::string_view file, int nu
                               "again")};
   }
   std::string result(text.substr(0, *begin));
-  result += drive_text(in_order_of(old->value, drive));
+  result += drive_text(in_order_of(*old, drive));
   result += text.substr(*end);
   return result;
 }

@@ -69,7 +69,7 @@ std::vector<ChannelGroup> channel_groups(const face::Face& face,
       const face::Channel& channel = face.channels[i];
       if (region_of(channel.name) != region) continue;
       const auto partner = partner_of(face, i);
-      const bool is_left = !partner || channel.name.starts_with("left_");
+      const bool is_left = !partner || split_side(channel.name).side == Side::Left;
       if (!is_left) continue;  // it stands on its partner's line
       ChannelRow row;
       row.name = for_people(channel.name, partner.has_value());

@@ -15,16 +15,9 @@ constexpr std::size_t kStepsMax = 1000;
 }  // namespace
 
 std::optional<std::size_t> partner_of(const face::Face& face, std::size_t channel) {
-  constexpr std::string_view kLeft = "left_";
-  constexpr std::string_view kRight = "right_";
-  const std::string& name = face.channels[channel].name;
-  if (name.starts_with(kLeft)) {
-    return face.channel_index(std::string(kRight) + name.substr(kLeft.size()));
-  }
-  if (name.starts_with(kRight)) {
-    return face.channel_index(std::string(kLeft) + name.substr(kRight.size()));
-  }
-  return std::nullopt;
+  const auto [side, base] = split_side(face.channels[channel].name);
+  if (side == Side::Both) return std::nullopt;
+  return face.channel_index(sided_name(opposite(side), base));
 }
 
 ExpressionEditor::ExpressionEditor(const face::Face& face, const face::AuRecordings& recordings)

@@ -4,90 +4,65 @@
 #include <array>
 #include <system_error>
 
-#include "client/face/table_reader.h"
 #include "common/files.h"
 #include "common/text.h"
-#include "common/toml_document.h"
+#include "common/toml_reader.h"
+#include "common/toml_writer.h"
 
 namespace aucast::gui {
 namespace {
 
 namespace fs = std::filesystem;
-using face::Problems;
-using face::TableReader;
 
 constexpr std::size_t kFileMax = std::size_t{1} << 20U;
 constexpr std::array<std::string_view, 2> kMixers = {"maximum", "average"};
 constexpr std::array<std::string_view, 2> kInterpolations = {"linear", "cosine"};
 constexpr std::array<std::string_view, 4> kGrounds = {"studio", "black", "grey", "white"};
 
-/// Fields with a value of their own when the file is silent.
-class Fields {
+/// Fields keep their value where the file is silent.
+class Fields : public TableReader {
  public:
-  Fields(const TomlValue& table, Problems& problems) : reader_(table, problems) {}
+  using TableReader::TableReader;
 
-  void whole(std::string_view key, int& value, int low, int high) {
-    if (reader_.has(key)) value = reader_.integer(key, low, high);
+  void take(std::string_view key, int& value, int low, int high) {
+    value = integer_or(key, value, low, high);
   }
-  void yes_no(std::string_view key, bool& value) { value = reader_.boolean_or(key, value); }
-  void text(std::string_view key, std::string& value) { value = reader_.text_or(key, value); }
-  /// One of a few words, in the order of the enumeration.
+  void take(std::string_view key, bool& value) { value = boolean_or(key, value); }
+  void take(std::string_view key, std::string& value) { value = text_or(key, value); }
   template <typename Enum, std::size_t N>
-  void word(std::string_view key, Enum& value, const std::array<std::string_view, N>& words) {
-    if (!reader_.has(key)) return;
-    const std::string given = reader_.text(key);
-    const auto* const found = std::find(words.begin(), words.end(), given);
-    if (found != words.end()) {
-      value = static_cast<Enum>(found - words.begin());
-      return;
-    }
-    std::string all;
-    for (const std::string_view one : words) all += (all.empty() ? "" : ", ") + std::string(one);
-    wrong(key, "'" + escaped(given) + "' is not one of " + all);
+  void take(std::string_view key, Enum& value, const std::array<std::string_view, N>& words) {
+    value = static_cast<Enum>(word_or(key, static_cast<std::size_t>(value), words));
   }
-  void wrong(std::string_view key, const std::string& text) { reader_.wrong(key, text); }
-  TableReader& reader() { return reader_; }
-  void finish() { reader_.finish(); }
-
- private:
-  TableReader reader_;
 };
 
 void read_remote(Fields fields, KeptSettings& settings) {
   RemoteSettings& remote = settings.remote;
-  fields.text("address", remote.address);
-  fields.whole("port", remote.port, 1, 65535);
-  fields.whole("buffer", remote.buffer, 1, 10'000);
-  fields.whole("playout", remote.playout, 1, 10'000);
-  fields.whole("threshold_percent", remote.threshold_percent, 1, 100);
-  fields.whole("speed_ms", remote.speed_ms, 0, 1000);
-  fields.yes_no("reconnect", remote.reconnect);
-  if (const TomlValue* list = fields.reader().value_if("recent")) {
-    for (const TomlValue& item : list->items) {
-      if (item.kind != TomlValue::Kind::Text) {
-        fields.wrong("recent", "is not a list of addresses");
-        break;
-      }
-      if (settings.recent.size() < kRecentMax) settings.recent.push_back(item.text);
-    }
-  }
+  fields.take("address", remote.address);
+  fields.take("port", remote.port, 1, 65535);
+  fields.take("buffer", remote.buffer, 1, 10'000);
+  fields.take("playout", remote.playout, 1, 10'000);
+  fields.take("threshold_percent", remote.threshold_percent, 1, 100);
+  fields.take("speed_ms", remote.speed_ms, 0, 1000);
+  fields.take("reconnect", remote.reconnect);
+  settings.recent = fields.texts("recent");
+  if (settings.recent.size() > kRecentMax) settings.recent.resize(kRecentMax);
   if (const auto wrong = problem(remote)) fields.wrong("address", *wrong);
   fields.finish();
 }
 
 void read_animation(Fields fields, KeptSettings& settings) {
-  fields.word("mixer", settings.animation.mixer, kMixers);
-  fields.text("rules", settings.animation.rules);
-  fields.word("interpolation", settings.animation.interpolation, kInterpolations);
-  fields.whole("transition_frames", settings.transition.frames, 1, 500);
-  fields.whole("transition_frame_ms", settings.transition.frame_ms, 1, 1000);
-  fields.yes_no("transition_cosine", settings.transition.cosine);
+  fields.take("mixer", settings.animation.mixer, kMixers);
+  fields.take("rules", settings.animation.rules);
+  fields.take("interpolation", settings.animation.interpolation, kInterpolations);
+  fields.take("transition_frames", settings.transition.frames, 1, 500);
+  fields.take("transition_frame_ms", settings.transition.frame_ms, 1, 1000);
+  fields.take("transition_cosine", settings.transition.cosine);
   fields.finish();
 }
 
 void read_rendering(Fields fields, RenderingSettings& rendering) {
   std::string layers = view::format_layers(rendering.layers);
-  fields.text("show", layers);
+  fields.take("show", layers);
   rendering.layers.textured = false;
   if (!layers.empty()) {
     if (auto parsed = view::parse_layers(layers)) {
@@ -96,42 +71,32 @@ void read_rendering(Fields fields, RenderingSettings& rendering) {
       fields.wrong("show", parsed.error().message);
     }
   }
-  fields.word("background", rendering.ground, kGrounds);
-  fields.whole("light_yaw_deg", rendering.light_yaw_deg, -180, 180);
-  fields.whole("light_pitch_deg", rendering.light_pitch_deg, -80, 80);
-  fields.whole("light_percent", rendering.light_percent, 0, 200);
-  fields.yes_no("blinking", rendering.blinking);
-  fields.whole("blink_interval_ms", rendering.blink.interval_ms, 500, 60'000);
-  fields.whole("blink_closing_ms", rendering.blink.closing_ms, 25, 500);
-  fields.word("blink_interpolation", rendering.blink.interpolation, kInterpolations);
+  fields.take("background", rendering.ground, kGrounds);
+  fields.take("light_yaw_deg", rendering.light_yaw_deg, -180, 180);
+  fields.take("light_pitch_deg", rendering.light_pitch_deg, -80, 80);
+  fields.take("light_percent", rendering.light_percent, 0, 200);
+  fields.take("blinking", rendering.blinking);
+  fields.take("blink_interval_ms", rendering.blink.interval_ms, 500, 60'000);
+  fields.take("blink_closing_ms", rendering.blink.closing_ms, 25, 500);
+  fields.take("blink_interpolation", rendering.blink.interpolation, kInterpolations);
   int seed = static_cast<int>(std::min<std::uint64_t>(rendering.blink.seed, 999'999));
-  fields.whole("blink_seed", seed, 0, 999'999);
+  fields.take("blink_seed", seed, 0, 999'999);
   rendering.blink.seed = static_cast<std::uint64_t>(seed);
   fields.finish();
 }
 
-/// A TOML basic string.
-std::string toml_text(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) >= ' ' && c != 127) out += c;
-  }
-  return out + "\"";
-}
-
-std::string line(std::string_view key, const std::string& value) {
-  return std::string(key) + " = " + value + "\n";
-}
 std::string line(std::string_view key, int value) {
-  return line(key, std::to_string(value));
+  return toml_line(key, std::to_string(value));
 }
 std::string line(std::string_view key, bool value) {
-  return line(key, std::string(value ? "true" : "false"));
+  return toml_line(key, value ? "true" : "false");
+}
+std::string line(std::string_view key, const std::string& value) {
+  return toml_line(key, toml_text(value));
 }
 template <typename Enum, std::size_t N>
 std::string line(std::string_view key, Enum value, const std::array<std::string_view, N>& words) {
-  return line(key, toml_text(words[static_cast<std::size_t>(value)]));
+  return toml_line(key, toml_text(words[static_cast<std::size_t>(value)]));
 }
 
 }  // namespace
@@ -169,21 +134,17 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
 
 std::string format_settings(const KeptSettings& settings) {
   const RemoteSettings& remote = settings.remote;
-  std::string recent;
-  for (const std::string& address : settings.recent) {
-    recent += (recent.empty() ? "" : ", ") + toml_text(address);
-  }
   std::string text =
       "# What face-player's window remembers. It is written when the window closes; options of "
       "the\n"
       "# command line come first, --no-config leaves it alone.\n\n[remote]\n";
-  text += line("address", toml_text(remote.address)) + line("port", remote.port) +
-          line("recent", "[" + recent + "]") + line("buffer", remote.buffer) +
+  text += line("address", remote.address) + line("port", remote.port) +
+          toml_line("recent", toml_texts(settings.recent)) + line("buffer", remote.buffer) +
           line("playout", remote.playout) + line("threshold_percent", remote.threshold_percent) +
           line("speed_ms", remote.speed_ms) + line("reconnect", remote.reconnect);
   text += "\n[animation]\n";
   text += line("mixer", settings.animation.mixer, kMixers) +
-          line("rules", toml_text(settings.animation.rules)) +
+          line("rules", settings.animation.rules) +
           line("interpolation", settings.animation.interpolation, kInterpolations) +
           line("transition_frames", settings.transition.frames) +
           line("transition_frame_ms", settings.transition.frame_ms) +
@@ -191,7 +152,7 @@ std::string format_settings(const KeptSettings& settings) {
   const RenderingSettings& rendering = settings.rendering;
   text += "\n[rendering]\n";
   text +=
-      line("show", toml_text(view::format_layers(rendering.layers))) +
+      line("show", view::format_layers(rendering.layers)) +
       line("background", rendering.ground, kGrounds) +
       line("light_yaw_deg", rendering.light_yaw_deg) +
       line("light_pitch_deg", rendering.light_pitch_deg) +
@@ -199,7 +160,7 @@ std::string format_settings(const KeptSettings& settings) {
       line("blink_interval_ms", rendering.blink.interval_ms) +
       line("blink_closing_ms", rendering.blink.closing_ms) +
       line("blink_interpolation", rendering.blink.interpolation, kInterpolations) +
-      line("blink_seed", std::to_string(std::min<std::uint64_t>(rendering.blink.seed, 999'999)));
+      line("blink_seed", static_cast<int>(std::min<std::uint64_t>(rendering.blink.seed, 999'999)));
   return text;
 }
 
@@ -236,7 +197,7 @@ Result<void> save_settings(const KeptSettings& settings, const fs::path& file) {
   fs::create_directories(file.parent_path(), failed);
   if (failed) {
     return Error{ErrorKind::Failed,
-                 "cannot make " + file.parent_path().string() + ": " + failed.message()};
+                 "cannot make " + at_place(file.parent_path().string(), failed.message())};
   }
   return write_file_atomically(file, format_settings(settings));
 }

@@ -17,13 +17,9 @@ constexpr float kMarksApart = 5;
 
 enum class Icon : std::uint8_t { Play, Pause, KeyframeBack, FrameBack, FrameOn, KeyframeOn };
 
-double seconds_of(Duration time) {
-  return std::chrono::duration<double>(time).count();
-}
-
 /// "1:05.25"
 std::string time_text(Duration time) {
-  const double all = seconds_of(time);
+  const double all = seconds(time);
   const int minutes = static_cast<int>(all / 60);
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%d:%05.2f", minutes, all - 60.0 * minutes);
@@ -91,7 +87,7 @@ void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), rounding);
   const float width = to.x - from.x;
   const auto x_of = [&](Duration at) {
-    return from.x + width * static_cast<float>(seconds_of(at) / seconds_of(local.total));
+    return from.x + width * static_cast<float>(seconds(at) / seconds(local.total));
   };
   ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_PlotLines);
   accent.w = 0.6F;
@@ -130,8 +126,8 @@ void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::InvisibleButton("##seek", ImVec2(width, height));
   const float inner = std::max(width - 2 * radius, 1.0F);
-  const double total = seconds_of(local.total);
-  float done = total > 0 ? static_cast<float>(seconds_of(local.position) / total) : 1.0F;
+  const double total = seconds(local.total);
+  float done = total > 0 ? static_cast<float>(seconds(local.position) / total) : 1.0F;
   const float pointer = std::clamp((ImGui::GetIO().MousePos.x - at.x - radius) / inner, 0.0F, 1.0F);
   const auto pointed = Duration(static_cast<Duration::rep>(
       static_cast<double>(pointer) * static_cast<double>(local.total.count())));

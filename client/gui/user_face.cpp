@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "common/files.h"
+#include "common/text.h"
 #include "common/toml_document.h"
 
 namespace aucast::gui {
@@ -12,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Error failed(const std::string& what, const fs::path& where, const std::error_code& cause) {
-  return {ErrorKind::Failed, what + " " + where.string() + ": " + cause.message()};
+  return {ErrorKind::Failed, what + " " + at_place(where.string(), cause.message())};
 }
 
 bool lies_in(const fs::path& inner, const fs::path& outer) {
@@ -28,18 +29,14 @@ Result<fs::path> aus_file_of(const fs::path& face_folder) {
   std::error_code ignored;
   if (!fs::exists(description, ignored)) {
     return Error{ErrorKind::Failed,
-                 face_folder.string() +
+                 printable(face_folder.string()) +
                      " is a classic face: its Action Units come from a table for all such faces "
                      "and cannot be saved with it"};
   }
-  auto text = read_file(description);
-  if (!text) return text.error();
-  auto document = parse_toml(*text, description.string());
+  const auto document = read_toml(description);
   if (!document) return document.error();
-  for (const TomlValue::Entry& entry : document->entries) {
-    if (entry.key == "aus") return face_folder / entry.value.text;
-  }
-  return Error{ErrorKind::BadData, description.string() + ": names no file of AUs"};
+  if (const TomlValue* aus = document->find("aus")) return face_folder / aus->text;
+  return Error{ErrorKind::BadData, at_place(description.string(), "names no file of AUs")};
 }
 
 }  // namespace

@@ -31,10 +31,6 @@ std::string scaled(double value, const char* unit) {
   return text.data();
 }
 
-int percent(float intensity) {
-  return static_cast<int>(std::lround(intensity * 100));
-}
-
 bool names(const std::vector<int>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
@@ -60,8 +56,8 @@ AuRow row_of(int number, Side side, float received, float shown,
   AuRow row;
   row.label = (side == Side::Left ? "L" : side == Side::Right ? "R" : "") + std::to_string(number);
   row.name = facs_name(number).value_or("");
-  row.received_percent = percent(received);
-  row.shown_percent = percent(shown);
+  row.received_percent = percent_of(received);
+  row.shown_percent = percent_of(shown);
   if (row.received_percent != row.shown_percent) row.why = reasons(number, side, rules);
   return row;
 }

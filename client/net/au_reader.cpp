@@ -194,7 +194,7 @@ void AuReader::react(const std::vector<protocol::ClientEvent>& events, Reaction&
   now_ = now;
   for (const protocol::ClientEvent& event : events) {
     if (status_.end != EndReason::NotEnded) break;
-    status_.receive_seconds = std::chrono::duration<double>(now - connected_at_).count();
+    status_.receive_seconds = seconds(now - connected_at_);
     std::visit([&](const auto& what) { handle(what, reaction); }, event);
   }
 }

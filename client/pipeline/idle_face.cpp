@@ -1,7 +1,9 @@
 #include "client/pipeline/idle_face.h"
 
 #include <algorithm>
-#include <string>
+#include <string_view>
+
+#include "client/face/face_folder.h"
 
 namespace aucast::pipeline {
 namespace {
@@ -20,10 +22,12 @@ IdleFace::IdleFace(const face::Face& face)
       head_forward_(face.channel_index("head_forward")),
       head_back_(face.channel_index("head_back")) {
   for (const face::Eye& eye : face.eyes) {
-    const std::string side = eye.centre.x > 0 ? "left_" : eye.centre.x < 0 ? "right_" : "";
-    eyes_.push_back({face.channel_index(side + "gaze_left"),
-                     face.channel_index(side + "gaze_right"), face.channel_index(side + "gaze_up"),
-                     face.channel_index(side + "gaze_down"), eye.yaw_deg, eye.pitch_deg});
+    const Side side = face::side_at(eye.centre.x);
+    const auto channel = [&](std::string_view base) {
+      return face.channel_index(sided_name(side, base));
+    };
+    eyes_.push_back({channel("gaze_left"), channel("gaze_right"), channel("gaze_up"),
+                     channel("gaze_down"), eye.yaw_deg, eye.pitch_deg});
   }
 }
 

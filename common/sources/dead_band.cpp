@@ -1,17 +1,9 @@
 #include "common/sources/dead_band.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
 namespace aucast::sources {
-namespace {
-
-int percent_of(float intensity) {
-  return static_cast<int>(std::lround(intensity * 100.0F));
-}
-
-}  // namespace
 
 AuFrame DeadBand::settle(const AuFrame& frame) {
   for (const bool right : {false, true}) {

@@ -9,6 +9,7 @@
 #include "common/sources/observation.h"
 #include "common/text.h"
 #include "common/toml_document.h"
+#include "common/toml_writer.h"
 
 namespace aucast::sources {
 namespace {
@@ -21,15 +22,15 @@ double rounded(double value, double parts) {
 
 class ProfileReader {
  public:
-  explicit ProfileReader(std::string_view file) : file_(file) {}
+  explicit ProfileReader(std::string_view file) : file_(file), problems_(file_) {}
 
   Result<Profile> read(std::string_view text) {
     const auto document = parse_toml(text, file_);
     if (!document) return document.error();
     for (const TomlValue::Entry& entry : document->entries) {
       read_table(entry);
-      if (error_) return *error_;
     }
+    if (auto good = problems_.result(); !good) return good.error();
     return profile_;
   }
 
@@ -57,7 +58,6 @@ class ProfileReader {
     // `all` is what the others are exceptions of, wherever it stands.
     for (const bool of_all : {true, false}) {
       for (const Entry& item : entry.value.entries) {
-        if (error_) return;
         if ((item.key == "all") == of_all) (this->*table->read)(item);
       }
     }
@@ -142,7 +142,7 @@ class ProfileReader {
 
   std::optional<double> number(const Entry& item, double low, double high) {
     const TomlValue& value = item.value;
-    if (value.kind != TomlValue::Kind::Integer && value.kind != TomlValue::Kind::Real) {
+    if (!value.is_number()) {
       refuse(value.place, item.key + " is not a number");
       return std::nullopt;
     }
@@ -161,13 +161,11 @@ class ProfileReader {
     refuse(entry.place, text);
   }
 
-  void refuse(const Place& place, const std::string& why) {
-    if (!error_) error_ = Error{ErrorKind::BadData, at_place(file_, place.line, place.column, why)};
-  }
+  void refuse(const Place& place, const std::string& why) { problems_.add(place, why); }
 
-  std::string_view file_;
+  std::string file_;
+  Problems problems_;
   Profile profile_;
-  std::optional<Error> error_;
 };
 
 /// The neutral face as a number for each AU, of one direction alone where there are two.
@@ -184,10 +182,14 @@ PerAu neutral_percents(const Signals& neutral) {
   return percents;
 }
 
+std::string line(std::string_view key, double value) {
+  return toml_line(key, number_text(value));
+}
+
 std::string table_text(const char* name, const PerAu& values) {
-  std::string text = std::string("\n[") + name + "]\nall = " + number_text(values.all()) + "\n";
+  std::string text = std::string("\n[") + name + "]\n" + line("all", values.all());
   for (const auto& [au, value] : values.exceptions()) {
-    text += au_name_text(au) + " = " + number_text(value) + "\n";
+    text += line(au_name_text(au), value);
   }
   return text;
 }
@@ -203,18 +205,17 @@ std::string format_profile(const Profile& profile) {
       "# Profile of one face for au-transmitter --profile; AUs as in packets: 12, L12, R12.\n"
       "\n# Percent that the neutral face shows; they are taken off.\n[neutral]\n";
   for (const auto& [au, percent] : neutral_percents(profile.neutral).exceptions()) {
-    text += au_name_text(au) + " = " + number_text(percent) + "\n";
+    text += line(au_name_text(au), percent);
   }
   if (const float distance = profile.neutral[channel_of(kHeadForward, false)];
       is_signal(distance)) {
-    text += std::string(kDistanceKey) + " = " +
-            number_text(rounded(-distance * kMillimetresPerUnit, 10)) + "\n";
+    text += line(kDistanceKey, rounded(-distance * kMillimetresPerUnit, 10));
   }
   text += table_text("gain", profile.gain) + table_text("dead-band", profile.dead_band);
   if (!profile.filter) return text;
-  return text + "\n[filter]\nmin-cutoff = " + number_text(profile.filter->min_cutoff_hz) +
-         "\nbeta = " + number_text(profile.filter->beta) +
-         "\nderivative-cutoff = " + number_text(profile.filter->derivative_cutoff_hz) + "\n";
+  return text + "\n[filter]\n" + line("min-cutoff", profile.filter->min_cutoff_hz) +
+         line("beta", profile.filter->beta) +
+         line("derivative-cutoff", profile.filter->derivative_cutoff_hz);
 }
 
 std::string measured_text(const MeasuredNeutral& neutral) {

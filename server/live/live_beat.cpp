@@ -66,8 +66,8 @@ void LiveBeat::beat() {
   }
   // Once a second at most: less late than that nothing is left out.
   if (left_out > 0) {
-    spdlog::warn("late by {:.1f} s: {} moments of live streams were left out",
-                 std::chrono::duration<double>(latest).count(), left_out);
+    spdlog::warn("late by {:.1f} s: {} moments of live streams were left out", seconds(latest),
+                 left_out);
   }
   if (moved) on_moment_();
   const Instant done = now();

@@ -14,10 +14,6 @@ namespace {
 /// A recording that is poured in waits in its pipe, not in our memory.
 constexpr std::size_t kQueueMost = 256;
 
-double seconds(Milliseconds time) {
-  return static_cast<double>(time.count()) / 1000;
-}
-
 std::string file_name(const std::filesystem::path& path) {
   return path == "-" ? "stdin" : path.string();
 }
@@ -127,7 +123,7 @@ std::vector<protocol::ServedStream> LiveSource::streams() const {
 }
 
 double LiveSource::now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return seconds(std::chrono::steady_clock::now().time_since_epoch());
 }
 
 void LiveSource::on_bytes(std::string_view bytes) {

@@ -8,14 +8,6 @@
 #include "protocol/limits.h"
 
 namespace aucast::server {
-namespace {
-
-double seconds(Duration time) {
-  return std::chrono::duration<double>(time).count();
-}
-
-}  // namespace
-
 Connection::Connection(std::shared_ptr<link::Link> link,
                        std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                        Settings settings, OnClosed on_closed)

@@ -54,10 +54,6 @@ constexpr Milliseconds kStatusAge{250};
 /// How often the service manager hears of it.
 constexpr std::chrono::seconds kStatusEvery{10};
 
-double seconds(Duration time) {
-  return std::chrono::duration<double>(time).count();
-}
-
 const char* name_of_signal(int number) {
   return number == SIGINT ? "SIGINT" : "SIGTERM";
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/text.h"
+#include "common/toml_writer.h"
 
 namespace aucast::server {
 namespace {
@@ -90,23 +91,6 @@ std::vector<std::string> names_of_settings(const std::vector<OptionRow>& rows, N
     if (is_setting(row)) names.emplace_back(name_of(row));
   }
   return names;
-}
-
-/// A TOML string; our own words hold what a command line can hold, which is anything but NUL.
-std::string toml_string(std::string_view word) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::string text = "\"";
-  for (const char c : word) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      text += {'\\', c};
-    } else if (code < 0x20 || code == 0x7f) {
-      text += {'\\', 'u', '0', '0', kHex[code >> 4U], kHex[code & 15U]};
-    } else {
-      text += c;
-    }
-  }
-  return text + "\"";
 }
 
 }  // namespace
@@ -198,21 +182,14 @@ Error Settings::wrong(const OptionRow& row, const Setting& setting, const std::s
 }
 
 std::string Settings::value_text(const OptionRow& row, const Setting& setting) {
-  if (row.value.kind == Kind::Words) {
-    std::string text = "[";
-    for (const std::string& word : setting.words) {
-      if (text.size() > 1) text += ", ";
-      text += toml_string(word);
-    }
-    return text + "]";
-  }
+  if (row.value.kind == Kind::Words) return toml_texts(setting.words);
   const std::string& word = setting.words.front();
   if (row.value.kind == Kind::Flag) return word;
   if (row.value.kind == Kind::Number) {
     if (const auto whole = number_of<std::int64_t>(word)) return std::to_string(*whole);
     if (const auto real = number_of<double>(word)) return number_text(*real);
   }
-  return toml_string(word);
+  return toml_text(word);
 }
 
 std::string Settings::origin(const OptionRow& row, const Setting& setting) {

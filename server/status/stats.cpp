@@ -9,10 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double seconds(Duration time) {
-  return std::chrono::duration<double>(time).count();
-}
-
 Json json_of(const ClientRecord& record) {
   return {{"client", record.number},
           {"peer", record.peer},

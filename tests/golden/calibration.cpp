@@ -5,16 +5,13 @@
 #include <string>
 #include <utility>
 
-#include "client/face/table_reader.h"
-#include "common/files.h"
-#include "common/toml_document.h"
+#include "client/face/toml_points.h"
 
 namespace aucast::test {
 namespace {
 
-using face::Bounds;
-using face::Problems;
-using face::TableReader;
+using face::read_pair;
+using face::read_point;
 
 Landmark read_landmark(const TomlValue& table, Problems& problems) {
   TableReader reader(table, problems);
@@ -23,7 +20,7 @@ Landmark read_landmark(const TomlValue& table, Problems& problems) {
   landmark.patch = reader.text_or("patch", "");
   if (landmark.patch.empty()) {
     landmark.part = reader.text("part");
-    landmark.near = reader.point("near");
+    landmark.near = read_point(reader, "near");
   } else {
     if (landmark.patch != "eye" && landmark.patch != "mouth") {
       reader.wrong("patch", "must be eye or mouth");
@@ -52,7 +49,7 @@ Expected read_expected(const TomlValue& table, const Calibration& calibration, P
   expected.at = reader.text("at");
   if (calibration.find(expected.at) == nullptr) reader.wrong("at", "is no landmark");
   expected.way = read_way(reader);
-  const glm::vec2 mm = reader.pair("mm", Bounds::between(-200, 200));
+  const glm::vec2 mm = read_pair(reader, "mm", Bounds::between(-200, 200));
   expected.least_mm = mm.x;
   expected.most_mm = mm.y;
   if (mm.x >= mm.y) reader.wrong("mm", "must be [least, most]");
@@ -90,9 +87,7 @@ const Landmark* Calibration::find(const std::string& name) const {
 }
 
 Result<Calibration> load_calibration(const std::filesystem::path& file) {
-  const auto bytes = read_file(file);
-  if (!bytes) return bytes.error();
-  const auto document = parse_toml(*bytes, file.string());
+  const auto document = read_toml(file);
   if (!document) return document.error();
   Problems problems(file.string());
   TableReader reader(*document, problems);

@@ -133,7 +133,7 @@ class GalleryWriter {
 
   /// Told once it is worth telling.
   [[nodiscard]] std::string time_left() const {
-    const auto passed = std::chrono::duration<double>(steady_now() - begin_).count();
+    const auto passed = seconds(steady_now() - begin_);
     const auto drawn = static_cast<double>(drawn_);
     const double left = passed / drawn * (static_cast<double>(plan_.pictures.size()) - drawn);
     if (left < 10) return "";

@@ -64,10 +64,10 @@ std::string in_pairs(const std::vector<std::string>& channels) {
   };
   std::string text;
   for (const std::string& channel : channels) {
-    const std::string base = channel.substr(channel.find('_') + 1);
-    const bool paired = has("left_" + base) && has("right_" + base);
-    if (paired && channel == "right_" + base) continue;
-    text += (text.empty() ? "" : ", ") + (paired && channel == "left_" + base ? base : channel);
+    const auto [side, base] = split_side(channel);
+    const bool paired = side != Side::Both && has(sided_name(opposite(side), base));
+    if (paired && side == Side::Right) continue;
+    text += (text.empty() ? "" : ", ") + (paired ? std::string(base) : channel);
   }
   return text;
 }

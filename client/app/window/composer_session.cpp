@@ -16,10 +16,6 @@ std::string time_of(const gui::ComposedKeyframe& keyframe) {
   return keyframe.ms ? std::to_string(*keyframe.ms) + " ms" : "untimed";
 }
 
-int percent_of(float intensity) {
-  return static_cast<int>(std::lround(intensity * 100));
-}
-
 std::string total_of(const gui::Composer::Keyframes& keyframes) {
   if (keyframes.empty()) return "no keyframes yet";
   const auto untimed = static_cast<std::uint32_t>(protocol::kDefaultKeyframeTime.count());

@@ -84,6 +84,23 @@ TEST(FacsNumber, IsFoundByEveryNameAndByNothingElse) {
   }
 }
 
+TEST(PercentOf, RoundsAndCuts) {
+  EXPECT_EQ(percent_of(0.004F), 0);
+  EXPECT_EQ(percent_of(0.005F), 1);
+  EXPECT_EQ(percent_of(1.5F), 100);
+  EXPECT_EQ(percent_of(-1), 0);
+}
+
+TEST(SidedName, IsPutTogetherAndTakenApart) {
+  for (const Side side : {Side::Left, Side::Right, Side::Both}) {
+    const std::string name = sided_name(side, "brow");
+    EXPECT_EQ(split_side(name).side, side);
+    EXPECT_EQ(split_side(name).base, "brow");
+    EXPECT_EQ(opposite(opposite(side)), side);
+  }
+  EXPECT_EQ(sided_name(opposite(Side::Left), "brow"), "right_brow");
+}
+
 TEST(PercentOfLetter, FollowsTheContract) {
   EXPECT_EQ(percent_of_letter('A'), 10);
   EXPECT_EQ(percent_of_letter('B'), 25);

@@ -61,7 +61,7 @@ TEST(KeptSettings, ComplaintsSayWhere) {
            {"[rendering]\nshow = \"bones\"\n", "jaw-tags"},
            {"[remote]\naddress = \"a b\"\n", "s.toml:2:"},
            {"[remote]\nbuffer = 10\nplayout = 20\n", "playout"},
-           {"[remote]\nrecent = [1]\n", "list of addresses"}}) {
+           {"[remote]\nrecent = [1]\n", "must hold texts"}}) {
     const auto read = parse_settings(text, "s.toml");
     ASSERT_FALSE(read) << text;
     EXPECT_EQ(read.error().kind, ErrorKind::BadData);

@@ -1,13 +1,11 @@
-#include "client/face/table_reader.h"
+#include "common/toml_reader.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "common/text.h"
 
-namespace aucast::face {
+namespace aucast {
 namespace {
 
 std::string_view kind_name(TomlValue::Kind kind) {
@@ -30,51 +28,20 @@ std::string_view kind_name(TomlValue::Kind kind) {
   return "a value";
 }
 
-bool is_number(const TomlValue& value) {
-  return value.kind == TomlValue::Kind::Integer || value.kind == TomlValue::Kind::Real;
-}
-
 }  // namespace
 
-void Problems::add(Place place, const std::string& text) {
-  if (first_) return;
-  first_ = Error{ErrorKind::BadData, at_place(file_, place.line, place.column, text)};
-}
-
-Result<void> Problems::result() const {
-  if (first_) return *first_;
-  return {};
-}
-
-bool Bounds::contain(double value) const {
-  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
-}
-
-std::string Bounds::text() const {
-  constexpr double kNoLimit = 1e6;
-  const std::string from = (low_open ? "above " : "from ") + plain(low);
-  if (high >= kNoLimit && low > -kNoLimit) return low_open ? from : "at least " + plain(low);
-  return from + (high_open ? " and below " : " to ") + plain(high);
-}
-
 bool TableReader::has(std::string_view key) const {
-  return std::any_of(table_.entries.begin(), table_.entries.end(),
-                     [key](const auto& entry) { return entry.key == key; });
+  return table_.find(key) != nullptr;
 }
 
 Place TableReader::place_of(std::string_view key) const {
-  for (const auto& entry : table_.entries) {
-    if (entry.key == key) return entry.value.place;
-  }
-  return table_.place;
+  const TomlValue* value = table_.find(key);
+  return value == nullptr ? table_.place : value->place;
 }
 
 const TomlValue* TableReader::find(std::string_view key) {
   asked_.emplace_back(key);
-  for (const auto& entry : table_.entries) {
-    if (entry.key == key) return &entry.value;
-  }
-  return nullptr;
+  return table_.find(key);
 }
 
 const TomlValue* TableReader::needed(std::string_view key, TomlValue::Kind kind) {
@@ -87,7 +54,7 @@ const TomlValue* TableReader::needed(std::string_view key, TomlValue::Kind kind)
     problems_.add(table_.place, "'" + std::string(key) + "' is missing");
     return nullptr;
   }
-  const bool fits = kind == TomlValue::Kind::Real ? is_number(*value) : value->kind == kind;
+  const bool fits = kind == TomlValue::Kind::Real ? value->is_number() : value->kind == kind;
   if (fits) return value;
   wrong(key, "must be " + std::string(kind_name(kind)));
   return nullptr;
@@ -97,9 +64,9 @@ void TableReader::wrong(std::string_view key, const std::string& text) {
   problems_.add(place_of(key), std::string(key) + " " + text);
 }
 
-float TableReader::checked_number(const TomlValue& value, std::string_view key,
-                                  const Bounds& bounds) {
-  if (!is_number(value)) {
+double TableReader::checked_number(const TomlValue& value, std::string_view key,
+                                   const Bounds& bounds) {
+  if (!value.is_number()) {
     problems_.add(value.place, std::string(key) + " must be a number");
   } else if (!std::isfinite(value.real)) {
     problems_.add(value.place, std::string(key) + " is not a finite number");
@@ -107,7 +74,7 @@ float TableReader::checked_number(const TomlValue& value, std::string_view key,
     problems_.add(value.place,
                   std::string(key) + " is " + plain(value.real) + ", must be " + bounds.text());
   } else {
-    return static_cast<float>(value.real);
+    return value.real;
   }
   return 1;
 }
@@ -117,9 +84,13 @@ std::string TableReader::text(std::string_view key) {
   return value == nullptr ? std::string() : value->text;
 }
 
-float TableReader::number(std::string_view key, const Bounds& bounds) {
+double TableReader::real(std::string_view key, const Bounds& bounds) {
   const TomlValue* value = needed(key, TomlValue::Kind::Real);
   return value == nullptr ? 1 : checked_number(*value, key, bounds);
+}
+
+float TableReader::number(std::string_view key, const Bounds& bounds) {
+  return static_cast<float>(real(key, bounds));
 }
 
 int TableReader::integer(std::string_view key, int low, int high) {
@@ -133,29 +104,17 @@ int TableReader::integer(std::string_view key, int low, int high) {
   return static_cast<int>(value->integer);
 }
 
-std::vector<float> TableReader::numbers(std::string_view key, std::size_t count,
-                                        const Bounds& bounds) {
-  std::vector<float> result(count, 1.0F);
+void TableReader::read_numbers(std::string_view key, std::span<float> values,
+                               const Bounds& bounds) {
+  std::fill(values.begin(), values.end(), 1.0F);
   const TomlValue* value = needed(key, TomlValue::Kind::Array);
-  if (value == nullptr) return result;
-  if (value->items.size() != count) {
-    wrong(key, "must have " + std::to_string(count) + " numbers");
-    return result;
+  if (value == nullptr) return;
+  if (value->items.size() != values.size()) {
+    return wrong(key, "must have " + std::to_string(values.size()) + " numbers");
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    result[i] = checked_number(value->items[i], key, bounds);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = static_cast<float>(checked_number(value->items[i], key, bounds));
   }
-  return result;
-}
-
-glm::vec3 TableReader::point(std::string_view key, const Bounds& bounds) {
-  const std::vector<float> values = numbers(key, 3, bounds);
-  return {values[0], values[1], values[2]};
-}
-
-glm::vec2 TableReader::pair(std::string_view key, const Bounds& bounds) {
-  const std::vector<float> values = numbers(key, 2, bounds);
-  return {values[0], values[1]};
 }
 
 std::vector<int> TableReader::integers(std::string_view key, int low, int high) {
@@ -186,6 +145,37 @@ bool TableReader::boolean_or(std::string_view key, bool fallback) {
   if (value_if(key) == nullptr) return fallback;
   const TomlValue* value = needed(key, TomlValue::Kind::Boolean);
   return value != nullptr && value->boolean;
+}
+
+int TableReader::integer_or(std::string_view key, int fallback, int low, int high) {
+  return value_if(key) != nullptr ? integer(key, low, high) : fallback;
+}
+
+std::size_t TableReader::word_or(std::string_view key, std::size_t fallback,
+                                 std::span<const std::string_view> words) {
+  if (value_if(key) == nullptr) return fallback;
+  const std::string given = text(key);
+  const auto found = std::find(words.begin(), words.end(), given);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string all;
+  for (const std::string_view one : words) all += (all.empty() ? "" : ", ") + std::string(one);
+  wrong(key, "'" + escaped(given) + "' is not one of " + all);
+  return fallback;
+}
+
+std::vector<std::string> TableReader::texts(std::string_view key) {
+  std::vector<std::string> result;
+  if (value_if(key) == nullptr) return result;
+  const TomlValue* list = needed(key, TomlValue::Kind::Array);
+  if (list == nullptr) return result;
+  for (const TomlValue& item : list->items) {
+    if (item.kind != TomlValue::Kind::Text) {
+      problems_.add(item.place, std::string(key) + " must hold texts");
+      return {};
+    }
+    result.push_back(item.text);
+  }
+  return result;
 }
 
 const TomlValue* TableReader::table_if(std::string_view key) {
@@ -226,16 +216,4 @@ void TableReader::unknown(const TomlValue::Entry& entry) {
                 "unknown key '" + escaped(entry.key) + "'" + did_you_mean(entry.key, asked_));
 }
 
-std::string plain(double value) {
-  std::array<char, 32> digits{};
-  const auto [end, code] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                         std::chars_format::general, 6);
-  return code == std::errc() ? std::string(digits.data(), end) : std::string("?");
-}
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
-  const auto near = nearest(word, known);
-  return near ? "; did you mean " + *near + "?" : std::string();
-}
-
-}  // namespace aucast::face
+}  // namespace aucast

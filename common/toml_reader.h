@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/problems.h"
+#include "common/toml_document.h"
+
+namespace aucast {
+
+/// Reads a table key by key. A value that is missing, of the wrong type or out of range is added to
+/// the problems with its place, and a harmless value is returned. finish() reports keys that were
+/// never asked for, with the nearest one that was. The table and the problems must outlive it.
+class TableReader {
+ public:
+  TableReader(const TomlValue& table, Problems& problems) : table_(table), problems_(problems) {}
+
+  [[nodiscard]] bool has(std::string_view key) const;
+  [[nodiscard]] Place place() const { return table_.place; }
+  [[nodiscard]] Place place_of(std::string_view key) const;
+
+  // Required values.
+  std::string text(std::string_view key);
+  double real(std::string_view key, const Bounds& bounds = {});
+  float number(std::string_view key, const Bounds& bounds = {});
+  int integer(std::string_view key, int low, int high);
+  std::vector<int> integers(std::string_view key, int low, int high);  ///< not empty
+  /// An array of exactly N numbers.
+  template <std::size_t N>
+  std::array<float, N> numbers(std::string_view key, const Bounds& bounds = {}) {
+    std::array<float, N> values{};
+    read_numbers(key, values, bounds);
+    return values;
+  }
+
+  // Values with a default.
+  std::string text_or(std::string_view key, std::string_view fallback);
+  float number_or(std::string_view key, float fallback, const Bounds& bounds = {});
+  bool boolean_or(std::string_view key, bool fallback);
+  int integer_or(std::string_view key, int fallback, int low, int high);
+  /// The index of one of a few words, such as the value of an enumeration.
+  std::size_t word_or(std::string_view key, std::size_t fallback,
+                      std::span<const std::string_view> words);
+  /// An array of texts; empty when there is none.
+  std::vector<std::string> texts(std::string_view key);
+  const TomlValue* table_if(std::string_view key);
+  /// The tables of [[key]]; empty when there are none.
+  std::vector<const TomlValue*> tables(std::string_view key);
+  /// A value of any kind.
+  const TomlValue* value_if(std::string_view key);
+
+  void wrong(std::string_view key, const std::string& text);
+  void finish();
+
+ private:
+  const TomlValue* find(std::string_view key);
+  void unknown(const TomlValue::Entry& entry);
+  const TomlValue* needed(std::string_view key, TomlValue::Kind kind);
+  double checked_number(const TomlValue& value, std::string_view key, const Bounds& bounds);
+  void read_numbers(std::string_view key, std::span<float> values, const Bounds& bounds);
+
+  const TomlValue& table_;
+  Problems& problems_;
+  std::vector<std::string> asked_;
+};
+
+}  // namespace aucast
