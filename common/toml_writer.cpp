@@ -36,8 +36,8 @@ std::string toml_texts(std::span<const std::string> texts) {
 
 std::string toml_real(float value) {
   std::array<char, 32> digits{};
-  const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  std::string text(digits.data(), end);
+  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  std::string text(digits.data(), written.ptr);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "client/face/toml_points.h"
+#include "common/action_unit.h"
 #include "common/text.h"
 
 namespace aucast::face {

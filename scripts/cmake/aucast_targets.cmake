@@ -21,8 +21,8 @@ function(aucast_program name)
 endfunction()
 
 # aucast_test(NAME SOURCES a_test.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT s])
-#   A GoogleTest program registered as one CTest entry per test case. LABELS defaults to unit;
-#   tests that need OpenGL carry gl, those that start the real programs carry integration.
+#   A GoogleTest program, one entry of CTest. LABELS defaults to unit; tests that need OpenGL carry
+#   gl, those that start the real programs carry integration.
 function(aucast_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
   if(NOT ARG_LABELS)

@@ -8,6 +8,7 @@
 #include "protocol/limits.h"
 
 namespace aucast::server {
+
 Connection::Connection(std::shared_ptr<link::Link> link,
                        std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                        Settings settings, OnClosed on_closed)
