@@ -12,8 +12,8 @@ namespace aucast::detail {
 
 }  // namespace aucast::detail
 
-/// Aborts when a precondition or an invariant does not hold; on in release builds too. For mistakes
-/// of the programmer only: what a user, a file or a peer can cause is a Result.
+/// Aborts when a precondition or an invariant does not hold, in release builds too. For programming
+/// errors only: what a user, a file or a peer can cause is a Result.
 #define AUCAST_CHECK(condition)                        \
   (static_cast<bool>(condition) ? static_cast<void>(0) \
                                 : ::aucast::detail::check_failed(#condition, __FILE__, __LINE__))

@@ -9,10 +9,10 @@
 
 namespace aucast {
 
-/// Where the log goes: a descriptor, stderr as a rule, that is never waited for. A line that it
-/// does not take at once (a pipe that nobody reads, a terminal that is held) is dropped and
-/// counted, and the count is said before the next line that it takes. The descriptor stays
-/// blocking, since other programs may share it.
+/// Writes the log to a descriptor, usually stderr, without ever blocking. A line that cannot be
+/// written at once (a pipe nobody reads, a stopped terminal) is dropped and counted, and the count
+/// is logged before the next line that can be. The descriptor stays blocking, since other
+/// programs may share it.
 class StderrSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   /// `colours`: the level is coloured.

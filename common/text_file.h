@@ -4,10 +4,10 @@
 
 namespace aucast {
 
-/// What some editors put before the first line of a UTF-8 file.
+/// Some editors begin a UTF-8 file with it.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-/// The text without what is blank around it.
+/// The text without leading and trailing `blanks`.
 [[nodiscard]] constexpr std::string_view trimmed(std::string_view text, std::string_view blanks) {
   const std::size_t begin = text.find_first_not_of(blanks);
   if (begin == std::string_view::npos) return {};

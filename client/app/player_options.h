@@ -30,7 +30,7 @@ enum class Command : std::uint8_t {
 
 /// What a face is made of and how AUs become a face: common to all commands.
 struct FaceOptions {
-  std::filesystem::path data;    ///< --data; empty: see find_data() in assets.h
+  std::filesystem::path data;    ///< --data; empty: as find_data_folder()
   std::string face = "default";  ///< --face: a folder, or a name in data/faces
   std::string rules = "facs";    ///< --rules: facs, kumar2010, none or a file
   face::Mixer mixer = face::Mixer::Maximum;

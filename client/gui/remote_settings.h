@@ -19,7 +19,7 @@ struct RemoteSettings {
 };
 
 /// What is wrong with the form, as a sentence with the remedy; nothing when it can be used. The
-/// limits are the contract's.
+/// limits are those of the command line.
 [[nodiscard]] std::optional<std::string> problem(const RemoteSettings& settings);
 
 /// HOST:PORT, or [V6]:PORT; the port is left out when it is the usual one.

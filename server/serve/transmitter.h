@@ -13,7 +13,7 @@
 namespace aucast::server {
 
 /// Longest time between the first signal and the end: a client that is dead or does not read is cut
-/// off then. Below the two seconds of the contract, so that the exit itself fits in.
+/// off then. The whole exit takes less than the promised two seconds.
 inline constexpr Milliseconds kStopTimeMax{1700};
 
 /// Called when connections can come, with ADDR:PORT; an error ends serve() before any is accepted.

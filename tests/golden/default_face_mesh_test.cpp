@@ -7,7 +7,7 @@
 #include "scripts/facegen/anatomy.h"
 #include "tests/golden/default_face_fixture.h"
 
-// What face.md section 8 asks to be checked by number, on the head as the player loads it.
+// What can be checked by number, on the head as the player loads it.
 
 namespace aucast::test {
 namespace {

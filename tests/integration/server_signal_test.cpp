@@ -93,7 +93,7 @@ TEST(ServerSignal, AFilterIsSmoothAndLate) {
   EXPECT_TRUE(has(smooth, "12:5,52:16;40\n4:10,12:15,52:16;40\n")) << smooth;
 }
 
-TEST(ServerSignal, MistakesEndWithTheContractsExitCodes) {
+TEST(ServerSignal, MistakesEndWithTheirExitCodes) {
   const TempFolder folder;
   const auto csv = folder.write("face.csv", recording()).string();
   const auto other = folder.write("other.csv", recording()).string();

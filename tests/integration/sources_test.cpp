@@ -61,7 +61,7 @@ TEST(Sources, CheckSaysWhatWasFound) {
   EXPECT_NE(check.out.find("duration    2.000 s"), std::string::npos) << check.out;
 }
 
-TEST(Sources, MistakesEndWithTheContractsExitCodes) {
+TEST(Sources, MistakesEndWithTheirExitCodes) {
   const TempFolder folder;
   const auto bad =
       folder.write("bad.csv", "timestamp,success,AU12_r\n0,1,high\n0.1,1,2\n").string();

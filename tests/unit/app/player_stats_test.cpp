@@ -9,7 +9,7 @@
 namespace aucast::app {
 namespace {
 
-TEST(PlayerStats, HasEveryFieldOfTheContract) {
+TEST(PlayerStats, HasEveryDocumentedField) {
   PlayerStats stats;
   stats.keyframes_played = 6;
   stats.playback_seconds = 1.5;

@@ -101,7 +101,7 @@ TEST(SidedName, IsPutTogetherAndTakenApart) {
   EXPECT_EQ(sided_name(opposite(Side::Left), "brow"), "right_brow");
 }
 
-TEST(PercentOfLetter, FollowsTheContract) {
+TEST(PercentOfLetter, KnowsBothEditionsOfFacs) {
   EXPECT_EQ(percent_of_letter('A'), 10);
   EXPECT_EQ(percent_of_letter('B'), 25);
   EXPECT_EQ(percent_of_letter('C'), 50);

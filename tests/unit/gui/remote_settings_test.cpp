@@ -15,7 +15,7 @@ TEST(RemoteSettings, TheDefaultsCanBeUsed) {
   EXPECT_EQ(problem(RemoteSettings{}), std::nullopt);
 }
 
-TEST(RemoteSettings, TheLimitsOfTheContractCanBeUsed) {
+TEST(RemoteSettings, TheLimitsCanBeUsed) {
   EXPECT_EQ(problem({"h", 1, 1, 1, 1, 0}), std::nullopt);
   EXPECT_EQ(problem({"2001:db8::1", 65535, 10'000, 10'000, 100, 1000}), std::nullopt);
 }

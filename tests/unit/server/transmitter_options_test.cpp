@@ -28,7 +28,7 @@ std::string message(std::vector<std::string> arguments) {
   return command.error().message;
 }
 
-TEST(TransmitterOptions, DefaultsAreThoseOfTheContract) {
+TEST(TransmitterOptions, DefaultsAreThoseOfTheHelp) {
   TransmitterOptions expected;
   expected.sources = {"talk.txt"};
   EXPECT_EQ(read({"talk.txt"}), expected);

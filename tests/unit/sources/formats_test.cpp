@@ -69,7 +69,7 @@ std::string turned(const std::string& gaze, const std::string& pose) {
 }
 
 TEST(OpenFace2, TurnsAreTheSubjectsOwn) {
-  // 17.5 degrees are half of the contract's 35; the eyes go with the head's turn.
+  // 17.5 degrees are half of the 35 that AU 51 stands for; the eyes go with the head's turn.
   EXPECT_EQ(turned("-0.305433,0", "0,0.305433,0"), "{52:50;40}") << "image left is subject's right";
   EXPECT_EQ(turned("0.305433,0", "0,-0.305433,0"), "{51:50;40}");
   EXPECT_EQ(turned("0,0.191986", "0.191986,0,0"), "{54:50;40}") << "a positive pitch is down";
