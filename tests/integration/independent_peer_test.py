@@ -500,6 +500,17 @@ class OurClient(PeerTest):
             at = states.index(got[0])
             self.assertEqual(got, [states[(at + n) % 20] for n in range(30)])
 
+    def test_a_live_window_is_worth_two_seconds_at_most(self):
+        for durations, window in (([999] * 4, 2), ([1000] * 4, 2), ([667] * 3, 2), ([666] * 3, 3),
+                                  ([100, 1900], 2), ([10, 10, 10, 370], 20), ([3000], 2)):
+            states = [{(1, "L"): n + 1, (1, "R"): n + 1} for n in range(len(durations))]
+            path = stream_file(self.folder, "uneven", states, durations)
+            with Transmitter("--live", "--loop", path) as server:
+                for asked in (1, 2, 256):
+                    with Client(server.port, f"{{hello window={asked}}}") as client:
+                        granted = int(client.packet().fields["window"])
+                        self.assertEqual(granted, min(asked, window), durations)
+
     def test_live_late_joiner_and_pause(self):
         path, states = self.told_apart(100, duration=100)
         with Transmitter("--live", path) as server:
