@@ -1,83 +1,122 @@
 #include "protocol/codec.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 
+#include "common/check.h"
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
 namespace {
 
-void append_term(std::string& text, const AuTerm& term) {
-  if (!text.empty()) text += ',';
-  if (term.side == Side::Left) text += 'L';
-  if (term.side == Side::Right) text += 'R';
-  text += std::to_string(term.number);
-  if (term.percent != 100) text += ':' + std::to_string(term.percent);
-}
+constexpr auto kFullEveryMs = static_cast<std::uint64_t>(kFullKeyframeEvery.count());
 
-/// What a changes-only keyframe says of one AU; nothing for a side that it does not name.
-struct Change {
-  std::optional<std::uint8_t> left;
-  std::optional<std::uint8_t> right;
-};
+/// Says nothing of this AU and side.
+constexpr std::uint8_t kUnnamed = 255;
 
-/// Unlike a full keyframe, zeros stay: 6:0 says that AU 6 is gone.
-std::vector<AuTerm> canonical_changes(const std::vector<AuTerm>& terms) {
-  std::array<Change, kAuCount> changes{};
-  for (const AuTerm& term : terms) {
+AuPercents percents_of(const Keyframe& keyframe, std::uint8_t initial) {
+  AuPercents percents;
+  percents.left.fill(initial);
+  percents.right.fill(initial);
+  for (const AuTerm& term : keyframe.terms) {
     if (term.number == 0 || term.number > kAuNumberMax) continue;
+    const std::uint8_t percent = std::min<std::uint8_t>(term.percent, 100);
     const bool of_right = term.side == Side::Both && shows_on_one_side(term.number);
-    if (term.side != Side::Right && !of_right) changes[term.number].left = term.percent;
-    if (term.side != Side::Left) changes[term.number].right = term.percent;
+    if (term.side != Side::Right && !of_right) percents.left[term.number] = percent;
+    if (term.side != Side::Left) percents.right[term.number] = percent;
   }
-  std::vector<AuTerm> canonical;
-  for (std::size_t number = 1; number < changes.size(); ++number) {
-    const auto& [left, right] = changes[number];
-    const auto id = static_cast<std::uint8_t>(number);
-    if (left && left == right && !shows_on_one_side(id)) {
-      canonical.push_back({id, Side::Both, *left});
-      continue;
-    }
-    if (left) canonical.push_back({id, Side::Left, *left});
-    if (right) canonical.push_back({id, Side::Right, *right});
-  }
-  return canonical;
+  return percents;
 }
 
-std::string joined(const std::vector<AuTerm>& terms) {
-  std::string text;
-  for (const AuTerm& term : terms) append_term(text, term);
+void append_term(std::string& text, const char* side, std::size_t number, std::uint8_t percent) {
+  if (percent == kUnnamed) return;
+  if (text.size() > 1 && text.back() != '~') text += ',';
+  text += side;
+  text += std::to_string(number);
+  if (percent != 100) text += ':' + std::to_string(percent);
+}
+
+/// "{1:30,R12:80": the terms of what is named.
+std::string opened(const AuPercents& named, std::string_view brace) {
+  std::string text(brace);
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    const std::uint8_t left = named.left[number];
+    const std::uint8_t right = named.right[number];
+    const bool joined = left == right && !shows_on_one_side(static_cast<int>(number));
+    append_term(text, joined ? "" : "L", number, left);
+    if (!joined) append_term(text, "R", number, right);
+  }
   return text;
+}
+
+std::string closed(std::string text, const Keyframe& timing) {
+  if (timing.duration_ms) {
+    text += ';' + std::to_string(*timing.duration_ms);
+    if (timing.place_ms) text += '@' + std::to_string(*timing.place_ms);
+  }
+  return text + '}';
+}
+
+std::string opened_full(AuPercents percents) {
+  std::replace(percents.left.begin(), percents.left.end(), std::uint8_t{0}, kUnnamed);
+  std::replace(percents.right.begin(), percents.right.end(), std::uint8_t{0}, kUnnamed);
+  std::string text = opened(percents, "{");
+  return text.size() > 1 ? text : "{0";
+}
+
+std::string opened_changes(const AuPercents& from, AuPercents to) {
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    std::uint8_t& left = to.left[number];
+    std::uint8_t& right = to.right[number];
+    const bool left_stays = left == from.left[number];
+    const bool right_stays = right == from.right[number];
+    // A side that stays may be named too: one term for both is shorter than one with its side.
+    const bool joins = left == right && !shows_on_one_side(static_cast<int>(number));
+    if (joins && left_stays != right_stays) continue;
+    if (left_stays) left = kUnnamed;
+    if (right_stays) right = kUnnamed;
+  }
+  return opened(to, "{~");
+}
+
+std::string classic_of(const AuPercents& percents, int percent_min) {
+  std::string text = "{";
+  for (std::size_t number = 1; number < kAuCount; ++number) {
+    const int percent = std::max(percents.left[number], percents.right[number]);
+    if (percent > 0 && percent >= percent_min) append_term(text, "", number, 100);
+  }
+  return text.append(text.size() > 1 ? "}" : "0}");
 }
 
 }  // namespace
 
 std::string encode_classic(const Keyframe& keyframe, int percent_min) {
-  const AuFrame frame = frame_from_terms(keyframe.terms);
-  const float least = static_cast<float>(percent_min) / 100.0F;
-  std::string text;
-  for (std::size_t number = 1; number < kAuCount; ++number) {
-    const float intensity = std::max(frame.left[number], frame.right[number]);
-    if (intensity <= 0.0F || intensity < least) continue;
-    append_term(text, {static_cast<std::uint8_t>(number), Side::Both, 100});
-  }
-  return '{' + (text.empty() ? "0" : text) + '}';
+  return classic_of(percents_of(keyframe, 0), percent_min);
 }
 
 std::string encode(const Keyframe& keyframe) {
-  std::string text = "{";
-  if (keyframe.changes_only) {
-    text += '~' + joined(canonical_changes(keyframe.terms));
-  } else {
-    text += joined(canonical_terms(frame_from_terms(keyframe.terms)));
+  return closed(keyframe.changes_only ? opened(percents_of(keyframe, kUnnamed), "{~")
+                                      : opened_full(percents_of(keyframe, 0)),
+                keyframe);
+}
+
+EncodedKeyframe KeyframeEncoder::next(const Keyframe& keyframe) {
+  AUCAST_CHECK(!keyframe.changes_only);
+  const AuPercents percents = percents_of(keyframe, 0);
+  const std::uint64_t time_ms = keyframe.duration_ms.value_or(keyframe_ms_);
+  EncodedKeyframe encoded;
+  encoded.classic = classic_of(percents, classic_min_);
+  encoded.full = closed(opened_full(percents), keyframe);
+  encoded.plain = encoded.full == classic_of(percents, 0);
+  // Where the next keyframe would come too late for being the full one, this one is.
+  const bool due = !last_ || since_full_ms_ + time_ms > kFullEveryMs;
+  encoded.changes = due ? encoded.full : closed(opened_changes(*last_, percents), keyframe);
+  if (due || encoded.changes.size() >= encoded.full.size()) {
+    encoded.changes = encoded.full;
+    since_full_ms_ = 0;
   }
-  if (keyframe.duration_ms) {
-    text += ';' + std::to_string(*keyframe.duration_ms);
-    if (keyframe.place_ms) text += '@' + std::to_string(*keyframe.place_ms);
-  }
-  return text + '}';
+  since_full_ms_ += time_ms;
+  last_ = percents;
+  return encoded;
 }
 
 std::string encode(const End&) {
@@ -89,7 +128,8 @@ std::string encode(Code code) {
 }
 
 std::string format_au_set(const AuFrame& frame) {
-  return joined(canonical_terms(frame));
+  const std::string packet = encode(Keyframe{canonical_terms(frame), false, {}, {}});
+  return packet.substr(1, packet.size() - 2);
 }
 
 bool is_stream_name(std::string_view name) {

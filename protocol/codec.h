@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,39 @@ namespace aucast::protocol {
 [[nodiscard]] std::string encode(const StreamList& list);
 [[nodiscard]] std::string encode(const StreamsAsked& asked);
 [[nodiscard]] std::string encode(Code code);
+
+/// The percent of every AU on each side.
+struct AuPercents {
+  std::array<std::uint8_t, kAuCount> left{};
+  std::array<std::uint8_t, kAuCount> right{};
+};
+
+/// A keyframe in every form that is sent.
+struct EncodedKeyframe {
+  std::string classic;
+  std::string full;     ///< level 2
+  std::string changes;  ///< level 2, for a client that got the one before; full where that is due
+                        ///< or shorter
+  bool plain = false;   ///< numbers only: classic may leave out none but those below its minimum
+};
+
+/// Encodes the keyframes of one stream in their order, none of them changes-only. `changes` is full
+/// for the first one, and for those after which more than kFullKeyframeEvery would have passed
+/// since the last full one.
+class KeyframeEncoder {
+ public:
+  /// Untimed keyframes count as `keyframe_ms`; `classic_min` as in encode_classic().
+  KeyframeEncoder(std::uint32_t keyframe_ms, int classic_min)
+      : keyframe_ms_(keyframe_ms), classic_min_(classic_min) {}
+
+  [[nodiscard]] EncodedKeyframe next(const Keyframe& keyframe);
+
+ private:
+  std::uint32_t keyframe_ms_;
+  int classic_min_;
+  std::optional<AuPercents> last_;
+  std::uint64_t since_full_ms_ = 0;  ///< from the beginning of the last full one to now
+};
 
 // === Text forms shared by stream files and command lines.
 

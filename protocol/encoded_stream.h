@@ -3,8 +3,10 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "protocol/packet.h"
 #include "protocol/packet_list.h"
 
 namespace aucast::protocol {
@@ -22,5 +24,10 @@ struct EncodedStream {
   std::optional<std::uint64_t> duration_ms{};  ///< their sum, if a hello is to say it
   friend bool operator==(const EncodedStream&, const EncodedStream&) = default;
 };
+
+/// Untimed keyframes last `keyframe_ms`; `classic_min` as in encode_classic(). A stream of plain
+/// numbers has no changes-only form: every packet of it stays what the thesis measured.
+[[nodiscard]] EncodedStream encode_stream(std::span<const Keyframe> keyframes,
+                                          std::uint32_t keyframe_ms, int classic_min);
 
 }  // namespace aucast::protocol

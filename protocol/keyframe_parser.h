@@ -23,7 +23,8 @@ namespace aucast::protocol {
 
 /// Reads the inside of a keyframe byte by byte, so that a wrong byte is refused where it stands and
 /// not at the closing brace. One reader for the wire, for stream files and for command lines.
-/// Grammar: PROTOCOL.md, rules `full` and `changes`. After a fault the parser must not be used again.
+/// Grammar: PROTOCOL.md, rules `full` and `changes`. After a fault the parser must not be used
+/// again.
 class KeyframeParser {
  public:
   explicit KeyframeParser(TermSyntax syntax) : syntax_(syntax) {}

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "protocol/changes.h"
+#include "protocol/codec.h"
 #include "protocol/live_channel.h"
 #include "protocol/packet.h"
 
@@ -23,8 +23,7 @@ class LiveFeed final : public LiveChannel {
 
  private:
   std::uint32_t keyframe_ms_;
-  int classic_min_;
-  ChangesEncoder changes_;
+  KeyframeEncoder encoder_;
   double usual_ms_ = 33;  ///< between two moments, lately
 };
 

@@ -9,7 +9,6 @@
 #include "common/sources/dead_band.h"
 #include "common/sources/source_reader.h"
 #include "common/text.h"
-#include "protocol/changes.h"
 #include "protocol/codec.h"
 #include "server/live/live_source.h"
 #include "server/streams/thinning.h"
@@ -104,33 +103,13 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
                                                   " already; leave one out or rename a file")};
 }
 
-/// Streams of plain AU sets are what the thesis measured: every packet stays as it is there.
-bool goes_beyond_classic(const protocol::StreamFile& stream) {
-  return std::any_of(stream.keyframes.begin(), stream.keyframes.end(),
-                     [](const protocol::Keyframe& keyframe) {
-                       return protocol::encode(keyframe) != protocol::encode_classic(keyframe, 0);
-                     });
-}
-
 protocol::EncodedStream encoded(const Source& source, const CatalogueOptions& options) {
-  protocol::EncodedStream stream;
-  const protocol::StreamFile whole =
-      options.max_kbits == 0
-          ? source.stream
-          : protocol::StreamFile{
-                thinned(source.stream.keyframes, options.keyframe_ms, options.max_kbits)};
-  for (const protocol::Keyframe& keyframe : whole.keyframes) {
-    stream.classic.push_back(protocol::encode_classic(keyframe, options.classic_min));
-    stream.negotiated.push_back(protocol::encode(keyframe));
-    stream.times.emplace_back(keyframe.duration_ms.value_or(options.keyframe_ms));
+  const std::vector<protocol::Keyframe>& keyframes = source.stream.keyframes;
+  if (options.max_kbits == 0) {
+    return protocol::encode_stream(keyframes, options.keyframe_ms, options.classic_min);
   }
-  if (goes_beyond_classic(whole)) {
-    for (const auto& packet : protocol::encode_changes(whole.keyframes, options.keyframe_ms)) {
-      stream.changes.push_back(packet);
-    }
-  }
-  stream.duration_ms = protocol::media_ms(whole, options.keyframe_ms);
-  return stream;
+  return protocol::encode_stream(thinned(keyframes, options.keyframe_ms, options.max_kbits),
+                                 options.keyframe_ms, options.classic_min);
 }
 
 Milliseconds time_of(const protocol::EncodedStream& stream) {

@@ -1,8 +1,7 @@
-#include "protocol/changes.h"
-
 #include <gtest/gtest.h>
 
 #include "protocol/codec.h"
+#include "protocol/encoded_stream.h"
 #include "protocol/limits.h"
 #include "tests/support/seeded.h"
 
@@ -18,14 +17,25 @@ Keyframe keyframe(std::string_view text) {
   return parsed;
 }
 
+/// Of `to` after `from`; AUs 91-98, which both have, make the full form the longer one.
 std::string changes(std::string_view from, std::string_view to) {
-  return encode(changes_between(keyframe(from), keyframe(to)));
+  constexpr std::string_view kMore = "91,92,93,94,95,96,97,98,";
+  KeyframeEncoder encoder(250, 0);
+  static_cast<void>(encoder.next(keyframe(std::string(kMore).append(from))));
+  return encoder.next(keyframe(std::string(kMore).append(to))).changes;
+}
+
+std::vector<std::string> changes_of(const std::vector<Keyframe>& keyframes) {
+  KeyframeEncoder encoder(250, 0);
+  std::vector<std::string> packets;
+  for (const Keyframe& one : keyframes) packets.push_back(encoder.next(one).changes);
+  return packets;
 }
 
 std::vector<std::string> encoded(const std::vector<std::string>& texts) {
   std::vector<Keyframe> keyframes;
   for (const std::string& text : texts) keyframes.push_back(keyframe(text));
-  return encode_changes(keyframes, 250);
+  return changes_of(keyframes);
 }
 
 TEST(ChangesBetween, NamesWhatIsNewGoneAndOther) {
@@ -77,6 +87,24 @@ TEST(EncodeChanges, IsFullAtLeastEveryTenSeconds) {
             (std::vector<std::string>{"{1,2;3000}", "{1,2;10000}", "{1,2;10001}", "{1,2;1}"}));
 }
 
+TEST(EncodeStream, HasNoChangesWhereAllIsPlain) {
+  const auto granted = [](std::vector<std::string> texts) {
+    std::vector<Keyframe> keyframes;
+    for (const std::string& text : texts) keyframes.push_back(keyframe(text));
+    return !encode_stream(keyframes, 250, 20).changes.empty();
+  };
+  EXPECT_FALSE(granted({"1,6", "0", "L1,R1", "1,6:0"}));
+  for (const char* beyond : {"1:30", "L1", "1;40", "1:10"}) EXPECT_TRUE(granted({"1,6", beyond}));
+}
+
+TEST(EncodeStream, SumsTheTimes) {
+  const std::vector<Keyframe> keyframes{keyframe("1:10"), keyframe("R2;40")};
+  const EncodedStream stream = encode_stream(keyframes, 250, 20);
+  EXPECT_EQ(stream.duration_ms, 290U);
+  EXPECT_EQ(stream.classic, (PacketList{"{0}", "{2}"}));
+  EXPECT_EQ(stream.negotiated, (PacketList{"{1:10}", "{R2;40}"}));
+}
+
 TEST(EncodeChanges, GivesBackEveryStateInOrder) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());
@@ -90,7 +118,7 @@ TEST(EncodeChanges, GivesBackEveryStateInOrder) {
       }
       if (seeded.chance(0.5)) one.duration_ms = seeded.integer(0, 3000);
     }
-    const auto packets = encode_changes(keyframes, 250);
+    const auto packets = changes_of(keyframes);
     ASSERT_EQ(packets.size(), keyframes.size());
     AuFrame running;
     std::uint64_t since_full = 0;

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "protocol/changes.h"
 #include "protocol/codec.h"
 
 namespace aucast::test {
@@ -90,16 +89,8 @@ EncodedStream encoded(std::initializer_list<std::string_view> negotiated,
 }
 
 EncodedStream encoded(const std::vector<Keyframe>& keyframes, int classic_min) {
-  constexpr std::uint32_t kKeyframeMs = 250;
-  EncodedStream stream;
-  for (const Keyframe& keyframe : keyframes) {
-    stream.negotiated.push_back(encode(keyframe));
-    stream.classic.push_back(encode_classic(keyframe, classic_min));
-    stream.times.emplace_back(keyframe.duration_ms.value_or(kKeyframeMs));
-  }
-  for (const std::string& packet : encode_changes(keyframes, kKeyframeMs)) {
-    stream.changes.push_back(packet);
-  }
+  EncodedStream stream = encode_stream(keyframes, 250, classic_min);
+  stream.duration_ms.reset();  // so that the hellos of the tests stay short
   return stream;
 }
 
