@@ -1,6 +1,7 @@
 #include "protocol/encoded_stream.h"
 
 #include "protocol/codec.h"
+#include "protocol/limits.h"
 
 namespace aucast::protocol {
 
@@ -22,6 +23,12 @@ EncodedStream encode_stream(std::span<const Keyframe> keyframes, std::uint32_t k
   if (plain) stream.changes = {};
   stream.duration_ms = whole_ms;
   return stream;
+}
+
+std::optional<Milliseconds> classic_length(const EncodedStream& stream) {
+  const Milliseconds length = kDefaultKeyframeTime * stream.classic.size();
+  const auto own = static_cast<std::uint64_t>(length.count());
+  return stream.duration_ms.value_or(own) == own ? std::nullopt : std::optional(length);
 }
 
 }  // namespace aucast::protocol

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/time.h"
 #include "protocol/packet.h"
 #include "protocol/packet_list.h"
 
@@ -29,5 +30,9 @@ struct EncodedStream {
 /// numbers has no changes-only form: every packet of it stays what the thesis measured.
 [[nodiscard]] EncodedStream encode_stream(std::span<const Keyframe> keyframes,
                                           std::uint32_t keyframe_ms, int classic_min);
+
+/// How long the stream takes a player that gives every keyframe the default time, as classic
+/// packets carry none. Nothing when that is the stream's own length.
+[[nodiscard]] std::optional<Milliseconds> classic_length(const EncodedStream& stream);
 
 }  // namespace aucast::protocol

@@ -12,8 +12,7 @@
 namespace aucast::protocol {
 namespace {
 
-/// What a TLS client begins with.
-constexpr char kTlsFirstByte = '\x16';
+constexpr char kTlsFirstByte = '\x16';  ///< of a client that speaks TLS
 
 constexpr const char* kFull = "the server is full";
 constexpr const char* kFullAddress = "too many clients from this address";
@@ -580,6 +579,10 @@ bool ServerSession::live() const {
 
 std::string_view ServerSession::stream_name() const {
   return state_->stream.name;
+}
+
+const EncodedStream* ServerSession::recorded() const {
+  return state_->stream.recorded.get();
 }
 
 std::uint64_t ServerSession::packets_sent() const {

@@ -106,6 +106,8 @@ class ServerSession {
   /// True while keyframes of a live stream are sent.
   [[nodiscard]] bool live() const;
   [[nodiscard]] std::string_view stream_name() const;
+  /// Nothing when the stream is live.
+  [[nodiscard]] const EncodedStream* recorded() const;
   [[nodiscard]] std::uint64_t packets_sent() const;   ///< keyframes handed out
   [[nodiscard]] std::uint64_t payload_bytes() const;  ///< their bytes, without hello and {-2}
   /// Live keyframes that were left out because the client could not take them in time.

@@ -127,8 +127,23 @@ void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
   }
 }
 
+/// A player that never heard of times shows a recording of 30 pictures a second at four a second.
+void Connection::note_pace() {
+  if (session_->level() != protocol::Level::Classic || session_->recorded() == nullptr) return;
+  const auto length = protocol::classic_length(*session_->recorded());
+  if (!length) return;
+  settings_.log->say(link_->now(), spdlog::level::info,
+                     "client {} {}: classic packets carry no times: at {} ms a keyframe the stream "
+                     "takes {:.0f} s; --live keeps its pace",
+                     record_.number, record_.peer, protocol::kDefaultKeyframeTime.count(),
+                     seconds(*length));
+}
+
 void Connection::send(std::string bytes) {
-  if (!sending_since_ && session_->packets_sent() > 0) sending_since_ = link_->now();
+  if (!sending_since_ && session_->packets_sent() > 0) {
+    sending_since_ = link_->now();
+    note_pace();
+  }
   if (settings_.batch.count() == 0) {
     link_->write(bytes);
   } else {

@@ -73,6 +73,7 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   void on_closed(const link::Ending& ending) override;
 
   void carry_out(std::vector<protocol::ServerEvent> events);
+  void note_pace();
   void send(std::string bytes);
   void flush();
   [[nodiscard]] bool gathers();

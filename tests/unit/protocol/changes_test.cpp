@@ -97,6 +97,15 @@ TEST(EncodeStream, HasNoChangesWhereAllIsPlain) {
   for (const char* beyond : {"1:30", "L1", "1;40", "1:10"}) EXPECT_TRUE(granted({"1,6", beyond}));
 }
 
+TEST(EncodeStream, KnowsHowLongItTakesWithoutItsTimes) {
+  const auto length = [](const char* text) {
+    const std::vector<Keyframe> keyframes(3, keyframe(text));
+    return classic_length(encode_stream(keyframes, 250, 20));
+  };
+  EXPECT_EQ(length("1;33"), Milliseconds(750));
+  EXPECT_EQ(length("1"), std::nullopt) << "250 ms anyway";
+}
+
 TEST(EncodeStream, SumsTheTimes) {
   const std::vector<Keyframe> keyframes{keyframe("1:10"), keyframe("R2;40")};
   const EncodedStream stream = encode_stream(keyframes, 250, 20);
