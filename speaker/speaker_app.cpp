@@ -27,14 +27,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDescription =
-    "Makes a face speak: a text becomes its speech, a stream file with the face, and captions.\n\n"
+    "Makes a face speak: turns a text into speech, a stream file for the face, and captions.\n\n"
     "  au-speaker lecture.txt -o lecture           lecture/lecture.txt, .wav and .vtt\n"
     "  au-speaker lecture.txt --voice talk.wav     the face for a recorded voice\n"
     "  au-transmitter lecture                      serves it\n\n"
     "In the text an empty line ends a paragraph, '# title: ...' names the lecture, other lines "
     "that\n"
-    "begin with # are not spoken, and a word in brackets is an expression, until the next one or\n"
-    "the paragraph's end: [smile], [surprise 60], [1,2:40]; names are those of expressions.toml.";
+    "begin with # are not spoken, and a word in brackets sets the expression until the next "
+    "bracket\n"
+    "or the end of the paragraph: [smile], [surprise 60] (percent), or AUs, [1,2:40]. Names are "
+    "those\n"
+    "of expressions.toml.";
 
 struct Options {
   fs::path text;
@@ -51,11 +54,12 @@ struct Options {
 
 void bind(CLI::App& app, Options& options) {
   app.add_option("TEXT", options.text, "the text, UTF-8; - reads standard input");
-  app.add_option("-o,--output", options.output,
-                 "folder for the files, made if need be; default: the text's name without ending");
+  app.add_option(
+      "-o,--output", options.output,
+      "folder for the files, made if need be; default: the text's name without its extension");
   app.add_option("--name", options.name, "name of the files; default: the text's, or \"speech\"");
   app.add_option("--voice", options.recording,
-                 "a recorded voice whose transcript TEXT is (WAV, FLAC, Ogg, MP3)");
+                 "a recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3)");
   app.add_option("--language", options.voice.language,
                  "language or voice of espeak-ng, also that of a recorded voice; default en");
   app.add_option("--speed", options.voice.words_per_minute, "words a minute; default 150")
@@ -65,7 +69,7 @@ void bind(CLI::App& app, Options& options) {
   app.add_option("--gestures", options.gesture_percent,
                  "how much brows and head move, 0 to 200 %; default 100")
       ->check(CLI::Range(0, 200));
-  app.add_option("--seed", options.gestures.seed, "another number, other gestures; default 1");
+  app.add_option("--seed", options.gestures.seed, "seed for the gestures; default 1");
   app.add_option("--data", options.data,
                  "folder with expressions.toml; default: the installed one");
   app.add_flag("--list-voices", options.list_voices, "prints languages and voices");

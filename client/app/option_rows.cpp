@@ -138,13 +138,13 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"playout", "N", "30", "Playout buffer (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, 10'000)},
-      {"threshold", "PERCENT", "40", "fill to start (40)",
+      {"threshold", "PERCENT", "40", "start when so full (40)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
       {"live", "", "", "lowest delay for live",
        "The lowest delay of a live stream that the link allows, at the risk of stalls.",
        flag(buffers.low_delay)},
-      {"live-delay", "MS", "", "fixed delay (adapts)",
+      {"live-delay", "MS", "", "fix the delay",
        "A fixed delay of live streams, up to 60000 ms. Without it the delay adapts to the "
        "link.",
        parsed(Kind::Number, read_live_delay, buffers)},
@@ -152,7 +152,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
        seconds(playback.hold, 0, kSecondsMax, "is not a number of seconds from 0 to 86400")},
       {"stream", "NAME", "", "one of the server's",
        "Which of the server's streams; its first one by default.", word(playback.stream)},
-      {"protocol", "LEVEL", "auto", "or classic (auto)",
+      {"protocol", "LEVEL", "auto", "auto or classic (auto)",
        "classic never sends a hello: for servers that know only level 1.",
        one_of(playback.classic, {{"auto", false}, {"classic", true}})},
       {"connect-timeout", "S", "10", "for the connection and its first packet (10)",
@@ -184,7 +184,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
 
 std::vector<OptionRow> face_rows(FaceOptions& face) {
   return {
-      {"face", "NAME", "default", "or folder (default)",
+      {"face", "NAME", "default", "its name or folder (default)",
        "The name of a face in data/faces, or its folder.", word(face.face), "Face"},
       {"mixer", "MIXER", "maximum", "or average (maximum)",
        "How contractions of one muscle by several AUs are combined: maximum or average.",
@@ -206,7 +206,7 @@ std::vector<OptionRow> rules_rows(FaceOptions& face) {
 std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
   using playback::Interpolation;
   return {
-      {"speed", "MS", "", "of untimed keyframes",
+      {"speed", "MS", "", "time of untimed keyframes",
        "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
        "the server says, or 250 ms.",
        whole(playback.speed, 1, 1000), "Animation"},
@@ -252,7 +252,7 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        "Writes the poses of the first 60 keyframes to one page.", word(output.sheet)},
       {"fps", "N", "", "frame rate, 1-240", "Pictures a second, 1 to 240.",
        whole(output.fps, 1, 240)},
-      {"fast", "", "", "render off the clock",
+      {"fast", "", "", "as fast as possible",
        "Does not wait for the clock: plays as fast as the computer can. Implied by --frames, "
        "--record and --sheet.",
        flag(output.fast)},

@@ -74,7 +74,7 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        whole(options.classic_min, 0, 100)},
       {"loop", "", "", "restart at the end", "The first keyframe follows the last, endlessly.",
        flag(options.loop)},
-      {"live", "", "", "late clients join now",
+      {"live", "", "", "one clock for all clients",
        "All clients see the same moment. Time starts when the transmitter is ready. A slow "
        "client gets the newest keyframe and misses those in between; the statistics count "
        "them as merged.",
@@ -121,7 +121,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> credential_rows(CredentialFiles& files) {
   return {
-      {"tls-cert", "FILE", "", "certificate; requires TLS",
+      {"tls-cert", "FILE", "", "certificate; turns TLS on",
        "The certificate, followed in the same file by those of the intermediate "
        "authorities (PEM). SIGHUP reads it again, as it does --tls-key, --tls-client-ca and "
        "--token-file; connected clients stay.",
@@ -201,20 +201,21 @@ std::vector<OptionRow> option_rows(TransmitterOptions& options) {
 
 CommandPage transmitter_page() {
   static TransmitterOptions unused;
-  return {.program = "au-transmitter",
-          .usage = {"au-transmitter [OPTIONS] SOURCE...", "au-transmitter convert --help"},
-          .about = "Streams FACS Action Units over TCP to face-player and other clients.\n",
-          .rows = option_rows(unused),
-          .notes =
-              R"(Settings file, then AUCAST_TRANSMITTER_<OPTION>, then command line: last wins.
+  return {
+      .program = "au-transmitter",
+      .usage = {"au-transmitter [OPTIONS] SOURCE...", "au-transmitter convert --help"},
+      .about = "Streams FACS Action Units over TCP to face-player and other clients.\n",
+      .rows = option_rows(unused),
+      .notes =
+          R"(Settings file, then AUCAST_TRANSMITTER_<OPTION>, then command line: last wins.
 Prints "listening on ADDR:PORT" when ready; logs to stderr; Ctrl-C ends it.
 SIGHUP reloads the sources, SIGUSR1 logs the status.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 )",
-          .examples = {"au-transmitter --bind 0.0.0.0 --live --loop talk.txt",
-                       "FeatureExtraction -device 0 -of - | au-transmitter -",
-                       "printf '1111111' | nc 127.0.0.1 4650     (a whole client, for six "
-                       "keyframes)"}};
+      .examples = {"au-transmitter --bind 0.0.0.0 --live --loop talk.txt",
+                   "au-transmitter --follow processed/webcam.csv     (what OpenFace is writing)",
+                   "printf '1111111' | nc 127.0.0.1 4650     (prints the first eight "
+                   "packets)"}};
 }
 
 }  // namespace aucast::server

@@ -112,12 +112,12 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "change to 0 is always sent. 0 sends everything. Stream files and convert are not "
        "affected.",
        parsed(OptionValue::Kind::Number, read_dead_band, options.dead_band)},
-      {"profile", "FILE", "", "load the above from FILE",
+      {"profile", "FILE", "", "load a person's settings",
        "Neutral face, gain, dead band and filter of one person at one camera, as "
        "--save-profile writes them (TOML); the options above win. SIGHUP reads it again, "
        "for live sources too.",
        word(options.profile)},
-      {"save-profile", "FILE", "", "save it",
+      {"save-profile", "FILE", "", "save them",
        "Writes what profile and options amount to, completely or not at all: with --neutral "
        "once the neutral face is measured, which requires a single source of a recogniser; "
        "otherwise at the start. Load it with --profile FILE.",
