@@ -129,13 +129,14 @@ Result<std::string> with_au(std::string_view text, std::string_view file, int nu
   if (!document) return document.error();
   const TomlValue* table = table_of(*document, number);
   if (table == nullptr) return with_new_au(text, number, drive);
-  const TomlValue* old = table->find("drive");
-  if (old == nullptr) {
+  const auto old = std::find_if(table->entries.begin(), table->entries.end(),
+                                [](const TomlValue::Entry& entry) { return entry.key == "drive"; });
+  if (old == table->entries.end()) {
     return Error{ErrorKind::BadData,
                  at_place(file, table->place.line, table->place.column,
                           "AU" + std::to_string(number) + " has no drive to be replaced")};
   }
-  const auto begin = byte_at(text, old->place);
+  const auto begin = byte_at(text, old->value.place);
   const auto end = begin ? end_of_braces(text, *begin) : std::nullopt;
   if (!end) {
     return Error{ErrorKind::BadData,
@@ -145,7 +146,7 @@ Result<std::string> with_au(std::string_view text, std::string_view file, int nu
                               "again")};
   }
   std::string result(text.substr(0, *begin));
-  result += drive_text(in_order_of(*old, drive));
+  result += drive_text(in_order_of(old->value, drive));
   result += text.substr(*end);
   return result;
 }
