@@ -62,9 +62,6 @@ Expression read_expression(const TomlValue& table, const Spellings& spellings, P
   if (const TomlValue* muscles = reader.table_if("muscles")) {
     expression.muscles = read_muscles(*muscles, spellings, problems);
   }
-  if (expression.muscles.empty() && !reader.has("aus")) {
-    problems.add(table.place, "expression '" + expression.name + "' has neither aus nor muscles");
-  }
   const auto aus = protocol::parse_au_set(reader.text_or("aus", "0"));
   if (aus) {
     expression.aus = *aus;
@@ -72,6 +69,9 @@ Expression read_expression(const TomlValue& table, const Spellings& spellings, P
     reader.wrong("aus", "of expression '" + expression.name + "': " + aus.error().message);
   }
   reader.finish();
+  if (expression.muscles.empty() && !reader.has("aus")) {
+    problems.add(table.place, "expression '" + expression.name + "' has neither aus nor muscles");
+  }
   return expression;
 }
 
@@ -113,8 +113,8 @@ Result<std::vector<Expression>> load_expressions(const std::filesystem::path& fi
     if (names.insert(expressions.back().name).second) continue;
     problems.add(table->place, "a second expression '" + expressions.back().name + "'");
   }
-  reader.finish();
   if (expressions.empty()) problems.add(document->place, "no [[expression]] in it");
+  reader.finish();
   if (auto good = problems.result(); !good) return good.error();
   return expressions;
 }
