@@ -24,18 +24,19 @@ struct AuReaderOptions {
   std::string stream;                               ///< empty: the server's first
   Duration silence_max = std::chrono::seconds(10);  ///< for the first packet
   playback::BufferOptions buffers;
-  std::optional<Milliseconds> speed{};  ///< --speed: of keyframes without a time, for live streams
+  std::optional<Milliseconds> speed{};  ///< --speed: the time of keyframes that have none of their
+                                        ///< own; nullopt: what the server's hello says
   bool reconnect = false;               ///< try again when the connection is lost or cannot be made
   std::string token{};                  ///< shown in the hello; empty: none
 };
 
-/// What the connection has to do now, in this order.
+/// What the connection's owner has to do: send `send`, then what `next` says.
 struct Reaction {
   enum class Next : std::uint8_t {
     GoOn,
-    Reconnect,       ///< drop this connection and make a new one, then connected() again
+    Reconnect,       ///< drop this connection and make a new one, then call connected() again
     ReconnectLater,  ///< the same after `retry_after`
-    Close,           ///< nothing more will come
+    Close,           ///< nothing more will come from the server
   };
   std::string send;
   Next next = Next::GoOn;
@@ -44,8 +45,8 @@ struct Reaction {
 };
 
 /// The AU Reader of the thesis (5.4.4.2) without its socket: what comes from the server goes into
-/// the Receiver and Playout buffers, and the server is told by cases A-D whether to go on. Knows no
-/// clock.
+/// the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and the server is told
+/// to pause while they are full. No clock: the current time goes in.
 /// Until a server that answered a hello in classic has sent a second packet or {-2}, its first one
 /// is answered but kept aside: should the server close, the stream begins once more on a new
 /// connection, and nothing may be played twice.
@@ -53,9 +54,9 @@ struct Reaction {
 /// way when the buffers are full, at most the window, is kept aside too. A server that does not
 /// wait for answers is read no faster than the player makes room. With `reconnect` a loss is not
 /// the end: the face holds, and the stream of the next connection follows what had been received:
-/// a recorded one at the place where it was cut off, if the server knows how, a live one now.
-/// With BufferOptions::low_delay a live stream is asked for without answers (window=0); if the
-/// server's is a recorded one, the reader connects once more with a window.
+/// a recorded stream from where it was cut off, if the server can do that, a live one from now.
+/// With BufferOptions::low_delay the stream is asked for without answers (window=0); if it is a
+/// recorded one, the reader connects once more with a window.
 /// Thread: none of its own; the owner guards it.
 class AuReader {
  public:
@@ -69,29 +70,30 @@ class AuReader {
   /// The server shut its side or the connection broke.
   [[nodiscard]] Reaction closed(Instant now);
   [[nodiscard]] Reaction time(Instant now);
-  /// When time() wants to be called.
+  /// When time() wants to be called; nullopt: no timer is running.
   [[nodiscard]] std::optional<Instant> deadline() const;
   /// No connection could be made; `reason` is a sentence for the user.
   Reaction unreachable(std::string reason);
   /// The connection cannot be used, and another attempt would not change that.
   Reaction refused(playback::EndReason why, const std::string& reason);
-  /// After take() or set_paused(): what the server has to be told now, and what follows from bytes
-  /// that had to wait.
+  /// Call after take() or set_paused(): tells the server what follows from it, and works on the
+  /// bytes that had to wait.
   [[nodiscard]] Reaction speak(Instant now);
   /// The user leaves: the last words, to be sent if the connection stands.
   [[nodiscard]] std::string farewell();
-  /// False while bytes wait for room: more are for TCP to hold, at the sender's cost.
+  /// False while received bytes wait for room: read no more, so that flow control holds the server
+  /// back.
   [[nodiscard]] bool wants_bytes() const;
 
   // === The player's side.
 
   [[nodiscard]] std::optional<playback::TimedAus> take();
-  /// True when take() would give one, or nothing will ever come again.
+  /// True when take() would return a keyframe, or no more will ever come.
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
   [[nodiscard]] bool has_words() const;
   void set_paused(bool paused);
-  /// The user leaves: nothing is given any more.
+  /// The user leaves: take() returns nullopt from now on.
   void leave();
   [[nodiscard]] playback::SourceStatus status() const;
 
@@ -127,17 +129,17 @@ class AuReader {
   protocol::ClientSession session_;
   playback::KeyframeBuffers buffers_;
   std::optional<playback::TimedAus> first_;  ///< kept aside until the server is known to go on
-  bool settled_ = false;                     ///< it is
+  bool settled_ = false;                     ///< the server is known to go on
   std::deque<playback::TimedAus> kept_;      ///< case A: came when both buffers were full
-  std::string waiting_;                      ///< bytes for when kept_ has found room
+  std::string waiting_;                      ///< received bytes that wait for room in kept_
   std::size_t owed_ = 0;                     ///< keyframes not yet answered by `1` or -3
   bool user_paused_ = false;
   bool stopped_ = false;           ///< by leave()
-  playback::SourceStatus status_;  ///< without what can be asked from the others
+  playback::SourceStatus status_;  ///< without what status() asks the other members for
   Instant connected_at_{};
   Instant now_{};  ///< of the call that is being worked on
   LiveTiming timing_;
-  std::uint64_t place_ms_ = 0;  ///< recorded: how far it has come
+  std::uint64_t place_ms_ = 0;  ///< recorded: how far the stream has come
   BackOff back_off_;
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;

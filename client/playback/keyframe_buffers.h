@@ -14,28 +14,30 @@ struct BufferOptions {
   std::size_t playout_capacity = 30;    ///< sets, 1-10,000, at most receiver_capacity
   int threshold_percent = 40;           ///< of the receiver buffer, 1-100; for the first fill and
                                         ///< after a stall
-  Milliseconds live_delay{300};         ///< live: buffered instead, 0-60,000
+  Milliseconds live_delay{300};         ///< live streams wait for this instead, 0-60,000
   bool by_time = false;                 ///< --buffer auto or Nms: recorded streams wait for
                                         ///< `live_delay` too, and not for the threshold
-  bool adapt = false;                   ///< `live_delay` is only where it begins
-  bool low_delay = false;               ///< --live: a live keyframe is played as soon as it is
-                                        ///< there; when it is due says the keyframe itself
+  bool adapt = false;                   ///< `live_delay` is only the initial value
+  bool low_delay = false;               ///< --live: a live keyframe begins as soon as it is there
+                                        ///< and is reached at its own TimedAus::due
 };
 
 /// The Receiver and the Playout buffer of the thesis (5.4.4.1-5.4.4.2, figures 5.12-5.15), first-in
 /// first-out, with the gaps of its figures closed: the end of the stream flushes what is below the
 /// threshold; a full receiver with an empty playout fills it whatever the threshold; the
 /// controller's refill tells the reader that there is room. Invariant: sizes never exceed the
-/// capacities; nothing is lost, doubled or reordered; keyframes leave in the order in which they
-/// came.
+/// capacities; nothing is duplicated or reordered, and nothing of a recorded stream is lost.
 /// A live stream is buffered by time: playing starts when two keyframes and `live_delay` are there,
-/// first and after a stall. With more in the buffer it plays up to 5 % faster, with less up to 5 %
-/// slower. While it plays no keyframe is dropped; while it waits, the oldest are dropped beyond
-/// kLiveLagMax or when there is no room. A live source is never paused, so there is no case A.
-/// With `low_delay` playing starts with one keyframe, and while it waits the oldest are dropped
-/// beyond kStandingLagMax more than what is due.
-/// With `by_time` a recorded stream begins after `live_delay` as well; with `adapt` each stall
-/// doubles that for the next time.
+/// first and after a stall. A keyframe is played in 95 % of its time when, without it, more than
+/// `live_delay` and that time is buffered; with `adapt` in 105 % when less than `live_delay` minus
+/// twice that time is. The oldest keyframes are dropped whenever the receiver overflows and, while
+/// playback is waiting, also once more than `live_delay` + kLiveLagMax is buffered (then down to
+/// `live_delay`). store() always takes a live keyframe: there is no case A.
+/// With `low_delay` playing starts with one keyframe, and pace_percent stays 100. While playback is
+/// waiting, the oldest are dropped once kStandingLagMax more is buffered than the time from the
+/// newest one's arrival until it is due, or its own time if it has no due time (then down to that).
+/// With `by_time` a recorded stream waits for two keyframes and `live_delay` as well; with `adapt`
+/// each stall doubles `live_delay`, up to 10 s.
 /// Thread: none of its own; the owner guards it.
 class KeyframeBuffers {
  public:
@@ -44,19 +46,22 @@ class KeyframeBuffers {
 
   // === The AU reader's side.
 
-  /// Cases A-D: what to tell the server after a packet.
+  /// Whether store() has taken the keyframe.
   enum class Stored : bool { No, Yes };
-  /// Stores a keyframe and, where the case says so, fills the Playout buffer: B (receiver full,
-  /// playout empty), C (room, playing), D (room, playout empty: fill when the threshold is
-  /// reached). No means case A: both are full; send -1, keep the keyframe and try again after
-  /// room().
+  /// Stores a keyframe of a recorded stream by the thesis's cases:
+  ///   A  receiver full, playing: No. Send -1, keep the keyframe and try again when there is room()
+  ///   B  receiver full, playout empty: fills the Playout buffer, then stores
+  ///   C  room, playing: stores
+  ///   D  room, playout empty: stores, and fills the Playout buffer if the receiver had reached the
+  ///      threshold before (with `by_time`: once enough time is buffered)
+  /// Playing means that the Playout buffer is not empty.
   [[nodiscard]] Stored store(const TimedAus& keyframe);
-  /// From now on the stream is live, with this time for a keyframe that has none of its own; or,
-  /// without one, it is recorded.
+  /// From now on the stream is live and `untimed` is the time of a keyframe that has none of its
+  /// own; nullopt: the stream is recorded.
   void set_live(std::optional<Milliseconds> untimed);
   /// The time of a recorded keyframe that has none of its own.
   void set_untimed(Milliseconds time) { untimed_ = time; }
-  /// From now on so much is buffered.
+  /// Sets `live_delay`, clamped to its range.
   void set_delay(Milliseconds delay);
   [[nodiscard]] Milliseconds delay() const { return options_.live_delay; }
   /// Free places of the receiver.
@@ -71,27 +76,27 @@ class KeyframeBuffers {
 
   /// The next keyframe; refills the Playout buffer from the receiver when it runs empty.
   [[nodiscard]] std::optional<TimedAus> take();
-  /// True when take() would give one.
+  /// True when take() would return a keyframe.
   [[nodiscard]] bool has_next() const;
   /// True when the stream has ended and everything has been taken.
   [[nodiscard]] bool finished() const;
 
   [[nodiscard]] std::size_t receiver_fill() const { return keyframes_.size() - playout_; }
   [[nodiscard]] std::size_t playout_fill() const { return playout_; }
-  /// What is there, in the stream's own time.
+  /// The sum of the times of the keyframes in both buffers.
   [[nodiscard]] Milliseconds buffered() const;
-  /// Live keyframes that were dropped to catch up.
+  /// How many live keyframes were dropped.
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
  private:
-  /// Beyond `live_delay`: so much more and the oldest keyframes are dropped.
+  /// What a live stream may buffer beyond wanted() while playback is waiting.
   static constexpr Milliseconds kLiveLagMax{2000};
-  /// Low delay: beyond what the newest is due in.
+  /// The same with `low_delay`.
   static constexpr Milliseconds kStandingLagMax{100};
 
   void store_live(const TimedAus& keyframe);
   void drop_oldest();
-  /// Live: how much should be buffered.
+  /// Live: how much should be buffered while playback is waiting.
   [[nodiscard]] Milliseconds wanted() const;
   [[nodiscard]] Milliseconds time_of(const TimedAus& keyframe) const;
   [[nodiscard]] bool enough() const;
@@ -106,10 +111,10 @@ class KeyframeBuffers {
   std::deque<TimedAus> keyframes_;
   std::size_t playout_ = 0;  ///< of `keyframes_`, from the front; the rest is the receiver's
   bool ended_ = false;
-  std::optional<Milliseconds> live_;  ///< the time of an untimed keyframe
+  std::optional<Milliseconds> live_;  ///< the time of an untimed keyframe; nullopt: recorded
   Milliseconds untimed_{250};         ///< the same for recorded streams
   bool starved_ = true;               ///< the player found nothing, so a delay is built up
-  bool begun_ = false;                ///< it has found something before
+  bool begun_ = false;                ///< the player has found a keyframe before
   std::uint64_t dropped_ = 0;
 };
 

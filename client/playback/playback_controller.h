@@ -21,8 +21,8 @@ enum class PlaybackState : std::uint8_t {
   Paused,   ///< by the user
   Ended,    ///< the last keyframe's position 50 is reached and the stream had ended
   Stopped,  ///< the user left
-  Lost,     ///< everything received is played and the connection was lost before the end; the face
-            ///< holds and eases to neutral as in Stale
+  Lost,  ///< everything received is played and the stream was cut short: connection lost, protocol
+         ///< error, server unreachable or refusing; the face holds and eases as in Stale
 };
 
 [[nodiscard]] std::string_view name(PlaybackState state);
@@ -33,10 +33,11 @@ enum class PlaybackState : std::uint8_t {
 /// A keyframe that has just begun: the face goes from where it is to `target`.
 struct KeyframeBegun {
   TimedAus target;
-  Milliseconds duration{0};  ///< its time: packet, --speed, server's default; live it may take 5 %
-                             ///< more or less
-  double cut_at = 1;         ///< where the one before was left: 1, or less within the easing
-  std::optional<AuFrame> from{};  ///< the face sets out from these AUs; nothing: from where it is
+  Milliseconds duration{0};  ///< its own time: the packet's, else --speed, else the server's
+                             ///< default; a live keyframe may take up to 5 % more or less
+  double cut_at = 1;  ///< how far the keyframe before it had come: 1, less if that was an easing to
+                      ///< neutral which this one interrupts
+  std::optional<AuFrame> from{};  ///< the face sets out from these AUs; nullopt: from where it is
 };
 
 /// Where playback stands. position is k in 0..50 of the current keyframe, mu = the exact fraction.
@@ -49,39 +50,39 @@ struct PlaybackProgress {
 /// The playback controller of figure 5.15 on a given clock. The end frame of one keyframe is the
 /// start frame of the next, which begins exactly where the last one ended, so that nothing drifts:
 /// N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe of 0 ms
-/// is a jump: it is over as soon as it has begun. A live keyframe that says when it is due is
-/// reached then, if that makes it at most 5 % faster or slower than its own time; one that was
-/// waited for began when it came, however late that is looked at.
-/// The moments handed in must not go back.
+/// is a jump: it is over as soon as it has begun. A live keyframe with a due time takes until then,
+/// but at least 95 % and at most 105 % of its own time; after a stall it begins when it arrived,
+/// but not before the previous call of advance().
+/// The times handed in must not go back.
 /// Thread: the player's.
 class PlaybackController {
  public:
-  /// `speed`: --speed; nothing: the server's default for untimed packets.
+  /// `speed`: --speed; nullopt: the server's default for untimed packets.
   explicit PlaybackController(std::optional<Milliseconds> speed);
 
   /// Moves to `now`. When a keyframe begins it is returned; call again with the same `now` until
-  /// nothing is returned, because short keyframes may be over already: first bring the face to the
+  /// nullopt is returned, because short keyframes may be over already: first bring the face to the
   /// end of the one before, then begin the returned one.
-  /// The easing to neutral is returned as a keyframe too, but counts as none.
+  /// The easing to neutral is returned as a keyframe too, but is not counted as one.
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now, KeyframeSource& source);
 
-  /// After a stall or a loss of so long the face eases to neutral, within kEaseTime. Without:
-  /// never.
+  /// Once a stall or a loss has lasted for `hold`, the face eases to neutral within kEaseTime. By
+  /// default it never does.
   void set_hold(Milliseconds hold) { hold_ = hold; }
   static constexpr Milliseconds kEaseTime{1000};
-  /// The moments handed in are a film's and not those of arrivals: every keyframe takes its own
-  /// time, live or not, and no delay is measured.
+  /// The times handed in are a film's and not those of arrivals: every keyframe takes its own time,
+  /// live or not, and no delay is measured.
   void set_film_clock() { film_clock_ = true; }
   /// The face has left the last keyframe for neutral.
   [[nodiscard]] bool eased() const { return eased_; }
-  /// Where keyframes come just in time, a wait shorter than this is seen by nobody: it is no stall.
+  /// A wait shorter than this after a keyframe with a due time is not a stall: nobody sees it.
   static constexpr Milliseconds kStallMin{20};
 
   [[nodiscard]] PlaybackState state() const;
-  /// True in Ended, Stopped and Lost: nothing moves any more.
+  /// is_over(state()).
   [[nodiscard]] bool over() const;
   [[nodiscard]] PlaybackProgress progress() const;
-  /// When position k+1 of the current keyframe, or of the easing, is reached; nothing when the
+  /// When position k+1 of the current keyframe, or of the easing, is reached; nullopt when the
   /// clock stands.
   [[nodiscard]] std::optional<Instant> next_position_at() const;
 
@@ -90,14 +91,14 @@ class PlaybackController {
   void pause(Instant now);
   /// Goes on from where it was paused. Without effect when not paused.
   void resume(Instant now);
-  /// The user leaves: the last position reached at `now` stays. Without effect when it is over.
+  /// The user leaves: the last position reached at `now` stays. Without effect when over().
   void stop(Instant now);
 
   [[nodiscard]] std::uint64_t keyframes_played() const;  ///< whole ones
   [[nodiscard]] std::uint64_t stalls() const;
-  /// Live: from the arrival of each keyframe to the call that found it reached.
+  /// Live: from the arrival of each keyframe to the advance() that found it fully reached.
   [[nodiscard]] const DelayMeter& delays() const { return delays_; }
-  /// The same as it was meant to be, where keyframes said when they were due.
+  /// From the arrival of each keyframe that has a due time to that time.
   [[nodiscard]] const DelayMeter& delays_meant() const { return delays_meant_; }
   /// From position 0 of the first keyframe to the last position reached, on the given clock, stalls
   /// and pauses included. Exact: the moment of the position, not that of the call that noticed it.
