@@ -16,8 +16,9 @@
 
 namespace aucast::protocol {
 
-/// A stream by the name that a hello asks for: recorded, which everybody gets from its beginning,
-/// or live, of which everybody gets what is sent now. Exactly one of the two is set.
+/// A stream by the name that a hello asks for: recorded, which each client gets from its beginning
+/// or from the place that its hello names, or live, of which each client gets what is sent now.
+/// Exactly one of the two is set.
 struct ServedStream {
   std::string name;
   std::shared_ptr<const EncodedStream> recorded;
@@ -25,27 +26,31 @@ struct ServedStream {
 };
 
 /// What the sessions of one server have in common. Must outlive them. Streams may be added and the
-/// token may change at any time: a session holds what it sends, and who is in stays.
+/// token may change at any time: a session holds the stream that it sends, and a client that was
+/// let in stays.
 struct ServerCatalogue {
   std::vector<ServedStream> streams;  ///< at least one; the first is what a classic client gets
   std::uint32_t keyframe_ms = 250;    ///< granted in the hello
   bool loop = false;                  ///< recorded: start again at the end instead of {-2}
-  /// What a client must show in its hello; empty: nothing.
+  /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
 };
 
-/// What the owner of the connection has to do, in this order.
+// Events are instructions to the connection's owner, to be carried out in the order returned.
+
 struct SendBytes {
   std::string bytes;
 };
 struct ShutdownSending {};  ///< after everything sent before is out; then go on reading
 struct CloseConnection {
   enum class Why : std::uint8_t {
-    Finished,       ///< the stream ended and the peer's last words are in (or the drain ran out)
+    Finished,       ///< the stream, or the list asked for, was sent and the peer has ended, or
+                    ///< the drain reached a limit
     Stopped,        ///< the client's -4, or stop() of the server
     PeerGone,       ///< the peer closed or was lost before the end
-    ProtocolError,  ///< bytes that are none of the protocol; `reason` says which, escaped
-    Refused,        ///< an {error ...} was sent; `reason` is its text
+    ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
+    Refused,        ///< an {error ...} was sent, or there was no room for a classic client, which
+                    ///< is closed without one; `reason` says why
   };
   Why why = Why::Finished;
   std::string reason;
@@ -57,18 +62,18 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection>;
 /// Whether there is room for one more client.
 enum class Admission : std::uint8_t {
   Welcome,
-  Full,         ///< {error 503 ...} to who says hello, a plain close to others
-  FullAddress,  ///< the same: too many come from this client's address
+  Full,         ///< a client that says hello gets {error 503 ...}, any other a plain close
+  FullAddress,  ///< the same, because too many clients come from its address
 };
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
 /// windowed sending, pause, stop, end, drain. Live, a client that may be sent something gets the
 /// newest moment; those between it and the last one sent are merged into it, which for states
-/// means left out. No socket and no clock: bytes and moments go in,
-/// events come out. After CloseConnection nothing more comes out.
+/// means left out. No socket and no clock: bytes and the current time go in, events come out. After
+/// CloseConnection nothing more comes out.
 /// Output of one call: at most kEarlyAnswersMax + window packets. The owner must not read on while
 /// much of what it was told to send is still unsent, or a peer that answers without reading fills
-/// its memory.
+/// the owner's memory.
 /// PROTOCOL.md section "Server" is the table it follows.
 /// Thread: none of its own; one session per connection.
 class ServerSession {
@@ -81,32 +86,32 @@ class ServerSession {
   ServerSession& operator=(ServerSession&&) noexcept;
 
   [[nodiscard]] std::vector<ServerEvent> on_bytes(std::string_view bytes, Instant now);
-  /// The peer shut its sending side: banked answers are still used up.
+  /// The peer shut its sending side: answers that came before their packets still count.
   [[nodiscard]] std::vector<ServerEvent> on_peer_end(Instant now);
   /// The connection broke; nothing can be sent any more.
   [[nodiscard]] std::vector<ServerEvent> on_lost(Instant now);
   /// Call when deadline() has come.
   [[nodiscard]] std::vector<ServerEvent> on_time(Instant now);
-  /// A live channel has moved on, by one moment or several. Without effect when it is not this
-  /// session's.
+  /// This session's live channel has moved on, by one moment or several. Without effect unless
+  /// live().
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
-  /// Live: the socket takes no more for now, so no keyframe is handed out; or it does again, and
-  /// the newest is.
+  /// While `held` is true, because the socket takes no more, no keyframe of a live stream is handed
+  /// out; `false` hands out the newest. Without effect unless live().
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of level 1.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
 
-  /// When on_time() wants to be called next; nothing: no timer is running.
+  /// When on_time() wants to be called next; nullopt: no timer is running.
   [[nodiscard]] std::optional<Instant> deadline() const;
 
   [[nodiscard]] Level level() const;
   [[nodiscard]] bool paused() const;
-  /// True while an answer is awaited that the peer owes: what --client-timeout measures.
+  /// True while the peer owes an answer and has not paused: what --client-timeout measures.
   [[nodiscard]] bool awaiting_answer() const;
-  /// True while keyframes of a live stream are sent.
+  /// True while this session sends keyframes of a live stream.
   [[nodiscard]] bool live() const;
   [[nodiscard]] std::string_view stream_name() const;
-  /// Nothing when the stream is live.
+  /// Null when the stream is live.
   [[nodiscard]] const EncodedStream* recorded() const;
   [[nodiscard]] std::uint64_t packets_sent() const;   ///< keyframes handed out
   [[nodiscard]] std::uint64_t payload_bytes() const;  ///< their bytes, without hello and {-2}

@@ -13,8 +13,9 @@ namespace aucast::link {
 /// Why a connection is closed.
 struct Ending {
   enum class Why : std::uint8_t {
-    Finished,   ///< by finish(): all is sent, and the peer has ended or the drain's limits are met
-    Lost,       ///< it broke
+    Finished,   ///< after finish(): everything was sent and the peer has ended, or the drain ran
+                ///< into a limit or an error
+    Lost,       ///< it broke before finish()
     NotTls,     ///< the peer does not speak TLS
     Untrusted,  ///< a certificate is not accepted, by us or by the peer
     TlsFailed,  ///< anything else that went wrong with TLS, a slow handshake among it
@@ -23,29 +24,30 @@ struct Ending {
   std::string reason{};  ///< a clause for the user; peer text escaped
 };
 
-/// What a link tells whoever uses it. Nothing is told from within a call of the user's, except
-/// on_open() from within start().
+/// What a link tells its user. A link calls none of these from within a call that its user makes,
+/// except on_open() from within start().
 class LinkUser {
  public:
   virtual ~LinkUser() = default;
 
-  /// write() may be called from now on. Comes first, once.
+  /// write() may be called from now on. Comes at most once, and not at all if the link fails before
+  /// it opens; nothing but on_failure() and on_closed() comes without it.
   virtual void on_open() = 0;
   virtual void on_bytes(std::string_view bytes) = 0;
-  /// The peer has ended its sending side. Comes once.
+  /// The peer has ended its sending side. Comes at most once.
   virtual void on_peer_end() = 0;
   /// The link was blocked() and everything has been taken since.
   virtual void on_room() = 0;
-  /// The moment asked for by wake_at() has come.
+  /// The time asked for by wake_at() has come.
   virtual void on_time() = 0;
-  /// TLS has failed. Its last words are drained before on_closed() says the same.
+  /// TLS has failed. What is still to be sent is drained, then on_closed() says the same.
   virtual void on_failure(const Ending& /*failure*/) {}
   /// The link has closed; nothing is told any more. Does not come after close().
   virtual void on_closed(const Ending& ending) = 0;
 };
 
 /// One byte connection: dialled or accepted, plain or TLS, over TCP or over another link. Its user
-/// sees plain bytes and one timer, and knows neither socket nor clock.
+/// sees plain bytes, one timer and now(), and knows neither socket nor clock.
 ///
 /// finish() drains, by the same rule everywhere: what was written is sent to the end, the sending
 /// side is shut, and what still comes is read and dropped until the peer ends, so that no reset
@@ -61,15 +63,16 @@ class Link {
 
   /// Begins. `user` must live until on_closed() or close().
   virtual void start(LinkUser& user) = 0;
-  /// Sends at once what is taken at once; the rest waits. Ignored after finish().
+  /// Sends at once what the system takes at once; the rest waits. Ignored after finish().
   virtual void write(std::string_view bytes) = 0;
   /// Nothing more will be written: drains, then on_closed(). Nothing else is told meanwhile.
   virtual void finish() = 0;
   /// Closes at once, whatever is under way.
   virtual void close() = 0;
-  /// While false nothing is read, and flow control holds the peer back.
+  /// With false no new read is started, so that flow control holds the peer back; one on_bytes()
+  /// may still come. Ignored after finish(), which reads until the peer ends.
   virtual void set_reading(bool reading) = 0;
-  /// Asks for one on_time(); replaces what was asked before. Nothing: no call.
+  /// Asks for one on_time(); replaces what was asked before. nullopt: no call.
   virtual void wake_at(std::optional<Instant> when) = 0;
 
   [[nodiscard]] virtual Instant now() const = 0;
@@ -77,7 +80,7 @@ class Link {
   [[nodiscard]] virtual Duration round_trip() const = 0;
   /// The peer takes no more for now, so that what is written waits.
   [[nodiscard]] virtual bool blocked() const = 0;
-  /// Since when it is blocked without a byte being taken.
+  /// Since when it is blocked without a byte being taken; nullopt: it is not.
   [[nodiscard]] virtual std::optional<Instant> stuck_since() const = 0;
   [[nodiscard]] virtual std::size_t unsent_bytes() const = 0;
   /// Bytes sent so far, as they go over the wire.

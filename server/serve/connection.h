@@ -22,9 +22,9 @@ namespace aucast::server {
 ///   link --bytes--> session --events--> link
 ///   the link's timer: the session's deadline, --client-timeout, --batch
 ///
-/// The session begins when the link opens. Of a live stream the next keyframe is handed out when
-/// the link has taken all before it.
-/// Thread: that of the link. Lives on while a call of it is running.
+/// The session begins when the link opens. A keyframe of a live stream is handed out only when the
+/// link has taken all before it.
+/// Thread: that of the link. Stays alive until a call that the link makes to it has returned.
 class Connection final : public link::LinkUser, public std::enable_shared_from_this<Connection> {
  public:
   using OnClosed = std::function<void(const ClientRecord&)>;
@@ -36,7 +36,7 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
     /// Longest wait for an answer that is owed, or for the link to take anything; 0: for ever.
     Milliseconds client_timeout{0};
     protocol::Admission admission = protocol::Admission::Welcome;
-    Milliseconds batch{0};  ///< small writes wait so long for each other
+    Milliseconds batch{0};  ///< --batch: how long small writes wait for more; 0: they do not
   };
 
   /// `on_closed` is called once, when the link is closed.
@@ -55,11 +55,11 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   /// Closes now, whatever is under way.
   void abort();
 
-  /// What it got so far.
+  /// What the client got so far.
   [[nodiscard]] ClientRecord so_far() const;
-  /// What waits because the link takes no more.
+  /// Bytes not sent yet: those that the link has not taken and those that --batch holds back.
   [[nodiscard]] std::size_t output_bytes() const;
-  /// Since when something waits without a byte of it being taken; nothing when nothing does.
+  /// Since when the link is blocked without taking a byte; nullopt: it is not.
   [[nodiscard]] std::optional<Instant> unsent_since() const { return link_->stuck_since(); }
   [[nodiscard]] bool paused() const { return session_ && session_->paused(); }
 
@@ -85,12 +85,12 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
 
   std::shared_ptr<link::Link> link_;
   std::shared_ptr<const protocol::ServerCatalogue> catalogue_;  ///< outlives the session
-  std::optional<protocol::ServerSession> session_;              ///< nothing: the link is not open
+  std::optional<protocol::ServerSession> session_;              ///< nullopt: the link is not open
   bool finishing_ = false;
   bool end_noted_ = false;
   bool closed_ = false;
   std::optional<Instant> gathered_until_;
-  std::optional<Instant> owed_since_;  ///< an answer
+  std::optional<Instant> owed_since_;  ///< since when the client owes an answer
   std::optional<Instant> sending_since_;
   std::string gathered_;  ///< small writes that wait for more
   Settings settings_;
