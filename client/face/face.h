@@ -18,15 +18,15 @@
 
 namespace aucast::face {
 
-/// One thing that can be driven: a muscle, the jaw, a lid, the head, an eye. Its value is >= 0; an
-/// opposite movement is a channel of its own. Side comes from where it sits (sign of x), Both for a
-/// central one, never from its name.
+/// One thing that can be driven: a muscle, the jaw, a lid, an eye, the head, a crease. Its value is
+/// >= 0; an opposite movement is a channel of its own. Its side comes from its place (the sign of
+/// x; Both in the middle), never from its name.
 struct Channel {
   std::string name;
   Side side = Side::Both;
-  float activation_max = 2;  ///< muscles 2 (classic folders 4), jaw 4, lids, head and eyes 1
-  /// Closing a lid: the largest demand counts whatever the mixer, or half-closed eyes would come of
-  /// a blink and a smile.
+  float activation_max = 2;  ///< muscles 2 (classic folders 4), jaw 4, all others 1
+  /// For closing a lid: takes the largest demand, whatever the mixer; otherwise a blink during a
+  /// smile would leave the eyes half closed.
   bool takes_largest = false;
 };
 
@@ -75,8 +75,8 @@ struct AuRecording {
 
 using AuRecordings = std::map<int, AuRecording>;  ///< by AU number
 
-/// A face as it was loaded. It is never copied and never changed: whoever edits recordings has a
-/// copy of those.
+/// A face as it was loaded. It is never copied and never changed: code that edits recordings keeps
+/// a copy of them.
 /// Channel order: muscles as in the file, then jaw, left_lid_close, right_lid_close,
 /// left_lid_raise, right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left,
 /// head_turn_right, head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back,
@@ -92,8 +92,10 @@ struct Face {
   std::vector<Eye> eyes;  ///< left one first
   std::optional<HeadPose> head;
   AuRecordings recordings;
-  std::vector<std::string> remarks;  ///< for the user, once: duplicates dropped, AUs not playable
-  bool classic = false;              ///< from a folder in Waters' format
+  /// Messages for the user, to be shown once: about duplicates that were dropped and AUs that this
+  /// face cannot show.
+  std::vector<std::string> remarks;
+  bool classic = false;  ///< from a folder in Waters' format
 
   [[nodiscard]] std::optional<std::size_t> channel_index(std::string_view channel_name) const;
 };

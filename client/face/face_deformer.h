@@ -15,7 +15,7 @@ namespace aucast::face {
 /// A deformed face, ready to be drawn: positions and normals in the mesh's order, and where the
 /// eyes look.
 struct DeformedFace {
-  std::vector<glm::vec3> positions;    ///< of a crease of depth 0: see FaceDeformer
+  std::vector<glm::vec3> positions;    ///< a crease of depth 0 may be left at rest: FaceDeformer
   std::vector<glm::vec3> normals;      ///< unit length; of creases +z, they take no light
   std::vector<glm::vec3> eye_centres;  ///< as Face::eyes
   std::vector<glm::vec3> eye_forward;  ///< unit length
@@ -37,9 +37,9 @@ class FaceDeformer {
   FaceDeformer(FaceDeformer&&) noexcept;
   FaceDeformer& operator=(FaceDeformer&&) noexcept;
 
-  /// `activations`: one per channel, clamped to [0, activation_max]; not finite counts as 0. All
-  /// zero gives the rest face bit for bit. The result is valid until the next call. Nothing is
-  /// allocated after the first call.
+  /// `activations`: one per channel, clamped to [0, activation_max]; one that is not finite is
+  /// taken as 0. All zero gives the rest face bit for bit. The result is valid until the next call.
+  /// Nothing is allocated after the first call.
   const DeformedFace& deform(std::span<const float> activations);
 
  private:

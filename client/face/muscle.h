@@ -14,42 +14,45 @@ namespace aucast::face {
 inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 // Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
-// displacement(m, p, a) is the way that point `p` of the rest face goes at activation `a` (0..2;
-// classic folders 0..4); nothing outside the zone of influence; linear in `a` up to a cap.
+// displacement(m, P, a) is the offset P' - P of point P of the rest face at activation a (0..2;
+// classic folders 0..4): zero outside the zone of influence, linear in a up to a cap.
 
 /// Pulls skin towards the attachment inside a cone. P' = P - (P - v1) min(a G, cap) A r with
 /// G = sec(zone) - 1, A = (cos th - cos zone) / (1 - cos zone), r = 1 up to falloff_start and
-/// cos(90 deg (D - Rs) / (Rf - Rs)) from there (Waters' released program; thesis eq. 3.1-3.4 read
-/// so that it is continuous).
+/// cos(90 deg (D - Rs) / (Rf - Rs)) from there, where D = |P - v1| and th is the angle at v1
+/// between P and v2 (Waters' released program; thesis eq. 3.1-3.4 read so that it is continuous).
 struct LinearMuscle {
   glm::vec3 attachment{0};   ///< v1, the fixed end on bone
   glm::vec3 insertion{0};    ///< v2, the end in the skin; must differ from the attachment
   float zone_rad = 0.6F;     ///< half angle of the cone, in (0, pi/2)
   float falloff_start = 0;   ///< Rs >= 0
   float falloff_finish = 1;  ///< Rf > Rs
-  /// Largest fraction of the way to v1: 0.95 keeps our faces free of folds; nothing: uncapped, as
+  /// Largest fraction of the way to v1: 0.95 keeps our faces free of folds; nullopt: uncapped, as
   /// in Waters' program.
   std::optional<float> cap = 0.95F;
 };
 
-/// Draws the mouth together in its plane and pushes it forward (thesis eq. 3.5-3.9, clean form:
-/// f g2 with a hole of radius semi_axes.y that keeps the midline, s = lx / 2).
+/// Draws the mouth together in its plane and pushes it forward. With x and y counted from the
+/// centre, rho = sqrt(x^2 + y^2), f = 1 - sqrt((x/lx)^2 + (y/ly)^2), g2 = (rho - ly) / (lx - ly)
+/// and 0 within ly, a point with f > 0 goes a (lx/2) f g2 towards the centre and
+/// a f (1 - rho/lx) / protrusion forward (thesis eq. 3.5-3.9, clean form).
 struct MouthSphincter {
   glm::vec3 centre{0};
   glm::vec2 semi_axes{2, 1};  ///< lx >= ly > 0
   float depth = 3;            ///< only |z - cz| < depth moves; fades over the last quarter
-  float protrusion = 10;      ///< Z of eq. 3.9: larger means less forward
+  float protrusion = 10;      ///< Z of eq. 3.9, a divisor: larger means less forward
 };
 
-/// Brings the lids' surroundings to the axis of the eye: y' = y (1 - (a/2) f) with
-/// f = 1 - sqrt((x/lx)^2 + (y/ly)^2) (thesis eq. 3.10-3.13, clean form).
+/// Brings the lids' surroundings to the axis of the eye: y' = y (1 - (a/2) share f) and
+/// z' = z + a f (1 - |y|/ly) / bulge where f > 0, with x, y and f as for the mouth and share =
+/// upper_share above the axis, lower_share below (thesis eq. 3.10-3.13, clean form).
 struct EyeSphincter {
   glm::vec3 centre{0};
   glm::vec2 semi_axes{2, 1};
   float depth = 3;           ///< as for the mouth
-  float bulge = 30;          ///< Z: z grows by a f (1 - |y|/ly) / Z
-  float upper_share = 0.3F;  ///< of the motion above and below the axis: AU6 and 7 lift the
-  float lower_share = 0.7F;  ///< lower lid more
+  float bulge = 30;          ///< Z of the thesis, a divisor: larger means less forward
+  float upper_share = 0.3F;  ///< of the motion towards the axis, from above it
+  float lower_share = 0.7F;  ///< and from below: AU6 and 7 lift the lower lid more
 };
 
 /// A broad parallel muscle such as the frontalis (thesis eq. 3.14-3.19, clean form): the strip of
@@ -81,18 +84,18 @@ struct Muscle {
   std::string name;
   MuscleShape shape;
   std::string mask;         ///< a map of the mesh that multiplies the displacement; empty: none
-  bool mask_alone = false;  ///< the map `muscle` does not count: tongue and teeth move too
-  /// It relaxes as the lids of its side close: a lower lid that stays raised would meet the upper
-  /// one where that cannot stop.
+  bool mask_alone = false;  ///< `mask` replaces the map "muscle", so that tongue and teeth can move
+  /// Its activation is multiplied by 1 - lid_close^2 of its side: a lower lid that stayed raised
+  /// would run into the closing upper lid.
   bool yields_to_lids = false;
 };
 
-/// Where `point` goes at `activation` >= 0, masks left out.
+/// The offset of `point` from its place at rest, at `activation` >= 0. Masks are not applied.
 [[nodiscard]] glm::vec3 displacement(const MuscleShape& shape, const glm::vec3& point,
                                      float activation);
 
-/// Displacement per unit of activation for as long as the muscle is linear in it, and the
-/// activation from which it stays the same (infinite when it has no cap).
+/// Displacement per unit of activation while the muscle is linear in it, and the activation from
+/// which the displacement stays the same (infinite without a cap).
 struct LinearInfluence {
   glm::vec3 per_unit{0};
   float activation_cap = 0;

@@ -10,15 +10,16 @@ namespace aucast::pipeline {
 
 /// A face at one moment.
 struct FaceState {
-  AuFrame aus;  ///< after the rules; on the way, in between as the activations are
+  AuFrame aus;                     ///< after the rules; interpolated as the activations are
   std::vector<float> activations;  ///< one per channel of the face
 };
 
 /// The one place that fixes the order from a set of AUs to activations: blend (rules), mix, then
 /// interpolate between start and end frame. Deforming is the caller's, with a FaceDeformer, because
 /// not every position is drawn.
-/// The mapping must outlive it; a change of it counts from the next keyframe or remake() on.
-/// No function allocates after construction, unless the rules have become more.
+/// The mapping must outlive it; a change of it takes effect at the next keyframe or remake().
+/// After construction only neutral() allocates, and begin_keyframe() and remake() if the mapping
+/// has been given more rules since.
 /// Thread: the player's.
 class FacePipeline {
  public:
@@ -26,7 +27,7 @@ class FacePipeline {
 
   /// A keyframe begins: the face goes from `start` to `aus`.
   void begin_keyframe(const AuFrame& aus, const FaceState& start);
-  /// The end frame once more, because the mapping has changed.
+  /// Makes the end frame again, because the mapping has changed.
   void remake();
   /// The face at fraction `mu` in [0,1] of the current keyframe: exactly `start` at 0 and the end
   /// frame at 1; neutral before the first. `state` must be as large as neutral().
@@ -38,7 +39,7 @@ class FacePipeline {
   [[nodiscard]] const AuFrame& blended() const { return end_.aus; }
   /// The rules that changed something in this keyframe.
   [[nodiscard]] std::span<const face::RuleFired> fired() const { return fired_; }
-  /// Counts at once.
+  /// Takes effect at once.
   void set_interpolation(playback::Interpolation kind) { interpolation_ = kind; }
 
  private:
