@@ -16,10 +16,11 @@ namespace aucast::app {
 
 /// The expression panel and the expression editor in the window: named expressions, AUs put
 /// together, and the recording of one AU. What is saved goes into the mapping's recordings too.
-/// All that is handed in must outlive it. Thread: the player's.
+/// What the constructor takes must outlive it. Thread: the player's.
 class EditorSession {
  public:
-  /// `shown`: the face in the window, whoever's it is; expressions are reached from there.
+  /// `shown`: the activations of the face in the window, whichever session they are from; an
+  /// expression is reached from there.
   EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
                 const std::vector<float>& shown);
 
@@ -30,11 +31,11 @@ class EditorSession {
 
   /// The expression on its way, or what is being edited.
   [[nodiscard]] std::vector<float> activations(Instant now) const;
-  /// When activations() are others; nothing while they stay.
+  /// When activations() change next; nullopt while they stay the same.
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved(); }
-  /// `active` is the caller's to set.
+  /// All but `active`, which the caller sets.
   [[nodiscard]] gui::EditorView view() const;
   /// One for each expression, in their order.
   [[nodiscard]] const std::vector<gui::ExpressionButton>& expressions() const { return buttons_; }

@@ -16,15 +16,16 @@
 
 namespace aucast::app {
 
-/// What plays in the window: a server's stream or one that is there whole, and what the panels show
-/// of it. All that is handed in must outlive it. Thread: the player's.
+/// What plays in the window, a server's stream or one loaded in full, and what the panels show of
+/// it. What the constructor takes must outlive it. Thread: the player's.
 class PlaybackSession {
  public:
-  /// `shown`: the face in the window, whoever's it is; another stream begins from there.
+  /// `shown`: the activations of the face in the window, whichever session they are from; another
+  /// stream begins from there.
   PlaybackSession(const pipeline::AuMapping& mapping, const PlayerOptions& options,
                   PlayerStats& stats, Notices& notices, const std::vector<float>& shown);
 
-  /// Plays this from now on; null: nothing. `name`: of a stream that is there whole.
+  /// Plays this from now on; null: nothing. `name`: of a stream loaded in full.
   void open(std::unique_ptr<playback::Playback> playback, std::string name, Instant now);
   void open(std::vector<playback::TimedAus> keyframes, std::string name, Instant now);
   /// True when the face that plays is to be shown.
@@ -34,8 +35,9 @@ class PlaybackSession {
   void remake(playback::Interpolation interpolation);
   /// Stops what plays, completes the statistics and hands out what played last; may be null.
   [[nodiscard]] std::unique_ptr<playback::Playback> finish(Instant now);
-  /// What is played, from its beginning: a file as it is, of a server what has come so far. Returns
-  /// a sentence about where it went.
+  /// Saves what is played, from its beginning: all of a stream loaded in full, of a server's stream
+  /// the keyframes that have begun so far (at most an hour at 25 a second). Returns a sentence for
+  /// the user that says how many there are and where.
   [[nodiscard]] Result<std::string> export_to(const std::filesystem::path& file) const;
 
   void set_remote(const gui::RemoteSettings& settings, std::vector<std::string> recent);
@@ -49,10 +51,10 @@ class PlaybackSession {
   [[nodiscard]] bool over() const { return playback_ != nullptr && playback_->over(); }
   /// The face stands, and Resume would move it.
   [[nodiscard]] bool stands() const;
-  /// Longest time for which nothing changes by itself.
+  /// How long the window may wait before it should look again.
   [[nodiscard]] Duration idle_time(Instant now) const;
   [[nodiscard]] std::string title() const;
-  /// `stale` and `eased` are meant for when its face is shown.
+  /// `stale` and `eased` hold for the face of this session: another face in the window is neither.
   [[nodiscard]] gui::RemoteView remote_view() const;
   [[nodiscard]] gui::LocalView local_view() const;
 
@@ -74,16 +76,16 @@ class PlaybackSession {
   Notices& notices_;
   const std::vector<float>& shown_;
   gui::RemoteSettings remote_settings_;
-  std::vector<std::string> recent_;  ///< addresses, the last one first
+  std::vector<std::string> recent_;  ///< addresses, the latest first
   playback::BufferOptions buffers_;
 
   pipeline::Player player_;
   PlaybackMeter meter_;
   std::unique_ptr<playback::Playback> playback_;
   std::unique_ptr<playback::Playback> retired_;  ///< saying its last words
-  std::string name_;                             ///< of a stream that is there whole
+  std::string name_;                             ///< of a stream loaded in full
   std::vector<face::RuleExplained> explained_;   ///< the rules that fired in this keyframe
-  gui::Composer::Keyframes received_;            ///< so far, of what cannot be asked for again
+  gui::Composer::Keyframes received_;            ///< of a server's stream: those begun so far
   PlaybackHistory history_;
 };
 

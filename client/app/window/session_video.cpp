@@ -14,9 +14,9 @@ std::filesystem::path free_name(const std::filesystem::path& folder, const std::
   return file;
 }
 
-std::uint64_t pictures_due(Duration since, int fps, std::uint64_t written) {
-  if (since < Duration::zero()) return 0;
-  const auto whole = static_cast<std::uint64_t>(since * fps / std::chrono::seconds(1)) + 1;
+std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written) {
+  if (elapsed < Duration::zero()) return 0;
+  const auto whole = static_cast<std::uint64_t>(elapsed * fps / std::chrono::seconds(1)) + 1;
   return whole > written ? whole - written : 0;
 }
 

@@ -17,9 +17,9 @@ namespace aucast::app {
 [[nodiscard]] std::filesystem::path free_name(const std::filesystem::path& folder,
                                               const std::string& ending);
 
-/// How many pictures of a video that began `since` ago are missing when `written` are in it. A
-/// screen draws when it likes; a video has its pictures at equal distances.
-[[nodiscard]] std::uint64_t pictures_due(Duration since, int fps, std::uint64_t written);
+/// How many pictures are missing in a video that began `elapsed` ago and has `written` pictures. A
+/// window is drawn irregularly; the pictures of a video are equally spaced in time.
+[[nodiscard]] std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written);
 
 /// A video of what the window shows, as it happens.
 class SessionVideo {
@@ -33,10 +33,11 @@ class SessionVideo {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  /// True when the video lacks a picture at `now`.
   [[nodiscard]] bool due(Instant now) const;
-  /// Puts the picture in as often as it takes to be at `now`.
+  /// Adds the picture as many times as pictures are missing at `now`; not at all unless due().
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
-  /// A sentence about where it went.
+  /// Completes the file. Returns a sentence for the user that says where it is.
   [[nodiscard]] Result<std::string> finish();
 
  private:

@@ -22,15 +22,16 @@
 namespace aucast::app {
 
 /// What happens in the window, without the window. Hands each command to the session that it is
-/// about, says whose face is shown, and owns what they have in common: how AUs become a face,
-/// notices, the file dialog, settings, leaving. Time is handed in.
-/// The assets and options must outlive it. Thread: the player's.
+/// about, decides whose face is shown, and owns what the sessions have in common: how AUs become a
+/// face, notices, the file dialog, settings, leaving. Time is handed in.
+/// Assets, options and stats must outlive it. Thread: the player's.
 class WindowSession {
  public:
   /// `playback` may be null: the neutral face.
   WindowSession(const Assets& assets, const PlayerOptions& options,
                 std::unique_ptr<playback::Playback> playback, PlayerStats& stats);
-  /// Begins with what the window remembers; before anything else. A complaint about it is shown.
+  /// Begins with the settings that the window remembered; call it first. `complaint`, about reading
+  /// them, is shown; empty: none.
   void begin_with(const gui::KeptSettings& settings, const std::string& complaint, Instant now);
   /// What it should remember now.
   [[nodiscard]] gui::KeptSettings kept() const;
@@ -43,7 +44,8 @@ class WindowSession {
   void apply(const gui::GuiCommand& command, Instant now);
   void toggle_pause(Instant now);
 
-  // What is meant by the keys depends on what the face shows.
+  // These act on the editor or the composer, whichever face is shown, and do nothing while it is
+  // playback's.
   void undo(Instant now);
   void redo(Instant now);
   void save(Instant now);
@@ -53,18 +55,19 @@ class WindowSession {
   [[nodiscard]] gui::GuiModel model() const;
   /// "AUcast - playing", for the title of the window.
   [[nodiscard]] std::string title() const { return playback_.title(); }
-  /// Longest time for which nothing changes by itself.
+  /// How long the window may wait before it should look again.
   [[nodiscard]] Duration idle_time(Instant now) const;
 
   /// Playing has come to its end; false while nothing was ever opened.
   [[nodiscard]] bool over() const { return playback_.over(); }
-  /// The user wants to leave: at once, unless there are changes to be asked about.
+  /// The user wants to leave: leaving() becomes true, unless something is unsaved. Then the panels
+  /// ask first; a second call leaves all the same.
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return rendering_; }
   /// A sentence for the user, for a while.
   void say(std::string text, bool bad, Instant now) { notices_.say(std::move(text), bad, now); }
-  /// The video being recorded, for the panel; empty: none.
+  /// The file of the video being recorded, for the panel; empty: none.
   void set_recording(std::string file) { recording_ = std::move(file); }
   /// The pace of drawing, for the panel.
   void set_pace(std::vector<gui::PaceRow> pace) { pace_ = std::move(pace); }
@@ -99,8 +102,8 @@ class WindowSession {
   pipeline::IdleFace idle_;
   gui::RenderingSettings rendering_;
   gui::FileBrowser browser_;
-  std::filesystem::path own_folder_ = ".";  ///< where files of the user's own go
-  std::filesystem::path last_folder_;       ///< where a stream was opened
+  std::filesystem::path own_folder_ = ".";  ///< where the user saved last
+  std::filesystem::path last_folder_;       ///< where a stream was opened last
   std::string recording_;
   std::vector<gui::PaceRow> pace_;
   bool asks_to_leave_ = false;
