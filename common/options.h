@@ -17,7 +17,7 @@
 namespace aucast {
 
 /// What is wrong with an option's word, to be put after the option's name and the word: "is not a
-/// whole number from 0 to 65535". Nothing: it was read.
+/// whole number from 0 to 65535". nullopt: the word is right.
 using Complaint = std::optional<std::string>;
 
 /// How the words of an option become the value of a variable.
@@ -29,35 +29,38 @@ struct OptionValue {
     Words,   ///< several; read with one at a time
   };
   Kind kind = Kind::Word;
-  std::function<Complaint(const std::string& word)> read = {};  ///< nothing: it is only looked for
+  /// Stores the word's value, unless it complains. Empty: the option is only looked for.
+  std::function<Complaint(const std::string& word)> read = {};
 };
 
 /// One option of a program, bound to a variable that must outlive it. The command line, the
 /// environment, the settings file, --print-config, --help, the manual page and the completion all
 /// come from rows of these.
 struct OptionRow {
-  /// Anywhere; on the command line only, where it is none of the settings; or on the command line
-  /// without a name, as its `argument`.
-  enum class Where : std::uint8_t { Anywhere, Typed, Positional };
+  enum class Where : std::uint8_t {
+    Anywhere,    ///< on the command line and wherever else the program takes settings from
+    Typed,       ///< on the command line only: it is not a setting
+    Positional,  ///< as Anywhere, but on the command line without a name, as its `argument`
+  };
 
   std::string_view name = {};      ///< without dashes: "port"
-  std::string_view argument = {};  ///< what stands for its word: "N"; empty for a flag
+  std::string_view argument = {};  ///< stands for its word in --help: "N"; empty for a flag
   std::string_view fallback = {};  ///< the default as a word; empty: not set, or a flag's false
   std::string_view text = {};      ///< for --help; two short ones in a row share a line there
   std::string_view more = {};      ///< for the manual page: whole sentences; empty: as in --help
   OptionValue value = {};
   std::string_view heading = {};  ///< of the section that begins with this row; empty: goes on
   Where where = Where::Anywhere;
-  char letter = 0;  ///< its short form: 'v' for -v
+  char letter = 0;  ///< its short form: 'v' for -v; 0: none
 };
 
-/// How it is typed: "--port", "SOURCE".
+/// How the option is typed: "--port", "SOURCE".
 [[nodiscard]] std::string typed_name(const OptionRow& row);
 
-/// The row of that name, or nothing.
+/// The row of that name; null: there is none.
 [[nodiscard]] const OptionRow* find_row(const std::vector<OptionRow>& rows, std::string_view name);
 
-/// Adds rows to rows.
+/// Adds `more` to the end of `rows`.
 void append(std::vector<OptionRow>& rows, std::vector<OptionRow> more);
 
 /// What was typed, by the name of the row: the words of each option that was given at all, "true"
@@ -73,7 +76,8 @@ using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 /// word that is wrong.
 [[nodiscard]] Result<void> read_words(const std::vector<OptionRow>& rows, const TypedWords& words);
 
-/// What a row says of one of its words; an empty one is what `--stats "$UNSET"` leaves behind.
+/// Reads one word into the row's variable. An empty word is always a complaint: it is what
+/// `--stats "$UNSET"` leaves behind.
 [[nodiscard]] Complaint read_word(const OptionRow& row, const std::string& word);
 
 /// A usage error about a word, such as "--port 'x' is not a whole number ... (try --help)".
@@ -116,8 +120,8 @@ template <typename T>
           }};
 }
 
-/// Seconds from `low` to `high`, rounded to milliseconds and never to none of them; `complaint` is
-/// said of any other.
+/// Seconds from `low` to `high`, rounded to milliseconds; a positive value never becomes 0.
+/// `complaint` is said of any other.
 template <typename T>
 [[nodiscard]] OptionValue seconds(T& out, double low, double high, std::string_view complaint) {
   return {OptionValue::Kind::Number, [&out, low, high, complaint](const std::string& word) {
@@ -148,7 +152,7 @@ template <typename T>
           }};
 }
 
-/// What a function of the option's own makes of the word.
+/// A word that `parse`, a function of the option's own, reads.
 template <typename T>
 [[nodiscard]] OptionValue parsed(OptionValue::Kind kind,
                                  Complaint (*parse)(const std::string& word, T& out), T& out) {

@@ -15,15 +15,15 @@ namespace aucast::sources {
 
 /// What the user decides about recordings; what is not set is found out.
 struct RecordingOptions {
-  std::optional<double> fps;         ///< the clock is the picture's number by this, (0, 1000]
+  std::optional<double> fps;         ///< a row's time is its picture's number / fps, (0, 1000]
   std::optional<double> au_scale;    ///< 1, 5 or 100: what full intensity is in the file
   std::optional<std::int64_t> face;  ///< which of several; else the most frequent
   bool all_faces = false;            ///< each as a stream of its own
-  double confidence_min = 0.5;       ///< [0,1]; less sure rows are no data
+  double confidence_min = 0.5;       ///< [0,1]; a row with less confidence has no data
   friend bool operator==(const RecordingOptions&, const RecordingOptions&) = default;
 };
 
-/// More rows a second than that are no camera's: the times are in other units, or wrong.
+/// With more rows a second than this, the times are taken to be wrong or in other units.
 inline constexpr double kRowsASecondMax = 250;
 
 /// What was found in a recording.
@@ -59,22 +59,23 @@ struct Recording {
   Found found;
 };
 
-/// Reads a recogniser's recording whole, in two passes that hold one row each. `file` is what
-/// messages call it. BadData with one line file:line:column for each of the first 20 errors; Usage
-/// when only an option can help (--fps, --face-id). What `conditioning` measures is measured before
-/// the first keyframe; its dead band is not applied here. `load_curves`: for tables of ARKit's
-/// curves.
+/// Reads a recogniser's recording from `text` in two passes, row by row; what `conditioning` is to
+/// measure takes one more pass over the first seconds of a face. The dead band of `conditioning` is
+/// not applied here. `file` is what messages call the recording. `load_curves` loads what a table
+/// of ARKit's curves needs.
+/// BadData with one line file:line:column for each of the first 20 errors; Usage when --fps is
+/// needed, --face-id names no face of the file, or no row shows a face.
 [[nodiscard]] Result<Recording> read_recording(std::string_view text, std::string_view file,
                                                const RecordingOptions& options,
                                                const ConditioningSettings& conditioning = {},
                                                const LoadCurves& load_curves = load_arkit_table);
 
-/// More people are not told apart by any tracker; with all_faces the rest is left out and counted.
+/// How many faces read_faces() returns at most; further ones are counted in Found::faces only.
 inline constexpr std::size_t kFacesMax = 64;
 
-/// The same with options.all_faces: one recording for each face that says anything, the most
-/// frequent first, kFacesMax at most. Their times are those of the file, so that faces seen
-/// together are together: who comes late is neutral until then.
+/// The same for several faces. With options.all_faces: one recording for each face that has data,
+/// the most frequent first, kFacesMax at most; without: one recording. Their times are those of the
+/// file, so that faces seen together play together: a face that comes late is neutral until then.
 [[nodiscard]] Result<std::vector<Recording>> read_faces(
     std::string_view text, std::string_view file, const RecordingOptions& options,
     const ConditioningSettings& conditioning = {},
