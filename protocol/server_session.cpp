@@ -352,7 +352,7 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
   }
   const std::string reason = fault.reason + " (" + std::string(name(fault.fault)) + " at byte " +
                              std::to_string(fault.position) + ")";
-  if (phase == Phase::Hello) {
+  if (phase == Phase::Hello && fault.fault != DecodeFault::TooManyBlanks) {  // those are before it
     refuse(400, reason);
   } else {
     close(Why::ProtocolError, reason);
