@@ -11,44 +11,47 @@ namespace aucast::protocol {
 inline constexpr int kProtocolVersion = 2;
 inline constexpr std::uint16_t kDefaultPort = 4650;
 
-inline constexpr std::size_t kPacketBytesMax = 4096;   ///< a keyframe, braces included
-inline constexpr std::size_t kHelloBytesMax = 512;     ///< a hello or its answer, with braces
-inline constexpr std::size_t kBlankBytesMax = 1024;    ///< blanks between two packets
-inline constexpr std::size_t kEarlyAnswersMax = 4096;  ///< answers banked before they are due
-/// Codes that answer nothing (pauses and resumes, answers where none is due): so many at once, ...
+/// A keyframe or a list of streams, braces included.
+inline constexpr std::size_t kPacketBytesMax = 4096;
+/// A hello of either side, a client's {streams} or an error, braces included.
+inline constexpr std::size_t kHelloBytesMax = 512;
+inline constexpr std::size_t kBlankBytesMax = 1024;    ///< in a row, between packets and codes
+inline constexpr std::size_t kEarlyAnswersMax = 4096;  ///< answers sent before their keyframes were
+/// Credits for spare codes (-1, -3 and, with window 0, 1), of which each costs one: what a
+/// connection begins with and the most that it can have, ...
 inline constexpr std::size_t kSpareCodesMax = 4096;
-inline constexpr std::size_t kSpareCodesPerSecond = 100;   ///< ... so many more every second, ...
-inline constexpr std::size_t kSpareCodesPerPacket = 2;     ///< ... and for every packet sent
+inline constexpr std::size_t kSpareCodesPerSecond = 100;   ///< ... gained every second ...
+inline constexpr std::size_t kSpareCodesPerPacket = 2;     ///< ... and with every keyframe sent
 inline constexpr std::size_t kStreamLineBytesMax = 65536;  ///< a line of a stream file
 inline constexpr std::size_t kStreamNameBytesMax = 64;
-inline constexpr std::size_t kTokenBytesMax = 256;  ///< what a hello may show
-inline constexpr int kWindowMax = 256;
+inline constexpr std::size_t kTokenBytesMax = 256;
+inline constexpr int kWindowMax = 256;                          ///< the largest that is granted
 inline constexpr std::int64_t kDurationMsMax = 3'600'000;       ///< time of one keyframe: an hour
 inline constexpr std::int64_t kPlaceMsMax = 1'000'000'000'000;  ///< about 31 years
 
 inline constexpr std::chrono::milliseconds kDefaultKeyframeTime{250};
-inline constexpr std::chrono::milliseconds kGraceMin{100};   ///< wait for a first byte, at least
-inline constexpr std::chrono::milliseconds kGraceMax{3000};  ///< and at most
-inline constexpr int kGraceRoundTrips = 3;                   ///< in between: so many round trips
-inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};    ///< for a hello begun with {
-inline constexpr std::chrono::milliseconds kWrongTokenTime{1000};  ///< until it is refused
+inline constexpr std::chrono::milliseconds kGraceMin{100};   ///< shortest wait for code or hello
+inline constexpr std::chrono::milliseconds kGraceMax{3000};  ///< longest
+inline constexpr int kGraceRoundTrips = 3;                   ///< in between: round trips it takes
+inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};    ///< from its { to its }
+inline constexpr std::chrono::milliseconds kWrongTokenTime{1000};  ///< before it is refused
 inline constexpr std::chrono::milliseconds kTlsHandshakeTimeMax{10'000};
-inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};  ///< for last words after {-2}
-inline constexpr std::size_t kDrainBytesMax = 65536;
-/// At least so often a packet of the changes-only form is full.
+inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};  ///< reading after the last packet
+inline constexpr std::size_t kDrainBytesMax = 65536;             ///< read meanwhile
+/// Changes only: keyframe time between the beginnings of two full keyframes, at most.
 inline constexpr std::chrono::milliseconds kFullKeyframeEvery{10'000};
-/// Live: what may be under way to one client, as its window.
+/// Live: keyframe time that may be under way to one client; bounds its window.
 inline constexpr std::chrono::milliseconds kLiveWindowTime{2000};
-inline constexpr std::size_t kReportedErrorsMax = 20;  ///< of one stream file
+inline constexpr std::size_t kReportedErrorsMax = 20;  ///< listed one by one, of one stream file
 
 // What our programs bound beside the protocol; other programs may choose for themselves.
 
-/// A host that vanished without a word is found within a minute: while nothing is under way to it
-/// by so many probes of TCP, ...
-inline constexpr std::chrono::milliseconds kKeepAliveIdle{30'000};
-inline constexpr std::chrono::milliseconds kKeepAliveInterval{10'000};
-inline constexpr int kKeepAliveProbes = 3;
-/// ... and while something is by the time that it stays unanswered.
+// A peer that vanished without closing is found within a minute: by TCP's keep-alive probes while
+// nothing is under way to it, and otherwise by bytes that it does not acknowledge.
+inline constexpr std::chrono::milliseconds kKeepAliveIdle{30'000};  ///< silence before the first
+inline constexpr std::chrono::milliseconds kKeepAliveInterval{10'000};  ///< between two probes
+inline constexpr int kKeepAliveProbes = 3;  ///< unanswered ones that end the connection
+/// Longest time that sent bytes may stay unacknowledged.
 inline constexpr std::chrono::milliseconds kUnansweredTimeMax{60'000};
 
 inline constexpr std::size_t kReadBytesMax = 1024;  ///< read from a client in its turn

@@ -17,8 +17,8 @@ enum class Level : std::uint8_t { Classic = 1, Negotiated = 2 };
 struct Keyframe {
   std::vector<AuTerm> terms;                 ///< as written; empty only in the changes-only form
   bool changes_only = false;                 ///< {~...}: what is not named stays as it was
-  std::optional<std::uint32_t> duration_ms;  ///< time to reach it
-  std::optional<std::uint64_t> place_ms;     ///< place in the stream; only with duration_ms
+  std::optional<std::uint32_t> duration_ms;  ///< how long the face takes to reach it
+  std::optional<std::uint64_t> place_ms;     ///< when it is reached; only with duration_ms
   friend bool operator==(const Keyframe&, const Keyframe&) = default;
 };
 
@@ -30,24 +30,24 @@ struct End {
 /// The client's {hello ...}. Absent keys keep these values; unknown keys were ignored.
 struct HelloAsked {
   int version = 2;
-  int window = 1;      ///< 0-256; 0 means no answers, live only
+  int window = 1;      ///< 0-999999, above 256 counts as 256; 0: no answers, live only
   std::string stream;  ///< empty: the first one
   std::string token;
-  bool delta = false;         ///< would take the changes-only form
-  std::uint64_t from_ms = 0;  ///< recorded: where to begin
+  bool delta = false;         ///< understands the changes-only form
+  std::uint64_t from_ms = 0;  ///< recorded: where to begin, as a sum of keyframe times
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };
 
 /// The server's {hello ...}.
 struct HelloGranted {
   int version = 2;
-  int window = 1;
-  bool delta = false;
+  int window = 1;      ///< 0-256; 0: nothing is answered
+  bool delta = false;  ///< the changes-only form is used
   std::string stream;
   bool live = false;
   std::optional<std::uint64_t> duration_ms;  ///< of the whole stream, if known
   std::uint32_t keyframe_ms = 250;           ///< time of a packet without one of its own
-  std::uint64_t from_ms = 0;                 ///< recorded: the place where it begins
+  std::uint64_t from_ms = 0;                 ///< recorded: where the first keyframe begins
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 
