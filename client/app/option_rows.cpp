@@ -138,7 +138,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"playout", "N", "30", "Playout buffer (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, 10'000)},
-      {"threshold", "PERCENT", "40", "start when so full (40)",
+      {"threshold", "PERCENT", "40", "start at (40)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
       {"live", "", "", "lowest delay for live",
@@ -152,7 +152,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
        seconds(playback.hold, 0, kSecondsMax, "is not a number of seconds from 0 to 86400")},
       {"stream", "NAME", "", "one of the server's",
        "Which of the server's streams; its first one by default.", word(playback.stream)},
-      {"protocol", "LEVEL", "auto", "auto or classic (auto)",
+      {"protocol", "LEVEL", "auto", "auto, classic",
        "classic never sends a hello: for servers that know only level 1.",
        one_of(playback.classic, {{"auto", false}, {"classic", true}})},
       {"connect-timeout", "S", "10", "for the connection and its first packet (10)",
@@ -184,7 +184,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
 
 std::vector<OptionRow> face_rows(FaceOptions& face) {
   return {
-      {"face", "NAME", "default", "its name or folder (default)",
+      {"face", "NAME", "default", "name or folder",
        "The name of a face in data/faces, or its folder.", word(face.face), "Face"},
       {"mixer", "MIXER", "maximum", "or average (maximum)",
        "How contractions of one muscle by several AUs are combined: maximum or average.",

@@ -276,7 +276,7 @@ TEST_F(Making, AnExpressionIsShownAndAusArePutTogether) {
 TEST_F(Making, AnAuIsEditedAndSaved) {
   open(1, nullptr);
   // The tab, then AU 12 from the list: what it drives is opened.
-  replay("click 600 54\nclick 655 123\nclick 655 347\n");
+  replay("click 600 54\nclick 655 123\nclick 655 368\n");
   EXPECT_EQ(session_->model().editor.au, 12);
   const float before = shown("left_cheek_raiser");
   // The cheeks by drag, one step more by button, which is taken back.
@@ -302,7 +302,7 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
 TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   open(1, nullptr);
   // The tab; AUs 12 and 6, of which 6 is drawn down; added. Then a face from the pad, added.
-  replay("click 665 54\nclick 436 596\nclick 607 571\ndrag 773 756 650 756\nclick 475 368\n");
+  replay("click 665 54\nclick 475 596\nclick 607 571\ndrag 773 781 650 781\nclick 475 368\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 1U);
   replay("click 639 434\nclick 766 399\nclick 475 368\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 2U);
@@ -325,7 +325,7 @@ TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
 
 TEST_F(Making, TheComposerAtTwiceTheScale) {
   open(2, nullptr);
-  replay("click 665 54\nclick 436 596\nclick 607 571\nclick 475 368\nclick 639 434\n");
+  replay("click 665 54\nclick 475 596\nclick 607 571\nclick 475 368\nclick 639 434\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 1U);
   test::expect_as_baseline(panel(), "panel_compose_twice", kTolerance, kShareMax);
 }
