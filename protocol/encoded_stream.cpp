@@ -1,28 +1,40 @@
 #include "protocol/encoded_stream.h"
 
-#include "protocol/codec.h"
+#include <utility>
+
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
 
+void StreamEncoder::add(const Keyframe& keyframe) {
+  const EncodedKeyframe encoded = encoder_.next(keyframe);
+  stream_.classic.push_back(encoded.classic);
+  stream_.negotiated.push_back(encoded.full);
+  stream_.changes.push_back(encoded.changes);
+  stream_.times.emplace_back(keyframe.duration_ms.value_or(keyframe_ms_));
+  duration_ms_ += stream_.times.back().count();
+  plain_ = plain_ && encoded.plain;
+}
+
+std::size_t StreamEncoder::bytes() const {
+  const auto held = [](const PacketList& list) {
+    return list.bytes() + list.size() * sizeof(std::uint32_t);
+  };
+  return held(stream_.classic) + held(stream_.negotiated) + held(stream_.changes) +
+         stream_.times.size() * sizeof(KeyframeTime);
+}
+
+EncodedStream StreamEncoder::finish() {
+  if (plain_) stream_.changes = {};
+  stream_.duration_ms = duration_ms_;
+  return std::move(stream_);
+}
+
 EncodedStream encode_stream(std::span<const Keyframe> keyframes, std::uint32_t keyframe_ms,
                             int classic_min) {
-  EncodedStream stream;
-  KeyframeEncoder encoder(keyframe_ms, classic_min);
-  std::uint64_t whole_ms = 0;
-  bool plain = true;
-  for (const Keyframe& keyframe : keyframes) {
-    const EncodedKeyframe encoded = encoder.next(keyframe);
-    stream.classic.push_back(encoded.classic);
-    stream.negotiated.push_back(encoded.full);
-    stream.changes.push_back(encoded.changes);
-    stream.times.emplace_back(keyframe.duration_ms.value_or(keyframe_ms));
-    whole_ms += stream.times.back().count();
-    plain = plain && encoded.plain;
-  }
-  if (plain) stream.changes = {};
-  stream.duration_ms = whole_ms;
-  return stream;
+  StreamEncoder encoder(keyframe_ms, classic_min);
+  for (const Keyframe& keyframe : keyframes) encoder.add(keyframe);
+  return encoder.finish();
 }
 
 std::optional<Milliseconds> classic_length(const EncodedStream& stream) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "common/time.h"
+#include "protocol/codec.h"
 #include "protocol/packet.h"
 #include "protocol/packet_list.h"
 
@@ -26,8 +28,31 @@ struct EncodedStream {
   friend bool operator==(const EncodedStream&, const EncodedStream&) = default;
 };
 
-/// Untimed keyframes last `keyframe_ms`; `classic_min` as in encode_classic(). A stream of plain
-/// numbers has no changes-only form: every packet of it stays what the thesis measured.
+/// Encodes a recorded stream keyframe by keyframe and holds nothing but packets and times. Untimed
+/// keyframes last `keyframe_ms`; `classic_min` as in encode_classic(). A stream of plain numbers
+/// has no changes-only form: every packet of it stays what the thesis measured.
+class StreamEncoder {
+ public:
+  StreamEncoder(std::uint32_t keyframe_ms, int classic_min)
+      : encoder_(keyframe_ms, classic_min), keyframe_ms_(keyframe_ms) {}
+
+  /// The next keyframe, a full one.
+  void add(const Keyframe& keyframe);
+  [[nodiscard]] std::size_t keyframes() const { return stream_.times.size(); }
+  /// Memory that the stream takes so far.
+  [[nodiscard]] std::size_t bytes() const;
+  /// The stream; nothing may be added after it.
+  [[nodiscard]] EncodedStream finish();
+
+ private:
+  KeyframeEncoder encoder_;
+  std::uint32_t keyframe_ms_;
+  EncodedStream stream_;
+  std::uint64_t duration_ms_ = 0;
+  bool plain_ = true;
+};
+
+/// The same for a stream that is held as keyframes.
 [[nodiscard]] EncodedStream encode_stream(std::span<const Keyframe> keyframes,
                                           std::uint32_t keyframe_ms, int classic_min);
 

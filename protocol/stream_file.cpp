@@ -36,9 +36,10 @@ std::optional<std::string> mistyped_tag(std::string_view content) {
 
 class StreamFileParser {
  public:
-  StreamFileParser(std::string_view text, std::string_view file) : text_(text), errors_(file) {}
+  StreamFileParser(std::string_view text, std::string_view file, const KeyframeSink& sink)
+      : text_(text), errors_(file), sink_(sink) {}
 
-  Result<StreamFile> parse();
+  Result<void> parse();
 
  private:
   enum class Place : std::uint8_t { Before, Inside, After };
@@ -55,7 +56,8 @@ class StreamFileParser {
 
   std::string_view text_;
   ErrorList errors_;
-  StreamFile stream_;
+  const KeyframeSink& sink_;
+  std::optional<Error> refused_;  ///< by the sink
   Place place_ = Place::Before;
   std::size_t line_number_ = 0;
   std::size_t begin_line_ = 0;
@@ -64,12 +66,10 @@ class StreamFileParser {
   std::uint64_t last_place_ms_ = 0;
 };
 
-Result<StreamFile> StreamFileParser::parse() {
+Result<void> StreamFileParser::parse() {
   std::string_view rest = text_;
   if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
-  // A keyframe a line: room for all of them at once, where growing takes three times as much.
-  stream_.keyframes.reserve(static_cast<std::size_t>(std::count(rest.begin(), rest.end(), '\n')));
-  while (!rest.empty()) {
+  while (!rest.empty() && !refused_) {
     ++line_number_;
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     std::string_view line = rest.substr(0, end);
@@ -77,9 +77,10 @@ Result<StreamFile> StreamFileParser::parse() {
     read_line(line);
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
+  if (refused_) return *refused_;
   finish();
   if (!errors_.empty()) return errors_.error();
-  return std::move(stream_);
+  return {};
 }
 
 void StreamFileParser::read_line(std::string_view line) {
@@ -146,7 +147,7 @@ void StreamFileParser::read_packet(std::string_view content, std::size_t shift) 
     return;
   }
   last_place_ms_ = keyframe.place_ms.value_or(last_place_ms_);
-  stream_.keyframes.push_back(std::move(keyframe));
+  if (auto taken = sink_(std::move(keyframe)); !taken) refused_ = taken.error();
 }
 
 /// Said once per region: a file without its tag is one mistake, not one per line.
@@ -185,7 +186,20 @@ void StreamFileParser::refuse_line(std::size_t position, const std::string& reas
 }  // namespace
 
 Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file) {
-  return StreamFileParser(text, file).parse();
+  StreamFile stream;
+  // A keyframe a line: room for all of them at once, where growing takes three times as much.
+  stream.keyframes.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+  const auto read = read_stream_file(text, file, [&stream](Keyframe&& keyframe) -> Result<void> {
+    stream.keyframes.push_back(std::move(keyframe));
+    return {};
+  });
+  if (!read) return read.error();
+  return stream;
+}
+
+Result<void> read_stream_file(std::string_view text, std::string_view file,
+                              const KeyframeSink& sink) {
+  return StreamFileParser(text, file, sink).parse();
 }
 
 std::optional<TextError> parse_stream_line(std::string_view content, Keyframe& out) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,14 @@ inline constexpr std::string_view kEndTag = "End_Stream";
 struct StreamFile {
   std::vector<Keyframe> keyframes;  ///< at least one; none is changes-only
 };
+
+/// Takes the keyframes of a stream file one by one; an error ends the reading.
+using KeyframeSink = std::function<Result<void>(Keyframe&& keyframe)>;
+
+/// Reads the text of a stream file and hands its keyframes to `sink`, nothing else being held.
+/// Errors as of parse_stream_file(), or the sink's. Keyframes before an error were handed out.
+[[nodiscard]] Result<void> read_stream_file(std::string_view text, std::string_view file,
+                                            const KeyframeSink& sink);
 
 /// Reads the text of a stream file whole. `file` is what messages call it. BadData with one line
 /// "file:line:column: reason" per error, the first kReportedErrorsMax of them, and a last line that

@@ -58,7 +58,8 @@ LiveSources live_sources(const TransmitterOptions& options) {
 /// The sources; what --skip-bad leaves out is said.
 Result<std::vector<Source>> load(const TransmitterOptions& options) {
   std::vector<Error> skipped;
-  auto sources = load_sources(options.sources, options.source, options.keyframe_ms,
+  auto sources = load_sources(options.sources, options.source,
+                              {options.keyframe_ms, options.classic_min, options.max_kbits},
                               options.skip_bad ? &skipped : nullptr, live_sources(options));
   for (const Error& error : skipped) {
     std::istringstream lines(error.message);
@@ -83,23 +84,15 @@ Result<void> save_profile_of(const SignalOptions& options, const std::vector<Sou
   return save_profile(options, measured->found->neutral);
 }
 
-CatalogueOptions catalogue_options(const TransmitterOptions& options) {
-  return {options.keyframe_ms, options.classic_min, options.loop, options.max_kbits};
-}
-
 int check(const TransmitterOptions& options) {
   const auto sources = load(options);
   if (!sources) return report(sources.error());
   if (const auto saved = save_profile_of(options.source.signal, *sources); !saved) {
     return report(saved.error());
   }
-  const auto catalogue = make_catalogue(*sources, catalogue_options(options));
-  for (std::size_t index = 0; index < sources->size(); ++index) {
-    const Source& source = (*sources)[index];
-    const protocol::EncodedStream& served = *catalogue.streams[index].recorded;
-    const auto printed =
-        print(options.estimate ? estimate_report(source, served, options.batch)
-                               : check_report(source, served, catalogue.keyframe_ms));
+  for (const Source& source : *sources) {
+    const auto printed = print(options.estimate ? estimate_report(source, options.batch)
+                                                : check_report(source, options.keyframe_ms));
     if (!printed) return report(printed.error());
   }
   return 0;
@@ -118,7 +111,7 @@ void say_what_was_found(const std::vector<Source>& sources) {
 Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& options) {
   const auto sources = load(options);
   if (!sources) return sources.error();
-  auto catalogue = make_catalogue(*sources, catalogue_options(options));
+  auto catalogue = make_catalogue(*sources, options.keyframe_ms, options.loop);
   if (options.live) {
     if (auto can = check_live(catalogue); !can) return can.error();
   }

@@ -1,7 +1,5 @@
 #include "common/sources/source_reader.h"
 
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "common/files.h"
@@ -9,10 +7,30 @@
 #include "common/sources/resample.h"
 
 namespace aucast::sources {
-namespace {
 
-Result<std::vector<SourceContent>> read_content(std::string_view text, const std::string& file,
-                                                const ReadOptions& options) {
+Result<SourceContent> read_source(const std::filesystem::path& path, const ReadOptions& options) {
+  RecordingOptions of_one = options.recording;
+  of_one.all_faces = false;
+  const auto text = read_text(path);
+  if (!text) return text.error();
+  auto streams = parse_streams(*text, name_of(path), of_one, options.conditioning);
+  if (!streams) return streams.error();
+  SourceContent& content = streams->front();
+  if (options.rate) content.stream = resample(content.stream, *options.rate, options.keyframe_ms);
+  return std::move(content);
+}
+
+Result<std::string> read_text(const std::filesystem::path& path) {
+  return path == "-" ? read_standard_input() : read_file(path);
+}
+
+std::string name_of(const std::filesystem::path& path) {
+  return path == "-" ? "stdin" : path.string();
+}
+
+Result<std::vector<SourceContent>> parse_streams(std::string_view text, const std::string& file,
+                                                 const RecordingOptions& recording,
+                                                 const ConditioningSettings& conditioning) {
   std::vector<SourceContent> contents;
   if (content_kind(text) == ContentKind::StreamFile) {
     auto stream = protocol::parse_stream_file(text, file);
@@ -20,32 +38,10 @@ Result<std::vector<SourceContent>> read_content(std::string_view text, const std
     contents.push_back({std::move(*stream), std::nullopt});
     return contents;
   }
-  auto faces = read_faces(text, file, options.recording, options.conditioning);
+  auto faces = read_faces(text, file, recording, conditioning);
   if (!faces) return faces.error();
-  for (Recording& recording : *faces) {
-    contents.push_back({std::move(recording.stream), std::move(recording.found)});
-  }
-  return contents;
-}
-
-}  // namespace
-
-Result<SourceContent> read_source(const std::filesystem::path& path, const ReadOptions& options) {
-  ReadOptions of_one = options;
-  of_one.recording.all_faces = false;
-  auto streams = read_streams(path, of_one);
-  if (!streams) return streams.error();
-  return std::move(streams->front());
-}
-
-Result<std::vector<SourceContent>> read_streams(const std::filesystem::path& path,
-                                                const ReadOptions& options) {
-  const auto text = path == "-" ? read_standard_input() : read_file(path);
-  if (!text) return text.error();
-  auto contents = read_content(*text, path == "-" ? "stdin" : path.string(), options);
-  if (!contents || !options.rate) return contents;
-  for (SourceContent& content : *contents) {
-    content.stream = resample(content.stream, *options.rate, options.keyframe_ms);
+  for (Recording& one : *faces) {
+    contents.push_back({std::move(one.stream), std::move(one.found)});
   }
   return contents;
 }

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/result.h"
@@ -31,8 +33,14 @@ struct SourceContent {
 [[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
                                                 const ReadOptions& options = {});
 
-/// The same as one stream for each face when options.recording.all_faces, the most frequent first.
-[[nodiscard]] Result<std::vector<SourceContent>> read_streams(const std::filesystem::path& path,
-                                                              const ReadOptions& options);
+/// The text of the source at `path`, and what messages call it.
+[[nodiscard]] Result<std::string> read_text(const std::filesystem::path& path);
+[[nodiscard]] std::string name_of(const std::filesystem::path& path);
+
+/// Reads a text that messages call `file`, and keeps its keyframes as they are: one stream for each
+/// face when recording.all_faces, the most frequent first.
+[[nodiscard]] Result<std::vector<SourceContent>> parse_streams(
+    std::string_view text, const std::string& file, const RecordingOptions& recording,
+    const ConditioningSettings& conditioning);
 
 }  // namespace aucast::sources

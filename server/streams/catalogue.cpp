@@ -6,11 +6,16 @@
 #include <utility>
 
 #include "common/check.h"
+#include "common/sources/content.h"
 #include "common/sources/dead_band.h"
+#include "common/sources/resample.h"
 #include "common/sources/source_reader.h"
 #include "common/text.h"
 #include "protocol/codec.h"
+#include "protocol/encoded_stream.h"
+#include "protocol/stream_file.h"
 #include "server/live/live_source.h"
+#include "server/streams/memory.h"
 #include "server/streams/thinning.h"
 
 namespace aucast::server {
@@ -26,28 +31,92 @@ Result<void> check_name(const std::filesystem::path& path, const std::string& na
                    "'.', '_' or '-' before the extension")};
 }
 
+/// Keyframes between two looks at the memory that is left.
+constexpr std::size_t kLookEvery = 65536;
+
+/// What a keyframe may take at most while a whole stream is thinned, resampled or made of a table.
+constexpr std::uint64_t kWholeBytes = 400;
+
+/// How everything is read in one go.
+struct Reading {
+  const SourceOptions& source;
+  const sources::ConditioningSettings& conditioning;
+  const EncodingOptions& encoding;
+  LiveSources live = LiveSources::None;
+};
+
+/// A stream file as it is: keyframe by keyframe, so that only its packets are held.
+Result<void> encode_file(std::string_view text, const EncodingOptions& options, Source& source) {
+  protocol::StreamEncoder encoder(options.keyframe_ms, options.classic_min);
+  const auto encode = [&](const protocol::Keyframe& keyframe) -> Result<void> {
+    source.summary.add(keyframe, options.keyframe_ms);
+    encoder.add(keyframe);
+    // As much again is taken for a moment when the buffers grow.
+    if (encoder.keyframes() % kLookEvery != 0) return {};
+    return check_memory(source.path, encoder.bytes());
+  };
+  if (auto read = protocol::read_stream_file(text, sources::name_of(source.path), encode); !read) {
+    return read;
+  }
+  source.stream = std::make_shared<const protocol::EncodedStream>(encoder.finish());
+  return {};
+}
+
+/// A stream that is held as keyframes: resampled and thinned, if that is asked.
+Result<void> encode_whole(sources::SourceContent content, const Reading& reading, Source& source) {
+  const EncodingOptions& options = reading.encoding;
+  protocol::StreamFile& stream = content.stream;
+  if (const auto rate = reading.source.rate) {
+    const auto ms = static_cast<double>(protocol::media_ms(stream, options.keyframe_ms));
+    const auto keyframes = static_cast<std::uint64_t>(ms * *rate / 1000);
+    if (auto can = check_memory(source.path, keyframes * kWholeBytes); !can) return can;
+    stream = sources::resample(stream, *rate, options.keyframe_ms);
+  }
+  if (content.found) {
+    sources::apply_dead_band(stream, reading.conditioning.profile.dead_band);
+  }
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    source.summary.add(keyframe, options.keyframe_ms);
+  }
+  if (options.max_kbits != 0) {
+    stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, options.max_kbits);
+  }
+  source.stream = std::make_shared<const protocol::EncodedStream>(
+      protocol::encode_stream(stream.keyframes, options.keyframe_ms, options.classic_min));
+  source.found = std::move(content.found);
+  return {};
+}
+
 /// The streams of one file: one, or one for each face.
-Result<std::vector<Source>> load_source(const std::filesystem::path& path,
-                                        const SourceOptions& options,
-                                        const sources::ConditioningSettings& conditioning,
-                                        std::uint32_t keyframe_ms, LiveSources live) {
+Result<std::vector<Source>> load_source(const std::filesystem::path& path, const Reading& reading) {
   std::vector<Source> streams;
   const std::string stem = stream_name(path);
   if (auto can = check_name(path, stem); !can) return can.error();
-  if (live != LiveSources::None && is_live(path, live == LiveSources::Files)) {
-    streams.push_back({path, stem, {}, std::nullopt, true});
+  if (reading.live != LiveSources::None && is_live(path, reading.live == LiveSources::Files)) {
+    streams.push_back({.path = path, .name = stem, .live = true});
     return streams;
   }
-  auto contents =
-      sources::read_streams(path, {options.recording, options.rate, conditioning, keyframe_ms});
+  const auto text = sources::read_text(path);
+  if (!text) return text.error();
+  if (sources::content_kind(*text) == sources::ContentKind::StreamFile && !reading.source.rate &&
+      reading.encoding.max_kbits == 0) {
+    streams.push_back({.path = path, .name = stem});
+    auto read = encode_file(*text, reading.encoding, streams.front());
+    if (!read) return read.error();
+    return streams;
+  }
+  const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
+  if (auto can = check_memory(path, lines * kWholeBytes); !can) return can.error();
+  auto contents = sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
+                                         reading.conditioning);
   if (!contents) return contents.error();
   for (sources::SourceContent& content : *contents) {
     const bool one_of_several = content.found && content.found->all_taken;
     const std::string name = one_of_several ? face_stream_name(stem, content.found->face) : stem;
     if (auto can = check_name(path, name); !can) return can.error();
-    streams.push_back({path, name, std::move(content.stream), std::move(content.found), false});
-    Source& source = streams.back();
-    if (source.found) sources::apply_dead_band(source.stream, conditioning.profile.dead_band);
+    streams.push_back({.path = path, .name = name});
+    auto encoded = encode_whole(std::move(content), reading, streams.back());
+    if (!encoded) return encoded.error();
   }
   return streams;
 }
@@ -103,15 +172,6 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
                                                   " already; leave one out or rename a file")};
 }
 
-protocol::EncodedStream encoded(const Source& source, const CatalogueOptions& options) {
-  const std::vector<protocol::Keyframe>& keyframes = source.stream.keyframes;
-  if (options.max_kbits == 0) {
-    return protocol::encode_stream(keyframes, options.keyframe_ms, options.classic_min);
-  }
-  return protocol::encode_stream(thinned(keyframes, options.keyframe_ms, options.max_kbits),
-                                 options.keyframe_ms, options.classic_min);
-}
-
 Milliseconds time_of(const protocol::EncodedStream& stream) {
   return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds::zero());
 }
@@ -119,7 +179,8 @@ Milliseconds time_of(const protocol::EncodedStream& stream) {
 }  // namespace
 
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
-                                         const SourceOptions& options, std::uint32_t keyframe_ms,
+                                         const SourceOptions& options,
+                                         const EncodingOptions& encoding,
                                          std::vector<Error>* skipped, LiveSources live) {
   const auto conditioning = conditioning_of(options.signal);
   if (!conditioning) return conditioning.error();
@@ -132,8 +193,8 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
       continue;
     }
     for (const std::filesystem::path& file : *files) {
-      auto streams = load_source(file, options, *conditioning, keyframe_ms,
-                                 file == path ? live : LiveSources::None);
+      auto streams = load_source(
+          file, {options, *conditioning, encoding, file == path ? live : LiveSources::None});
       if (!streams) {
         errors.push_back(streams.error());
         continue;
@@ -156,18 +217,12 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
 }
 
 protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
-                                         const CatalogueOptions& options) {
+                                         std::uint32_t keyframe_ms, bool loop) {
   AUCAST_CHECK(!sources.empty());
   protocol::ServerCatalogue catalogue;
-  catalogue.keyframe_ms = options.keyframe_ms;
-  catalogue.loop = options.loop;
-  for (const Source& source : sources) {
-    protocol::ServedStream stream{source.name, nullptr};
-    if (!source.live) {
-      stream.recorded = std::make_shared<protocol::EncodedStream>(encoded(source, options));
-    }
-    catalogue.streams.push_back(std::move(stream));
-  }
+  catalogue.keyframe_ms = keyframe_ms;
+  catalogue.loop = loop;
+  for (const Source& source : sources) catalogue.streams.push_back({source.name, source.stream});
   return catalogue;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,8 +11,8 @@
 #include "common/sources/recording.h"
 #include "common/time.h"
 #include "protocol/server_session.h"
-#include "protocol/stream_file.h"
 #include "server/settings/source_options.h"
+#include "server/streams/stream_summary.h"
 
 namespace aucast::server {
 
@@ -19,9 +20,10 @@ namespace aucast::server {
 struct Source {
   std::filesystem::path path;
   std::string name;  ///< the file's stem: what a hello asks for
-  protocol::StreamFile stream;
-  std::optional<sources::Found> found;  ///< of a recording
-  bool live = false;                    ///< nothing is read yet: a LiveSource will
+  std::shared_ptr<const protocol::EncodedStream> stream{};  ///< nothing while `live`
+  StreamSummary summary{};
+  std::optional<sources::Found> found{};  ///< of a recording
+  bool live = false;                      ///< nothing is read yet: a LiveSource will
 };
 
 /// Which sources are live streams; others are read whole. What is in a folder is not live.
@@ -31,29 +33,27 @@ enum class LiveSources : std::uint8_t {
   Files,    ///< files too: --follow
 };
 
-/// Reads all files whole but those that are `live`, of a folder its .txt and .csv files by name;
-/// `keyframe_ms` is the time of an untimed keyframe when --rate is asked.
-/// If any is wrong, the errors of all of them, one a line, in the order of
-/// the command line; their kind is that of the first. Names that are no stream names or come twice
-/// are usage errors. With `skipped` what is wrong is left out and its errors go there, as long as
-/// anything is left.
-[[nodiscard]] Result<std::vector<Source>> load_sources(
-    const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
-    std::uint32_t keyframe_ms = 250, std::vector<Error>* skipped = nullptr,
-    LiveSources live = LiveSources::None);
-
-/// How the streams are served.
-struct CatalogueOptions {
-  std::uint32_t keyframe_ms = 250;
-  int classic_min = 20;  ///< percent; weaker AUs are left out for classic clients
-  bool loop = false;
-  std::uint32_t max_kbits = 0;  ///< a second, headers included; 0: no limit
+/// How streams are encoded.
+struct EncodingOptions {
+  std::uint32_t keyframe_ms = 250;  ///< time of an untimed keyframe
+  int classic_min = 20;             ///< percent; weaker AUs are left out for classic clients
+  std::uint32_t max_kbits = 0;      ///< a second, headers included; 0: no limit
 };
 
-/// Encodes every stream once per level, in the order given; of a source that is live only the name
-/// is known yet. Needs at least one source.
+/// Reads and encodes all files but those that are `live`, of a folder its .txt and .csv files by
+/// name. If any is wrong, the errors of all of them, one a line, in the order of the command line;
+/// their kind is that of the first. Names that are no stream names or come twice are usage errors.
+/// A file that is too large for the memory that is left is unreadable. With `skipped` what is wrong
+/// is left out and its errors go there, as long as anything is left.
+[[nodiscard]] Result<std::vector<Source>> load_sources(
+    const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
+    const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,
+    LiveSources live = LiveSources::None);
+
+/// What is served, in the order given; of a source that is live only the name is known yet. Needs
+/// at least one source.
 [[nodiscard]] protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
-                                                       const CatalogueOptions& options);
+                                                       std::uint32_t keyframe_ms, bool loop);
 
 /// Whether the streams can be sent live: one that starts again must take some time. Bad data
 /// otherwise.

@@ -2,15 +2,13 @@
 
 #include <string>
 
-#include "protocol/server_session.h"
 #include "server/streams/catalogue.h"
 
 namespace aucast::server {
 
 /// What --check prints of one stream: of a recording what was found in it, then packets, duration,
-/// bytes per level, and for each AU how many packets use it and between which intensities. `served`
-/// is the same stream as it goes out; an untimed keyframe counts as `keyframe_ms`.
-[[nodiscard]] std::string check_report(const Source& source, const protocol::EncodedStream& served,
-                                       std::uint32_t keyframe_ms);
+/// bytes per level, and for each AU how many packets use it and between which intensities. An
+/// untimed keyframe counts as `keyframe_ms`.
+[[nodiscard]] std::string check_report(const Source& source, std::uint32_t keyframe_ms);
 
 }  // namespace aucast::server

@@ -76,8 +76,8 @@ std::string line_of(const char* form, const protocol::PacketList& packets,
 
 }  // namespace
 
-std::string estimate_report(const Source& source, const protocol::EncodedStream& served,
-                            Milliseconds batch) {
+std::string estimate_report(const Source& source, Milliseconds batch) {
+  const protocol::EncodedStream& served = *source.stream;
   const Milliseconds whole =
       std::accumulate(served.times.begin(), served.times.end(), Milliseconds::zero());
   std::array<char, 200> head{};

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "common/time.h"
-#include "protocol/server_session.h"
 #include "server/streams/catalogue.h"
 
 namespace aucast::server {
@@ -11,8 +10,6 @@ namespace aucast::server {
 /// What --estimate prints of one stream: for each form of it the packets, the bytes and the bits a
 /// second that it takes when it is played in its own time, on average and in the second that needs
 /// most, without and with the headers of TCP and IP. What is sent within `batch` shares headers.
-[[nodiscard]] std::string estimate_report(const Source& source,
-                                          const protocol::EncodedStream& served,
-                                          Milliseconds batch);
+[[nodiscard]] std::string estimate_report(const Source& source, Milliseconds batch);
 
 }  // namespace aucast::server

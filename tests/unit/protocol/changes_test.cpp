@@ -114,6 +114,17 @@ TEST(EncodeStream, SumsTheTimes) {
   EXPECT_EQ(stream.negotiated, (PacketList{"{1:10}", "{R2;40}"}));
 }
 
+TEST(StreamEncoder, HoldsPacketsAndTimesOnly) {
+  StreamEncoder encoder(250, 20);
+  for (int i = 0; i < 1000; ++i) encoder.add(keyframe("1"));
+  EXPECT_EQ(encoder.keyframes(), 1000U);
+  EXPECT_LE(encoder.bytes(), 64'000U);
+  const EncodedStream stream = encoder.finish();
+  EXPECT_EQ(stream.classic[999], "{1}");
+  EXPECT_EQ(stream.times[999], KeyframeTime(250));
+  EXPECT_EQ(stream.duration_ms, 250'000U);
+}
+
 TEST(EncodeChanges, GivesBackEveryStateInOrder) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());

@@ -192,5 +192,17 @@ TEST(StreamFile, RoomForItsKeyframesIsMadeOnce) {
   EXPECT_LE(stream->keyframes.capacity(), 1002U) << "growing takes three times as much memory";
 }
 
+TEST(ReadStreamFile, EndsWithTheErrorOfItsSink) {
+  std::size_t taken = 0;
+  const auto read =
+      read_stream_file(in_tags("1\n2\n3\nnonsense"), "f", [&taken](Keyframe&&) -> Result<void> {
+        if (++taken == 2) return Error{ErrorKind::Failed, "enough"};
+        return {};
+      });
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "enough");
+  EXPECT_EQ(taken, 2U);
+}
+
 }  // namespace
 }  // namespace aucast::protocol

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "server/streams/memory.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::server {
@@ -31,7 +32,7 @@ TEST(LoadSources, NamesStreamsByTheirStems) {
   ASSERT_EQ(sources->size(), 2U);
   EXPECT_EQ(sources->at(0).name, "talk");
   EXPECT_EQ(sources->at(1).name, "b-2");
-  EXPECT_EQ(sources->at(0).stream.keyframes.size(), 2U);
+  EXPECT_EQ(sources->at(0).summary.keyframes, 2U);
 }
 
 TEST(LoadSources, MissingFileIsUnreadable) {
@@ -68,13 +69,13 @@ TEST(LoadSources, BrokenOnesAreLeftOutOnlyWhenAskedAndWhileAnyIsLeft) {
   const auto bad = folder.write("bad.txt", "Beg_Stream\n1,100\nEnd_Stream\n");
   EXPECT_EQ(error_of({folder.path()}).kind, ErrorKind::BadData);
   std::vector<Error> skipped;
-  const auto sources = load_sources({folder.path()}, {}, 250, &skipped);
+  const auto sources = load_sources({folder.path()}, {}, {}, &skipped);
   ASSERT_TRUE(sources);
   ASSERT_EQ(sources->size(), 1U);
   EXPECT_EQ(sources->at(0).name, "good");
   ASSERT_EQ(skipped.size(), 1U);
   EXPECT_TRUE(has(skipped[0], bad.string() + ":2:"));
-  EXPECT_FALSE(load_sources({bad}, {}, 250, &skipped)) << "nothing is left";
+  EXPECT_FALSE(load_sources({bad}, {}, {}, &skipped)) << "nothing is left";
 }
 
 TEST(LoadSources, WrongFileIsBadDataWithItsPlace) {
@@ -114,9 +115,9 @@ TEST(LoadSources, NameThatCannotBeAskedForIsRefusedWithTheRemedy) {
 
 TEST(MakeCatalogue, EncodesEveryStreamForBothLevels) {
   const TempFolder folder;
-  const auto sources = load_sources({folder.write("talk.txt", kTwo)});
+  const auto sources = load_sources({folder.write("talk.txt", kTwo)}, {}, {100});
   ASSERT_TRUE(sources);
-  const auto catalogue = make_catalogue(*sources, {100, 20, false});
+  const auto catalogue = make_catalogue(*sources, 100, false);
   EXPECT_EQ(catalogue.keyframe_ms, 100U);
   EXPECT_FALSE(catalogue.loop);
   ASSERT_EQ(catalogue.streams.size(), 1U);
@@ -130,18 +131,18 @@ TEST(MakeCatalogue, EncodesEveryStreamForBothLevels) {
 
 TEST(MakeCatalogue, ClassicMinimumDecidesWhatClassicClientsGet) {
   const TempFolder folder;
-  const auto sources = load_sources({folder.write("talk.txt", kTwo)});
-  ASSERT_TRUE(sources);
-  EXPECT_EQ(make_catalogue(*sources, {250, 10, false}).streams[0].recorded->classic[0], "{1,12}");
-  EXPECT_EQ(make_catalogue(*sources, {250, 81, false}).streams[0].recorded->classic[0], "{0}");
+  const auto path = folder.write("talk.txt", kTwo);
+  EXPECT_EQ(load_sources({path}, {}, {250, 10})->front().stream->classic[0], "{1,12}");
+  EXPECT_EQ(load_sources({path}, {}, {250, 81})->front().stream->classic[0], "{0}");
 }
 
 TEST(MakeCatalogue, HasTheTimesAndTheChangesForWhoAsks) {
   const TempFolder folder;
   const auto sources = load_sources(
-      {folder.write("a.txt", "Beg_Stream\n1:10,12:80;40\n1:10,12:70\n14;0\nEnd_Stream\n")});
+      {folder.write("a.txt", "Beg_Stream\n1:10,12:80;40\n1:10,12:70\n14;0\nEnd_Stream\n")}, {},
+      {300, 20});
   ASSERT_TRUE(sources);
-  const auto catalogue = make_catalogue(*sources, {300, 20, false});
+  const auto catalogue = make_catalogue(*sources, 300, false);
   const auto& stream = *catalogue.streams.front().recorded;
   EXPECT_EQ(stream.times, (std::vector<protocol::KeyframeTime>{protocol::KeyframeTime(40),
                                                                protocol::KeyframeTime(300),
@@ -154,7 +155,7 @@ TEST(MakeCatalogue, LeavesPlainSetsAsTheThesisHasThem) {
   const auto sources =
       load_sources({folder.write("a.txt", "Beg_Stream\n1,6,12,14\n6,12\nEnd_Stream\n")});
   ASSERT_TRUE(sources);
-  EXPECT_TRUE(make_catalogue(*sources, {250, 20, false}).streams.front().recorded->changes.empty());
+  EXPECT_TRUE(make_catalogue(*sources, 250, false).streams.front().recorded->changes.empty());
 }
 
 TEST(CheckLive, RefusesOnlyALoopWithoutTime) {
@@ -163,8 +164,8 @@ TEST(CheckLive, RefusesOnlyALoopWithoutTime) {
       load_sources({folder.write("a.txt", kTwo),
                     folder.write("still.txt", "Beg_Stream\n1;0\n2;0\nEnd_Stream\n")});
   ASSERT_TRUE(sources);
-  EXPECT_TRUE(check_live(make_catalogue(*sources, {250, 20, false})));
-  const auto refused = check_live(make_catalogue(*sources, {250, 20, true}));
+  EXPECT_TRUE(check_live(make_catalogue(*sources, 250, false)));
+  const auto refused = check_live(make_catalogue(*sources, 250, true));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::BadData);
   EXPECT_TRUE(has(refused.error(), "the stream 'still' takes no time at all"));
@@ -176,9 +177,33 @@ TEST(BytesIn, AreThoseOfTheBusiestStream) {
       load_sources({folder.write("a.txt", "Beg_Stream\n1;500\n2;500\nEnd_Stream\n"),
                     folder.write("b.txt", "Beg_Stream\n1;100\nEnd_Stream\n")});
   ASSERT_TRUE(sources);
-  const auto catalogue = make_catalogue(*sources, {250, 20, false});
+  const auto catalogue = make_catalogue(*sources, 250, false);
   EXPECT_EQ(bytes_in(catalogue, Milliseconds(1000)), 70U) << "{1;100} ten times";
   EXPECT_EQ(bytes_in(catalogue, Milliseconds(10)), 1U);
+}
+
+TEST(LoadSources, ARateThatMemoryCannotHoldIsRefused) {
+  const TempFolder folder;
+  std::string packets;
+  for (int line = 0; line < 2000; ++line) packets += "1;3600000\n";
+  SourceOptions options;
+  options.rate = 1000;
+  const auto refused =
+      load_sources({folder.write("a.txt", "Beg_Stream\n" + packets + "End_Stream\n")}, options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::Unreadable);
+  EXPECT_TRUE(has(refused.error(), "a.txt: too large to hold: it needs "));
+}
+
+TEST(CheckMemory, RefusesWhatWouldLeaveTooLittle) {
+  const auto available = available_memory();
+  ASSERT_TRUE(available.has_value());
+  EXPECT_TRUE(check_memory("a.txt", 0));
+  const auto refused = check_memory("a.txt", std::uint64_t{1} << 60U);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::Unreadable);
+  EXPECT_TRUE(has(refused.error(), "a.txt: too large to hold: it needs ")) << "the file";
+  EXPECT_TRUE(has(refused.error(), "serve a shorter stream")) << "the remedy";
 }
 
 }  // namespace

@@ -12,8 +12,7 @@ std::string report_of(const std::string& packets) {
   const auto path = folder.write("talk.txt", "Beg_Stream\n" + packets + "End_Stream\n");
   const auto sources = load_sources({path});
   if (!sources) return sources.error().message;
-  const auto catalogue = make_catalogue(*sources, {250, 20, false});
-  std::string text = check_report(sources->front(), *catalogue.streams.front().recorded, 250);
+  std::string text = check_report(sources->front(), 250);
   const std::size_t at = text.find(path.string());
   return at == std::string::npos ? text : text.replace(at, path.string().size(), "PATH");
 }
@@ -49,8 +48,7 @@ std::string report_of_table(const std::string& pitch_rad) {
   }
   const auto sources = load_sources({folder.write("talk.csv", table)});
   if (!sources) return sources.error().message;
-  const auto catalogue = make_catalogue(*sources, {250, 20, false});
-  return check_report(sources->front(), *catalogue.streams.front().recorded, 250);
+  return check_report(sources->front(), 250);
 }
 
 TEST(CheckReport, AFaceThatLooksAwayIsToldWithWhatMendsIt) {

@@ -8,12 +8,12 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Four packets of ten bytes.
-protocol::EncodedStream stream_of(const std::vector<Milliseconds>& times) {
+Source talk(const std::vector<Milliseconds>& times) {
   protocol::EncodedStream stream;
   stream.classic = {"{12:34;56}", "{12:34;56}", "{12:34;56}", "{12:34;56}"};
   stream.negotiated = stream.classic;
   for (const Milliseconds time : times) stream.times.emplace_back(time.count());
-  return stream;
+  return {"talk.txt", "talk", std::make_shared<const protocol::EncodedStream>(std::move(stream))};
 }
 
 bool holds(const std::string& text, const std::string& line) {
@@ -22,8 +22,8 @@ bool holds(const std::string& text, const std::string& line) {
 
 TEST(Estimate, CountsBytesMeanAndPeak) {
   // Two seconds; three of the packets are in the second that has most.
-  const auto stream = stream_of({500ms, 499ms, 1ms, 1s});
-  const std::string report = estimate_report({"talk.txt", "talk", {}, {}}, stream, 0ms);
+  const Source source = talk({500ms, 499ms, 1ms, 1s});
+  const std::string report = estimate_report(source, 0ms);
   EXPECT_TRUE(holds(report, "talk.txt: talk"));
   EXPECT_NE(report.find("  4 keyframes in 2.000 s "), std::string::npos) << report;
   EXPECT_TRUE(holds(
@@ -33,8 +33,8 @@ TEST(Estimate, CountsBytesMeanAndPeak) {
 }
 
 TEST(Estimate, SharesHeadersWithinABatch) {
-  const auto stream = stream_of({100ms, 100ms, 100ms, 700ms});
-  const std::string report = estimate_report({"talk.txt", "talk", {}, {}}, stream, 200ms);
+  const Source source = talk({100ms, 100ms, 100ms, 700ms});
+  const std::string report = estimate_report(source, 200ms);
   EXPECT_TRUE(holds(
       report, "  level 2               40       0.3       0.3          144       1.2       1.2"))
       << report;

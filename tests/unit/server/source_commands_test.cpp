@@ -71,8 +71,7 @@ TEST(LoadSources, TellsRecordingsByTheirContentAndNotByTheirName) {
   EXPECT_FALSE(sources->at(1).found);
   ASSERT_TRUE(sources->at(2).found);
   EXPECT_EQ(sources->at(2).found->format, "Live Link Face");
-  const auto catalogue = make_catalogue(*sources, {250, 20, false});
-  const std::string report = check_report(sources->at(0), *catalogue.streams[0].recorded, 250);
+  const std::string report = check_report(sources->at(0), 250);
   EXPECT_NE(report.find("  format      OpenFace 1\n"), std::string::npos) << report;
 }
 
@@ -108,10 +107,10 @@ TEST(LoadSources, RateIsForStreamFilesToo) {
   SourceOptions options;
   options.rate = 20;
   const auto sources =
-      load_sources({folder.write("a.txt", "Beg_Stream\n1\nEnd_Stream\n")}, options, 100);
+      load_sources({folder.write("a.txt", "Beg_Stream\n1\nEnd_Stream\n")}, options, {100});
   ASSERT_TRUE(sources);
-  ASSERT_EQ(sources->at(0).stream.keyframes.size(), 2U);
-  EXPECT_EQ(sources->at(0).stream.keyframes[0].duration_ms, 50U);
+  ASSERT_EQ(sources->at(0).summary.keyframes, 2U);
+  EXPECT_EQ(sources->at(0).stream->times[0], protocol::KeyframeTime(50));
 }
 
 TEST(Convert, WritesARecordingAsAStreamFile) {

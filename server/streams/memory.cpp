@@ -1,0 +1,83 @@
+#include "server/streams/memory.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "common/text.h"
+
+namespace aucast::server {
+namespace {
+
+/// The number after `key` in a file of lines such as "MemAvailable:  123 kB".
+std::optional<std::uint64_t> value_after(const char* file, const std::string& key) {
+  std::ifstream lines(file);
+  for (std::string word; lines >> word;) {
+    std::uint64_t value = 0;
+    if (word == key && lines >> value) return value;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> number_in(const std::string& file) {
+  std::uint64_t value = 0;
+  if (std::ifstream(file) >> value) return value;
+  return std::nullopt;  // "max" too
+}
+
+std::uint64_t difference(std::uint64_t from, std::uint64_t value) {
+  return from > value ? from - value : 0;
+}
+
+std::optional<std::uint64_t> left_by_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
+  const auto pages = number_in("/proc/self/statm");
+  if (!pages) return std::nullopt;
+  return difference(limit.rlim_cur, *pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)));
+}
+
+/// Of control groups version 2, our own.
+std::optional<std::uint64_t> left_by_group() {
+  std::ifstream self("/proc/self/cgroup");
+  std::string line;
+  if (!std::getline(self, line) || !line.starts_with("0::/")) return std::nullopt;
+  const std::string folder = "/sys/fs/cgroup" + line.substr(3);
+  const auto most = number_in(folder + "/memory.max");
+  const auto used = number_in(folder + "/memory.current");
+  if (!most || !used) return std::nullopt;
+  return difference(*most, *used);
+}
+
+std::string megabytes(std::uint64_t bytes) {
+  return std::to_string(bytes >> 20U) + " MiB";
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> available_memory() {
+  std::optional<std::uint64_t> least;
+  const auto take = [&least](std::optional<std::uint64_t> bytes) {
+    if (bytes) least = std::min(least.value_or(*bytes), *bytes);
+  };
+  if (const auto kib = value_after("/proc/meminfo", "MemAvailable:")) take(*kib * 1024);
+  take(left_by_group());
+  take(left_by_limit());
+  return least;
+}
+
+Result<void> check_memory(const std::filesystem::path& path, std::uint64_t bytes) {
+  const auto available = available_memory();
+  if (!available || *available >= bytes + kMemoryReserve) return {};
+  return Error{
+      ErrorKind::Unreadable,
+      at_place(path.string(), "too large to hold: it needs " + megabytes(bytes) +
+                                  " more of memory, and of " + megabytes(*available) +
+                                  " that are left " + megabytes(kMemoryReserve) +
+                                  " are kept free; serve a shorter stream or lower --rate")};
+}
+
+}  // namespace aucast::server
