@@ -67,6 +67,8 @@ inline constexpr int kAcceptsInARow = 16;
 inline constexpr std::chrono::milliseconds kAcceptPause{200};
 /// Clients that are told that there is no room for them, at a time; what is more is just closed.
 inline constexpr std::size_t kRefusalsMax = 64;
+/// Wrong tokens that an address may show within kWrongTokenTime; then it must wait.
+inline constexpr std::size_t kWrongTokensMax = 8;
 inline constexpr std::size_t kClientLogLinesPerSecond = 300;  ///< about single clients
 inline constexpr std::size_t kHttpConnectionsMax = 32;        ///< at a time; more are closed
 inline constexpr std::size_t kHttpHeadBytesMax = 4096;        ///< ours need a hundred

@@ -14,9 +14,6 @@ namespace {
 
 constexpr char kTlsFirstByte = '\x16';  ///< of a client that speaks TLS
 
-constexpr const char* kFull = "the server is full";
-constexpr const char* kFullAddress = "too many clients from this address";
-
 using Why = CloseConnection::Why;
 
 }  // namespace
@@ -48,6 +45,7 @@ struct ServerSession::State {
   };
 
   const ServerCatalogue* catalogue = nullptr;
+  TokenCount token_count;
   ServedStream stream;
   ClientPacketDecoder decoder;
   Phase phase = Phase::Grace;
@@ -123,13 +121,9 @@ void ServerSession::State::begin_call(Instant at) {
 }
 
 void ServerSession::State::send(std::string_view bytes) {
-  if (!events.empty()) {
-    if (auto* last = std::get_if<SendBytes>(&events.back())) {
-      last->bytes += bytes;
-      return;
-    }
-  }
-  events.emplace_back(SendBytes{std::string(bytes)});
+  auto* last = events.empty() ? nullptr : std::get_if<SendBytes>(&events.back());
+  if (last == nullptr) last = &std::get<SendBytes>(events.emplace_back(SendBytes{}));
+  last->bytes += bytes;
 }
 
 void ServerSession::State::close(Why why, std::string reason) {
@@ -225,15 +219,20 @@ std::uint64_t ServerSession::State::begin_at(std::uint64_t from_ms) {
   return begin;
 }
 
-/// Whether the token opens this server; refuses if not.
+/// Whether the token opens this server; refuses if not, and makes who guesses wait.
 bool ServerSession::State::permitted(std::string_view token) {
-  if (catalogue->token.empty() || same_secret(token, catalogue->token)) return true;
+  if (catalogue->token.empty()) return true;
   if (token.empty()) {
     refuse(401, "a token is needed here (--token-file)");
+  } else if (!token_count.may_try(now)) {
+    // Whether this one is right must not show.
+    refuse(503, "too many wrong tokens from this address");
+  } else if (same_secret(token, catalogue->token)) {
+    return true;
   } else {
-    // Who guesses is made to wait; nobody else is.
     phase = Phase::WrongToken;
     deadline = now + kWrongTokenTime;
+    token_count.add_wrong(now);
   }
   return false;
 }
@@ -466,13 +465,14 @@ void ServerSession::State::settle_peer_end() {
 }
 
 ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
-                             Admission admission)
+                             Admission admission, TokenCount token_count)
     : state_(std::make_unique<State>()) {
   AUCAST_CHECK(!catalogue.streams.empty());
   state_->catalogue = &catalogue;
+  state_->token_count = token_count;
   state_->stream = catalogue.streams.front();
-  if (admission == Admission::Full) state_->no_room = kFull;
-  if (admission == Admission::FullAddress) state_->no_room = kFullAddress;
+  if (admission == Admission::Full) state_->no_room = "the server is full";
+  if (admission == Admission::FullAddress) state_->no_room = "too many clients from this address";
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
   // Where a token is needed nobody is served without a hello, so it may take its time.
   state_->deadline =

@@ -13,6 +13,7 @@
 #include "protocol/encoded_stream.h"
 #include "protocol/live_channel.h"
 #include "protocol/packet.h"
+#include "protocol/wrong_tokens.h"
 
 namespace aucast::protocol {
 
@@ -80,7 +81,7 @@ class ServerSession {
  public:
   /// `round_trip`: measured on the connection, zero if unknown; sets the grace for a first byte.
   ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
-                Admission admission = Admission::Welcome);
+                Admission admission = Admission::Welcome, TokenCount token_count = {});
   ~ServerSession();
   ServerSession(ServerSession&&) noexcept;
   ServerSession& operator=(ServerSession&&) noexcept;

@@ -166,6 +166,7 @@ TEST(ProtocolDocument, LimitsAreThoseOfTheHeader) {
       {"kAcceptsInARow", kAcceptsInARow},
       {"kAcceptPause", kAcceptPause.count()},
       {"kRefusalsMax", kRefusalsMax},
+      {"kWrongTokensMax", kWrongTokensMax},
       {"kClientLogLinesPerSecond", kClientLogLinesPerSecond},
       {"kHttpConnectionsMax", kHttpConnectionsMax},
       {"kHttpHeadBytesMax", kHttpHeadBytesMax},

@@ -430,6 +430,27 @@ TEST_F(Server, AWrongTokenIsRefusedOnlyAfterASecond) {
   EXPECT_TRUE(get("{hello}").starts_with("send {error 401 ")) << "no token is no guess";
 }
 
+TEST_F(Server, AnAddressHasSoManyWrongTokensASecondWhetherOrNotItStays) {
+  catalogue_.token = "word";
+  WrongTokens wrong;
+  const auto said = [&](std::uint64_t address, std::string_view hello) {
+    session_.emplace(catalogue_, 0ms, now_, Admission::Welcome, TokenCount{&wrong, address});
+    return get(hello).substr(0, 15);
+  };
+  for (std::size_t i = 0; i < kWrongTokensMax; ++i) {
+    EXPECT_EQ(said(1, "{hello token=wore}"), "");
+    static_cast<void>(session_->on_lost(now_));
+  }
+  EXPECT_EQ(said(1, "{hello token=wore}"), "send {error 503");
+  EXPECT_EQ(said(1, "{streams token=word}"), "send {error 503") << "which was right must not show";
+  EXPECT_EQ(said(1, "{hello}"), "send {error 401") << "no token is no guess";
+  EXPECT_EQ(said(2, "{hello token=word}"), "send {hello v=2") << "others do not wait";
+  now_ += kWrongTokenTime - 1ms;
+  EXPECT_EQ(said(1, "{hello token=word}"), "send {error 503");
+  now_ += 1ms;
+  EXPECT_EQ(said(1, "{hello token=word}"), "send {hello v=2");
+}
+
 TEST_F(Server, TellsAFullAddressFromAFullServer) {
   session_.emplace(catalogue_, 0ms, now_, Admission::FullAddress);
   EXPECT_TRUE(

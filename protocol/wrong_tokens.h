@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+
+#include "common/time.h"
+
+namespace aucast::protocol {
+
+/// The wrong tokens of the last kWrongTokenTime, by the address that they came from: after
+/// kWrongTokensMax of them no token from there is compared, not even the right one. Connections
+/// that were closed since count too, or guessing would be as fast as connecting.
+/// Thread: none of its own.
+class WrongTokens {
+ public:
+  /// `address`: any number that stands for it.
+  [[nodiscard]] bool may_try(std::uint64_t address, Instant now);
+  void add(std::uint64_t address, Instant now);
+
+ private:
+  struct Guess {
+    Instant until;  ///< it counts
+    std::uint64_t address;
+  };
+
+  std::deque<Guess> guesses_;  ///< the oldest first
+  std::map<std::uint64_t, std::size_t> of_address_;
+};
+
+/// The same for the address of one client.
+struct TokenCount {
+  WrongTokens* wrong = nullptr;  ///< outlives this; nullptr: nothing is counted
+  std::uint64_t address = 0;
+
+  [[nodiscard]] bool may_try(Instant now) const {
+    return wrong == nullptr || wrong->may_try(address, now);
+  }
+  void add_wrong(Instant now) const {
+    if (wrong != nullptr) wrong->add(address, now);
+  }
+};
+
+}  // namespace aucast::protocol
