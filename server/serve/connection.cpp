@@ -31,7 +31,8 @@ void Connection::start() {
 }
 
 void Connection::on_open() {
-  session_.emplace(*catalogue_, link_->round_trip(), link_->now(), settings_.admission);
+  session_.emplace(*catalogue_, link_->round_trip(), link_->now(), settings_.admission,
+                   settings_.token_count);
   go_on();
 }
 

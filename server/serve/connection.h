@@ -37,6 +37,7 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
     Milliseconds client_timeout{0};
     protocol::Admission admission = protocol::Admission::Welcome;
     Milliseconds batch{0};  ///< --batch: how long small writes wait for more; 0: they do not
+    protocol::TokenCount token_count;  ///< of wrong ones; outlives the connection
   };
 
   /// `on_closed` is called once, when the link is closed.

@@ -6,7 +6,7 @@
 
 #include "common/result.h"
 #include "protocol/server_session.h"
-#include "server/serve/reloader.h"
+#include "server/serve/reload.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/stats.h"
 
@@ -35,6 +35,6 @@ struct Ending {
 /// SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
 [[nodiscard]] Result<Ending> serve(const TransmitterOptions& options,
                                    protocol::ServerCatalogue catalogue, Stats& stats,
-                                   const OnReady& on_ready, Reloader::Load load);
+                                   const OnReady& on_ready, Reload::Load load);
 
 }  // namespace aucast::server

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -50,6 +51,7 @@ class FakeLink final : public link::Link {
   bool opens_at_once = true;  ///< else by open()
   void open() { user_->on_open(); }
   Duration round_trip_time{};
+  std::function<void()> on_write;  ///< called by write(), if set
 
   // === The user's side.
 
@@ -61,6 +63,7 @@ class FakeLink final : public link::Link {
     if (finished_ || closed_) return;
     waiting_ += bytes;
     move_on();
+    if (on_write) on_write();
   }
   void finish() override { finished_ = true; }
   void close() override {

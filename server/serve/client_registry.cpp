@@ -1,0 +1,97 @@
+#include "server/serve/client_registry.h"
+
+#include <algorithm>
+
+#include "common/log.h"
+#include "protocol/limits.h"
+#include "server/serve/listener.h"
+
+namespace aucast::server {
+
+void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
+                             std::shared_ptr<const protocol::ServerCatalogue> catalogue,
+                             const OpenLink& open_link) {
+  const AddressKey address = address_key(peer.address());
+  const protocol::Admission admission = admission_of(address);
+  const bool refused = admission != protocol::Admission::Welcome;
+  if (refused && refused_ >= protocol::kRefusalsMax) {
+    ++unheard_;
+    spdlog::debug("a client too many was not even heard: {}", endpoint_text(peer));
+    return;
+  }
+  const std::uint64_t number = ++last_number_;
+  auto connection = std::make_shared<Connection>(
+      open_link(), std::move(catalogue),
+      Connection::Settings{number, endpoint_text(peer), &log_, options_.client_timeout, admission,
+                           options_.batch, protocol::TokenCount{&wrong_tokens_, address}},
+      [this](const ClientRecord& record) { farewell(record); });
+  if (refused) {
+    ++refused_;
+  } else {
+    of_address_.add(address);
+  }
+  clients_.emplace(number, Client{connection, refused, address});
+  connection->start();
+}
+
+protocol::Admission ClientRegistry::admission_of(AddressKey address) const {
+  const std::size_t inside = clients_.size() - refused_;
+  if (options_.max_clients != 0 && inside >= options_.max_clients) {
+    return protocol::Admission::Full;
+  }
+  const std::size_t most = options_.max_clients_per_address;
+  if (most != 0 && of_address_.count(address) >= most) return protocol::Admission::FullAddress;
+  return protocol::Admission::Welcome;
+}
+
+void ClientRegistry::farewell(const ClientRecord& record) {
+  stats_.add(record);
+  const auto client = clients_.find(record.number);
+  if (client->second.refused) {
+    --refused_;
+  } else {
+    of_address_.remove(client->second.address);
+  }
+  clients_.erase(client);
+  if (clients_.empty()) on_empty_();
+}
+
+/// A client may leave when it is told something; it takes nobody with it.
+void ClientRegistry::for_each(const std::function<void(Connection&)>& visit) {
+  for (auto next = clients_.begin(); next != clients_.end();) {
+    const std::shared_ptr<Connection> connection = (next++)->second.connection;
+    visit(*connection);
+  }
+}
+
+void ClientRegistry::on_moment() {
+  for_each([](Connection& connection) { connection.on_moment(); });
+}
+
+void ClientRegistry::stop() {
+  for_each([](Connection& connection) { connection.stop(); });
+}
+
+void ClientRegistry::abort() {
+  for_each([](Connection& connection) { connection.abort(); });
+}
+
+void ClientRegistry::describe(Status& status, Instant now) const {
+  status.clients = clients_.size();
+  status.connects = last_number_;
+  status.connects_unheard = unheard_;
+  status.disconnects = stats_.end_reasons();
+  status.sent = stats_.totals();
+  for (const auto& [number, client] : clients_) {
+    const Connection& connection = *client.connection;
+    status.sent.add(connection.so_far());
+    if (connection.paused()) ++status.clients_paused;
+    if (const auto since = connection.unsent_since()) {
+      ++status.clients_behind;
+      status.queue_seconds = std::max(status.queue_seconds, seconds(now - *since));
+    }
+    status.queue_bytes += connection.output_bytes();
+  }
+}
+
+}  // namespace aucast::server

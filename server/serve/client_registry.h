@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <asio/ip/tcp.hpp>
+
+#include "common/link/link.h"
+#include "protocol/server_session.h"
+#include "protocol/wrong_tokens.h"
+#include "server/serve/address_counts.h"
+#include "server/serve/client_log.h"
+#include "server/serve/connection.h"
+#include "server/settings/transmitter_options.h"
+#include "server/status/stats.h"
+#include "server/status/status.h"
+
+namespace aucast::server {
+
+/// Who is connected, from accept to close, those among them that are only heard to be refused; who
+/// may come in, and what they all were sent. Thread: that of the links.
+class ClientRegistry {
+ public:
+  using OpenLink = std::function<std::shared_ptr<link::Link>()>;
+  using OnEmpty = std::function<void()>;
+
+  /// Of the options the limits and times of clients count. `options` and `stats`, which gets the
+  /// record of each client that leaves, outlive it. `on_empty`: the last one has left.
+  ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty)
+      : options_(options), stats_(stats), on_empty_(std::move(on_empty)) {}
+  ClientRegistry(const ClientRegistry&) = delete;
+  ClientRegistry& operator=(const ClientRegistry&) = delete;
+
+  /// Somebody knocks. While as many as possible are being refused the link is not even opened.
+  void welcome(const asio::ip::tcp::endpoint& peer,
+               std::shared_ptr<const protocol::ServerCatalogue> catalogue,
+               const OpenLink& open_link);
+
+  /// A live stream has moved on.
+  void on_moment();
+  /// {-2} to everybody.
+  void stop();
+  /// Closes all connections now.
+  void abort();
+
+  [[nodiscard]] std::size_t size() const { return clients_.size(); }
+  [[nodiscard]] bool empty() const { return clients_.empty(); }
+  /// Fills in all that `status` says of clients.
+  void describe(Status& status, Instant now) const;
+  /// How many lines about clients the log left out, if any.
+  void say_left_out() { log_.say_left_out(); }
+
+ private:
+  struct Client {
+    std::shared_ptr<Connection> connection;
+    bool refused = false;  ///< it is heard only to be told so
+    AddressKey address = 0;
+  };
+
+  [[nodiscard]] protocol::Admission admission_of(AddressKey address) const;
+  void farewell(const ClientRecord& record);
+  void for_each(const std::function<void(Connection&)>& visit);
+
+  const TransmitterOptions& options_;
+  Stats& stats_;
+  OnEmpty on_empty_;
+  ClientLog log_;
+  protocol::WrongTokens wrong_tokens_;
+  std::map<std::uint64_t, Client> clients_;  ///< by number
+  std::size_t refused_ = 0;                  ///< of those
+  AddressCounts of_address_;                 ///< of the others
+  std::uint64_t last_number_ = 0;
+  std::uint64_t unheard_ = 0;
+};
+
+}  // namespace aucast::server

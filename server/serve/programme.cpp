@@ -1,0 +1,203 @@
+#include "server/serve/programme.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <asio/post.hpp>
+
+#include "common/log.h"
+#include "protocol/limits.h"
+#include "server/streams/catalogue.h"
+
+namespace aucast::server {
+namespace {
+
+/// Of a live stream, what the system may hold back unsent for one client: some time's worth, but
+/// not so little that every packet has to wait for the one before.
+constexpr std::size_t kUnsentBytesLeast = 512;
+constexpr std::size_t kUnsentBytesMost = 65536;
+constexpr std::size_t kUnsentBytesOfSources = 2048;  ///< what they will send is not known
+
+int unsent_bytes_for(const protocol::ServerCatalogue& catalogue) {
+  const std::size_t bytes = bytes_in(catalogue, protocol::kLiveWindowTime / 2);
+  const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
+                                   [](const auto& stream) { return !stream.recorded; });
+  const std::size_t least = unknown ? kUnsentBytesOfSources : kUnsentBytesLeast;
+  return static_cast<int>(std::clamp(bytes, least, kUnsentBytesMost));
+}
+
+bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCatalogue& b) {
+  return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
+                    [](const auto& one, const auto& other) {
+                      return one.name == other.name && one.recorded == other.recorded &&
+                             one.live == other.live;
+                    });
+}
+
+}  // namespace
+
+Programme::Programme(asio::io_context& io, const TransmitterOptions& options,
+                     protocol::ServerCatalogue catalogue, Events events)
+    : io_(io),
+      options_(options),
+      events_(std::move(events)),
+      beat_(io, events_.on_moment),
+      catalogue_(std::make_shared<protocol::ServerCatalogue>(std::move(catalogue))),
+      unsent_bytes_max_(unsent_bytes_for(*catalogue_)) {}
+
+Result<void> Programme::open_sources() {
+  const auto conditioning = conditioning_of(options_.source.signal);
+  if (!conditioning) return conditioning.error();
+  for (const std::filesystem::path& path : options_.sources) {
+    if (!is_live(path, options_.live_source.follow)) continue;
+    if (auto opened = open(path, *conditioning); !opened) return opened;
+  }
+  return {};
+}
+
+Result<void> Programme::open(const std::filesystem::path& path,
+                             const sources::ConditioningSettings& conditioning) {
+  const sources::LiveOptions reader{options_.source.recording, options_.source.rate, conditioning,
+                                    options_.keyframe_ms};
+  auto source = std::make_unique<LiveSource>(
+      io_,
+      LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
+                        options_.live_source.timeout, options_.record, sources_.empty(),
+                        options_.max_kbits, [this](const auto& neutral) { on_neutral(neutral); }},
+      LiveSource::Events{[this] { on_moment_of_source(); },
+                         [this] {
+                           if (!stopped_) make_live(*catalogue_);
+                         }});
+  if (auto begun = source->start(); !begun) return begun;
+  sources_.push_back(std::move(source));
+  return {};
+}
+
+void Programme::on_neutral(const sources::MeasuredNeutral& neutral) {
+  const SignalOptions& signal = options_.source.signal;
+  if (signal.save_profile.empty()) return;
+  if (const auto saved = save_profile(signal, neutral); !saved) {
+    spdlog::error("{}", saved.error().message);
+  } else {
+    spdlog::info("the profile was written to {}", signal.save_profile.string());
+  }
+}
+
+void Programme::on_moment_of_source() {
+  events_.on_moment();
+  // Not now: it is a source that calls.
+  if (over()) asio::post(io_, events_.on_over);
+}
+
+/// Gives each stream that is to be live its channel: of a source its feed, of a recording, with
+/// --live, one that plays it. A source's faces have streams too, but for names that are taken.
+void Programme::make_live(protocol::ServerCatalogue& catalogue) {
+  for (protocol::ServedStream& stream : catalogue.streams) {
+    if (stream.recorded && options_.live) {
+      stream.live = beat_.play(stream.name, std::exchange(stream.recorded, nullptr), options_.loop);
+    }
+  }
+  for (protocol::ServedStream& of_source : streams_of_sources()) {
+    const auto same =
+        std::find_if(catalogue.streams.begin(), catalogue.streams.end(),
+                     [&of_source](const auto& stream) { return stream.name == of_source.name; });
+    if (same == catalogue.streams.end()) {
+      catalogue.streams.push_back(std::move(of_source));
+    } else if (!same->recorded && !same->live) {
+      same->live = std::move(of_source.live);
+    }
+  }
+  std::erase_if(catalogue.streams, [](const protocol::ServedStream& stream) {
+    const bool nothing = !stream.recorded && !stream.live;
+    if (nothing) {
+      spdlog::error("{}: it is written live now and was not at the start; restart to serve it",
+                    stream.name);
+    }
+    return nothing;
+  });
+}
+
+std::vector<protocol::ServedStream> Programme::streams_of_sources() const {
+  std::vector<protocol::ServedStream> all;
+  for (const auto& source : sources_) {
+    for (protocol::ServedStream& stream : source->streams()) all.push_back(std::move(stream));
+  }
+  return all;
+}
+
+/// Asked at every keyframe: while a source lasts, no list of streams is made.
+bool Programme::over() const {
+  if (!std::all_of(sources_.begin(), sources_.end(),
+                   [](const auto& source) { return source->over(); })) {
+    return false;
+  }
+  const auto of_sources = streams_of_sources();
+  const auto& served = catalogue_->streams;
+  return std::all_of(served.begin(), served.end(), [&of_sources](const auto& stream) {
+    return std::any_of(of_sources.begin(), of_sources.end(),
+                       [&stream](const auto& other) { return other.live == stream.live; });
+  });
+}
+
+void Programme::stop() {
+  stopped_ = true;
+  for (const auto& source : sources_) source->stop();
+  beat_.stop();
+}
+
+bool Programme::take_over(protocol::ServerCatalogue loaded) {
+  const int unsent_bytes_max = unsent_bytes_for(loaded);
+  make_live(loaded);
+  if (loaded.streams.empty()) return false;
+  share_recorded(loaded);
+  if (same_streams(loaded, *catalogue_)) {
+    spdlog::info("the sources hold what they held");
+    return false;
+  }
+  loaded.token = catalogue_->token;
+  catalogue_ = std::make_shared<protocol::ServerCatalogue>(std::move(loaded));
+  unsent_bytes_max_ = unsent_bytes_max;
+  return true;
+}
+
+/// What a stream held before is held once.
+void Programme::share_recorded(protocol::ServerCatalogue& catalogue) const {
+  for (protocol::ServedStream& stream : catalogue.streams) {
+    for (const protocol::ServedStream& before : catalogue_->streams) {
+      const bool same = stream.recorded && before.recorded && stream.name == before.name &&
+                        *stream.recorded == *before.recorded;
+      if (same) stream.recorded = before.recorded;
+    }
+  }
+}
+
+void Programme::condition_sources_anew() {
+  if (options_.source.signal.profile.empty() || sources_.empty()) return;
+  const auto conditioning = conditioning_of(options_.source.signal);
+  if (!conditioning) {
+    spdlog::error("{}; the profile in use stays", conditioning.error().message);
+    return;
+  }
+  for (const auto& source : sources_) source->condition(*conditioning);
+  spdlog::info("the profile was read again");
+}
+
+void Programme::describe(Status& status) const {
+  status.live = any_live();
+  for (const auto& stream : catalogue_->streams) status.streams.push_back(stream.name);
+  status.lag_seconds = seconds(beat_.lag());
+}
+
+Result<void> Programme::finish() {
+  Result<void> finished;
+  for (const auto& source : sources_) {
+    if (auto recorded = source->finish_record(); !recorded) finished = recorded.error();
+    if (source->over() && source->nothing_came()) {
+      finished = Error{ErrorKind::BadData, source->streams().front().name +
+                                               ": the source ended before a keyframe came"};
+    }
+  }
+  return finished;
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <asio/io_context.hpp>
+
+#include "common/result.h"
+#include "common/sources/conditioning.h"
+#include "protocol/server_session.h"
+#include "server/live/live_beat.h"
+#include "server/live/live_source.h"
+#include "server/settings/transmitter_options.h"
+#include "server/status/status.h"
+
+namespace aucast::server {
+
+/// What is served: the streams as they were read last, and the sources that are still being
+/// written. Who is connected keeps the catalogue it came to, which lives as long as any of its
+/// clients. Thread: that of the io_context, which must outlive it together with the events'
+/// captures and the options.
+class Programme {
+ public:
+  struct Events {
+    std::function<void()> on_moment;  ///< a live stream has moved on
+    std::function<void()> on_over;    ///< nothing is served any more and nothing can come
+  };
+
+  Programme(asio::io_context& io, const TransmitterOptions& options,
+            protocol::ServerCatalogue catalogue, Events events);
+  Programme(const Programme&) = delete;
+  Programme& operator=(const Programme&) = delete;
+
+  /// Opens the sources that are still being written.
+  [[nodiscard]] Result<void> open_sources();
+  /// The clocks of the live streams begin.
+  void begin() { make_live(*catalogue_); }
+  /// Nothing is live any more, and nothing that was read is taken over.
+  void stop();
+  [[nodiscard]] bool stopped() const { return stopped_; }
+
+  /// Serves these to who comes from now on, and says so if they are others than before; the live
+  /// sources stay the same. Whether they are others.
+  bool take_over(protocol::ServerCatalogue loaded);
+  void set_token(std::string token) { catalogue_->token = std::move(token); }
+  /// The profile of the signals may have changed: reads it for the live sources again.
+  void condition_sources_anew();
+  /// Tells of what is due, before something that takes time.
+  void catch_up() { beat_.catch_up(); }
+
+  [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> catalogue() const {
+    return catalogue_;
+  }
+  /// What the system may hold back unsent for a client; 0: as much as it likes.
+  [[nodiscard]] int unsent_bytes_max() const { return any_live() ? unsent_bytes_max_ : 0; }
+  /// Fills in all that `status` says of streams.
+  void describe(Status& status) const;
+  /// What went wrong with live sources without stopping anything. Waits until the records are
+  /// written.
+  [[nodiscard]] Result<void> finish();
+
+ private:
+  [[nodiscard]] bool any_live() const { return options_.live || !sources_.empty(); }
+  [[nodiscard]] Result<void> open(const std::filesystem::path& path,
+                                  const sources::ConditioningSettings& conditioning);
+  void on_neutral(const sources::MeasuredNeutral& neutral);
+  void on_moment_of_source();
+  void make_live(protocol::ServerCatalogue& catalogue);
+  [[nodiscard]] std::vector<protocol::ServedStream> streams_of_sources() const;
+  [[nodiscard]] bool over() const;
+  void share_recorded(protocol::ServerCatalogue& catalogue) const;
+
+  asio::io_context& io_;
+  const TransmitterOptions& options_;
+  Events events_;
+  std::vector<std::unique_ptr<LiveSource>> sources_;
+  LiveBeat beat_;
+  std::shared_ptr<protocol::ServerCatalogue> catalogue_;
+  int unsent_bytes_max_;  ///< of a live stream
+  bool stopped_ = false;
+};
+
+}  // namespace aucast::server

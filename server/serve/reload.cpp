@@ -1,0 +1,75 @@
+#include "server/serve/reload.h"
+
+#include <new>
+#include <sstream>
+#include <string>
+
+#include <asio/post.hpp>
+
+#include "common/log.h"
+
+namespace aucast::server {
+
+Reload::Reload(asio::io_context& io, const CredentialFiles& files, Programme& programme, Load load,
+               OnDone on_done)
+    : io_(io),
+      files_(files),
+      programme_(programme),
+      load_(std::move(load)),
+      on_done_(std::move(on_done)) {}
+
+Result<void> Reload::read_credentials() {
+  auto loaded = load_credentials(files_);
+  if (!loaded) return loaded.error();
+  tls_ = std::move(loaded->tls);
+  programme_.set_token(std::move(loaded->token));
+  return {};
+}
+
+void Reload::start() {
+  if (const auto read = read_credentials(); !read) {
+    ++failures_;
+    spdlog::error("{}; the certificates and token in use stay", read.error().message);
+  } else {
+    spdlog::info("certificates and token were read again");
+  }
+  programme_.condition_sources_anew();
+  if (running_) {
+    again_ = true;
+  } else {
+    read_sources();
+  }
+}
+
+void Reload::read_sources() {
+  running_ = true;
+  thread_ = std::jthread([this] {
+    // A failure to load is a Result; what else can be thrown is the lack of memory.
+    Result<protocol::ServerCatalogue> loaded = Error{ErrorKind::Failed, "not enough memory"};
+    try {
+      loaded = load_();
+    } catch (const std::bad_alloc&) {
+    }
+    asio::post(io_, [this, result = std::move(loaded)]() mutable { done(std::move(result)); });
+  });
+}
+
+void Reload::done(Result<protocol::ServerCatalogue> loaded) {
+  running_ = false;
+  if (!programme_.stopped()) on_done_(take_over(std::move(loaded)));
+  if (std::exchange(again_, false)) read_sources();
+}
+
+bool Reload::take_over(Result<protocol::ServerCatalogue> loaded) {
+  if (loaded) {
+    ++successes_;
+    return programme_.take_over(std::move(*loaded));
+  }
+  ++failures_;
+  std::istringstream lines(loaded.error().message);
+  for (std::string line; std::getline(lines, line);) spdlog::error("{}", line);
+  spdlog::error("the sources were not taken over; what was served before is served on");
+  return false;
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include <asio/io_context.hpp>
+
+#include "common/result.h"
+#include "common/tls/context.h"
+#include "protocol/server_session.h"
+#include "server/serve/credentials.h"
+#include "server/serve/programme.h"
+
+namespace aucast::server {
+
+/// What SIGHUP reads again: certificates, token and profile at once, the sources on a thread of
+/// their own, so that nobody who is being served waits for a disk. What cannot be read changes
+/// nothing. Thread: that of the io_context, where `on_done` is called too; the load function runs
+/// on the other one and must not touch what the first one uses.
+class Reload {
+ public:
+  using Load = std::function<Result<protocol::ServerCatalogue>()>;
+  /// `changed`: who comes now gets other streams.
+  using OnDone = std::function<void(bool changed)>;
+
+  /// `io`, `files` and `programme` must outlive it. Waits in its destructor for a load that is
+  /// under way: an owner that must not wait keeps it, and all that the load uses, until the process
+  /// ends.
+  Reload(asio::io_context& io, const CredentialFiles& files, Programme& programme, Load load,
+         OnDone on_done);
+  Reload(const Reload&) = delete;
+  Reload& operator=(const Reload&) = delete;
+
+  /// Certificates and token; at the start too.
+  [[nodiscard]] Result<void> read_credentials();
+  /// All, now; the sources once more afterwards if they are being read already.
+  void start();
+
+  /// The certificates in use; nothing: plain connections.
+  [[nodiscard]] const std::optional<tls::Context>& tls() const { return tls_; }
+  /// Sources are being read.
+  [[nodiscard]] bool running() const { return running_; }
+  [[nodiscard]] std::uint64_t successes() const { return successes_; }
+  [[nodiscard]] std::uint64_t failures() const { return failures_; }
+
+ private:
+  void read_sources();
+  void done(Result<protocol::ServerCatalogue> loaded);
+  [[nodiscard]] bool take_over(Result<protocol::ServerCatalogue> loaded);
+
+  asio::io_context& io_;
+  const CredentialFiles& files_;
+  Programme& programme_;
+  Load load_;
+  OnDone on_done_;
+  std::optional<tls::Context> tls_;
+  std::uint64_t successes_ = 0;
+  std::uint64_t failures_ = 0;
+  bool running_ = false;
+  bool again_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace aucast::server

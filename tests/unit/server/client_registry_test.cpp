@@ -1,0 +1,172 @@
+// Who may come in and who is told, without a socket: the test is all the peers and the clock.
+#include "server/serve/client_registry.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "protocol/limits.h"
+#include "protocol/live_replay.h"
+#include "tests/support/fake_link.h"
+
+namespace aucast::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::FakeLink;
+
+class ClientRegistryTest : public ::testing::Test {
+ protected:
+  ClientRegistryTest() {
+    protocol::EncodedStream stream;
+    stream.classic = stream.negotiated = {"{1}", "{2}", "{3}"};
+    stream.times.assign(3, protocol::KeyframeTime(100));
+    stream_ = std::make_shared<const protocol::EncodedStream>(std::move(stream));
+    catalogue_->streams = {{"talk", stream_, nullptr}};
+    spdlog::set_level(spdlog::level::off);
+  }
+  ~ClientRegistryTest() override { spdlog::set_level(level_before_); }
+
+  ClientRegistry& registry() {
+    if (!registry_) registry_.emplace(options_, stats_, [this] { ++times_empty_; });
+    return *registry_;
+  }
+  /// Somebody from there connects; nullptr: no link was opened for them.
+  std::shared_ptr<FakeLink> knock(const std::string& address = "10.0.0.1") {
+    std::shared_ptr<FakeLink> link;
+    registry().welcome({asio::ip::make_address(address), 50000}, catalogue_, [&link] {
+      link = std::make_shared<FakeLink>();
+      return link;
+    });
+    return link;
+  }
+  static std::string ask(FakeLink& link, std::string_view bytes) {
+    link.say(bytes);
+    return link.heard();
+  }
+  [[nodiscard]] Status status(Instant now = {}) {
+    Status status;
+    registry().describe(status, now);
+    return status;
+  }
+
+  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  TransmitterOptions options_;
+  Stats stats_;
+  std::shared_ptr<const protocol::EncodedStream> stream_;
+  std::shared_ptr<protocol::ServerCatalogue> catalogue_ =
+      std::make_shared<protocol::ServerCatalogue>();
+  int times_empty_ = 0;
+  std::optional<ClientRegistry> registry_;
+};
+
+TEST_F(ClientRegistryTest, SaysWhenTheLastHasLeft) {
+  const auto first = knock();
+  const auto second = knock();
+  EXPECT_EQ(registry().size(), 2U);
+  first->end({});
+  EXPECT_EQ(times_empty_, 0);
+  second->end({});
+  EXPECT_EQ(times_empty_, 1);
+  EXPECT_TRUE(registry().empty());
+  EXPECT_EQ(stats_.clients(), 2U);
+}
+
+TEST_F(ClientRegistryTest, WhoIsOneTooManyIsToldSoAndTakesNoPlace) {
+  options_.max_clients = 1;
+  const auto inside = knock();
+  const auto refused = knock();
+  EXPECT_TRUE(ask(*refused, "{hello v=2}").starts_with("{error 503 the server is full"));
+  inside->end({});
+  const auto next = knock();
+  EXPECT_TRUE(ask(*next, "{hello v=2}").starts_with("{hello ")) << "the refused one takes no place";
+}
+
+TEST_F(ClientRegistryTest, AnAddressHasItsPlacesBackWhenItsClientsLeave) {
+  options_.max_clients_per_address = 1;
+  const auto first = knock("10.0.0.1");
+  EXPECT_TRUE(ask(*knock("10.0.0.1"), "{hello v=2}").starts_with("{error 503 too many clients"));
+  EXPECT_TRUE(ask(*knock("10.0.0.2"), "{hello v=2}").starts_with("{hello "));
+  first->end({});
+  EXPECT_TRUE(ask(*knock("10.0.0.1"), "{hello v=2}").starts_with("{hello "));
+}
+
+TEST_F(ClientRegistryTest, OnlySoManyRefusalsAtATimeAreHeard) {
+  options_.max_clients = 1;
+  const auto inside = knock();
+  std::vector<std::shared_ptr<FakeLink>> refused;
+  for (std::size_t i = 0; i < protocol::kRefusalsMax; ++i) refused.push_back(knock());
+  EXPECT_NE(refused.back(), nullptr);
+  EXPECT_EQ(knock(), nullptr);
+  EXPECT_EQ(status().connects_unheard, 1U);
+  EXPECT_EQ(status().connects, 1U + protocol::kRefusalsMax);
+  refused.front()->end({});
+  EXPECT_NE(knock(), nullptr);
+}
+
+TEST_F(ClientRegistryTest, ParallelGuessesOfATokenAreAsManyAsOneAddressMayBeWrong) {
+  catalogue_->token = "word";
+  std::vector<std::shared_ptr<FakeLink>> guessing;
+  for (std::size_t i = 0; i < protocol::kWrongTokensMax; ++i) {
+    guessing.push_back(knock());
+    EXPECT_EQ(ask(*guessing.back(), "{hello token=wore}"), "");
+  }
+  guessing.front()->end({});
+  EXPECT_TRUE(ask(*knock(), "{hello token=word}").starts_with("{error 503 too many wrong tokens"));
+  EXPECT_TRUE(ask(*knock("10.0.0.2"), "{hello token=word}").starts_with("{hello "));
+}
+
+TEST_F(ClientRegistryTest, AMomentReachesEverybodyAlthoughSomeLeaveMeanwhile) {
+  auto live = std::make_shared<protocol::LiveReplay>(stream_, false, Instant{});
+  catalogue_->streams = {{"talk", nullptr, live}};
+  std::vector<std::shared_ptr<FakeLink>> links;
+  for (int i = 0; i < 3; ++i) {
+    links.push_back(knock());
+    EXPECT_TRUE(ask(*links.back(), "{hello v=2 window=0}").starts_with("{hello "));
+  }
+  links[1]->on_write = [&links] { links[1]->end({link::Ending::Why::Lost, "reset"}); };
+  live->advance(Instant{});
+  registry().on_moment();
+  EXPECT_EQ(links[0]->heard(), "{1}");
+  EXPECT_EQ(links[2]->heard(), "{1}");
+  EXPECT_EQ(registry().size(), 2U);
+}
+
+TEST_F(ClientRegistryTest, EverybodyIsStoppedAndWhoDoesNotGoIsClosed) {
+  const auto first = knock();
+  const auto second = knock();
+  ask(*first, "1");
+  registry().stop();
+  EXPECT_EQ(first->heard(), "{-2}");
+  EXPECT_EQ(second->heard(), "{-2}");
+  EXPECT_EQ(registry().size(), 2U) << "until their last words are in";
+  registry().abort();
+  EXPECT_TRUE(first->closed());
+  EXPECT_TRUE(second->closed());
+  EXPECT_EQ(times_empty_, 1);
+}
+
+TEST_F(ClientRegistryTest, TheStatusCountsWhoIsHereAndWhoWas) {
+  const auto gone = knock();
+  ask(*gone, "1");
+  gone->end({});
+  const auto paused = knock();
+  ask(*paused, "1-1");
+  const auto behind = knock();
+  behind->take(0);
+  ask(*behind, "1");
+  const Status now = status(behind->now() + 2s);
+  EXPECT_EQ(now.clients, 2U);
+  EXPECT_EQ(now.clients_paused, 1U);
+  EXPECT_EQ(now.clients_behind, 1U);
+  EXPECT_EQ(now.queue_seconds, 2.0);
+  EXPECT_EQ(now.queue_bytes, behind->unsent_bytes());
+  EXPECT_EQ(now.connects, 3U);
+  EXPECT_EQ(now.sent.clients, 3U);
+  EXPECT_EQ(now.disconnects.size(), 1U);
+}
+
+}  // namespace
+}  // namespace aucast::server
