@@ -100,7 +100,8 @@ std::vector<int> aus_of(const std::string& packets) {
   std::vector<int> aus;
   for (std::size_t at = packets.find('{'); at != std::string::npos;
        at = packets.find('{', at + 1)) {
-    const int au = std::atoi(packets.c_str() + at + 1);
+    const bool sided = at + 1 < packets.size() && packets[at + 1] == 'R';  // 30, 36 and 46
+    const int au = std::atoi(packets.c_str() + at + (sided ? 2 : 1));
     if (au > 0) aus.push_back(au);
   }
   return aus;
