@@ -120,21 +120,6 @@ def check_lines(path, lines):
             yield number, "a pure folder includes no socket, thread, OpenGL or log"
 
 
-def without_raw_strings(lines):
-    """The lines, with those inside of a raw string made empty."""
-    end = None
-    for line in lines:
-        if end is not None:
-            yield ""
-            if end in line:
-                end = None
-            continue
-        yield line
-        opens = RAW_STRING.search(line.split("//")[0])
-        if opens and f'){opens.group(1)}"' not in line[opens.end():]:
-            end = f'){opens.group(1)}"'
-
-
 def without_literals(lines):
     """The lines without directives and without what stands in comments, strings, raw strings."""
     raw_end = None

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
+#include <span>
 
 #include "common/command_line.h"
 #include "common/files.h"
@@ -77,8 +76,7 @@ void bind(CLI::App& app, Options& options) {
 }
 
 Result<std::string> read_text(const fs::path& file) {
-  if (file != "-") return read_file(file, std::size_t{16} << 20U);
-  return std::string(std::istreambuf_iterator<char>(std::cin), {});
+  return read_file(file, std::size_t{16} << 20U);
 }
 
 /// 16-bit WAV of mono samples, as bytes.
@@ -105,10 +103,25 @@ Result<Speech> speech_of(const Script& script, const Options& options) {
   if (!spoken || options.recording.empty()) return spoken;
   auto file = voice::SoundFile::open(options.recording);
   if (!file) return file.error();
-  const auto length = static_cast<std::size_t>(file->duration().count()) + 1000;
-  std::vector<float> samples(length * voice::kEncoderSamplesPerMs);
-  samples.resize(file->read(samples));
-  return carried_over(*spoken, std::move(samples), voice::kEncoderRate);
+  // What a file says of its length is not believed: it is read a minute at a time.
+  constexpr std::size_t kMinute = 60 * std::size_t{voice::kEncoderRate};
+  constexpr std::size_t kLongest = 12 * 60 * kMinute;
+  std::vector<float> samples;
+  for (std::size_t read = kMinute; read == kMinute && samples.size() < kLongest;) {
+    const std::size_t before = samples.size();
+    samples.resize(before + kMinute);
+    read = file->read(std::span(samples).subspan(before));
+    samples.resize(before + read);
+  }
+  Speech speech = carried_over(*spoken, std::move(samples), voice::kEncoderRate);
+  const Milliseconds said = spoken->length();
+  if (speech.length() < said / 4 || speech.length() > said * 4) {
+    return Error{ErrorKind::BadData,
+                 escaped(options.recording.string()) + ": lasts " +
+                     std::to_string(speech.length().count() / 1000) + " s, its text about " +
+                     std::to_string(said.count() / 1000) + " s: is it a reading of that text?"};
+  }
+  return speech;
 }
 
 Result<Expressions> expressions_of(const Options& options) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <ctime>
+#include <system_error>
 #include <utility>
 
 #include "common/log.h"
@@ -23,8 +24,15 @@ constexpr std::size_t kWaitingBytesMost = std::size_t{1} << 20U;
 Result<std::unique_ptr<Recorder>> Recorder::start(const std::filesystem::path& path) {
   auto file = RecordFile::create(path);
   if (!file) return file.error();
-  spdlog::info("recording to {}", path.string());
-  return std::make_unique<Recorder>(path, std::move(*file));
+  // Thrown when the system has no thread left.
+  try {
+    auto recorder = std::make_unique<Recorder>(path, std::move(*file));
+    spdlog::info("recording to {}", path.string());
+    return recorder;
+  } catch (const std::system_error& failure) {
+    return Error{ErrorKind::Failed,
+                 escaped(path.string()) + ": cannot be recorded: " + failure.code().message()};
+  }
 }
 
 Recorder::Recorder(std::filesystem::path path, RecordFile file)

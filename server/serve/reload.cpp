@@ -3,6 +3,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 #include <asio/post.hpp>
 
@@ -42,16 +43,25 @@ void Reload::start() {
 }
 
 void Reload::read_sources() {
-  running_ = true;
-  thread_ = std::jthread([this] {
-    // A failure to load is a Result; what else can be thrown is the lack of memory.
-    Result<protocol::ServerCatalogue> loaded = Error{ErrorKind::Failed, "not enough memory"};
-    try {
-      loaded = load_();
-    } catch (const std::bad_alloc&) {
-    }
-    asio::post(io_, [this, result = std::move(loaded)]() mutable { done(std::move(result)); });
-  });
+  // Thrown when the system has no thread left.
+  try {
+    thread_ = std::jthread([this] { load(); });
+    running_ = true;
+  } catch (const std::system_error& failure) {
+    ++failures_;
+    spdlog::error("the sources were not read again: {}", failure.code().message());
+    on_done_(false);
+  }
+}
+
+void Reload::load() {
+  // A failure to load is a Result; what else can be thrown is the lack of memory.
+  Result<protocol::ServerCatalogue> loaded = Error{ErrorKind::Failed, "not enough memory"};
+  try {
+    loaded = load_();
+  } catch (const std::bad_alloc&) {
+  }
+  asio::post(io_, [this, result = std::move(loaded)]() mutable { done(std::move(result)); });
 }
 
 void Reload::done(Result<protocol::ServerCatalogue> loaded) {

@@ -48,6 +48,7 @@ class Reload {
 
  private:
   void read_sources();
+  void load();  ///< on the thread of its own
   void done(Result<protocol::ServerCatalogue> loaded);
   [[nodiscard]] bool take_over(Result<protocol::ServerCatalogue> loaded);
 

@@ -94,8 +94,8 @@ class Loop {
 
  private:
   static int mark_of(const playback::TimedAus& keyframe) {
-    const auto& left = keyframe.aus.left;
-    return static_cast<int>(std::find(left.begin(), left.end(), 1.0F) - left.begin());
+    const auto& right = keyframe.aus.right;  // AUs without a side may be the right one's alone
+    return static_cast<int>(std::find(right.begin(), right.end(), 1.0F) - right.begin());
   }
   [[nodiscard]] bool over() const {
     const auto now = reader_.status();

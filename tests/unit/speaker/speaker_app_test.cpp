@@ -39,6 +39,15 @@ TEST(SpeakerApp, GivesARecordedVoiceAFace) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "again/talk.wav"));
 }
 
+TEST(SpeakerApp, ARecordingThatCannotBeTheTextIsRefused) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Hello.\n").string();
+  const std::string all = folder.write("long.txt", std::string(400, 'a') + " and so on.").string();
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_speaker({text, "-o", out}), 0);
+  EXPECT_EQ(run_speaker({all, "-o", out, "--voice", out + "/talk.wav"}), 3);
+}
+
 TEST(SpeakerApp, NeverWritesOverTheText) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Good morning.\n").string();
