@@ -116,7 +116,7 @@ void Connection::abort() {
 void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
   for (protocol::ServerEvent& event : events) {
     if (auto* bytes = std::get_if<protocol::SendBytes>(&event)) {
-      send(std::move(bytes->bytes));
+      send(bytes->bytes);
     } else if (std::holds_alternative<protocol::ShutdownSending>(event)) {
       finish_sending();
     } else if (const auto* end = std::get_if<protocol::CloseConnection>(&event)) {
@@ -140,7 +140,7 @@ void Connection::note_pace() {
                      seconds(*length));
 }
 
-void Connection::send(std::string bytes) {
+void Connection::send(std::string_view bytes) {
   if (!sending_since_ && session_->packets_sent() > 0) {
     sending_since_ = link_->now();
     note_pace();

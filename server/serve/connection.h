@@ -75,7 +75,7 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
 
   void carry_out(std::vector<protocol::ServerEvent> events);
   void note_pace();
-  void send(std::string bytes);
+  void send(std::string_view bytes);
   void flush();
   [[nodiscard]] bool gathers();
   void finish_sending();
