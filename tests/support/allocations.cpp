@@ -3,15 +3,15 @@
 #include <cstdlib>
 #include <new>
 
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer) || __has_feature(address_sanitizer)
+#define AUCAST_ALLOCATOR_OF_SANITIZER
+#endif
+#endif
+
 namespace {
 
 thread_local std::size_t count = 0;
-
-void* counted(void* memory) {
-  ++count;
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
 
 }  // namespace
 
@@ -22,6 +22,32 @@ std::size_t allocations() {
 }
 
 }  // namespace aucast::test
+
+#ifdef AUCAST_ALLOCATOR_OF_SANITIZER
+
+// Clang's sanitizers have an operator new of their own, which tells who asks.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*,
+                                                                           std::size_t),
+                                                         void (*freed)(const volatile void*));
+
+namespace {
+
+const int installed = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { ++count; }, [](const volatile void*) {});
+
+}  // namespace
+
+#else
+
+namespace {
+
+void* counted(void* memory) {
+  ++count;
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
 
 // The forms for arrays and without exceptions call these.
 void* operator new(std::size_t size) {
@@ -48,3 +74,5 @@ void operator delete(void* memory, std::align_val_t) noexcept {
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
 }
+
+#endif
