@@ -76,7 +76,8 @@ void bind(CLI::App& app, Options& options) {
 }
 
 Result<std::string> read_text(const fs::path& file) {
-  return read_file(file, std::size_t{16} << 20U);
+  constexpr std::size_t kTextBytesMax = std::size_t{16} << 20U;
+  return file == "-" ? read_standard_input(kTextBytesMax) : read_file(file, kTextBytesMax);
 }
 
 /// 16-bit WAV of mono samples, as bytes.
