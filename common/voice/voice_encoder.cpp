@@ -22,6 +22,16 @@ std::size_t samples_in(Milliseconds time) {
   return static_cast<std::size_t>(time.count()) * kEncoderSamplesPerMs;
 }
 
+/// Whether any block of a frame is loud enough to be heard.
+bool sounds(std::span<const float> samples) {
+  for (; !samples.empty(); samples = samples.subspan(kBlockSamples)) {
+    float energy = 0;
+    for (const float sample : samples.first(kBlockSamples)) energy += sample * sample;
+    if (energy > kSilenceRms * kSilenceRms * static_cast<float>(kBlockSamples)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void VoiceEncoder::Destroy::operator()(OpusEncoder* encoder) const {
@@ -59,7 +69,7 @@ void VoiceEncoder::add(std::span<const float> samples,
   skipped_ += skip;
   pending_.insert(pending_.end(), samples.begin() + static_cast<std::ptrdiff_t>(skip),
                   samples.end());
-  while (pending_.size() >= samples_in(frame_)) encode_frame(packets);
+  encode_frames(packets);
 }
 
 void VoiceEncoder::finish(std::vector<protocol::VoicePacket>& packets) {
@@ -68,7 +78,7 @@ void VoiceEncoder::finish(std::vector<protocol::VoicePacket>& packets) {
   if (rest == 0) return;
   const std::size_t frame = samples_in(frame_);
   pending_.resize((rest + frame - 1) / frame * frame, 0.0F);
-  while (!pending_.empty()) encode_frame(packets);
+  encode_frames(packets);
   skipped_ = 0;
 }
 
@@ -84,27 +94,28 @@ Milliseconds VoiceEncoder::end() const {
   return place_ + Milliseconds((pending_.size() + skipped_) / kEncoderSamplesPerMs);
 }
 
-bool VoiceEncoder::sounds() const {
-  for (std::size_t at = 0; at < samples_in(frame_); at += kBlockSamples) {
-    float energy = 0;
-    for (std::size_t i = at; i < at + kBlockSamples; ++i) energy += pending_[i] * pending_[i];
-    if (energy > kSilenceRms * kSilenceRms * static_cast<float>(kBlockSamples)) return true;
+/// All whole frames, taken off what is pending at once: frame by frame a long file would be moved
+/// as often as it has frames.
+void VoiceEncoder::encode_frames(std::vector<protocol::VoicePacket>& packets) {
+  const std::size_t frame = samples_in(frame_);
+  std::size_t done = 0;
+  for (; done + frame <= pending_.size(); done += frame) {
+    encode_frame(std::span(pending_).subspan(done, frame), packets);
   }
-  return false;
+  pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
-void VoiceEncoder::encode_frame(std::vector<protocol::VoicePacket>& packets) {
-  silent_ = sounds() ? Milliseconds{0} : std::min(silent_ + frame_, kHangover);
+void VoiceEncoder::encode_frame(std::span<const float> samples,
+                                std::vector<protocol::VoicePacket>& packets) {
+  silent_ = sounds(samples) ? Milliseconds{0} : std::min(silent_ + frame_, kHangover);
   if (silent_ < kHangover) {
     std::array<unsigned char, kPacketBytesMax> bytes{};
     const int length =
-        opus_encode_float(encoder_.get(), pending_.data(), static_cast<int>(samples_in(frame_)),
+        opus_encode_float(encoder_.get(), samples.data(), static_cast<int>(samples.size()),
                           bytes.data(), static_cast<opus_int32>(bytes.size()));
     AUCAST_CHECK(length > 0);
     packets.push_back({place_, std::string(bytes.begin(), bytes.begin() + length)});
   }
-  pending_.erase(pending_.begin(),
-                 pending_.begin() + static_cast<std::ptrdiff_t>(samples_in(frame_)));
   place_ += frame_;
 }
 

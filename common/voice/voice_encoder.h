@@ -49,8 +49,8 @@ class VoiceEncoder {
     void operator()(OpusEncoder* encoder) const;
   };
 
-  void encode_frame(std::vector<protocol::VoicePacket>& packets);
-  [[nodiscard]] bool sounds() const;
+  void encode_frames(std::vector<protocol::VoicePacket>& packets);
+  void encode_frame(std::span<const float> samples, std::vector<protocol::VoicePacket>& packets);
 
   std::unique_ptr<OpusEncoder, Destroy> encoder_;
   Milliseconds frame_;
