@@ -52,6 +52,7 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return value_; }
+  [[nodiscard]] int release() { return std::exchange(value_, -1); }
   /// Closes now and says whether that worked: some file systems report a full disk only here.
   [[nodiscard]] bool close() { return ::close(std::exchange(value_, -1)) == 0; }
 
@@ -81,7 +82,6 @@ ssize_t read_some(int descriptor, std::string& bytes) {
 
 Result<std::string> read_open(const Descriptor& file, const struct stat& status,
                               const fs::path& path, std::size_t bytes_max) {
-  if (const auto why = objection(status); !why.empty()) return unreadable(path, why);
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size > bytes_max) return unreadable(path, longer_than(bytes_max));
   std::string bytes;
@@ -102,6 +102,7 @@ Result<std::pair<Descriptor, struct stat>> open_to_read(const fs::path& path) {
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0) {
     return unreadable(path, system_reason(errno));
   }
+  if (const auto why = objection(status); !why.empty()) return unreadable(path, why);
   return std::pair{std::move(file), status};
 }
 
@@ -157,6 +158,12 @@ Result<std::string> read_file(const fs::path& path, std::size_t bytes_max) {
   const auto opened = open_to_read(path);
   if (!opened) return opened.error();
   return read_open(opened->first, opened->second, path, bytes_max);
+}
+
+Result<int> open_file(const fs::path& path) {
+  auto opened = open_to_read(path);
+  if (!opened) return opened.error();
+  return opened->first.release();
 }
 
 Result<SecretFile> read_secret_file(const fs::path& path, std::size_t bytes_max) {

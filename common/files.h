@@ -19,6 +19,10 @@ namespace aucast {
 [[nodiscard]] Result<std::string> read_standard_input(std::size_t bytes_max = std::size_t{256}
                                                                               << 20U);
 
+/// A descriptor of a regular file, for a library that reads by itself; the caller closes it. What
+/// read_file() refuses for its kind is Unreadable here too.
+[[nodiscard]] Result<int> open_file(const std::filesystem::path& path);
+
 /// A file that holds a secret.
 struct SecretFile {
   std::string bytes;

@@ -1,18 +1,14 @@
 #include "common/voice/sound_file.h"
 
-#include <fcntl.h>
 #include <samplerate.h>
 #include <sndfile.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <array>
-#include <cerrno>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "common/check.h"
+#include "common/files.h"
 #include "common/text.h"
 #include "common/voice/voice_encoder.h"
 
@@ -28,19 +24,6 @@ struct CloseFile {
 struct DeleteConverter {
   void operator()(SRC_STATE* state) const { src_delete(state); }
 };
-
-/// A descriptor of a regular file: a FIFO or a device could be waited for for ever.
-Result<int> open_regular(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  const auto unreadable = [&](const std::string& why) {
-    return Error{ErrorKind::Unreadable, escaped(path.string()) + ": cannot be read: " + why};
-  };
-  if (descriptor < 0) return unreadable(std::generic_category().message(errno));
-  struct stat about {};
-  if (::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode)) return descriptor;
-  ::close(descriptor);
-  return unreadable("it is no regular file");
-}
 
 }  // namespace
 
@@ -73,17 +56,17 @@ SoundFile::SoundFile(SoundFile&&) noexcept = default;
 SoundFile& SoundFile::operator=(SoundFile&&) noexcept = default;
 
 Result<SoundFile> SoundFile::open(const std::filesystem::path& path) {
-  const auto descriptor = open_regular(path);
+  const auto descriptor = open_file(path);
   if (!descriptor) return descriptor.error();
   auto state = std::make_unique<State>();
   state->file.reset(sf_open_fd(*descriptor, SFM_READ, &state->info, SF_TRUE));
   const SF_INFO& info = state->info;
   if (!state->file || info.channels < 1 || info.channels > kChannelsMax || info.frames < 1) {
     const std::string why = state->file ? "it has no samples" : std::string(sf_strerror(nullptr));
-    return Error{ErrorKind::BadData, escaped(path.string()) +
-                                         ": no sound that can be read (WAV, FLAC, Ogg Vorbis, Ogg "
-                                         "Opus, MP3): " +
-                                         why};
+    return Error{
+        ErrorKind::BadData,
+        at_place(path.string(),
+                 "no sound that can be read (WAV, FLAC, Ogg Vorbis, Ogg Opus, MP3): " + why)};
   }
   state->frames.resize(kFramesAtOnce * static_cast<std::size_t>(info.channels));
   int error = 0;
