@@ -5,9 +5,11 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "common/text.h"
 #include "common/toml_document.h"
+#include "common/toml_reader.h"
 #include "speaker/lips.h"
 
 namespace aucast::speaker {
@@ -126,25 +128,19 @@ std::optional<std::size_t> worst_between(const Curves& curves, std::size_t from,
 Result<Expressions> read_expressions(std::string_view bytes, std::string_view file) {
   const auto document = parse_toml(bytes, file);
   if (!document) return document.error();
-  const auto entry_of = [](const TomlValue& table, std::string_view key) -> const TomlValue* {
-    for (const TomlValue::Entry& entry : table.entries) {
-      if (entry.key == key) return &entry.value;
-    }
-    return nullptr;
-  };
+  Problems problems{std::string(file)};
+  TableReader reader(*document, problems);
   Expressions expressions;
-  const TomlValue* const list = entry_of(*document, "expression");
-  for (const TomlValue& item : list != nullptr ? list->items : std::vector<TomlValue>{}) {
-    const TomlValue* const name = entry_of(item, "name");
-    const TomlValue* const aus = entry_of(item, "aus");
-    if (name == nullptr || aus == nullptr) continue;
+  for (const TomlValue* table : reader.tables("expression")) {
+    TableReader entry(*table, problems);
+    if (!entry.has("aus")) continue;  // of muscles only, which a stream does not carry
     protocol::Keyframe keyframe;
-    if (const auto wrong = protocol::parse_stream_line(aus->text, keyframe)) {
-      return Error{ErrorKind::BadData,
-                   at_place(file, aus->place.line, aus->place.column, wrong->reason)};
+    if (const auto wrong = protocol::parse_stream_line(entry.text("aus"), keyframe)) {
+      entry.wrong("aus", wrong->reason);
     }
-    expressions.emplace(name->text, keyframe.terms);
+    expressions.emplace(entry.text("name"), std::move(keyframe.terms));
   }
+  if (auto good = problems.result(); !good) return good.error();
   return expressions;
 }
 

@@ -12,24 +12,11 @@ bool continues(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-/// Bytes of the character that begins with `lead`; 0 for a byte that cannot begin one.
-std::size_t length_of(char lead) {
-  const auto byte = static_cast<unsigned char>(lead);
-  if (byte < 0x80) return 1;
-  if (byte >= 0xC2 && byte < 0xE0) return 2;
-  if (byte >= 0xE0 && byte < 0xF0) return 3;
-  if (byte >= 0xF0 && byte < 0xF5) return 4;
-  return 0;
-}
-
 /// Where the first byte stands that is no UTF-8; npos: nowhere.
 std::size_t first_bad_byte(std::string_view bytes) {
   for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = length_of(bytes[at]);
-    if (length == 0 || at + length > bytes.size()) return at;
-    for (std::size_t i = 1; i < length; ++i) {
-      if (!continues(bytes[at + i])) return at;
-    }
+    const std::size_t length = utf8_length(bytes.substr(at));
+    if (length == 0) return at;
     at += length;
   }
   return std::string_view::npos;

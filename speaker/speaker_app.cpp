@@ -80,23 +80,22 @@ Result<std::string> read_text(const fs::path& file) {
   return file == "-" ? read_standard_input(kTextBytesMax) : read_file(file, kTextBytesMax);
 }
 
-/// 16-bit WAV of mono samples, as bytes.
+/// 16-bit WAV of mono samples, whole or not at all.
 Result<void> write_wav(const fs::path& path, const Speech& speech) {
+  const auto temporary = create_temporary_beside(path);
+  if (!temporary) return temporary.error();
   SF_INFO info{};
   info.samplerate = speech.rate;
   info.channels = 1;
   info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
-  SNDFILE* const file = sf_open(path.c_str(), SFM_WRITE, &info);
-  if (file == nullptr) {
-    return Error{ErrorKind::Failed,
-                 escaped(path.string()) + ": cannot be written: " + sf_strerror(nullptr)};
-  }
+  SNDFILE* const file = sf_open(temporary->c_str(), SFM_WRITE, &info);
   const auto count = static_cast<sf_count_t>(speech.samples.size());
-  const bool whole = sf_writef_float(file, speech.samples.data(), count) == count;
-  if (sf_close(file) != 0 || !whole) {
-    return Error{ErrorKind::Failed, escaped(path.string()) + ": could not be written whole"};
-  }
-  return {};
+  const bool whole =
+      file != nullptr && sf_writef_float(file, speech.samples.data(), count) == count;
+  if (sf_close(file) == 0 && whole) return replace_file(*temporary, path);
+  std::error_code ignored;
+  fs::remove(*temporary, ignored);
+  return Error{ErrorKind::Failed, at_place(path.string(), "cannot be written whole")};
 }
 
 Result<Speech> speech_of(const Script& script, const Options& options) {
@@ -117,10 +116,11 @@ Result<Speech> speech_of(const Script& script, const Options& options) {
   Speech speech = carried_over(*spoken, std::move(samples), voice::kEncoderRate);
   const Milliseconds said = spoken->length();
   if (speech.length() < said / 4 || speech.length() > said * 4) {
-    return Error{ErrorKind::BadData,
-                 escaped(options.recording.string()) + ": lasts " +
-                     std::to_string(speech.length().count() / 1000) + " s, its text about " +
-                     std::to_string(said.count() / 1000) + " s: is it a reading of that text?"};
+    return Error{
+        ErrorKind::BadData,
+        at_place(options.recording.string(),
+                 "lasts " + std::to_string(speech.length().count() / 1000) + " s, its text about " +
+                     std::to_string(said.count() / 1000) + " s: is it a reading of that text?")};
   }
   return speech;
 }
@@ -159,11 +159,11 @@ Result<void> run(const Options& options) {
   fs::create_directories(folder, error);
   if (error) {
     return Error{ErrorKind::Failed,
-                 escaped(folder.string()) + ": no folder can be made: " + error.message()};
+                 at_place(folder.string(), "no folder can be made: " + error.message())};
   }
   const fs::path stream_file = folder / (name + ".txt");
   if (options.text != "-" && fs::equivalent(stream_file, options.text, error)) {
-    return Error{ErrorKind::Usage, escaped(stream_file.string()) +
+    return Error{ErrorKind::Usage, printable(stream_file.string()) +
                                        " is the text itself; choose another folder with -o"};
   }
   const auto stream = perform(*speech, *script, *expressions, options.gestures);
@@ -178,9 +178,8 @@ Result<void> run(const Options& options) {
   if (options.recording.empty()) {
     if (auto written = write_wav(folder / (name + ".wav"), *speech); !written) return written;
   }
-  std::printf("%s: %.1f s, %s, %s\n", escaped(stream_file.string()).c_str(),
-              static_cast<double>(speech->length().count()) / 1000,
-              counted(stream.keyframes.size(), "keyframe").c_str(),
+  std::printf("%s: %.1f s, %s, %s\n", printable(stream_file.string()).c_str(),
+              seconds(speech->length()), counted(stream.keyframes.size(), "keyframe").c_str(),
               counted(captions.size(), "caption").c_str());
   return {};
 }
@@ -188,6 +187,7 @@ Result<void> run(const Options& options) {
 }  // namespace
 
 int run_speaker(std::vector<std::string> arguments) {
+  ignore_file_size_signal();
   CLI::App app{kDescription, "au-speaker"};
   Options options;
   bind(app, options);

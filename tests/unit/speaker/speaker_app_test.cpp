@@ -1,7 +1,9 @@
 #include "speaker/speaker_app.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <filesystem>
 
 #include "common/voice/sound_file.h"
@@ -46,6 +48,17 @@ TEST(SpeakerApp, ARecordingThatCannotBeTheTextIsRefused) {
   const std::string out = (folder.path() / "out").string();
   ASSERT_EQ(run_speaker({text, "-o", out}), 0);
   EXPECT_EQ(run_speaker({all, "-o", out, "--voice", out + "/talk.wav"}), 3);
+}
+
+TEST(SpeakerApp, ReadsStandardInput) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning.\n").string();
+  const int before = ::dup(STDIN_FILENO);
+  ASSERT_NE(std::freopen(text.c_str(), "r", stdin), nullptr);
+  EXPECT_EQ(run_speaker({"-", "-o", (folder.path() / "out").string()}), 0);
+  ::dup2(before, STDIN_FILENO);
+  ::close(before);
+  EXPECT_TRUE(protocol::parse_stream_file(folder.read("out/speech.txt"), "speech.txt"));
 }
 
 TEST(SpeakerApp, NeverWritesOverTheText) {
