@@ -7,9 +7,7 @@
 namespace aucast::protocol {
 
 void LiveChannel::limit_window(double mean_ms) {
-  // A moving average comes near its value and never quite there.
-  const double moments =
-      static_cast<double>(kLiveWindowTime.count()) / std::max(mean_ms, 1.0) + 0.001;
+  const double moments = static_cast<double>(kLiveWindowTime.count()) / std::max(mean_ms, 1.0);
   window_max_ = std::max(static_cast<std::size_t>(moments), std::size_t{2});
 }
 

@@ -21,7 +21,9 @@ void LiveFeed::add(const Keyframe& keyframe) {
   // The average of about the last ten.
   const double ms = keyframe.duration_ms.value_or(keyframe_ms_);
   usual_ms_ += (ms - usual_ms_) * 0.1;
-  limit_window(usual_ms_);
+  // It comes near its value and never quite there.
+  constexpr double kSlackMs = 0.001;
+  limit_window(usual_ms_ - kSlackMs);
 }
 
 }  // namespace aucast::protocol
