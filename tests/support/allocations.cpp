@@ -49,9 +49,15 @@ void* counted(void* memory) {
 
 }  // namespace
 
-// The forms for arrays and without exceptions call these.
+// The forms for arrays call these. GCC's sanitizer has a form without exceptions of its own, whose
+// memory must not reach the delete below: that form is replaced with the others.
 void* operator new(std::size_t size) {
   return counted(std::malloc(size > 0 ? size : 1));
+}
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++count;
+  return std::malloc(size > 0 ? size : 1);
 }
 
 void* operator new(std::size_t size, std::align_val_t alignment) {
@@ -64,6 +70,10 @@ void operator delete(void* memory) noexcept {
 }
 
 void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
   std::free(memory);
 }
 
