@@ -40,12 +40,12 @@ void Player::move() {
 }
 
 void Player::remake() {
-  if (!begun_) return;
-  if (const auto* seekable = playback_->seekable()) {
-    const playback::KeyframeBegun under_way = seekable->under_way();
-    pipeline_.begin_keyframe(*under_way.from, face_);
-    begin(under_way);
+  const auto* const seekable = begun_ ? playback_->seekable() : nullptr;
+  if (seekable != nullptr) {
+    begun_ = false;  // as after a jump: from the face before it
+    begin(seekable->under_way());
   } else {
+    // Before the first keyframe too: the rules that fired are those of the mapping before.
     pipeline_.remake();
   }
   move();

@@ -438,6 +438,19 @@ TEST_F(WindowSessionTest, ConnectReplacesWhatPlayedAndHoldsTheFace) {
   ASSERT_NE(last, nullptr);
 }
 
+TEST_F(WindowSessionTest, OtherRulesWhileConnectingLeaveNothingOfThoseBefore) {
+  open({frame({{51, Side::Both, 100}, {52, Side::Both, 40}})});  // a rule fires
+  go_on(Milliseconds(0));
+  ASSERT_FALSE(model().remote.aus.empty());
+  ask(gui::Connect{{"127.0.0.1", 1, 50, 20, 30, 0}});
+  gui::AnimationSettings settings = model().animation;
+  settings.rules = "none";
+  ask(gui::ChangeAnimation{settings});
+  EXPECT_EQ(model().animation.rules, "none");
+  EXPECT_TRUE(model().remote.aus.empty());
+  static_cast<void>(session_->finish(clock_.now()));
+}
+
 TEST_F(WindowSessionTest, FinishCompletesTheStatistics) {
   open({frame({{26, Side::Both, 100}}), frame({})});
   go_on(Milliseconds(0));
