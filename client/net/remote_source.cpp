@@ -89,7 +89,8 @@ class RemoteSource::Network {
   void dial_after(Milliseconds wait) {
     wait_.expires_after(wait);
     wait_.async_wait([this](const std::error_code& error) {
-      if (!error) dial();
+      // end() may come when this handler is queued already, and then no cancelling reaches it.
+      if (!error && work_.owns_work()) dial();
     });
   }
 
