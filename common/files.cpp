@@ -152,6 +152,12 @@ Result<Temporary> open_temporary_beside(const fs::path& path) {
   return unwritable(path, system_reason(errno));
 }
 
+/// The new file gets the mode of the one whose place it takes; where there was none, its own stays.
+bool keep_mode(int file, const fs::file_status& before) {
+  const auto mode = static_cast<mode_t>(before.permissions() & fs::perms::all);
+  return !fs::exists(before) || ::fchmod(file, mode) == 0;
+}
+
 }  // namespace
 
 Result<std::string> read_file(const fs::path& path, std::size_t bytes_max) {
@@ -197,10 +203,8 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view bytes)
   auto temporary = open_temporary_beside(path);
   if (!temporary) return temporary.error();
   const int file = temporary->file.get();
-  const auto mode = static_cast<mode_t>(status.permissions() & fs::perms::all);
-  const bool done = (!fs::exists(status) || ::fchmod(file, mode) == 0) && write_all(file, bytes) &&
-                    ::fsync(file) == 0 && temporary->file.close() &&
-                    ::rename(temporary->path.c_str(), path.c_str()) == 0;
+  const bool done = keep_mode(file, status) && write_all(file, bytes) && ::fsync(file) == 0 &&
+                    temporary->file.close() && ::rename(temporary->path.c_str(), path.c_str()) == 0;
   if (done) return {};
   const int error_number = errno;
   ::unlink(temporary->path.c_str());
@@ -234,8 +238,9 @@ Result<fs::path> create_temporary_beside(const fs::path& path) {
 
 Result<void> replace_file(const fs::path& temporary, const fs::path& path) {
   const Descriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-  const bool done =
-      file.get() >= 0 && ::fsync(file.get()) == 0 && ::rename(temporary.c_str(), path.c_str()) == 0;
+  std::error_code ignored;
+  const bool done = file.get() >= 0 && keep_mode(file.get(), fs::status(path, ignored)) &&
+                    ::fsync(file.get()) == 0 && ::rename(temporary.c_str(), path.c_str()) == 0;
   if (done) return {};
   const int error_number = errno;
   ::unlink(temporary.c_str());

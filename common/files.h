@@ -53,7 +53,8 @@ void ignore_file_size_signal();
 [[nodiscard]] Result<std::filesystem::path> create_temporary_beside(
     const std::filesystem::path& path);
 
-/// Syncs `temporary` and renames it to `path`. Removes it when that fails.
+/// Syncs `temporary` and renames it to `path`, whose mode it gets if there was such a file. Removes
+/// it when that fails.
 [[nodiscard]] Result<void> replace_file(const std::filesystem::path& temporary,
                                         const std::filesystem::path& path);
 

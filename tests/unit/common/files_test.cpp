@@ -127,6 +127,17 @@ TEST(WriteFileAtomically, KeepsTheModeOfTheFileThatWasThere) {
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST(ReplaceFile, KeepsTheModeOfTheFileThatWasThere) {
+  namespace fs = std::filesystem;
+  const test::TempFolder folder;
+  const auto file = folder.write("x.mp4", "old");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  const auto temporary = create_temporary_beside(file);
+  ASSERT_TRUE(temporary.has_value());
+  ASSERT_TRUE(replace_file(*temporary, file).has_value());
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
 TEST(WriteFileAtomically, NeverWaitsForTheReaderOfAFifo) {
   const test::TempFolder folder;
   const auto fifo = folder.path() / "fifo";
