@@ -59,7 +59,8 @@ LiveSources live_sources(const TransmitterOptions& options) {
 Result<std::vector<Source>> load(const TransmitterOptions& options) {
   std::vector<Error> skipped;
   auto sources = load_sources(options.sources, options.source,
-                              {options.keyframe_ms, options.classic_min, options.max_kbits},
+                              {options.keyframe_ms, options.classic_min, options.max_kbits,
+                               options.check && !options.estimate},
                               options.skip_bad ? &skipped : nullptr, live_sources(options));
   for (const Error& error : skipped) {
     std::istringstream lines(error.message);

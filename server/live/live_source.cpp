@@ -7,16 +7,13 @@
 
 #include "common/log.h"
 #include "common/sources/profile.h"
+#include "common/sources/source_reader.h"
 
 namespace aucast::server {
 namespace {
 
 /// A recording that is poured in waits in its pipe, not in our memory.
 constexpr std::size_t kQueueMost = 256;
-
-std::string file_name(const std::filesystem::path& path) {
-  return path == "-" ? "stdin" : path.string();
-}
 
 }  // namespace
 
@@ -60,7 +57,7 @@ LiveSource::Stream::Stream(std::string stream_name, const LiveSourceOptions& opt
                            const sources::LiveOptions& reading)
     : name(std::move(stream_name)),
       feed(std::make_shared<protocol::LiveFeed>(reading.keyframe_ms, options.classic_min)),
-      reader(file_name(options.path), reading, sources::load_arkit_table),
+      reader(sources::name_of(options.path), reading, sources::load_arkit_table),
       thinning(reading.keyframe_ms, options.max_kbits) {}
 
 LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, Events events)
@@ -157,7 +154,7 @@ void LiveSource::add_faces(std::string_view line) {
   for (const std::int64_t face : first.take_new_faces()) {
     if (streams_.size() > kFacesMost) {
       spdlog::warn("{}: face {} and what others come get no stream: there are {}",
-                   file_name(options_.path), face, kFacesMost);
+                   sources::name_of(options_.path), face, kFacesMost);
       return;
     }
     sources::LiveOptions reading = options_.reader;
@@ -172,7 +169,7 @@ void LiveSource::add_faces(std::string_view line) {
       not_recorded_ = recorded.error();
       spdlog::error("{}", not_recorded_->message);
     }
-    spdlog::info("{}: face {} is the stream {}", file_name(options_.path), face, name);
+    spdlog::info("{}: face {} is the stream {}", sources::name_of(options_.path), face, name);
     events_.on_face();
   }
 }
@@ -182,7 +179,7 @@ void LiveSource::on_caught_up() {
 }
 
 void LiveSource::on_anew(const std::string& why) {
-  spdlog::info("{}: {}; reading it anew", file_name(options_.path), why);
+  spdlog::info("{}: {}; reading it anew", sources::name_of(options_.path), why);
   for (const auto& stream : streams_) stream->reader.restart();
   catching_up_ = true;
 }
@@ -198,7 +195,7 @@ void LiveSource::say_neutral() {
     const auto neutral = stream->reader.take_neutral();
     if (!neutral) continue;
     const bool first = stream == streams_.front();
-    spdlog::info("{}: neutral face {}", first ? file_name(options_.path) : stream->name,
+    spdlog::info("{}: neutral face {}", first ? sources::name_of(options_.path) : stream->name,
                  sources::measured_text(*neutral));
     if (first && options_.on_neutral) options_.on_neutral(*neutral);
   }
@@ -280,7 +277,7 @@ void LiveSource::rest(Stream& stream, double moment) {
   const auto since = stream.reader.silent_since();
   if (!since) {
     if (!can_end || !nothing_came()) return;
-    spdlog::warn("{}: it ended before the first keyframe", file_name(options_.path));
+    spdlog::warn("{}: it ended before the first keyframe", sources::name_of(options_.path));
     end(stream);
     return;
   }
@@ -289,7 +286,7 @@ void LiveSource::rest(Stream& stream, double moment) {
   }
   if (!can_end || moment - *since < patience()) return;
   if (input_.ended()) {
-    spdlog::info("{}: it has ended, and so has the stream", file_name(options_.path));
+    spdlog::info("{}: it has ended, and so has the stream", sources::name_of(options_.path));
   } else {
     spdlog::warn("{}: nothing for {} s: the stream ends for the clients there (--source-timeout)",
                  stream.name, patience());

@@ -80,14 +80,12 @@ void Connection::on_closed(const link::Ending& ending) {
   if (ending.why == link::Ending::Why::Lost) {
     spdlog::debug("client {} {}: {}", record_.number, record_.peer, ending.reason);
   }
-  if (!end_noted_ && session_) carry_out(session_->on_lost(link_->now()));
-  if (!end_noted_) note_end("peer gone", "the connection was lost", true);
-  close();
+  lose();
 }
 
 void Connection::on_failure(const link::Ending& failure) {
-  note_end("tls failed", failure.reason, false);
   finish_sending();
+  note_end("tls failed", failure.reason, false);
 }
 
 void Connection::stop() {
@@ -108,9 +106,7 @@ void Connection::abort() {
                        "client {} {}: {} bytes were not taken in time", record_.number,
                        record_.peer, output_bytes());
   }
-  if (!end_noted_ && session_) carry_out(session_->on_lost(link_->now()));
-  if (!end_noted_) note_end("peer gone", "the connection was lost", true);
-  close();
+  lose();
 }
 
 void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
@@ -192,6 +188,13 @@ void Connection::note_end(std::string_view end_reason, std::string_view reason, 
                      record_.packets, record_.bytes, seconds(record_.send_time));
 }
 
+/// Nothing can be sent any more.
+void Connection::lose() {
+  if (!end_noted_ && session_) carry_out(session_->on_lost(link_->now()));
+  if (!end_noted_) note_end("peer gone", "the connection was lost", true);
+  close();
+}
+
 void Connection::close() {
   if (std::exchange(closed_, true)) return;
   finishing_ = true;
@@ -238,7 +241,7 @@ void Connection::go_on() {
 /// the output, which any byte that is taken does. A paused client owes nothing.
 std::optional<Instant> Connection::patience_ends() {
   if (settings_.client_timeout.count() == 0) return std::nullopt;
-  const bool owes = session_->awaiting_answer() && !session_->paused();
+  const bool owes = session_->awaiting_answer();
   if (!owes) owed_since_.reset();
   if (owes && !owed_since_) owed_since_ = link_->now();
   const auto stuck = session_->live() ? link_->stuck_since() : std::nullopt;

@@ -80,6 +80,7 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   [[nodiscard]] bool gathers();
   void finish_sending();
   void note_end(std::string_view end_reason, std::string_view reason, bool in_order);
+  void lose();
   void close();
   void go_on();
   [[nodiscard]] std::optional<Instant> patience_ends();

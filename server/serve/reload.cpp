@@ -66,7 +66,8 @@ void Reload::load() {
 
 void Reload::done(Result<protocol::ServerCatalogue> loaded) {
   running_ = false;
-  if (!programme_.stopped()) on_done_(take_over(std::move(loaded)));
+  if (programme_.stopped()) return;
+  on_done_(take_over(std::move(loaded)));
   if (std::exchange(again_, false)) read_sources();
 }
 

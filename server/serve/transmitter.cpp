@@ -90,7 +90,7 @@ class Transmitter {
     if (*passed) spdlog::info("the service manager passed the socket; --bind and --port are idle");
     if (!options_.http) return {};
     http_.emplace(io_, [this](const std::string& path) {
-      return routes_.answer(path, stopping_, std::chrono::steady_clock::now());
+      return routes_.answer(path, programme_.stopped(), std::chrono::steady_clock::now());
     });
     auto opened = http_->open(options_.http->address, options_.http->port);
     if (!opened) return opened;
@@ -146,7 +146,7 @@ class Transmitter {
   [[nodiscard]] Status status(Instant now) const {
     Status status;
     status.up_seconds = seconds(now - begin_);
-    status.stopping = stopping_;
+    status.stopping = programme_.stopped();
     status.accept_failures = listener_.failures();
     status.reloads = reload_.successes();
     status.reload_failures = reload_.failures();
@@ -186,12 +186,12 @@ class Transmitter {
   }
 
   void on_over() {
-    if (!stopping_) stop("all sources have ended");
+    if (!programme_.stopped()) stop("all sources have ended");
   }
 
   void on_end_signal(int number) {
     const char* name = name_of_signal(number);
-    if (stopping_) {
+    if (programme_.stopped()) {
       spdlog::info("{} again: ending at once", name);
       clients_.abort();
       return;
@@ -201,7 +201,6 @@ class Transmitter {
   }
 
   void stop(const char* why) {
-    stopping_ = true;
     spdlog::info("{}: ending the stream of {}", why, counted(clients_.size(), "client"));
     manager_.stopping();
     listener_.stop();
@@ -218,7 +217,7 @@ class Transmitter {
   }
 
   void on_empty() {
-    if (stopping_) end();
+    if (programme_.stopped()) end();
   }
 
   /// io_.run() returns, whatever is still waited for. To cancel all of it would not do: what has
@@ -246,7 +245,6 @@ class Transmitter {
   HttpRoutes routes_;
   std::optional<HttpServer> http_;
   Instant begin_{};
-  bool stopping_ = false;
 };
 
 }  // namespace

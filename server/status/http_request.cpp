@@ -7,6 +7,7 @@
 
 #include <asio/ip/address.hpp>
 
+#include "common/text_file.h"
 #include "protocol/limits.h"
 
 namespace aucast::server {
@@ -89,12 +90,6 @@ struct Field {
   std::string_view value;
 };
 
-std::string_view without_blanks(std::string_view text) {
-  while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
-  while (text.ends_with(' ') || text.ends_with('\t')) text.remove_suffix(1);
-  return text;
-}
-
 /// A header field; nothing when the line is none.
 std::optional<Field> field_of(std::string_view line) {
   const std::size_t colon = line.find(':');
@@ -105,7 +100,7 @@ std::optional<Field> field_of(std::string_view line) {
     return (code < 0x20 && c != '\t') || code == 0x7f;
   });
   if (!clean) return std::nullopt;
-  return Field{lower(line.substr(0, colon)), without_blanks(value)};
+  return Field{lower(line.substr(0, colon)), trimmed(value, " \t")};
 }
 
 }  // namespace

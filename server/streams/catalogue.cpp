@@ -49,7 +49,7 @@ struct Reading {
 Result<void> encode_file(std::string_view text, const EncodingOptions& options, Source& source) {
   protocol::StreamEncoder encoder(options.keyframe_ms, options.classic_min);
   const auto encode = [&](const protocol::Keyframe& keyframe) -> Result<void> {
-    source.summary.add(keyframe, options.keyframe_ms);
+    if (options.summarise) source.summary.add(keyframe, options.keyframe_ms);
     encoder.add(keyframe);
     // As much again is taken for a moment when the buffers grow.
     if (encoder.keyframes() % kLookEvery != 0) return {};
@@ -75,8 +75,10 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
   if (content.found) {
     sources::apply_dead_band(stream, reading.conditioning.profile.dead_band);
   }
-  for (const protocol::Keyframe& keyframe : stream.keyframes) {
-    source.summary.add(keyframe, options.keyframe_ms);
+  if (options.summarise) {
+    for (const protocol::Keyframe& keyframe : stream.keyframes) {
+      source.summary.add(keyframe, options.keyframe_ms);
+    }
   }
   if (options.max_kbits != 0) {
     stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, options.max_kbits);

@@ -38,6 +38,7 @@ struct EncodingOptions {
   std::uint32_t keyframe_ms = 250;  ///< time of an untimed keyframe
   int classic_min = 20;             ///< percent; weaker AUs are left out for classic clients
   std::uint32_t max_kbits = 0;      ///< a second, headers included; 0: no limit
+  bool summarise = true;            ///< fills in Source::summary, which only --check needs
 };
 
 /// Reads and encodes all files but those that are `live`, of a folder its .txt and .csv files by

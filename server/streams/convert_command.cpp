@@ -61,10 +61,10 @@ Result<void> validate(const ConvertOptions& options) {
 
 /// Reads a stream file that may have been cut off; what was left out is added to `said`.
 Result<sources::SourceContent> read_cut_off(const ConvertOptions& options, std::string& said) {
-  const auto text = read_file(options.in);
+  const auto text = sources::read_text(options.in);
   if (!text) return text.error();
   const auto mended = protocol::mend_stream_text(*text);
-  auto stream = protocol::parse_stream_file(mended.text, options.in.string());
+  auto stream = protocol::parse_stream_file(mended.text, sources::name_of(options.in));
   if (!stream) return stream.error();
   if (mended.lines_left_out > 0) {
     said += std::to_string(mended.lines_left_out) + " torn lines at the end left out; ";
