@@ -1,7 +1,7 @@
 #include "common/options.h"
 
 #include <algorithm>
-#include <cctype>
+#include <iterator>
 
 #include "common/command_line.h"
 

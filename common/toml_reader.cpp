@@ -39,13 +39,13 @@ Place TableReader::place_of(std::string_view key) const {
   return value == nullptr ? table_.place : value->place;
 }
 
-const TomlValue* TableReader::find(std::string_view key) {
+const TomlValue* TableReader::value_if(std::string_view key) {
   asked_.emplace_back(key);
   return table_.find(key);
 }
 
 const TomlValue* TableReader::needed(std::string_view key, TomlValue::Kind kind) {
-  const TomlValue* value = find(key);
+  const TomlValue* value = value_if(key);
   if (value == nullptr) {
     // A misspelt key says more than a missing one.
     for (const auto& entry : table_.entries) {
@@ -198,10 +198,6 @@ std::vector<const TomlValue*> TableReader::tables(std::string_view key) {
     result.push_back(&item);
   }
   return result;
-}
-
-const TomlValue* TableReader::value_if(std::string_view key) {
-  return find(key);
 }
 
 void TableReader::finish() {

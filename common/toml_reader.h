@@ -21,7 +21,6 @@ class TableReader {
   TableReader(const TomlValue& table, Problems& problems) : table_(table), problems_(problems) {}
 
   [[nodiscard]] bool has(std::string_view key) const;
-  [[nodiscard]] Place place() const { return table_.place; }
   [[nodiscard]] Place place_of(std::string_view key) const;
 
   // Required values.
@@ -58,7 +57,6 @@ class TableReader {
   void finish();
 
  private:
-  const TomlValue* find(std::string_view key);
   void unknown(const TomlValue::Entry& entry);
   const TomlValue* needed(std::string_view key, TomlValue::Kind kind);
   double checked_number(const TomlValue& value, std::string_view key, const Bounds& bounds);

@@ -106,10 +106,10 @@ EncodedKeyframe KeyframeEncoder::next(const Keyframe& keyframe) {
   EncodedKeyframe encoded;
   encoded.classic = classic_of(percents, classic_min_);
   encoded.full = closed(opened_full(percents), keyframe);
-  encoded.plain = encoded.full == classic_of(percents, 0);
+  encoded.plain = encoded.full.find_first_of(":LR;") == std::string::npos;
   // Where the next keyframe would come too late for being the full one, this one is.
   const bool due = !last_ || since_full_ms_ + time_ms > kFullEveryMs;
-  encoded.changes = due ? encoded.full : closed(opened_changes(*last_, percents), keyframe);
+  if (!due) encoded.changes = closed(opened_changes(*last_, percents), keyframe);
   if (due || encoded.changes.size() >= encoded.full.size()) {
     encoded.changes = encoded.full;
     since_full_ms_ = 0;

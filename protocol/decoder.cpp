@@ -95,8 +95,8 @@ std::optional<ByteFault> ServerPacketDecoder::accept(char byte) {
 }
 
 std::size_t ServerPacketDecoder::bytes_max() const {
-  const bool is_list = word_.text().starts_with('s');
-  return place_ == Place::Word && !is_list ? kHelloBytesMax : kPacketBytesMax;
+  const bool is_list_or_keyframe = place_ != Place::Word || word_.text().starts_with('s');
+  return is_list_or_keyframe ? kPacketBytesMax : kHelloBytesMax;
 }
 
 std::optional<ByteFault> ServerPacketDecoder::open(char byte) {

@@ -28,10 +28,10 @@ std::string_view content_of(std::string_view line) {
   return trimmed(line.substr(0, line.find('#')), kBlanks);
 }
 
-/// The tag that a refused line was probably meant to be.
-std::optional<std::string> mistyped_tag(std::string_view content) {
-  if (content.size() > kBeginTag.size() + 3) return std::nullopt;
-  return nearest(content, {std::string(kBeginTag), std::string(kEndTag)});
+/// What is said of the tag that a refused line was probably meant to be.
+std::string mistyped_tag(std::string_view content) {
+  if (content.size() > kBeginTag.size() + 3) return {};
+  return did_you_mean(content, {std::string(kBeginTag), std::string(kEndTag)});
 }
 
 class StreamFileParser {
@@ -135,9 +135,7 @@ void StreamFileParser::read_packet(std::string_view content, std::size_t shift) 
   packet_seen_ = true;
   Keyframe keyframe;
   if (const auto error = parse_stream_line(content, keyframe)) {
-    const auto tag = mistyped_tag(content);
-    refuse(shift + error->position,
-           tag ? error->reason + "; did you mean " + *tag + "?" : error->reason);
+    refuse(shift + error->position, error->reason + mistyped_tag(content));
     return;
   }
   if (keyframe.place_ms && *keyframe.place_ms < last_place_ms_) {

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "common/number_of.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
@@ -90,18 +91,6 @@ constexpr Key<StreamsAsked> kListKeys[] = {
     {.key = "token", .member = &StreamsAsked::token, .kind = Kind::Token},
 };
 
-/// A whole number of at most as many digits as the largest one of the protocol has.
-std::optional<std::uint64_t> number_of(std::string_view text) {
-  constexpr std::size_t kDigitsMax = 13;
-  if (text.empty() || text.size() > kDigitsMax) return std::nullopt;
-  std::uint64_t number = 0;
-  for (const char byte : text) {
-    if (!is_digit(byte)) return std::nullopt;
-    number = number * 10 + static_cast<std::uint64_t>(byte - '0');
-  }
-  return number;
-}
-
 bool fits(Kind kind, std::string_view text) {
   return kind == Kind::Name ? is_stream_name(text)
                             : is_field_value(text) && text.size() <= kTokenBytesMax;
@@ -118,7 +107,9 @@ bool read_value(const Key<Hello>& key, std::string_view text, Hello& hello) {
           if (!fits(key.kind, text)) return false;
           value = text;
         } else {
-          const auto number = number_of(text);
+          constexpr std::size_t kDigitsMax = 13;  // as the largest number of the protocol has
+          const auto number =
+              text.size() > kDigitsMax ? std::nullopt : number_of<std::uint64_t>(text);
           if (!number || *number < key.min || *number > key.max) return false;
           value = static_cast<Value>(*number);
         }

@@ -1,12 +1,12 @@
 #include "speaker/performance.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "common/number_of.h"
 #include "common/text.h"
 #include "common/toml_document.h"
 #include "common/toml_reader.h"
@@ -34,16 +34,12 @@ std::optional<std::vector<AuTerm>> meaning(const Cue& cue, const Expressions& ex
   if (auto terms = named(cue.name, expressions)) return terms;
   const std::size_t blank = cue.name.rfind(' ');
   if (blank == std::string::npos) return std::nullopt;
-  int percent = 0;
-  const char* const end = cue.name.data() + cue.name.size();
-  const auto read = std::from_chars(cue.name.data() + blank + 1, end, percent);
-  if (read.ec != std::errc{} || read.ptr != end || percent < 0 || percent > 100) {
-    return std::nullopt;
-  }
+  const auto percent = number_of<int>(std::string_view(cue.name).substr(blank + 1));
+  if (!percent || *percent < 0 || *percent > 100) return std::nullopt;
   auto terms = named(std::string_view(cue.name).substr(0, blank), expressions);
   if (terms) {
     for (AuTerm& term : *terms) {
-      term.percent = static_cast<std::uint8_t>(term.percent * percent / 100);
+      term.percent = static_cast<std::uint8_t>(term.percent * *percent / 100);
     }
   }
   return terms;

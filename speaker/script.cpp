@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "common/text.h"
+#include "common/text_file.h"
 
 namespace aucast::speaker {
 namespace {
@@ -28,12 +29,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
+constexpr std::string_view kBlanks = " \t\r";
 
 class Reader {
  public:
@@ -41,11 +37,11 @@ class Reader {
 
   [[nodiscard]] Result<void> take_line(std::string_view line) {
     ++line_;
-    const std::string_view content = trimmed(line);
+    const std::string_view content = trimmed(line, kBlanks);
     if (content.empty()) {
       end_paragraph();
     } else if (content.front() == '#') {
-      take_comment(trimmed(content.substr(1)));
+      take_comment(trimmed(content.substr(1), kBlanks));
     } else {
       return take_words(line);
     }
@@ -58,7 +54,7 @@ class Reader {
       return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & '\x80') != 0;
     });
     if (!speaks) {
-      return Error{ErrorKind::BadData, at_place(file_, 0, 0, "there are no words to speak")};
+      return Error{ErrorKind::BadData, at_place(file_, "there are no words to speak")};
     }
     return std::move(script_);
   }
@@ -67,7 +63,7 @@ class Reader {
   void take_comment(std::string_view comment) {
     constexpr std::string_view kTitle = "title:";
     if (lower(comment).starts_with(kTitle)) {
-      script_.title = trimmed(comment.substr(kTitle.size()));
+      script_.title = trimmed(comment.substr(kTitle.size()), kBlanks);
     }
   }
 
@@ -82,7 +78,7 @@ class Reader {
         return Error{ErrorKind::BadData,
                      at_place(file_, line_, column_, "a [ without its ] on the same line")};
       }
-      const std::string_view name = trimmed(line.substr(open + 1, close - open - 1));
+      const std::string_view name = trimmed(line.substr(open + 1, close - open - 1), kBlanks);
       script_.cues.push_back({lower(name), characters(script_.text), line_, column_});
       column_ += close - open + 1;
       line.remove_prefix(close + 1);
@@ -93,7 +89,7 @@ class Reader {
 
   void append(std::string_view words) {
     column_ += words.size();
-    script_.text += trimmed(words).empty() ? std::string_view{} : words;
+    script_.text += trimmed(words, kBlanks).empty() ? std::string_view{} : words;
     while (!script_.text.empty() && (script_.text.back() == '\r')) script_.text.pop_back();
   }
 

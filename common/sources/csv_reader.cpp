@@ -193,9 +193,9 @@ std::string_view CsvReader::text(std::optional<std::size_t> column) const {
 
 std::optional<double> CsvReader::number(std::optional<std::size_t> column) {
   const std::string_view cell = text(column);
-  if (means_no_data(cell)) return std::nullopt;
+  if (cell.empty()) return std::nullopt;
   const auto value = parse_number(cell, true);
-  if (!value)
+  if (!value && !means_no_data(cell))
     refuse(column, "'" + escaped(cell) + "' in " + escaped(columns_[*column]) + " is not a number");
   return value;
 }

@@ -163,7 +163,7 @@ std::optional<Error> RecordingReader::choose() {
 }
 
 Error RecordingReader::need(const std::string& reason) const {
-  return {ErrorKind::Usage, at_place(file_, 0, 0, reason)};
+  return {ErrorKind::Usage, at_place(file_, reason)};
 }
 
 void RecordingReader::prepare(std::int64_t face) {
