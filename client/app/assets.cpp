@@ -1,7 +1,6 @@
 #include "client/app/assets.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +9,7 @@
 
 #include "common/files.h"
 #include "common/log.h"
+#include "common/number_of.h"
 #include "common/text.h"
 #include "common/toml_reader.h"
 #include "protocol/codec.h"
@@ -128,14 +128,11 @@ Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& fi
   if (const TomlValue* table = reader.table_if("looks")) {
     TableReader texts(*table, problems);
     for (const TomlValue::Entry& entry : table->entries) {
-      const std::string& key = entry.key;
-      int number = -1;
-      const auto read = std::from_chars(key.data(), key.data() + key.size(), number);
-      if (read.ec != std::errc() || read.ptr != key.data() + key.size() || number < 0 ||
-          number > kAuNumberMax) {
-        problems.add(entry.place, "'" + escaped(key) + "' is not an AU number, 0 to 99");
+      const int number = number_of<int>(entry.key).value_or(-1);
+      if (number < 0 || number > kAuNumberMax) {
+        problems.add(entry.place, "'" + escaped(entry.key) + "' is not an AU number, 0 to 99");
       }
-      looks[number] = texts.text(key);
+      looks[number] = texts.text(entry.key);
     }
   } else {
     problems.add(document->place, "no [looks] in it");

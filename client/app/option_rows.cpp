@@ -404,20 +404,22 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
       page.examples = {"face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json",
                        "face-player play six_expressions.txt --headless --frames pictures"};
       break;
-    case Command::Play:
+    case Command::Play: {
       page.command = "play";
       page.usage = {"face-player play FILE [OPTIONS]",
                     "face-player play FILE --headless [OPTIONS]"};
       page.about = "Plays a stream file without a server.\n";
       // Receiving options are accepted so that both commands take the same.
+      const std::vector<OptionRow> receiving = receiving_rows(unused.playback);
       for (OptionRow& row : page.rows) {
-        if (find_row(receiving_rows(unused.playback), row.name) != nullptr) row.text = {};
+        if (find_row(receiving, row.name) != nullptr) row.text = {};
         if (row.name == "buffer") row.heading = {};
       }
       page.notes = kLayers;
       page.examples = {"face-player play talk.txt --headless --record talk.mp4",
                        "face-player play six_expressions.txt --speed 500"};
       break;
+    }
     case Command::Pose:
       page.command = "pose";
       page.usage = {"face-player pose [AUS] [OPTIONS]"};

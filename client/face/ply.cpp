@@ -141,10 +141,8 @@ class HeaderReader {
     const auto* const found =
         std::find(std::begin(kMaterialNames), std::end(kMaterialNames), words[3]);
     if (found == std::end(kMaterialNames)) {
-      std::string text = "unknown material '" + escaped(words[3]) + "'";
       const std::vector<std::string> known(std::begin(kMaterialNames), std::end(kMaterialNames));
-      if (const auto near = nearest(words[3], known)) text += "; did you mean " + *near + "?";
-      return text;
+      return "unknown material '" + escaped(words[3]) + "'" + did_you_mean(words[3], known);
     }
     for (const auto& [part_name, material] : header_.parts) {
       if (part_name == words[2]) return "part '" + escaped(words[2]) + "' is there twice";
@@ -259,7 +257,7 @@ class BodyReader {
 
  private:
   [[nodiscard]] Error bad(const std::string& text) const {
-    return {ErrorKind::BadData, at_place(file_, 0, 0, text)};
+    return {ErrorKind::BadData, at_place(file_, text)};
   }
 
   template <typename T>

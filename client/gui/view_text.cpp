@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -119,8 +118,10 @@ std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,
                            std::span<const face::RuleExplained> rules,
                            const face::AuRecordings& recordings) {
   std::vector<AuRow> rows;
-  const auto add = [&](AuRow row, int number) {
-    if (row.received_percent + row.shown_percent == 0) return;
+  // Asked at every tick of the window: of most AUs there is nothing to say, so no row is made.
+  const auto add = [&](int number, Side side, float before, float after) {
+    if (percent_of(before) + percent_of(after) == 0) return;
+    AuRow row = row_of(number, side, before, after, rules);
     if (row.shown_percent > 0 && !recordings.contains(number)) {
       row.shown_percent = 0;
       row.why = "this face has no AU " + std::to_string(number);
@@ -131,11 +132,11 @@ std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,
     const int number = static_cast<int>(i);
     const bool alike = received.left[i] == received.right[i] && shown.left[i] == shown.right[i];
     if (alike) {
-      add(row_of(number, Side::Both, received.left[i], shown.left[i], rules), number);
+      add(number, Side::Both, received.left[i], shown.left[i]);
       continue;
     }
-    add(row_of(number, Side::Left, received.left[i], shown.left[i], rules), number);
-    add(row_of(number, Side::Right, received.right[i], shown.right[i], rules), number);
+    add(number, Side::Left, received.left[i], shown.left[i]);
+    add(number, Side::Right, received.right[i], shown.right[i]);
   }
   return rows;
 }

@@ -15,7 +15,6 @@ class FileSource final : public KeyframeSource {
  public:
   explicit FileSource(std::vector<TimedAus> keyframes);
 
-  [[nodiscard]] const std::vector<TimedAus>& keyframes() const { return keyframes_; }
   [[nodiscard]] std::optional<TimedAus> take() override;
   [[nodiscard]] bool ready() const override;
   bool wait_until(Instant until) override;

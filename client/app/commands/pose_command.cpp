@@ -64,9 +64,9 @@ Result<void> set_channel(const face::Face& face, const std::string& name, float 
   if (!index) {
     std::vector<std::string> names;
     for (const face::Channel& channel : face.channels) names.push_back(channel.name);
-    std::string message = "--muscle: " + face.name + " has no '" + escaped(name) + "'";
-    if (const auto near = nearest(name, names)) message += "; did you mean " + *near + "?";
-    return Error{ErrorKind::Usage, message + " (face-player pose --list names them)"};
+    return Error{ErrorKind::Usage, "--muscle: " + face.name + " has no '" + escaped(name) + "'" +
+                                       did_you_mean(name, names) +
+                                       " (face-player pose --list names them)"};
   }
   const float largest = face.channels[*index].activation_max;
   if (value < 0 || value > largest) {

@@ -299,10 +299,9 @@ Result<void> GalleryPlanner::add_sweep(const std::string& word, GalleryBlock& bl
   if (!aus) {
     std::vector<std::string> names{"all"};
     for (const Expression& one : input_.expressions) names.push_back(one.name);
-    std::string message =
-        "--sweep '" + escaped(word) + "' is neither a set of AUs nor an expression";
-    if (const auto near = nearest(word, names)) message += "; did you mean " + *near + "?";
-    return Error{ErrorKind::Usage, message};
+    return Error{ErrorKind::Usage, "--sweep '" + escaped(word) +
+                                       "' is neither a set of AUs nor an expression" +
+                                       did_you_mean(word, names)};
   }
   add_sweep_frames(file_stem(*aus), "", {{}, *aus, {}}, block);
   return {};

@@ -1,6 +1,5 @@
 #include "client/app/window/composer_session.h"
 
-#include <cmath>
 #include <cstdio>
 #include <variant>
 

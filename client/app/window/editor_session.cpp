@@ -163,7 +163,7 @@ void EditorSession::list_aus() {
 }
 
 std::vector<float> EditorSession::activations(Instant now) const {
-  return transition_ ? transition_->at(now) : editor_.activations();
+  return transition_ && !transition_->over(now) ? transition_->at(now) : editor_.activations();
 }
 
 std::optional<Instant> EditorSession::next_frame_at(Instant now) const {

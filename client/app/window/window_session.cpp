@@ -149,13 +149,16 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
 
 void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant now) {
   if (composer_.apply(command, now)) show_edited(Shown::Composer, now);
-  const std::filesystem::path file = composer_.file();
-  if (std::holds_alternative<gui::PlayComposition>(command) && !composer_.keyframes().empty()) {
+  if (std::holds_alternative<gui::PlayComposition>(command)) {
+    auto keyframes = composer_.keyframes();
+    if (keyframes.empty()) return;
+    const std::filesystem::path file = composer_.file();
     const std::string name = file.empty() ? "composed stream" : file.filename().string();
-    playback_.open(composer_.keyframes(), name, now);
+    playback_.open(std::move(keyframes), name, now);
     shown_ = Shown::Playback;
   }
   if (std::holds_alternative<gui::SaveComposition>(command)) {
+    const std::filesystem::path file = composer_.file();
     if (file.empty()) return browser_.open(gui::Purpose::SaveStream, own_folder_, kComposedName);
     const auto saved = composer_.save(file);
     say(saved ? *saved : saved.error().message, !saved, now);
