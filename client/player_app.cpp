@@ -1,4 +1,4 @@
-#include "client/app/player_app.h"
+#include "client/player_app.h"
 
 #include <csignal>
 #include <cstdio>

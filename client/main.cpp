@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "client/app/player_app.h"
+#include "client/player_app.h"
 
 int main(int argc, char** argv) {
   try {
