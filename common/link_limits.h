@@ -28,4 +28,10 @@ struct Limits {
   Milliseconds unanswered_time{0};
 };
 
+/// How connections are accepted.
+struct AcceptLimits {
+  int in_a_row = 1;       ///< before the connections that are there have their turn
+  Milliseconds pause{0};  ///< before the next try when the system is out of descriptors
+};
+
 }  // namespace aucast::link

@@ -10,6 +10,8 @@ inline constexpr link::Limits kLinkLimits{
     kTlsHandshakeTimeMax, kDrainTimeMax,      kDrainBytesMax,   kOutputBytesMax,
     kKeepAliveIdle,       kKeepAliveInterval, kKeepAliveProbes, kUnansweredTimeMax};
 
+inline constexpr link::AcceptLimits kAcceptLimits{kAcceptsInARow, kAcceptPause};
+
 static_assert(link::kReadBytes == kReadBytesMax);
 
 }  // namespace aucast::protocol

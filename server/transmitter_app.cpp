@@ -21,15 +21,15 @@
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
-#include "server/live/live_source.h"
+#include "server/manual_page.h"
 #include "server/serve/transmitter.h"
-#include "server/settings/manual_page.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/stats.h"
 #include "server/streams/catalogue.h"
 #include "server/streams/check_report.h"
 #include "server/streams/convert_command.h"
 #include "server/streams/estimate.h"
+#include "server/streams/source_path.h"
 
 namespace aucast::server {
 namespace {

@@ -8,6 +8,7 @@
 #include "common/log.h"
 #include "common/sources/profile.h"
 #include "common/sources/source_reader.h"
+#include "server/streams/source_path.h"
 
 namespace aucast::server {
 namespace {
@@ -16,22 +17,6 @@ namespace {
 constexpr std::size_t kQueueMost = 256;
 
 }  // namespace
-
-std::string stream_name(const std::filesystem::path& path) {
-  return path == "-" ? "live" : path.stem().string();
-}
-
-std::string face_stream_name(const std::string& stem, std::int64_t face) {
-  return stem + "-" + std::to_string(face);
-}
-
-bool is_live(const std::filesystem::path& path, bool follow) {
-  if (path == "-") return true;
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::is_regular_file(status)) return follow;
-  return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status);
-}
 
 /// One stream of the source.
 struct LiveSource::Stream {

@@ -109,13 +109,4 @@ class LiveSource {
   bool stopped_ = false;
 };
 
-/// The name of the stream that a source is served as: the file's stem.
-[[nodiscard]] std::string stream_name(const std::filesystem::path& path);
-
-/// The name of one face's stream with --face-id all: STEM-FACE.
-[[nodiscard]] std::string face_stream_name(const std::string& stem, std::int64_t face);
-
-/// Whether a path is a live source: stdin, a FIFO or another stream; and files, with `follow`.
-[[nodiscard]] bool is_live(const std::filesystem::path& path, bool follow);
-
 }  // namespace aucast::server

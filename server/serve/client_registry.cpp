@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "common/link/listener.h"
 #include "common/log.h"
 #include "protocol/limits.h"
-#include "server/serve/listener.h"
 
 namespace aucast::server {
 
@@ -16,14 +16,15 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
   const bool refused = admission != protocol::Admission::Welcome;
   if (refused && refused_ >= protocol::kRefusalsMax) {
     ++unheard_;
-    spdlog::debug("a client too many was not even heard: {}", endpoint_text(peer));
+    spdlog::debug("a client too many was not even heard: {}", link::endpoint_text(peer));
     return;
   }
   const std::uint64_t number = ++last_number_;
   auto connection = std::make_shared<Connection>(
       open_link(), std::move(catalogue),
-      Connection::Settings{number, endpoint_text(peer), &log_, options_.client_timeout, admission,
-                           options_.batch, protocol::TokenCount{&wrong_tokens_, address}},
+      Connection::Settings{number, link::endpoint_text(peer), &log_, options_.client_timeout,
+                           admission, options_.batch,
+                           protocol::TokenCount{&wrong_tokens_, address}},
       [this](const ClientRecord& record) { farewell(record); });
   if (refused) {
     ++refused_;

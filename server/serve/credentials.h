@@ -1,20 +1,13 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "common/result.h"
 #include "common/tls/context.h"
+#include "server/settings/credential_files.h"
 
 namespace aucast::server {
-
-/// Where the secrets are: files that the operator may replace while the transmitter runs.
-struct CredentialFiles {
-  tls::Files tls;               ///< no certificate: plain connections
-  std::filesystem::path token;  ///< empty: none is needed
-  friend bool operator==(const CredentialFiles&, const CredentialFiles&) = default;
-};
 
 struct Credentials {
   std::optional<tls::Context> tls;  ///< nothing: plain connections

@@ -8,6 +8,7 @@
 #include "common/log.h"
 #include "protocol/limits.h"
 #include "server/streams/catalogue.h"
+#include "server/streams/source_path.h"
 
 namespace aucast::server {
 namespace {

@@ -12,6 +12,7 @@
 #include <asio/signal_set.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "common/link/listener.h"
 #include "common/link/tcp_link.h"
 #include "common/link/tls_link.h"
 #include "common/log.h"
@@ -19,7 +20,6 @@
 #include "protocol/codec.h"
 #include "protocol/link_limits.h"
 #include "server/serve/client_registry.h"
-#include "server/serve/listener.h"
 #include "server/serve/programme.h"
 #include "server/status/http_routes.h"
 #include "server/status/http_server.h"
@@ -48,7 +48,7 @@ class Transmitter {
         other_signals_(io_, SIGHUP, SIGUSR1),
         stop_timer_(io_),
         tick_timer_(io_),
-        listener_(io_),
+        listener_(io_, protocol::kAcceptLimits),
         clients_(options, stats, [this] { on_empty(); }),
         programme_(io_, options, std::move(catalogue),
                    {[this] { clients_.on_moment(); }, [this] { on_over(); }}),
@@ -60,7 +60,7 @@ class Transmitter {
     if (auto read = reload_.read_credentials(); !read) return read.error();
     if (auto opened = open_listeners(); !opened) return opened.error();
     if (auto opened = programme_.open_sources(); !opened) return opened.error();
-    const std::string address = endpoint_text(listener_.endpoint());
+    const std::string address = link::endpoint_text(listener_.endpoint());
     if (auto ready = on_ready(address); !ready) return ready.error();
     say_who_can_connect();
     begin_ = std::chrono::steady_clock::now();
@@ -94,7 +94,7 @@ class Transmitter {
     });
     auto opened = http_->open(options_.http->address, options_.http->port);
     if (!opened) return opened;
-    spdlog::info("status at http://{}/", endpoint_text(http_->endpoint()));
+    spdlog::info("status at http://{}/", link::endpoint_text(http_->endpoint()));
     if (!http_->endpoint().address().is_loopback()) {
       spdlog::warn("--http tells everybody who reaches that address how the transmitter is");
     }
@@ -238,7 +238,7 @@ class Transmitter {
   asio::steady_timer stop_timer_;
   asio::steady_timer tick_timer_;
   ServiceManager manager_;
-  Listener listener_;
+  link::Listener listener_;
   ClientRegistry clients_;
   Programme programme_;
   Reload reload_;
@@ -252,7 +252,7 @@ class Transmitter {
 Result<Ending> serve(const TransmitterOptions& options, protocol::ServerCatalogue catalogue,
                      Stats& stats, const OnReady& on_ready, Reload::Load load) {
   std::signal(SIGPIPE, SIG_IGN);
-  raise_descriptor_limit();
+  link::raise_descriptor_limit();
   auto transmitter =
       std::make_unique<Transmitter>(options, std::move(catalogue), stats, std::move(load));
   auto ending = transmitter->run(on_ready);

@@ -11,7 +11,7 @@
 #include "common/result.h"
 #include "common/time.h"
 #include "protocol/limits.h"
-#include "server/serve/credentials.h"
+#include "server/settings/credential_files.h"
 #include "server/settings/source_options.h"
 
 namespace aucast::server {

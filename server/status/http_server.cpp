@@ -67,7 +67,7 @@ class HttpServer::Exchange final : public link::LinkUser,
 };
 
 HttpServer::HttpServer(asio::io_context& io, Answer answer)
-    : listener_(io), answer_(std::move(answer)) {}
+    : listener_(io, protocol::kAcceptLimits), answer_(std::move(answer)) {}
 
 HttpServer::~HttpServer() = default;
 

@@ -9,8 +9,8 @@
 
 #include <asio/io_context.hpp>
 
+#include "common/link/listener.h"
 #include "common/result.h"
-#include "server/serve/listener.h"
 #include "server/status/http_request.h"
 
 namespace aucast::server {
@@ -38,7 +38,7 @@ class HttpServer {
 
   void welcome(asio::ip::tcp::socket socket);
 
-  Listener listener_;
+  link::Listener listener_;
   Answer answer_;
   std::string bound_;                                 ///< the address or name that we listen on
   std::vector<std::shared_ptr<Exchange>> exchanges_;  ///< in the order they came

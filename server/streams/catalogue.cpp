@@ -14,8 +14,8 @@
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/stream_file.h"
-#include "server/live/live_source.h"
 #include "server/streams/memory.h"
+#include "server/streams/source_path.h"
 #include "server/streams/thinning.h"
 
 namespace aucast::server {

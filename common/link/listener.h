@@ -8,9 +8,10 @@
 #include <asio/ip/tcp.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "common/link_limits.h"
 #include "common/result.h"
 
-namespace aucast::server {
+namespace aucast::link {
 
 /// A descriptor a client: takes as many as the system lets this process have.
 void raise_descriptor_limit();
@@ -31,7 +32,7 @@ class Listener {
  public:
   using OnSocket = std::function<void(asio::ip::tcp::socket, const asio::ip::tcp::endpoint& peer)>;
 
-  explicit Listener(asio::io_context& io);
+  Listener(asio::io_context& io, const AcceptLimits& limits);
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
@@ -57,6 +58,7 @@ class Listener {
   void accept_waiting();
   void accept_later(const std::error_code& cause);
 
+  AcceptLimits limits_;
   asio::ip::tcp::acceptor acceptor_;
   asio::steady_timer pause_;
   asio::ip::tcp::endpoint endpoint_;
@@ -66,4 +68,4 @@ class Listener {
   bool failing_ = false;  ///< the last accept failed and was reported
 };
 
-}  // namespace aucast::server
+}  // namespace aucast::link

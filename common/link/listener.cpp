@@ -1,10 +1,9 @@
-#include "server/serve/listener.h"
+#include "common/link/listener.h"
 
 #include <sys/resource.h>
 #include <sys/socket.h>
 
 #include <cerrno>
-#include <chrono>
 #include <utility>
 
 #include <asio/ip/v6_only.hpp>
@@ -13,9 +12,8 @@
 #include "common/link/name_lookup.h"
 #include "common/log.h"
 #include "common/text.h"
-#include "protocol/limits.h"
 
-namespace aucast::server {
+namespace aucast::link {
 namespace {
 
 using asio::ip::tcp;
@@ -51,7 +49,7 @@ std::string hint(const std::error_code& cause, const ListenOptions& names) {
 
 Error cannot_listen(const std::string& bind, std::uint16_t port, const std::error_code& cause,
                     const ListenOptions& names) {
-  return {ErrorKind::Network, "cannot listen on " + link::host_and_port(bind, port) + ": " +
+  return {ErrorKind::Network, "cannot listen on " + host_and_port(bind, port) + ": " +
                                   cause.message() + hint(cause, names)};
 }
 
@@ -93,13 +91,14 @@ std::string endpoint_text(const tcp::endpoint& endpoint) {
   return "[" + v6.to_string() + "]" + port;
 }
 
-Listener::Listener(asio::io_context& io) : acceptor_(io), pause_(io) {}
+Listener::Listener(asio::io_context& io, const AcceptLimits& limits)
+    : limits_(limits), acceptor_(io), pause_(io) {}
 
 Result<void> Listener::open(const std::string& bind, std::uint16_t port,
                             const ListenOptions& names) {
   std::error_code error;
   const std::string host = without_brackets(bind);
-  link::Addresses addresses = link::known_addresses(host, port);
+  Addresses addresses = known_addresses(host, port);
   if (addresses.empty()) {
     tcp::resolver resolver(acceptor_.get_executor());
     const auto found = resolver.resolve(
@@ -167,7 +166,7 @@ void Listener::accept() {
 
 /// Whoever is waiting already. An error is left for accept() to meet.
 void Listener::accept_waiting() {
-  for (int taken = 1; taken < protocol::kAcceptsInARow && acceptor_.is_open(); ++taken) {
+  for (int taken = 1; taken < limits_.in_a_row && acceptor_.is_open(); ++taken) {
     std::error_code error;
     tcp::socket socket = acceptor_.accept(peer_, error);
     if (error) return;
@@ -181,10 +180,10 @@ void Listener::accept_later(const std::error_code& cause) {
     spdlog::warn("cannot accept connections for now: {} (more clients need a higher ulimit -n)",
                  cause.message());
   }
-  pause_.expires_after(protocol::kAcceptPause);
+  pause_.expires_after(limits_.pause);
   pause_.async_wait([this](const std::error_code& error) {
     if (!error && acceptor_.is_open()) accept();
   });
 }
 
-}  // namespace aucast::server
+}  // namespace aucast::link

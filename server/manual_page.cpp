@@ -1,4 +1,4 @@
-#include "server/settings/manual_page.h"
+#include "server/manual_page.h"
 
 #include "common/manual.h"
 #include "server/settings/option_table.h"

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "common/tls/context.h"
+
+namespace aucast::server {
+
+/// Where the secrets are: files that the operator may replace while the transmitter runs.
+struct CredentialFiles {
+  tls::Files tls;               ///< no certificate: plain connections
+  std::filesystem::path token;  ///< empty: none is needed
+  friend bool operator==(const CredentialFiles&, const CredentialFiles&) = default;
+};
+
+}  // namespace aucast::server
