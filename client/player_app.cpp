@@ -11,6 +11,7 @@
 #include "client/app/gallery/gallery_command.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
+#include "client/app/remote_options.h"
 #include "client/app/window/composition_file.h"
 #include "client/app/window/window_run.h"
 #include "client/app/window/window_settings.h"
@@ -63,34 +64,18 @@ Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& optio
       std::make_unique<SourcePlayback>(std::move(source), how));
 }
 
-Result<net::RemoteOptions> remote_options(const PlaybackOptions& options) {
-  auto endpoint = net::parse_endpoint(options.endpoint);
-  if (!endpoint) return endpoint.error();
-  net::RemoteOptions remote;
-  remote.host = endpoint->host;
-  remote.port = endpoint->port;
-  remote.classic = options.classic;
-  remote.stream = options.stream;
-  remote.connect_timeout = options.connect_timeout;
-  remote.buffers = options.buffers;
-  remote.speed = options.speed;
-  remote.reconnect = options.reconnect;
-  remote.security = options.security;
-  return remote;
-}
-
 Result<std::unique_ptr<playback::Playback>> open_remote(const PlaybackOptions& options,
                                                         const SourcePlayback::Options& how) {
-  auto remote = remote_options(options);
-  if (!remote) return remote.error();
-  return std::unique_ptr<playback::Playback>(
-      std::make_unique<SourcePlayback>(std::make_unique<net::RemoteSource>(*remote), how));
+  const auto endpoint = net::parse_endpoint(options.endpoint);
+  if (!endpoint) return endpoint.error();
+  return std::unique_ptr<playback::Playback>(std::make_unique<SourcePlayback>(
+      std::make_unique<net::RemoteSource>(remote_options(options, *endpoint)), how));
 }
 
 Result<void> print_list(const PlaybackOptions& options) {
-  const auto remote = remote_options(options);
-  if (!remote) return remote.error();
-  const auto names = net::list_streams(*remote);
+  const auto endpoint = net::parse_endpoint(options.endpoint);
+  if (!endpoint) return endpoint.error();
+  const auto names = net::list_streams(remote_options(options, *endpoint));
   if (!names) return names.error();
   for (const std::string& name : *names) std::fputs((name + "\n").c_str(), stdout);
   return {};

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "client/app/remote_options.h"
 #include "client/app/steady.h"
 #include "client/app/window/composition_file.h"
 #include "client/app/window/live_text.h"
@@ -101,15 +102,12 @@ bool PlaybackSession::connect(const gui::RemoteSettings& settings, Instant now) 
   buffers_.receiver_capacity = static_cast<std::size_t>(remote_settings_.buffer);
   buffers_.playout_capacity = static_cast<std::size_t>(remote_settings_.playout);
   buffers_.threshold_percent = remote_settings_.threshold_percent;
-  net::RemoteOptions remote;
-  remote.host = remote_settings_.address;
-  remote.port = static_cast<std::uint16_t>(remote_settings_.port);
-  remote.classic = options_.playback.classic;
-  remote.stream = options_.playback.stream;
-  remote.connect_timeout = options_.playback.connect_timeout;
+  net::RemoteOptions remote =
+      remote_options(options_.playback,
+                     {remote_settings_.address, static_cast<std::uint16_t>(remote_settings_.port)});
+  remote.speed.reset();
   if (remote_settings_.speed_ms > 0) remote.speed = Milliseconds(remote_settings_.speed_ms);
   remote.reconnect = remote_settings_.reconnect;
-  remote.security = options_.playback.security;
   remote.buffers = buffers_;
   const playback::SourcePlayback::Options how{remote.speed, options_.playback.hold, false};
   open(std::make_unique<playback::SourcePlayback>(

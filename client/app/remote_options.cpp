@@ -1,0 +1,19 @@
+#include "client/app/remote_options.h"
+
+namespace aucast::app {
+
+net::RemoteOptions remote_options(const PlaybackOptions& options, const net::Endpoint& endpoint) {
+  net::RemoteOptions remote;
+  remote.host = endpoint.host;
+  remote.port = endpoint.port;
+  remote.classic = options.classic;
+  remote.stream = options.stream;
+  remote.connect_timeout = options.connect_timeout;
+  remote.buffers = options.buffers;
+  remote.speed = options.speed;
+  remote.reconnect = options.reconnect;
+  remote.security = options.security;
+  return remote;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "client/app/player_options.h"
+#include "client/net/remote_source.h"
+
+namespace aucast::app {
+
+/// What the options ask of a connection to `endpoint`.
+[[nodiscard]] net::RemoteOptions remote_options(const PlaybackOptions& options,
+                                                const net::Endpoint& endpoint);
+
+}  // namespace aucast::app
