@@ -21,9 +21,9 @@ std::size_t InputPacer::next(const std::deque<render::InputEvent>& waiting) {
         moved = true;
         break;
       case Kind::Button:
-        if (clicked || scrolled) return count;
-        // What is dragged goes to where it was let go only if it is seen there before.
-        if (event.action == 0 && moved) return count;
+        // A tab is pressed only if the pointer was on it a frame before, and what is dragged goes
+        // to where it was let go only if it is seen there.
+        if (moved || clicked || scrolled) return count;
         clicked = true;
         focus_may_move_ = true;
         break;

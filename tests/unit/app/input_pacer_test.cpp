@@ -45,15 +45,20 @@ std::vector<std::size_t> frames(std::deque<InputEvent> waiting) {
 using Shares = std::vector<std::size_t>;
 
 TEST(InputPacer, ATapTakesTwoFrames) {
-  EXPECT_EQ(frames({move(), move(), button(1), button(0)}), (Shares{3, 1}));
+  EXPECT_EQ(frames({button(1), button(0)}), (Shares{1, 1}));
+}
+
+TEST(InputPacer, APressWaitsUntilThePointerIsSeenThere) {
+  EXPECT_EQ(frames({move(), move(), button(1), button(0)}), (Shares{2, 1, 1}));
 }
 
 TEST(InputPacer, AClickIsWhereThePointerWas) {
-  EXPECT_EQ(frames({move(), button(1), button(0), move()}), (Shares{2, 1, 1}));
+  EXPECT_EQ(frames({move(), button(1), button(0), move()}), (Shares{1, 1, 1, 1}));
 }
 
 TEST(InputPacer, WhatIsDraggedIsLetGoWhereThePointerIs) {
-  EXPECT_EQ(frames({move(), button(1), move(), move(), button(0), move()}), (Shares{2, 2, 1, 1}));
+  EXPECT_EQ(frames({move(), button(1), move(), move(), button(0), move()}),
+            (Shares{1, 1, 2, 1, 1}));
 }
 
 TEST(InputPacer, TheWheelTurnsWhatThePointerIsOver) {
