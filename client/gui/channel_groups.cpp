@@ -25,7 +25,8 @@ constexpr std::string_view kHead = "Head";
 constexpr std::string_view kOther = "Other";
 constexpr std::array kRegions = {kBrow, kEyes, kNose, kMouth, kJaw, kHead, kOther};
 
-constexpr std::array<Clue, 33> kClues = {{
+constexpr std::array<Clue, 38> kClues = {{
+    {"forehead", kBrow}, {"crows_feet", kEyes},  {"nose", kNose},       {"neck", kJaw},
     {"head_", kHead},    {"lid", kEyes},         {"gaze", kEyes},       {"oculi", kEyes},
     {"cheek", kEyes},    {"frontalis", kBrow},   {"brow", kBrow},       {"corrugat", kBrow},
     {"procerus", kBrow}, {"glabella", kBrow},    {"supercili", kBrow},  {"alaeque_nasi", kNose},
@@ -34,7 +35,7 @@ constexpr std::array<Clue, 33> kClues = {{
     {"chin", kJaw},      {"zygomatic", kMouth},  {"anguli", kMouth},    {"angular", kMouth},
     {"labi", kMouth},    {"oris", kMouth},       {"lip", kMouth},       {"corner", kMouth},
     {"risor", kMouth},   {"buccinator", kMouth}, {"incisiv", kMouth},   {"mouth", kMouth},
-    {"tongue", kMouth},
+    {"tongue", kMouth},  {"dimple", kMouth},
 }};
 
 std::string lower(std::string text) {

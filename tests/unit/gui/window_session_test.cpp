@@ -405,6 +405,19 @@ TEST_F(WindowSessionTest, IdleLifeMovesTheEyesAndNothingElseDoes) {
   EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20));
 }
 
+TEST_F(WindowSessionTest, EveryChannelStandsWithItsRegionOfTheFace) {
+  open_nothing();
+  for (const gui::ChannelGroup& group : model().editor.groups) {
+    EXPECT_NE(group.name, "Other");
+    for (const gui::ChannelRow& row : group.rows) {
+      EXPECT_EQ(group.name == "Head", row.name.starts_with("head ")) << row.name;
+      if (row.name == "crease forehead inner") {
+        EXPECT_EQ(group.name, "Forehead and brows");
+      }
+    }
+  }
+}
+
 TEST_F(WindowSessionTest, AnEmptyViewIsNotKeptForTheNextStart) {
   open_nothing();
   gui::KeptSettings settings;
