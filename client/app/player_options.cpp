@@ -97,21 +97,41 @@ Result<void> check_required(const PlayerOptions& options) {
   return {};
 }
 
-}  // namespace
+/// The word that names a command may follow options: where it stands in `arguments`, or their end.
+std::size_t command_at(const std::vector<std::string>& arguments, const std::string& name,
+                       const std::vector<OptionRow>& rows) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    if (word == name) return i;
+    if (!word.starts_with("-")) break;
+    const OptionRow* const row = word.starts_with("--") ? find_row(rows, word.substr(2)) : nullptr;
+    if (row != nullptr && row->value.kind != OptionValue::Kind::Flag) ++i;  // its own word
+  }
+  return arguments.size();
+}
 
-Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
+/// Takes the word that names a command out of the arguments.
+Command take_command(std::vector<std::string>& arguments) {
   static const std::map<std::string, Command> kCommands{{"play", Command::Play},
                                                         {"pose", Command::Pose},
                                                         {"rules", Command::Rules},
                                                         {"gallery", Command::Gallery}};
+  PlayerOptions unused;
+  for (const auto& [name, command] : kCommands) {
+    const std::size_t at = command_at(arguments, name, option_rows(command, unused));
+    if (at == arguments.size()) continue;
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(at));
+    return command;
+  }
+  return Command::Watch;
+}
+
+}  // namespace
+
+Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
   PlayerOptions options;
   options.playback.buffers.adapt = true;  // unless a delay is given
-  if (!arguments.empty()) {
-    if (const auto found = kCommands.find(arguments.front()); found != kCommands.end()) {
-      options.command = found->second;
-      arguments.erase(arguments.begin());
-    }
-  }
+  options.command = take_command(arguments);
   const std::vector<OptionRow> rows = option_rows(options.command, options);
   const auto typed = sort_arguments(rows, std::move(arguments));
   if (!typed) return typed.error();

@@ -43,6 +43,14 @@ TEST(PlayerOptions, DefaultsAreTheDocumentedOnes) {
   EXPECT_FALSE(options.playback.buffers.low_delay);
 }
 
+TEST(PlayerOptions, OptionsMayStandBeforeTheCommand) {
+  const PlayerOptions play = accepted({"--size", "500x400", "--idle=3", "play", "talk.txt"});
+  EXPECT_EQ(play.command, Command::Play);
+  EXPECT_EQ(play.playback.file, "talk.txt");
+  EXPECT_EQ(play.output.width, 500);
+  EXPECT_EQ(accepted({"--face", "play", "host"}).command, Command::Watch) << "the word of --face";
+}
+
 TEST(PlayerOptions, ARepeatedOptionTakesOneWordEachTime) {
   const PlayerOptions options = accepted({"pose", "--muscle", "jaw=1", "12"});
   EXPECT_EQ(options.pose.muscles.size(), 1U);
