@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "client/app/window/window_style.h"
 #include "client/render/face_renderer.h"
 #include "client/render/gl_objects.h"
 #include "client/render/offscreen.h"
@@ -238,6 +239,20 @@ TEST_F(RenderGolden, PaintsTheBackgroundAsked) {
   const view::Image dark =
       drawn(head.moving_mesh(), {}, kSide, kSide, {glm::vec3(0), glm::vec3(0)});
   EXPECT_EQ(brightness(dark, 1, 1), 0);
+}
+
+TEST_F(RenderGolden, TheWindowsPlainGroundsAreThatColourOnTheScreen) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  const auto corner = [&](gui::Ground ground) {
+    gui::RenderingSettings settings;
+    settings.ground = ground;
+    const view::Style style = app::window_style(settings, std::nullopt, 1);
+    return brightness(drawn(head.moving_mesh(), {}, kSide, kSide, style.background), 1, 1);
+  };
+  EXPECT_EQ(corner(gui::Ground::White), 3 * 255);
+  EXPECT_EQ(corner(gui::Ground::Black), 0);
+  EXPECT_NEAR(corner(gui::Ground::Grey), 3 * 0x73, 3);
 }
 
 TEST_F(RenderGolden, DrawsAnEmptyMeshAsBackground) {

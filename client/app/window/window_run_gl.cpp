@@ -16,6 +16,7 @@
 #include "client/app/window/session_video.h"
 #include "client/app/window/window_overlay.h"
 #include "client/app/window/window_session.h"
+#include "client/app/window/window_style.h"
 #include "client/gui/redraw.h"
 #include "client/render/window.h"
 #include "common/log.h"
@@ -28,23 +29,6 @@ constexpr int kFramesPerPace = 20;
 /// The pictures' size is too small for a face beside the panels.
 constexpr int kWindowWidth = 1280;
 constexpr int kWindowHeight = 800;
-
-view::Background background_of(gui::Ground ground, const PlayerOptions& options) {
-  const auto plain = [](float level) {
-    return view::Background{glm::vec3(level), glm::vec3(level)};
-  };
-  switch (ground) {
-    case gui::Ground::Studio:
-      break;
-    case gui::Ground::Black:
-      return plain(0);
-    case gui::Ground::Grey:
-      return plain(0.21F);
-    case gui::Ground::White:
-      return plain(1);
-  }
-  return backdrop(options.output.background);
-}
 
 const char* name_of(gui::View view) {
   switch (view) {
@@ -352,13 +336,7 @@ class WindowRun {
   }
 
   [[nodiscard]] view::Style style() {
-    const gui::RenderingSettings& settings = session_.rendering();
-    return {.background = background_of(settings.ground, options_),
-            .layers = settings.layers,
-            .light = view::key_light(static_cast<float>(settings.light_yaw_deg),
-                                     static_cast<float>(settings.light_pitch_deg),
-                                     static_cast<float>(settings.light_percent) / 100),
-            .scale = window_->scale()};
+    return window_style(session_.rendering(), options_.output.background, window_->scale());
   }
 
   /// Only frames in which the face moved count, or showing the pace would be a reason to draw.

@@ -1,0 +1,34 @@
+#include "client/app/window/window_style.h"
+
+#include "client/app/film/picture_maker.h"
+
+namespace aucast::app {
+namespace {
+
+std::optional<std::uint32_t> colour_of(gui::Ground ground, std::optional<std::uint32_t> studio) {
+  switch (ground) {
+    case gui::Ground::Studio:
+      break;
+    case gui::Ground::Black:
+      return 0x000000;
+    case gui::Ground::Grey:
+      return 0x737373;
+    case gui::Ground::White:
+      return 0xFFFFFF;
+  }
+  return studio;
+}
+
+}  // namespace
+
+view::Style window_style(const gui::RenderingSettings& settings,
+                         std::optional<std::uint32_t> background, float scale) {
+  return {.background = backdrop(colour_of(settings.ground, background)),
+          .layers = settings.layers,
+          .light = view::key_light(static_cast<float>(settings.light_yaw_deg),
+                                   static_cast<float>(settings.light_pitch_deg),
+                                   static_cast<float>(settings.light_percent) / 100),
+          .scale = scale};
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "client/gui/gui_model.h"
+#include "client/view/style.h"
+
+namespace aucast::app {
+
+/// How the window draws its face. `background`: 0xRRGGBB instead of the studio's, as --background
+/// says; `scale` of the screen.
+[[nodiscard]] view::Style window_style(const gui::RenderingSettings& settings,
+                                       std::optional<std::uint32_t> background, float scale);
+
+}  // namespace aucast::app
