@@ -12,6 +12,7 @@
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
 #include "common/time.h"
+#include "protocol/endpoint.h"
 #include "protocol/limits.h"
 
 namespace aucast::net {
@@ -34,12 +35,8 @@ struct RemoteOptions {
   std::function<void()> wakeup;
 };
 
-/// HOST, HOST:PORT, [V6]:PORT or [V6]. Usage error otherwise.
-struct Endpoint {
-  std::string host;
-  std::uint16_t port = protocol::kDefaultPort;
-};
-[[nodiscard]] Result<Endpoint> parse_endpoint(std::string_view text);
+using protocol::Endpoint;
+using protocol::parse_endpoint;
 
 /// The keyframes of a server. A thread of its own dials and runs a Connection. The reader is the
 /// one object that both threads touch; what the player asks of the network thread is posted to it.

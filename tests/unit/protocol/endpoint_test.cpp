@@ -1,11 +1,11 @@
+#include "protocol/endpoint.h"
+
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "client/net/remote_source.h"
-
-namespace aucast::net {
+namespace aucast::protocol {
 namespace {
 
 void expect_endpoint(std::string_view text, const std::string& host, std::uint16_t port) {
@@ -81,5 +81,59 @@ TEST(Endpoint, EscapesWhatItCannotRead) {
       << endpoint.error().message;
 }
 
+TEST(StreamAddress, IsAHostAndAStream) {
+  const auto address = parse_stream_address("aucast://origin.example.org/talk");
+  ASSERT_TRUE(address) << address.error().message;
+  EXPECT_EQ(*address, (StreamAddress{{{"origin.example.org", 4650}}, false, "talk"}));
+}
+
+TEST(StreamAddress, NamesSeveralHostsInTheirOrder) {
+  const auto address = parse_stream_address("aucasts://a:1,[::1]:2,b/smile.v2");
+  ASSERT_TRUE(address) << address.error().message;
+  EXPECT_EQ(*address, (StreamAddress{{{"a", 1}, {"::1", 2}, {"b", 4650}}, true, "smile.v2"}));
+}
+
+TEST(StreamAddress, MayLeaveTheStreamToTheServer) {
+  for (const char* text : {"aucast://a", "aucast://a/"}) {
+    const auto address = parse_stream_address(text);
+    ASSERT_TRUE(address) << address.error().message;
+    EXPECT_EQ(address->stream, "") << text;
+  }
+}
+
+TEST(StreamAddress, IsToldFromAFileByItsBeginning) {
+  EXPECT_TRUE(is_stream_address("aucast://"));
+  EXPECT_TRUE(is_stream_address("aucasts://a"));
+  for (const char* text : {"aucast", "aucast:/a", "talk.txt", "http://a/b", "", "xaucast://a"}) {
+    EXPECT_FALSE(is_stream_address(text)) << text;
+  }
+}
+
+TEST(StreamAddress, SaysWhatIsWrongWithIt) {
+  const struct {
+    const char* text;
+    const char* reason;
+  } wrongs[] = {
+      {"aucast://", "there is no host"},
+      {"aucast:///talk", "there is no host"},
+      {"aucast://a,/talk", "there is no host"},
+      {"aucast://a:0/talk", "the port must be a number"},
+      {"aucast://a/b/c", "a stream's name has"},
+      {"aucast://a/t lk", "a stream's name has"},
+      {"aucast://a b/talk", "a host has no blanks"},
+      {"aucast://[::1/talk", "the bracket is not closed"},
+      {"talk.txt", "it begins with neither"},
+  };
+  for (const auto& wrong : wrongs) {
+    SCOPED_TRACE(wrong.text);
+    const auto address = parse_stream_address(wrong.text);
+    ASSERT_FALSE(address);
+    EXPECT_EQ(address.error().kind, ErrorKind::Usage);
+    EXPECT_NE(address.error().message.find(wrong.reason), std::string::npos)
+        << address.error().message;
+    EXPECT_NE(address.error().message.find("use aucast://HOST"), std::string::npos);
+  }
+}
+
 }  // namespace
-}  // namespace aucast::net
+}  // namespace aucast::protocol

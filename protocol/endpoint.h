@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/result.h"
+#include "protocol/limits.h"
+
+namespace aucast::protocol {
+
+/// Where a server is.
+struct Endpoint {
+  std::string host;
+  std::uint16_t port = kDefaultPort;
+  friend bool operator==(const Endpoint&, const Endpoint&) = default;
+};
+
+/// HOST, HOST:PORT, [V6]:PORT or [V6]. Usage error otherwise.
+[[nodiscard]] Result<Endpoint> parse_endpoint(std::string_view text);
+
+/// Where a stream is: at any of several servers.
+struct StreamAddress {
+  std::vector<Endpoint> hosts;  ///< at least one, in the order in which they are to be tried
+  bool tls = false;
+  std::string stream;  ///< empty: the server's first
+  friend bool operator==(const StreamAddress&, const StreamAddress&) = default;
+};
+
+/// Whether the text begins as an address of a stream does, right or wrong.
+[[nodiscard]] bool is_stream_address(std::string_view text);
+
+/// aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM], or aucasts:// for TLS. Usage error otherwise.
+[[nodiscard]] Result<StreamAddress> parse_stream_address(std::string_view text);
+
+}  // namespace aucast::protocol
