@@ -10,7 +10,7 @@ constexpr Milliseconds kStatusAge{250};
 
 }  // namespace
 
-HttpReply HttpRoutes::answer(const std::string& path, bool stopping, Instant now) {
+web::HttpReply HttpRoutes::answer(const std::string& path, bool stopping, Instant now) {
   if (path == "/healthz")
     return {stopping ? 503 : 200, kPlainText, stopping ? "stopping\n" : "ok\n"};
   if (path == "/metrics")

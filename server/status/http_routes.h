@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/time.h"
-#include "server/status/http_request.h"
+#include "common/web/http.h"
 #include "server/status/status.h"
 
 namespace aucast::server {
@@ -19,7 +19,7 @@ class HttpRoutes {
   explicit HttpRoutes(StatusNow status_now) : status_now_(std::move(status_now)) {}
 
   /// `stopping`: nobody is accepted any more.
-  [[nodiscard]] HttpReply answer(const std::string& path, bool stopping, Instant now);
+  [[nodiscard]] web::HttpReply answer(const std::string& path, bool stopping, Instant now);
 
  private:
   [[nodiscard]] const Status& recent_status(Instant now);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/link/tcp_link.h"
+#include "common/web/origin.h"
 #include "protocol/link_limits.h"
 
 namespace aucast::server {
@@ -30,7 +31,8 @@ class HttpServer::Exchange final : public link::LinkUser,
 
   void on_bytes(std::string_view bytes) override {
     request_ += bytes;
-    const HttpProgress progress = read_http_request(request_);
+    const web::HttpProgress progress =
+        web::read_http_request(request_, protocol::kHttpHeadBytesMax);
     if (progress.refusal) {
       reply(*progress.refusal, false);
     } else if (progress.request) {
@@ -43,15 +45,16 @@ class HttpServer::Exchange final : public link::LinkUser,
   void on_time() override { end(); }
   void on_closed(const link::Ending&) override { end(); }
 
-  [[nodiscard]] HttpReply answer(const HttpRequest& request) const {
-    if (is_own_host(request.host, server_.bound_)) return server_.answer_(request.path);
-    return {421, HttpReply().type,
-            "this server does not answer for that host: use its IP address or localhost\n"};
+  [[nodiscard]] web::HttpReply answer(const web::HttpRequest& request) const {
+    if (web::is_own_host(request.field("host"), {server_.bound_}))
+      return server_.answer_(request.path);
+    return {.status = 421,
+            .body = "this server does not answer for that host: use its IP address or localhost\n"};
   }
 
-  void reply(const HttpReply& reply, bool head) {
+  void reply(const web::HttpReply& reply, bool head) {
     replied_ = true;
-    link_->write(format_http_reply(reply, head));
+    link_->write(web::format_http_reply(reply, head));
     link_->finish();
   }
 

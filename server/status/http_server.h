@@ -11,7 +11,7 @@
 
 #include "common/link/listener.h"
 #include "common/result.h"
-#include "server/status/http_request.h"
+#include "common/web/http.h"
 
 namespace aucast::server {
 
@@ -21,7 +21,7 @@ namespace aucast::server {
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class HttpServer {
  public:
-  using Answer = std::function<HttpReply(const std::string& path)>;
+  using Answer = std::function<web::HttpReply(const std::string& path)>;
 
   HttpServer(asio::io_context& io, Answer answer);
   ~HttpServer();

@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 class HttpRoutesTest : public ::testing::Test {
  protected:
-  HttpReply get(const std::string& path, bool stopping = false) {
+  web::HttpReply get(const std::string& path, bool stopping = false) {
     return routes_.answer(path, stopping, now_);
   }
 

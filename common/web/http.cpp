@@ -1,32 +1,37 @@
-#include "server/status/http_request.h"
+#include "common/web/http.h"
 
 #include <algorithm>
 #include <cctype>
-#include <system_error>
 #include <utility>
 
-#include <asio/ip/address.hpp>
-
+#include "common/text.h"
 #include "common/text_file.h"
-#include "protocol/limits.h"
 
-namespace aucast::server {
+namespace aucast::web {
 namespace {
 
 constexpr std::string_view kLineEnd = "\r\n";
 
 std::string_view phrase(int status) {
   switch (status) {
+    case 101:
+      return "Switching Protocols";
     case 200:
       return "OK";
+    case 304:
+      return "Not Modified";
     case 400:
       return "Bad Request";
+    case 403:
+      return "Forbidden";
     case 404:
       return "Not Found";
     case 405:
       return "Method Not Allowed";
     case 421:
       return "Misdirected Request";
+    case 426:
+      return "Upgrade Required";
     case 431:
       return "Request Header Fields Too Large";
     case 503:
@@ -37,7 +42,7 @@ std::string_view phrase(int status) {
 }
 
 HttpProgress refused(int status, std::string why) {
-  return {std::nullopt, HttpReply{status, HttpReply().type, std::move(why) + "\n"}};
+  return {std::nullopt, HttpReply{.status = status, .body = std::move(why) + "\n"}};
 }
 
 bool is_token_char(char c) {
@@ -74,7 +79,7 @@ struct RequestLine {
   std::string_view version;
 };
 
-std::optional<RequestLine> split(std::string_view line) {
+std::optional<RequestLine> request_line(std::string_view line) {
   const std::size_t first = line.find(' ');
   const std::size_t last = line.rfind(' ');
   if (first == std::string_view::npos || first == last) return std::nullopt;
@@ -103,66 +108,92 @@ std::optional<Field> field_of(std::string_view line) {
   return Field{lower(line.substr(0, colon)), trimmed(value, " \t")};
 }
 
+/// All fields of a head, its request line taken off; nothing when one is malformed.
+std::optional<std::map<std::string, std::string, std::less<>>> fields_of(std::string_view head) {
+  std::map<std::string, std::string, std::less<>> fields;
+  while (!head.empty()) {
+    auto field = field_of(take_line(head));
+    if (!field) return std::nullopt;
+    const auto [place, is_first] = fields.try_emplace(std::move(field->name), field->value);
+    if (!is_first) place->second += ", " + std::string(field->value);
+  }
+  return fields;
+}
+
+/// "gzip;q=0.5": the word alone, unless q says that it is not wanted.
+std::string word_of(std::string_view part) {
+  const std::vector<std::string_view> parts = split(part, ';');
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const std::string parameter = lower(trimmed(parts[i], " \t"));
+    const bool is_zero = parameter.find_first_not_of("0.", 2) == std::string::npos;
+    if (parameter.starts_with("q=") && is_zero) return {};
+  }
+  return lower(trimmed(parts.front(), " \t"));
+}
+
 }  // namespace
 
-HttpProgress read_http_request(std::string_view bytes) {
-  const std::size_t end = bytes.substr(0, protocol::kHttpHeadBytesMax).find("\r\n\r\n");
+std::string_view HttpRequest::field(std::string_view name) const {
+  const auto found = fields.find(name);
+  return found == fields.end() ? std::string_view() : found->second;
+}
+
+bool has_word(std::string_view field, std::string_view word) {
+  const std::string wanted = lower(word);
+  const std::vector<std::string_view> parts = split(field, ',');
+  return std::any_of(parts.begin(), parts.end(),
+                     [&wanted](std::string_view part) { return word_of(part) == wanted; });
+}
+
+HttpProgress read_http_request(std::string_view bytes, std::size_t head_bytes_max) {
+  const std::size_t end = bytes.substr(0, head_bytes_max).find("\r\n\r\n");
   if (end == std::string_view::npos) {
-    if (bytes.size() >= protocol::kHttpHeadBytesMax) return refused(431, "the request is too long");
+    if (bytes.size() >= head_bytes_max) return refused(431, "the request is too long");
     // Noise is refused as soon as its first byte shows it.
     if (!bytes.empty() && !is_token_char(bytes.front())) return refused(400, "no request");
     return {};
   }
-  std::string_view head = bytes.substr(0, end + 2);
-  const auto line = split(take_line(head));
+  std::string_view head = bytes.substr(0, end + kLineEnd.size());
+  const auto line = request_line(take_line(head));
   if (!line) return refused(400, "no request line");
   if (line->version != "HTTP/1.1" && line->version != "HTTP/1.0") {
     const bool http = line->version.starts_with("HTTP/");
     return refused(http ? 505 : 400, "only HTTP/1.0 and HTTP/1.1 are spoken here");
   }
-  int hosts = 0;
-  std::string host;
-  while (!head.empty()) {
-    const auto field = field_of(take_line(head));
-    if (!field) return refused(400, "a header field is malformed");
-    if (field->name == "host") {
-      ++hosts;
-      host = field->value;
-    }
-    if (field->name == "transfer-encoding" || field->name == "content-length") {
-      return refused(400, "a request has no body here");
-    }
+  auto fields = fields_of(head);
+  if (!fields) return refused(400, "a header field is malformed");
+  if (fields->contains("transfer-encoding") || fields->contains("content-length")) {
+    return refused(400, "a request has no body here");
   }
-  if (hosts > 1 || (hosts == 0 && line->version == "HTTP/1.1")) {
-    return refused(400, "one Host field is needed");
-  }
+  const auto host = fields->find("host");
+  const bool one_host = host == fields->end() ? line->version == "HTTP/1.0"
+                                              : host->second.find(',') == std::string::npos;
+  if (!one_host) return refused(400, "one Host field is needed");
   if (line->method != "GET" && line->method != "HEAD") {
     return refused(405, "only GET and HEAD are answered here");
   }
   const std::string_view path = line->target.substr(0, line->target.find('?'));
-  return {HttpRequest{std::string(path), line->method == "HEAD", std::move(host)}, std::nullopt};
+  return {HttpRequest{std::string(path), line->method == "HEAD", line->version == "HTTP/1.1",
+                      end + 2 * kLineEnd.size(), std::move(*fields)},
+          std::nullopt};
 }
 
-bool is_own_host(std::string_view host, std::string_view bound) {
-  if (host.empty()) return true;
-  const bool bracketed = host.starts_with('[') && host.find(']') != std::string_view::npos;
-  std::string name =
-      lower(bracketed ? host.substr(1, host.find(']') - 1) : host.substr(0, host.find(':')));
-  if (name.ends_with('.')) name.pop_back();  // the root of all names
-  std::error_code no_address;
-  static_cast<void>(asio::ip::make_address(name, no_address));
-  return !no_address || name == "localhost" || name == lower(bound);
+std::string format_http_head(const HttpReply& reply, std::size_t body_bytes) {
+  std::string text = "HTTP/1.1 " + std::to_string(reply.status) + " ";
+  text += phrase(reply.status);
+  if (!reply.type.empty()) {
+    text += "\r\nContent-Type: " + reply.type;
+    text += "\r\nContent-Length: " + std::to_string(body_bytes);
+  }
+  if (reply.status == 405) text += "\r\nAllow: GET, HEAD";
+  text += "\r\nCache-Control: " + reply.cache + "\r\nX-Content-Type-Options: nosniff";
+  for (const std::string& field : reply.fields) text += "\r\n" + field;
+  return text + "\r\nConnection: close\r\n\r\n";
 }
 
 std::string format_http_reply(const HttpReply& reply, bool head) {
-  std::string text = "HTTP/1.1 " + std::to_string(reply.status) + " ";
-  text += phrase(reply.status);
-  text += "\r\nContent-Type: " + reply.type;
-  text += "\r\nContent-Length: " + std::to_string(reply.body.size());
-  if (reply.status == 405) text += "\r\nAllow: GET, HEAD";
-  text += "\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff";
-  text += "\r\nConnection: close\r\n\r\n";
+  const std::string text = format_http_head(reply, reply.body.size());
   return head ? text : text + reply.body;
 }
 
-}  // namespace aucast::server
+}  // namespace aucast::web

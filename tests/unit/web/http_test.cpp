@@ -1,27 +1,28 @@
-#include "server/status/http_request.h"
+#include "common/web/http.h"
 
 #include <gtest/gtest.h>
 
-#include "protocol/limits.h"
 #include "tests/support/seeded.h"
 
-namespace aucast::server {
+namespace aucast::web {
 namespace {
+
+constexpr std::size_t kBytesMax = 4096;
 
 constexpr const char* kGood = "GET /metrics?x=1 HTTP/1.1\r\nHost: a\r\nAccept: */*\r\n\r\n";
 
 int refusal(const std::string& bytes) {
-  const HttpProgress progress = read_http_request(bytes);
+  const HttpProgress progress = read_http_request(bytes, kBytesMax);
   EXPECT_FALSE(progress.request && progress.refusal);
   return progress.refusal ? progress.refusal->status : 0;
 }
 
 TEST(HttpRequest, GetAndHeadAreUnderstood) {
-  const HttpProgress get = read_http_request(kGood);
+  const HttpProgress get = read_http_request(kGood, kBytesMax);
   ASSERT_TRUE(get.request);
   EXPECT_EQ(get.request->path, "/metrics");
   EXPECT_FALSE(get.request->head);
-  const HttpProgress head = read_http_request("HEAD / HTTP/1.0\r\n\r\n");
+  const HttpProgress head = read_http_request("HEAD / HTTP/1.0\r\n\r\n", kBytesMax);
   ASSERT_TRUE(head.request);
   EXPECT_TRUE(head.request->head);
 }
@@ -29,7 +30,7 @@ TEST(HttpRequest, GetAndHeadAreUnderstood) {
 TEST(HttpRequest, HalfARequestIsWaitedFor) {
   const std::string good = kGood;
   for (std::size_t length = 0; length < good.size(); ++length) {
-    const HttpProgress progress = read_http_request(good.substr(0, length));
+    const HttpProgress progress = read_http_request(good.substr(0, length), kBytesMax);
     EXPECT_FALSE(progress.request || progress.refusal) << length;
   }
 }
@@ -53,27 +54,30 @@ TEST(HttpRequest, WhatIsNotUnderstoodIsRefused) {
   EXPECT_EQ(refusal("\r\n"), 400);
 }
 
-TEST(HttpRequest, TellsTheHostThatItIsFor) {
-  EXPECT_EQ(read_http_request(kGood).request->host, "a");
-  EXPECT_EQ(read_http_request("GET / HTTP/1.1\r\nHost:\t [::1]:80 \r\n\r\n").request->host,
-            "[::1]:80");
-  EXPECT_EQ(read_http_request("GET / HTTP/1.0\r\n\r\n").request->host, "");
+TEST(HttpRequest, FieldsAreFoundByNameInAnyCase) {
+  const std::string head =
+      "GET / HTTP/1.1\r\nhOsT:\t [::1]:80 \r\nX-Forwarded-For: a\r\nx-forwarded-for: b\r\n\r\n";
+  const auto request = read_http_request(head + "more", kBytesMax);
+  ASSERT_TRUE(request.request);
+  EXPECT_EQ(request.request->field("host"), "[::1]:80");
+  EXPECT_EQ(request.request->field("x-forwarded-for"), "a, b");
+  EXPECT_EQ(request.request->field("origin"), "");
+  EXPECT_TRUE(request.request->version_1_1);
+  EXPECT_EQ(request.request->head_bytes, head.size());
 }
 
-TEST(IsOwnHost, TakesAddressesLocalhostAndTheBoundName) {
-  for (const char* own : {"127.0.0.1", "127.0.0.1:9464", "192.168.1.7", "[::1]", "[::1]:9464",
-                          "localhost", "LocalHost:80", "localhost.", "monitor.example:9464", ""}) {
-    EXPECT_TRUE(is_own_host(own, "Monitor.example")) << own;
-  }
-  for (const char* other : {"evil.example", "evil.example:9464", "localhost.evil.example", "[evil]",
-                            "127.0.0.1.evil.example", "1", "::1x", "[::1", " "}) {
-    EXPECT_FALSE(is_own_host(other, "Monitor.example")) << other;
-  }
+TEST(HasWord, FindsAWordOfAListWhateverItsCaseAndParameters) {
+  EXPECT_TRUE(has_word("keep-alive, Upgrade", "upgrade"));
+  EXPECT_TRUE(has_word("br;q=1.0, GZIP;q=0.5", "gzip"));
+  EXPECT_FALSE(has_word("br, gzip;q=0", "gzip"));
+  EXPECT_FALSE(has_word("gzip ; Q=0.000", "gzip"));
+  EXPECT_FALSE(has_word("xgzip, gzipx", "gzip"));
+  EXPECT_FALSE(has_word("", "gzip"));
 }
 
 TEST(HttpRequest, LengthIsBounded) {
   const std::string start = "GET / HTTP/1.1\r\nHost: a\r\nX: ";
-  const std::string rest(protocol::kHttpHeadBytesMax - start.size() - 4, 'x');
+  const std::string rest(kBytesMax - start.size() - 4, 'x');
   EXPECT_EQ(refusal(start + rest + "\r\n\r\n"), 0);
   EXPECT_EQ(refusal(start + rest + "x\r\n\r\n"), 431);
   EXPECT_EQ(refusal("GET /" + std::string(1'000'000, 'x')), 431);
@@ -90,7 +94,7 @@ TEST(HttpRequest, NoiseIsNeverARequest) {
           static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
       bytes[at] = static_cast<char>(random.integer(0, 255));
     }
-    const HttpProgress progress = read_http_request(bytes);
+    const HttpProgress progress = read_http_request(bytes, kBytesMax);
     ASSERT_FALSE(progress.request && progress.refusal);
     if (progress.request) {
       for (const char c : progress.request->path) ASSERT_TRUE(c > 0x20 && c < 0x7f);
@@ -107,5 +111,13 @@ TEST(HttpReply, SaysItsLengthAndThatItIsTheLast) {
   EXPECT_TRUE(format_http_reply({200, "text/plain", "ok\n"}, true).ends_with("\r\n\r\n"));
 }
 
+TEST(HttpReply, OneWithoutABodyHasNoLength) {
+  const std::string reply = format_http_reply(
+      {.status = 304, .type = "", .cache = "no-cache", .fields = {"ETag: \"a\""}}, false);
+  EXPECT_EQ(reply,
+            "HTTP/1.1 304 Not Modified\r\nCache-Control: no-cache\r\n"
+            "X-Content-Type-Options: nosniff\r\nETag: \"a\"\r\nConnection: close\r\n\r\n");
+}
+
 }  // namespace
-}  // namespace aucast::server
+}  // namespace aucast::web
