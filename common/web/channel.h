@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace aucast::web {
+
+/// The server's side of one WebSocket (RFC 6455) without its socket: what comes over the wire after
+/// the upgrade goes in, what is to go over the wire comes out. Text messages are a flow of ASCII
+/// bytes, wherever they and their fragments are cut. Answers pings and the peer's Close by itself.
+/// After a failure or a Close of either side nothing more goes in or out but what take_output()
+/// still gives, which tells the peer why.
+/// Thread: none of its own.
+class Channel {
+ public:
+  /// `frame_bytes_max`: of one frame's payload; a longer one is a failure as soon as it is named.
+  explicit Channel(std::size_t frame_bytes_max) : frame_bytes_max_(frame_bytes_max) {}
+
+  /// Bytes from the wire; the text that they carry is appended to `text`. False when it failed.
+  bool received(std::string_view wire, std::string& text);
+  /// One text message of ASCII.
+  void send(std::string_view text);
+  /// Our last word: Close 1000.
+  void end();
+  /// Bytes for the wire.
+  [[nodiscard]] std::string take_output();
+
+  /// The peer has sent its Close.
+  [[nodiscard]] bool ended() const { return ended_; }
+  [[nodiscard]] bool failed() const { return !reason_.empty(); }
+  /// A clause about the failure.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+ private:
+  void take_head_byte(unsigned char byte);
+  [[nodiscard]] std::size_t head_size() const;
+  void begin_frame();
+  [[nodiscard]] bool check_kind();
+  [[nodiscard]] bool check_length();
+  void take_payload(std::string_view& wire, std::string& text);
+  void end_frame();
+  void take_close();
+  void close(int code);
+  void fail(int code, std::string reason);
+
+  std::size_t frame_bytes_max_;
+  std::array<unsigned char, 14> head_{};  ///< of the frame that comes: at most 2 + 8 + 4 bytes
+  std::size_t head_bytes_ = 0;
+  bool in_payload_ = false;
+  std::uint64_t payload_bytes_ = 0;  ///< of the frame
+  std::uint64_t payload_taken_ = 0;  ///< of those
+  std::string control_;              ///< payload of a control frame
+  bool in_message_ = false;          ///< a text's last fragment is still to come
+  bool closed_ = false;              ///< our Close is out
+  bool ended_ = false;
+  std::string output_;
+  std::string reason_;
+};
+
+}  // namespace aucast::web

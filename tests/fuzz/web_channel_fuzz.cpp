@@ -1,0 +1,67 @@
+// A hostile WebSocket peer: the first byte says in how large pieces the others come.
+
+#include <cstdint>
+#include <string>
+
+#include "common/check.h"
+#include "common/web/channel.h"
+#include "tests/fuzz/fuzz_input.h"
+
+using aucast::web::Channel;
+
+namespace {
+
+constexpr std::size_t kFrameBytesMax = 300;
+
+struct Heard {
+  std::string text;
+  std::string answer;
+  bool failed = false;
+  bool ended = false;
+  friend bool operator==(const Heard&, const Heard&) = default;
+};
+
+Heard hear(std::string_view wire, std::size_t piece) {
+  Channel channel(kFrameBytesMax);
+  Heard heard;
+  while (!wire.empty()) {
+    const bool good = channel.received(wire.substr(0, piece), heard.text);
+    AUCAST_CHECK(good != channel.failed());
+    wire.remove_prefix(std::min(piece, wire.size()));
+  }
+  channel.send("{1}");
+  heard.answer = channel.take_output();
+  heard.failed = channel.failed();
+  heard.ended = channel.ended();
+  return heard;
+}
+
+/// What a server says: whole frames without a mask, and nothing after a Close.
+void check_frames(std::string_view wire, bool closes) {
+  bool closed = false;
+  while (!wire.empty()) {
+    AUCAST_CHECK(!closed && wire.size() >= 2);
+    const auto first = static_cast<unsigned char>(wire[0]);
+    const auto size = static_cast<unsigned char>(wire[1]);
+    AUCAST_CHECK(first == 0x81 || first == 0x88 || first == 0x8a);
+    AUCAST_CHECK(size <= 125 && wire.size() >= 2U + size);
+    closed = first == 0x88;
+    wire.remove_prefix(2U + size);
+  }
+  AUCAST_CHECK(closed == closes);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  aucast::fuzz::Script script(aucast::fuzz::text_of(data, size));
+  const std::size_t piece = 1U + script.byte();
+  const std::string_view wire =
+      aucast::fuzz::text_of(data, size).substr(std::min<std::size_t>(1, size));
+  const Heard whole = hear(wire, std::string_view::npos);
+  AUCAST_CHECK(whole == hear(wire, piece));
+  AUCAST_CHECK(whole.text.size() <= wire.size());
+  for (const char c : whole.text) AUCAST_CHECK(static_cast<unsigned char>(c) < 0x80);
+  check_frames(whole.answer, whole.failed || whole.ended);
+  return 0;
+}
