@@ -137,11 +137,11 @@ void LiveInput::read_stream() {
 
 /// A FIFO may get another writer; a pipe does not.
 void LiveInput::stream_ended() {
-  ended_ = path_ == "-";
-  events_.on_end();
   std::error_code ignored;
-  if (ended_) {
+  if (path_ == "-") {
+    ended_ = true;
     stream_.close(ignored);
+    events_.on_end();
     return;
   }
   // Opened before the old end is closed: a FIFO that nobody holds forgets what the next writer has
@@ -154,6 +154,7 @@ void LiveInput::stream_ended() {
     spdlog::warn("{}; nothing more comes of it", descriptor.error().message);
     ended_ = true;
   }
+  events_.on_end();
 }
 
 void LiveInput::note_read(std::string_view bytes) {

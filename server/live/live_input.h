@@ -42,6 +42,8 @@ class LiveInput {
   /// Nothing is read for now, or again.
   void hold(bool held);
   void stop();
+  /// It begins with what a file holds already; what comes through a pipe is new.
+  [[nodiscard]] bool has_past() const { return file_ >= 0; }
   /// Nothing comes any more: stdin has ended, or a FIFO cannot be opened again.
   [[nodiscard]] bool ended() const { return ended_; }
 

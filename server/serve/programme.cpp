@@ -65,10 +65,10 @@ Result<void> Programme::open(const std::filesystem::path& path,
       LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
                         options_.live_source.timeout, options_.record, sources_.empty(),
                         options_.max_kbits, [this](const auto& neutral) { on_neutral(neutral); }},
-      LiveSource::Events{[this] { on_moment_of_source(); },
-                         [this] {
-                           if (!stopped_) make_live(*catalogue_);
-                         }});
+      LiveStreams::Events{[this] { on_moment_of_source(); },
+                          [this] {
+                            if (!stopped_) make_live(*catalogue_);
+                          }});
   if (auto begun = source->start(); !begun) return begun;
   sources_.push_back(std::move(source));
   return {};
@@ -121,7 +121,8 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
 std::vector<protocol::ServedStream> Programme::streams_of_sources() const {
   std::vector<protocol::ServedStream> all;
   for (const auto& source : sources_) {
-    for (protocol::ServedStream& stream : source->streams()) all.push_back(std::move(stream));
+    for (protocol::ServedStream& stream : source->streams().served())
+      all.push_back(std::move(stream));
   }
   return all;
 }
@@ -129,7 +130,7 @@ std::vector<protocol::ServedStream> Programme::streams_of_sources() const {
 /// Asked at every keyframe: while a source lasts, no list of streams is made.
 bool Programme::over() const {
   if (!std::all_of(sources_.begin(), sources_.end(),
-                   [](const auto& source) { return source->over(); })) {
+                   [](const auto& source) { return source->streams().over(); })) {
     return false;
   }
   const auto of_sources = streams_of_sources();
@@ -179,7 +180,7 @@ void Programme::condition_sources_anew() {
     spdlog::error("{}; the profile in use stays", conditioning.error().message);
     return;
   }
-  for (const auto& source : sources_) source->condition(*conditioning);
+  for (const auto& source : sources_) source->streams().condition(*conditioning);
   spdlog::info("the profile was read again");
 }
 
@@ -192,10 +193,11 @@ void Programme::describe(Status& status) const {
 Result<void> Programme::finish() {
   Result<void> finished;
   for (const auto& source : sources_) {
-    if (auto recorded = source->finish_record(); !recorded) finished = recorded.error();
-    if (source->over() && source->nothing_came()) {
-      finished = Error{ErrorKind::BadData, source->streams().front().name +
-                                               ": the source ended before a keyframe came"};
+    LiveStreams& streams = source->streams();
+    if (auto recorded = streams.finish_record(); !recorded) finished = recorded.error();
+    if (streams.over() && streams.nothing_came()) {
+      finished = Error{ErrorKind::BadData,
+                       streams.served().front().name + ": the source ended before a keyframe came"};
     }
   }
   return finished;
