@@ -1,0 +1,128 @@
+// What is served, without a socket: the test is whoever reads the sources.
+#include "server/serve/programme.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/log.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::server {
+namespace {
+
+std::shared_ptr<const protocol::EncodedStream> stream_of(const std::string& packet) {
+  protocol::EncodedStream stream;
+  stream.classic = stream.negotiated = {packet, "{2}"};
+  stream.times.assign(2, protocol::KeyframeTime(3'600'000));
+  return std::make_shared<const protocol::EncodedStream>(std::move(stream));
+}
+
+protocol::ServerCatalogue catalogue_of(const std::vector<protocol::ServedStream>& streams) {
+  protocol::ServerCatalogue catalogue;
+  catalogue.streams = streams;
+  return catalogue;
+}
+
+class ProgrammeTest : public ::testing::Test {
+ protected:
+  ProgrammeTest() { spdlog::set_level(spdlog::level::off); }
+  ~ProgrammeTest() override { spdlog::set_level(level_before_); }
+
+  Programme& begin(protocol::ServerCatalogue catalogue) {
+    programme_.emplace(io_, options_, std::move(catalogue), Programme::Events{[] {}, [] {}});
+    EXPECT_TRUE(programme_->open_sources());
+    programme_->begin();
+    return *programme_;
+  }
+  [[nodiscard]] std::vector<std::string> names() const {
+    Status status;
+    programme_->describe(status);
+    return status.streams;
+  }
+
+  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::TempFolder folder_;
+  asio::io_context io_;
+  TransmitterOptions options_;
+  std::optional<Programme> programme_;
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(ProgrammeTest, ServesWhatWasReadUntilItIsOthers) {
+  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  const auto before = programme.catalogue();
+  EXPECT_FALSE(programme.take_over(catalogue_of({{"a", stream_of("{1}")}}))) << "the same";
+  EXPECT_EQ(programme.catalogue(), before);
+  EXPECT_TRUE(programme.take_over(catalogue_of({{"a", stream_of("{4}")}})));
+  EXPECT_NE(programme.catalogue(), before);
+  EXPECT_EQ(before->streams[0].recorded->classic[0], "{1}") << "for who is there";
+}
+
+TEST_F(ProgrammeTest, AStreamThatHoldsWhatItHeldIsHeldOnce) {
+  const auto first = stream_of("{1}");
+  Programme& programme = begin(catalogue_of({{"a", first}}));
+  ASSERT_TRUE(programme.take_over(catalogue_of({{"a", stream_of("{1}")}, {"b", first}})));
+  EXPECT_EQ(programme.catalogue()->streams[0].recorded, first);
+  EXPECT_EQ(names(), (Names{"a", "b"}));
+}
+
+TEST_F(ProgrammeTest, ATokenOutlastsTheStreams) {
+  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  programme.set_token("word");
+  ASSERT_TRUE(programme.take_over(catalogue_of({{"b", stream_of("{1}")}})));
+  EXPECT_EQ(programme.catalogue()->token, "word");
+}
+
+TEST_F(ProgrammeTest, ALiveStreamGoesOnWithoutAGapWhenItHoldsWhatItHeld) {
+  options_.live = true;
+  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  const auto live = programme.catalogue()->streams[0].live;
+  ASSERT_NE(live, nullptr);
+  EXPECT_EQ(programme.catalogue()->streams[0].recorded, nullptr);
+  EXPECT_GT(programme.unsent_bytes_max(), 0);
+  ASSERT_TRUE(
+      programme.take_over(catalogue_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}})));
+  EXPECT_EQ(programme.catalogue()->streams[0].live, live);
+  EXPECT_NE(programme.catalogue()->streams[1].live, live);
+}
+
+TEST_F(ProgrammeTest, RecordedStreamsMayBeHeldBackAsTheSystemLikes) {
+  EXPECT_EQ(begin(catalogue_of({{"a", stream_of("{1}")}})).unsent_bytes_max(), 0);
+}
+
+TEST_F(ProgrammeTest, ASourceThatIsBeingWrittenHasTheStreamOfItsName) {
+  options_.live_source.follow = true;
+  options_.sources = {folder_.write("face.txt", "12:50;100\n")};
+  Programme& programme = begin(catalogue_of({{"face", nullptr}, {"a", stream_of("{1}")}}));
+  const auto live = programme.catalogue()->streams[0].live;
+  ASSERT_NE(live, nullptr);
+  while (live->newest() == nullptr && io_.run_one() > 0) {
+  }
+  EXPECT_EQ(live->newest()->full, "{12:50;100}");
+  ASSERT_TRUE(programme.take_over(catalogue_of({{"face", nullptr}, {"a", stream_of("{4}")}})));
+  EXPECT_EQ(programme.catalogue()->streams[0].live, live) << "a reload leaves it alone";
+  EXPECT_TRUE(programme.finish());
+}
+
+TEST_F(ProgrammeTest, AStreamThatOnlyBecameALiveSourceIsLeftOut) {
+  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  EXPECT_FALSE(programme.take_over(catalogue_of({{"face", nullptr}}))) << "nothing is left";
+  EXPECT_EQ(names(), Names{"a"});
+  EXPECT_TRUE(programme.take_over(catalogue_of({{"face", nullptr}, {"b", stream_of("{1}")}})));
+  EXPECT_EQ(names(), Names{"b"});
+}
+
+TEST_F(ProgrammeTest, ASourceThatCannotBeOpenedIsAnError) {
+  options_.live_source.follow = true;
+  options_.sources = {"-"};
+  options_.record = "/nowhere/kept.txt";
+  Programme programme(io_, options_, catalogue_of({{"live", nullptr}}), {[] {}, [] {}});
+  EXPECT_FALSE(programme.open_sources());
+}
+
+}  // namespace
+}  // namespace aucast::server

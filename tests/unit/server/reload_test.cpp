@@ -1,0 +1,123 @@
+// SIGHUP without a signal or a socket: the test is whoever reads the sources.
+#include "server/serve/reload.h"
+
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <asio/executor_work_guard.hpp>
+
+#include "common/log.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+protocol::ServerCatalogue only(const std::string& name) {
+  protocol::EncodedStream stream;
+  stream.classic = stream.negotiated = {"{1}"};
+  stream.times.assign(1, protocol::KeyframeTime(100));
+  protocol::ServerCatalogue catalogue;
+  catalogue.streams = {{name, std::make_shared<const protocol::EncodedStream>(std::move(stream))}};
+  return catalogue;
+}
+
+class ReloadTest : public ::testing::Test {
+ protected:
+  ReloadTest() { spdlog::set_level(spdlog::level::off); }
+  ~ReloadTest() override { spdlog::set_level(level_before_); }
+
+  Reload& make(Reload::Load load) {
+    return reload_.emplace(io_, files_, programme_, std::move(load), [this](bool changed) {
+      ++times_done_;
+      changed_ = changed;
+    });
+  }
+  /// Until nothing is being read.
+  void run() {
+    while (reload_->running() && io_.run_one_for(10s) > 0) {
+    }
+  }
+  /// Runs a reload to its end. Whether who comes now gets other streams.
+  bool reloaded() {
+    changed_ = false;
+    reload_->start();
+    run();
+    return changed_;
+  }
+  [[nodiscard]] std::string served() const { return programme_.catalogue()->streams[0].name; }
+
+  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::TempFolder folder_;
+  asio::io_context io_;
+  const asio::executor_work_guard<asio::io_context::executor_type> work_ =
+      asio::make_work_guard(io_);
+  TransmitterOptions options_;
+  CredentialFiles files_;
+  Programme programme_{io_, options_, only("a"), {[] {}, [] {}}};
+  int times_done_ = 0;
+  bool changed_ = false;
+  std::optional<Reload> reload_;
+};
+
+TEST_F(ReloadTest, WhatWasReadIsServedFromThenOn) {
+  const Reload& reload = make([] { return only("b"); });
+  EXPECT_TRUE(reloaded());
+  EXPECT_EQ(served(), "b");
+  EXPECT_FALSE(reloaded()) << "the same again";
+  EXPECT_EQ(reload.successes(), 2U);
+  EXPECT_EQ(reload.failures(), 0U);
+}
+
+TEST_F(ReloadTest, WhatCannotBeReadChangesNothing) {
+  const Reload& reload = make([]() -> Result<protocol::ServerCatalogue> {
+    return Error{ErrorKind::BadData, "b.txt:1:1: broken"};
+  });
+  EXPECT_FALSE(reloaded());
+  EXPECT_EQ(served(), "a");
+  EXPECT_EQ(reload.failures(), 1U);
+}
+
+TEST_F(ReloadTest, TooLittleMemoryChangesNothing) {
+  const Reload& reload =
+      make([]() -> Result<protocol::ServerCatalogue> { throw std::bad_alloc(); });
+  EXPECT_FALSE(reloaded());
+  EXPECT_EQ(served(), "a");
+  EXPECT_EQ(reload.failures(), 1U);
+}
+
+TEST_F(ReloadTest, WithoutItsFileTheTokenStaysAndTheSourcesAreReadNevertheless) {
+  files_.token = folder_.write("token", "0123456789abcdef\n");
+  Reload& reload = make([] { return only("b"); });
+  ASSERT_TRUE(reload.read_credentials());
+  EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
+  std::filesystem::remove(files_.token);
+  EXPECT_TRUE(reloaded());
+  EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
+  EXPECT_EQ(reload.failures(), 1U);
+  EXPECT_EQ(reload.successes(), 1U);
+}
+
+TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {
+  Reload& reload = make([] { return only("b"); });
+  for (int n = 0; n < 5; ++n) reload.start();
+  run();
+  EXPECT_EQ(times_done_, 2);
+  EXPECT_EQ(reload.successes(), 2U);
+}
+
+TEST_F(ReloadTest, WhatIsReadAfterTheEndIsNotTakenOver) {
+  Reload& reload = make([] { return only("b"); });
+  reload.start();
+  programme_.stop();
+  run();
+  EXPECT_EQ(served(), "a");
+  EXPECT_EQ(times_done_, 0);
+}
+
+}  // namespace
+}  // namespace aucast::server
