@@ -37,12 +37,12 @@ struct BufferLevel {
   friend bool operator==(const BufferLevel&, const BufferLevel&) = default;
 };
 
-/// One AU of the keyframe shown, before and after the rules.
+/// One AU: as the keyframe under way has it, and as the face shows it at this moment.
 struct AuRow {
   std::string label;         ///< "12", "L14"
   std::string name;          ///< FACS name; empty for a number without one
-  int received_percent = 0;  ///< 0: not received, a rule made it
-  int shown_percent = 0;     ///< 0: a rule took it away
+  int received_percent = 0;  ///< 0: not received; a rule made it, or it is going away
+  int shown_percent = 0;     ///< 0: a rule took it away, or it has not begun to show
   std::string why;           ///< the rule that changed it; empty when none did
   friend bool operator==(const AuRow&, const AuRow&) = default;
 };

@@ -122,7 +122,7 @@ std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,
   const auto add = [&](int number, Side side, float before, float after) {
     if (percent_of(before) + percent_of(after) == 0) return;
     AuRow row = row_of(number, side, before, after, rules);
-    if (row.shown_percent > 0 && !recordings.contains(number)) {
+    if (!recordings.contains(number)) {
       row.shown_percent = 0;
       row.why = "this face has no AU " + std::to_string(number);
     }

@@ -205,7 +205,6 @@ void au_table(const Look& look, const char* given, const std::vector<AuRow>& row
   ImGui::TableSetupColumn("shown", 0, 46 * look.scale);
   ImGui::TableHeadersRow();
   for (const AuRow& row : rows) {
-    const bool differs = row.received_percent != row.shown_percent;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.label.c_str());
@@ -215,7 +214,7 @@ void au_table(const Look& look, const char* given, const std::vector<AuRow>& row
     ImGui::TableNextColumn();
     percent(row.received_percent, false);
     ImGui::TableNextColumn();
-    percent(row.shown_percent, differs);
+    percent(row.shown_percent, !row.why.empty());
   }
   ImGui::EndTable();
 }

@@ -281,10 +281,7 @@ void PlaybackSession::describe_traffic(const playback::SourceStatus& status,
 std::vector<gui::AuRow> PlaybackSession::au_rows() const {
   if (playback_ == nullptr || playback_->progress().keyframe == 0) return {};
   const pipeline::FacePipeline& pipeline = player_.pipeline();
-  // Who can stop anywhere wants to read what the face shows there. What comes and goes is read as
-  // a whole keyframe.
-  const AuFrame& shown = seekable() != nullptr ? player_.face().aus : pipeline.blended();
-  return gui::au_rows(pipeline.received(), shown, explained_, mapping_.recordings);
+  return gui::au_rows(pipeline.received(), player_.face().aus, explained_, mapping_.recordings);
 }
 
 gui::RemoteView PlaybackSession::remote_view() const {

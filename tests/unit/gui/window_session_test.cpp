@@ -64,12 +64,15 @@ TEST_F(WindowSessionTest, PlaysAndShowsWhatCameAndWhatTheRulesMadeOfIt) {
   go_on(Milliseconds(0));
   ASSERT_EQ(model().remote.aus.size(), 2U);
   EXPECT_EQ(model().remote.aus[0].received_percent, 100);
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 60);
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 0) << "it has only begun";
   EXPECT_EQ(model().remote.aus[0].why, "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone");
   EXPECT_EQ(model().remote.keyframe, "keyframe 1");
   EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(2));
-  go_on(Milliseconds(100));
+  go_on(Milliseconds(50));
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 30);
+  go_on(Milliseconds(50));
   EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 60);
 }
 
 TEST_F(WindowSessionTest, ExportsWhatWasReceivedAndNotTheEasingToNeutral) {
