@@ -1,6 +1,7 @@
 #include "client/gui/gui.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -142,14 +143,18 @@ struct KeyHelp {
   const char* key;
   const char* meaning;
 };
-constexpr std::array<KeyHelp, 18> kKeys = {{
+constexpr std::array<KeyHelp, 23> kKeys = {{
     {"Space", "pause and resume"},
-    {"Left, Right", "a keyframe back, on (stream files)"},
+    {"Left, Right", "5 s back, on (files)"},
+    {"Home, End", "to the beginning, the end"},
+    {"PgUp, PgDn", "a keyframe back, on"},
     {", .", "a frame back, on"},
     {"[ ]", "slower, faster"},
     {"l", "loop: begin, end, none"},
+    {"L", "repeat the whole file"},
     {"o", "open a stream file"},
     {"Tab", "hide and show the panel"},
+    {"h", "the face alone"},
     {"f", "full screen"},
     {"s", "save a picture"},
     {"v", "begin and end a video"},
@@ -157,7 +162,8 @@ constexpr std::array<KeyHelp, 18> kKeys = {{
     {"Ctrl+s", "save (editor, composer)"},
     {"r", "reset the view"},
     {"?", "this list"},
-    {"q, Esc", "leave"},
+    {"Esc", "close what is open, leave full screen"},
+    {"q", "leave"},
     {"left drag", "turn the face"},
     {"right drag", "move the face"},
     {"wheel", "zoom"},
@@ -217,8 +223,13 @@ struct Gui::State {
   NoticeForm notice;
   ComposerForm composer;
   bool panel = true;
+  bool bare = false;         ///< the user wants the face alone
+  bool hidden = false;       ///< panel and bar, until the mouse moves
+  bool full_screen = false;  ///< panel and bar lie over the face
   bool keys = false;
 
+  [[nodiscard]] bool shows_bar() const { return !bare && !hidden; }
+  [[nodiscard]] bool shows_panel() const { return panel && shows_bar(); }
   [[nodiscard]] float panel_width() const {
     return std::min(kPanelWidth * look.scale, ImGui::GetIO().DisplaySize.x);
   }
@@ -261,6 +272,21 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
   ImGui::End();
 }
 
+namespace {
+
+/// ImGui itself closes drop-downs by keys only when it is walked through by keys.
+void close_popup_by_escape() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const int open = context.OpenPopupStack.Size;
+  if (open == 0 || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
+  const ImGuiWindow* const top = context.OpenPopupStack[open - 1].Window;
+  // A dialog answers for itself.
+  if (top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0) return;
+  ImGui::ClosePopupToLevel(open - 1, true);
+}
+
+}  // namespace
+
 Gui::Gui(float scale) : state_(std::make_unique<State>()) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
@@ -278,9 +304,12 @@ Gui::~Gui() {
 
 void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   ImGui::NewFrame();
-  if (state_->panel) state_->side_panel(model, commands);
-  const float free = ImGui::GetIO().DisplaySize.x - covered_width();
-  transport_bar(state_->look, model, free, commands);
+  close_popup_by_escape();
+  if (state_->hidden) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  if (state_->shows_panel()) state_->side_panel(model, commands);
+  const float panel = state_->shows_panel() ? state_->panel_width() : 0;
+  const float free = ImGui::GetIO().DisplaySize.x - panel;
+  if (state_->shows_bar()) transport_bar(state_->look, model, free, commands);
   notices(state_->look, model, free, state_->notice, commands);
   file_dialog(state_->look, model, state_->file, commands);
   if (state_->keys) key_list(state_->look, free, state_->keys);
@@ -289,7 +318,20 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
 }
 
 void Gui::toggle_panel() {
-  state_->panel = !state_->panel;
+  state_->panel = !state_->shows_panel();
+  state_->bare = false;
+}
+
+void Gui::toggle_bare() {
+  state_->bare = !state_->bare;
+}
+
+void Gui::set_full_screen(bool full_screen) {
+  state_->full_screen = full_screen;
+}
+
+void Gui::set_hidden(bool hidden) {
+  state_->hidden = hidden;
 }
 
 void Gui::toggle_keys() {
@@ -301,7 +343,7 @@ bool Gui::close_keys() {
 }
 
 float Gui::covered_width() const {
-  return state_->panel ? state_->panel_width() : 0;
+  return state_->shows_panel() && !state_->full_screen ? state_->panel_width() : 0;
 }
 
 bool Gui::wants_keys() const {

@@ -25,10 +25,17 @@ class Gui {
   void draw(const GuiModel& model, GuiCommands& commands);
 
   void toggle_panel();
+  /// Nothing but the face, or panel and bar again.
+  void toggle_bare();
+  /// In full screen panel and bar lie over the face instead of beside it.
+  void set_full_screen(bool full_screen);
+  /// Panel, bar and pointer are out of the way for now.
+  void set_hidden(bool hidden);
   void toggle_keys();
   /// Hides the list of keys; false when it was not shown.
   bool close_keys();
-  /// Width of what the panel hides at the right of the window, in its units; 0 when it is hidden.
+  /// Width of what the panel takes of the window at its right, in its units; 0 when it is hidden or
+  /// lies over the face.
   [[nodiscard]] float covered_width() const;
   /// A text is being typed or a question asked: keys are not for the player.
   [[nodiscard]] bool wants_keys() const;

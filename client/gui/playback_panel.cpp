@@ -12,6 +12,9 @@ namespace {
 constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
 constexpr float kSpeedWidth = 78;
 constexpr float kLoopWidth = 76;
+constexpr float kRepeatWidth = 66;
+/// With less room the bar leaves out what there are keys for.
+constexpr float kRoomy = 560;
 /// More marks than this would be a grey band.
 constexpr float kMarksApart = 5;
 
@@ -69,14 +72,15 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float r, unsigned col
 
 bool icon_button(const Look& look, const char* id, Icon icon, const char* tip) {
   const float height = ImGui::GetFrameHeight();
-  const ImVec2 size(height * 1.5F, height);
+  const bool roomy = ImGui::GetWindowWidth() > kRoomy * look.scale;
+  const ImVec2 size(height * (roomy ? 1.5F : 1.0F), height);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::Button(id, size);
   const bool small = icon == Icon::FrameBack || icon == Icon::FrameOn;
   draw_icon(*ImGui::GetWindowDrawList(), icon, ImVec2(at.x + size.x / 2, at.y + size.y / 2),
             (small ? 3.5F : 5.5F) * look.scale, ImGui::GetColorU32(ImGuiCol_Text));
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
-  ImGui::SameLine();
+  ImGui::SameLine(0, roomy ? -1.0F : 4 * look.scale);
   return pressed;
 }
 
@@ -143,7 +147,7 @@ void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
 }
 
 void steps(const Look& look, const LocalView& local, GuiCommands& commands) {
-  if (icon_button(look, "##kb", Icon::KeyframeBack, "a keyframe back (Left)")) {
+  if (icon_button(look, "##kb", Icon::KeyframeBack, "a keyframe back (PgUp)")) {
     commands.push_back(LocalCommand(StepKeyframe{-1}));
   }
   if (icon_button(look, "##fb", Icon::FrameBack, "a frame back (,)")) {
@@ -157,7 +161,7 @@ void steps(const Look& look, const LocalView& local, GuiCommands& commands) {
   if (icon_button(look, "##fo", Icon::FrameOn, "a frame on (.)")) {
     commands.push_back(LocalCommand(StepFrame{1}));
   }
-  if (icon_button(look, "##ko", Icon::KeyframeOn, "a keyframe on (Right)")) {
+  if (icon_button(look, "##ko", Icon::KeyframeOn, "a keyframe on (PgDn)")) {
     commands.push_back(LocalCommand(StepKeyframe{1}));
   }
 }
@@ -189,6 +193,17 @@ void loop_button(const Look& look, const LocalView& local, GuiCommands& commands
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
 }
 
+void repeat_button(const Look& look, const LocalView& local, GuiCommands& commands) {
+  if (local.repeats) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+  }
+  if (ImGui::Button("Repeat", ImVec2(kRepeatWidth * look.scale, 0))) {
+    commands.push_back(LocalCommand(ToggleRepeat{}));
+  }
+  if (local.repeats) ImGui::PopStyleColor();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("the whole file again and again (L)");
+}
+
 }  // namespace
 
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {
@@ -206,18 +221,30 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
     seek_bar(look, local, commands);
     steps(look, local, commands);
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("%s / %s", time_text(local.position).c_str(), time_text(local.total).c_str());
+    const bool roomy = width > kRoomy * look.scale;
+    std::string text = time_text(local.position);
+    if (roomy) text += " / " + time_text(local.total);
+    ImGui::TextUnformatted(text.c_str());
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float right = ImGui::GetWindowWidth() - style.WindowPadding.x - style.ItemSpacing.x -
-                        (kSpeedWidth + kLoopWidth) * look.scale;
-    if (width > 560 * look.scale) {
+    float right = ImGui::GetWindowWidth() - style.WindowPadding.x - style.ItemSpacing.x -
+                  (kSpeedWidth + kLoopWidth) * look.scale;
+    if (roomy) right -= kRepeatWidth * look.scale + style.ItemSpacing.x;
+    if (roomy) {
       ImGui::SameLine();
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      const float end = ImGui::GetWindowPos().x + right - style.ItemSpacing.x;
+      ImGui::PushClipRect(at, ImVec2(end, at.y + ImGui::GetFrameHeight()), true);
       ImGui::TextDisabled("%s", local.name.c_str());
+      ImGui::PopClipRect();
     }
     ImGui::SameLine(std::max(right, 0.0F));
     speed_choice(look, local, commands);
     ImGui::SameLine();
     loop_button(look, local, commands);
+    if (roomy) {
+      ImGui::SameLine();
+      repeat_button(look, local, commands);
+    }
   }
   ImGui::End();
   ImGui::PopStyleVar();

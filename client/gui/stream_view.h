@@ -23,6 +23,7 @@ struct LocalView {
   int speed_percent = 100;
   std::optional<Duration> loop_begin;
   std::optional<Duration> loop_end;
+  bool repeats = false;  ///< the whole of it
   friend bool operator==(const LocalView&, const LocalView&) = default;
 };
 
@@ -30,6 +31,9 @@ struct LocalView {
 
 struct Seek {
   Duration position{0};
+};
+struct SeekBy {
+  Duration time{0};  ///< below 0: back
 };
 struct StepKeyframe {
   int direction = 1;  ///< -1: back
@@ -44,7 +48,10 @@ struct ChangeSpeed {
   int direction = 1;  ///< to the next of the usual speeds
 };
 struct MarkLoop {};
+/// Plays the whole of it again and again, or no more.
+struct ToggleRepeat {};
 
-using LocalCommand = std::variant<Seek, StepKeyframe, StepFrame, SetSpeed, ChangeSpeed, MarkLoop>;
+using LocalCommand = std::variant<Seek, SeekBy, StepKeyframe, StepFrame, SetSpeed, ChangeSpeed,
+                                  MarkLoop, ToggleRepeat>;
 
 }  // namespace aucast::gui

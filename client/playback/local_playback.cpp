@@ -24,8 +24,12 @@ LocalPlayback::LocalPlayback(const std::vector<Milliseconds>& times) {
   }
 }
 
-bool LocalPlayback::looping() const {
-  return loop_begin_ && loop_end_ && anchor_position_ < *loop_end_;
+std::optional<LocalPlayback::Loop> LocalPlayback::loop() const {
+  if (loop_begin_ && loop_end_ && anchor_position_ < *loop_end_) {
+    return Loop{*loop_begin_, *loop_end_};
+  }
+  if (repeats_ && anchor_position_ < total()) return Loop{Duration::zero(), total()};
+  return std::nullopt;
 }
 
 Duration LocalPlayback::run(Instant now) const {
@@ -35,9 +39,10 @@ Duration LocalPlayback::run(Instant now) const {
 
 Duration LocalPlayback::position(Instant now) const {
   const Duration wanted = anchor_position_ + run(now);
-  if (!looping()) return std::min(wanted, total());
-  if (wanted < *loop_end_) return wanted;
-  return *loop_begin_ + (wanted - *loop_end_) % (*loop_end_ - *loop_begin_);
+  const auto round = loop();
+  if (!round) return std::min(wanted, total());
+  if (wanted < round->end) return wanted;
+  return round->begin + (wanted - round->end) % (round->end - round->begin);
 }
 
 StreamPlace LocalPlayback::place(Duration position) const {
@@ -69,7 +74,8 @@ void LocalPlayback::pause(Instant now) {
 }
 
 void LocalPlayback::seek(Duration position, Instant now) {
-  anchor(std::clamp(position, Duration::zero(), total()), now);
+  const Duration to = std::clamp(position, Duration::zero(), total());
+  anchor(to == total() && playing_ && repeats_ ? Duration::zero() : to, now);
 }
 
 void LocalPlayback::step_keyframe(int direction, Instant now) {
@@ -137,6 +143,13 @@ void LocalPlayback::mark_loop(Instant now) {
   }
 }
 
+void LocalPlayback::set_repeat(bool repeats, Instant now) {
+  const bool ended = over(now);
+  anchor(position(now), now);
+  repeats_ = repeats;
+  if (repeats && ended) anchor(Duration::zero(), now);
+}
+
 /// Keyframes whose end lies in [from, to), and the last one when `to` is the end of all.
 LocalPlayback::Passed LocalPlayback::between(Duration from, Duration to) const {
   if (from >= to) return {};
@@ -157,14 +170,15 @@ LocalPlayback::Passed LocalPlayback::passed(Instant now) const {
     sum.time += more.time * times;
   };
   const Duration wanted = anchor_position_ + run(now);
-  if (!looping() || wanted < *loop_end_) {
+  const auto round = loop();
+  if (!round || wanted < round->end) {
     add(between(anchor_position_, position(now)), 1);
     return sum;
   }
-  const Duration round = *loop_end_ - *loop_begin_;
-  add(between(anchor_position_, *loop_end_), 1);
-  add(between(*loop_begin_, *loop_end_), (wanted - *loop_end_) / round);
-  add(between(*loop_begin_, position(now)), 1);
+  const Duration length = round->end - round->begin;
+  add(between(anchor_position_, round->end), 1);
+  add(between(round->begin, round->end), (wanted - round->end) / length);
+  add(between(round->begin, position(now)), 1);
   return sum;
 }
 

@@ -42,6 +42,7 @@ class LocalPlayback {
   [[nodiscard]] int speed_percent() const { return speed_percent_; }
   [[nodiscard]] std::optional<Duration> loop_begin() const { return loop_begin_; }
   [[nodiscard]] std::optional<Duration> loop_end() const { return loop_end_; }
+  [[nodiscard]] bool repeats() const { return repeats_; }
 
   /// From the end it plays from the beginning.
   void play(Instant now);
@@ -58,6 +59,8 @@ class LocalPlayback {
   void change_speed(int direction, Instant now);
   /// First A, then B, then none: the marks of a loop, at the position of `now`.
   void mark_loop(Instant now);
+  /// At the end it begins anew. A loop between two marks comes first.
+  void set_repeat(bool repeats, Instant now);
 
   /// Keyframes reached by playing, and the sum of their times; rounds of a loop count.
   [[nodiscard]] std::uint64_t keyframes_played(Instant now) const;
@@ -69,7 +72,12 @@ class LocalPlayback {
     Duration time{0};
   };
 
-  [[nodiscard]] bool looping() const;
+  struct Loop {
+    Duration begin{0};
+    Duration end{0};
+  };
+  /// The part that is played again and again from the anchor on.
+  [[nodiscard]] std::optional<Loop> loop() const;
   /// Stream time since the anchor, as if there were no end and no loop.
   [[nodiscard]] Duration run(Instant now) const;
   [[nodiscard]] Passed passed(Instant now) const;
@@ -84,6 +92,7 @@ class LocalPlayback {
   Duration anchor_position_{0};
   std::optional<Duration> loop_begin_;
   std::optional<Duration> loop_end_;
+  bool repeats_ = false;
   Passed passed_before_;  ///< up to the anchor
 };
 

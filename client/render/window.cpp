@@ -95,13 +95,28 @@ Key key_of(int code, int modifiers) {
       return Key::Left;
     case GLFW_KEY_RIGHT:
       return Key::Right;
+    case GLFW_KEY_HOME:
+      return Key::Home;
+    case GLFW_KEY_END:
+      return Key::End;
+    case GLFW_KEY_PAGE_UP:
+      return Key::PageUp;
+    case GLFW_KEY_PAGE_DOWN:
+      return Key::PageDown;
+    case GLFW_KEY_H:
+      return Key::H;
     case GLFW_KEY_L:
-      return Key::L;
+      return (modifiers & GLFW_MOD_SHIFT) != 0 ? Key::Repeat : Key::L;
     case GLFW_KEY_O:
       return Key::O;
     default:
       return Key::None;
   }
+}
+
+/// What goes on for as long as the key is held.
+bool repeats(Key key) {
+  return key == Key::Left || key == Key::Right || key == Key::PageUp || key == Key::PageDown;
 }
 
 /// The character that comes with the key says what it is.
@@ -163,7 +178,8 @@ void Window::State::listen() {
   glfwSetWindowUserPointer(window, this);
   glfwGetCursorPos(window, &pointer_x, &pointer_y);
   glfwSetKeyCallback(window, [](GLFWwindow* self, int code, int scan, int action, int modifiers) {
-    const Key meaning = action == GLFW_PRESS ? key_of(code, modifiers) : Key::None;
+    Key meaning = action == GLFW_RELEASE ? Key::None : key_of(code, modifiers);
+    if (action == GLFW_REPEAT && !repeats(meaning)) meaning = Key::None;
     of(self).happened({InputEvent::Kind::Key, code, scan, action, modifiers, 0, 0, meaning,
                        is_text(code, modifiers)});
   });
@@ -251,10 +267,14 @@ void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(state_->window, title.c_str());
 }
 
+bool Window::full_screen() const {
+  return glfwGetWindowMonitor(state_->window) != nullptr;
+}
+
 void Window::toggle_full_screen() {
   GLFWwindow* window = state_->window;
   auto& [x, y, width, height] = state_->windowed;
-  if (glfwGetWindowMonitor(window) != nullptr) {
+  if (full_screen()) {
     glfwSetWindowMonitor(window, nullptr, x, y, width, height, GLFW_DONT_CARE);
     return;
   }

@@ -26,11 +26,17 @@ enum class Key : int {
   Tab,
   Left,
   Right,
+  Home,
+  End,
+  PageUp,
+  PageDown,
   Comma,
   Period,
   Slower,
   Faster,
   L,
+  Repeat,
+  H,
   O,
   V,
   Undo,
@@ -72,6 +78,7 @@ class Window {
   [[nodiscard]] std::string next_dropped();
   void set_title(const std::string& title);
   void toggle_full_screen();
+  [[nodiscard]] bool full_screen() const;
   /// Binds the window's own framebuffer again.
   void bind_framebuffer();
   void present();

@@ -214,6 +214,10 @@ bool PlaybackSession::apply_local(const gui::LocalCommand& command, Instant now)
                                playhead.seek(one.position, now);
                                return true;
                              },
+                             [&](const gui::SeekBy& one) {
+                               playhead.seek(playhead.position(now) + one.time, now);
+                               return true;
+                             },
                              [&](const gui::StepKeyframe& one) {
                                playhead.step_keyframe(one.direction, now);
                                return true;
@@ -232,6 +236,10 @@ bool PlaybackSession::apply_local(const gui::LocalCommand& command, Instant now)
                              },
                              [&](const gui::MarkLoop&) {
                                playhead.mark_loop(now);
+                               return false;
+                             },
+                             [&](const gui::ToggleRepeat&) {
+                               playhead.set_repeat(!playhead.repeats(), now);
                                return false;
                              }};
   return std::visit(carry_out, command);
@@ -334,6 +342,7 @@ gui::LocalView PlaybackSession::local_view() const {
   view.speed_percent = playhead.speed_percent();
   view.loop_begin = playhead.loop_begin();
   view.loop_end = playhead.loop_end();
+  view.repeats = playhead.repeats();
   return view;
 }
 

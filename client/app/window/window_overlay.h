@@ -3,8 +3,10 @@
 #include <array>
 #include <deque>
 #include <memory>
+#include <optional>
 
 #include "client/app/window/input_pacer.h"
+#include "client/gui/curtain.h"
 #include "client/gui/gui.h"
 #include "client/render/window.h"
 
@@ -24,6 +26,14 @@ class WindowOverlay {
   void draw(const gui::GuiModel& model, gui::GuiCommands& commands);
   /// Keys pressed and not typed into something, in order; Key::None when there are no more.
   [[nodiscard]] render::Key next_key();
+  void set_full_screen(bool full_screen, Instant now);
+  /// Lets panels go or come back as the mouse is still or moves; true when they did. Call it before
+  /// draw().
+  [[nodiscard]] bool move_curtain(Instant now);
+  /// When move_curtain() is to be called again if nothing happens until then.
+  [[nodiscard]] std::optional<Instant> curtain_falls_at(Instant now) const {
+    return curtain_.falls_at(now);
+  }
   /// There is input that only the next frame may see.
   [[nodiscard]] bool input_waits() const;
   /// Pixels of the framebuffer that the panel leaves free, from the left.
@@ -40,6 +50,8 @@ class WindowOverlay {
 
   render::Window& window_;
   InputPacer pacer_;
+  gui::Curtain curtain_;
+  bool hidden_ = false;
   std::deque<render::Key> keys_;
   float pointer_x_ = kNowhere;
   float pointer_y_ = kNowhere;

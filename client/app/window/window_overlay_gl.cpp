@@ -89,6 +89,24 @@ void WindowOverlay::move_to(float x, float y) {
   }
 }
 
+void WindowOverlay::set_full_screen(bool full_screen, Instant now) {
+  curtain_.set_full_screen(full_screen, now);
+  gui_.set_full_screen(full_screen);
+}
+
+bool WindowOverlay::move_curtain(Instant now) {
+  using Kind = render::InputEvent::Kind;
+  const auto& input = window_.input();
+  const bool mouse = std::any_of(input.begin(), input.end(), [](const render::InputEvent& event) {
+    return event.kind == Kind::Move || event.kind == Kind::Button || event.kind == Kind::Scroll;
+  });
+  if (mouse || gui_.wants_keys() || gui_.wants_pointer()) curtain_.touched(now);
+  const bool hides = curtain_.hides(now);
+  if (std::exchange(hidden_, hides) == hides) return false;
+  gui_.set_hidden(hides);
+  return true;
+}
+
 render::Key WindowOverlay::next_key() {
   if (keys_.empty()) return render::Key::None;
   const render::Key key = keys_.front();

@@ -26,6 +26,7 @@ namespace aucast::app {
 namespace {
 
 constexpr int kFramesPerPace = 20;
+constexpr Milliseconds kSeekStep{5'000};
 /// The pictures' size is too small for a face beside the panels.
 constexpr int kWindowWidth = 1280;
 constexpr int kWindowHeight = 800;
@@ -88,6 +89,9 @@ class WindowRun {
 
   void tick(bool stopped_from_outside) {
     Duration idle = session_.idle_time(steady_now());
+    if (const auto falls = overlay_->curtain_falls_at(steady_now())) {
+      idle = std::min(idle, *falls - steady_now());
+    }
     if (video_)
       idle = std::min<Duration>(idle, std::chrono::milliseconds(1000 / SessionVideo::kFps));
     window_->poll(waits_for_frames() ? 0 : seconds(idle));
@@ -121,8 +125,8 @@ class WindowRun {
       frames_due_ = gui::kFramesAfterChange;
       switch (key) {
         case Key::Escape:
-          if (overlay_->gui().close_keys()) break;
-          [[fallthrough]];
+          close_what_is_open();
+          break;
         case Key::Quit:
           session_.ask_to_leave();
           break;
@@ -130,7 +134,10 @@ class WindowRun {
           session_.toggle_pause(steady_now());
           break;
         case Key::F:
-          window_->toggle_full_screen();
+          toggle_full_screen();
+          break;
+        case Key::H:
+          overlay_->gui().toggle_bare();
           break;
         case Key::R:
           look_from(gui::View::Front);
@@ -151,6 +158,18 @@ class WindowRun {
     }
   }
 
+  /// One thing at a time, the nearest to the user first; only q and the window's cross leave.
+  void close_what_is_open() {
+    if (overlay_->gui().close_keys()) return;
+    if (!shown_model_.notice.text.empty()) return carry_out(gui::CloseNotice{});
+    if (window_->full_screen()) toggle_full_screen();
+  }
+
+  void toggle_full_screen() {
+    window_->toggle_full_screen();
+    overlay_->set_full_screen(window_->full_screen(), steady_now());
+  }
+
   void handle_drops() {
     for (std::string file = window_->next_dropped(); !file.empty();
          file = window_->next_dropped()) {
@@ -163,8 +182,16 @@ class WindowRun {
     using render::Key;
     switch (key) {
       case Key::Left:
-        return carry_out(gui::StepKeyframe{-1});
+        return carry_out(gui::SeekBy{-kSeekStep});
       case Key::Right:
+        return carry_out(gui::SeekBy{kSeekStep});
+      case Key::Home:
+        return carry_out(gui::Seek{Duration::zero()});
+      case Key::End:
+        return carry_out(gui::Seek{Duration::max()});
+      case Key::PageUp:
+        return carry_out(gui::StepKeyframe{-1});
+      case Key::PageDown:
         return carry_out(gui::StepKeyframe{1});
       case Key::Comma:
         return carry_out(gui::StepFrame{-1});
@@ -176,6 +203,8 @@ class WindowRun {
         return carry_out(gui::ChangeSpeed{1});
       case Key::L:
         return carry_out(gui::MarkLoop{});
+      case Key::Repeat:
+        return carry_out(gui::ToggleRepeat{});
       case Key::O:
         return carry_out(gui::Browse{gui::Purpose::PlayStream});
       case Key::V:
@@ -302,6 +331,7 @@ class WindowRun {
     times.mix = steady_now() - begin;
     gui::GuiModel model = session_.model();
     const bool moved = activations != shown_activations_;
+    if (overlay_->move_curtain(steady_now())) frames_due_ = gui::kFramesAfterChange;
     if (window_->take_redraw()) frames_due_ = gui::kFramesAfterChange;
     frames_due_ = std::max(frames_due_, gui::frames_due(shown_model_, model));
     if (!moved && frames_due_ == 0) return;

@@ -39,6 +39,16 @@ GuiModel playing_model() {
   return model;
 }
 
+LocalView three_keyframes() {
+  LocalView local;
+  local.open = true;
+  local.name = "three.txt";
+  local.total = Milliseconds(600);
+  local.ends = std::make_shared<const std::vector<Duration>>(
+      std::vector<Duration>{Milliseconds(100), Milliseconds(300), Milliseconds(600)});
+  return local;
+}
+
 /// Draws the panels without a window and moves a mouse over them.
 class Panels : public testing::Test {
  protected:
@@ -144,6 +154,37 @@ TEST_F(Panels, ThePanelLeavesTheFaceFreeAndCanBeHidden) {
   EXPECT_EQ(bright_pixels(picture(), 0, kWidth), 0U);
 }
 
+TEST_F(Panels, InFullScreenThePanelLiesOverTheFaceAndGoesAway) {
+  gui_->set_full_screen(true);
+  EXPECT_EQ(gui_->covered_width(), 0) << "the face does not move when the panel goes";
+  EXPECT_GT(bright_pixels(picture(), 0, kWidth), 2000U);
+  gui_->set_hidden(true);
+  EXPECT_EQ(bright_pixels(picture(), 0, kWidth), 0U);
+  gui_->set_hidden(false);
+  EXPECT_GT(bright_pixels(picture(), 0, kWidth), 2000U);
+}
+
+TEST_F(Panels, TheFaceAloneIsWithoutPanelAndBar) {
+  model_.local = three_keyframes();
+  gui_->toggle_bare();
+  EXPECT_EQ(gui_->covered_width(), 0);
+  EXPECT_EQ(bright_pixels(picture(), 0, kWidth), 0U);
+  gui_->toggle_panel();
+  EXPECT_GT(gui_->covered_width(), 0) << "the panel is asked for";
+}
+
+TEST_F(Panels, EscapeClosesADropDown) {
+  static_cast<void>(click(767, 123));  // the last addresses
+  EXPECT_TRUE(gui_->wants_keys());
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Escape] = 1;
+  io.KeysDown[1] = true;
+  static_cast<void>(frame());
+  io.KeysDown[1] = false;
+  static_cast<void>(frame());
+  EXPECT_FALSE(gui_->wants_keys());
+}
+
 TEST_F(Panels, WhatPlaysCanBePausedAndStopped) {
   EXPECT_TRUE(find_by_clicking<Pause>(590, 100, 260).has_value());
   EXPECT_TRUE(find_by_clicking<Stop>(700, 100, 260).has_value());
@@ -199,16 +240,6 @@ std::optional<Command> local_command(const GuiCommands& commands) {
     if (const auto* found = command_if<Command>(command)) return *found;
   }
   return std::nullopt;
-}
-
-LocalView three_keyframes() {
-  LocalView local;
-  local.open = true;
-  local.name = "three.txt";
-  local.total = Milliseconds(600);
-  local.ends = std::make_shared<const std::vector<Duration>>(
-      std::vector<Duration>{Milliseconds(100), Milliseconds(300), Milliseconds(600)});
-  return local;
 }
 
 TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {

@@ -61,6 +61,33 @@ TEST_F(StreamSessionTest, AnyPlaceShowsTheFaceThatPlayingShowsThere) {
   EXPECT_EQ(session_->activations(clock_.now()), played);
 }
 
+TEST_F(StreamSessionTest, KeysSeekByTimeAndToBothEnds) {
+  open();
+  session_->toggle_pause(clock_.now());
+  const auto seek = [&](const LocalCommand& command) {
+    ask(command);
+    return model().local.position;
+  };
+  EXPECT_EQ(seek(gui::SeekBy{Milliseconds(250)}), Milliseconds(250));
+  EXPECT_EQ(seek(gui::SeekBy{Milliseconds(-50)}), Milliseconds(200));
+  EXPECT_EQ(seek(gui::SeekBy{Milliseconds(-5000)}), Milliseconds(0));
+  EXPECT_EQ(seek(gui::Seek{Duration::max()}), Milliseconds(600));
+  EXPECT_EQ(seek(gui::SeekBy{Milliseconds(5000)}), Milliseconds(600));
+  EXPECT_EQ(seek(gui::Seek{Duration::zero()}), Milliseconds(0));
+}
+
+TEST_F(StreamSessionTest, AWholeFileIsRepeated) {
+  open();
+  ask(LocalCommand(gui::ToggleRepeat{}));
+  EXPECT_TRUE(model().local.repeats);
+  go_on(Milliseconds(6250));
+  EXPECT_EQ(model().local.position, Milliseconds(250));
+  EXPECT_FALSE(session_->over());
+  ask(LocalCommand(gui::ToggleRepeat{}));
+  go_on(Milliseconds(6000));
+  EXPECT_TRUE(session_->over());
+}
+
 TEST_F(StreamSessionTest, SpaceHoldsAndPlaysAgainFromTheEnd) {
   open();
   go_on(Milliseconds(50));

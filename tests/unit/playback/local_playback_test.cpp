@@ -48,6 +48,25 @@ TEST_F(LocalPlaybackTest, EndsWithTheLastKeyframeAndBeginsAnew) {
   EXPECT_FALSE(playback_.over(clock_.now()));
 }
 
+TEST_F(LocalPlaybackTest, RepeatsTheWholeAndCountsEveryRound) {
+  playback_.set_repeat(true, clock_.now());
+  play();
+  go_on(Milliseconds(1350));
+  EXPECT_EQ(at(), Milliseconds(150));
+  EXPECT_FALSE(playback_.over(clock_.now()));
+  EXPECT_EQ(playback_.keyframes_played(clock_.now()), 7U);
+  seek(Milliseconds(600));
+  EXPECT_EQ(at(), Milliseconds(0)) << "the end is the beginning";
+}
+
+TEST_F(LocalPlaybackTest, WhatHasEndedBeginsAnewWhenItIsToBeRepeated) {
+  play();
+  go_on(Milliseconds(5000));
+  playback_.set_repeat(true, clock_.now());
+  go_on(Milliseconds(50));
+  EXPECT_EQ(at(), Milliseconds(50));
+}
+
 TEST_F(LocalPlaybackTest, PauseHoldsAndPlayGoesOnFromThere) {
   play();
   go_on(Milliseconds(70));

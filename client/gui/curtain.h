@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "common/time.h"
+
+namespace aucast::gui {
+
+/// Whether panels lie over the face. In full screen they go away when the mouse has been still for
+/// a while and come back with it; in a window they stay. Pure: moments are handed in.
+class Curtain {
+ public:
+  /// So long the mouse is still before the panels go.
+  static constexpr Milliseconds kTime{3'000};
+
+  void set_full_screen(bool full_screen, Instant now) {
+    full_screen_ = full_screen;
+    touched_at_ = now;
+  }
+  [[nodiscard]] bool full_screen() const { return full_screen_; }
+  /// The mouse was moved or pressed, or something is open or being typed.
+  void touched(Instant now) { touched_at_ = now; }
+  [[nodiscard]] bool hides(Instant now) const { return full_screen_ && now - touched_at_ >= kTime; }
+  /// When hides() becomes true unless something is touched; nothing: it does not, or it is.
+  [[nodiscard]] std::optional<Instant> falls_at(Instant now) const {
+    if (!full_screen_ || hides(now)) return std::nullopt;
+    return touched_at_ + kTime;
+  }
+
+ private:
+  bool full_screen_ = false;
+  Instant touched_at_{};
+};
+
+}  // namespace aucast::gui
