@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "common/mesh/head_fit.h"
+
+namespace aucast::mesh {
+
+/// What is measured on each side of a face, in distances of the outer corners of the eyes. Larger
+/// is what the name says: up, out (away from the middle), front.
+enum class SideMeasure : std::uint8_t {
+  BrowInnerUp,
+  BrowMiddleUp,
+  BrowOuterUp,
+  BrowInnerOut,
+  Aperture,  ///< of the lids, in widths of the eye
+  UpperLidUp,
+  LowerLidUp,
+  CornerUp,  ///< of the mouth
+  CornerOut,
+  CornerFront,
+  NoseWingUp,
+  NoseWingOut,
+  CheekUp,
+  CheekOut,
+  CheekFront,
+  NasolabialUp,
+  GazeLeft,  ///< of the iris, in halves of the eye's width; by the subject's left on both sides
+  GazeUp,
+};
+inline constexpr std::size_t kSideMeasures = 18;
+
+/// What is measured across the middle.
+enum class MiddleMeasure : std::uint8_t {
+  BrowGap,
+  MouthWidth,
+  LipGap,
+  UpperLipHeight,
+  LowerLipHeight,
+  LipsHeight,
+  UpperLipUp,
+  LowerLipUp,
+  ChinUp,
+  ChinBossUp,
+  LipsFront,
+  NoseTipUp,
+  MouthLeft,
+};
+inline constexpr std::size_t kMiddleMeasures = 13;
+
+struct Measures {
+  std::array<double, kSideMeasures> left{};
+  std::array<double, kSideMeasures> right{};
+  std::array<double, kMiddleMeasures> middle{};
+  HeadTurn turn;
+  double scale = 1;
+
+  [[nodiscard]] double left_of(SideMeasure what) const {
+    return left[static_cast<std::size_t>(what)];
+  }
+  [[nodiscard]] double right_of(SideMeasure what) const {
+    return right[static_cast<std::size_t>(what)];
+  }
+};
+
+/// Of a face that was laid on one whose outer corners of the eyes are 1 apart.
+[[nodiscard]] Measures measure(const FittedHead& head);
+
+/// The names of the measures, for files: "brow-inner-up".
+[[nodiscard]] const std::array<std::string_view, kSideMeasures>& side_measure_names();
+[[nodiscard]] const std::array<std::string_view, kMiddleMeasures>& middle_measure_names();
+
+}  // namespace aucast::mesh

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/mesh/flat_buffer.h"
+#include "common/result.h"
+
+namespace aucast::mesh {
+
+/// What the engine can do; the numbers of TFLite's schema, and from 1000 on its custom operators.
+enum class Operator : std::uint16_t {
+  Add = 0,
+  Concatenation = 2,
+  Conv2d = 3,
+  DepthwiseConv2d = 4,
+  Dequantize = 6,
+  MaxPool2d = 17,
+  Mul = 18,
+  Relu = 19,
+  Reshape = 22,
+  Pad = 34,
+  StridedSlice = 45,
+  Prelu = 54,
+  LandmarksToTransformMatrix = 1000,
+  TransformTensorBilinear = 1001,
+  TransformLandmarks = 1002,
+};
+
+enum class Activation : std::uint8_t { None, Relu, Relu6 };
+
+/// Up to four dimensions, batch, height, width, channels; missing ones are 1 and come first.
+using Shape = std::array<std::size_t, 4>;
+[[nodiscard]] std::size_t count_of(const Shape& shape);
+
+struct Tensor {
+  Shape shape{1, 1, 1, 1};
+  std::size_t rank = 4;  ///< of the four, how many the file names
+  bool constant = false;
+  std::vector<float> values;           ///< of constants
+  std::vector<std::int32_t> integers;  ///< of constants: shapes and paddings
+};
+
+/// One operator of a net, with the options that its kind has.
+struct Step {
+  Operator kind = Operator::Add;
+  std::vector<std::size_t> inputs;
+  std::vector<std::size_t> outputs;
+  bool same_padding = true;  ///< else none
+  std::size_t stride_height = 1;
+  std::size_t stride_width = 1;
+  std::size_t filter_height = 1;
+  std::size_t filter_width = 1;
+  std::size_t depth_multiplier = 1;
+  std::size_t axis = 0;  ///< of the four dimensions
+  Activation activation = Activation::None;
+  FlexMap custom;
+};
+
+/// A net as its file describes it. Every index in it is within bounds; whether shapes fit each
+/// other is the engine's to check.
+struct Model {
+  std::vector<Tensor> tensors;
+  std::vector<Step> steps;
+  std::vector<std::size_t> inputs;
+  std::vector<std::size_t> outputs;
+};
+
+/// Tensors may have so many numbers, all of them together so many.
+inline constexpr std::size_t kTensorNumbersMax = std::size_t{1} << 24U;
+inline constexpr std::size_t kModelNumbersMax = std::size_t{1} << 25U;
+
+/// Reads a TFLite file with 32 or 16 bit floats. BadData, beginning with `file`, when it is no such
+/// file, is damaged or has operators that the engine does not know.
+[[nodiscard]] Result<Model> read_model(std::span<const std::uint8_t> bytes, std::string_view file);
+
+}  // namespace aucast::mesh

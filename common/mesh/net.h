@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "common/mesh/model_file.h"
+#include "common/mesh/operators.h"
+#include "common/result.h"
+
+namespace aucast::mesh {
+
+/// A net that can be run: a model whose shapes were checked, and the numbers in it. Nothing is
+/// allocated while it runs. One for each thread.
+class Net {
+ public:
+  /// BadData, beginning with `file`, when the bytes are no model (read_model), its shapes do not
+  /// fit each other, or one picture would take more than kMultiplicationsMax.
+  [[nodiscard]] static Result<Net> make(std::span<const std::uint8_t> bytes, std::string_view file);
+
+  static constexpr double kMultiplicationsMax = 2e9;
+
+  /// What run() reads; the first input's numbers.
+  [[nodiscard]] std::span<float> input() { return values_[inputs_[0]]; }
+  [[nodiscard]] const Shape& input_shape() const { return shapes_[inputs_[0]]; }
+  void run();
+  [[nodiscard]] std::size_t outputs() const { return outputs_.size(); }
+  /// What the last run() has made.
+  [[nodiscard]] std::span<const float> output(std::size_t index) const {
+    return values_[outputs_[index]];
+  }
+
+ private:
+  /// A step with all that is known before it runs.
+  struct Planned {
+    Operator kind = Operator::Add;
+    std::vector<std::size_t> inputs;
+    std::size_t output = 0;
+    Window window;
+    Activation activation = Activation::None;
+    std::vector<float> weights;  ///< of a convolution, arranged
+    std::vector<float> bias;
+    std::size_t axis = 0;
+    Shape begin{};  ///< of a slice; zeros before, of a padding
+    Shape stride{};
+    RegionOptions region;
+  };
+  class Planner;
+
+  Net() = default;
+  void run(const Planned& step);
+  [[nodiscard]] Matrix matrix_of(std::size_t tensor) const;
+
+  std::vector<Shape> shapes_;
+  std::vector<std::vector<float>> values_;
+  std::vector<Planned> steps_;
+  std::vector<std::size_t> inputs_;
+  std::vector<std::size_t> outputs_;
+};
+
+}  // namespace aucast::mesh
