@@ -1,7 +1,6 @@
 #include "client/render/face_renderer.h"
 
-#include <algorithm>
-#include <array>
+#include <cstddef>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -28,11 +27,11 @@ constexpr float kTransparent = 0.45F;
 constexpr float kShineThrough = 0.45F;
 
 void set(const Program& program, const char* name, float value) {
-  glUniform1f(glGetUniformLocation(program.id(), name), value);
+  glUniform1f(uniform(program, name), value);
 }
 
 void set(const Program& program, const char* name, const glm::vec3& value) {
-  glUniform3fv(glGetUniformLocation(program.id(), name), 1, glm::value_ptr(value));
+  glUniform3fv(uniform(program, name), 1, glm::value_ptr(value));
 }
 
 }  // namespace
@@ -60,7 +59,8 @@ struct FaceRenderer::State {
     return layers.wireframe || layers.vertices ? mesh.plain() : mesh.solid();
   }
   void draw_shadow_map();
-  void draw_backdrop(const view::Background& background);
+  /// Leaves the mesh bound.
+  void draw_backdrop(const view::Style& style);
   void draw_runs(const std::vector<Run>& runs);
   void draw_creases(std::span<const float> strengths);
 };
@@ -89,15 +89,16 @@ void FaceRenderer::State::draw_shadow_map() {
   });
 }
 
-void FaceRenderer::State::draw_backdrop(const view::Background& background) {
+void FaceRenderer::State::draw_backdrop(const view::Style& style) {
   glUseProgram(programs.backdrop.id());
-  set(programs.backdrop, "u_centre", background.centre);
-  set(programs.backdrop, "u_edge", background.edge);
+  set(programs.backdrop, "u_centre", style.background.centre);
+  set(programs.backdrop, "u_edge", style.background.edge);
   glBindVertexArray(no_vertices.id());
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDepthMask(GL_TRUE);
+  mesh.bind(style.layers.textured);
 }
 
 void FaceRenderer::State::draw_runs(const std::vector<Run>& runs) {
@@ -122,10 +123,11 @@ void FaceRenderer::State::draw_creases(std::span<const float> strengths) {
   glBlendFuncSeparate(GL_DST_COLOR, GL_SRC_COLOR, GL_ZERO, GL_ONE);
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
+  const GLint strength = uniform(programs.crease, "u_strength");
   for (const Run& run : mesh.creases()) {
     const auto at = static_cast<std::size_t>(run.index);
     if (run.index < 0 || at >= strengths.size() || !(strengths[at] > 0)) continue;
-    set(programs.crease, "u_strength", strengths[at]);
+    glUniform1f(strength, strengths[at]);
     run.draw();
   }
   glDepthMask(GL_TRUE);
@@ -136,10 +138,9 @@ void FaceRenderer::State::draw_surface(const view::Style& style) {
     draw_transparent(style);
   } else {
     draw_runs(solid(style.layers));
-    draw_backdrop(style.background);
+    draw_backdrop(style);
   }
   if (!style.layers.textured) return;  // what is left is nothing but colour
-  mesh.bind(style.layers.textured);
   glEnable(GL_BLEND);
   draw_creases(moving.creases);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -160,8 +161,7 @@ void FaceRenderer::State::draw_transparent(const view::Style& style) {
   for (const Run& run : solid(style.layers)) {
     (run.material.encloses() ? outer : inner).push_back(run);
   }
-  draw_backdrop(style.background);
-  mesh.bind(style.layers.textured);
+  draw_backdrop(style);
   draw_runs(inner);
   draw_depth(outer);
   glEnable(GL_BLEND);
@@ -254,12 +254,10 @@ void FaceRenderer::draw(const view::Camera& camera, const view::Style& style, in
   if (style.layers.surface()) {
     state.draw_surface(style);
   } else {
-    state.draw_backdrop(style.background);
-    state.mesh.bind(style.layers.textured);
+    state.draw_backdrop(style);
     // Lines that the face itself would hide are left out.
     if (!style.layers.transparent) state.draw_depth(state.solid(style.layers));
   }
-  state.mesh.bind(style.layers.textured);
   draw_mesh_lines(state.programs.lines, state.mesh.plain(), style);
   state.draw_segments(style);
   glBindVertexArray(0);

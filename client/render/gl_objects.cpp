@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "common/check.h"
 #include "common/text.h"
 
 namespace aucast::render {
@@ -56,6 +57,12 @@ Result<Program> build_program(const std::string& name, std::span<const char* con
   std::string words(static_cast<std::size_t>(length), '\0');
   glGetProgramInfoLog(program.id(), length, nullptr, words.data());
   return broken(name, "link", words);
+}
+
+GLint uniform(const Program& program, const char* name) {
+  const GLint location = glGetUniformLocation(program.id(), name);
+  AUCAST_CHECK(location >= 0);
+  return location;
 }
 
 }  // namespace aucast::render

@@ -89,4 +89,7 @@ using Program = GlObject<ProgramTraits>;
                                             std::span<const char* const> vertex,
                                             std::span<const char* const> fragment);
 
+/// Where a uniform that the program has is set.
+[[nodiscard]] GLint uniform(const Program& program, const char* name);
+
 }  // namespace aucast::render

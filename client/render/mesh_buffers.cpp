@@ -1,9 +1,7 @@
 #include "client/render/mesh_buffers.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <utility>
 
 #include <glm/common.hpp>
 

@@ -22,8 +22,8 @@ void draw_mesh_lines(const Program& lines, std::span<const Run> runs, const view
   if (!epoxy_is_desktop_gl() || (!style.layers.wireframe && !style.layers.vertices)) return;
   glUseProgram(lines.id());
   const glm::vec4 colour = line_colour(style);
-  glUniform4fv(glGetUniformLocation(lines.id(), "u_colour"), 1, glm::value_ptr(colour));
-  glUniform1f(glGetUniformLocation(lines.id(), "u_point_px"), std::max(1.0F, 2.0F * style.scale));
+  glUniform4fv(uniform(lines, "u_colour"), 1, glm::value_ptr(colour));
+  glUniform1f(uniform(lines, "u_point_px"), std::max(1.0F, 2.0F * style.scale));
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);

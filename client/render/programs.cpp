@@ -23,17 +23,38 @@ struct Recipe {
   const char* define;
   const char* vertex;
   const char* fragment;
+  std::array<const char*, 3> uniforms{};  ///< that are set by name, then nullptr
 };
 
 constexpr std::array<Recipe, 8> kRecipes{{
     {"surface", &Programs::surface, "#define SURFACE\n", "lit_vertex.glsl", "lit_fragment.glsl"},
     {"hair", &Programs::hair, "#define HAIR\n", "lit_vertex.glsl", "lit_fragment.glsl"},
-    {"eye", &Programs::eye, "#define EYE\n", "lit_vertex.glsl", "lit_fragment.glsl"},
-    {"crease", &Programs::crease, "", "crease_vertex.glsl", "crease_fragment.glsl"},
+    {"eye",
+     &Programs::eye,
+     "#define EYE\n",
+     "lit_vertex.glsl",
+     "lit_fragment.glsl",
+     {"u_eyeball_centre", "u_eyeball_forward", "u_eyeball_open"}},
+    {"crease", &Programs::crease, "", "crease_vertex.glsl", "crease_fragment.glsl", {"u_strength"}},
     {"depth", &Programs::depth, "", "depth_vertex.glsl", "depth_fragment.glsl"},
-    {"backdrop", &Programs::backdrop, "", "backdrop_vertex.glsl", "backdrop_fragment.glsl"},
-    {"lines", &Programs::lines, "", "lines_vertex.glsl", "lines_fragment.glsl"},
-    {"segments", &Programs::segments, "", "segment_vertex.glsl", "segment_fragment.glsl"},
+    {"backdrop",
+     &Programs::backdrop,
+     "",
+     "backdrop_vertex.glsl",
+     "backdrop_fragment.glsl",
+     {"u_centre", "u_edge"}},
+    {"lines",
+     &Programs::lines,
+     "",
+     "lines_vertex.glsl",
+     "lines_fragment.glsl",
+     {"u_colour", "u_point_px"}},
+    {"segments",
+     &Programs::segments,
+     "",
+     "segment_vertex.glsl",
+     "segment_fragment.glsl",
+     {"u_alpha"}},
 }};
 
 void bind_block(const Program& program, const char* name, GLuint slot) {
@@ -49,6 +70,16 @@ void bind_inputs(const Program& program) {
   glUseProgram(program.id());
   glUniform1i(glGetUniformLocation(program.id(), "u_shadow_map"), kShadowUnit - GL_TEXTURE0);
   glUniform1i(glGetUniformLocation(program.id(), "u_grain_map"), kGrainUnit - GL_TEXTURE0);
+}
+
+Result<void> check_uniforms(const Program& program, const Recipe& recipe) {
+  for (const char* name : recipe.uniforms) {
+    if (name != nullptr && glGetUniformLocation(program.id(), name) < 0) {
+      return Error{ErrorKind::Failed, std::string("the shader \"") + recipe.name +
+                                          "\" makes no use of the uniform " + name};
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -69,6 +100,7 @@ Result<Programs> build_programs(const ShaderFiles& files) {
     };
     auto built = build_program(recipe.name, pieces(*vertex), pieces(*fragment));
     if (!built) return built.error();
+    if (auto has = check_uniforms(*built, recipe); !has) return has.error();
     bind_inputs(*built);
     programs.*recipe.program = std::move(*built);
   }

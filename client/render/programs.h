@@ -23,7 +23,7 @@ constexpr GLenum kShadowUnit = GL_TEXTURE0;
 constexpr GLenum kGrainUnit = GL_TEXTURE1;
 
 /// Builds them all as GLSL 3.30 or, in an OpenGL ES context, as GLSL ES 3.00. Failed, with the
-/// compiler's words, when one does not build.
+/// compiler's words, when one does not build or lacks a uniform that is set.
 [[nodiscard]] Result<Programs> build_programs(const ShaderFiles& files);
 
 }  // namespace aucast::render

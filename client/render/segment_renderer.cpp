@@ -34,7 +34,7 @@ void SegmentRenderer::load(std::span<const view::Segment> segments) {
 void SegmentRenderer::draw(const Program& program, float alpha) const {
   if (count_ == 0) return;
   glUseProgram(program.id());
-  glUniform1f(glGetUniformLocation(program.id(), "u_alpha"), alpha);
+  glUniform1f(uniform(program, "u_alpha"), alpha);
   glBindVertexArray(array_.id());
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   glEnable(GL_BLEND);

@@ -47,12 +47,10 @@ ShadowMap::ShadowMap() {
 
 void ShadowMap::aim(const glm::vec3& towards_key) {
   const glm::mat4 view = glm::lookAt(kCentre + towards_key * kReach, kCentre, glm::vec3(0, 1, 0));
-  CameraBlock camera;
-  camera.world_to_clip = glm::ortho(-kReach, kReach, -kReach, kReach, 0.0F, 2 * kReach) * view;
-  camera_.set(camera);
+  world_to_clip_ = glm::ortho(-kReach, kReach, -kReach, kReach, 0.0F, 2 * kReach) * view;
   const glm::mat4 to_texture =
       glm::translate(glm::mat4(1), glm::vec3(0.5F, 0.5F, 0.5F - kBias / (2 * kReach)));
-  world_to_texture_ = glm::scale(to_texture, glm::vec3(0.5F)) * camera.world_to_clip;
+  world_to_texture_ = glm::scale(to_texture, glm::vec3(0.5F)) * world_to_clip_;
 }
 
 void ShadowMap::draw(const Program& depth, const std::function<void()>& draw_casters) {
@@ -64,6 +62,9 @@ void ShadowMap::draw(const Program& depth, const std::function<void()>& draw_cas
   glEnable(GL_SCISSOR_TEST);
   glScissor(1, 1, kSide - 2, kSide - 2);
   glUseProgram(depth.id());
+  CameraBlock camera;
+  camera.world_to_clip = world_to_clip_;
+  camera_.set(camera);
   camera_.use();
   glDisable(GL_CULL_FACE);
   glEnable(GL_POLYGON_OFFSET_FILL);

@@ -15,7 +15,7 @@ class ShadowMap {
  public:
   ShadowMap();
 
-  /// Aims the light; `towards_key`: of unit length.
+  /// Where the next draw() is seen from; `towards_key`: of unit length.
   void aim(const glm::vec3& towards_key);
   /// `draw_casters` draws all that casts a shadow, with the program `depth`. Leaves the light's
   /// camera in force.
@@ -28,6 +28,7 @@ class ShadowMap {
   Texture depths_;
   Framebuffer target_;
   BlockBuffer<CameraBlock> camera_;
+  glm::mat4 world_to_clip_{1};
   glm::mat4 world_to_texture_{1};
 };
 

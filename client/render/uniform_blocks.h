@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -32,20 +31,8 @@ struct LightsBlock {
   static constexpr GLuint kSlot = 1;
   alignas(16) glm::vec3 key_direction{0, 0, 1};
   float key_strength = 1;
-  alignas(16) glm::vec3 key_colour{1.05F, 0.97F, 0.88F};
-  float fill_wrap = 0.35F;
-  alignas(16) glm::vec3 fill_direction = glm::normalize(glm::vec3(0.85F, 0.10F, 0.55F));
-  float rim_strength = 0.75F;
-  alignas(16) glm::vec3 fill_colour{0.34F, 0.32F, 0.33F};
-  float second_rim_strength = 0.28F;
-  alignas(16) glm::vec3 rim_direction = glm::normalize(glm::vec3(0.65F, 0.45F, -0.75F));
-  alignas(16) glm::vec3 rim_colour{0.75F, 0.80F, 0.95F};
-  alignas(16) glm::vec3 second_rim_direction = glm::normalize(glm::vec3(-0.80F, 0.30F, -0.60F));
-  alignas(16) glm::vec3 second_rim_colour{0.90F, 0.75F, 0.60F};
-  alignas(16) glm::vec3 sky{0.38F, 0.385F, 0.41F};
-  alignas(16) glm::vec3 ground{0.35F, 0.265F, 0.225F};
 };
-static_assert(sizeof(LightsBlock) == 160);
+static_assert(sizeof(LightsBlock) == 16);
 
 struct MaterialBlock {
   static constexpr GLuint kSlot = 2;
@@ -63,7 +50,10 @@ static_assert(sizeof(MaterialBlock) == 48);
 template <typename Block>
 class BlockBuffer {
  public:
-  void set(const Block& block) { set(std::span(&block, 1)); }
+  void set(const Block& block) {
+    stride_ = sizeof(Block);
+    upload(&block, sizeof(Block));
+  }
 
   void set(std::span<const Block> blocks) {
     GLint alignment = 1;
@@ -74,9 +64,7 @@ class BlockBuffer {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       std::memcpy(&bytes[i * stride_], &blocks[i], sizeof(Block));
     }
-    glBindBuffer(GL_UNIFORM_BUFFER, buffer_.id());
-    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-                 GL_STREAM_DRAW);
+    upload(bytes.data(), bytes.size());
   }
 
   /// What the programs read from here on.
@@ -86,6 +74,11 @@ class BlockBuffer {
   }
 
  private:
+  void upload(const void* bytes, std::size_t size) {
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer_.id());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(size), bytes, GL_STREAM_DRAW);
+  }
+
   Buffer buffer_;
   std::size_t stride_ = 0;
 };

@@ -181,10 +181,13 @@ TEST(FaceRenderer, ShadersInTheFolderOfTheEnvironmentMayChangeWhileItRuns) {
   for (const auto& file : embedded::shaders()) folder.write(std::string(file.name), file.bytes);
   auto written = std::filesystem::file_time_type::clock::now();
   const auto write_backdrop = [&](const std::string& main) {
-    const auto file = folder.write("backdrop_fragment.glsl", "out vec4 o_colour;\n" + main);
+    const auto file =
+        folder.write("backdrop_fragment.glsl",
+                     "uniform vec3 u_centre;\nuniform vec3 u_edge;\nout vec4 o_colour;\n" + main);
     std::filesystem::last_write_time(file, written += std::chrono::seconds(1));
   };
-  write_backdrop("void main() { o_colour = vec4(1.0, 0.0, 0.0, 1.0); }\n");
+  write_backdrop(
+      "void main() { o_colour = vec4(step(u_centre, u_edge + 1.0).r, 0.0, 0.0, 1.0); }\n");
   ::setenv("AUCAST_SHADERS", folder.path().c_str(), 1);
   auto renderer = render::FaceRenderer::create();
   ASSERT_TRUE(renderer.has_value()) << renderer.error().message;
@@ -197,9 +200,12 @@ TEST(FaceRenderer, ShadersInTheFolderOfTheEnvironmentMayChangeWhileItRuns) {
     return (*target)->read().rgba;
   };
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{255, 0, 0, 255}));
-  write_backdrop("void main() { o_colour = vec4(0.0, 1.0, 0.0, 1.0); }\n");
+  write_backdrop(
+      "void main() { o_colour = vec4(0.0, step(u_centre, u_edge + 1.0).g, 0.0, 1.0); }\n");
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
   write_backdrop("void main() { nonsense; }\n");
+  EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
+  write_backdrop("void main() { o_colour = vec4(u_centre, 1.0); }\n");  // u_edge is not there
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
   std::filesystem::remove(folder.path() / "lit_vertex.glsl");
   const auto broken = render::FaceRenderer::create();

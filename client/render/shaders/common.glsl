@@ -11,23 +11,24 @@ layout(std140) uniform Camera {
 };
 
 // A soft key from the upper right of the subject, a fill from the other side, two rims from behind,
-// sky and ground. Directions are unit vectors towards the light.
+// sky and ground. Directions are unit vectors towards the light. Only the key changes: what is
+// constant costs a software renderer less than a uniform.
 layout(std140) uniform Lights {
   vec3 u_key_direction;
   float u_key_strength;  // 1 is the studio's
-  vec3 u_key_colour;
-  float u_fill_wrap;     // how far the fill reaches round into the shade
-  vec3 u_fill_direction;
-  float u_rim_strength;
-  vec3 u_fill_colour;
-  float u_second_rim_strength;
-  vec3 u_rim_direction;
-  vec3 u_rim_colour;
-  vec3 u_second_rim_direction;
-  vec3 u_second_rim_colour;
-  vec3 u_sky;
-  vec3 u_ground;
 };
+const vec3 kKeyColour = vec3(1.05, 0.97, 0.88);
+const float kFillWrap = 0.35;  // how far the fill reaches round into the shade
+const vec3 kFillDirection = vec3(0.835504472, 0.0982946381, 0.540620506);
+const vec3 kFillColour = vec3(0.34, 0.32, 0.33);
+const float kRimStrength = 0.75;
+const vec3 kRimDirection = vec3(0.596480846, 0.41294831, -0.688247204);
+const vec3 kRimColour = vec3(0.75, 0.80, 0.95);
+const float kSecondRimStrength = 0.28;
+const vec3 kSecondRimDirection = vec3(-0.766261041, 0.287347883, -0.574695766);
+const vec3 kSecondRimColour = vec3(0.90, 0.75, 0.60);
+const vec3 kSky = vec3(0.38, 0.385, 0.41);
+const vec3 kGround = vec3(0.35, 0.265, 0.225);
 
 layout(std140) uniform Material {
   vec3 u_wrap;         // how far the key reaches round into the shade, per colour

@@ -70,7 +70,7 @@ vec3 strand_direction(vec3 normal) {
 // (Marschner 2003), each strand at its own place.
 vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand, float key) {
   vec3 halfway = normalize(u_key_direction + view);
-  vec3 fill_halfway = normalize(u_fill_direction + view);
+  vec3 fill_halfway = normalize(kFillDirection + view);
   // Locks differ as strands do, or the band would be drawn with a ruler.
   float astray = 0.18 * strand + 0.06 * strand_noise(v_strand.w * 90.0 + 7000.0);
   float tilt = dot(along, halfway) + astray;
@@ -78,7 +78,7 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   float down = tilt + kShineShift;
   float fill_tilt = dot(along, fill_halfway) + astray;
   float lit = clamp(dot(normal, u_key_direction) + 0.3, 0.0, 1.0) * key;
-  float fill_lit = clamp(dot(normal, u_fill_direction) + 0.3, 0.0, 1.0);
+  float fill_lit = clamp(dot(normal, kFillDirection) + 0.3, 0.0, 1.0);
   float broad = exp(-u_power * down * down);
   float narrow = exp(-4.0 * u_power * up * up);
   float filled = 0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit;
@@ -125,7 +125,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   // texels there.
   arriving = mix(1.0, v_key, smoothstep(-0.20, 0.15, towards_key));
   vec3 through = mix(u_shadow_kept, vec3(1.0), arriving);
-  return lit * through * u_key_colour * (u_key_strength * (0.55 + 0.45 * occlusion));
+  return lit * through * kKeyColour * (u_key_strength * (0.55 + 0.45 * occlusion));
 }
 
 #ifdef EYE
@@ -201,9 +201,9 @@ void main() {
   // Never to the full: the last pixel of an ear would be a white thread.
   float edge = facing * facing;
   edge = min(edge * edge * sqrt(facing), 0.45);
-  vec3 rim = u_rim_colour * (u_rim_strength * max(dot(normal, u_rim_direction) + 0.15, 0.0)) +
-             u_second_rim_colour *
-                 (u_second_rim_strength * max(dot(normal, u_second_rim_direction) + 0.15, 0.0));
+  vec3 rim = kRimColour * (kRimStrength * max(dot(normal, kRimDirection) + 0.15, 0.0)) +
+             kSecondRimColour *
+                 (kSecondRimStrength * max(dot(normal, kSecondRimDirection) + 0.15, 0.0));
 #ifdef HAIR
   result += specular + rim * (edge * occlusion * 0.18);
 #else

@@ -86,8 +86,8 @@ void main() {
 #endif
   // Light that bounces about in skin comes out red: less of the red is lost in the creases.
   vec3 arriving = vec3(pow(max(occlusion, 1e-4), 0.75), occlusion, occlusion);
-  float fill = max(dot(a_normal, u_fill_direction) * (1.0 - u_fill_wrap) + u_fill_wrap, 0.0);
-  v_ambient = arriving * (mix(u_ground, u_sky, 0.5 + 0.5 * a_normal.y) + u_fill_colour * fill);
+  float fill = max(dot(a_normal, kFillDirection) * (1.0 - kFillWrap) + kFillWrap, 0.0);
+  v_ambient = arriving * (mix(kGround, kSky, 0.5 + 0.5 * a_normal.y) + kFillColour * fill);
 #ifdef EYE
   v_position = place;
 #else
@@ -105,7 +105,7 @@ void main() {
 #endif
   v_key = key_arriving((u_world_to_shadow * vec4(place + a_normal * kShadowLift, 1.0)).xyz);
   float specular = u_specular * a_occlusion_gloss.y;
-  float across = dot(a_normal, normalize(u_fill_direction + v_view));
+  float across = dot(a_normal, normalize(kFillDirection + v_view));
   v_shine = vec3(occlusion, specular * (0.4 + 0.6 * occlusion),
                  0.25 * specular * exp(u_power * (across - 1.0)) * occlusion);
   gl_Position = u_world_to_clip * vec4(place, 1.0);
