@@ -18,6 +18,20 @@ struct TimedAus {
   int pace_percent = 100;                ///< live: it takes so much of its time, 95-105
   std::optional<Instant> arrived{};      ///< live: when it came
   std::optional<Instant> due{};          ///< --live: when the face should have reached it
+  std::optional<Milliseconds> place{};   ///< where it is reached, on the source's own clock
+  bool spoken = false;  ///< live: somebody speaks meanwhile, so that it may take only 99.5-100.5 %
+};
+
+/// One Opus packet of a source's voice.
+struct Voice {
+  Milliseconds place{0};  ///< where its sound begins, on the clock of TimedAus::place
+  std::string opus;
+};
+
+/// What is said from a place on, until the next; empty: nothing.
+struct Caption {
+  Milliseconds place{0};  ///< on the clock of TimedAus::place
+  std::string text;       ///< UTF-8
 };
 
 /// Why a source has nothing more to give.
@@ -44,6 +58,8 @@ struct SourceStatus {
   Milliseconds keyframe_time{250};      ///< the server's default for untimed packets
   bool negotiated = false;              ///< level 2
   bool live = false;                    ///< the server has one clock for all
+  bool voice = false;                   ///< a voice comes with the stream
+  std::string title;                    ///< of the stream; empty: none
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
   Milliseconds delay{0};                ///< buffered, by time (live, --buffer auto or Nms);
                                         ///< --live: from arrival until the face is there
@@ -69,6 +85,11 @@ class KeyframeSource {
 
   /// The next keyframe of the Playout buffer, if there is one now.
   [[nodiscard]] virtual std::optional<TimedAus> take() = 0;
+  /// The next voice packet that is there. Their places ascend, and each is there before the
+  /// keyframe during which it is heard can be taken.
+  [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
+  /// The same of captions.
+  [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
   /// True when take() would give one, or nothing will ever come again.
   [[nodiscard]] virtual bool ready() const = 0;
   /// Waits until ready() or until `until`, whichever is first; returns ready().

@@ -6,6 +6,7 @@
 
 #include "client/playback/delay_meter.h"
 #include "client/playback/keyframe_source.h"
+#include "client/playback/passing.h"
 #include "client/playback/playback_controller.h"
 
 namespace aucast::playback {
@@ -42,6 +43,15 @@ class Playback {
   [[nodiscard]] virtual bool eased() const { return false; }
   /// When the face should be looked at again; nothing when it stands.
   [[nodiscard]] virtual std::optional<Instant> next_position_at() const = 0;
+  /// Where playing is, as of the last advance(). After the end it goes on, for sound that lasts
+  /// longer than the face. Nothing where no places are known.
+  [[nodiscard]] virtual std::optional<Passing> passing() const = 0;
+  /// KeyframeSource's.
+  [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
+  /// The moments handed in are `ahead` of those of the steady clock, and their face is shown
+  /// `lead` later. Zero until then.
+  virtual void set_clock(Duration /*ahead*/, Duration /*lead*/) {}
   /// Whole ones, as of the last advance().
   [[nodiscard]] virtual std::uint64_t keyframes_played() const = 0;
   /// The sum of their times.
@@ -79,6 +89,10 @@ class SourcePlayback final : public Playback {
   [[nodiscard]] PlaybackProgress progress() const override { return controller_.progress(); }
   [[nodiscard]] bool eased() const override { return controller_.eased(); }
   [[nodiscard]] std::optional<Instant> next_position_at() const override;
+  [[nodiscard]] std::optional<Passing> passing() const override { return controller_.passing(); }
+  [[nodiscard]] std::optional<Voice> take_voice() override { return source_->take_voice(); }
+  [[nodiscard]] std::optional<Caption> take_caption() override { return source_->take_caption(); }
+  void set_clock(Duration ahead, Duration lead) override { controller_.set_clock(ahead, lead); }
   [[nodiscard]] std::uint64_t keyframes_played() const override;
   [[nodiscard]] Duration media_time() const override;
   [[nodiscard]] std::uint64_t stalls() const override;

@@ -1,6 +1,7 @@
 #include "client/playback/playback_controller.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "common/check.h"
@@ -22,8 +23,12 @@ std::optional<TimedAus> take_next(KeyframeSource& source, bool& ended) {
 /// What a keyframe that begins at `begin` takes, of `time` that is its own.
 Duration time_taken(const TimedAus& keyframe, Milliseconds time, Instant begin) {
   const Duration whole = time;
-  if (!keyframe.due) return whole * keyframe.pace_percent / 100;
-  return std::clamp(*keyframe.due - begin, whole * 95 / 100, whole * 105 / 100);
+  // A voice that is half a per cent faster or slower sounds the same; a face may be so by five.
+  const int bend = keyframe.spoken ? 5 : 50;
+  const Duration aim = keyframe.due ? *keyframe.due - begin : whole * keyframe.pace_percent / 100;
+  const bool bends = keyframe.due || keyframe.pace_percent != 100;
+  if (!bends) return whole;
+  return std::clamp(aim, whole * (1000 - bend) / 1000, whole * (1000 + bend) / 1000);
 }
 
 PlaybackState state_after(EndReason reason) {
@@ -153,10 +158,14 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
     keyframe->arrived.reset();
     keyframe->due.reset();
   }
+  // To the clock of the moments handed in.
+  if (keyframe->arrived) *keyframe->arrived += ahead_ - lead_;
+  if (keyframe->due) *keyframe->due += ahead_;
   if (state_ == PlaybackState::Stalled && keyframe->due && keyframe->arrived) {
     begin = std::clamp(*keyframe->arrived, looked_before_, now);
   }
   takes_ = time_taken(*keyframe, duration_, begin);
+  place_ = keyframe->place;
   arrived_ = keyframe->arrived;
   due_ = keyframe->due;
   eased_ = false;
@@ -195,6 +204,20 @@ PlaybackState PlaybackController::state() const {
 
 PlaybackProgress PlaybackController::progress() const {
   return progress_;
+}
+
+std::optional<Passing> PlaybackController::passing() const {
+  if (!place_) return std::nullopt;
+  const Duration reached = *place_;
+  if (state_ == PlaybackState::Ended) {
+    return Passing{reached + (looked_at_ - last_position_at_), 1};
+  }
+  if (state_ != PlaybackState::Playing) return Passing{reached, 0};
+  const Duration own = duration_;
+  if (takes_ == own) return Passing{reached - own + (looked_at_ - keyframe_begin_), 1};
+  const double speed = static_cast<double>(own.count()) / static_cast<double>(takes_.count());
+  const double passed = static_cast<double>((looked_at_ - keyframe_begin_).count()) * speed;
+  return Passing{reached - own + Duration(std::llround(passed)), speed};
 }
 
 std::optional<Instant> PlaybackController::next_position_at() const {

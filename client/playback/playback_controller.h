@@ -6,6 +6,7 @@
 
 #include "client/playback/delay_meter.h"
 #include "client/playback/keyframe_source.h"
+#include "client/playback/passing.h"
 #include "common/time.h"
 
 namespace aucast::playback {
@@ -51,10 +52,9 @@ struct PlaybackProgress {
 /// start frame of the next, which begins exactly where the last one ended, so that nothing drifts:
 /// N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe of 0 ms
 /// is a jump: it is over as soon as it has begun. A live keyframe with a due time takes until then,
-/// but at least 95 % and at most 105 % of its own time; after a stall it begins when it arrived,
-/// but not before the previous call of advance().
-/// The times handed in must not go back.
-/// Thread: the player's.
+/// but at least 95 % and at most 105 % of its own time (spoken ones 99.5 % and 100.5 %); after a
+/// stall it begins when it arrived, but not before the previous call of advance(). The times handed
+/// in must not go back. Thread: the player's.
 class PlaybackController {
  public:
   /// `speed`: --speed; nullopt: the server's default for untimed packets.
@@ -73,6 +73,11 @@ class PlaybackController {
   /// The times handed in are a film's and not those of arrivals: every keyframe takes its own time,
   /// live or not, and no delay is measured.
   void set_film_clock() { film_clock_ = true; }
+  /// Playback::set_clock().
+  void set_clock(Duration ahead, Duration lead) {
+    ahead_ = ahead;
+    lead_ = lead;
+  }
   /// The face has left the last keyframe for neutral.
   [[nodiscard]] bool eased() const { return eased_; }
   /// A wait shorter than this after a keyframe with a due time is not a stall: nobody sees it.
@@ -82,6 +87,8 @@ class PlaybackController {
   /// is_over(state()).
   [[nodiscard]] bool over() const;
   [[nodiscard]] PlaybackProgress progress() const;
+  /// Playback::passing().
+  [[nodiscard]] std::optional<Passing> passing() const;
   /// When position k+1 of the current keyframe, or of the easing, is reached; nullopt when the
   /// clock stands.
   [[nodiscard]] std::optional<Instant> next_position_at() const;
@@ -132,9 +139,12 @@ class PlaybackController {
   Instant last_position_at_{};
   std::optional<Milliseconds> hold_;
   bool film_clock_ = false;
-  Instant looked_at_{};      ///< by the last advance()
-  Instant looked_before_{};  ///< by the one before
-  Instant stalled_since_{};  ///< or lost
+  Duration ahead_{0};
+  Duration lead_{0};
+  std::optional<Milliseconds> place_;  ///< that the keyframe under way reaches
+  Instant looked_at_{};                ///< by the last advance()
+  Instant looked_before_{};            ///< by the one before
+  Instant stalled_since_{};            ///< or lost
   bool stall_counted_ = true;
   bool eased_ = false;
   Instant ease_begin_{};

@@ -79,6 +79,11 @@ std::optional<Instant> SeekablePlayback::next_position_at() const {
   return looked_at_ + kLookEvery;
 }
 
+std::optional<Passing> SeekablePlayback::passing() const {
+  const bool moves = state() == PlaybackState::Playing;
+  return Passing{position_, moves ? playhead_.speed_percent() / 100.0 : 0};
+}
+
 std::uint64_t SeekablePlayback::keyframes_played() const {
   return playhead_.keyframes_played(looked_at_);
 }

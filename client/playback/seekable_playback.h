@@ -25,6 +25,7 @@ class SeekablePlayback final : public Playback {
   [[nodiscard]] PlaybackState state() const override;
   [[nodiscard]] PlaybackProgress progress() const override;
   [[nodiscard]] std::optional<Instant> next_position_at() const override;
+  [[nodiscard]] std::optional<Passing> passing() const override;
   [[nodiscard]] std::uint64_t keyframes_played() const override;
   [[nodiscard]] Duration media_time() const override;
   [[nodiscard]] SourceStatus status() const override;
