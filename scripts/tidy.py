@@ -21,7 +21,7 @@ SERVER = {"common", "common/mesh", "common/sources", "common/tls", "common/web",
           "common/link",
           "protocol"}
 APP = SERVER | {"client/" + room for room in
-                ("playback", "face", "pipeline", "net", "view", "render", "gui")}
+                ("playback", "face", "pipeline", "net", "sound", "view", "render", "gui")}
 
 # What the files of a folder may include of the project, besides their own folder. A file belongs to
 # the longest folder named here that it lies in; what lies in none of them may not be included.
@@ -45,6 +45,7 @@ MAY_INCLUDE = {
     "client/face": {"common"},
     "client/pipeline": {"common", "client/playback", "client/face"},
     "client/net": {"common", "common/tls", "common/link", "protocol", "client/playback"},
+    "client/sound": {"common", "common/voice", "protocol", "client/playback"},
     "client/view": {"common"},
     "client/render": {"common", "client/view"},
     "client/gui": {"common", "client/playback", "client/face", "client/view"},
@@ -62,7 +63,7 @@ MAY_INCLUDE = {
 
 # Folders whose code knows no socket, clock, OpenGL or log.
 PURE = {"protocol", "common/mesh", "common/tls", "common/sources", "common/voice", "common/web",
-        "client/playback", "client/face", "client/pipeline"}
+        "client/playback", "client/face", "client/pipeline", "client/sound"}
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|\bf?printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL"
     r"|<thread>"

@@ -23,6 +23,7 @@ find_package(tomlplusplus REQUIRED)
 
 if(AUCAST_BUILD_CLIENT)
   find_package(glm REQUIRED)
+  pkg_check_modules(openal REQUIRED IMPORTED_TARGET openal)
 endif()
 if(AUCAST_BUILD_CLIENT AND AUCAST_BUILD_RENDER)
   find_package(glfw3 3.3 REQUIRED)

@@ -1,0 +1,39 @@
+#include "client/sound/offset_meter.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace aucast::sound {
+namespace {
+
+constexpr Duration kBin = std::chrono::microseconds(100);
+constexpr Duration kMost = std::chrono::seconds(1);
+constexpr std::size_t kBins = 2 * (kMost / kBin) + 1;
+
+}  // namespace
+
+void OffsetMeter::add(Duration offset) {
+  if (bins_.empty()) bins_.resize(kBins);
+  const Duration from_most = std::clamp(offset, -kMost, kMost) + kMost + kBin / 2;
+  ++bins_[static_cast<std::size_t>(from_most / kBin)];
+  ++count_;
+}
+
+Duration OffsetMeter::below(double part) const {
+  const double wanted = part * static_cast<double>(count_);
+  std::uint64_t sum = 0;
+  for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
+    sum += bins_[bin];
+    if (static_cast<double>(sum) >= wanted) {
+      return kBin * static_cast<Duration::rep>(bin) - kMost;
+    }
+  }
+  return kMost;
+}
+
+OffsetSummary OffsetMeter::summary() const {
+  if (count_ == 0) return {};
+  return {count_, below(0.5), below(0.05), below(0.95)};
+}
+
+}  // namespace aucast::sound

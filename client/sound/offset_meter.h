@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/time.h"
+
+namespace aucast::sound {
+
+/// How far the face is from the sound that is heard with it; above 0 the face is early.
+struct OffsetSummary {
+  std::uint64_t count = 0;  ///< 0: nothing was measured
+  Duration median{};        ///< all to a tenth of a millisecond
+  Duration low{};           ///< 5 % are below
+  Duration high{};          ///< 5 % are above
+};
+
+/// Counts such distances. Thread: none of its own.
+class OffsetMeter {
+ public:
+  /// Beyond a second it counts as a second.
+  void add(Duration offset);
+  [[nodiscard]] OffsetSummary summary() const;
+
+ private:
+  [[nodiscard]] Duration below(double part) const;
+
+  std::vector<std::uint64_t> bins_;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace aucast::sound

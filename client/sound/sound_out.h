@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace aucast::sound {
+
+/// Where samples go to be heard: mono, kRate a second, in [-1,1].
+/// Thread: the player's.
+class SoundOut {
+ public:
+  SoundOut() = default;
+  virtual ~SoundOut() = default;
+  SoundOut(const SoundOut&) = delete;
+  SoundOut& operator=(const SoundOut&) = delete;
+
+  /// To be heard after what was written before. Never waits.
+  virtual void write(std::span<const float> samples) = 0;
+  /// How many of the samples written have been heard by now, as well as the device knows.
+  [[nodiscard]] virtual std::int64_t heard() = 0;
+  /// The device is gone.
+  [[nodiscard]] virtual bool lost() = 0;
+};
+
+}  // namespace aucast::sound

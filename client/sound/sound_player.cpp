@@ -1,0 +1,154 @@
+#include "client/sound/sound_player.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aucast::sound {
+namespace {
+
+constexpr std::int64_t kGlide = std::int64_t{10} * kSamplesPerMs;
+
+Duration time_of(std::int64_t samples) {
+  return std::chrono::microseconds(samples / kSamplesPerMs * 1000) +
+         std::chrono::nanoseconds(samples % kSamplesPerMs * 1'000'000 / kSamplesPerMs);
+}
+
+std::int64_t samples_of(Duration time) {
+  return time / std::chrono::milliseconds(1) * kSamplesPerMs +
+         time % std::chrono::milliseconds(1) * kSamplesPerMs / std::chrono::milliseconds(1);
+}
+
+}  // namespace
+
+SoundPlayer::SoundPlayer(std::unique_ptr<SoundOut> out) : out_(std::move(out)) {}
+
+Instant SoundPlayer::moment_of(std::int64_t sample) const {
+  return begin_ + time_of(sample);
+}
+
+void SoundPlayer::open(playback::Playback* playback, SoundTrack* track) {
+  if (sounds_) stop();
+  before_ = counts();
+  playback_ = playback;
+  given_ = track;
+  voice_ = std::make_unique<VoiceTrack>();
+  mixer_ = std::make_unique<SoundMixer>(given_ != nullptr ? *given_ : *voice_);
+  mixer_->set_volume(volume_);
+  mixer_->set_muted(muted_);
+}
+
+/// From the moment that playback has come to.
+void SoundPlayer::start() {
+  sounds_ = true;
+  begin_ = now_ - time_of(written_);
+  sound_until_ = now_;
+  heard_at_ = steady_;
+  starved_ = written_ > 0;
+  line_.begin_again();
+}
+
+/// The clock goes on from where it is.
+void SoundPlayer::stop() {
+  sounds_ = false;
+  ahead_.reset();
+  if (out_ == nullptr) return;
+  samples_.resize(static_cast<std::size_t>(kGlide));
+  mixer_->mix(std::nullopt, samples_);
+  out_->write(samples_);
+  written_ += kGlide;
+}
+
+Instant SoundPlayer::now(Instant steady) {
+  if (!steady_) now_ = shown_ = steady;
+  steady_ = steady;
+  const bool wanted = playback_ != nullptr && (given_ != nullptr || playback_->status().voice);
+  if (!sounds_ && out_ != nullptr && wanted) start();
+  if (sounds_) look_at_device(steady);
+  if (sounds_) {
+    const Instant heard = begin_ + line_.at(steady);
+    shown_ = std::max(shown_, heard);
+    now_ = std::max(now_, heard + lead_);
+  } else {
+    if (!ahead_) ahead_ = now_ - steady;
+    now_ = std::max(now_, steady + *ahead_);
+    shown_ = now_;
+  }
+  if (playback_ != nullptr) playback_->set_clock(now_ - steady, now_ - shown_);
+  return now_;
+}
+
+void SoundPlayer::look_at_device(Instant steady) {
+  const std::int64_t heard = std::clamp(out_->heard(), heard_, written_);
+  if (std::exchange(heard_, heard) != heard) heard_at_ = steady;
+  line_.add(steady, time_of(heard));
+  if (out_->lost() || steady - *heard_at_ > kDeafMax) {
+    stop();
+    out_.reset();
+    lost_ = true;
+  } else if (heard_ == written_ && !starved_ && written_ > 0) {
+    starved_ = true;
+    ++underruns_;
+    lead_ = std::min<Duration>(lead_ + kLeadStep, kLeadMax);
+    line_.begin_again();
+  }
+}
+
+void SoundPlayer::feed() {
+  while (auto voice = playback_->take_voice()) voice_->add(voice->place, std::move(voice->opus));
+}
+
+void SoundPlayer::advanced() {
+  if (playback_ == nullptr) return;
+  feed();
+  if (!sounds_) return;
+  const std::int64_t due = samples_of(now_ - begin_) - written_;
+  if (due <= 0) return;
+  const auto passing = playback_->passing();
+  const SoundTrack& track = given_ != nullptr ? *given_ : *voice_;
+  if (passing && passing->speed > 0 && samples_of(passing->place) < track.end()) {
+    sound_until_ = now_;
+  }
+  samples_.resize(static_cast<std::size_t>(due));
+  mixer_->mix(passing, samples_);
+  out_->write(samples_);
+  written_ += due;
+  starved_ = false;
+}
+
+void SoundPlayer::face_shown() {
+  if (!sounds_ || playback_ == nullptr || heard_ == 0 || starved_) return;
+  const auto passing = playback_->passing();
+  if (!passing || passing->speed == 0) return;
+  offsets_.add(shown_ - moment_of(std::clamp(out_->heard(), heard_, written_)));
+}
+
+bool SoundPlayer::take_loss() {
+  return std::exchange(lost_, false);
+}
+
+void SoundPlayer::set_volume(int percent) {
+  volume_ = percent;
+  if (mixer_) mixer_->set_volume(percent);
+}
+
+void SoundPlayer::set_muted(bool muted) {
+  muted_ = muted;
+  if (mixer_) mixer_->set_muted(muted);
+}
+
+SoundCounts SoundPlayer::counts() const {
+  SoundCounts counts = before_;
+  if (voice_) {
+    const VoiceTrack::Counts& voice = voice_->counts();
+    counts.voice.packets += voice.packets;
+    counts.voice.bytes += voice.bytes;
+    counts.voice.gaps += voice.gaps;
+    counts.voice.too_late += voice.too_late;
+  }
+  counts.underruns = underruns_;
+  counts.drift_ppm = line_.drift_ppm();
+  counts.offset = offsets_.summary();
+  return counts;
+}
+
+}  // namespace aucast::sound

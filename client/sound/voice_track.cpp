@@ -1,0 +1,118 @@
+#include "client/sound/voice_track.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/voice_packet.h"
+
+namespace aucast::sound {
+namespace {
+
+constexpr std::int64_t kFadeIn = std::int64_t{5} * kSamplesPerMs;
+/// A leap of more than this is not decoded through.
+constexpr std::int64_t kLeap = std::int64_t{500} * kSamplesPerMs;
+/// A decoder that begins in the middle is right after five packets of 60 ms.
+constexpr std::int64_t kRunUp = std::int64_t{300} * kSamplesPerMs;
+
+}  // namespace
+
+void VoiceTrack::add(Milliseconds place, std::string opus) {
+  const auto duration = protocol::opus_duration(opus);
+  if (!duration) return;
+  ++counts_.packets;
+  counts_.bytes += opus.size();
+  const std::int64_t begin = place.count() * kSamplesPerMs;
+  const std::int64_t end = begin + duration->count() * kSamplesPerMs;
+  const bool in_order = waiting_.empty() || begin >= waiting_.back().end;
+  if (!in_order || waiting_bytes_ + opus.size() > kWaitingBytesMax) {
+    ++counts_.too_late;
+    return;
+  }
+  waiting_bytes_ += opus.size();
+  last_end_ = std::max(last_end_, end);
+  waiting_.push_back({begin, end, std::move(opus)});
+}
+
+void VoiceTrack::read(std::int64_t begin, std::span<float> samples) {
+  const auto count = static_cast<std::int64_t>(samples.size());
+  if (begin > decoded_end() + kLeap) skip_to(begin);
+  decode_until(begin + count);
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t at = begin + i - begin_;
+    samples[static_cast<std::size_t>(i)] = at < 0 ? 0 : decoded_[static_cast<std::size_t>(at)];
+  }
+  forget_before(begin + count - kKept.count() * kSamplesPerMs);
+}
+
+std::int64_t VoiceTrack::decoded_end() const {
+  return begin_ + static_cast<std::int64_t>(decoded_.size());
+}
+
+/// What lies before `begin` will not be heard any more.
+void VoiceTrack::skip_to(std::int64_t begin) {
+  decoded_.clear();
+  begin_ = begin - kRunUp;
+  silent_ = true;
+  while (!waiting_.empty() && waiting_.front().end <= begin_) drop_front();
+}
+
+void VoiceTrack::decode_until(std::int64_t end) {
+  while (decoded_end() < end) {
+    if (!waiting_.empty() && waiting_.front().begin <= decoded_end()) {
+      append(waiting_.front());
+      drop_front();
+      continue;
+    }
+    const std::int64_t next = waiting_.empty() ? end : waiting_.front().begin;
+    if (silent_) {
+      decoded_.resize(static_cast<std::size_t>(std::min(next, end) - begin_));
+    } else {
+      fade_out(waiting_.empty() ? decoded_end() + kLeap : next);
+    }
+  }
+}
+
+/// What lies before the end of what is decoded has been heard as silence already.
+void VoiceTrack::append(const Packet& packet) {
+  const std::span<const float> sound = decoder_.decode(packet.opus);
+  const std::int64_t from = decoded_end();
+  const std::int64_t heard = from - packet.begin;
+  if (heard >= static_cast<std::int64_t>(sound.size())) {
+    ++counts_.too_late;
+    return;
+  }
+  decoded_.insert(decoded_.end(), sound.begin() + static_cast<std::ptrdiff_t>(heard), sound.end());
+  if (std::exchange(silent_, false)) {
+    const std::int64_t fade = std::min(kFadeIn, decoded_end() - from);
+    for (std::int64_t i = 0; i < fade; ++i) {
+      decoded_[static_cast<std::size_t>(from - begin_ + i)] *=
+          static_cast<float>(i) / static_cast<float>(fade);
+    }
+  }
+}
+
+/// Goes on as the voice could have gone on, ever softer, before `until`.
+void VoiceTrack::fade_out(std::int64_t until) {
+  const std::span<const float> sound = decoder_.conceal();
+  const auto fade = std::min(static_cast<std::int64_t>(sound.size()), until - decoded_end());
+  for (std::int64_t i = 0; i < fade; ++i) {
+    const float weight = static_cast<float>(fade - i) / static_cast<float>(fade + 1);
+    decoded_.push_back(sound[static_cast<std::size_t>(i)] * weight);
+  }
+  silent_ = true;
+  ++counts_.gaps;
+}
+
+void VoiceTrack::forget_before(std::int64_t begin) {
+  // Not at each call: what follows is moved.
+  if (begin - begin_ < kLeap) return;
+  decoded_.erase(decoded_.begin(), decoded_.begin() + static_cast<std::ptrdiff_t>(begin - begin_));
+  begin_ = begin;
+}
+
+void VoiceTrack::drop_front() {
+  waiting_bytes_ -= waiting_.front().opus.size();
+  waiting_.pop_front();
+}
+
+}  // namespace aucast::sound

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "client/sound/sound_track.h"
+#include "common/time.h"
+
+namespace aucast::sound {
+
+/// The voice of a stream, from Opus packets that come in the order of their places and in time:
+/// what has been read before its packet came stays silent. Where packets end and none goes on, the
+/// voice fades out, and it fades in where it begins again.
+/// It can be read forwards, and up to kKept back.
+/// Thread: none of its own.
+class VoiceTrack final : public SoundTrack {
+ public:
+  /// What read() can go back by.
+  static constexpr Milliseconds kKept{1000};
+  /// Bytes of packets that wait to be read; what comes on top is left out. At 24 kbit/s an hour.
+  static constexpr std::size_t kWaitingBytesMax = std::size_t{11} << 20U;
+
+  struct Counts {
+    std::uint64_t packets = 0;
+    std::uint64_t bytes = 0;     ///< of Opus
+    std::uint64_t gaps = 0;      ///< times that the voice has faded out: pauses of who speaks, too
+    std::uint64_t too_late = 0;  ///< packets that were not heard, because their time had passed
+  };
+
+  /// One Opus packet whose sound begins at `place`.
+  void add(Milliseconds place, std::string opus);
+
+  void read(std::int64_t begin, std::span<float> samples) override;
+  [[nodiscard]] std::int64_t end() const override { return last_end_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+
+ private:
+  struct Packet {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+    std::string opus;
+  };
+
+  [[nodiscard]] std::int64_t decoded_end() const;
+  void skip_to(std::int64_t begin);
+  void decode_until(std::int64_t end);
+  void append(const Packet& packet);
+  void fade_out(std::int64_t until);
+  void forget_before(std::int64_t begin);
+  void drop_front();
+
+  voice::VoiceDecoder decoder_;
+  std::deque<Packet> waiting_;
+  std::size_t waiting_bytes_ = 0;
+  std::int64_t last_end_ = 0;  ///< of all packets
+  std::int64_t begin_ = 0;     ///< of decoded_
+  std::vector<float> decoded_;
+  bool silent_ = true;  ///< what is decoded ends in silence
+  Counts counts_;
+};
+
+}  // namespace aucast::sound

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <span>
+
+#include "common/result.h"
+
+namespace aucast::sound {
+
+/// A WAV file, mono, 16 bits, kRate samples a second. It appears under its name when finish()
+/// succeeds; what was there before stays until then. Same samples, same bytes.
+/// Thread: none of its own.
+class WavFile {
+ public:
+  /// A WAV file's sizes have 32 bits: 12 hours. What comes on top is left out.
+  static constexpr std::size_t kSamplesMax = std::size_t{0x7fff'0000};
+
+  /// Failed when the place cannot be written.
+  [[nodiscard]] static Result<std::unique_ptr<WavFile>> open(const std::filesystem::path& path);
+  ~WavFile();
+  WavFile(const WavFile&) = delete;
+  WavFile& operator=(const WavFile&) = delete;
+
+  /// In [-1,1]; what is beyond is cut.
+  void add(std::span<const float> samples);
+  /// How many there are.
+  [[nodiscard]] std::size_t samples() const { return samples_; }
+  /// Brings all samples so far to the file, which has another name until finish(): temporary().
+  [[nodiscard]] Result<void> flush();
+  [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
+  [[nodiscard]] Result<void> finish();
+
+ private:
+  WavFile(std::filesystem::path path, std::filesystem::path temporary);
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;  ///< empty: finished
+  std::ofstream file_;
+  std::size_t samples_ = 0;
+};
+
+}  // namespace aucast::sound
