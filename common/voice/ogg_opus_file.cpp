@@ -115,6 +115,10 @@ bool OggOpusWriter::add(const protocol::VoicePacket& packet) {
   return true;
 }
 
+bool OggOpusWriter::any() const {
+  return state_->end > state_->begin;
+}
+
 std::string OggOpusWriter::finish(Milliseconds end) {
   state_->fill(end - kSilenceTime);
   state_->put_sound(kSilence, kSilenceTime, true);

@@ -26,6 +26,8 @@ class OggOpusWriter {
   [[nodiscard]] std::string take();
   /// The next packet. One that begins before the end of what is there is left out: false.
   bool add(const protocol::VoicePacket& packet);
+  /// Whether any packet was added.
+  [[nodiscard]] bool any() const;
   /// Silence up to `end`, on the stream's clock; then the last page.
   [[nodiscard]] std::string finish(Milliseconds end);
 

@@ -15,6 +15,9 @@
 namespace aucast::server {
 namespace {
 
+static_assert(kStreamFileForm.head.starts_with(protocol::kBeginTag));
+static_assert(kStreamFileForm.tail.starts_with(protocol::kEndTag));
+
 Error cannot_record(const std::filesystem::path& path, const std::string& why) {
   return {ErrorKind::Failed, at_place(path.string(), "cannot be recorded to: " + why)};
 }
@@ -30,10 +33,6 @@ bool write_at(int descriptor, std::string_view bytes, std::int64_t place) {
   return true;
 }
 
-std::string end_line() {
-  return std::string(protocol::kEndTag) + '\n';
-}
-
 /// Why an open file cannot be taken; empty: it can.
 std::string objection(int descriptor) {
   struct stat status {};
@@ -47,11 +46,12 @@ std::string objection(int descriptor) {
 
 }  // namespace
 
-RecordFile::RecordFile(std::filesystem::path path, int descriptor)
-    : path_(std::move(path)), descriptor_(descriptor) {}
+RecordFile::RecordFile(std::filesystem::path path, const RecordForm& form, int descriptor)
+    : path_(std::move(path)), form_(form), descriptor_(descriptor) {}
 
 RecordFile::RecordFile(RecordFile&& other) noexcept
     : path_(std::move(other.path_)),
+      form_(other.form_),
       descriptor_(std::exchange(other.descriptor_, -1)),
       end_(other.end_) {}
 
@@ -61,7 +61,7 @@ RecordFile::~RecordFile() {
   ::close(descriptor_);
 }
 
-Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
+Result<RecordFile> RecordFile::create(const std::filesystem::path& path, const RecordForm& form) {
   // Not blocking: a FIFO that nobody reads would be waited for.
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0644);
   if (descriptor < 0) return cannot_record(path, system_reason(errno));
@@ -69,7 +69,7 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
     ::close(descriptor);
     return cannot_record(path, why);
   }
-  return RecordFile(path, descriptor);
+  return RecordFile(path, form, descriptor);
 }
 
 Error RecordFile::failed() const {
@@ -77,20 +77,20 @@ Error RecordFile::failed() const {
           at_place(path_.string(), "cannot be written: " + system_reason(errno))};
 }
 
-Result<void> RecordFile::add(std::string_view line) {
-  std::string text = end_ == 0 ? std::string(protocol::kBeginTag) + '\n' : "";
-  text += line;
+Result<void> RecordFile::add(std::string_view piece) {
+  std::string text(end_ == 0 ? form_.head : "");
+  text += piece;
   const std::int64_t end = end_ + static_cast<std::int64_t>(text.size());
-  if (write_at(descriptor_, text + end_line(), end_)) {
+  if (write_at(descriptor_, text + std::string(form_.tail), end_)) {
     end_ = end;
     return {};
   }
   const Error error = failed();
   // The place of the old end is ours already, also on a full disk.
-  const std::string old_end = end_ == 0 ? "" : end_line();
+  const std::string_view old_end = end_ == 0 ? "" : form_.tail;
   if (!write_at(descriptor_, old_end, end_) ||
       ::ftruncate(descriptor_, end_ + static_cast<std::int64_t>(old_end.size())) != 0) {
-    return Error{error.kind, error.message + "; its last line may be torn"};
+    return Error{error.kind, error.message + "; what was added last may be torn"};
   }
   return error;
 }

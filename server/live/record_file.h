@@ -8,33 +8,46 @@
 
 namespace aucast::server {
 
-/// A stream file that grows and is whole whenever somebody looks: what is added is written in one
-/// piece with the End_Stream behind it, over the End_Stream before. A program that is killed leaves
-/// a whole file; what a power cut can tear is what was not yet synced. A file that holds anything
-/// is never written over.
+/// What a file that is recorded to begins and ends with.
+struct RecordForm {
+  std::string_view head;
+  std::string_view tail;
+};
+
+/// A stream file: a keyframe's line is a piece.
+inline constexpr RecordForm kStreamFileForm{"Beg_Stream\n", "End_Stream\n"};
+/// Ogg: a page is a piece, and nothing stands around them.
+inline constexpr RecordForm kPagesForm{};
+
+/// A file that grows and is whole whenever somebody looks: what is added is written in one piece
+/// with the tail behind it, over the tail before. A program that is killed leaves a whole file;
+/// what a power cut can tear is what was not yet synced. A file that holds anything is never
+/// written over.
 class RecordFile {
  public:
   /// Failed, with the reason, when the file cannot be made, is no plain file, or holds anything.
-  [[nodiscard]] static Result<RecordFile> create(const std::filesystem::path& path);
+  [[nodiscard]] static Result<RecordFile> create(const std::filesystem::path& path,
+                                                 const RecordForm& form = kStreamFileForm);
   RecordFile(RecordFile&& other) noexcept;
   RecordFile& operator=(RecordFile&&) = delete;
   RecordFile(const RecordFile&) = delete;
   RecordFile& operator=(const RecordFile&) = delete;
-  /// A file that nothing was added to is no stream, and is removed.
+  /// A file that nothing was added to is removed.
   ~RecordFile();
 
-  /// A keyframe's line with its end. When it fails, the file stays what it was.
-  [[nodiscard]] Result<void> add(std::string_view line);
+  /// A piece. When it fails, the file stays what it was.
+  [[nodiscard]] Result<void> add(std::string_view piece);
   /// Brings what was added to the disk.
   [[nodiscard]] Result<void> sync();
 
  private:
-  RecordFile(std::filesystem::path path, int descriptor);
+  RecordFile(std::filesystem::path path, const RecordForm& form, int descriptor);
   [[nodiscard]] Error failed() const;
 
   std::filesystem::path path_;
+  RecordForm form_;
   int descriptor_ = -1;
-  std::int64_t end_ = 0;  ///< where End_Stream stands; 0: nothing was added yet
+  std::int64_t end_ = 0;  ///< where the tail stands; 0: nothing was added yet
 };
 
 }  // namespace aucast::server

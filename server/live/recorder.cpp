@@ -5,116 +5,67 @@
 #include <ctime>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "common/log.h"
-#include "common/text.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::server {
 namespace {
 
-/// What a power cut may take.
-constexpr std::chrono::seconds kSyncEvery{1};
-
-/// A disk that takes nothing for so much, some ten minutes of a face, is none to record to.
-constexpr std::size_t kWaitingBytesMost = std::size_t{1} << 20U;
+/// Of the one logical stream in each Ogg file: equal recordings are equal files.
+constexpr std::uint32_t kOggSerial = 1;
 
 }  // namespace
 
 Result<std::unique_ptr<Recorder>> Recorder::start(const std::filesystem::path& path) {
-  auto file = RecordFile::create(path);
-  if (!file) return file.error();
-  // Thrown when the system has no thread left.
-  try {
-    auto recorder = std::make_unique<Recorder>(path, std::move(*file));
-    spdlog::info("recording to {}", path.string());
-    return recorder;
-  } catch (const std::system_error& failure) {
-    return Error{ErrorKind::Failed,
-                 escaped(path.string()) + ": cannot be recorded: " + failure.code().message()};
-  }
+  auto face = RecordWriter::start(path, kStreamFileForm);
+  if (!face) return face.error();
+  return std::make_unique<Recorder>(path, std::move(*face));
 }
 
-Recorder::Recorder(std::filesystem::path path, RecordFile file)
-    : path_(std::move(path)), file_(std::move(file)), thread_([this] { write_until_finished(); }) {}
+Recorder::Recorder(std::filesystem::path path, std::unique_ptr<RecordWriter> face)
+    : path_(std::move(path)), face_(std::move(face)), pages_(Milliseconds::zero(), kOggSerial) {}
 
 Recorder::~Recorder() {
   static_cast<void>(finish());
 }
 
+Result<void> Recorder::add_voice_file() {
+  auto voice = RecordWriter::start(voice_record_path(path_), kPagesForm);
+  if (!voice) return voice.error();
+  voice_ = std::move(*voice);
+  return {};
+}
+
 void Recorder::add(const protocol::Keyframe& keyframe, double now, bool free) {
-  std::string lines;
+  std::vector<std::string> lines;
   for (const protocol::Keyframe& line : timeline_.add(keyframe, now, free)) {
-    lines += protocol::format_stream_line(line) + '\n';
+    lines.push_back(protocol::format_stream_line(line) + '\n');
+    end_ += Milliseconds(line.duration_ms.value_or(0));
   }
-  const std::lock_guard lock(mutex_);
-  if (error_) return;
-  if (waiting_.size() + lines.size() > kWaitingBytesMost) {
-    error_ = Error{ErrorKind::Failed,
-                   at_place(path_.string(), "cannot be written: the disk takes nothing")};
-    spdlog::error("{}; the recording ends here, serving goes on", error_->message);
-    return;
-  }
-  waiting_ += lines;
-  changed_.notify_one();
+  face_->add(std::move(lines));
+}
+
+void Recorder::add_voice(protocol::VoicePacket packet, Milliseconds after) {
+  if (!voice_) return;
+  packet.place = end_ + after;
+  if (!pages_.add(packet)) return;
+  if (std::string pages = pages_.take(); !pages.empty()) voice_->add({std::move(pages)});
 }
 
 Result<void> Recorder::finish() {
-  {
-    const std::lock_guard lock(mutex_);
-    finished_ = true;
-    changed_.notify_one();
-  }
-  if (thread_.joinable()) {
-    thread_.join();
-    spdlog::info("{} keyframes recorded to {}", written_, path_.string());
-  }
-  const std::lock_guard lock(mutex_);
-  if (error_) return *error_;
-  return {};
+  const bool first_time = !std::exchange(finished_, true);
+  const auto face = face_->finish();
+  if (first_time) spdlog::info("{} keyframes recorded to {}", face_->written(), path_.string());
+  if (!voice_) return face;
+  if (first_time && pages_.any()) voice_->add({pages_.finish(end_)});
+  const auto voice = voice_->finish();
+  return face ? voice : face;
 }
 
-Result<void> Recorder::write(std::string_view lines) {
-  // One by one: of what no longer fits on the disk, what does is kept.
-  while (!lines.empty()) {
-    const std::size_t end = lines.find('\n') + 1;
-    if (auto added = file_.add(lines.substr(0, end)); !added) return added;
-    lines.remove_prefix(end);
-    ++written_;
-  }
-  return {};
-}
-
-void Recorder::write_until_finished() {
-  auto sync_at = std::chrono::steady_clock::time_point::max();
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    const auto something = [this] { return finished_ || !waiting_.empty(); };
-    if (sync_at == std::chrono::steady_clock::time_point::max()) {
-      changed_.wait(lock, something);
-    } else {
-      changed_.wait_until(lock, sync_at, something);
-    }
-    const bool last = finished_;
-    const std::string lines = std::exchange(waiting_, {});
-    lock.unlock();
-    const auto now = std::chrono::steady_clock::now();
-    Result<void> done;
-    if (!lines.empty()) {
-      done = write(lines);
-      sync_at = std::min(sync_at, now + kSyncEvery);
-    }
-    if (done && (last || now >= sync_at)) {
-      done = file_.sync();
-      sync_at = std::chrono::steady_clock::time_point::max();
-    }
-    lock.lock();
-    if (!done && !error_) {
-      error_ = done.error();
-      spdlog::error("{}; the recording ends here, serving goes on", error_->message);
-    }
-    if (last || error_) return;
-  }
+std::filesystem::path voice_record_path(std::filesystem::path record) {
+  return record.replace_extension(".opus");
 }
 
 std::optional<std::filesystem::path> record_path(const std::filesystem::path& record,

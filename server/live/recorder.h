@@ -1,54 +1,51 @@
 #pragma once
 
-#include <condition_variable>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <thread>
-#include <vector>
 
 #include "common/result.h"
 #include "common/sources/record_timeline.h"
+#include "common/time.h"
+#include "common/voice/ogg_opus_file.h"
 #include "protocol/packet.h"
-#include "server/live/record_file.h"
+#include "protocol/voice_packet.h"
+#include "server/live/record_writer.h"
 
 namespace aucast::server {
 
-/// Keeps a live stream in a file (--record) while it is served. The file is written on a thread of
-/// its own, so that a slow disk holds up no client; a full one ends the recording, not the stream.
-/// Thread: that of its owner; the members under `mutex_` are shared with the writing thread.
+/// Keeps a live stream in files (--record) while it is served: the face in a stream file, and its
+/// voice, from the first packet on, in an Ogg Opus file of the same name beside it.
+/// Thread: that of its owner.
 class Recorder {
  public:
   /// As RecordFile::create().
   [[nodiscard]] static Result<std::unique_ptr<Recorder>> start(const std::filesystem::path& path);
-  Recorder(std::filesystem::path path, RecordFile file);
+  Recorder(std::filesystem::path path, std::unique_ptr<RecordWriter> face);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  /// Keeps a voice too from now on. As RecordFile::create().
+  [[nodiscard]] Result<void> add_voice_file();
+
   /// As RecordTimeline has them.
   void add(const protocol::Keyframe& keyframe, double now, bool free);
+  /// A packet that is heard `after` the end of the last keyframe; before it, if that is negative.
+  void add_voice(protocol::VoicePacket packet, Milliseconds after);
   void end_of_stream() { timeline_.end(); }
   /// Waits until everything is written. The error that ended the recording, if one did.
   [[nodiscard]] Result<void> finish();
 
  private:
-  void write_until_finished();
-  [[nodiscard]] Result<void> write(std::string_view lines);
-
   std::filesystem::path path_;
-  RecordFile file_;          ///< of the writing thread
-  std::size_t written_ = 0;  ///< lines; of the writing thread
+  std::unique_ptr<RecordWriter> face_;
+  std::unique_ptr<RecordWriter> voice_;  ///< null: it keeps none
+  voice::OggOpusWriter pages_;
   sources::RecordTimeline timeline_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::string waiting_;         ///< under mutex_: lines to write
-  bool finished_ = false;       ///< under mutex_
-  std::optional<Error> error_;  ///< under mutex_: what ended the recording
-  std::thread thread_;
+  Milliseconds end_{0};  ///< of the last keyframe, in the file
+  bool finished_ = false;
 };
 
 /// The file that a stream is kept in. `record`: what --record says; in a folder each stream gets a
@@ -57,5 +54,8 @@ class Recorder {
 [[nodiscard]] std::optional<std::filesystem::path> record_path(const std::filesystem::path& record,
                                                                const std::string& stream,
                                                                bool first);
+
+/// Where the voice of a stream that is kept in `record` is kept.
+[[nodiscard]] std::filesystem::path voice_record_path(std::filesystem::path record);
 
 }  // namespace aucast::server

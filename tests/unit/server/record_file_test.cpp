@@ -82,6 +82,43 @@ TEST_F(RecordFileTest, TheRecorderWritesAllThatItWasGiven) {
   EXPECT_EQ(folder_.read("kept.txt"), protocol::format_stream_file(stream));
 }
 
+TEST_F(RecordFileTest, KeepsTheVoiceBesideTheFaceWhereItIsHeard) {
+  using namespace std::chrono_literals;
+  auto recorder = Recorder::start(path_);
+  ASSERT_TRUE(recorder) << recorder.error().message;
+  ASSERT_TRUE((*recorder)->add_voice_file());
+  protocol::Keyframe keyframe;
+  keyframe.terms = {{12, Side::Both, 50}};
+  keyframe.duration_ms = 500;
+  (*recorder)->add(keyframe, 0, false);
+  const std::string opus("\x58\x01\x02", 3);  // 60 ms
+  (*recorder)->add_voice({7s, opus}, -200ms);
+  (*recorder)->add_voice({7060ms, opus}, -140ms);
+  (*recorder)->add_voice({6s, opus}, -400ms);
+  EXPECT_TRUE((*recorder)->finish());
+
+  voice::OggOpusWriter expected(0ms, 1);
+  EXPECT_TRUE(expected.add({300ms, opus}));
+  EXPECT_TRUE(expected.add({360ms, opus}));
+  std::string bytes = expected.take();
+  bytes += expected.finish(500ms);
+  EXPECT_EQ(folder_.read("kept.opus"), bytes);
+}
+
+TEST_F(RecordFileTest, WithoutAVoiceThereIsNoVoiceFile) {
+  {
+    auto recorder = Recorder::start(path_);
+    ASSERT_TRUE(recorder);
+    ASSERT_TRUE((*recorder)->add_voice_file());
+    EXPECT_TRUE((*recorder)->finish());
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "kept.opus"));
+  folder_.write("kept.opus", "yesterday");
+  auto recorder = Recorder::start(path_);
+  ASSERT_TRUE(recorder);
+  EXPECT_FALSE((*recorder)->add_voice_file()) << "what is there is never written over";
+}
+
 TEST(RecordPath, InAFolderEveryStreamHasItsOwnFile) {
   const TempFolder folder;
   const auto file = folder.path() / "kept.txt";

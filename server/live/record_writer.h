@@ -1,0 +1,55 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/result.h"
+#include "server/live/record_file.h"
+
+namespace aucast::server {
+
+/// Writes a record on a thread of its own, so that a slow disk holds up no client; a full one ends
+/// the recording, not what is recorded.
+/// Thread: that of its owner; the members under `mutex_` are shared with the writing thread.
+class RecordWriter {
+ public:
+  /// As RecordFile::create().
+  [[nodiscard]] static Result<std::unique_ptr<RecordWriter>> start(
+      const std::filesystem::path& path, const RecordForm& form);
+  RecordWriter(std::filesystem::path path, RecordFile file);
+  ~RecordWriter();
+  RecordWriter(const RecordWriter&) = delete;
+  RecordWriter& operator=(const RecordWriter&) = delete;
+
+  /// Pieces that follow each other; each is written whole or not at all.
+  void add(std::vector<std::string> pieces);
+  /// Waits until everything is written. The error that ended the recording, if one did.
+  [[nodiscard]] Result<void> finish();
+  /// Pieces that are in the file; after finish().
+  [[nodiscard]] std::size_t written() const { return written_; }
+
+ private:
+  void write_until_finished();
+  [[nodiscard]] Result<void> write(const std::vector<std::string>& pieces);
+  void end_with(const Error& error);
+
+  std::filesystem::path path_;
+  RecordFile file_;          ///< of the writing thread
+  std::size_t written_ = 0;  ///< of the writing thread
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::string> waiting_;  ///< under mutex_: pieces to write
+  std::size_t waiting_bytes_ = 0;     ///< under mutex_
+  bool finished_ = false;             ///< under mutex_
+  std::optional<Error> error_;        ///< under mutex_: what ended the recording
+  std::thread thread_;
+};
+
+}  // namespace aucast::server
