@@ -8,6 +8,7 @@
 
 #include "tests/support/certificates.h"
 #include "tests/support/loopback.h"
+#include "tests/support/run_until.h"
 #include "tests/unit/link/recording_user.h"
 
 namespace aucast::link {
@@ -32,8 +33,7 @@ class DiallerTest : public ::testing::Test {
     std::optional<Dialled> result;
     dialler_.dial(options_, [&result](Dialled dialled) { result = std::move(dialled); });
     EXPECT_FALSE(result) << "not from within dial()";
-    const auto give_up = std::chrono::steady_clock::now() + 20s;
-    while (!result && std::chrono::steady_clock::now() < give_up) io_.run_one_for(100ms);
+    EXPECT_TRUE(aucast::test::run_until(io_, [&] { return result.has_value(); }));
     io_.restart();
     return result.value_or(DialFailure{false, "nothing came of it"});
   }
@@ -89,8 +89,7 @@ TEST_F(DiallerTest, TheHandshakeHasTheRestOfTheTime) {
   ASSERT_NE(link, nullptr);
   test::RecordingUser user;
   (*link)->start(user);
-  const auto give_up = std::chrono::steady_clock::now() + 20s;
-  while (!user.ending && std::chrono::steady_clock::now() < give_up) io_.run_one_for(100ms);
+  EXPECT_TRUE(aucast::test::run_until(io_, [&] { return user.ending.has_value(); }));
   EXPECT_TRUE(user.closed_as(Ending::Why::TlsFailed)) << "the listener says nothing";
   EXPECT_FALSE(user.opened);
 }

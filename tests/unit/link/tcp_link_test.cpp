@@ -10,6 +10,7 @@
 #include <asio/read.hpp>
 #include <asio/write.hpp>
 
+#include "tests/support/run_until.h"
 #include "tests/unit/link/recording_user.h"
 
 namespace aucast::link {
@@ -36,9 +37,7 @@ class TcpLinkTest : public ::testing::Test {
   /// Lets the link work until the condition holds.
   template <typename Condition>
   [[nodiscard]] bool run_until(Condition condition) {
-    const auto give_up = std::chrono::steady_clock::now() + 20s;
-    while (!condition() && std::chrono::steady_clock::now() < give_up) io_.run_one_for(100ms);
-    return condition();
+    return aucast::test::run_until(io_, condition);
   }
   [[nodiscard]] bool closed_as(Why why) {
     return run_until([&] { return user_.ending.has_value(); }) && user_.closed_as(why);

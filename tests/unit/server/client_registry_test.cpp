@@ -10,6 +10,7 @@
 #include "protocol/limits.h"
 #include "protocol/live_replay.h"
 #include "tests/support/fake_link.h"
+#include "tests/unit/server/talk_fixture.h"
 
 namespace aucast::server {
 namespace {
@@ -17,18 +18,8 @@ namespace {
 using namespace std::chrono_literals;
 using test::FakeLink;
 
-class ClientRegistryTest : public ::testing::Test {
+class ClientRegistryTest : public TalkFixture {
  protected:
-  ClientRegistryTest() {
-    protocol::EncodedStream stream;
-    stream.classic = stream.negotiated = {"{1}", "{2}", "{3}"};
-    stream.times.assign(3, protocol::KeyframeTime(100));
-    stream_ = std::make_shared<const protocol::EncodedStream>(std::move(stream));
-    catalogue_->streams = {{"talk", stream_, nullptr}};
-    spdlog::set_level(spdlog::level::off);
-  }
-  ~ClientRegistryTest() override { spdlog::set_level(level_before_); }
-
   ClientRegistry& registry() {
     if (!registry_) registry_.emplace(options_, stats_, [this] { ++times_empty_; });
     return *registry_;
@@ -52,12 +43,8 @@ class ClientRegistryTest : public ::testing::Test {
     return status;
   }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
   TransmitterOptions options_;
   Stats stats_;
-  std::shared_ptr<const protocol::EncodedStream> stream_;
-  std::shared_ptr<protocol::ServerCatalogue> catalogue_ =
-      std::make_shared<protocol::ServerCatalogue>();
   int times_empty_ = 0;
   std::optional<ClientRegistry> registry_;
 };

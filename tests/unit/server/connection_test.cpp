@@ -6,6 +6,7 @@
 #include "protocol/limits.h"
 #include "protocol/live_replay.h"
 #include "tests/support/fake_link.h"
+#include "tests/unit/server/talk_fixture.h"
 
 namespace aucast::server {
 namespace {
@@ -14,20 +15,13 @@ using namespace std::chrono_literals;
 using link::Ending;
 using test::FakeLink;
 
-class ConnectionTest : public ::testing::Test {
+class ConnectionTest : public TalkFixture {
  protected:
   ConnectionTest() {
-    protocol::EncodedStream stream;
-    stream.classic = stream.negotiated = {"{1}", "{2}", "{3}"};
-    stream.times.assign(3, protocol::KeyframeTime(100));
-    stream_ = std::make_shared<const protocol::EncodedStream>(std::move(stream));
-    catalogue_->streams = {{"talk", stream_, nullptr}};
     settings_.number = 1;
     settings_.peer = "127.0.0.1:50000";
     settings_.log = &log_;
-    spdlog::set_level(spdlog::level::off);
   }
-  ~ConnectionTest() override { spdlog::set_level(level_before_); }
 
   /// All clients are served live from now on.
   void go_live() {
@@ -54,11 +48,7 @@ class ConnectionTest : public ::testing::Test {
   }
   [[nodiscard]] std::string end_reason() const { return record_ ? record_->end_reason : "(open)"; }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
   ClientLog log_;
-  std::shared_ptr<protocol::ServerCatalogue> catalogue_ =
-      std::make_shared<protocol::ServerCatalogue>();
-  std::shared_ptr<const protocol::EncodedStream> stream_;
   std::shared_ptr<protocol::LiveReplay> live_;
   Connection::Settings settings_;
   std::shared_ptr<FakeLink> link_ = std::make_shared<FakeLink>();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/raw_client.h"
+#include "tests/support/run_until.h"
 
 namespace aucast::server {
 namespace {
@@ -20,10 +21,7 @@ std::shared_ptr<const protocol::EncodedStream> two_moments(Milliseconds first) {
 
 /// Lets the loop run until the live stream has come to `number`.
 void run_until(asio::io_context& io, const protocol::LiveChannel& live, std::uint64_t number) {
-  const auto until = std::chrono::steady_clock::now() + test::kPatience;
-  while (live.newest()->number < number && std::chrono::steady_clock::now() < until) {
-    io.run_one_for(1ms);
-  }
+  EXPECT_TRUE(test::run_until(io, [&] { return live.newest()->number >= number; }));
   EXPECT_EQ(live.newest()->number, number);
 }
 

@@ -11,6 +11,7 @@
 
 #include "common/log.h"
 #include "tests/support/manual_clock.h"
+#include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::server {
@@ -51,8 +52,7 @@ TEST_F(LiveSourceTest, WhatComesThroughAPipeIsNewAlsoWhenFilesAreFollowed) {
     ASSERT_GE(writer, 0);
     constexpr std::string_view kLines = "12:50;100\n";
     ASSERT_EQ(::write(writer, kLines.data(), kLines.size()), static_cast<ssize_t>(kLines.size()));
-    while (newest().empty() && io_.run_one() > 0) {
-    }
+    EXPECT_TRUE(test::run_until(io_, [this] { return !newest().empty(); }));
     EXPECT_EQ(newest(), "{12:50;100}") << follow;
     ::close(writer);
     source_.reset();
@@ -61,8 +61,7 @@ TEST_F(LiveSourceTest, WhatComesThroughAPipeIsNewAlsoWhenFilesAreFollowed) {
 
 TEST_F(LiveSourceTest, OfAFollowedFileTheLastLineIsSent) {
   ASSERT_TRUE(open(folder_.write("growing.txt", "12:10;100\n12:20;100\n"), true).start());
-  while (newest().empty() && io_.run_one() > 0) {
-  }
+  EXPECT_TRUE(test::run_until(io_, [this] { return !newest().empty(); }));
   EXPECT_EQ(newest(), "{12:20;100}");
 }
 

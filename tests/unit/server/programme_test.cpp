@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "common/log.h"
+#include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::server {
@@ -100,8 +101,7 @@ TEST_F(ProgrammeTest, ASourceThatIsBeingWrittenHasTheStreamOfItsName) {
   Programme& programme = begin(catalogue_of({{"face", nullptr}, {"a", stream_of("{1}")}}));
   const auto live = programme.catalogue()->streams[0].live;
   ASSERT_NE(live, nullptr);
-  while (live->newest() == nullptr && io_.run_one() > 0) {
-  }
+  ASSERT_TRUE(test::run_until(io_, [&] { return live->newest() != nullptr; }));
   EXPECT_EQ(live->newest()->full, "{12:50;100}");
   ASSERT_TRUE(programme.take_over(catalogue_of({{"face", nullptr}, {"a", stream_of("{4}")}})));
   EXPECT_EQ(programme.catalogue()->streams[0].live, live) << "a reload leaves it alone";

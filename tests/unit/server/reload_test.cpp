@@ -10,12 +10,11 @@
 #include <asio/executor_work_guard.hpp>
 
 #include "common/log.h"
+#include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::server {
 namespace {
-
-using namespace std::chrono_literals;
 
 protocol::ServerCatalogue only(const std::string& name) {
   protocol::EncodedStream stream;
@@ -39,8 +38,7 @@ class ReloadTest : public ::testing::Test {
   }
   /// Until nothing is being read.
   void run() {
-    while (reload_->running() && io_.run_one_for(10s) > 0) {
-    }
+    EXPECT_TRUE(test::run_until(io_, [this] { return !reload_->running(); }));
   }
   /// Runs a reload to its end. Whether who comes now gets other streams.
   bool reloaded() {

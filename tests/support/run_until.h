@@ -1,0 +1,20 @@
+#pragma once
+
+#include <chrono>
+
+#include <asio/io_context.hpp>
+
+namespace aucast::test {
+
+/// Lets the loop run until the condition holds, or for longer than a busy machine needs. Whether it
+/// holds then.
+template <typename Condition>
+[[nodiscard]] bool run_until(asio::io_context& io, Condition condition) {
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!condition() && std::chrono::steady_clock::now() < give_up) {
+    io.run_one_for(std::chrono::milliseconds(100));
+  }
+  return condition();
+}
+
+}  // namespace aucast::test

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "common/log.h"
+#include "protocol/server_session.h"
+
+namespace aucast::server {
+
+/// A catalogue with one stream, "talk", of the three packets {1}{2}{3}, each for a tenth of a
+/// second; and a log that is silent.
+class TalkFixture : public ::testing::Test {
+ protected:
+  TalkFixture() {
+    protocol::EncodedStream stream;
+    stream.classic = stream.negotiated = {"{1}", "{2}", "{3}"};
+    stream.times.assign(3, protocol::KeyframeTime(100));
+    stream_ = std::make_shared<const protocol::EncodedStream>(std::move(stream));
+    catalogue_->streams = {{"talk", stream_, nullptr}};
+    spdlog::set_level(spdlog::level::off);
+  }
+  ~TalkFixture() override { spdlog::set_level(level_before_); }
+
+  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  std::shared_ptr<const protocol::EncodedStream> stream_;
+  std::shared_ptr<protocol::ServerCatalogue> catalogue_ =
+      std::make_shared<protocol::ServerCatalogue>();
+};
+
+}  // namespace aucast::server
