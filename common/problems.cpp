@@ -1,7 +1,7 @@
 #include "common/problems.h"
 
 #include <array>
-#include <charconv>
+#include <cstdio>
 
 #include "common/text.h"
 
@@ -30,9 +30,8 @@ std::string Bounds::text() const {
 
 std::string plain(double value) {
   std::array<char, 32> digits{};
-  const auto [end, code] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                         std::chars_format::general, 6);
-  return code == std::errc() ? std::string(digits.data(), end) : std::string("?");
+  const int length = std::snprintf(digits.data(), digits.size(), "%.6g", value);
+  return {digits.data(), static_cast<std::size_t>(length)};
 }
 
 }  // namespace aucast

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <numeric>
 #include <system_error>
 
@@ -117,9 +119,19 @@ std::string counted(std::uint64_t count, std::string_view thing) {
 
 std::string number_text(double value) {
   std::array<char, 32> digits{};
+#if defined(__cpp_lib_to_chars)
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   AUCAST_CHECK(error == std::errc());
   return {digits.data(), end};
+#else
+  // emscripten's library writes no floating point with to_chars.
+  int length = 0;
+  for (int precision = 1; precision <= 17; ++precision) {
+    length = std::snprintf(digits.data(), digits.size(), "%.*g", precision, value);
+    if (std::strtod(digits.data(), nullptr) == value) break;
+  }
+  return {digits.data(), static_cast<std::size_t>(length)};
+#endif
 }
 
 std::string system_reason(int error_number) {

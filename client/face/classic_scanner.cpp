@@ -1,9 +1,9 @@
 #include "client/face/classic_scanner.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "common/number_of.h"
 #include "common/text.h"
 
 namespace aucast::face {
@@ -13,12 +13,6 @@ constexpr std::size_t kWordMax = 64;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
-template <typename T>
-bool parsed(std::string_view token, T& value) {
-  const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), value);
-  return code == std::errc() && end == token.data() + token.size();
 }
 
 }  // namespace
@@ -48,14 +42,14 @@ bool ClassicScanner::take(std::string_view what, std::string_view& token) {
 std::size_t ClassicScanner::count(std::string_view what, std::size_t low, std::size_t high) {
   std::string_view token;
   if (!take(what, token)) return 0;
-  std::size_t value = 0;
-  if (!parsed(token, value)) {
+  const auto value = number_of<std::size_t>(token);
+  if (!value) {
     wrong(std::string(what) + " is '" + escaped(token) + "', not a whole number");
-  } else if (value < low || value > high) {
-    wrong(std::string(what) + " is " + std::to_string(value) + ", must be from " +
+  } else if (*value < low || *value > high) {
+    wrong(std::string(what) + " is " + std::to_string(*value) + ", must be from " +
           std::to_string(low) + " to " + std::to_string(high));
   } else {
-    return value;
+    return *value;
   }
   return 0;
 }
@@ -63,15 +57,15 @@ std::size_t ClassicScanner::count(std::string_view what, std::size_t low, std::s
 float ClassicScanner::number(std::string_view what, const Bounds& bounds) {
   std::string_view token;
   if (!take(what, token)) return 0;
-  float value = 0;
-  if (!parsed(token, value)) {
+  const auto value = number_of<float>(token);
+  if (!value) {
     wrong(std::string(what) + " is '" + escaped(token) + "', not a number");
-  } else if (!std::isfinite(value)) {
+  } else if (!std::isfinite(*value)) {
     wrong(std::string(what) + " is not a finite number");
-  } else if (!bounds.contain(value)) {
-    wrong(std::string(what) + " is " + plain(value) + ", must be " + bounds.text());
+  } else if (!bounds.contain(*value)) {
+    wrong(std::string(what) + " is " + plain(*value) + ", must be " + bounds.text());
   } else {
-    return value;
+    return *value;
   }
   return 0;
 }

@@ -1,6 +1,7 @@
 #include "client/face/ply.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -52,7 +53,9 @@ T read_at(std::string_view bytes, std::size_t position) {
 
 template <typename T>
 void append(std::string& bytes, T value) {
-  bytes.append(std::bit_cast<std::array<char, sizeof(T)>>(value).data(), sizeof(T));
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), &value, sizeof value);
+  bytes.append(raw.data(), raw.size());
 }
 
 std::vector<std::string_view> words_of(std::string_view line) {

@@ -1,6 +1,7 @@
 #include "client/app/film/face_scene.h"
 
 #include <algorithm>
+#include <span>
 
 #include "common/check.h"
 
@@ -60,8 +61,8 @@ FaceScene::FaceScene(const face::Face& face) : face_(face) {
     if (face::is_crease(part)) range.crease = creases++;
     // Waters' own mask stays the polygons that he drew.
     range.rounded = !face.classic && part.material == face::Material::Skin;
-    const auto begin = face.mesh.colours.begin() + part.vertex_begin;
-    range.translucent = std::any_of(begin, begin + part.vertex_count,
+    const auto colours = std::span(face.mesh.colours).subspan(part.vertex_begin, part.vertex_count);
+    range.translucent = std::any_of(colours.begin(), colours.end(),
                                     [](const glm::vec4& colour) { return colour.a < 1.0F; });
     ranges_.push_back(range);
   }
