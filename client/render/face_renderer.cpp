@@ -225,6 +225,8 @@ void FaceRenderer::draw(const view::Camera& camera, const view::Style& style, in
   State& state = *state_;
   state.renew_shaders();
   state.mesh.bind(style.layers.textured);
+  // WebGL draws nothing with a block that has no buffer, whether the program reads it or not.
+  if (!state.mesh.plain().empty()) state.mesh.materials().use();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -258,7 +260,7 @@ void FaceRenderer::draw(const view::Camera& camera, const view::Style& style, in
     // Lines that the face itself would hide are left out.
     if (!style.layers.transparent) state.draw_depth(state.solid(style.layers));
   }
-  draw_mesh_lines(state.programs.lines, state.mesh.plain(), style);
+  draw_mesh_lines(state.programs.lines, state.mesh, style);
   state.draw_segments(style);
   glBindVertexArray(0);
 }

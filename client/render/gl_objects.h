@@ -1,11 +1,10 @@
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include <span>
 #include <string>
 #include <utility>
 
+#include "client/render/gl.h"
 #include "common/result.h"
 
 namespace aucast::render {

@@ -45,11 +45,19 @@ void upload(GLenum target, const Buffer& buffer, std::span<const T> data, GLenum
   glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), usage);
 }
 
+void draw_as(GLenum mode, const Run& run) {
+  glDrawElements(mode, run.index_count, GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(run.first_index * sizeof(std::uint32_t)));
+}
+
 }  // namespace
 
 void Run::draw() const {
-  glDrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(first_index * sizeof(std::uint32_t)));
+  draw_as(GL_TRIANGLES, *this);
+}
+
+void Run::draw_points() const {
+  draw_as(GL_POINTS, *this);
 }
 
 MeshBuffers::MeshBuffers() {
@@ -143,6 +151,26 @@ void MeshBuffers::round_off(std::span<const glm::vec3> rest, Triangles& triangle
   triangles.insert(triangles.end(), rounded_.triangles().begin(), rounded_.triangles().end());
 }
 
+/// An edge of two triangles is drawn twice, as where triangles are filled with lines.
+void MeshBuffers::load_edges(std::span<const Triangle> triangles) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const Run& run : plain_) {
+    const auto count = static_cast<std::size_t>(run.index_count / 3);
+    for (const auto& [a, b, c] : triangles.subspan(run.first_index / 3, count)) {
+      edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
+    }
+  }
+  edge_ends_ = static_cast<GLsizei>(2 * edges.size());
+  upload(GL_ELEMENT_ARRAY_BUFFER, edges_, std::span<const std::array<std::uint32_t, 2>>(edges),
+         GL_STATIC_DRAW);
+}
+
+void MeshBuffers::draw_edges() const {
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, edges_.id());
+  glDrawElements(GL_LINES, edge_ends_, GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
 void MeshBuffers::load(const view::StaticMesh& mesh) {
   vertex_count_ = mesh.colours.size();
   AUCAST_CHECK(mesh.occlusion.size() == vertex_count_);
@@ -165,6 +193,7 @@ void MeshBuffers::load(const view::StaticMesh& mesh) {
   upload_once(colours_, mesh.colours);
   upload_once(occlusion_gloss_, std::span<const glm::vec2>(occlusion_gloss));
   upload_once(grain_places_, std::span<const glm::vec2>(grain_places));
+  if (!is_desktop_gl()) load_edges(triangles);
   upload(GL_ELEMENT_ARRAY_BUFFER, indices_, std::span<const Triangle>(triangles), GL_STATIC_DRAW);
 }
 

@@ -25,6 +25,8 @@ struct Run {
 
   /// With the program in use and the mesh's vertices bound.
   void draw() const;
+  /// The same vertices as points.
+  void draw_points() const;
 };
 
 /// A face in OpenGL's memory: its vertices, and its triangles as runs in the order in which they
@@ -39,6 +41,9 @@ class MeshBuffers {
   void place(const view::MovingMesh& mesh);
   /// Binds the vertices; without `textured` all are of one plain colour.
   void bind(bool textured) const;
+  /// The edges of plain() as lines: OpenGL ES cannot fill triangles with them. With a program in
+  /// use and the vertices bound; nothing in OpenGL.
+  void draw_edges() const;
 
   /// Outermost first.
   [[nodiscard]] const std::vector<Run>& solid() const { return solid_; }
@@ -52,6 +57,7 @@ class MeshBuffers {
   using Triangles = std::vector<view::RoundedMesh::Triangle>;
 
   [[nodiscard]] Triangles sort_into_runs(const view::StaticMesh& mesh);
+  void load_edges(std::span<const view::RoundedMesh::Triangle> triangles);
   void round_off(std::span<const glm::vec3> rest, Triangles& triangles);
 
   VertexArray array_;
@@ -62,6 +68,8 @@ class MeshBuffers {
   Buffer grain_places_;
   Buffer strand_ways_;
   Buffer indices_;
+  Buffer edges_;
+  GLsizei edge_ends_ = 0;
   BlockBuffer<MaterialBlock> materials_;
   std::size_t vertex_count_ = 0;  ///< without those that rounding adds
   view::RoundedMesh rounded_;

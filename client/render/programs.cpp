@@ -87,7 +87,7 @@ Result<void> check_uniforms(const Program& program, const Recipe& recipe) {
 Result<Programs> build_programs(const ShaderFiles& files) {
   const auto common = files.text("common.glsl");
   if (!common) return common.error();
-  const char* const preamble = epoxy_is_desktop_gl() ? kCorePreamble : kEsPreamble;
+  const char* const preamble = is_desktop_gl() ? kCorePreamble : kEsPreamble;
   Programs programs;
   for (const Recipe& recipe : kRecipes) {
     const auto vertex = files.text(recipe.vertex);

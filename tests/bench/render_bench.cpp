@@ -14,7 +14,8 @@
 #include <string>
 
 #include "client/render/face_renderer.h"
-#include "client/render/offscreen.h"
+#include "client/render/offscreen_context.h"
+#include "client/render/offscreen_target.h"
 #include "common/files.h"
 #include "tests/golden/render_scene.h"
 

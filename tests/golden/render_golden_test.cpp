@@ -15,7 +15,8 @@
 #include "client/app/window/window_style.h"
 #include "client/render/face_renderer.h"
 #include "client/render/gl_objects.h"
-#include "client/render/offscreen.h"
+#include "client/render/offscreen_context.h"
+#include "client/render/offscreen_target.h"
 #include "client/render/window.h"
 #include "client/view/camera.h"
 #include "client/view/image.h"
@@ -172,6 +173,32 @@ TEST(FaceRenderer, DrawsTheSamePictureWithOpenGlEs) {
   };
   const view::Image wanted = drawn_with(render::Api::OpenGl33Core);
   EXPECT_EQ(view::compare(drawn_with(render::Api::OpenGlEs30), wanted, 1).share, 0);
+}
+
+TEST(FaceRenderer, DrawsEdgesAndCornersWithOpenGlEsToo) {
+  const test::SphereHead head;
+  const auto context = render::OffscreenContext::create(render::Api::OpenGlEs30);
+  ASSERT_TRUE(context.has_value()) << context.error().message;
+  auto renderer = render::FaceRenderer::create();
+  ASSERT_TRUE(renderer.has_value()) << renderer.error().message;
+  (*renderer)->load(head.static_mesh());
+  (*renderer)->pose(head.moving_mesh());
+  auto target = render::OffscreenTarget::create(kSide, kSide);
+  ASSERT_TRUE(target.has_value());
+  const auto drawn = [&](const view::Layers& layers) {
+    view::Style style;
+    style.layers = layers;
+    (*target)->bind();
+    (*renderer)->draw({}, style, kSide, kSide);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    return (*target)->read();
+  };
+  const view::Image plain = drawn({.polygons = true, .textured = false});
+  for (const view::Layers& layers :
+       {view::Layers{.polygons = true, .textured = false, .wireframe = true},
+        view::Layers{.polygons = true, .textured = false, .vertices = true}}) {
+    EXPECT_GT(view::compare(drawn(layers), plain, 5).share, 0.01) << view::format_layers(layers);
+  }
 }
 
 TEST(FaceRenderer, ShadersInTheFolderOfTheEnvironmentMayChangeWhileItRuns) {

@@ -6,7 +6,7 @@
 #include "client/app/film/face_scene.h"
 #include "client/face/face_deformer.h"
 #include "client/render/face_renderer.h"
-#include "client/render/offscreen.h"
+#include "client/render/offscreen_target.h"
 #include "common/check.h"
 
 namespace aucast::app {

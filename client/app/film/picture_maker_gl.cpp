@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "client/app/film/face_view.h"
-#include "client/render/offscreen.h"
+#include "client/render/offscreen_context.h"
 
 namespace aucast::app {
 namespace {

@@ -9,7 +9,8 @@
 #include <variant>
 
 #include "client/gui/gui.h"
-#include "client/render/offscreen.h"
+#include "client/render/offscreen_context.h"
+#include "client/render/offscreen_target.h"
 #include "client/view/image.h"
 
 namespace aucast::gui {
