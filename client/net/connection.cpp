@@ -56,7 +56,7 @@ void Connection::on_closed(const link::Ending& ending) {
       return reader.refused(spoke ? EndReason::Refused : EndReason::ProtocolError, ending.reason);
     }));
   } else if (!open_) {
-    fail(ending.reason + "; does it speak TLS?", false);
+    fail(ending.reason + (ending.why == Why::NotMade ? "" : "; does it speak TLS?"), false);
   } else {
     on_peer_end();
   }

@@ -19,6 +19,7 @@ struct Ending {
     NotTls,     ///< the peer does not speak TLS
     Untrusted,  ///< a certificate is not accepted, by us or by the peer
     TlsFailed,  ///< anything else that went wrong with TLS, a slow handshake among it
+    NotMade,    ///< of a link that dials itself: it never opened
   };
   Why why = Why::Finished;
   std::string reason{};  ///< a clause for the user; peer text escaped

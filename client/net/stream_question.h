@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/link/link.h"
+#include "common/result.h"
+#include "common/time.h"
+#include "protocol/decoder.h"
+
+namespace aucast::net {
+
+/// Asks a server for the names of its streams: one question over one link. `answered` is called
+/// once, and from within none of this object's own calls but abandon().
+/// Thread: that of the link.
+class StreamQuestion final : public link::LinkUser {
+ public:
+  using Names = std::vector<std::string>;
+  using Answered = std::function<void(Result<Names>)>;
+
+  struct Terms {
+    std::string server;    ///< as messages call it
+    std::string token{};   ///< empty: none
+    Instant until{};       ///< no answer by then is a failure
+    std::string remedy{};  ///< what to do then, a clause; empty: nothing
+  };
+  StreamQuestion(Terms terms, Answered answered);
+  ~StreamQuestion() override;
+  StreamQuestion(const StreamQuestion&) = delete;
+  StreamQuestion& operator=(const StreamQuestion&) = delete;
+
+  void ask(std::shared_ptr<link::Link> link);
+  /// No link could be made: the answer is a Network error with that reason.
+  void abandon(const std::string& why);
+
+ private:
+  void on_open() override;
+  void on_bytes(std::string_view bytes) override;
+  void on_peer_end() override;
+  void on_room() override {}
+  void on_time() override;
+  void on_closed(const link::Ending& ending) override;
+  void end(Result<Names> result);
+
+  const Terms terms_;
+  Answered answered_;  ///< empty once it was called
+  std::shared_ptr<link::Link> link_;
+  protocol::ServerPacketDecoder decoder_;
+};
+
+}  // namespace aucast::net
