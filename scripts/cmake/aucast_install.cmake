@@ -34,6 +34,10 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE
               ${PROJECT_SOURCE_DIR}/protocol/PROTOCOL.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+# What scripts/build_web.sh has made, if it was run.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/build/web/page/
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast/web OPTIONAL)
+
 if(TARGET face-player)
   aucast_install_program(face-player)
   install(FILES ${PROJECT_SOURCE_DIR}/client/view/fonts/LICENSE

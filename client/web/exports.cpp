@@ -1,0 +1,206 @@
+// What player_engine.js calls. Texts that are returned are valid until the next call of the same
+// function; an empty error means that all went well.
+#include <emscripten/emscripten.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "client/view/camera.h"
+#include "client/web/browser.h"
+#include "client/web/page.h"
+#include "client/web/socket_link.h"
+#include "client/web/timer.h"
+#include "common/action_unit.h"
+#include "protocol/codec.h"
+
+namespace {
+
+using aucast::web::Page;
+
+std::unique_ptr<Page>& page() {
+  static std::unique_ptr<Page> the_one;
+  return the_one;
+}
+
+const char* kept(std::string& place, std::string text) {
+  place = std::move(text);
+  return place.c_str();
+}
+
+template <typename T>
+const char* error_of(const aucast::Result<T>& result) {
+  static std::string words;
+  return kept(words, result ? std::string() : result.error().message);
+}
+
+/// "Cheek Raiser 80 %, left Lip Corner Puller 40 %"; for screen readers.
+std::string in_words(const aucast::AuFrame& frame) {
+  std::string words;
+  for (const aucast::AuTerm& term : aucast::canonical_terms(frame)) {
+    if (term.number == 0) continue;
+    const auto name = aucast::facs_name(term.number);
+    words += words.empty() ? "" : ", ";
+    if (term.side != aucast::Side::Both) {
+      words += term.side == aucast::Side::Left ? "left " : "right ";
+    }
+    words += name ? std::string(*name) : "AU " + std::to_string(term.number);
+    if (term.percent < 100) words += " " + std::to_string(term.percent) + " %";
+  }
+  return words.empty() ? "neutral" : words;
+}
+
+}  // namespace
+
+extern "C" {
+
+/// Once the face's files are in /data.
+EMSCRIPTEN_KEEPALIVE const char* aucast_create(const char* face) {
+  if (!aucast::web::browser::make_context()) return "this browser has no WebGL 2";
+  auto made = Page::create(face);
+  if (!made) return error_of(made);
+  page() = std::move(*made);
+  return "";
+}
+
+/// The canvas has a new context after it had lost the old one.
+EMSCRIPTEN_KEEPALIVE const char* aucast_renew() {
+  return error_of(page()->renew());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* aucast_show(const char* aus) {
+  return error_of(page()->show(aus));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* aucast_layers(const char* layers) {
+  return error_of(page()->set_layers(layers));
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_play(const char* server, const char* stream, const char* token) {
+  page()->play(server, stream, token);
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_stop() {
+  page()->stop();
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_pause(int paused) {
+  page()->pause(paused != 0);
+}
+
+/// 1: the face is another one than before and wants to be drawn.
+EMSCRIPTEN_KEEPALIVE int aucast_advance() {
+  return page()->advance() ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_draw(int width, int height) {
+  page()->draw(width, height);
+}
+
+/// RGBA, top row first; null: the driver has no room for a picture of that size.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* aucast_picture(int width, int height) {
+  static aucast::Result<aucast::view::Image> image = aucast::view::Image{};
+  image = page()->picture(width, height);
+  return image ? image->rgba.data() : nullptr;
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_orbit(double right_px, double down_px, int height) {
+  aucast::view::orbit(page()->camera(), right_px, down_px, height);
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_zoom(double steps) {
+  aucast::view::zoom(page()->camera(), steps);
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_face_front() {
+  page()->camera() = aucast::view::portrait_camera(aucast::view::CameraPreset::Front);
+}
+
+/// "idle" while no stream is open; else as --stats has it.
+EMSCRIPTEN_KEEPALIVE const char* aucast_state() {
+  static std::string text;
+  const auto* const playback = page()->playback();
+  return kept(text,
+              playback != nullptr ? std::string(name(playback->state())) : std::string("idle"));
+}
+
+/// Whether a connection stands.
+EMSCRIPTEN_KEEPALIVE int aucast_connected() {
+  const auto* const playback = page()->playback();
+  return playback != nullptr && playback->status().connected ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE int aucast_live() {
+  const auto* const playback = page()->playback();
+  return playback != nullptr && playback->status().live ? 1 : 0;
+}
+
+/// A sentence about why nothing comes; else empty.
+EMSCRIPTEN_KEEPALIVE const char* aucast_detail() {
+  static std::string text;
+  const auto* const playback = page()->playback();
+  return kept(text, playback != nullptr ? playback->status().detail : std::string());
+}
+
+EMSCRIPTEN_KEEPALIVE double aucast_keyframes_played() {
+  const auto* const playback = page()->playback();
+  return playback != nullptr ? static_cast<double>(playback->keyframes_played()) : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE double aucast_reconnects() {
+  const auto* const playback = page()->playback();
+  return playback != nullptr ? static_cast<double>(playback->status().reconnects) : 0;
+}
+
+/// As on the command line: `6,12:80`.
+EMSCRIPTEN_KEEPALIVE const char* aucast_aus() {
+  static std::string text;
+  return kept(text, aucast::protocol::format_au_set(page()->aus()));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* aucast_aus_in_words() {
+  static std::string text;
+  return kept(text, in_words(page()->aus()));
+}
+
+/// The keyframes that began since the last call, one a line: `6,12:80;400`.
+EMSCRIPTEN_KEEPALIVE const char* aucast_begun() {
+  static std::string text;
+  std::string lines;
+  for (const std::string& line : page()->take_begun()) lines += line + "\n";
+  return kept(text, std::move(lines));
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_ask_streams(const char* server, const char* token) {
+  page()->ask_streams(server, token);
+}
+
+/// "": no answer yet; "!REASON", or "=" and the names, with a blank between them.
+EMSCRIPTEN_KEEPALIVE const char* aucast_streams() {
+  static std::string text;
+  const auto& answer = page()->streams();
+  if (!answer) return "";
+  if (!*answer) return kept(text, "!" + answer->error().message);
+  std::string names;
+  for (const std::string& name : **answer) names += (names.empty() ? "" : " ") + name;
+  return kept(text, "=" + names);
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_socket_opened(std::uint32_t socket) {
+  aucast::web::SocketLink::opened(socket);
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_socket_received(std::uint32_t socket, const char* bytes,
+                                                 std::uint32_t count) {
+  aucast::web::SocketLink::received(socket, {bytes, count});
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_socket_closed(std::uint32_t socket) {
+  aucast::web::SocketLink::closed(socket);
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_timer_rang(std::uint32_t timer) {
+  aucast::web::Timer::ring(timer);
+}
+}

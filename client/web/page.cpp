@@ -1,0 +1,139 @@
+#include "client/web/page.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "client/render/gl.h"
+#include "client/view/camera.h"
+#include "client/web/socket_link.h"
+#include "client/web/socket_source.h"
+#include "protocol/codec.h"
+
+namespace aucast::web {
+namespace {
+
+constexpr const char* kData = "/data";
+constexpr Milliseconds kHold{5'000};
+constexpr Duration kAnswerTimeMax = std::chrono::seconds(10);
+/// Nobody may have asked for them for long: a page that does not listen to keyframes.
+constexpr std::size_t kBegunMax = 1'000;
+
+/// Lines keep their share of a large picture and stay lines in a small one.
+float scale_of(int height) {
+  constexpr float kUsualHeight = 800;
+  return std::clamp(static_cast<float>(height) / kUsualHeight, 0.5F, 4.0F);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Page>> Page::create(const std::string& face_name) {
+  auto face = face::load_face(std::string(kData) + "/faces/" + face_name, kData);
+  if (!face) return face.error();
+  auto rules = face::find_rules("facs", kData);
+  if (!rules) return rules.error();
+  std::unique_ptr<Page> page(new Page(std::move(*face), std::move(*rules)));
+  if (auto made = page->make_view(); !made) return made.error();
+  return page;
+}
+
+Page::Page(face::Face face, face::RuleSet rules)
+    : face_(std::move(face)),
+      mapping_{face_, face_.recordings, std::move(rules)},
+      player_(mapping_, playback::Interpolation::Linear),
+      posed_(face_.channels.size()),
+      camera_(view::portrait_camera(view::CameraPreset::Front)) {}
+
+Page::~Page() = default;
+
+Result<void> Page::make_view() {
+  auto view = app::FaceView::create(face_);
+  if (!view) return view.error();
+  view_ = std::move(*view);
+  view_->pose(posed_);
+  return {};
+}
+
+Result<void> Page::renew() {
+  return make_view();
+}
+
+Result<void> Page::show(std::string_view aus) {
+  const auto frame = protocol::parse_au_set(aus);
+  if (!frame) return frame.error();
+  stop();
+  std::vector<float> activations(face_.channels.size());
+  static_cast<void>(mapping_.apply(*frame, activations));
+  player_.set_face(activations);
+  aus_ = *frame;
+  static_cast<void>(advance());
+  return {};
+}
+
+Result<void> Page::set_layers(std::string_view layers) {
+  auto parsed = view::parse_layers(layers);
+  if (!parsed) return parsed.error();
+  style_.layers = *parsed;
+  return {};
+}
+
+void Page::play(const std::string& server, const std::string& stream, const std::string& token) {
+  stop();
+  playback_ = std::make_unique<playback::SourcePlayback>(
+      std::make_unique<SocketSource>(server, stream, token),
+      playback::SourcePlayback::Options{.hold = kHold});
+  player_.open(playback_.get());
+}
+
+void Page::stop() {
+  if (playback_) playback_->stop(now());
+  player_.open(nullptr);
+  playback_.reset();
+}
+
+void Page::pause(bool paused) {
+  if (!playback_ || playback_->over()) return;
+  paused ? playback_->pause(now()) : playback_->resume(now());
+}
+
+bool Page::advance() {
+  player_.advance(now(), [this](const playback::KeyframeBegun& begun) {
+    aus_ = begun.target.aus;
+    if (begun_.size() == kBegunMax) begun_.clear();
+    begun_.push_back(protocol::format_au_set(aus_) + ";" + std::to_string(begun.duration.count()));
+  });
+  if (playback_ && playback_->eased()) aus_ = {};
+  if (player_.face().activations == posed_) return false;
+  posed_ = player_.face().activations;
+  view_->pose(posed_);
+  return true;
+}
+
+std::vector<std::string> Page::take_begun() {
+  return std::exchange(begun_, {});
+}
+
+void Page::ask_streams(const std::string& server, const std::string& token) {
+  streams_.reset();
+  question_ = std::make_unique<net::StreamQuestion>(
+      net::StreamQuestion::Terms{.server = server, .token = token, .until = now() + kAnswerTimeMax},
+      [this](Result<std::vector<std::string>> answer) { streams_ = std::move(answer); });
+  question_->ask(SocketLink::create());
+}
+
+void Page::draw(int width, int height) {
+  style_.scale = scale_of(height);
+  view_->draw(camera_, style_, width, height);
+}
+
+Result<view::Image> Page::picture(int width, int height) {
+  if (auto prepared = view_->prepare(width, height, app::Sharpness::Still); !prepared) {
+    return prepared.error();
+  }
+  style_.scale = scale_of(height);
+  view::Image image = view_->picture(camera_, style_);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return image;
+}
+
+}  // namespace aucast::web

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/app/film/face_view.h"
+#include "client/net/stream_question.h"
+#include "client/pipeline/au_mapping.h"
+#include "client/pipeline/player.h"
+#include "client/playback/playback.h"
+#include "client/view/image.h"
+#include "client/view/scene.h"
+#include "client/view/style.h"
+#include "common/result.h"
+
+namespace aucast::web {
+
+/// A face on a canvas: what the player is in a window, in a browser. It shows a set of AUs, or
+/// plays a stream of a server over WebSockets. Knows no canvas: it draws into the framebuffer that
+/// is bound, and needs a current WebGL 2 context for all its life.
+/// Thread: the page's.
+class Page {
+ public:
+  /// Reads data/faces/`face_name` and data/rules/facs.toml of the page's file system.
+  [[nodiscard]] static Result<std::unique_ptr<Page>> create(const std::string& face_name);
+  ~Page();
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+
+  /// The face has these AUs from here on: `6,12:80`, as on the command line. Ends what plays.
+  /// Usage error, with the column, for anything else.
+  [[nodiscard]] Result<void> show(std::string_view aus);
+  /// What is drawn of the face, as face-player's --show. Usage error for another word.
+  [[nodiscard]] Result<void> set_layers(std::string_view layers);
+
+  /// Plays a stream; empty: the server's first. `server` is what messages call it.
+  void play(const std::string& server, const std::string& stream, const std::string& token);
+  void stop();
+  void pause(bool paused);
+  /// Null: nothing was played.
+  [[nodiscard]] const playback::Playback* playback() const { return playback_.get(); }
+  /// Moves the face to now; true when it is another one than before.
+  bool advance();
+  /// The AUs of the face as they came, before the rules.
+  [[nodiscard]] const AuFrame& aus() const { return aus_; }
+  /// The keyframes that began since the last call, as lines of a stream file.
+  [[nodiscard]] std::vector<std::string> take_begun();
+
+  /// Asks the server for its streams; streams() has the answer once there is one.
+  void ask_streams(const std::string& server, const std::string& token);
+  [[nodiscard]] const std::optional<Result<std::vector<std::string>>>& streams() const {
+    return streams_;
+  }
+
+  [[nodiscard]] view::Camera& camera() { return camera_; }
+  void draw(int width, int height);
+  /// The face as `face-player pose --png` draws it, byte for byte on the same graphics driver.
+  /// Unbinds its framebuffer.
+  [[nodiscard]] Result<view::Image> picture(int width, int height);
+  /// After the canvas has lost its context and got a new one: all that lived there, once more.
+  [[nodiscard]] Result<void> renew();
+
+ private:
+  Page(face::Face face, face::RuleSet rules);
+  [[nodiscard]] Result<void> make_view();
+
+  const face::Face face_;
+  const pipeline::AuMapping mapping_;
+  std::unique_ptr<app::FaceView> view_;
+  pipeline::Player player_;
+  std::unique_ptr<playback::Playback> playback_;
+  AuFrame aus_;
+  std::vector<float> posed_;  ///< the activations that the view has
+  std::vector<std::string> begun_;
+  std::unique_ptr<net::StreamQuestion> question_;
+  std::optional<Result<std::vector<std::string>>> streams_;
+  view::Camera camera_;
+  view::Style style_;
+};
+
+}  // namespace aucast::web

@@ -1,0 +1,298 @@
+// <aucast-player>: a face in a page. What a page loads to have it:
+//   <script type="module" src="aucast-player.js"></script>
+// client/web/README.md has its attributes, events and methods.
+import { PlayerEngine } from './player_engine.js';
+import { Controls } from './player_controls.js';
+import { playerStyle } from './player_style.js';
+
+const PIXELS_PER_PIXEL_MAX = 2;  // more is not seen, and a phone has better uses for its battery
+const HIDDEN_BEAT_MS = 500;
+
+/// What the states are called, for people.
+const WORDS = {
+  idle: '',
+  connecting: 'Connecting',
+  buffering: 'Buffering',
+  playing: 'Playing',
+  stalled: 'Waiting for the sender',
+  stale: 'Waiting for the sender',
+  paused: 'Paused',
+  ended: 'The stream has ended',
+  stopped: 'Stopped',
+  lost: 'Lost',
+};
+
+class AucastPlayer extends HTMLElement {
+  static observedAttributes = ['stream', 'server', 'show', 'layers'];
+
+  constructor() {
+    super();
+    const root = this.attachShadow({ mode: 'open' });
+    root.adoptedStyleSheets = [playerStyle];
+    this.canvas = document.createElement('canvas');
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', 'A face');
+    this.message = document.createElement('p');
+    this.message.className = 'message';
+    this.message.setAttribute('role', 'status');
+    root.append(this.canvas, this.message);
+    this.engine = null;
+    this.told = { state: '', words: '' };
+    this.token = '';
+    this.wantsDraw = true;
+    this.ready = new Promise((resolve, reject) => { this.settle = { resolve, reject }; });
+    this.ready.catch(() => {});  // told in words and by the event 'error'
+  }
+
+  // === What a page calls.
+
+  /// Shows a set of AUs, `6,12:80`; needs no server. Throws for anything else.
+  async show(aus) {
+    await this.ready;
+    this.engine.show(String(aus));
+    this.engine.advance();
+    this.tell();
+    this.draw();
+  }
+
+  /// Plays a stream of `server`; without a name its first one.
+  async play(stream = this.getAttribute('stream') ?? '') {
+    await this.ready;
+    this.engine.play(this.server, stream, this.token);
+    this.tell();
+    this.beat();
+  }
+
+  async stop() {
+    await this.ready;
+    this.engine.stop();
+    this.tell();
+  }
+
+  pause() { this.setPaused(true); }
+  resume() { this.setPaused(false); }
+
+  /// The names of the server's streams.
+  async streams() {
+    await this.ready;
+    return this.engine.streams(this.server, this.token);
+  }
+
+  /// A PNG of the face, as large as it is here, as a Blob.
+  async picture(width = this.canvas.width, height = this.canvas.height) {
+    await this.ready;
+    const canvas = document.createElement('canvas');
+    canvas.width = width;
+    canvas.height = height;
+    canvas.getContext('2d').putImageData(this.engine.picture(width, height), 0, 0);
+    return new Promise(resolve => { canvas.toBlob(resolve, 'image/png'); });
+  }
+
+  get state() { return this.told.state; }
+  get aus() { return this.engine ? this.engine.aus : '0'; }
+  get server() { return this.getAttribute('server') ?? ''; }
+
+  // === The life of the element.
+
+  connectedCallback() {
+    if (this.engine || this.starting) return;
+    this.starting = true;
+    if (this.hasAttribute('controls')) this.controls = new Controls(this);
+    this.sizes = new ResizeObserver(() => this.resize());
+    this.sizes.observe(this);
+    this.onVisibility = () => this.beat();
+    document.addEventListener('visibilitychange', this.onVisibility);
+    this.listenToPointer();
+    this.start();
+  }
+
+  disconnectedCallback() {
+    // Moved within the page it comes back at once.
+    queueMicrotask(() => {
+      if (this.isConnected) return;
+      this.sizes?.disconnect();
+      document.removeEventListener('visibilitychange', this.onVisibility);
+      this.engine?.stop();
+      this.tell();
+      this.starting = false;
+    });
+  }
+
+  attributeChangedCallback(name, before, now) {
+    if (before === now || !this.engine) return;
+    if (name === 'layers') {
+      this.engine.setLayers(now || 'textured');
+      this.draw();
+    } else if (name === 'show') {
+      if (now !== null) this.show(now).catch(error => this.fail(error));
+    } else if (this.server) {
+      this.play().catch(error => this.fail(error));
+    }
+  }
+
+  async start() {
+    try {
+      if (!this.engine) {
+        this.say('Loading the face');
+        this.engine = await PlayerEngine.create(this.canvas, this.getAttribute('face') ?? 'default');
+        this.listenToContext();
+      }
+      const layers = this.getAttribute('layers');
+      if (layers) this.engine.setLayers(layers);
+      this.resize();
+      this.say('');
+      this.settle.resolve();
+      if (this.hasAttribute('show')) await this.show(this.getAttribute('show'));
+      if (this.server) await this.play();
+    } catch (error) {
+      this.settle.reject(error);
+      this.fail(error);
+    }
+  }
+
+  fail(error) {
+    this.say(error.message);
+    this.dispatchEvent(new CustomEvent('error', { detail: { message: error.message } }));
+  }
+
+  say(words) {
+    if (this.message.textContent !== words) this.message.textContent = words;
+  }
+
+  // === Time. A hidden page listens on and draws nothing.
+
+  beat() {
+    cancelAnimationFrame(this.nextFrame);
+    clearTimeout(this.nextBeat);
+    if (!this.engine) return;
+    if (this.engine.advance()) this.wantsDraw = true;
+    this.tell();
+    if (this.engine.state === 'idle') {
+      this.draw();
+    } else if (document.hidden) {
+      this.nextBeat = setTimeout(() => this.beat(), HIDDEN_BEAT_MS);
+    } else {
+      if (this.wantsDraw) this.draw();
+      this.nextFrame = requestAnimationFrame(() => this.beat());
+    }
+  }
+
+  draw() {
+    if (!this.engine || document.hidden || this.canvas.width === 0) {
+      this.wantsDraw = true;
+      return;
+    }
+    this.wantsDraw = false;
+    this.engine.draw(this.canvas.width, this.canvas.height);
+  }
+
+  resize() {
+    const scale = Math.min(devicePixelRatio || 1, PIXELS_PER_PIXEL_MAX);
+    const box = this.getBoundingClientRect();
+    const width = Math.round(box.width * scale);
+    const height = Math.round(box.height * scale);
+    if (width > 0 && height > 0 && (width !== this.canvas.width || height !== this.canvas.height)) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    this.draw();
+  }
+
+  setPaused(paused) {
+    if (!this.engine) return;
+    this.engine.pause(paused);
+    this.beat();
+  }
+
+  /// The events, and the words for people.
+  tell() {
+    const engine = this.engine;
+    for (const keyframe of engine.takeBegun()) {
+      this.dispatchEvent(new CustomEvent('keyframe', { detail: keyframe }));
+    }
+    let state = engine.state;
+    // The core holds and tries again; a person wants to know that the line is cut.
+    if (!engine.connected && ['buffering', 'stalled', 'stale'].includes(state)) state = 'connecting';
+    const detail = state === 'ended' ? '' : engine.detail;
+    const words = state === 'connecting' && engine.reconnects > 0 ? 'Connecting again' : WORDS[state];
+    const sentence = detail ? `${words}: ${detail}` : words;
+    if (state === this.told.state && sentence === this.told.words) return;
+    this.told = { state, words: sentence };
+    this.say(state === 'playing' || state === 'idle' ? '' : sentence);
+    this.dispatchEvent(new CustomEvent('state', { detail: { state, words: sentence } }));
+  }
+
+  // === Input on the face itself.
+
+  listenToPointer() {
+    if (this.listens) return;
+    this.listens = true;
+    const pointers = new Map();
+    const canvas = this.canvas;
+    canvas.addEventListener('pointerdown', event => {
+      canvas.setPointerCapture(event.pointerId);
+      pointers.set(event.pointerId, event);
+    });
+    canvas.addEventListener('pointermove', event => {
+      const before = pointers.get(event.pointerId);
+      if (!before || !this.engine) return;
+      if (pointers.size === 1) {
+        this.engine.orbit(event.clientX - before.clientX, event.clientY - before.clientY,
+                          canvas.clientHeight);
+      } else {
+        const other = [...pointers.values()].find(p => p.pointerId !== event.pointerId);
+        const span = p => Math.hypot(p.clientX - other.clientX, p.clientY - other.clientY) + 1;
+        this.engine.zoom(Math.log(span(event) / span(before)) * 10);
+      }
+      pointers.set(event.pointerId, event);
+      this.draw();
+    });
+    for (const end of ['pointerup', 'pointercancel']) {
+      canvas.addEventListener(end, event => pointers.delete(event.pointerId));
+    }
+    canvas.addEventListener('wheel', event => {
+      // In somebody's page the wheel is the page's, unless the face has been chosen.
+      if (!this.engine || this.shadowRoot.activeElement !== canvas) return;
+      event.preventDefault();
+      this.engine.zoom(-Math.sign(event.deltaY));
+      this.draw();
+    }, { passive: false });
+    canvas.addEventListener('keydown', event => this.onKey(event));
+  }
+
+  onKey(event) {
+    if (!this.engine || event.ctrlKey || event.altKey || event.metaKey) return;
+    const step = this.canvas.clientHeight / 18;  // ten degrees
+    const turns = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step],
+                    ArrowDown: [0, step] };
+    if (event.key in turns) {
+      this.engine.orbit(...turns[event.key], this.canvas.clientHeight);
+    } else if (event.key === '+' || event.key === '-') {
+      this.engine.zoom(event.key === '+' ? 1 : -1);
+    } else if (event.key === '0') {
+      this.engine.faceFront();
+    } else if (event.key === ' ') {
+      this.setPaused(this.state !== 'paused');
+    } else {
+      return;
+    }
+    event.preventDefault();
+    this.draw();
+  }
+
+  /// A browser may take the graphics memory away and give it back.
+  listenToContext() {
+    this.canvas.addEventListener('webglcontextlost', event => {
+      event.preventDefault();
+      this.say('The graphics driver has gone; waiting for it');
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      this.engine.renew();
+      this.say('');
+      this.draw();
+    });
+  }
+}
+
+customElements.define('aucast-player', AucastPlayer);

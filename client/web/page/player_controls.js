@@ -1,0 +1,114 @@
+// What one does with a player: which stream, pause, the AUs in words, a picture, the full screen.
+// Everything is a control of HTML, so that keyboard and screen readers have it too.
+
+function button(label, act) {
+  const made = document.createElement('button');
+  made.type = 'button';
+  made.textContent = label;
+  made.addEventListener('click', act);
+  return made;
+}
+
+export class Controls {
+  constructor(player) {
+    this.player = player;
+    this.bar = document.createElement('div');
+    this.bar.className = 'bar';
+    this.bar.setAttribute('role', 'toolbar');
+    this.bar.setAttribute('aria-label', 'Player');
+    this.choice = document.createElement('select');
+    this.choice.setAttribute('aria-label', 'Who is speaking');
+    this.choice.hidden = true;
+    this.choice.addEventListener('change', () => player.setAttribute('stream', this.choice.value));
+    this.pause = button('Pause', () => this.press());
+    this.pause.hidden = true;
+    this.name = document.createElement('span');
+    this.name.className = 'name';
+    this.words = document.createElement('p');
+    this.words.className = 'aus';
+    this.words.hidden = true;
+    this.words.setAttribute('aria-live', 'polite');
+    this.text = button('AUs', () => this.showWords());
+    this.text.setAttribute('aria-pressed', 'false');
+    this.text.title = 'The Action Units in words';
+    this.picture = button('Picture', () => this.keepPicture());
+    this.picture.title = 'Save a picture of the face';
+    this.screen = button('Full screen', () => this.fullScreen());
+    this.bar.append(this.choice, this.name, this.pause, this.text, this.picture, this.screen);
+    player.shadowRoot.append(this.words, this.bar);
+    if (!document.fullscreenEnabled) this.screen.hidden = true;
+    player.addEventListener('state', event => this.follow(event.detail.state));
+    player.addEventListener('keyframe', () => this.tellWords());
+    player.ready.then(() => this.list()).catch(() => {});
+  }
+
+  /// The server's streams, once it can be asked.
+  async list() {
+    const player = this.player;
+    if (!player.server || this.asking) return;
+    this.asking = true;
+    try {
+      const names = await player.streams();
+      const chosen = player.getAttribute('stream') || names[0];
+      this.choice.replaceChildren(...names.map(name => {
+        const option = document.createElement('option');
+        option.value = option.textContent = name;
+        option.selected = name === chosen;
+        return option;
+      }));
+      this.choice.hidden = names.length < 2;
+      this.name.textContent = names.length < 2 ? chosen : '';
+      this.listed = true;
+    } catch {
+      // The player says why there is no server; asked again when there is one.
+      this.listed = false;
+    }
+    this.asking = false;
+  }
+
+  follow(state) {
+    const over = ['idle', 'ended', 'stopped', 'lost'].includes(state);
+    this.pause.hidden = state === 'idle';
+    this.pause.textContent = over ? 'Play again' : state === 'paused' ? 'Play' : 'Pause';
+    if (!this.listed && state !== 'connecting' && state !== 'idle') this.list();
+    this.tellWords();
+  }
+
+  press() {
+    const player = this.player;
+    if (this.pause.textContent === 'Play again') {
+      player.play().catch(error => player.fail(error));
+    } else {
+      player.setPaused(player.state !== 'paused');
+    }
+  }
+
+  showWords() {
+    this.words.hidden = !this.words.hidden;
+    this.text.setAttribute('aria-pressed', String(!this.words.hidden));
+    this.tellWords();
+  }
+
+  tellWords() {
+    if (this.words.hidden || !this.player.engine) return;
+    const words = this.player.engine.ausInWords;
+    if (this.words.textContent !== words) this.words.textContent = words;
+  }
+
+  async keepPicture() {
+    const url = URL.createObjectURL(await this.player.picture());
+    const link = document.createElement('a');
+    link.href = url;
+    link.download = `face-${this.player.aus.replaceAll(/[^0-9A-Za-z]+/g, '_')}.png`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+  }
+
+  fullScreen() {
+    if (document.fullscreenElement) {
+      document.exitFullscreen();
+    } else {
+      this.player.requestFullscreen();
+    }
+  }
+}

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "client/web/timer.h"
+#include "common/link/link.h"
+
+namespace aucast::web {
+
+/// A link over a WebSocket of the browser, to the one server of the page. A WebSocket cannot be
+/// left unread: what comes while nobody reads is kept, up to kHeldMax, and the socket's end after
+/// it. Thread: the page's.
+class SocketLink final : public link::Link, public std::enable_shared_from_this<SocketLink> {
+ public:
+  static constexpr std::size_t kHeldMax = std::size_t{1} << 20U;
+
+  [[nodiscard]] static std::shared_ptr<SocketLink> create();
+  ~SocketLink() override;
+
+  void start(link::LinkUser& user) override;
+  void write(std::string_view bytes) override;
+  void finish() override;
+  void close() override;
+  void set_reading(bool reading) override;
+  void wake_at(std::optional<Instant> when) override { timer_.set(when); }
+  [[nodiscard]] Instant now() const override { return web::now(); }
+  [[nodiscard]] Duration round_trip() const override { return {}; }
+  [[nodiscard]] bool blocked() const override { return false; }
+  [[nodiscard]] std::optional<Instant> stuck_since() const override { return std::nullopt; }
+  [[nodiscard]] std::size_t unsent_bytes() const override { return 0; }
+  [[nodiscard]] std::uint64_t wire_bytes() const override { return wire_bytes_; }
+
+  // The browser's calls, for the link with that number, if there still is one.
+  static void opened(std::uint32_t socket);
+  static void received(std::uint32_t socket, std::string_view bytes);
+  static void closed(std::uint32_t socket);
+
+ private:
+  SocketLink();
+  void hand_out();
+  void end(link::Ending ending);
+
+  const std::uint32_t id_;
+  link::LinkUser* user_ = nullptr;
+  Timer timer_;
+  Timer later_;  ///< what was held is told outside of the user's own calls
+  std::string held_;
+  bool open_ = false;
+  bool reading_ = true;
+  bool finishing_ = false;
+  bool peer_ended_ = false;
+  std::uint64_t wire_bytes_ = 0;
+};
+
+}  // namespace aucast::web

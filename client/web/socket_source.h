@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "client/net/connection.h"
+#include "client/playback/keyframe_source.h"
+#include "client/web/timer.h"
+
+namespace aucast::web {
+
+/// The keyframes of the page's server: net::RemoteSource without a thread, over WebSockets.
+/// Connects at once, and again when the connection is lost. Thread: the page's.
+class SocketSource final : public playback::KeyframeSource {
+ public:
+  SocketSource(std::string server, std::string stream, std::string token);
+
+  [[nodiscard]] std::optional<playback::TimedAus> take() override;
+  [[nodiscard]] bool ready() const override;
+  bool wait_until(Instant until) override;
+  [[nodiscard]] playback::SourceStatus status() const override;
+  void stop() override;
+  void pause() override;
+  void resume() override;
+
+ private:
+  void dial();
+  void speak();
+
+  mutable net::SharedReader reader_;
+  Timer redial_;
+  net::Connection connection_;
+};
+
+}  // namespace aucast::web
