@@ -109,6 +109,12 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
     playback = std::move(*opened);
   }
   auto assets = load_assets(options.face);
+  if (!assets && options.face.face != given.face.face) {
+    spdlog::warn("{}; the window begins with the usual face", assets.error().message);
+    FaceOptions usual = options.face;
+    usual.face = given.face.face;
+    assets = load_assets(usual);
+  }
   if (!assets) return assets.error();
   if (!options.playback.endpoint.empty()) {
     auto opened = open_remote(options.playback, how);

@@ -48,7 +48,7 @@ MAY_INCLUDE = {
     "client/sound": {"common", "common/voice", "protocol", "client/playback"},
     "client/view": {"common"},
     "client/render": {"common", "client/view"},
-    "client/gui": {"common", "client/playback", "client/face", "client/view"},
+    "client/gui": {"common", "protocol", "client/playback", "client/face", "client/view"},
     "client/app": APP,
     "client/app/film": APP | {"client/app"},
     "client/app/gallery": APP | {"client/app", "client/app/film"},

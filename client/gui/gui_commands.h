@@ -14,6 +14,10 @@ namespace aucast::gui {
 struct Connect {
   RemoteSettings settings;
 };
+/// Asks the server of these settings for its streams.
+struct AskStreams {
+  RemoteSettings settings;
+};
 struct Pause {};
 struct Resume {};
 struct Stop {};
@@ -90,9 +94,10 @@ using PlaybackCommand = std::variant<Connect, Pause, Resume, Stop, LocalCommand>
 using EditorCommand = std::variant<ShowExpression, ChangeTransition, SetChannel, SetLinked, LoadAu,
                                    SaveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
-using GuiCommand = std::variant<PlaybackCommand, EditorCommand, ComposerCommand, ChangeAnimation,
-                                ChangeRendering, LookFrom, Leave, Browse, EnterFolder, ChooseFile,
-                                CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
+using GuiCommand =
+    std::variant<PlaybackCommand, EditorCommand, ComposerCommand, ChangeAnimation, ChangeRendering,
+                 AskStreams, LookFrom, Leave, Browse, EnterFolder, ChooseFile, CloseBrowser,
+                 OpenStream, CloseNotice, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

@@ -62,6 +62,7 @@ struct RemoteView {
   std::string detail;  ///< why it ended, a sentence; empty unless it went wrong
   bool stale = false;  ///< the face shown is the last of a lost connection
   bool eased = false;  ///< nothing came for long: the face has gone to neutral
+  bool timed = false;  ///< keyframes come with times of their own: the speed does nothing
   bool local = false;  ///< a stream file: no buffers, no bytes
   BufferLevel receiver;
   BufferLevel playout;
@@ -180,9 +181,18 @@ struct Notice {
   friend bool operator==(const Notice&, const Notice&) = default;
 };
 
+/// The streams of the server whose address is in the form.
+struct StreamsView {
+  bool asking = false;
+  std::vector<std::string> names;
+  std::string problem;  ///< why there are none, a sentence
+  friend bool operator==(const StreamsView&, const StreamsView&) = default;
+};
+
 struct GuiModel {
   RemoteSettings remote_settings;   ///< those in force; the form begins with them
-  std::vector<std::string> recent;  ///< addresses, the last one first
+  std::vector<std::string> recent;  ///< addresses that answered, the last one first
+  StreamsView streams;
   RemoteView remote;
   LocalView local;
   BrowserView browser;

@@ -44,9 +44,17 @@ void read_remote(Fields fields, KeptSettings& settings) {
   fields.take("threshold_percent", remote.threshold_percent, 1, 100);
   fields.take("speed_ms", remote.speed_ms, 0, 1000);
   fields.take("reconnect", remote.reconnect);
+  fields.take("stream", remote.stream);
+  fields.take("tls", remote.tls);
+  fields.take("token_file", remote.token_file);
   settings.recent = fields.texts("recent");
   if (settings.recent.size() > kRecentMax) settings.recent.resize(kRecentMax);
   if (const auto wrong = problem(remote)) fields.wrong("address", *wrong);
+  fields.finish();
+}
+
+void read_face(Fields fields, KeptSettings& settings) {
+  fields.take("folder", settings.face);
   fields.finish();
 }
 
@@ -121,6 +129,7 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
   Problems problems(file);
   TableReader reader(*document, problems);
   if (const auto* table = reader.table_if("remote")) read_remote({*table, problems}, settings);
+  if (const auto* table = reader.table_if("face")) read_face({*table, problems}, settings);
   if (const auto* table = reader.table_if("animation")) {
     read_animation({*table, problems}, settings);
   }
@@ -141,7 +150,10 @@ std::string format_settings(const KeptSettings& settings) {
   text += line("address", remote.address) + line("port", remote.port) +
           toml_line("recent", toml_texts(settings.recent)) + line("buffer", remote.buffer) +
           line("playout", remote.playout) + line("threshold_percent", remote.threshold_percent) +
-          line("speed_ms", remote.speed_ms) + line("reconnect", remote.reconnect);
+          line("speed_ms", remote.speed_ms) + line("reconnect", remote.reconnect) +
+          line("stream", remote.stream) + line("tls", remote.tls) +
+          line("token_file", remote.token_file);
+  text += "\n[face]\n" + line("folder", settings.face);
   text += "\n[animation]\n";
   text += line("mixer", settings.animation.mixer, kMixers) +
           line("rules", settings.animation.rules) +
@@ -165,7 +177,7 @@ std::string format_settings(const KeptSettings& settings) {
 }
 
 void remember_address(std::vector<std::string>& recent, const RemoteSettings& settings) {
-  const std::string address = endpoint_text(settings);
+  const std::string address = address_text(settings);
   std::erase(recent, address);
   recent.insert(recent.begin(), address);
   if (recent.size() > kRecentMax) recent.resize(kRecentMax);

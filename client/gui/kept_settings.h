@@ -14,6 +14,7 @@ namespace aucast::gui {
 struct KeptSettings {
   RemoteSettings remote;
   std::vector<std::string> recent;  ///< addresses, the last one first
+  std::string face;  ///< the folder of the face to begin with; empty: the one that is shipped
   AnimationSettings animation;
   TransitionSettings transition;
   RenderingSettings rendering;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
@@ -14,8 +15,10 @@ namespace aucast::gui {
 /// What is being typed into the remote player's form.
 struct RemoteForm {
   RemoteSettings settings;
-  std::array<char, 256> address{};
-  bool filled = false;  ///< taken over from the model
+  std::array<char, 512> address{};
+  std::array<char, 512> token_file{};
+  std::optional<std::string> wrong;  ///< with the text of the address
+  bool filled = false;               ///< taken over from the model
 };
 
 void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "client/gui/panels.h"
@@ -14,11 +15,17 @@ constexpr std::array kMixers = {"Maximum", "Average"};
 constexpr std::array kRules = {"facs", "kumar2010", "none"};
 constexpr std::array kInterpolations = {"Linear", "Cosine"};
 
+void write(const std::string& text, std::span<char> out) {
+  const std::size_t length = std::min(text.size(), out.size() - 1);
+  std::memcpy(out.data(), text.data(), length);
+  out[length] = 0;
+}
+
 void fill_form(const RemoteSettings& settings, RemoteForm& form) {
   form.settings = settings;
-  const std::size_t length = std::min(settings.address.size(), form.address.size() - 1);
-  std::memcpy(form.address.data(), settings.address.data(), length);
-  form.address[length] = 0;
+  write(address_text(settings), form.address);
+  write(settings.token_file, form.token_file);
+  form.wrong.reset();
   form.filled = true;
 }
 
@@ -28,25 +35,24 @@ void number(const Look& look, const char* name, const char* id, int& value) {
   ImGui::InputInt(id, &value, 1, 10);
 }
 
-/// Address and port, with the last ones in a list.
+/// One field for host, port and stream, with the last ones in a list.
 bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
-  label(look, "Address, port");
+  label(look, "Address");
   const float arrow = ImGui::GetFrameHeight();
-  const float port = 58 * look.scale;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - port - arrow - 2 * gap);
-  const bool entered = ImGui::InputText("##address", form.address.data(), form.address.size(),
-                                        ImGuiInputTextFlags_EnterReturnsTrue);
-  form.settings.address = form.address.data();
-  ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(port);
-  ImGui::InputInt("##port", &form.settings.port, 0);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - arrow - gap);
+  const std::string before = form.address.data();
+  const bool entered = ImGui::InputTextWithHint(
+      "##address", "HOST, HOST:PORT, aucast://HOST/STREAM", form.address.data(),
+      form.address.size(),
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (before != form.address.data()) form.wrong = take_address(form.address.data(), form.settings);
   ImGui::SameLine(0, gap);
   ImGui::BeginDisabled(model.recent.empty());
   if (ImGui::BeginCombo("##recent", "", ImGuiComboFlags_NoPreview)) {
     for (const std::string& recent : model.recent) {
       RemoteSettings chosen = form.settings;
-      if (ImGui::Selectable(recent.c_str()) && take_endpoint(recent, chosen)) {
+      if (ImGui::Selectable(recent.c_str()) && !take_address(recent, chosen)) {
         fill_form(chosen, form);
       }
     }
@@ -56,20 +62,43 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
   return entered;
 }
 
+/// What the server has, asked when the list is opened; the chosen one is connected to.
+void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
+  label(look, "Stream");
+  const std::string& chosen = form.settings.stream;
+  if (!ImGui::BeginCombo("##stream", chosen.empty() ? "the server's first" : chosen.c_str()))
+    return;
+  const bool good = !form.wrong && !problem(form.settings);
+  if (ImGui::IsWindowAppearing() && good) commands.push_back(AskStreams{form.settings});
+  const StreamsView& streams = model.streams;
+  if (!good) ImGui::TextDisabled("no address");
+  if (streams.asking) ImGui::TextDisabled("asking ...");
+  if (!streams.problem.empty()) quiet_text(streams.problem);
+  for (const std::string& name : streams.names) {
+    if (!ImGui::Selectable(name.c_str(), name == chosen)) continue;
+    RemoteSettings settings = form.settings;
+    settings.stream = name;
+    fill_form(settings, form);
+    commands.push_back(Connect{settings});
+  }
+  ImGui::EndCombo();
+}
+
 /// Each has its own place whatever the state: a second click on a button must never be another's.
 void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered,
                      const std::optional<std::string>& wrong, GuiCommands& commands) {
-  const Activity activity = model.remote.activity;
-  const bool connecting = activity == Activity::Connecting;
-  const bool paused = activity == Activity::Paused;
+  const RemoteView& remote = model.remote;
+  const bool connecting = remote.activity == Activity::Connecting;
+  const bool paused = remote.activity == Activity::Paused;
   const bool running =
-      !model.remote.local && (connecting || paused || activity == Activity::Playing);
-  // A mistyped server may be corrected while it is still being tried.
-  const bool corrected = form.settings.address != model.remote_settings.address ||
-                         form.settings.port != model.remote_settings.port;
-  const bool may_connect = (!running || corrected) && !wrong;
+      !remote.local && (connecting || paused || remote.activity == Activity::Playing);
+  // What is mistyped may be corrected while it is tried, and who waits for a server that was lost
+  // may try it now.
+  const bool corrected = form.settings != model.remote_settings;
+  const bool lost = running && !remote.detail.empty();
+  const bool may_connect = (!running || corrected || lost) && !wrong;
   const bool pressed = wide_button("Connect", 0, 3, may_connect, may_connect);
-  if ((pressed || entered) && may_connect) commands.push_back(Connect{form.settings});
+  if ((pressed && may_connect) || (entered && !wrong)) commands.push_back(Connect{form.settings});
   const bool resumes = running && paused;
   if (wide_button(resumes ? "Resume" : "Pause", 1, 3, running && !connecting)) {
     if (resumes) {
@@ -84,7 +113,8 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
 void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
   heading(look, "Server");
   const bool entered = address(look, model, form);
-  const auto wrong = problem(form.settings);
+  stream(look, model, form, commands);
+  const auto wrong = form.wrong ? form.wrong : problem(form.settings);
   connect_buttons(model, form, entered, wrong, commands);
   if (wrong) quiet_text(*wrong);
 }
@@ -119,9 +149,21 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
     number(look, "Playout", "##playout", form.settings.playout);
     number(look, "Threshold %", "##threshold", form.settings.threshold_percent);
     number(look, "Speed ms", "##speed", form.settings.speed_ms);
-    quiet_text("Speed is for keyframes without a time of their own; 0: the server's.");
+    if (remote.timed && form.settings.speed_ms > 0) {
+      toned_text(Tone::Waiting,
+                 "The keyframes of this stream have times of their own: the speed does nothing.");
+    } else {
+      quiet_text("Speed is for keyframes without a time of their own; 0: the server's.");
+    }
     label(look, "When lost");
     ImGui::Checkbox("connect again", &form.settings.reconnect);
+    label(look, "Protection");
+    if (ImGui::Checkbox("TLS", &form.settings.tls)) {
+      write(address_text(form.settings), form.address);
+    }
+    label(look, "Token file");
+    ImGui::InputText("##token", form.token_file.data(), form.token_file.size());
+    form.settings.token_file = form.token_file.data();
   }
 }
 

@@ -1,14 +1,13 @@
 #include "client/gui/remote_settings.h"
 
-#include <charconv>
 #include <string_view>
-#include <system_error>
+
+#include "protocol/endpoint.h"
 
 namespace aucast::gui {
 namespace {
 
 constexpr int kPortMax = 65535;
-constexpr int kPortUsual = 4650;
 constexpr int kSetsMax = 10'000;
 constexpr int kSpeedMax = 1000;
 constexpr std::size_t kAddressMax = 253;
@@ -36,37 +35,32 @@ std::optional<std::string> problem(const RemoteSettings& settings) {
   return outside("the speed", settings.speed_ms, 0, kSpeedMax);
 }
 
-std::string endpoint_text(const RemoteSettings& settings) {
+std::string address_text(const RemoteSettings& settings) {
   const bool v6 = settings.address.find(':') != std::string::npos;
-  const std::string host = v6 ? "[" + settings.address + "]" : settings.address;
-  return settings.port == kPortUsual ? host : host + ":" + std::to_string(settings.port);
+  std::string text = v6 ? "[" + settings.address + "]" : settings.address;
+  if (settings.port != protocol::kDefaultPort) text += ":" + std::to_string(settings.port);
+  if (settings.stream.empty() && !settings.tls) return text;
+  text = (settings.tls ? "aucasts://" : "aucast://") + text;
+  return settings.stream.empty() ? text : text + "/" + settings.stream;
 }
 
-bool take_endpoint(std::string_view text, RemoteSettings& settings) {
-  std::string_view host = text;
-  std::string_view port;
-  if (text.starts_with('[')) {
-    const std::size_t end = text.find(']');
-    if (end == std::string_view::npos) return false;
-    host = text.substr(1, end - 1);
-    const std::string_view rest = text.substr(end + 1);
-    if (!rest.empty() && (rest.front() != ':' || rest.size() == 1)) return false;
-    port = rest.empty() ? rest : rest.substr(1);
-  } else if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) {
-    host = text.substr(0, colon);
-    port = text.substr(colon + 1);
-    if (port.empty()) return false;
+std::optional<std::string> take_address(std::string_view text, RemoteSettings& settings) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  if (text.empty()) return "enter the address of an au-transmitter";
+  std::string whole(text);
+  if (!protocol::is_stream_address(text)) whole.insert(0, "aucast://");
+  const auto address = protocol::parse_stream_address(whole);
+  if (!address) {
+    if (protocol::is_stream_address(text)) return address.error().message;
+    return "this is no address: use HOST, HOST:PORT or aucast://HOST/STREAM";
   }
-  int number = kPortUsual;
-  if (!port.empty()) {
-    const char* const end = port.data() + port.size();
-    const auto read = std::from_chars(port.data(), end, number);
-    if (read.ec != std::errc() || read.ptr != end) return false;
-  }
-  if (host.empty()) return false;
-  settings.address = std::string(host);
-  settings.port = number;
-  return true;
+  if (address->hosts.size() > 1) return "the window takes one server: leave out the others";
+  settings.address = address->hosts.front().host;
+  settings.port = address->hosts.front().port;
+  settings.stream = address->stream;
+  settings.tls = address->tls;
+  return std::nullopt;
 }
 
 }  // namespace aucast::gui

@@ -8,13 +8,16 @@ namespace aucast::gui {
 
 /// The form of the remote player, as people fill it in.
 struct RemoteSettings {
-  std::string address = "127.0.0.1";
+  std::string address = "127.0.0.1";  ///< a host
   int port = 4650;
   int buffer = 100;
   int playout = 30;
   int threshold_percent = 40;
   int speed_ms = 0;        ///< 0: the server's own time
   bool reconnect = false;  ///< try again when the server is lost
+  std::string stream{};    ///< empty: the server's first
+  bool tls = false;
+  std::string token_file{};  ///< empty: as the command line says
   friend bool operator==(const RemoteSettings&, const RemoteSettings&) = default;
 };
 
@@ -22,9 +25,12 @@ struct RemoteSettings {
 /// limits are those of the command line.
 [[nodiscard]] std::optional<std::string> problem(const RemoteSettings& settings);
 
-/// HOST:PORT, or [V6]:PORT; the port is left out when it is the usual one.
-[[nodiscard]] std::string endpoint_text(const RemoteSettings& settings);
-/// The other way round, into address and port; false, changing nothing, for what is neither.
-[[nodiscard]] bool take_endpoint(std::string_view text, RemoteSettings& settings);
+/// HOST or HOST:PORT, the port left out when it is the usual one; aucast://HOST[:PORT]/STREAM when
+/// a stream is named, aucasts:// for TLS.
+[[nodiscard]] std::string address_text(const RemoteSettings& settings);
+/// The other way round, also HOST[:PORT]/STREAM; into address, port, stream and tls. What is wrong
+/// with the text, as a sentence; nothing then is changed.
+[[nodiscard]] std::optional<std::string> take_address(std::string_view text,
+                                                      RemoteSettings& settings);
 
 }  // namespace aucast::gui

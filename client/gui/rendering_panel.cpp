@@ -47,6 +47,21 @@ bool layers(const Look& look, view::Layers& shown) {
   return changed;
 }
 
+/// Layers, ground and light as they are at first.
+bool usual_view(RenderingSettings& settings) {
+  RenderingSettings usual = settings;
+  const RenderingSettings first;
+  usual.layers = first.layers;
+  usual.ground = first.ground;
+  usual.light_yaw_deg = first.light_yaw_deg;
+  usual.light_pitch_deg = first.light_pitch_deg;
+  usual.light_percent = first.light_percent;
+  const bool empty = view::format_layers(settings.layers).empty();
+  if (!wide_button("Usual view", 0, 1, usual != settings, empty)) return false;
+  settings = usual;
+  return true;
+}
+
 bool slider(const Look& look, const char* name, const char* id, int& value, int least, int most,
             const char* format) {
   label(look, name);
@@ -117,6 +132,7 @@ void rendering_panel(const Look& look, const GuiModel& model, GuiCommands& comma
   camera(look, commands);
   bool changed = layers(look, settings.layers);
   changed |= light(look, settings);
+  changed |= usual_view(settings);
   changed |= blinking(look, settings);
   if (changed) commands.push_back(ChangeRendering{settings});
   pace(look, model.rendering);

@@ -142,8 +142,9 @@ Result<std::string> EditorSession::save_recording(int number) {
   recording.activation = activations;
   editor_.saved(number);
   list_aus();
-  return "AU" + std::to_string(number) + " saved in " + file->string() + "; use it with --face " +
-         folder->string();
+  saved_face_ = std::filesystem::absolute(*folder).lexically_normal().string();
+  return "AU" + std::to_string(number) + " saved in " + file->string() +
+         ", in your copy of the face, with which the window begins from now on";
 }
 
 void EditorSession::list_aus() {

@@ -35,6 +35,8 @@ class EditorSession {
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved(); }
+  /// The folder of the face that was saved to; empty: nothing was saved.
+  [[nodiscard]] const std::string& saved_face() const { return saved_face_; }
   /// All but `active`, which the caller sets.
   [[nodiscard]] gui::EditorView view() const;
   /// One for each expression, in their order.
@@ -61,6 +63,7 @@ class EditorSession {
   gui::TransitionSettings transition_settings_;
   std::string saved_to_;
   bool save_failed_ = false;
+  std::string saved_face_;
   std::string complaint_;             ///< about the AUs that were typed last
   std::vector<gui::AuRow> compound_;  ///< the AUs that were last put together
   std::vector<gui::ExpressionButton> buttons_;

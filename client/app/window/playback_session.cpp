@@ -40,6 +40,8 @@ gui::RemoteSettings settings_of(const PlaybackOptions& options) {
     settings.address = endpoint->host;
     settings.port = endpoint->port;
   }
+  settings.stream = options.stream;
+  settings.tls = options.security_options.tls;
   settings.buffer = static_cast<int>(options.buffers.receiver_capacity);
   settings.playout = static_cast<int>(options.buffers.playout_capacity);
   settings.threshold_percent = options.buffers.threshold_percent;
@@ -86,6 +88,8 @@ void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::st
   explained_.clear();
   received_.clear();
   history_.clear();
+  answered_ = false;
+  timed_ = false;
 }
 
 void PlaybackSession::open(std::vector<playback::TimedAus> keyframes, std::string name,
@@ -95,23 +99,38 @@ void PlaybackSession::open(std::vector<playback::TimedAus> keyframes, std::strin
        now);
 }
 
+Result<net::RemoteOptions> PlaybackSession::server_of(const gui::RemoteSettings& settings) const {
+  const PlaybackOptions& options = options_.playback;
+  net::SecurityOptions protection = options.security_options;
+  protection.tls |= settings.tls;
+  if (!settings.token_file.empty()) protection.token = settings.token_file;
+  auto security = net::load_security(protection, settings.address);
+  if (!security) return security.error();
+  net::RemoteOptions remote =
+      remote_options(options, {settings.address, static_cast<std::uint16_t>(settings.port)});
+  remote.speed.reset();
+  if (settings.speed_ms > 0) remote.speed = Milliseconds(settings.speed_ms);
+  remote.reconnect = settings.reconnect;
+  remote.stream = settings.stream;
+  remote.security = *std::move(security);
+  remote.buffers.receiver_capacity = static_cast<std::size_t>(settings.buffer);
+  remote.buffers.playout_capacity = static_cast<std::size_t>(settings.playout);
+  remote.buffers.threshold_percent = settings.threshold_percent;
+  return remote;
+}
+
 bool PlaybackSession::connect(const gui::RemoteSettings& settings, Instant now) {
   if (gui::problem(settings)) return false;
+  auto remote = server_of(settings);
+  if (!remote) {
+    notices_.say(remote.error().message, true, now);
+    return false;
+  }
   remote_settings_ = settings;
-  gui::remember_address(recent_, remote_settings_);
-  buffers_.receiver_capacity = static_cast<std::size_t>(remote_settings_.buffer);
-  buffers_.playout_capacity = static_cast<std::size_t>(remote_settings_.playout);
-  buffers_.threshold_percent = remote_settings_.threshold_percent;
-  net::RemoteOptions remote =
-      remote_options(options_.playback,
-                     {remote_settings_.address, static_cast<std::uint16_t>(remote_settings_.port)});
-  remote.speed.reset();
-  if (remote_settings_.speed_ms > 0) remote.speed = Milliseconds(remote_settings_.speed_ms);
-  remote.reconnect = remote_settings_.reconnect;
-  remote.buffers = buffers_;
-  const playback::SourcePlayback::Options how{remote.speed, options_.playback.hold, false};
+  buffers_ = remote->buffers;
+  const playback::SourcePlayback::Options how{remote->speed, options_.playback.hold, false};
   open(std::make_unique<playback::SourcePlayback>(
-           std::make_unique<net::RemoteSource>(std::move(remote)), how),
+           std::make_unique<net::RemoteSource>(*std::move(remote)), how),
        {}, now);
   return true;
 }
@@ -128,10 +147,15 @@ void PlaybackSession::advance(Instant now) {
     }
   }
   remember(now);
+  if (!answered_ && seekable() == nullptr && playback_->status().packets_received > 0) {
+    answered_ = true;
+    gui::remember_address(recent_, remote_settings_);
+  }
 }
 
 void PlaybackSession::begun(const playback::KeyframeBegun& keyframe) {
   explain();
+  timed_ = keyframe.target.duration.has_value();
   // A file can be asked again; the easing to neutral was not received.
   if (seekable() != nullptr || playback_->eased() || received_.size() >= kKeyframesKept) return;
   received_.push_back(std::make_shared<const gui::ComposedKeyframe>(gui::ComposedKeyframe{
@@ -318,6 +342,7 @@ gui::RemoteView PlaybackSession::remote_view() const {
   const bool empty = status.receiver_fill + status.playout_fill == 0;
   view.stale = keyframe > 0 && (state == PlaybackState::Lost || (tries_again && empty));
   view.eased = playback_->eased();
+  view.timed = timed_;
   view.receiver.fill = status.receiver_fill;
   view.playout.fill = status.playout_fill;
   view.receiver_history = history_.fills();

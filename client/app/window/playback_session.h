@@ -11,6 +11,7 @@
 #include "client/app/window/playback_history.h"
 #include "client/gui/composer.h"
 #include "client/gui/gui_commands.h"
+#include "client/net/remote_source.h"
 #include "client/pipeline/player.h"
 #include "client/playback/seekable_playback.h"
 
@@ -41,6 +42,9 @@ class PlaybackSession {
   [[nodiscard]] Result<std::string> export_to(const std::filesystem::path& file) const;
 
   void set_remote(const gui::RemoteSettings& settings, std::vector<std::string> recent);
+  /// The server that a form names and how to reach it. Error when a file of certificate or token
+  /// cannot be used.
+  [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings) const;
   [[nodiscard]] const gui::RemoteSettings& remote_settings() const { return remote_settings_; }
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
 
@@ -76,7 +80,7 @@ class PlaybackSession {
   Notices& notices_;
   const std::vector<float>& shown_;
   gui::RemoteSettings remote_settings_;
-  std::vector<std::string> recent_;  ///< addresses, the latest first
+  std::vector<std::string> recent_;  ///< addresses that answered, the latest first
   playback::BufferOptions buffers_;
 
   pipeline::Player player_;
@@ -87,6 +91,8 @@ class PlaybackSession {
   std::vector<face::RuleExplained> explained_;   ///< the rules that fired in this keyframe
   gui::Composer::Keyframes received_;            ///< of a server's stream: those begun so far
   PlaybackHistory history_;
+  bool answered_ = false;  ///< the server has sent something
+  bool timed_ = false;     ///< the keyframe under way came with a time of its own
 };
 
 }  // namespace aucast::app

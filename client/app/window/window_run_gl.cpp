@@ -63,6 +63,7 @@ class WindowRun {
         stats_(stats),
         session_(assets, options, std::move(playback), stats) {
     session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
+    kept_addresses_ = session_.recent();
     start_times_.passed("session");
   }
 
@@ -98,6 +99,7 @@ class WindowRun {
     handle_closing(stopped_from_outside);
     handle_drops();
     session_.advance(steady_now());
+    keep_addresses();
     show_title();
     draw();
     record();
@@ -233,8 +235,13 @@ class WindowRun {
     if (std::holds_alternative<gui::TakePicture>(command)) save_picture();
     if (std::holds_alternative<gui::ToggleVideo>(command)) toggle_video();
     session_.apply(command, steady_now());
-    // An address is worth remembering even if the machine goes down.
-    if (gui::command_if<gui::Connect>(command)) keep_settings();
+  }
+
+  /// An address is worth remembering even if the machine goes down.
+  void keep_addresses() {
+    if (session_.recent() == kept_addresses_) return;
+    kept_addresses_ = session_.recent();
+    keep_settings();
   }
 
   void keep_settings() {
@@ -407,6 +414,7 @@ class WindowRun {
   gui::GuiModel shown_model_;
   gui::GuiCommands commands_;
   std::string title_;
+  std::vector<std::string> kept_addresses_;
   int frames_due_ = gui::kFramesAfterChange;
   std::unique_ptr<SessionVideo> video_;
   bool leaving_ = false;

@@ -6,6 +6,7 @@
 
 #include "client/app/steady.h"
 #include "client/app/window/composition_file.h"
+#include "client/net/stream_list.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 
@@ -38,6 +39,7 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
       playback_(mapping_, options, stats, notices_, face_),
       editor_(assets, mapping_, notices_, face_),
       composer_(assets, mapping_),
+      lister_(net::list_streams),
       idle_(assets.face),
       last_folder_(assets.data_folder / "streams") {
   rendering_.blinking = options.playback.blink.has_value();
@@ -53,13 +55,19 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   if (!complaint.empty()) say(complaint, true, now);
   playback_.set_remote(settings.remote, settings.recent);
   editor_.set_transition(settings.transition);
+  face_to_begin_with_ = settings.face;
   rendering_ = settings.rendering;
   // Nobody wants to begin with an empty view.
   if (!shows_something(rendering_.layers)) rendering_.layers = {};
 }
 
 gui::KeptSettings WindowSession::kept() const {
-  return {playback_.remote_settings(), playback_.recent(), animation_, editor_.transition(),
+  const std::string& saved = editor_.saved_face();
+  return {playback_.remote_settings(),
+          playback_.recent(),
+          saved.empty() ? face_to_begin_with_ : saved,
+          animation_,
+          editor_.transition(),
           rendering_};
 }
 
@@ -68,6 +76,7 @@ gui::KeptSettings WindowSession::kept() const {
 void WindowSession::advance(Instant now) {
   notices_.expire(now);
   playback_.advance(now);
+  lister_.advance();
 }
 
 /// Brings face_ to `now`.
@@ -105,6 +114,7 @@ Duration WindowSession::idle_time(Instant now) const {
   const auto at_most = [&](Instant next, Duration least) {
     time = std::min(time, std::max(next - now, least));
   };
+  if (lister_.view().asking) at_most(now, kFrameMax);
   if (!notices_.view().text.empty()) at_most(notices_.until(), kFrameMax);
   if (const auto next = editor_.next_frame_at(now)) at_most(*next, Duration::zero());
   if (rendering_.blinking || options_.playback.idle_seed)
@@ -141,10 +151,18 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
         say(played.error().message, true, now);
       },
       [&](const gui::CloseNotice&) { notices_.clear(); },
+      [&](const gui::AskStreams& one) { ask_streams(one.settings, now); },
       [](const gui::LookFrom&) {},
       [](const gui::TakePicture&) {},
       [](const gui::ToggleVideo&) {}};
   std::visit(carry_out, command);
+}
+
+void WindowSession::ask_streams(const gui::RemoteSettings& settings, Instant now) {
+  if (gui::problem(settings)) return;
+  auto server = playback_.server_of(settings);
+  if (!server) return say(server.error().message, true, now);
+  lister_.ask(*std::move(server));
 }
 
 void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant now) {
@@ -269,6 +287,7 @@ gui::GuiModel WindowSession::model() const {
   gui::GuiModel model;
   model.remote_settings = playback_.remote_settings();
   model.recent = playback_.recent();
+  model.streams = lister_.view();
   model.remote = playback_.remote_view();
   model.remote.stale = model.remote.stale && shown_ == Shown::Playback;
   model.remote.eased = model.remote.eased && shown_ == Shown::Playback;

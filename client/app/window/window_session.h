@@ -13,6 +13,7 @@
 #include "client/app/window/editor_session.h"
 #include "client/app/window/notices.h"
 #include "client/app/window/playback_session.h"
+#include "client/app/window/stream_lister.h"
 #include "client/gui/file_browser.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
@@ -55,6 +56,8 @@ class WindowSession {
   [[nodiscard]] gui::GuiModel model() const;
   /// "AUcast - playing", for the title of the window.
   [[nodiscard]] std::string title() const { return playback_.title(); }
+  /// Addresses that answered, the latest first.
+  [[nodiscard]] const std::vector<std::string>& recent() const { return playback_.recent(); }
   /// How long the window may wait before it should look again.
   [[nodiscard]] Duration idle_time(Instant now) const;
 
@@ -81,6 +84,7 @@ class WindowSession {
 
   void look(Instant now);
   void show_edited(Shown shown, Instant now);
+  void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
   void change_animation(const gui::AnimationSettings& settings);
   void browse(gui::Purpose purpose);
@@ -98,6 +102,7 @@ class WindowSession {
   PlaybackSession playback_;
   EditorSession editor_;
   ComposerSession composer_;
+  StreamLister lister_;
   Shown shown_ = Shown::Playback;
   pipeline::IdleFace idle_;
   gui::RenderingSettings rendering_;
@@ -105,6 +110,7 @@ class WindowSession {
   std::filesystem::path own_folder_ = ".";  ///< where the user saved last
   std::filesystem::path last_folder_;       ///< where a stream was opened last
   std::string recording_;
+  std::string face_to_begin_with_;  ///< as the settings have it
   std::vector<gui::PaceRow> pace_;
   bool asks_to_leave_ = false;
   bool leaving_ = false;

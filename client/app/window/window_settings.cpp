@@ -31,6 +31,10 @@ void copy_given(const std::set<std::string>& given, const KeptSettings& from, Ke
   copy(
       "--reconnect", [](auto& s) -> auto& { return s.remote.reconnect; });
   copy(
+      "--stream", [](auto& s) -> auto& { return s.remote.stream; });
+  copy(
+      "--tls", [](auto& s) -> auto& { return s.remote.tls; });
+  copy(
       "--mixer", [](auto& s) -> auto& { return s.animation.mixer; });
   copy(
       "--rules", [](auto& s) -> auto& { return s.animation.rules; });
@@ -58,6 +62,8 @@ KeptSettings settings_of(const PlayerOptions& options) {
   settings.remote.threshold_percent = playback.buffers.threshold_percent;
   if (playback.speed) settings.remote.speed_ms = static_cast<int>(playback.speed->count());
   settings.remote.reconnect = playback.reconnect;
+  settings.remote.stream = playback.stream;
+  settings.remote.tls = playback.security_options.tls;
   settings.animation = {options.face.mixer, options.face.rules, playback.interpolation};
   settings.rendering.layers = options.output.layers;
   settings.rendering.blinking = playback.blink.has_value();
@@ -94,7 +100,9 @@ WindowSettings::WindowSettings(const PlayerOptions& options, std::filesystem::pa
   if (const auto endpoint = net::parse_endpoint(options.playback.endpoint)) {
     in_force_.remote.address = endpoint->host;
     in_force_.remote.port = endpoint->port;
-    gui::remember_address(in_force_.recent, in_force_.remote);
+    // The last ones were another server's.
+    in_force_.remote.stream = options.playback.stream;
+    in_force_.remote.tls = options.playback.security_options.tls;
   }
 }
 
@@ -111,6 +119,7 @@ PlayerOptions WindowSettings::applied(PlayerOptions options) const {
   playback.interpolation = in_force_.animation.interpolation;
   options.face.mixer = in_force_.animation.mixer;
   options.face.rules = in_force_.animation.rules;
+  if (!given_.contains("--face") && !in_force_.face.empty()) options.face.face = in_force_.face;
   return options;
 }
 

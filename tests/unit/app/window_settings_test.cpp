@@ -34,7 +34,25 @@ TEST_F(WindowSettingsTest, TheFileIsInForceWhereTheCommandLineIsSilent) {
   EXPECT_EQ(options.playback.buffers.playout_capacity, 20U);
   EXPECT_EQ(options.face.mixer, face::Mixer::Average);
   EXPECT_EQ(settings.in_force().remote.address, "host.example");
-  EXPECT_EQ(settings.in_force().recent, std::vector<std::string>{"host.example"});
+  EXPECT_TRUE(settings.in_force().recent.empty()) << "it has not answered yet";
+}
+
+TEST_F(WindowSettingsTest, TheFaceThatWasSavedIsTheNextStarts) {
+  write("[face]\nfolder = \"/home/anna/faces/default\"\n");
+  const PlayerOptions silent = parsed({});
+  EXPECT_EQ(WindowSettings(silent, file_).applied(silent).face.face, "/home/anna/faces/default");
+  const PlayerOptions named = parsed({"--face", "marek"});
+  EXPECT_EQ(WindowSettings(named, file_).applied(named).face.face, "marek");
+  const PlayerOptions headless = parsed({"--headless", "host"});
+  EXPECT_EQ(WindowSettings(headless, file_).applied(headless).face.face, "default");
+}
+
+TEST_F(WindowSettingsTest, AnotherServerOfTheCommandLineHasNoStreamOfTheLastOne) {
+  write("[remote]\naddress = \"old.example\"\nstream = \"lecture\"\ntls = true\n");
+  EXPECT_EQ(WindowSettings(parsed({}), file_).in_force().remote.stream, "lecture");
+  const WindowSettings settings(parsed({"new.example"}), file_);
+  EXPECT_EQ(settings.in_force().remote.stream, "");
+  EXPECT_FALSE(settings.in_force().remote.tls);
 }
 
 TEST_F(WindowSettingsTest, HeadlessKnowsNothingOfThem) {

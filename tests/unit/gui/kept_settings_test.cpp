@@ -116,26 +116,13 @@ TEST(RecentAddresses, TheLastIsFirstAndNoneIsThereTwice) {
   for (int i = 0; i < 20; ++i) {
     settings.port = 5000 + i % 10;
     remember_address(recent, settings);
-    EXPECT_EQ(recent.front(), endpoint_text(settings));
+    EXPECT_EQ(recent.front(), address_text(settings));
     EXPECT_LE(recent.size(), kRecentMax);
   }
   EXPECT_EQ(recent.size(), kRecentMax);
   settings.port = 5005;
   remember_address(recent, settings);
   EXPECT_EQ(std::count(recent.begin(), recent.end(), "127.0.0.1:5005"), 1);
-}
-
-TEST(Endpoint, IsWrittenAndReadAlike) {
-  for (const char* text : {"example.org", "example.org:4651", "[::1]", "[fe80::1]:9", "10.0.0.7"}) {
-    RemoteSettings settings;
-    ASSERT_TRUE(take_endpoint(text, settings)) << text;
-    EXPECT_EQ(endpoint_text(settings), text);
-  }
-  RemoteSettings settings;
-  for (const char* text : {"", ":1", "a:", "a:b", "[::1", "[::1]x", "[::1]:", "a:99999999999"}) {
-    EXPECT_FALSE(take_endpoint(text, settings)) << text;
-  }
-  EXPECT_EQ(settings, RemoteSettings{});
 }
 
 }  // namespace

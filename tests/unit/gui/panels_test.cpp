@@ -50,6 +50,15 @@ LocalView three_keyframes() {
   return local;
 }
 
+/// The first command of this kind.
+template <typename Command>
+std::optional<Command> first_of(const GuiCommands& commands) {
+  for (const GuiCommand& command : commands) {
+    if (const auto* found = command_if<Command>(command)) return *found;
+  }
+  return std::nullopt;
+}
+
 /// Draws the panels without a window and moves a mouse over them.
 class Panels : public testing::Test {
  protected:
@@ -211,6 +220,49 @@ TEST_F(Panels, AMistypedServerIsCorrectedWhileItIsStillTried) {
   EXPECT_NE(connect->settings.port, 1);
 }
 
+TEST_F(Panels, WhoWaitsForALostServerMayTryItAtOnce) {
+  model_.remote.activity = Activity::Connecting;
+  model_.remote.detail = "the connection was lost";
+  EXPECT_TRUE(find_by_clicking<Connect>(480, 100, 260).has_value());
+}
+
+TEST_F(Panels, EnterInTheAddressConnects) {
+  model_.remote.activity = Activity::Idle;
+  model_.remote_settings.address = "a";
+  static_cast<void>(click(700, 123));
+  ImGui::GetIO().AddInputCharactersUTF8("b.example:4777/talk");
+  static_cast<void>(frame());
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Enter] = 1;
+  io.KeysDown[1] = true;
+  const auto connect = first_of<Connect>(frame());
+  ASSERT_TRUE(connect.has_value());
+  EXPECT_EQ(connect->settings.address, "b.example") << "a click chooses what is there";
+  EXPECT_EQ(connect->settings.port, 4777);
+  EXPECT_EQ(connect->settings.stream, "talk");
+}
+
+TEST_F(Panels, AStreamOfTheServerIsChosenFromTheList) {
+  const GuiCommands opened = click(700, 154);
+  ASSERT_TRUE(first_of<AskStreams>(opened).has_value());
+  model_.streams.names = {"talk", "lecture"};
+  const auto connect = find_by_clicking<Connect>(600, 170, 200);
+  ASSERT_TRUE(connect.has_value());
+  EXPECT_EQ(connect->settings.stream, "talk");
+}
+
+TEST_F(Panels, AnEmptyViewIsMadeUsualAgain) {
+  model_.rendering.settings.layers.textured = false;
+  model_.rendering.settings.light_percent = 10;
+  model_.rendering.settings.blinking = true;
+  static_cast<void>(click(731, 54));  // the tab
+  const auto change = find_by_clicking<ChangeRendering>(600, 500, 540);
+  ASSERT_TRUE(change.has_value());
+  RenderingSettings usual;
+  usual.blinking = true;
+  EXPECT_EQ(change->settings, usual);
+}
+
 TEST_F(Panels, AFormThatIsWrongConnectsNowhere) {
   model_.remote.activity = Activity::Idle;
   model_.remote_settings.address.clear();
@@ -234,29 +286,20 @@ TEST_F(Panels, ExpressionsAreButtonsOfTheirTab) {
   EXPECT_EQ(show->index, 0U);
 }
 
-/// The same for what is asked of a stream that is there whole.
-template <typename Command>
-std::optional<Command> local_command(const GuiCommands& commands) {
-  for (const GuiCommand& command : commands) {
-    if (const auto* found = command_if<Command>(command)) return *found;
-  }
-  return std::nullopt;
-}
-
 TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {
   const view::Image without = picture();
   model_.local = three_keyframes();
   EXPECT_NE(picture().rgba, without.rgba);
   const float edge = kWidth - gui_->covered_width();
-  const auto seek = local_command<Seek>(click(edge / 2, kHeight - 60));
+  const auto seek = first_of<Seek>(click(edge / 2, kHeight - 60));
   ASSERT_TRUE(seek.has_value());
   EXPECT_NEAR(std::chrono::duration<double>(seek->position).count(), 0.3, 0.005);
   std::set<int> steps;
   bool plays = false;
   for (float x = 16; x < 220; x += 10) {
     const GuiCommands all = click(x, kHeight - 24);
-    if (const auto step = local_command<StepKeyframe>(all)) steps.insert(10 * step->direction);
-    if (const auto step = local_command<StepFrame>(all)) steps.insert(step->direction);
+    if (const auto step = first_of<StepKeyframe>(all)) steps.insert(10 * step->direction);
+    if (const auto step = first_of<StepFrame>(all)) steps.insert(step->direction);
     for (const GuiCommand& one : all) plays |= command_if<Resume>(one) != nullptr;
   }
   EXPECT_EQ(steps, (std::set<int>{-10, -1, 1, 10}));

@@ -44,5 +44,41 @@ TEST(RemoteSettings, SayWhatIsWrongAndWhatIsRight) {
   EXPECT_EQ(problem_of([](RemoteSettings& s) { s.speed_ms = -1; }), "the speed must be 0 to 1000");
 }
 
+TEST(RemoteSettings, AnAddressIsWrittenAndReadAlike) {
+  for (const char* text :
+       {"example.org", "example.org:4651", "[::1]", "[fe80::1]:9", "10.0.0.7",
+        "aucast://example.org/lecture", "aucasts://[::1]:9/a.b", "aucasts://example.org"}) {
+    RemoteSettings settings;
+    ASSERT_EQ(take_address(text, settings), std::nullopt) << text;
+    EXPECT_EQ(address_text(settings), text);
+    EXPECT_EQ(problem(settings), std::nullopt);
+  }
+}
+
+TEST(RemoteSettings, AnAddressIsReadAsPeopleWriteIt) {
+  RemoteSettings settings;
+  ASSERT_EQ(take_address(" example.org:4777/lecture ", settings), std::nullopt);
+  EXPECT_EQ(settings.address, "example.org");
+  EXPECT_EQ(settings.port, 4777);
+  EXPECT_EQ(settings.stream, "lecture");
+  ASSERT_EQ(take_address("aucasts://example.org", settings), std::nullopt);
+  EXPECT_EQ(settings.port, 4650);
+  EXPECT_TRUE(settings.stream.empty()) << "that was another server's";
+  EXPECT_TRUE(settings.tls);
+  ASSERT_EQ(take_address("example.org", settings), std::nullopt);
+  EXPECT_FALSE(settings.tls);
+}
+
+TEST(RemoteSettings, WhatIsNoAddressChangesNothingAndIsSaid) {
+  RemoteSettings settings;
+  for (const char* text : {"", " ", ":1", "a:", "a:b", "[::1", "[::1]x", "[::1]:", "a:99999999999",
+                           "http://a", "a b", "aucast://", "aucast://a/b/c", "aucast://a,b/s"}) {
+    EXPECT_NE(take_address(text, settings), std::nullopt) << text;
+  }
+  EXPECT_EQ(settings, RemoteSettings{});
+  EXPECT_EQ(take_address("a:b", settings),
+            "this is no address: use HOST, HOST:PORT or aucast://HOST/STREAM");
+}
+
 }  // namespace
 }  // namespace aucast::gui

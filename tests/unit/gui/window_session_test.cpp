@@ -454,6 +454,35 @@ TEST_F(WindowSessionTest, ConnectReplacesWhatPlayedAndHoldsTheFace) {
   ASSERT_NE(last, nullptr);
 }
 
+TEST_F(WindowSessionTest, OnlyAnAddressThatAnsweredIsAmongTheRecentOnes) {
+  options_.playback.endpoint = "lecture.example.org";
+  open({frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  EXPECT_TRUE(session_->recent().empty());
+  source_->now.packets_received = 1;
+  go_on(Milliseconds(0));
+  EXPECT_EQ(session_->recent(), std::vector<std::string>{"lecture.example.org"});
+  ask(gui::Connect{{"127.0.0.1", 1, 50, 20, 30, 0}});  // nothing listens there
+  go_on(Milliseconds(100));
+  EXPECT_EQ(session_->recent(), std::vector<std::string>{"lecture.example.org"});
+}
+
+TEST_F(WindowSessionTest, ATokenFileThatIsNotThereIsSaid) {
+  open_nothing();
+  gui::RemoteSettings settings;
+  settings.token_file = "/no/such/token";
+  ask(gui::Connect{settings});
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_NE(model().notice.text.find("/no/such/token"), std::string::npos);
+  EXPECT_EQ(model().remote.activity, Activity::Idle);
+}
+
+TEST_F(WindowSessionTest, KeyframesWithTimesOfTheirOwnMakeTheSpeedUseless) {
+  open({frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  EXPECT_TRUE(model().remote.timed);
+}
+
 TEST_F(WindowSessionTest, OtherRulesWhileConnectingLeaveNothingOfThoseBefore) {
   open({frame({{51, Side::Both, 100}, {52, Side::Both, 40}})});  // a rule fires
   go_on(Milliseconds(0));

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "client/gui/gui_model.h"
+#include "client/net/remote_source.h"
+
+namespace aucast::app {
+
+/// Asks a server for the names of its streams on a thread of its own, one question at a time.
+/// Thread: the player's.
+class StreamLister {
+ public:
+  using Ask = std::function<Result<std::vector<std::string>>(const net::RemoteOptions&)>;
+  /// `ask` runs on the other thread and may block.
+  explicit StreamLister(Ask ask);
+  /// Waits for an answer that is still out: at most kTimeMax.
+  ~StreamLister() = default;
+  StreamLister(const StreamLister&) = delete;
+  StreamLister& operator=(const StreamLister&) = delete;
+
+  static constexpr Milliseconds kTimeMax{3'000};
+
+  /// While a question is out another one is put after it; only the last one counts.
+  void ask(net::RemoteOptions server);
+  /// Takes the answer when it is here.
+  void advance();
+  [[nodiscard]] const gui::StreamsView& view() const { return view_; }
+
+ private:
+  void begin();
+
+  Ask ask_;
+  gui::StreamsView view_;
+  std::optional<net::RemoteOptions> next_;
+  std::future<Result<std::vector<std::string>>> answer_;
+};
+
+}  // namespace aucast::app
