@@ -69,15 +69,18 @@ std::size_t utf8_length(std::string_view bytes) {
   return valid ? length : 0;
 }
 
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character.front());
+  return first < 0x20 || first == 0x7f ||
+         (first == 0xc2 && character.size() == 2 &&
+          static_cast<unsigned char>(character[1]) < 0xa0);
+}
+
 std::string printable(std::string_view bytes) {
   std::string text;
   while (!bytes.empty()) {
     const std::size_t length = std::max<std::size_t>(utf8_length(bytes), 1);
-    const auto first = static_cast<unsigned char>(bytes[0]);
-    const bool control =
-        first < 0x20 || first == 0x7f ||
-        (first == 0xc2 && length == 2 && static_cast<unsigned char>(bytes[1]) < 0xa0);
-    const bool plain = !control && utf8_length(bytes) != 0;
+    const bool plain = utf8_length(bytes) != 0 && !is_control(bytes.substr(0, length));
     for (const char byte : bytes.substr(0, length))
       text += plain ? std::string(1, byte) : hex_escape(byte);
     bytes.remove_prefix(length);

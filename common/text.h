@@ -15,6 +15,9 @@ namespace aucast {
 /// The length of the UTF-8 character that `bytes` begins with; 0 when it begins with none.
 [[nodiscard]] std::size_t utf8_length(std::string_view bytes);
 
+/// Whether the UTF-8 character is one of the control characters C0, DEL or C1.
+[[nodiscard]] bool is_control(std::string_view character);
+
 /// A path or text of a person for a terminal or a log: UTF-8 as it is, control characters and what
 /// is no UTF-8 as \xNN.
 [[nodiscard]] std::string printable(std::string_view bytes);

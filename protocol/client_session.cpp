@@ -41,7 +41,6 @@ struct ClientSession::State {
   Phase phase = Phase::Idle;
   Level level = Level::Classic;
   int window = 1;
-  bool delta = false;
   bool stopped = false;       ///< -4 was said
   bool paused = false;        ///< -1 was said, -3 not yet
   bool pause_wanted = false;  ///< -1 is to be said as soon as it may
@@ -49,6 +48,11 @@ struct ClientSession::State {
   std::uint64_t packets_received = 0;
   std::uint64_t payload_bytes = 0;
   AuFrame running;  ///< what a changes-only packet changes
+  HelloGranted granted;
+  std::uint64_t received_to_ms = 0;        ///< the client's clock: see DeliverVoice
+  std::optional<Milliseconds> voice_to{};  ///< the end of the last voice packet
+  std::uint64_t voice_packets = 0;
+  std::uint64_t sound_bytes = 0;
   std::optional<Instant> deadline;
   std::vector<ClientEvent> events;
 
@@ -60,6 +64,8 @@ struct ClientSession::State {
   void handle(const HelloGranted& hello);
   void handle(const ErrorReply& error);
   void handle(const StreamList&);
+  void handle(const VoiceData& voice);
+  void handle(const Caption& caption);
   [[nodiscard]] std::optional<std::string> objection(const HelloGranted& hello) const;
   void lose();
   [[nodiscard]] bool took_hello_for_garbage() const;
@@ -86,9 +92,9 @@ void ClientSession::State::handle(const Keyframe& keyframe) {
   deadline.reset();
   ++packets_received;
   payload_bytes += decoder.taken_bytes();
-  if (keyframe.changes_only && (!delta || first)) {
-    fail(Why::ProtocolError, delta ? "the first packet of the server names only changes"
-                                   : "the server sent changes only, which was not agreed");
+  if (keyframe.changes_only && (!granted.delta || first)) {
+    fail(Why::ProtocolError, granted.delta ? "the first packet of the server names only changes"
+                                           : "the server sent changes only, which was not agreed");
     return;
   }
   if (keyframe.changes_only) {
@@ -96,6 +102,7 @@ void ClientSession::State::handle(const Keyframe& keyframe) {
   } else {
     running = frame_from_terms(keyframe.terms);
   }
+  received_to_ms += keyframe.duration_ms.value_or(granted.keyframe_ms);
   if (stopped) return;
   if (level == Level::Classic || window > 0) ++unanswered;
   events.emplace_back(DeliverKeyframe{running, keyframe.duration_ms, keyframe.place_ms});
@@ -126,6 +133,12 @@ std::optional<std::string> ClientSession::State::objection(const HelloGranted& h
   if (hello.delta && !options.hello.delta) {
     return "the server granted changes only, which was not asked for";
   }
+  if (!hello.voice.empty() && hello.voice != options.hello.voice) {
+    return "the server granted a voice in " + hello.voice + ", which was not asked for";
+  }
+  if (hello.text && !options.hello.text) {
+    return "the server granted captions, which were not asked for";
+  }
   return std::nullopt;
 }
 
@@ -138,7 +151,8 @@ void ClientSession::State::handle(const HelloGranted& hello) {
   deadline.reset();
   level = Level::Negotiated;
   window = hello.window;
-  delta = hello.delta;
+  granted = hello;
+  received_to_ms = hello.from_ms;
   events.emplace_back(Granted{hello});
   if (std::exchange(pause_wanted, false)) {
     paused = true;
@@ -153,6 +167,29 @@ void ClientSession::State::handle(const ErrorReply& error) {
 
 void ClientSession::State::handle(const StreamList&) {
   fail(Why::ProtocolError, "the server sent a list of streams that was not asked for");
+}
+
+void ClientSession::State::handle(const VoiceData& voice) {
+  ++voice_packets;
+  sound_bytes += decoder.taken_bytes();
+  if (granted.voice.empty()) {
+    fail(Why::ProtocolError, "the server sent voice, which was not agreed");
+  } else if (!voice.place_ms && !voice_to) {
+    fail(Why::ProtocolError, "the server's first voice packet has no place");
+  } else if (!stopped) {
+    const Milliseconds place = voice.place_ms ? Milliseconds(*voice.place_ms) : *voice_to;
+    voice_to = place + opus_duration(voice.opus).value_or(Milliseconds{0});
+    events.emplace_back(DeliverVoice{{place, voice.opus}});
+  }
+}
+
+void ClientSession::State::handle(const Caption& caption) {
+  sound_bytes += decoder.taken_bytes();
+  if (!granted.text) {
+    fail(Why::ProtocolError, "the server sent captions, which were not agreed");
+  } else if (!stopped) {
+    events.emplace_back(DeliverCaption{caption});
+  }
 }
 
 /// A classic server closes on a hello: after its first packet, or with that packet lost in the
@@ -289,6 +326,14 @@ std::uint64_t ClientSession::packets_received() const {
 
 std::uint64_t ClientSession::payload_bytes() const {
   return state_->payload_bytes;
+}
+
+std::uint64_t ClientSession::voice_packets() const {
+  return state_->voice_packets;
+}
+
+std::uint64_t ClientSession::sound_bytes() const {
+  return state_->sound_bytes;
 }
 
 }  // namespace aucast::protocol

@@ -12,6 +12,7 @@
 #include "common/time.h"
 #include "protocol/packet.h"
 #include "protocol/server_session.h"
+#include "protocol/voice_packet.h"
 
 namespace aucast::protocol {
 
@@ -29,6 +30,15 @@ struct DeliverKeyframe {
   AuFrame aus;
   std::optional<std::uint32_t> duration_ms;  ///< the packet's own
   std::optional<std::uint64_t> place_ms;
+};
+/// Voice has come. Its place is on the client's clock: the granted `from` (0 if none) plus the
+/// times of the keyframes received. It is heard while the face goes through that place.
+struct DeliverVoice {
+  VoicePacket packet;
+};
+/// A caption has come, its place on the same clock.
+struct DeliverCaption {
+  Caption caption;
 };
 /// The server has granted level 2.
 struct Granted {
@@ -49,8 +59,8 @@ struct SessionFailed {
   Why why = Why::Lost;
   std::string reason;  ///< a sentence; peer text escaped
 };
-using ClientEvent =
-    std::variant<SendBytes, DeliverKeyframe, Granted, StreamEnded, ReconnectClassic, SessionFailed>;
+using ClientEvent = std::variant<SendBytes, DeliverKeyframe, DeliverVoice, DeliverCaption, Granted,
+                                 StreamEnded, ReconnectClassic, SessionFailed>;
 
 [[nodiscard]] std::string_view name(SessionFailed::Why why);
 
@@ -92,6 +102,8 @@ class ClientSession {
   [[nodiscard]] std::size_t unanswered() const;
   [[nodiscard]] std::uint64_t packets_received() const;  ///< keyframes
   [[nodiscard]] std::uint64_t payload_bytes() const;     ///< their bytes as received
+  [[nodiscard]] std::uint64_t voice_packets() const;
+  [[nodiscard]] std::uint64_t sound_bytes() const;  ///< of voice packets and captions
 
  private:
   struct State;

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "common/text.h"
+#include "protocol/caption.h"
 #include "protocol/limits.h"
+#include "protocol/voice_packet.h"
 
 namespace aucast::protocol {
 namespace {
 
-constexpr std::array<std::string_view, 3> kServerWords = {"hello", "error", "streams"};
+constexpr std::array<std::string_view, 5> kServerWords = {"hello", "error", "streams", "a", "t"};
 constexpr std::array<std::string_view, 2> kClientWords = {"hello", "streams"};
 
 ByteFault unknown_code(std::string_view bytes) {
@@ -95,8 +97,17 @@ std::optional<ByteFault> ServerPacketDecoder::accept(char byte) {
 }
 
 std::size_t ServerPacketDecoder::bytes_max() const {
-  const bool is_list_or_keyframe = place_ != Place::Word || word_.text().starts_with('s');
-  return is_list_or_keyframe ? kPacketBytesMax : kHelloBytesMax;
+  if (place_ != Place::Word) return kPacketBytesMax;
+  switch (word_.text().front()) {
+    case 's':
+      return kPacketBytesMax;
+    case 'a':
+      return kVoiceBytesMax;
+    case 't':
+      return kCaptionBytesMax;
+    default:
+      return kHelloBytesMax;
+  }
 }
 
 std::optional<ByteFault> ServerPacketDecoder::open(char byte) {
@@ -144,6 +155,10 @@ std::optional<ByteFault> ServerPacketDecoder::close_word() {
       return deliver_parsed(parse_hello_granted(word_.text()));
     case 'e':
       return deliver_parsed(parse_error_reply(word_.text()));
+    case 'a':
+      return deliver_parsed(parse_voice_data(word_.text()));
+    case 't':
+      return deliver_parsed(parse_caption(word_.text()));
     default:
       return deliver_parsed(parse_stream_list(word_.text()));
   }

@@ -15,6 +15,12 @@ inline constexpr std::uint16_t kDefaultPort = 4650;
 inline constexpr std::size_t kPacketBytesMax = 4096;
 /// A hello of either side, a client's {streams} or an error, braces included.
 inline constexpr std::size_t kHelloBytesMax = 512;
+/// A voice packet or a caption, braces included.
+inline constexpr std::size_t kVoiceBytesMax = 2048;
+inline constexpr std::size_t kCaptionBytesMax = 1024;
+inline constexpr std::size_t kTitleBytesMax = 120;  ///< of a stream's title, as UTF-8
+/// How far the voice of a recorded stream runs ahead of the last answered keyframe's end.
+inline constexpr std::chrono::milliseconds kVoiceAheadMax{2000};
 inline constexpr std::size_t kBlankBytesMax = 1024;    ///< in a row, between packets and codes
 inline constexpr std::size_t kEarlyAnswersMax = 4096;  ///< answers sent before their keyframes were
 /// Credits for spare codes (-1, -3 and, with window 0, 1), of which each costs one: what a

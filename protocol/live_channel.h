@@ -7,6 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "common/time.h"
+#include "protocol/packet.h"
+#include "protocol/recent.h"
+#include "protocol/voice_track.h"
+
 namespace aucast::protocol {
 
 /// A keyframe that is being sent to everybody, in every form. `number` counts from 0 and goes on
@@ -16,12 +21,15 @@ struct LiveMoment {
   std::string classic;
   std::string full;     ///< level 2
   std::string changes;  ///< level 2, for who got the moment before
+  /// On the channel's clock, which is the sum of the times of all its moments.
+  Milliseconds begin{0};
+  Milliseconds time{0};
 };
 
-/// A live stream: the newest moment, and nothing of the past. What a session may ask is public; a
-/// derived class writes it, from a recording (LiveReplay) or a running source (LiveFeed). Shared:
-/// it lives as long as its writer or any session holds it, whoever goes first.
-/// Thread: none of its own; sessions and writer are on the same one.
+/// A live stream: the newest moment, and of the past nothing but a little of its voice. What a
+/// session may ask is public; a derived class writes it, from a recording (LiveReplay) or a running
+/// source (LiveFeed). Shared: it lives as long as its writer or any session holds it, whoever goes
+/// first. Thread: none of its own; sessions and writer are on the same one.
 class LiveChannel {
  public:
   LiveChannel(const LiveChannel&) = delete;
@@ -40,16 +48,33 @@ class LiveChannel {
   [[nodiscard]] bool has_changes() const { return has_changes_; }
   /// Of the whole stream, if it is known and has an end.
   [[nodiscard]] std::optional<std::uint64_t> duration_ms() const { return duration_ms_; }
+  /// Whether voice and captions will come, if any do.
+  [[nodiscard]] bool has_voice() const { return sound_.voice; }
+  [[nodiscard]] bool has_captions() const { return sound_.captions; }
+  /// What sounds now, and what was to be heard up to kLiveWindowTime before. Places are on the
+  /// channel's clock and never fall.
+  [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
+  /// Of the past one: the caption that stands.
+  [[nodiscard]] const Recent<Caption>& captions() const { return captions_; }
   /// The largest window to grant: what begins within kLiveWindowTime, but at least two moments.
   [[nodiscard]] std::size_t window_max() const { return window_max_; }
 
  protected:
-  LiveChannel(bool has_changes, std::optional<std::uint64_t> duration_ms)
-      : has_changes_(has_changes), duration_ms_(duration_ms) {}
+  struct Sound {
+    bool voice = false;
+    bool captions = false;
+  };
+
+  LiveChannel(bool has_changes, std::optional<std::uint64_t> duration_ms, Sound sound)
+      : has_changes_(has_changes), duration_ms_(duration_ms), sound_(sound) {}
   ~LiveChannel() = default;
 
   /// `mean_ms` between two moments.
   void limit_window(double mean_ms);
+  /// Adds to the voice and drops what is past. One that begins before the end of what is there is
+  /// left out.
+  void keep(EncodedVoice voice);
+  void keep(Caption caption);
 
   std::vector<LiveMoment> moments_;
   bool ended_ = false;
@@ -58,6 +83,9 @@ class LiveChannel {
   bool has_changes_;
   std::optional<std::uint64_t> duration_ms_;
   std::size_t window_max_ = 2;
+  Sound sound_;
+  Recent<EncodedVoice> voice_;
+  Recent<Caption> captions_;
 };
 
 }  // namespace aucast::protocol

@@ -4,8 +4,8 @@
 
 namespace aucast::protocol {
 
-LiveFeed::LiveFeed(std::uint32_t keyframe_ms, int classic_min)
-    : LiveChannel(true, std::nullopt),
+LiveFeed::LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice, bool captions)
+    : LiveChannel(true, std::nullopt, {voice, captions}),
       keyframe_ms_(keyframe_ms),
       encoder_(keyframe_ms, classic_min) {
   limit_window(usual_ms_);
@@ -14,16 +14,26 @@ LiveFeed::LiveFeed(std::uint32_t keyframe_ms, int classic_min)
 void LiveFeed::add(const Keyframe& keyframe) {
   EncodedKeyframe encoded = encoder_.next(keyframe);
   const std::uint64_t number = newest() == nullptr ? 0 : newest()->number + 1;
+  const Milliseconds time(keyframe.duration_ms.value_or(keyframe_ms_));
   moments_.resize(1);
-  moments_.front() = {number, std::move(encoded.classic), std::move(encoded.full),
-                      std::move(encoded.changes)};
+  moments_.front() = {
+      number, std::move(encoded.classic), std::move(encoded.full), std::move(encoded.changes), end_,
+      time};
+  end_ += time;
   ended_ = false;
   // The average of about the last ten.
-  const double ms = keyframe.duration_ms.value_or(keyframe_ms_);
-  usual_ms_ += (ms - usual_ms_) * 0.1;
+  usual_ms_ += (static_cast<double>(time.count()) - usual_ms_) * 0.1;
   // It comes near its value and never quite there.
   constexpr double kSlackMs = 0.001;
   limit_window(usual_ms_ - kSlackMs);
+}
+
+void LiveFeed::add_voice(const VoicePacket& packet) {
+  if (has_voice()) keep(EncodedVoice(packet));
+}
+
+void LiveFeed::add_caption(Caption caption) {
+  if (has_captions()) keep(std::move(caption));
 }
 
 }  // namespace aucast::protocol

@@ -13,17 +13,25 @@ namespace aucast::protocol {
 /// Thread: none of its own.
 class LiveFeed final : public LiveChannel {
  public:
-  /// `classic_min` as in encode_classic().
-  LiveFeed(std::uint32_t keyframe_ms, int classic_min);
+  /// `classic_min` as in encode_classic(). `voice`, `captions`: these may come.
+  LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice = false, bool captions = false);
 
   /// The next moment, a full keyframe. A stream that had ended goes on.
   void add(const Keyframe& keyframe);
+  /// Where the newest moment ends on the channel's clock: the place of the instant at which its
+  /// keyframe was made, and so of the sound of that instant.
+  [[nodiscard]] Milliseconds end_of_newest() const { return end_; }
+  /// The next packet of the voice, whose place is not before the end of the one before: else it is
+  /// left out. Without effect when the feed has no voice.
+  void add_voice(const VoicePacket& packet);
+  void add_caption(Caption caption);
   /// Nothing more comes for now: who is there gets {-2}.
   void end() { ended_ = true; }
 
  private:
   std::uint32_t keyframe_ms_;
   KeyframeEncoder encoder_;
+  Milliseconds end_{0};   ///< of the newest moment
   double usual_ms_ = 33;  ///< between two moments, lately
 };
 

@@ -15,9 +15,12 @@ double mean_ms(const EncodedStream& stream) {
 
 }  // namespace
 
-LiveReplay::LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin)
-    : LiveChannel(!stream->changes.empty(), loop ? std::nullopt : stream->duration_ms),
+LiveReplay::LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
+                       std::shared_ptr<const Soundtrack> sound)
+    : LiveChannel(!stream->changes.empty(), loop ? std::nullopt : stream->duration_ms,
+                  {sound && sound->voice, sound && !sound->captions.empty()}),
       stream_(std::move(stream)),
+      sound_(std::move(sound)),
       clock_(stream_->times, loop, begin) {
   limit_window(mean_ms(*stream_));
 }
@@ -36,8 +39,47 @@ bool LiveReplay::advance(Instant now) {
     moment.classic = stream_->classic[keyframe];
     moment.full = stream_->negotiated[keyframe];
     if (has_changes()) moment.changes = stream_->changes[keyframe];
+    go_to(moment.number);
+    moment.begin = next_begin_;
+    moment.time = stream_->times[keyframe];
+  }
+  if (!moments_.empty()) {
+    play_sound(ended_ ? Milliseconds::max() : moments_.back().begin + moments_.back().time);
   }
   return true;
+}
+
+/// Counts the clock on to where the moment of this number begins.
+void LiveReplay::go_to(std::uint64_t number) {
+  const std::size_t size = stream_->times.size();
+  for (; next_number_ < number; ++next_number_) {
+    next_begin_ += stream_->times[static_cast<std::size_t>(next_number_ % size)];
+    if ((next_number_ + 1) % size > 0) continue;
+    play_sound(next_begin_);
+    turn_begin_ = next_begin_;
+    next_voice_ = 0;
+    next_caption_ = 0;
+  }
+}
+
+/// Hands out the sound of this turn that begins before `end`.
+void LiveReplay::play_sound(Milliseconds end) {
+  if (!sound_) return;
+  for (; next_caption_ < sound_->captions.size(); ++next_caption_) {
+    Caption caption = sound_->captions[next_caption_];
+    caption.place_ms += static_cast<std::uint64_t>(turn_begin_.count());
+    if (Milliseconds(caption.place_ms) >= end) break;
+    keep(std::move(caption));
+  }
+  if (!sound_->voice) return;
+  const auto voice = sound_->voice->packets();
+  for (; next_voice_ < voice.size(); ++next_voice_) {
+    EncodedVoice packet = voice[next_voice_];
+    packet.begin += turn_begin_;
+    packet.end += turn_begin_;
+    if (packet.begin >= end) break;
+    keep(std::move(packet));
+  }
 }
 
 }  // namespace aucast::protocol

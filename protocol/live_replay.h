@@ -7,6 +7,7 @@
 #include "protocol/encoded_stream.h"
 #include "protocol/live_channel.h"
 #include "protocol/live_clock.h"
+#include "protocol/voice_track.h"
 
 namespace aucast::protocol {
 
@@ -14,8 +15,10 @@ namespace aucast::protocol {
 /// Thread: none of its own.
 class LiveReplay final : public LiveChannel {
  public:
-  /// `stream` has at least one keyframe, and with `loop` takes some time.
-  LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin);
+  /// `stream` has at least one keyframe, and with `loop` takes some time. The sound that begins
+  /// while a moment lasts goes out when the moment begins; null: there is none.
+  LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
+             std::shared_ptr<const Soundtrack> sound = nullptr);
 
   /// Begins all moments that are due by `now`, or ends; false when there is nothing to do. What is
   /// more than LiveClock::kLiveLagMax late is left out.
@@ -25,9 +28,20 @@ class LiveReplay final : public LiveChannel {
   /// What is sent.
   [[nodiscard]] const std::shared_ptr<const EncodedStream>& stream() const { return stream_; }
 
+  [[nodiscard]] const std::shared_ptr<const Soundtrack>& sound() const { return sound_; }
+
  private:
+  void go_to(std::uint64_t number);
+  void play_sound(Milliseconds end);
+
   std::shared_ptr<const EncodedStream> stream_;
+  std::shared_ptr<const Soundtrack> sound_;
   LiveClock clock_;
+  std::uint64_t next_number_ = 0;  ///< of the moment that begins at `next_begin_`
+  Milliseconds next_begin_{0};
+  Milliseconds turn_begin_{0};  ///< where the sound started again
+  std::size_t next_voice_ = 0;
+  std::size_t next_caption_ = 0;
 };
 
 }  // namespace aucast::protocol

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -27,6 +28,24 @@ struct End {
   friend bool operator==(const End&, const End&) = default;
 };
 
+/// {a DATA}: one Opus packet of the voice, which goes on where the last one ended, or begins at a
+/// place: {a@PLACE DATA}.
+struct VoiceData {
+  std::optional<std::uint64_t> place_ms;
+  std::string opus;
+  friend bool operator==(const VoiceData&, const VoiceData&) = default;
+};
+
+/// {t@PLACE DATA}: what is said from this place until the next caption; empty: nothing.
+struct Caption {
+  std::uint64_t place_ms = 0;
+  std::string text;  ///< UTF-8 without control characters but line feeds
+  friend bool operator==(const Caption&, const Caption&) = default;
+};
+
+/// The one codec that `voice=` can name.
+inline constexpr std::string_view kVoiceCodec = "opus";
+
 /// The client's {hello ...}. Absent keys keep these values; unknown keys were ignored.
 struct HelloAsked {
   int version = 2;
@@ -35,6 +54,8 @@ struct HelloAsked {
   std::string token;
   bool delta = false;         ///< understands the changes-only form
   std::uint64_t from_ms = 0;  ///< recorded: where to begin, as a sum of keyframe times
+  std::string voice{};        ///< the codec it plays: kVoiceCodec; empty: it wants no voice
+  bool text = false;          ///< it wants captions
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };
 
@@ -48,6 +69,9 @@ struct HelloGranted {
   std::optional<std::uint64_t> duration_ms;  ///< of the whole stream, if known
   std::uint32_t keyframe_ms = 250;           ///< time of a packet without one of its own
   std::uint64_t from_ms = 0;                 ///< recorded: where the first keyframe begins
+  std::string voice{};                       ///< kVoiceCodec: there will be voice packets
+  bool text = false;                         ///< there will be captions
+  std::string title{};                       ///< of the stream, for people; UTF-8
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 
@@ -73,7 +97,8 @@ struct StreamsAsked {
 /// The client's control codes; the values are what is written on the wire.
 enum class Code : std::int8_t { Received = 1, Pause = -1, Resume = -3, Stop = -4 };
 
-using ServerPacket = std::variant<Keyframe, End, HelloGranted, ErrorReply, StreamList>;
+using ServerPacket =
+    std::variant<Keyframe, End, HelloGranted, ErrorReply, StreamList, VoiceData, Caption>;
 using ClientPacket = std::variant<Code, HelloAsked, StreamsAsked>;
 
 }  // namespace aucast::protocol

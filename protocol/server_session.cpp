@@ -46,31 +46,15 @@ struct ServerSession::State {
 
   const ServerCatalogue* catalogue = nullptr;
   TokenCount token_count;
-  ServedStream stream;
+  Delivery delivery;
   ClientPacketDecoder decoder;
   Phase phase = Phase::Grace;
-  Level level = Level::Classic;
   std::optional<Instant> deadline;
   Instant now;  ///< of the call that is being worked on
 
-  std::size_t window = 1;
-  std::size_t next_packet = 0;
-  std::size_t in_flight = 0;  ///< sent and not answered
-  std::size_t banked = 0;     ///< answers that came while there was nothing to answer
-  bool paused = false;
   bool peer_ended = false;
   const char* no_room = nullptr;  ///< why there is none for this client
-  bool delta = false;             ///< the changes-only form was granted
   char first_byte = '\0';         ///< that came at all
-  std::uint64_t packets_sent = 0;
-  std::uint64_t payload_bytes = 0;
-
-  // Live only.
-  bool held = false;                         ///< by hold()
-  bool full_next = true;                     ///< the next packet must not be changes only
-  std::optional<std::uint64_t> last_moment;  ///< the number of the last one sent
-  std::uint64_t packets_merged = 0;
-
   /// Codes that answer nothing and may still come at `spare_codes_at`.
   std::size_t spare_codes = kSpareCodesMax;
   Instant spare_codes_at;
@@ -78,6 +62,13 @@ struct ServerSession::State {
   /// Answers that the running call may still bring to packets which it sent itself.
   std::size_t early_left = 0;
   std::size_t due = 0;  ///< packets in flight since before the running call
+
+  State(const ServerCatalogue& from, TokenCount count, Instant at)
+      : catalogue(&from),
+        token_count(count),
+        delivery(from.streams.front(), from.loop),
+        now(at),
+        spare_codes_at(at) {}
 
   CloseConnection farewell;  ///< what the drain ends with
   std::size_t drained_bytes = 0;
@@ -91,7 +82,6 @@ struct ServerSession::State {
   void refuse(int code, const std::string& text);
   void start_streaming();
   void grant(const HelloAsked& asked);
-  [[nodiscard]] std::uint64_t begin_at(std::uint64_t from_ms);
   void list_streams();
   void read(std::string_view bytes);
   void note_first_byte(std::string_view bytes);
@@ -101,23 +91,14 @@ struct ServerSession::State {
   [[nodiscard]] bool spend_spare_code();
   [[nodiscard]] bool permitted(std::string_view token);
   void handle_fault(const DecodeError& fault);
-  [[nodiscard]] const PacketList& packets() const;
-  [[nodiscard]] std::string_view packet_of(const LiveMoment& moment, bool full) const;
-  [[nodiscard]] std::size_t window_for(int asked) const;
-  [[nodiscard]] bool at_end() const;
-  [[nodiscard]] bool may_send() const;
-  void send_keyframe(std::string_view packet);
-  void pump();
-  void send_recorded();
-  void send_latest();
-  void send_moment(const LiveMoment& moment);
+  void send_due(void (Delivery::*pump)(std::string&));
   void settle_peer_end();
 };
 
 void ServerSession::State::begin_call(Instant at) {
   now = at;
-  early_left = kEarlyAnswersMax - banked;
-  due = in_flight;
+  early_left = kEarlyAnswersMax - delivery.banked();
+  due = delivery.in_flight();
 }
 
 void ServerSession::State::send(std::string_view bytes) {
@@ -150,14 +131,14 @@ void ServerSession::State::refuse(int code, const std::string& text) {
 }
 
 void ServerSession::State::start_streaming() {
-  if (level == Level::Classic && !permitted({})) return;
+  if (delivery.level() == Level::Classic && !permitted({})) return;
   if (no_room != nullptr) {
     close(Why::Refused, no_room);
     return;
   }
   phase = Phase::Streaming;
   deadline.reset();
-  pump();
+  send_due(&Delivery::pump);
 }
 
 void ServerSession::State::grant(const HelloAsked& asked) {
@@ -176,47 +157,14 @@ void ServerSession::State::grant(const HelloAsked& asked) {
       refuse(404, "there is no stream '" + asked.stream + "' here");
       return;
     }
-    stream = *found;
+    delivery = Delivery(*found, catalogue->loop);
   }
   if (no_room != nullptr) {
     refuse(503, no_room);
     return;
   }
-  level = Level::Negotiated;
-  window = window_for(asked.window);
-  delta =
-      asked.delta && (stream.live ? stream.live->has_changes() : !stream.recorded->changes.empty());
-  HelloGranted granted;
-  granted.window = static_cast<int>(window);
-  granted.delta = delta;
-  granted.live = stream.live != nullptr;
-  granted.stream = stream.name;
-  // A stream that starts again has no length.
-  if (stream.live) granted.duration_ms = stream.live->duration_ms();
-  if (stream.recorded && !catalogue->loop) granted.duration_ms = stream.recorded->duration_ms;
-  granted.keyframe_ms = catalogue->keyframe_ms;
-  granted.from_ms = begin_at(asked.from_ms);
-  send(encode(granted));
+  send(encode(delivery.grant(asked, catalogue->keyframe_ms)));
   start_streaming();
-}
-
-/// Sets out with the first keyframe that ends after `from_ms`, and returns the place where it
-/// begins. A live stream has no other place than now.
-std::uint64_t ServerSession::State::begin_at(std::uint64_t from_ms) {
-  if (from_ms == 0 || stream.live) return 0;
-  const auto& times = stream.recorded->times;
-  if (catalogue->loop) {
-    std::uint64_t whole = 0;
-    for (const KeyframeTime time : times) whole += time.count();
-    from_ms = whole == 0 ? 0 : from_ms % whole;
-  }
-  std::uint64_t begin = 0;
-  for (next_packet = 0; from_ms > 0 && next_packet < times.size(); ++next_packet) {
-    const std::uint64_t time = times[next_packet].count();
-    if (begin + time > from_ms) break;
-    begin += time;
-  }
-  return begin;
 }
 
 /// Whether the token opens this server; refuses if not, and makes who guesses wait.
@@ -291,24 +239,23 @@ void ServerSession::State::handle_code(Code code) {
       take_answer();
       break;
     case Code::Pause:
-      if (!spend_spare_code() || paused) return;
-      paused = true;
-      if (level == Level::Classic) take_answer();
+      if (!spend_spare_code() || delivery.paused()) return;
+      delivery.pause();
+      if (delivery.level() == Level::Classic) take_answer();
       break;
     case Code::Resume:
       if (!spend_spare_code()) return;
-      full_next = full_next || paused;
-      paused = false;
+      delivery.resume();
       break;
     case Code::Stop:
       say_last(encode(End{}), Why::Stopped, "the client sent -4");
       return;
   }
-  if (phase == Phase::Streaming) pump();
+  if (phase == Phase::Streaming) send_due(&Delivery::pump);
 }
 
 void ServerSession::State::take_answer() {
-  if (window == 0) {  // nothing is to be answered
+  if (!delivery.answers()) {  // nothing is to be answered
     static_cast<void>(spend_spare_code());
     return;
   }
@@ -321,11 +268,7 @@ void ServerSession::State::take_answer() {
   } else {
     --early_left;
   }
-  if (in_flight > 0) {
-    --in_flight;
-  } else {
-    ++banked;
-  }
+  delivery.answer();
 }
 
 /// Closes on who floods us with what answers nothing.
@@ -358,87 +301,15 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
   }
 }
 
-const PacketList& ServerSession::State::packets() const {
-  if (level == Level::Classic) return stream.recorded->classic;
-  return delta ? stream.recorded->changes : stream.recorded->negotiated;
-}
-
-std::string_view ServerSession::State::packet_of(const LiveMoment& moment, bool full) const {
-  if (level == Level::Classic) return moment.classic;
-  return delta && !full ? moment.changes : moment.full;
-}
-
-std::size_t ServerSession::State::window_for(int asked) const {
-  const auto most = static_cast<std::size_t>(std::clamp(asked, 0, kWindowMax));
-  // A recorded stream has no clock of its own: without answers nothing would pace it.
-  if (!stream.live) return std::max<std::size_t>(most, 1);
-  // What is under way grows old: no more of it than a bearable delay.
-  return std::min(most, stream.live->window_max());
-}
-
-bool ServerSession::State::may_send() const {
-  return !paused && !held && (window == 0 || in_flight < window);
-}
-
-/// Everything that this client is to get has been sent.
-bool ServerSession::State::at_end() const {
-  if (!stream.live) {
-    return packets().empty() || (next_packet == packets().size() && !catalogue->loop);
-  }
-  if (!stream.live->ended()) return false;
-  const LiveMoment* const newest = stream.live->newest();
-  return !last_moment || newest == nullptr || *last_moment == newest->number;
-}
-
-void ServerSession::State::send_keyframe(std::string_view packet) {
-  send(packet);
-  ++packets_sent;
-  payload_bytes += packet.size();
-  spare_codes = std::min(spare_codes + kSpareCodesPerPacket, kSpareCodesMax);
-  if (window == 0) return;
-  if (banked > 0) {
-    --banked;
-  } else {
-    ++in_flight;
-  }
-}
-
 /// Sends what may be sent now, and the end when everything has been answered.
-void ServerSession::State::pump() {
-  if (!stream.live) {
-    send_recorded();
-  } else if (const LiveMoment* const newest = stream.live->newest()) {
-    send_moment(*newest);
-  }
-  if (!paused && !held && in_flight == 0 && at_end()) {
-    say_last(encode(End{}), Why::Finished, "the stream was sent whole");
-  }
-}
-
-void ServerSession::State::send_recorded() {
-  while (may_send() && !at_end()) {
-    if (next_packet == packets().size()) next_packet = 0;
-    // The first one names the whole face, wherever the stream begins.
-    const bool full = delta && packets_sent == 0;
-    const PacketList& encoded = full ? stream.recorded->negotiated : packets();
-    send_keyframe(encoded[next_packet++]);
-  }
-}
-
-/// Who keeps up gets each of several moments that began at once.
-void ServerSession::State::send_latest() {
-  for (const LiveMoment& moment : stream.live->latest()) {
-    if (last_moment && moment.number > *last_moment) send_moment(moment);
-  }
-}
-
-void ServerSession::State::send_moment(const LiveMoment& moment) {
-  if (at_end() || !may_send() || last_moment == moment.number) return;
-  const std::uint64_t merged = last_moment ? moment.number - *last_moment - 1 : 0;
-  const bool full = std::exchange(full_next, false) || merged > 0;
-  packets_merged += merged;
-  last_moment = moment.number;
-  send_keyframe(packet_of(moment, full));
+void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
+  std::string bytes;
+  const std::uint64_t before = delivery.packets_sent();
+  (delivery.*pump)(bytes);
+  spare_codes = std::min<std::uint64_t>(
+      spare_codes + (delivery.packets_sent() - before) * kSpareCodesPerPacket, kSpareCodesMax);
+  if (!bytes.empty()) send(bytes);
+  if (delivery.complete()) say_last(encode(End{}), Why::Finished, "the stream was sent whole");
 }
 
 /// A peer that has shut its side can neither answer nor resume any more.
@@ -459,18 +330,15 @@ void ServerSession::State::settle_peer_end() {
   }
   if (phase != Phase::Streaming) return;
   // Live, the next moment is still to come; whether it can be answered shows then.
-  if (stream.live && !paused && in_flight == 0) return;
-  close(Why::PeerGone, paused ? "the client ended while it was paused"
-                              : "the client ended before it had answered everything");
+  if (delivery.stream().live && !delivery.paused() && delivery.in_flight() == 0) return;
+  close(Why::PeerGone, delivery.paused() ? "the client ended while it was paused"
+                                         : "the client ended before it had answered everything");
 }
 
 ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
                              Admission admission, TokenCount token_count)
-    : state_(std::make_unique<State>()) {
-  AUCAST_CHECK(!catalogue.streams.empty());
-  state_->catalogue = &catalogue;
-  state_->token_count = token_count;
-  state_->stream = catalogue.streams.front();
+    : state_((AUCAST_CHECK(!catalogue.streams.empty()),
+              std::make_unique<State>(catalogue, token_count, now))) {
   if (admission == Admission::Full) state_->no_room = "the server is full";
   if (admission == Admission::FullAddress) state_->no_room = "too many clients from this address";
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
@@ -478,7 +346,6 @@ ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_tr
   state_->deadline =
       now + (catalogue.token.empty() ? std::clamp<Duration>(patience, kGraceMin, kGraceMax)
                                      : Duration(kHelloTimeMax));
-  state_->spare_codes_at = now;
 }
 
 ServerSession::~ServerSession() = default;
@@ -533,18 +400,24 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
 std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   if (!live()) return {};
   state_->begin_call(now);
-  state_->send_latest();
-  state_->pump();
+  state_->send_due(&Delivery::pump_latest);
   state_->settle_peer_end();
   return state_->take_events();
 }
 
+std::vector<ServerEvent> ServerSession::on_voice(Instant now) {
+  if (state_->phase != State::Phase::Streaming) return {};
+  state_->begin_call(now);
+  state_->send_due(&Delivery::pump);
+  return state_->take_events();
+}
+
 std::vector<ServerEvent> ServerSession::hold(bool held, Instant now) {
-  if (!live() || held == state_->held) return {};
-  state_->held = held;
+  if (!live() || held == state_->delivery.held()) return {};
+  state_->delivery.hold(held);
   if (held) return {};
   state_->begin_call(now);
-  state_->pump();
+  state_->send_due(&Delivery::pump);
   state_->settle_peer_end();
   return state_->take_events();
 }
@@ -562,39 +435,47 @@ std::optional<Instant> ServerSession::deadline() const {
 }
 
 Level ServerSession::level() const {
-  return state_->level;
+  return state_->delivery.level();
 }
 
 bool ServerSession::paused() const {
-  return state_->paused;
+  return state_->delivery.paused();
 }
 
 bool ServerSession::awaiting_answer() const {
-  return state_->phase == State::Phase::Streaming && state_->in_flight > 0 && !state_->paused;
+  return state_->phase == State::Phase::Streaming && state_->delivery.in_flight() > 0 && !paused();
 }
 
 bool ServerSession::live() const {
-  return state_->phase == State::Phase::Streaming && state_->stream.live != nullptr;
+  return state_->phase == State::Phase::Streaming && state_->delivery.stream().live != nullptr;
 }
 
 std::string_view ServerSession::stream_name() const {
-  return state_->stream.name;
+  return state_->delivery.stream().name;
 }
 
 const EncodedStream* ServerSession::recorded() const {
-  return state_->stream.recorded.get();
+  return state_->delivery.stream().recorded.get();
 }
 
 std::uint64_t ServerSession::packets_sent() const {
-  return state_->packets_sent;
+  return state_->delivery.packets_sent();
 }
 
 std::uint64_t ServerSession::payload_bytes() const {
-  return state_->payload_bytes;
+  return state_->delivery.payload_bytes();
+}
+
+std::uint64_t ServerSession::voice_packets() const {
+  return state_->delivery.voice_packets();
+}
+
+std::uint64_t ServerSession::sound_bytes() const {
+  return state_->delivery.sound_bytes();
 }
 
 std::uint64_t ServerSession::packets_merged() const {
-  return state_->packets_merged;
+  return state_->delivery.packets_merged();
 }
 
 }  // namespace aucast::protocol

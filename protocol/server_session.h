@@ -10,21 +10,11 @@
 #include <vector>
 
 #include "common/time.h"
-#include "protocol/encoded_stream.h"
-#include "protocol/live_channel.h"
+#include "protocol/delivery.h"
 #include "protocol/packet.h"
 #include "protocol/wrong_tokens.h"
 
 namespace aucast::protocol {
-
-/// A stream by the name that a hello asks for: recorded, which each client gets from its beginning
-/// or from the place that its hello names, or live, of which each client gets what is sent now.
-/// Exactly one of the two is set.
-struct ServedStream {
-  std::string name;
-  std::shared_ptr<const EncodedStream> recorded;
-  std::shared_ptr<const LiveChannel> live{};
-};
 
 /// What the sessions of one server have in common. Must outlive them. Streams may be added and the
 /// token may change at any time: a session holds the stream that it sends, and a client that was
@@ -96,6 +86,8 @@ class ServerSession {
   /// This session's live channel has moved on, by one moment or several. Without effect unless
   /// live().
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
+  /// The voice of this session's stream has grown. Without effect where it has none.
+  [[nodiscard]] std::vector<ServerEvent> on_voice(Instant now);
   /// While `held` is true, because the socket takes no more, no keyframe of a live stream is handed
   /// out; `false` hands out the newest. Without effect unless live().
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
@@ -116,6 +108,8 @@ class ServerSession {
   [[nodiscard]] const EncodedStream* recorded() const;
   [[nodiscard]] std::uint64_t packets_sent() const;   ///< keyframes handed out
   [[nodiscard]] std::uint64_t payload_bytes() const;  ///< their bytes, without hello and {-2}
+  [[nodiscard]] std::uint64_t voice_packets() const;  ///< handed out
+  [[nodiscard]] std::uint64_t sound_bytes() const;    ///< of voice packets and captions
   /// Live keyframes that were left out because the client could not take them in time.
   [[nodiscard]] std::uint64_t packets_merged() const;
 

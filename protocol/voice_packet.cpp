@@ -3,24 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+
+#include "protocol/codec.h"
+#include "protocol/placed_data.h"
 
 namespace aucast::protocol {
 namespace {
-
-constexpr std::string_view kAlphabet =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-constexpr std::uint8_t kNoDigit = 64;
-
-constexpr std::array<std::uint8_t, 256> digit_values() {
-  std::array<std::uint8_t, 256> values{};
-  values.fill(kNoDigit);
-  for (std::size_t at = 0; at < kAlphabet.size(); ++at) {
-    values[static_cast<std::uint8_t>(kAlphabet[at])] = static_cast<std::uint8_t>(at);
-  }
-  return values;
-}
-
-constexpr std::array<std::uint8_t, 256> kDigitValue = digit_values();
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
   return static_cast<std::uint8_t>(bytes[at]);
@@ -63,37 +52,18 @@ std::optional<Milliseconds> opus_duration(std::string_view opus) {
   return Milliseconds(us / 1000);
 }
 
-std::string to_base64(std::string_view bytes) {
-  std::string text;
-  text.reserve((bytes.size() * 4 + 2) / 3);
-  std::uint32_t pending = 0;
-  unsigned bits = 0;
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    pending = pending << 8U | byte_at(bytes, at);
-    for (bits += 8; bits >= 6; bits -= 6) text += kAlphabet[pending >> (bits - 6) & 63U];
+std::variant<VoiceData, FieldFault> parse_voice_data(std::string_view text) {
+  auto fields = parse_placed_data(text);
+  if (auto* fault = std::get_if<FieldFault>(&fields)) return std::move(*fault);
+  auto& [place_ms, bytes, position] = std::get<PlacedData>(fields);
+  if (!opus_duration(bytes)) {
+    return FieldFault{position, "a voice packet is one of Opus, of 10, 20, 40 or 60 ms, in base64"};
   }
-  if (bits > 0) text += kAlphabet[pending << (6 - bits) & 63U];
-  return text;
+  return VoiceData{place_ms, std::move(bytes)};
 }
 
-std::optional<std::string> from_base64(std::string_view text) {
-  std::string bytes;
-  bytes.reserve(text.size() * 3 / 4);
-  std::uint32_t pending = 0;
-  unsigned bits = 0;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const std::uint8_t value = kDigitValue[byte_at(text, at)];
-    if (value == kNoDigit) return std::nullopt;
-    pending = pending << 6U | value;
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(pending >> bits & 0xFFU);
-  }
-  const bool digits_make_bytes = text.size() % 4 != 1;
-  const bool rest_is_zero = (pending & ((1U << bits) - 1U)) == 0;
-  if (!digits_make_bytes || !rest_is_zero) return std::nullopt;
-  return bytes;
+std::string encode(const VoiceData& voice) {
+  return encode_placed_data('a', voice.place_ms, voice.opus);
 }
 
 }  // namespace aucast::protocol

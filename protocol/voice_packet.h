@@ -3,8 +3,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "common/time.h"
+#include "protocol/packet.h"
+#include "protocol/word_packet.h"
 
 namespace aucast::protocol {
 
@@ -21,11 +24,7 @@ struct VoicePacket {
 /// protocol carries 10, 20, 40 and 60 ms.
 [[nodiscard]] std::optional<Milliseconds> opus_duration(std::string_view opus);
 
-/// Base64 (RFC 4648 section 4) without padding.
-[[nodiscard]] std::string to_base64(std::string_view bytes);
-
-/// The bytes of base64 without padding. Nothing for a character outside the alphabet, a length that
-/// no bytes have, and bits left over that are not 0: each byte string has one spelling only.
-[[nodiscard]] std::optional<std::string> from_base64(std::string_view text);
+/// Reads the text() of a finished WordPacket of the word `a`.
+[[nodiscard]] std::variant<VoiceData, FieldFault> parse_voice_data(std::string_view text);
 
 }  // namespace aucast::protocol

@@ -7,6 +7,8 @@
 
 #include "common/number_of.h"
 #include "common/text.h"
+#include "protocol/base64.h"
+#include "protocol/caption.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
 
@@ -39,7 +41,7 @@ std::vector<Piece> pieces_after_word(std::string_view text) {
   return pieces;
 }
 
-enum class Kind : std::uint8_t { Number, Name, Token };
+enum class Kind : std::uint8_t { Number, Name, Token, Text };
 
 /// A key of a hello: where its value goes and what it may be. The default is what the member is
 /// initialized with; a flag is a number of 0-1.
@@ -69,6 +71,8 @@ constexpr Key<Asked> kAskedKeys[] = {
     {.key = "token", .member = &Asked::token, .kind = Kind::Token},
     {.key = "delta", .member = &Asked::delta},
     {.key = "from", .member = &Asked::from_ms, .max = kPlaceMsMax},
+    {.key = "voice", .member = &Asked::voice, .kind = Kind::Name},
+    {.key = "text", .member = &Asked::text},
 };
 
 using Granted = HelloGranted;
@@ -85,15 +89,24 @@ constexpr Key<Granted> kGrantedKeys[] = {
      .max = kDurationMsMax,
      .always = true},
     {.key = "from", .member = &Granted::from_ms, .max = kPlaceMsMax},
+    {.key = "voice", .member = &Granted::voice, .kind = Kind::Name},
+    {.key = "text", .member = &Granted::text},
+    {.key = "title", .member = &Granted::title, .kind = Kind::Text},
 };
 
 constexpr Key<StreamsAsked> kListKeys[] = {
     {.key = "token", .member = &StreamsAsked::token, .kind = Kind::Token},
 };
 
-bool fits(Kind kind, std::string_view text) {
-  return kind == Kind::Name ? is_stream_name(text)
-                            : is_field_value(text) && text.size() <= kTokenBytesMax;
+/// The string that a value stands for; nothing when it is none of this kind.
+std::optional<std::string> string_of(Kind kind, std::string_view value) {
+  if (kind == Kind::Text) {
+    auto text = from_base64(value);
+    return text && is_title(*text) ? text : std::nullopt;
+  }
+  const bool fits = kind == Kind::Name ? is_stream_name(value)
+                                       : is_field_value(value) && value.size() <= kTokenBytesMax;
+  return fits ? std::optional<std::string>(value) : std::nullopt;
 }
 
 /// Takes the value into the hello; false when it is none of this key.
@@ -104,8 +117,9 @@ bool read_value(const Key<Hello>& key, std::string_view text, Hello& hello) {
         auto& value = hello.*member;
         using Value = std::remove_reference_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, std::string>) {
-          if (!fits(key.kind, text)) return false;
-          value = text;
+          auto string = string_of(key.kind, text);
+          if (!string) return false;
+          value = *std::move(string);
         } else {
           constexpr std::size_t kDigitsMax = 13;  // as the largest number of the protocol has
           const auto number =
@@ -124,6 +138,9 @@ std::string rule_of(const Key<Hello>& key, std::string_view found) {
   const std::string name(key.key);
   if (key.kind == Kind::Token) {
     return name + " is longer than " + std::to_string(kTokenBytesMax) + " bytes";
+  }
+  if (key.kind == Kind::Text) {
+    return name + " is base64 of at most " + std::to_string(kTitleBytesMax) + " bytes of text";
   }
   return name +
          (key.kind == Kind::Name
@@ -168,7 +185,8 @@ std::optional<std::string> value_text(const Key<Hello>& key, const Hello& hello)
         if (!key.always && value == Hello{}.*member) return std::nullopt;
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, std::string>) {
-          return fits(key.kind, value) ? std::optional(value) : std::nullopt;
+          std::string text = key.kind == Kind::Text ? to_base64(value) : value;
+          return string_of(key.kind, text) ? std::optional(std::move(text)) : std::nullopt;
         } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
           return std::to_string(*value);
         } else {
@@ -204,7 +222,8 @@ std::optional<ByteFault> WordPacket::accept(char byte) {
   if (word_bytes_ == 0) {
     const bool complete =
         std::find(words_.begin(), words_.end(), std::string_view(text_)) != words_.end();
-    if (complete && byte == ' ') {
+    const bool ends_word = byte == ' ' || (byte == '@' && text_.size() == 1);
+    if (complete && ends_word) {
       word_bytes_ = text_.size();
     } else {
       const std::string longer = text_ + byte;

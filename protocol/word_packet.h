@@ -20,7 +20,8 @@ struct FieldFault {
 };
 
 /// Collects the inside of a packet that begins with a word, byte by byte: the word is checked as it
-/// comes, what follows must be printable ASCII without braces. The length is the owner's business.
+/// comes, what follows it, after a space or (words of one letter) an '@', must be printable ASCII
+/// without braces. The length is the owner's business.
 class WordPacket {
  public:
   /// `words`: those that this side may send. They must outlive the object.

@@ -103,6 +103,8 @@ class AuReader {
   void react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction, Instant now);
   void handle(const protocol::SendBytes& event, Reaction& reaction);
   void handle(const protocol::DeliverKeyframe& event, Reaction& reaction);
+  void handle(const protocol::DeliverVoice&, Reaction&) {}
+  void handle(const protocol::DeliverCaption&, Reaction&) {}
   void handle(const protocol::Granted& event, Reaction& reaction);
   void handle(const protocol::StreamEnded& event, Reaction& reaction);
   void handle(const protocol::ReconnectClassic& event, Reaction& reaction);

@@ -65,12 +65,14 @@ HelloAsked random_hello(Seeded& seeded) {
   if (seeded.chance(0.5)) hello.stream = random_stream_name(seeded);
   if (seeded.chance(0.5)) hello.token = random_text(seeded, "ab1=!~\"'/\\", 100);
   hello.delta = seeded.chance(0.5);
+  if (seeded.chance(0.5)) hello.voice = kVoiceCodec;
+  hello.text = seeded.chance(0.5);
   hello.from_ms = seeded.chance(0.5) ? static_cast<std::uint64_t>(seeded.integer(0, 1 << 30)) : 0;
   return hello;
 }
 
 ServerPacket random_server_packet(Seeded& seeded) {
-  switch (seeded.integer(0, 9)) {
+  switch (seeded.integer(0, 11)) {
     case 0:
       return End{};
     case 1: {
@@ -82,6 +84,9 @@ ServerPacket random_server_packet(Seeded& seeded) {
       if (seeded.chance(0.5))
         hello.duration_ms = static_cast<std::uint64_t>(seeded.integer(0, 1 << 30));
       hello.keyframe_ms = static_cast<std::uint32_t>(seeded.integer(1, kDurationMsMax));
+      if (seeded.chance(0.5)) hello.voice = kVoiceCodec;
+      hello.text = seeded.chance(0.5);
+      if (seeded.chance(0.5)) hello.title = random_text(seeded, "aB {}=", 20);
       return hello;
     }
     case 2:
@@ -92,6 +97,15 @@ ServerPacket random_server_packet(Seeded& seeded) {
         list.names.push_back(random_stream_name(seeded));
       return list;
     }
+    case 4: {
+      VoiceData voice{std::nullopt, "\x58" + random_text(seeded, {"\0\xff\x80{}az", 8}, 100)};
+      if (seeded.chance(0.3))
+        voice.place_ms = static_cast<std::uint64_t>(seeded.integer(0, 1 << 30));
+      return voice;
+    }
+    case 5:
+      return Caption{static_cast<std::uint64_t>(seeded.integer(0, 1 << 30)),
+                     random_text(seeded, "ab {}\n", 80)};
     default:
       return random_keyframe(seeded);
   }

@@ -25,6 +25,12 @@ std::string text_of_event(const DeliverKeyframe& keyframe) {
   if (keyframe.place_ms) text += "@" + std::to_string(*keyframe.place_ms);
   return text + "}";
 }
+std::string text_of_event(const DeliverVoice& voice) {
+  return "voice " + std::to_string(voice.packet.place.count());
+}
+std::string text_of_event(const DeliverCaption& caption) {
+  return "caption " + std::to_string(caption.caption.place_ms) + " '" + caption.caption.text + "'";
+}
 std::string text_of_event(const Granted& granted) {
   return "granted window=" + std::to_string(granted.hello.window);
 }

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "common/text.h"
+#include "protocol/base64.h"
 #include "protocol/client_session.h"
 #include "protocol/codec.h"
 #include "protocol/live_replay.h"
@@ -76,12 +77,38 @@ class Said {
   std::string bytes_;
 };
 
+/// `voice PLACE DATA...`, `caption PLACE TEXT`: to be heard and read with the stream before.
+void add_sound(ServedStream& stream, const Line& line, const std::vector<std::string>& words) {
+  Soundtrack sound = stream.sound ? *stream.sound : Soundtrack{};
+  const int place = number_of(words.front());
+  if (line.verb == "caption") {
+    sound.captions.push_back(
+        {static_cast<std::uint64_t>(place),
+         line.rest.substr(std::min(words.front().size() + 1, line.rest.size()))});
+  } else {
+    VoiceTrack track = sound.voice ? *sound.voice : VoiceTrack{};
+    Milliseconds at(place);
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::string opus = from_base64(words[i]).value_or("");
+      track.add({at, opus});
+      at += opus_duration(opus).value_or(Milliseconds{0});
+    }
+    track.finish();
+    sound.voice = std::make_shared<const VoiceTrack>(std::move(track));
+  }
+  stream.sound = std::make_shared<const Soundtrack>(std::move(sound));
+}
+
 /// The names of the transcript's set-up: what is served.
 ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
   ServerCatalogue catalogue;
   for (const Line& line : lines) {
     if (line.verb == "loop") catalogue.loop = true;
     if (line.verb == "token") catalogue.token = line.rest;
+    if (line.verb == "title") catalogue.streams.back().title = line.rest;
+    if (line.verb == "voice" || line.verb == "caption") {
+      add_sound(catalogue.streams.back(), line, words_of(line.rest));
+    }
     if (line.verb != "stream") continue;
     const std::vector<std::string> words = words_of(line.rest);
     std::vector<Keyframe> keyframes;
@@ -151,7 +178,8 @@ class ServerReplay {
                                   [](const Line& line) { return line.verb == "live"; });
     if (!live) return nullptr;
     ServedStream& first = catalogue.streams.front();
-    auto replay = std::make_shared<LiveReplay>(first.recorded, catalogue.loop, Instant{});
+    auto replay =
+        std::make_shared<LiveReplay>(first.recorded, catalogue.loop, Instant{}, first.sound);
     replay->advance(Instant{});
     first = {first.name, nullptr, replay};
     return replay;
@@ -214,6 +242,8 @@ ClientSessionOptions options_of(const std::vector<Line>& lines) {
     for (const std::string& word : words_of(line.rest)) {
       if (word == "classic") options.negotiate = false;
       if (word == "delta") options.hello.delta = true;
+      if (word == "voice") options.hello.voice = kVoiceCodec;
+      if (word == "text") options.hello.text = true;
       if (word.starts_with("window=")) {
         options.hello.window = number_of(std::string_view(word).substr(7));
       }
@@ -241,6 +271,7 @@ class ClientReplay {
     }
     if (!said_.empty()) return "at the end: the client also said '" + said_.text() + "'";
     if (stores_named_ && !stored_.empty()) return "at the end: also stored " + stored_.front();
+    if (!heard_.empty()) return "at the end: also heard " + heard_.front();
     return over_.empty() ? "" : "at the end: the client also ended: " + over_;
   }
 
@@ -256,6 +287,11 @@ class ClientReplay {
     if (line.verb == "C resumes") said_.add(session_.resume());
     if (line.verb == "C>") return say(unescaped(line.rest));
     if (line.verb == "C stores") return expect_stored(line.rest);
+    if (line.verb == "C hears" || line.verb == "C reads") {
+      const std::string sound = heard_.empty() ? "nothing" : heard_.front();
+      if (!heard_.empty()) heard_.pop_front();
+      return sound == line.rest ? std::string() : "the client has " + sound;
+    }
     if (line.verb == "C ends") {
       const std::string over = std::exchange(over_, {});
       return over == line.rest ? std::string() : "the client ended '" + over + "'";
@@ -304,6 +340,11 @@ class ClientReplay {
         said_.add(send->bytes);
       } else if (const auto* keyframe = std::get_if<DeliverKeyframe>(&event)) {
         stored_.push_back(format_au_set(keyframe->aus));
+      } else if (const auto* voice = std::get_if<DeliverVoice>(&event)) {
+        heard_.push_back("voice at " + std::to_string(voice->packet.place.count()));
+      } else if (const auto* caption = std::get_if<DeliverCaption>(&event)) {
+        heard_.push_back("'" + caption->caption.text + "' at " +
+                         std::to_string(caption->caption.place_ms));
       } else if (const auto* failed = std::get_if<SessionFailed>(&event)) {
         over_ = name(failed->why);
       } else if (!std::holds_alternative<Granted>(event)) {
@@ -317,6 +358,7 @@ class ClientReplay {
   ClientSession session_;
   Said said_;
   std::deque<std::string> stored_;
+  std::deque<std::string> heard_;  ///< and read
   bool stores_named_ = false;
   std::string over_;
 };
@@ -324,9 +366,10 @@ class ClientReplay {
 /// Every verb that a transcript may use; a mistyped one must not pass for a comment.
 std::string unknown_verb(const std::vector<Line>& lines) {
   static const std::vector<std::string> kKnown = {
-      "stream", "loop",  "live",     "client",   "for",      "C>",        "S>",
-      "t",      "C end", "C breaks", "C stores", "C pauses", "C resumes", "C ends",
-      "C is",   "S end", "S stops",  "S closes", "S is",     "token"};
+      "stream", "loop",    "live",     "client",   "for",      "C>",        "S>",
+      "t",      "C end",   "C breaks", "C stores", "C pauses", "C resumes", "C ends",
+      "C is",   "S end",   "S stops",  "S closes", "S is",     "token",     "voice",
+      "title",  "caption", "C hears",  "C reads"};
   for (const Line& line : lines) {
     if (std::find(kKnown.begin(), kKnown.end(), line.verb) == kKnown.end()) {
       return at(line, "'" + line.verb + "' is none of the words of a transcript");

@@ -1,4 +1,5 @@
 #include "protocol/voice_packet.h"
+#include "protocol/base64.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "protocol/packet.h"
+#include "protocol/word_packet.h"
+
+namespace aucast::protocol {
+
+/// Whether the text can be a caption: UTF-8 without control characters but line feeds, which fits
+/// into one packet.
+[[nodiscard]] bool is_caption(std::string_view text);
+
+/// Whether the text can be a stream's title: the same in one line, of at most kTitleBytesMax bytes.
+[[nodiscard]] bool is_title(std::string_view text);
+
+/// Reads the text() of a finished WordPacket of the word `t`.
+[[nodiscard]] std::variant<Caption, FieldFault> parse_caption(std::string_view text);
+
+}  // namespace aucast::protocol

@@ -1,0 +1,265 @@
+#include "protocol/delivery.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+
+namespace aucast::protocol {
+
+HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms) {
+  const bool live = stream_.live != nullptr;
+  level_ = Level::Negotiated;
+  window_ = window_for(asked.window);
+  delta_ = asked.delta && (live ? stream_.live->has_changes() : !stream_.recorded->changes.empty());
+  voice_ = asked.voice == kVoiceCodec &&
+           (live ? stream_.live->has_voice() : stream_.sound && stream_.sound->voice);
+  text_ = asked.text &&
+          (live ? stream_.live->has_captions() : stream_.sound && !stream_.sound->captions.empty());
+  HelloGranted granted;
+  granted.window = static_cast<int>(window_);
+  granted.delta = delta_;
+  granted.live = live;
+  granted.stream = stream_.name;
+  // A stream that starts again has no length.
+  if (live) granted.duration_ms = stream_.live->duration_ms();
+  if (!live && !loop_) granted.duration_ms = recorded().duration_ms;
+  granted.keyframe_ms = keyframe_ms;
+  granted.from_ms = begin_at(asked.from_ms);
+  if (voice_) granted.voice = kVoiceCodec;
+  granted.text = text_;
+  granted.title = stream_.title;
+  return granted;
+}
+
+/// Sets out with the first keyframe that ends after `from_ms`, and returns the place where it
+/// begins. A live stream has no other place than now.
+std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
+  if (from_ms == 0 || stream_.live) return 0;
+  const auto& times = recorded().times;
+  if (loop_) {
+    std::uint64_t whole = 0;
+    for (const KeyframeTime time : times) whole += time.count();
+    from_ms = whole == 0 ? 0 : from_ms % whole;
+  }
+  std::uint64_t begin = 0;
+  for (next_packet_ = 0; from_ms > 0 && next_packet_ < times.size(); ++next_packet_) {
+    const std::uint64_t time = times[next_packet_].count();
+    if (begin + time > from_ms) break;
+    begin += time;
+  }
+  next_answered_ = next_packet_;
+  sent_to_ = answered_to_ = Milliseconds(begin);
+  if (!stream_.sound) return begin;
+  // The packet that is sounding at the beginning, and the caption that stands there, belong to it.
+  if (stream_.sound->voice) {
+    const auto voice = stream_.sound->voice->packets();
+    while (next_voice_ < voice.size() && voice[next_voice_].end <= sent_to_) ++next_voice_;
+  }
+  const auto& captions = stream_.sound->captions;
+  while (next_caption_ + 1 < captions.size() && captions[next_caption_ + 1].place_ms <= begin) {
+    ++next_caption_;
+  }
+  return begin;
+}
+
+void Delivery::answer() {
+  if (in_flight_ == 0) {
+    ++banked_;
+    return;
+  }
+  --in_flight_;
+  if (stream_.live || !sounds()) return;
+  const auto& times = recorded().times;
+  answered_to_ += times[next_answered_ % times.size()];
+  ++next_answered_;
+}
+
+void Delivery::resume() {
+  full_next_ = full_next_ || paused_;
+  paused_ = false;
+}
+
+const EncodedStream& Delivery::recorded() const {
+  return sounds() && stream_.spoken ? *stream_.spoken : *stream_.recorded;
+}
+
+const PacketList& Delivery::packets() const {
+  if (level_ == Level::Classic) return stream_.recorded->classic;
+  return delta_ ? recorded().changes : recorded().negotiated;
+}
+
+std::string_view Delivery::packet_of(const LiveMoment& moment, bool full) const {
+  if (level_ == Level::Classic) return moment.classic;
+  return delta_ && !full ? moment.changes : moment.full;
+}
+
+std::size_t Delivery::window_for(int asked) const {
+  const auto most = static_cast<std::size_t>(std::clamp(asked, 0, kWindowMax));
+  // A recorded stream has no clock of its own: without answers nothing would pace it.
+  if (!stream_.live) return std::max<std::size_t>(most, 1);
+  // What is under way grows old: no more of it than a bearable delay.
+  return std::min(most, stream_.live->window_max());
+}
+
+bool Delivery::may_send() const {
+  return !paused_ && !held_ && (window_ == 0 || in_flight_ < window_);
+}
+
+/// Every keyframe that this client is to get has been sent.
+bool Delivery::at_end() const {
+  if (!stream_.live) {
+    return packets().empty() || (next_packet_ == packets().size() && !loop_);
+  }
+  if (!stream_.live->ended()) return false;
+  const LiveMoment* const newest = stream_.live->newest();
+  return !last_moment_ || newest == nullptr || *last_moment_ == newest->number;
+}
+
+bool Delivery::complete() const {
+  const bool all_there = stream_.live || !voice_ || stream_.sound->voice->complete();
+  return !paused_ && !held_ && in_flight_ == 0 && at_end() && all_there;
+}
+
+void Delivery::send_keyframe(std::string_view packet, std::string& out) {
+  out += packet;
+  ++packets_sent_;
+  payload_bytes_ += packet.size();
+  if (window_ == 0) return;
+  ++in_flight_;
+  if (banked_ > 0) {
+    --banked_;
+    answer();
+  }
+}
+
+void Delivery::pump(std::string& out) {
+  if (!stream_.live) {
+    send_recorded(out);
+  } else if (const LiveMoment* const newest = stream_.live->newest()) {
+    send_moment(*newest, out);
+    send_live_sound(out);
+  }
+}
+
+void Delivery::pump_latest(std::string& out) {
+  for (const LiveMoment& moment : stream_.live->latest()) {
+    if (last_moment_ && moment.number > *last_moment_) send_moment(moment, out);
+  }
+  pump(out);
+}
+
+// === Recorded
+
+void Delivery::send_recorded(std::string& out) {
+  while (may_send() && !at_end()) {
+    if (next_packet_ == packets().size()) begin_turn();
+    if (sounds()) {
+      const Milliseconds end = sent_to_ + recorded().times[next_packet_];
+      if (!sound_may_reach(end)) return;
+      send_sound(end, out);
+      sent_to_ = end;
+    }
+    // The first one names the whole face, wherever the stream begins.
+    const bool full = delta_ && packets_sent_ == 0;
+    const PacketList& encoded = full ? recorded().negotiated : packets();
+    send_keyframe(encoded[next_packet_++], out);
+  }
+  // What sounds on after the last keyframe, while the face holds.
+  if (sounds() && complete()) send_sound(Milliseconds::max(), out);
+}
+
+void Delivery::begin_turn() {
+  next_packet_ = 0;
+  next_voice_ = 0;
+  next_caption_ = 0;
+  turn_begin_ = sent_to_;
+}
+
+/// Whether the sound up to `end` is there and may run so far ahead of the answers.
+bool Delivery::sound_may_reach(Milliseconds end) const {
+  if (!voice_) return true;
+  if (stream_.sound->voice->encoded_until() < end - turn_begin_) return false;
+  return in_flight_ == 0 || end <= answered_to_ + kVoiceAheadMax;
+}
+
+/// The sound that begins before `end`.
+void Delivery::send_sound(Milliseconds end, std::string& out) {
+  if (text_) {
+    const auto& captions = stream_.sound->captions;
+    for (; next_caption_ < captions.size(); ++next_caption_) {
+      if (Milliseconds(captions[next_caption_].place_ms) + turn_begin_ >= end) break;
+      send_caption(captions[next_caption_], turn_begin_, out);
+    }
+  }
+  if (!voice_) return;
+  const auto voice = stream_.sound->voice->packets();
+  for (; next_voice_ < voice.size(); ++next_voice_) {
+    if (voice[next_voice_].begin + turn_begin_ >= end) break;
+    send_voice(voice[next_voice_], turn_begin_, out);
+  }
+}
+
+// === Live
+
+void Delivery::send_moment(const LiveMoment& moment, std::string& out) {
+  if (at_end() || !may_send() || last_moment_ == moment.number) return;
+  const std::uint64_t merged = last_moment_ ? moment.number - *last_moment_ - 1 : 0;
+  const bool full = std::exchange(full_next_, false) || merged > 0;
+  const bool cut = !last_moment_ || merged > 0;
+  packets_merged_ += merged;
+  last_moment_ = moment.number;
+  offset_ = sent_to_ - moment.begin;
+  if (cut) skip_sound_before(moment.begin);
+  send_live_sound(out);
+  sent_to_ += moment.time;
+  send_keyframe(packet_of(moment, full), out);
+}
+
+/// What was to be heard before this place is left out; the caption that stands there is not.
+void Delivery::skip_sound_before(Milliseconds place) {
+  const LiveChannel& channel = *stream_.live;
+  next_voice_ = std::max(next_voice_, channel.voice().first_number());
+  while (const EncodedVoice* const voice = channel.voice().find(next_voice_)) {
+    if (voice->begin >= place) break;
+    ++next_voice_;
+  }
+  next_caption_ = std::max(next_caption_, channel.captions().first_number());
+  while (const Caption* const next = channel.captions().find(next_caption_ + 1)) {
+    if (Milliseconds(next->place_ms) > place) break;
+    ++next_caption_;
+  }
+}
+
+void Delivery::send_live_sound(std::string& out) {
+  if (!sounds() || paused_ || held_ || !last_moment_) return;
+  const LiveChannel& channel = *stream_.live;
+  next_caption_ = std::max(next_caption_, channel.captions().first_number());
+  while (const Caption* const caption = channel.captions().find(next_caption_)) {
+    if (text_) send_caption(*caption, offset_, out);
+    ++next_caption_;
+  }
+  next_voice_ = std::max(next_voice_, channel.voice().first_number());
+  while (const EncodedVoice* const voice = channel.voice().find(next_voice_)) {
+    if (voice_) send_voice(*voice, offset_, out);
+    ++next_voice_;
+  }
+}
+
+void Delivery::send_voice(const EncodedVoice& voice, Milliseconds offset, std::string& out) {
+  const std::size_t before = out.size();
+  if (!voice_cursor_.send(voice, offset, out)) return;
+  ++voice_packets_;
+  sound_bytes_ += out.size() - before;
+}
+
+void Delivery::send_caption(const Caption& caption, Milliseconds offset, std::string& out) {
+  const auto place = std::max(Milliseconds(caption.place_ms) + offset, Milliseconds{0});
+  const std::string packet =
+      encode(Caption{static_cast<std::uint64_t>(place.count()), caption.text});
+  sound_bytes_ += packet.size();
+  out += packet;
+}
+
+}  // namespace aucast::protocol

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/time.h"
+#include "protocol/encoded_stream.h"
+#include "protocol/live_channel.h"
+#include "protocol/packet.h"
+#include "protocol/voice_cursor.h"
+#include "protocol/voice_track.h"
+
+namespace aucast::protocol {
+
+/// A stream by the name that a hello asks for: recorded, which each client gets from its beginning
+/// or from the place that its hello names, or live, of which each client gets what is sent now.
+/// Exactly one of `recorded` and `live` is set.
+struct ServedStream {
+  std::string name;
+  std::shared_ptr<const EncodedStream> recorded;
+  std::shared_ptr<const LiveChannel> live{};
+  /// Recorded: the voice and captions of clients that ask for them. Null: none.
+  std::shared_ptr<const Soundtrack> sound{};
+  /// Recorded: what these clients are sent in place of `recorded`, because some of its keyframes
+  /// last longer than voice may run ahead. Null: `recorded`.
+  std::shared_ptr<const EncodedStream> spoken{};
+  std::string title{};  ///< for people; empty: none
+};
+
+/// What one client has been sent of a stream, and what it may be sent now: the window of section 6
+/// of PROTOCOL.md, pause, merging of live moments, and the voice and captions that go with the
+/// keyframes. Classic until grant(). Bytes are appended to what the caller hands in.
+/// Thread: none of its own.
+class Delivery {
+ public:
+  /// `loop`: a recorded stream starts again at its end.
+  Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
+
+  /// Level 2 from now on, with what of the hello can be granted. `keyframe_ms` is only told.
+  [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
+
+  /// Everything that may be sent now.
+  void pump(std::string& out);
+  /// The same when a live channel has moved on: who keeps up gets each of several moments that
+  /// began at once.
+  void pump_latest(std::string& out);
+  /// Everything has been sent and answered, nothing will come, and nobody has paused: {-2} is due.
+  [[nodiscard]] bool complete() const;
+
+  /// The oldest keyframe in flight is answered, or the next one to be sent if none is.
+  void answer();
+  void pause() { paused_ = true; }
+  void resume();
+  /// While `held` no keyframe of a live stream is handed out.
+  void hold(bool held) { held_ = held; }
+
+  [[nodiscard]] const ServedStream& stream() const { return stream_; }
+  [[nodiscard]] Level level() const { return level_; }
+  [[nodiscard]] bool answers() const { return window_ > 0; }
+  [[nodiscard]] bool paused() const { return paused_; }
+  [[nodiscard]] bool held() const { return held_; }
+  [[nodiscard]] std::size_t in_flight() const { return in_flight_; }
+  [[nodiscard]] std::size_t banked() const { return banked_; }
+  [[nodiscard]] std::uint64_t packets_sent() const { return packets_sent_; }
+  [[nodiscard]] std::uint64_t packets_merged() const { return packets_merged_; }
+  [[nodiscard]] std::uint64_t payload_bytes() const { return payload_bytes_; }
+  [[nodiscard]] std::uint64_t voice_packets() const { return voice_packets_; }
+  /// Of voice packets and captions.
+  [[nodiscard]] std::uint64_t sound_bytes() const { return sound_bytes_; }
+
+ private:
+  [[nodiscard]] const EncodedStream& recorded() const;
+  [[nodiscard]] const PacketList& packets() const;
+  [[nodiscard]] std::string_view packet_of(const LiveMoment& moment, bool full) const;
+  [[nodiscard]] std::size_t window_for(int asked) const;
+  [[nodiscard]] std::uint64_t begin_at(std::uint64_t from_ms);
+  [[nodiscard]] bool sounds() const { return voice_ || text_; }
+  [[nodiscard]] bool at_end() const;
+  [[nodiscard]] bool may_send() const;
+  void send_keyframe(std::string_view packet, std::string& out);
+  void send_recorded(std::string& out);
+  void begin_turn();
+  [[nodiscard]] bool sound_may_reach(Milliseconds end) const;
+  void send_sound(Milliseconds end, std::string& out);
+  void send_moment(const LiveMoment& moment, std::string& out);
+  void skip_sound_before(Milliseconds place);
+  void send_live_sound(std::string& out);
+  void send_voice(const EncodedVoice& voice, Milliseconds offset, std::string& out);
+  void send_caption(const Caption& caption, Milliseconds offset, std::string& out);
+
+  ServedStream stream_;
+  bool loop_;
+  Level level_ = Level::Classic;
+  std::size_t window_ = 1;
+  bool delta_ = false;  ///< the changes-only form was granted
+  bool voice_ = false;
+  bool text_ = false;
+
+  std::size_t in_flight_ = 0;  ///< sent and not answered
+  std::size_t banked_ = 0;     ///< answers that came while there was nothing to answer
+  bool paused_ = false;
+  bool held_ = false;
+  std::uint64_t packets_sent_ = 0;
+  std::uint64_t payload_bytes_ = 0;
+  std::uint64_t voice_packets_ = 0;
+  std::uint64_t sound_bytes_ = 0;
+
+  /// The sum of the times of what was sent, from where the stream began: the client's clock.
+  Milliseconds sent_to_{0};
+  VoiceCursor voice_cursor_;
+  std::uint64_t next_voice_ = 0;    ///< recorded: index in the track; live: number in the channel
+  std::uint64_t next_caption_ = 0;  ///< likewise
+
+  // Recorded only.
+  std::size_t next_packet_ = 0;
+  std::size_t next_answered_ = 0;  ///< the keyframe that the next answer is for
+  Milliseconds answered_to_{0};    ///< the end of the last answered keyframe
+  Milliseconds turn_begin_{0};     ///< where the stream started again
+
+  // Live only.
+  bool full_next_ = true;                     ///< the next packet must not be changes only
+  std::optional<std::uint64_t> last_moment_;  ///< the number of the last one sent
+  std::uint64_t packets_merged_ = 0;
+  Milliseconds offset_{0};  ///< from the channel's clock to the client's
+};
+
+}  // namespace aucast::protocol

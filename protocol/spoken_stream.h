@@ -1,0 +1,24 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "common/time.h"
+#include "protocol/encoded_stream.h"
+
+namespace aucast::protocol {
+
+/// Longest keyframe of a stream that goes with a voice: half of what voice may run ahead.
+inline constexpr Milliseconds kSpokenKeyframeMax{1000};
+
+/// The stream as it goes with a voice that ends at `sound_end`: keyframes longer than
+/// kSpokenKeyframeMax are cut into equal pieces on the straight line to their AUs, and the last
+/// face is held until the sound is over. Null when the stream is like that as it stands; a sound
+/// that ends up to kSpokenKeyframeMax after the face needs no holding.
+/// `keyframe_ms` and `classic_min` as in StreamEncoder.
+[[nodiscard]] std::shared_ptr<const EncodedStream> spoken_stream(const EncodedStream& stream,
+                                                                 Milliseconds sound_end,
+                                                                 std::uint32_t keyframe_ms,
+                                                                 int classic_min);
+
+}  // namespace aucast::protocol

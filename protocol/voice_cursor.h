@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "common/time.h"
+#include "protocol/voice_track.h"
+
+namespace aucast::protocol {
+
+/// How far the voice has come for one client: knows where a packet goes on and where it needs its
+/// place.
+class VoiceCursor {
+ public:
+  /// Appends the packet to `out`: {a DATA} where it goes on from the last one, else {a@PLACE DATA}.
+  /// `offset`: from the packet's clock to the client's. One that would begin before the end of the
+  /// last one, or of the client's clock, is left out: false.
+  bool send(const EncodedVoice& voice, Milliseconds offset, std::string& out);
+
+ private:
+  std::optional<Milliseconds> end_;  ///< of the last one, on the client's clock
+};
+
+}  // namespace aucast::protocol

@@ -1,0 +1,20 @@
+#include "protocol/voice_track.h"
+
+#include "common/check.h"
+#include "protocol/codec.h"
+
+namespace aucast::protocol {
+
+EncodedVoice::EncodedVoice(const VoicePacket& packet)
+    : begin(packet.place),
+      end(packet.place + opus_duration(packet.opus).value_or(Milliseconds{0})),
+      continued(encode(VoiceData{std::nullopt, packet.opus})) {}
+
+void VoiceTrack::add(const VoicePacket& packet) {
+  AUCAST_CHECK(packets_.empty() || packet.place >= packets_.back().end);
+  packets_.emplace_back(packet);
+  bytes_ += packets_.back().continued.size();
+  encoded_to(packets_.back().end);
+}
+
+}  // namespace aucast::protocol

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/time.h"
+#include "protocol/packet.h"
+#include "protocol/voice_packet.h"
+
+namespace aucast::protocol {
+
+/// A voice packet as every client is sent it, but for its place: that depends on what the client
+/// got before.
+struct EncodedVoice {
+  Milliseconds begin{0};  ///< of its sound, on the clock of the stream
+  Milliseconds end{0};
+  std::string continued;  ///< {a DATA}
+
+  explicit EncodedVoice(const VoicePacket& packet);
+};
+
+/// The voice of a recorded stream, encoded once and shared by all clients. It grows while the sound
+/// is still being encoded. Places count from the stream's beginning.
+/// Thread: that of the sessions.
+class VoiceTrack {
+ public:
+  /// The next packet. Its place is at the end of the one before or later.
+  void add(const VoicePacket& packet);
+  /// Everything that begins before this place has been added; it never falls.
+  void encoded_to(Milliseconds place) { encoded_to_ = std::max(encoded_to_, place); }
+  /// Everything has been added.
+  void finish() { encoded_to_ = Milliseconds::max(); }
+
+  [[nodiscard]] std::span<const EncodedVoice> packets() const { return packets_; }
+  /// See encoded_to(); Milliseconds::max() after finish().
+  [[nodiscard]] Milliseconds encoded_until() const { return encoded_to_; }
+  [[nodiscard]] bool complete() const { return encoded_to_ == Milliseconds::max(); }
+  /// Of all packets, without the places that some are sent with.
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::vector<EncodedVoice> packets_;
+  std::size_t bytes_ = 0;
+  Milliseconds encoded_to_{0};
+};
+
+/// What goes with a recorded stream's keyframes for clients that ask for it.
+struct Soundtrack {
+  std::shared_ptr<const VoiceTrack> voice{};  ///< null: there is none
+  std::vector<Caption> captions{};            ///< their places never fall
+};
+
+}  // namespace aucast::protocol

@@ -1,0 +1,144 @@
+#include "protocol/delivery.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/limits.h"
+#include "protocol/live_feed.h"
+#include "tests/unit/protocol/session_text.h"
+
+namespace aucast::protocol {
+namespace {
+
+using namespace std::chrono_literals;
+using test::served;
+
+const std::string kOpus60 = "\x58\x01";  ///< 60 ms; WAE in base64
+
+/// Keyframes of 100 ms and a voice that is still being encoded.
+class VoiceInTheMaking : public ::testing::Test {
+ protected:
+  VoiceInTheMaking() {
+    std::vector<Keyframe> keyframes(3);
+    for (Keyframe& keyframe : keyframes) {
+      keyframe.terms = {AuTerm{1}};
+      keyframe.duration_ms = 100;
+    }
+    ServedStream stream = served("talk", encode_stream(keyframes, 250, 20));
+    stream.sound = std::make_shared<const Soundtrack>(Soundtrack{track_, {}});
+    delivery_.emplace(stream, false);
+    HelloAsked asked;
+    asked.window = 8;
+    asked.voice = kVoiceCodec;
+    EXPECT_EQ(delivery_->grant(asked, 250).voice, kVoiceCodec);
+  }
+
+  std::string pump() {
+    std::string bytes;
+    delivery_->pump(bytes);
+    return bytes;
+  }
+
+  std::shared_ptr<VoiceTrack> track_ = std::make_shared<VoiceTrack>();
+  std::optional<Delivery> delivery_;
+};
+
+TEST_F(VoiceInTheMaking, KeyframesWaitForTheirVoice) {
+  EXPECT_EQ(pump(), "");
+  track_->add({0ms, kOpus60});
+  EXPECT_EQ(pump(), "");
+  track_->encoded_to(100ms);
+  EXPECT_EQ(pump(), "{a@0 WAE}{1;100}");
+  track_->finish();
+  EXPECT_EQ(pump(), "{1;100}{1;100}");
+}
+
+TEST_F(VoiceInTheMaking, TheEndWaitsForTheTail) {
+  track_->encoded_to(300ms);
+  EXPECT_EQ(pump(), "{1;100}{1;100}{1;100}");
+  for (int i = 0; i < 3; ++i) delivery_->answer();
+  EXPECT_EQ(pump(), "");
+  EXPECT_FALSE(delivery_->complete());
+  track_->add({320ms, kOpus60});
+  track_->finish();
+  EXPECT_EQ(pump(), "{a@320 WAE}");
+  EXPECT_TRUE(delivery_->complete());
+}
+
+TEST_F(VoiceInTheMaking, NothingSoundsDuringAPause) {
+  track_->add({0ms, kOpus60});
+  track_->finish();
+  delivery_->pause();
+  EXPECT_EQ(pump(), "");
+  delivery_->resume();
+  EXPECT_EQ(pump(), "{a@0 WAE}{1;100}{1;100}{1;100}");
+}
+
+/// A feed whose keyframes come every 100 ms.
+class LiveVoice : public ::testing::Test {
+ protected:
+  LiveVoice() { feed_->add(keyframe_); }
+  void join() {
+    delivery_.emplace(ServedStream{"talk", nullptr, feed_}, false);
+    HelloAsked asked;
+    asked.window = 100;
+    asked.voice = kVoiceCodec;
+    asked.text = true;
+    const HelloGranted granted = delivery_->grant(asked, 250);
+    EXPECT_EQ(granted.voice, kVoiceCodec);
+    EXPECT_TRUE(granted.text);
+  }
+  std::string pump() {
+    std::string bytes;
+    delivery_->pump(bytes);
+    return bytes;
+  }
+  void say(Milliseconds from) { feed_->add_voice({from, kOpus60}); }
+
+  const Keyframe keyframe_{{AuTerm{1}}, false, 100, std::nullopt};
+  std::shared_ptr<LiveFeed> feed_ = std::make_shared<LiveFeed>(250, 20, true, true);
+  std::optional<Delivery> delivery_;
+};
+
+TEST_F(LiveVoice, PlacesCountFromTheClientsFirstKeyframe) {
+  for (int i = 0; i < 9; ++i) feed_->add(keyframe_);
+  say(860ms);
+  say(920ms);
+  join();
+  EXPECT_EQ(pump(), "{a@20 WAE}{1;100}");
+  say(980ms);
+  EXPECT_EQ(pump(), "{a WAE}");
+}
+
+TEST_F(LiveVoice, OldVoiceIsLeftOutWhileTheSocketIsFull) {
+  join();
+  EXPECT_EQ(pump(), "{1;100}");
+  delivery_->hold(true);
+  for (auto at = 100ms; at < 5000ms; at += 100ms) {
+    feed_->add(keyframe_);
+    say(at);
+    EXPECT_EQ(pump(), "");
+  }
+  EXPECT_LE(feed_->voice().size(), 2 + static_cast<std::size_t>(kLiveWindowTime / 100ms));
+  delivery_->hold(false);
+  EXPECT_EQ(pump(), "{a@100 WAE}{1;100}");
+}
+
+TEST_F(LiveVoice, VoiceGoesOnWithoutKeyframes) {
+  join();
+  EXPECT_EQ(pump(), "{1;100}");
+  say(100ms);
+  EXPECT_EQ(pump(), "{a@100 WAE}");
+  say(160ms);
+  EXPECT_EQ(pump(), "{a WAE}");
+}
+
+TEST_F(LiveVoice, WhoComesLateReadsTheCaptionThatStands) {
+  feed_->add_caption({0, "first"});
+  feed_->add_caption({150, "second"});
+  for (int i = 0; i < 9; ++i) feed_->add(keyframe_);
+  join();
+  EXPECT_EQ(pump(), "{t@0 c2Vjb25k}{1;100}");
+}
+
+}  // namespace
+}  // namespace aucast::protocol
