@@ -1,0 +1,103 @@
+// The real programs and browsers, for page.test.mjs.
+import { spawn, execFileSync } from 'node:child_process';
+import { createInterface } from 'node:readline';
+import path from 'node:path';
+import puppeteer from 'puppeteer-core';
+
+export const root = path.resolve(import.meta.dirname, '../..');
+export const bin = process.env.AUCAST_BIN ?? path.join(root, 'build/release/bin');
+const PATIENCE_MS = 120_000;  // software draws, on a busy machine
+
+/// au-transmitter --web, ready. `ports`: those of one that was there before.
+export async function serve(streams, { ports = [0, 0], options = [] } = {}) {
+  const child = spawn(path.join(bin, 'au-transmitter'),
+      ['--port', String(ports[0]), '--web', `127.0.0.1:${ports[1]}`, ...options, ...streams],
+      { stdio: ['ignore', 'pipe', 'pipe'] });
+  let complaints = '';
+  child.stderr.on('data', text => { complaints += text; });
+  const gone = new Promise(resolve => child.on('exit', resolve));
+  const found = {};
+  for await (const line of createInterface({ input: child.stdout })) {
+    const told = /^(listening|web) on .*:(\d+)$/.exec(line);
+    if (told) found[told[1]] = Number(told[2]);
+    if (found.web) break;
+  }
+  if (!found.web) throw new Error(`au-transmitter --web did not begin: ${complaints}`);
+  child.stdout.resume();
+  return {
+    ports: [found.listening, found.web],
+    at: (scheme, rest = '') => `${scheme}://localhost:${found.web}/${rest}`,
+    async kill(signal = 'SIGKILL') {
+      child.kill(signal);
+      await gone;
+    },
+  };
+}
+
+export function facePlayer(...options) {
+  execFileSync(path.join(bin, 'face-player'), options, { stdio: 'pipe' });
+}
+
+const LAUNCH = {
+  // What Mesa draws for the native program it draws for the browser too: the same pictures.
+  chromium: {
+    executablePath: '/usr/bin/chromium',
+    headless: false,
+    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=gl', '--ignore-gpu-blocklist',
+           '--ignore-certificate-errors', '--no-first-run', '--force-color-profile=srgb'],
+  },
+  firefox: {
+    browser: 'firefox',
+    executablePath: '/usr/bin/firefox-esr',
+    headless: false,
+    extraPrefsFirefox: { 'webgl.force-enabled': true },
+  },
+};
+
+export function launch(name) {
+  return puppeteer.launch({ ...LAUNCH[name], protocolTimeout: PATIENCE_MS });
+}
+
+/// A tab that keeps what goes wrong in it in `faults`.
+export async function openTab(browser, url, { width = 800, height = 600, ...device } = {}) {
+  const tab = await browser.newPage();
+  tab.setDefaultTimeout(PATIENCE_MS);
+  await tab.setViewport({ width, height, ...device });
+  tab.faults = [];
+  tab.on('console', line => {
+    if (['error', 'warn'].includes(line.type())) tab.faults.push(line.text());
+  });
+  tab.on('pageerror', error => tab.faults.push(error.message));
+  await tab.goto(url);
+  await tab.evaluate(() => {
+    const player = document.querySelector('aucast-player');
+    window.keyframes = [];
+    player.addEventListener('keyframe', event => window.keyframes.push(event.detail.aus));
+    return player.ready;
+  });
+  return tab;
+}
+
+export const untilState = (tab, state) => tab.waitForFunction(
+    wanted => document.querySelector('aucast-player').state === wanted, { polling: 50 }, state);
+
+/// The share of pixels in which a channel of the element's picture differs from a PNG by more than 1 %.
+export function differing(tab, png, width, height) {
+  return tab.evaluate(async (base64, w, h) => {
+    const pixels = async blob => {
+      const canvas = new OffscreenCanvas(w, h);
+      const context = canvas.getContext('2d');
+      context.drawImage(await createImageBitmap(blob), 0, 0);
+      return context.getImageData(0, 0, w, h).data;
+    };
+    const bytes = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
+    const wanted = await pixels(new Blob([bytes], { type: 'image/png' }));
+    const player = document.querySelector('aucast-player');
+    const drawn = await pixels(await player.picture(w, h));
+    let count = 0;
+    for (let at = 0; at < wanted.length; at += 4) {
+      if ([0, 1, 2].some(c => Math.abs(wanted[at + c] - drawn[at + c]) > 2.55)) ++count;
+    }
+    return count / (w * h);
+  }, png.toString('base64'), width, height);
+}
