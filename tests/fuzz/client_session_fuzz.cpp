@@ -50,6 +50,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.negotiate = (flags & 1U) != 0;
   options.hello.delta = (flags & 2U) != 0;
   options.hello.window = (flags >> 2U) & 7U;
+  if ((flags & 32U) != 0) options.hello.voice = kVoiceCodec;
+  options.hello.text = (flags & 64U) != 0;
   Instant now{};
   ClientSession session(options);
   Watch watch;

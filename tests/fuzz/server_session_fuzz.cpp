@@ -43,6 +43,14 @@ class Watch {
   bool closed_ = false;
 };
 
+/// A voice with a gap and a tail, and two captions.
+std::shared_ptr<const Soundtrack> spoken_words() {
+  auto voice = std::make_shared<VoiceTrack>();
+  for (const int place : {0, 60, 200, 400}) voice->add({Milliseconds(place), "\x58\x01"});
+  voice->finish();
+  return std::make_shared<const Soundtrack>(Soundtrack{voice, {{0, "a"}, {260, ""}}});
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -51,16 +59,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   EncodedStream a{{"{1}", "{2}", "{3}"}, {"{1:30}", "{2;40}", "{3}"}, {}, {}, 120};
   const auto kind = script.byte();
   catalogue.loop = (kind & 1U) != 0;
+  const auto sound = (kind & 4U) != 0 ? spoken_words() : nullptr;
   Instant now{};
   std::shared_ptr<LiveReplay> live;
   if ((kind & 2U) != 0) {
     a.changes = {"{1:30}", "{~2;40}", "{3}"};
     a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
-    live =
-        std::make_shared<LiveReplay>(std::make_shared<const EncodedStream>(a), catalogue.loop, now);
+    live = std::make_shared<LiveReplay>(std::make_shared<const EncodedStream>(a), catalogue.loop,
+                                        now, sound);
     catalogue.streams = {{"a", nullptr, live}};
   } else {
-    catalogue.streams = {{"a", std::make_shared<const EncodedStream>(a)}};
+    if (sound) a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
+    catalogue.streams = {{"a", std::make_shared<const EncodedStream>(a), nullptr, sound}};
   }
   catalogue.streams.push_back(
       {"b", std::make_shared<const EncodedStream>(EncodedStream{{"{0}"}, {"{0}"}, {}, {}, {}})});

@@ -5,6 +5,7 @@ what the document says is a fault of the document. Sections of it are named in b
 is held to the form a sender must write, which is narrower than what a receiver must accept.
 """
 
+import base64
 import dataclasses
 import re
 import socket
@@ -13,6 +14,8 @@ import time
 PACKET_BYTES_MAX = 4096
 HELLO_BYTES_MAX = 512
 TOKEN_BYTES_MAX = 256
+VOICE_BYTES_MAX = 2048
+CAPTION_BYTES_MAX = 1024
 PATIENCE = 10.0  # seconds until a test gives up waiting
 
 TERM = re.compile(r"([LR]?)(0|[1-9][0-9]?)(?::(0|[1-9][0-9]?|100))?")
@@ -64,6 +67,28 @@ class Streams:
     names: list
 
 
+@dataclasses.dataclass
+class Voice:
+    """One Opus packet [2, Voice]; place is None where it goes on from the one before."""
+    opus: bytes
+    place: int = None
+
+    def duration(self):
+        """In ms, by the first byte (RFC 6716, 3.1); only what this protocol carries."""
+        toc = self.opus[0]
+        config = toc >> 3
+        frame = ([10, 20, 40, 60][config % 4] if config < 12 else
+                 [10, 20][config % 2] if config < 16 else [2.5, 5, 10, 20][config % 4])
+        count = {0: 1, 1: 2, 2: 2}.get(toc & 3) or self.opus[1] & 63
+        return frame * count
+
+
+@dataclasses.dataclass
+class Caption:
+    text: str
+    place: int
+
+
 END = "end"
 
 
@@ -93,6 +118,30 @@ def parse_terms(text, changes):
     return terms
 
 
+def from_base64(data):
+    """Bytes of base64 without "=", spelled as they must be [2]."""
+    decoded = base64.b64decode(data + "=" * (-len(data) % 4))
+    if base64.b64encode(decoded).decode().rstrip("=") != data:
+        raise Violation(f"bits left over in {data!r}")
+    return decoded
+
+
+def parse_sound(text, word, place, data):
+    """A voice packet or a caption [2]."""
+    if len(text) > (VOICE_BYTES_MAX if word == "a" else CAPTION_BYTES_MAX):
+        raise Violation(f"too long: {text!r}")
+    place = None if place is None else int(place)
+    decoded = from_base64(data or "")
+    if word == "t" and place is not None:
+        return Caption(decoded.decode("utf-8"), place)
+    if word == "t" or not decoded:
+        raise Violation(f"no voice and no caption: {text!r}")
+    voice = Voice(decoded, place)
+    if voice.duration() not in (10, 20, 40, 60):
+        raise Violation(f"no voice packet: {text!r}")
+    return voice
+
+
 def parse(text):
     """One packet of a server, with its braces."""
     inside = text[1:-1]
@@ -113,6 +162,8 @@ def parse(text):
         if not all(NAME.fullmatch(name) for name in names) or inside[7:8] not in ("", " "):
             raise Violation(f"no list of streams: {text!r}")
         return Streams(names)
+    if sound := re.fullmatch(r"([at])(?:@(0|[1-9][0-9]{0,12}))?(?: ([A-Za-z0-9+/]+))?", inside):
+        return parse_sound(text, *sound.groups())
     terms, has_timing, timing = inside.partition(";")
     changes = terms.startswith("~")
     keyframe = Keyframe(text, changes, parse_terms(terms[1:] if changes else terms, changes))
@@ -150,7 +201,8 @@ def changed(before, after, timing=""):
 
 
 NUMBER = re.compile(r"[0-9]{1,13}")
-ASKED = {"v": (0, 999999), "window": (0, 999999), "delta": (0, 1), "from": (0, 1000000000000)}
+ASKED = {"v": (0, 999999), "window": (0, 999999), "delta": (0, 1), "from": (0, 1000000000000),
+         "text": (0, 1)}
 
 
 def refusal(word, fields, token="", names=(), full_up=False):
@@ -163,9 +215,9 @@ def refusal(word, fields, token="", names=(), full_up=False):
     def readable(key, value):
         if key == "token":
             return len(value) <= TOKEN_BYTES_MAX
-        if word == "streams" or key not in (*ASKED, "stream"):
+        if word == "streams" or key not in (*ASKED, "stream", "voice"):
             return True
-        if key == "stream":
+        if key in ("stream", "voice"):
             return NAME.fullmatch(value)
         return NUMBER.fullmatch(value) and ASKED[key][0] <= int(value) <= ASKED[key][1]
 
