@@ -53,13 +53,15 @@ void set_up_signals() {
 /// In a window a file can be sought; without one it is played as if it came from a server.
 Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& options,
                                                       const SourcePlayback::Options& how) {
-  auto keyframes = read_stream(options.playback.file);
-  if (!keyframes) return keyframes.error();
+  auto opened = open_stream(options.playback.file, {});
+  if (!opened) return opened.error();
+  std::vector<playback::TimedAus>& keyframes = opened->keyframes;
+  if (!opened->found.empty()) spdlog::info("{}", opened->found);
   if (!options.headless) {
     return std::unique_ptr<playback::Playback>(std::make_unique<playback::SeekablePlayback>(
-        std::move(*keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime)));
+        std::move(keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime)));
   }
-  auto source = std::make_unique<playback::FileSource>(std::move(*keyframes));
+  auto source = std::make_unique<playback::FileSource>(std::move(keyframes));
   return std::unique_ptr<playback::Playback>(
       std::make_unique<SourcePlayback>(std::move(source), how));
 }

@@ -393,12 +393,12 @@ CommandPage command_page(Command command) {
       page.usage = {"face-player [OPTIONS] HOST[:PORT]              in a window (port 4650)",
                     "face-player --headless [OPTIONS] HOST[:PORT]   without a display",
                     "face-player --list HOST[:PORT]                 names of the streams",
-                    "face-player play FILE                          a stream file",
+                    "face-player play FILE                          a stream file or a table",
                     "face-player pose|rules|gallery --help          stills, rules, pictures"};
       page.about = "Receives a face as FACS Action Units and draws it.\n";
       page.notes =
           R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
-eye-tags. In the window: ? lists keys and mouse, Tab hides the panel, q leaves.
+eye-tags. In the window: ? lists keys and mouse, f is full screen, q leaves.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 )";
       page.examples = {"face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json",
@@ -408,7 +408,7 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
       page.command = "play";
       page.usage = {"face-player play FILE [OPTIONS]",
                     "face-player play FILE --headless [OPTIONS]"};
-      page.about = "Plays a stream file without a server.\n";
+      page.about = "Plays a stream file, or the table of a recogniser, without a server.\n";
       // Receiving options are accepted so that both commands take the same.
       const std::vector<OptionRow> receiving = receiving_rows(unused.playback);
       for (OptionRow& row : page.rows) {

@@ -12,7 +12,7 @@ namespace {
 const char* title_of(Purpose purpose) {
   switch (purpose) {
     case Purpose::PlayStream:
-      return "Open a stream file";
+      return "Open a stream file or a recogniser's table";
     case Purpose::ComposeStream:
       return "Open a stream file to work on";
     case Purpose::SaveStream:
@@ -89,6 +89,30 @@ float height_of_decision(const BrowserView& view) {
   return height + ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y + gap;
 }
 
+/// What a recogniser's table may need to be told; closed until somebody looks for it.
+void table_settings(const Look& look, const TableSettings& now, GuiCommands& commands) {
+  if (!ImGui::TreeNodeEx("Tables of recognisers",
+                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+    return;
+  }
+  TableSettings settings = now;
+  bool changed = false;
+  const auto number = [&](const char* name, const char* id, int& value, int most, int step,
+                          const char* tip) {
+    label(look, name);
+    changed |= ImGui::InputInt(id, &value, step, 10 * step);
+    value = std::clamp(value, 0, most);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+  };
+  number("Pictures/s", "##fps", settings.fps, 1000, 1,
+         "of the video, for a table without times (--fps); 0: the table's own times");
+  number("Keyframes/s", "##rate", settings.rate, 100, 1, "0: one for each row");
+  number("Gain %", "##gain", settings.gain_percent, 1000, 10, "of all AUs; 0: as they are");
+  number("Quiet, s", "##quiet", settings.quiet_s, 60, 1,
+         "the face is quiet for so long at first, and what it shows then is taken off; 0: none");
+  if (changed) commands.push_back(ChangeTable{settings});
+}
+
 void decide(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
   const bool saving = is_saving(view.purpose);
   bool entered = false;
@@ -140,6 +164,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     return;
   }
   folder_line(look, view, form, commands);
+  if (view.purpose == Purpose::PlayStream) table_settings(look, model.table, commands);
   const float below = height_of_decision(view);
   entry_list(look, view, form, std::max(ImGui::GetContentRegionAvail().y - below, 60.0F), commands);
   decide(look, view, form, commands);

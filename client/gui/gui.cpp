@@ -152,7 +152,7 @@ constexpr std::array<KeyHelp, 23> kKeys = {{
     {"[ ]", "slower, faster"},
     {"l", "loop: begin, end, none"},
     {"L", "repeat the whole file"},
-    {"o", "open a stream file"},
+    {"o", "open a stream file or a table"},
     {"Tab", "hide and show the panel"},
     {"h", "the face alone"},
     {"f", "full screen"},
@@ -246,6 +246,9 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
       ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
   if (ImGui::Begin("panel", nullptr, kFlags)) {
     state_line(look, model);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 22 * look.scale);
+    if (ImGui::SmallButton("?")) keys = !keys;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the keys");
     ImGui::Spacing();
     if (ImGui::BeginTabBar("tabs")) {
       const auto tab = [this](const char* name, const auto& contents) {
@@ -309,7 +312,10 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   if (state_->shows_panel()) state_->side_panel(model, commands);
   const float panel = state_->shows_panel() ? state_->panel_width() : 0;
   const float free = ImGui::GetIO().DisplaySize.x - panel;
-  if (state_->shows_bar()) transport_bar(state_->look, model, free, commands);
+  if (state_->shows_bar()) {
+    transport_bar(state_->look, model, free, commands);
+    welcome(state_->look, model, free, commands);
+  }
   notices(state_->look, model, free, state_->notice, commands);
   file_dialog(state_->look, model, state_->file, commands);
   if (state_->keys) key_list(state_->look, free, state_->keys);

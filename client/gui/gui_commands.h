@@ -83,6 +83,14 @@ struct CloseBrowser {};
 struct OpenStream {
   std::string file;
 };
+/// How tables are read from now on.
+struct ChangeTable {
+  TableSettings settings;
+};
+/// The window begins with this face next time; empty: with the usual one.
+struct BeginWithFace {
+  std::string folder;
+};
 struct CloseNotice {};
 struct TakePicture {};
 /// Begins a video of what is shown, or ends it.
@@ -96,8 +104,8 @@ using EditorCommand = std::variant<ShowExpression, ChangeTransition, SetChannel,
 
 using GuiCommand =
     std::variant<PlaybackCommand, EditorCommand, ComposerCommand, ChangeAnimation, ChangeRendering,
-                 AskStreams, LookFrom, Leave, Browse, EnterFolder, ChooseFile, CloseBrowser,
-                 OpenStream, CloseNotice, TakePicture, ToggleVideo>;
+                 AskStreams, LookFrom, Leave, Browse, EnterFolder, ChooseFile, ChangeTable,
+                 BeginWithFace, CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

@@ -189,12 +189,33 @@ struct StreamsView {
   friend bool operator==(const StreamsView&, const StreamsView&) = default;
 };
 
+/// How the table of a recogniser is read when it is opened.
+struct TableSettings {
+  int fps = 0;           ///< pictures a second, 1-1000; 0: by the table's own clock
+  int rate = 0;          ///< keyframes a second, 1-100; 0: one for each row
+  int gain_percent = 0;  ///< of all AUs, up to 1000; 0: as they are
+  int quiet_s = 0;       ///< so long the face is quiet at first, which is taken off; 0: it is not
+  friend bool operator==(const TableSettings&, const TableSettings&) = default;
+};
+
+/// A face that the window may begin with.
+struct FaceEntry {
+  std::string name;
+  std::string folder;
+  friend bool operator==(const FaceEntry&, const FaceEntry&) = default;
+};
+
 struct GuiModel {
   RemoteSettings remote_settings;   ///< those in force; the form begins with them
   std::vector<std::string> recent;  ///< addresses that answered, the last one first
   StreamsView streams;
   RemoteView remote;
   LocalView local;
+  TableSettings table;
+  std::string sample;                     ///< a stream file that shows what there is; empty: none
+  std::vector<std::string> recent_files;  ///< the last one first
+  std::shared_ptr<const std::vector<FaceEntry>> faces;  ///< null: none
+  std::string next_face;  ///< the folder that the window begins with next time; empty: as usual
   BrowserView browser;
   Notice notice;
   AnimationSettings animation;

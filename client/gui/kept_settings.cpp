@@ -53,6 +53,12 @@ void read_remote(Fields fields, KeptSettings& settings) {
   fields.finish();
 }
 
+void read_files(Fields fields, KeptSettings& settings) {
+  settings.recent_files = fields.texts("recent");
+  if (settings.recent_files.size() > kRecentMax) settings.recent_files.resize(kRecentMax);
+  fields.finish();
+}
+
 void read_face(Fields fields, KeptSettings& settings) {
   fields.take("folder", settings.face);
   fields.finish();
@@ -129,6 +135,7 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
   Problems problems(file);
   TableReader reader(*document, problems);
   if (const auto* table = reader.table_if("remote")) read_remote({*table, problems}, settings);
+  if (const auto* table = reader.table_if("files")) read_files({*table, problems}, settings);
   if (const auto* table = reader.table_if("face")) read_face({*table, problems}, settings);
   if (const auto* table = reader.table_if("animation")) {
     read_animation({*table, problems}, settings);
@@ -153,6 +160,7 @@ std::string format_settings(const KeptSettings& settings) {
           line("speed_ms", remote.speed_ms) + line("reconnect", remote.reconnect) +
           line("stream", remote.stream) + line("tls", remote.tls) +
           line("token_file", remote.token_file);
+  text += "\n[files]\n" + toml_line("recent", toml_texts(settings.recent_files));
   text += "\n[face]\n" + line("folder", settings.face);
   text += "\n[animation]\n";
   text += line("mixer", settings.animation.mixer, kMixers) +
@@ -177,9 +185,12 @@ std::string format_settings(const KeptSettings& settings) {
 }
 
 void remember_address(std::vector<std::string>& recent, const RemoteSettings& settings) {
-  const std::string address = address_text(settings);
-  std::erase(recent, address);
-  recent.insert(recent.begin(), address);
+  remember_file(recent, address_text(settings));
+}
+
+void remember_file(std::vector<std::string>& recent, const std::string& file) {
+  std::erase(recent, file);
+  recent.insert(recent.begin(), file);
   if (recent.size() > kRecentMax) recent.resize(kRecentMax);
 }
 

@@ -15,6 +15,7 @@ struct KeptSettings {
   RemoteSettings remote;
   std::vector<std::string> recent;  ///< addresses, the last one first
   std::string face;  ///< the folder of the face to begin with; empty: the one that is shipped
+  std::vector<std::string> recent_files;  ///< that were played, the last one first
   AnimationSettings animation;
   TransitionSettings transition;
   RenderingSettings rendering;
@@ -38,6 +39,9 @@ inline constexpr std::size_t kRecentMax = 8;
 
 /// Puts an address in front of the list, without doubling it.
 void remember_address(std::vector<std::string>& recent, const RemoteSettings& settings);
+
+/// The same for a list of files.
+void remember_file(std::vector<std::string>& recent, const std::string& file);
 
 /// What a file held, or that it had to be put aside.
 struct LoadedSettings {

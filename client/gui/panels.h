@@ -50,6 +50,9 @@ struct ComposerForm {
 void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
                     GuiCommands& commands);
 
+/// Before anything was opened: a sample, files, and where the rest is.
+void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
+
 /// Of the bar below, at scale 1.
 inline constexpr float kTransportHeight = 76;
 /// The bar under the face by which a stream that is there whole is played; `width`: what the side

@@ -266,11 +266,20 @@ void record_part(const GuiModel& model, GuiCommands& commands) {
 }
 
 void file_part(const GuiModel& model, GuiCommands& commands) {
-  if (wide_button("Open a stream file...", 0, 1, true))
-    commands.push_back(Browse{Purpose::PlayStream});
+  if (wide_button("Open a file...", 0, 2, true)) commands.push_back(Browse{Purpose::PlayStream});
   if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("o; or drop a file on the window");
+    ImGui::SetTooltip("a stream file or a recogniser's table (o); or drop it on the window");
   }
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::BeginDisabled(model.recent_files.empty());
+  if (ImGui::BeginCombo("##files", "Recent files")) {
+    for (const std::string& file : model.recent_files) {
+      if (ImGui::Selectable(file.c_str())) commands.push_back(OpenStream{file});
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::EndDisabled();
   if (model.local.open) {
     quiet_text(model.local.name + ", " + std::to_string(model.local.ends->size()) + " keyframes, " +
                time_text(model.local.total));

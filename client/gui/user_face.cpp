@@ -54,6 +54,19 @@ Result<fs::path> user_faces_folder(const char* xdg_data_home, const char* home) 
   return base / "aucast" / "faces";
 }
 
+std::vector<FaceEntry> faces_in(const fs::path& folder) {
+  std::vector<FaceEntry> faces;
+  std::error_code failed;
+  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+    std::error_code ignored;
+    if (!fs::exists(at->path() / "face.toml", ignored)) continue;
+    faces.push_back({at->path().filename().string(), at->path().string()});
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const FaceEntry& a, const FaceEntry& b) { return a.name < b.name; });
+  return faces;
+}
+
 Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user_faces) {
   const fs::path from = face_folder.has_filename() ? face_folder : face_folder.parent_path();
   fs::path unfinished;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "client/gui/aus_file.h"
+#include "client/gui/gui_model.h"
 #include "common/result.h"
 
 namespace aucast::gui {
@@ -21,6 +22,9 @@ namespace aucast::gui {
 /// user_faces/NAME, copied now unless it is there. A copy appears whole or not at all.
 [[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
                                                           const std::filesystem::path& user_faces);
+
+/// The faces in a folder of faces, by name; none when there is no such folder.
+[[nodiscard]] std::vector<FaceEntry> faces_in(const std::filesystem::path& folder);
 
 /// Saves one AU in the AU file of a face of our own format and returns that file. The version
 /// before stays beside it with a ~ at its end. What was there is untouched when this fails.

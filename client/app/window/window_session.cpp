@@ -1,11 +1,14 @@
 #include "client/app/window/window_session.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <system_error>
 #include <utility>
 #include <variant>
 
 #include "client/app/steady.h"
 #include "client/app/window/composition_file.h"
+#include "client/gui/user_face.h"
 #include "client/net/stream_list.h"
 #include "common/log.h"
 #include "common/overloaded.h"
@@ -16,6 +19,10 @@ namespace {
 constexpr const char* kComposedName = "composed.txt";
 constexpr const char* kExportedName = "exported.txt";
 constexpr Milliseconds kFrameMax{20};
+
+std::string whole_path(const std::filesystem::path& file) {
+  return std::filesystem::absolute(file).lexically_normal().string();
+}
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
@@ -47,6 +54,10 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
   rendering_.layers = options.output.layers;
   const std::filesystem::path& file = options.playback.file;
   if (!file.empty()) last_folder_ = folder_of(file);
+  std::error_code ignored;
+  const std::filesystem::path sample = assets.data_folder / "streams" / "talk.txt";
+  if (std::filesystem::exists(sample, ignored)) sample_ = sample.string();
+  list_faces();
   if (playback != nullptr) playback_.open(std::move(playback), file.filename().string(), {});
 }
 
@@ -56,16 +67,19 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   playback_.set_remote(settings.remote, settings.recent);
   editor_.set_transition(settings.transition);
   face_to_begin_with_ = settings.face;
+  recent_files_ = settings.recent_files;
+  const std::filesystem::path& file = options_.playback.file;
+  if (!file.empty()) gui::remember_file(recent_files_, whole_path(file));
   rendering_ = settings.rendering;
   // Nobody wants to begin with an empty view.
   if (!shows_something(rendering_.layers)) rendering_.layers = {};
 }
 
 gui::KeptSettings WindowSession::kept() const {
-  const std::string& saved = editor_.saved_face();
   return {playback_.remote_settings(),
           playback_.recent(),
-          saved.empty() ? face_to_begin_with_ : saved,
+          face_to_begin_with_,
+          recent_files_,
           animation_,
           editor_.transition(),
           rendering_};
@@ -132,6 +146,10 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       },
       [&](const gui::EditorCommand& one) {
         if (editor_.apply(one, now)) show_edited(Shown::Editor, now);
+        if (gui::command_if<gui::SaveAu>(one) && !editor_.view().save_failed) {
+          face_to_begin_with_ = editor_.saved_face();
+          list_faces();
+        }
       },
       [&](const gui::ComposerCommand& one) { apply_composer(one, now); },
       [&](const gui::ChangeAnimation& one) { change_animation(one.settings); },
@@ -145,11 +163,18 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::ChooseFile& one) { choose_file(one.file, now); },
       [&](const gui::CloseBrowser&) { browser_.close(); },
       [&](const gui::OpenStream& one) {
+        const std::filesystem::path file = one.file;
+        if (file.filename() == "face.toml") {
+          face_to_begin_with_ = whole_path(folder_of(file));
+          return say("from the next start on the face is " + face_to_begin_with_, false, now);
+        }
         const auto played = play(one.file, now);
         if (played) return browser_.close();
         if (browser_.view().open) return browser_.refuse(played.error().message);
         say(played.error().message, true, now);
       },
+      [&](const gui::ChangeTable& one) { table_ = one.settings; },
+      [&](const gui::BeginWithFace& one) { face_to_begin_with_ = one.folder; },
       [&](const gui::CloseNotice&) { notices_.clear(); },
       [&](const gui::AskStreams& one) { ask_streams(one.settings, now); },
       [](const gui::LookFrom&) {},
@@ -234,13 +259,26 @@ std::unique_ptr<playback::Playback> WindowSession::finish(Instant now) {
 // === Files.
 
 Result<void> WindowSession::play(const std::filesystem::path& file, Instant now) {
-  auto keyframes = read_stream(file);
-  if (!keyframes) return keyframes.error();
+  auto opened = open_stream(file, table_);
+  if (!opened) return opened.error();
   notices_.clear();
+  if (!opened->found.empty()) say(opened->found, false, now);
   last_folder_ = folder_of(file);
-  playback_.open(std::move(*keyframes), file.filename().string(), now);
+  gui::remember_file(recent_files_, whole_path(file));
+  playback_.open(std::move(opened->keyframes), file.filename().string(), now);
   shown_ = Shown::Playback;
   return {};
+}
+
+void WindowSession::list_faces() {
+  std::vector<gui::FaceEntry> faces = gui::faces_in(assets_.data_folder / "faces");
+  if (const auto own = gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"))) {
+    for (gui::FaceEntry& face : gui::faces_in(*own)) {
+      face.name += " (yours)";
+      faces.push_back(std::move(face));
+    }
+  }
+  faces_ = std::make_shared<const std::vector<gui::FaceEntry>>(std::move(faces));
 }
 
 void WindowSession::browse(gui::Purpose purpose) {
@@ -292,6 +330,11 @@ gui::GuiModel WindowSession::model() const {
   model.remote.stale = model.remote.stale && shown_ == Shown::Playback;
   model.remote.eased = model.remote.eased && shown_ == Shown::Playback;
   model.local = playback_.local_view();
+  model.table = table_;
+  model.sample = sample_;
+  model.recent_files = recent_files_;
+  model.faces = faces_;
+  model.next_face = face_to_begin_with_;
   model.browser = browser_.view();
   model.notice = notices_.view();
   model.animation = animation_;

@@ -87,6 +87,7 @@ class WindowSession {
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
   void change_animation(const gui::AnimationSettings& settings);
+  void list_faces();
   void browse(gui::Purpose purpose);
   void choose_file(const std::string& name, Instant now);
   [[nodiscard]] Result<void> play(const std::filesystem::path& file, Instant now);
@@ -110,7 +111,11 @@ class WindowSession {
   std::filesystem::path own_folder_ = ".";  ///< where the user saved last
   std::filesystem::path last_folder_;       ///< where a stream was opened last
   std::string recording_;
-  std::string face_to_begin_with_;  ///< as the settings have it
+  std::string face_to_begin_with_;  ///< next time; empty: as usual
+  std::shared_ptr<const std::vector<gui::FaceEntry>> faces_;
+  gui::TableSettings table_;
+  std::string sample_;
+  std::vector<std::string> recent_files_;
   std::vector<gui::PaceRow> pace_;
   bool asks_to_leave_ = false;
   bool leaving_ = false;

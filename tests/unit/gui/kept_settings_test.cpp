@@ -110,6 +110,19 @@ TEST(KeptSettings, WhatCannotBeReadNorMovedIsNotWrittenTo) {
   EXPECT_FALSE(loaded.complaint.empty());
 }
 
+TEST(KeptSettings, FilesAndTheFaceAreRememberedToo) {
+  KeptSettings settings;
+  settings.face = "/home/anna/faces/default";
+  for (int i = 0; i < 20; ++i) {
+    remember_file(settings.recent_files, "/streams/" + std::to_string(i % 10) + ".txt");
+  }
+  EXPECT_EQ(settings.recent_files.size(), kRecentMax);
+  EXPECT_EQ(settings.recent_files.front(), "/streams/9.txt");
+  const auto again = parse_settings(format_settings(settings), "f");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(*again, settings);
+}
+
 TEST(RecentAddresses, TheLastIsFirstAndNoneIsThereTwice) {
   std::vector<std::string> recent;
   RemoteSettings settings;

@@ -251,6 +251,17 @@ TEST_F(Panels, AStreamOfTheServerIsChosenFromTheList) {
   EXPECT_EQ(connect->settings.stream, "talk");
 }
 
+TEST_F(Panels, AtFirstASampleIsOneClickAway) {
+  model_.remote = {};
+  model_.sample = "/streams/sample.txt";
+  const auto played = find_by_clicking<OpenStream>(150, 600, 710);
+  ASSERT_TRUE(played.has_value());
+  EXPECT_EQ(played->file, "/streams/sample.txt");
+  const view::Image offered = picture();
+  model_.remote.activity = Activity::Connecting;
+  EXPECT_NE(picture().rgba, offered.rgba) << "not when something was opened";
+}
+
 TEST_F(Panels, AnEmptyViewIsMadeUsualAgain) {
   model_.rendering.settings.layers.textured = false;
   model_.rendering.settings.light_percent = 10;

@@ -36,6 +36,16 @@ TEST_F(UserFace, TheFolderIsWhereTheDesktopSpecificationWantsIt) {
             "no place for your own faces: set HOME or XDG_DATA_HOME to a folder");
 }
 
+TEST_F(UserFace, FacesOfAFolderAreListedByName) {
+  fs::create_directories(folder_.path() / "shipped" / "nothing");
+  fs::copy(shipped_, folder_.path() / "shipped" / "another", fs::copy_options::recursive);
+  const auto faces = faces_in(folder_.path() / "shipped");
+  ASSERT_EQ(faces.size(), 2U);
+  EXPECT_EQ(faces[0].name, "another");
+  EXPECT_EQ(faces[1].folder, shipped_.string());
+  EXPECT_TRUE(faces_in("/no/such/folder").empty());
+}
+
 TEST_F(UserFace, AShippedFaceIsCopiedOnce) {
   const auto copy = writable_face(shipped_, mine_);
   ASSERT_TRUE(copy) << copy.error().message;

@@ -156,6 +156,37 @@ TEST_F(StreamSessionTest, AFileThatIsNoStreamIsSaidWithItsPlace) {
   EXPECT_TRUE(model().notice.text.empty());
 }
 
+TEST_F(StreamSessionTest, ATableOfARecogniserPlaysAsItIsSetToBeRead) {
+  std::string text = "frame, face_id, timestamp, confidence, success, AU12_r, AU12_c\n";
+  for (int i = 0; i < 10; ++i) {
+    text += std::to_string(i + 1) + ", 0, " + std::to_string(0.1 * i) + ", 0.98, 1, " +
+            (i < 5 ? "1.0" : "2.5") + ", 1\n";
+  }
+  const auto table = folder_.write("talk.csv", text);
+  ask(gui::OpenStream{table.string()});
+  EXPECT_NE(model().notice.text.find("10 rows"), std::string::npos) << model().notice.text;
+  ASSERT_TRUE(model().local.open);
+  EXPECT_EQ(model().local.ends->size(), 10U);
+  ask(LocalCommand(gui::Seek{Duration::max()}));
+  ASSERT_EQ(model().remote.aus.size(), 1U);
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 50);
+  ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 150, .quiet_s = 0}});
+  ask(gui::OpenStream{table.string()});
+  ask(LocalCommand(gui::Seek{Duration::max()}));
+  ASSERT_EQ(model().remote.aus.size(), 1U);
+  EXPECT_EQ(model().remote.aus[0].shown_percent, 75);
+  EXPECT_EQ(model().recent_files, std::vector<std::string>{table.string()});
+}
+
+TEST_F(StreamSessionTest, AFaceThatIsDroppedIsTheNextStarts) {
+  open();
+  const auto face = folder_.write("anna/face.toml", "");
+  ask(gui::OpenStream{face.string()});
+  EXPECT_EQ(session_->kept().face, face.parent_path().string());
+  EXPECT_FALSE(model().notice.bad);
+  EXPECT_EQ(model().local.name, "three.txt") << "what plays stays";
+}
+
 TEST_F(StreamSessionTest, TheDialogOpensAFileAndKeepsOpenForOneThatIsWrong) {
   folder_.write("wrong.txt", "");
   ask(gui::Browse{gui::Purpose::PlayStream});

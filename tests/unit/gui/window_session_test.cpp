@@ -339,6 +339,9 @@ TEST_F(WindowSessionTest, AnEditedAuIsSavedInTheUsersFolderAndPlayed) {
   EXPECT_FALSE(model().editor.unsaved);
   const std::filesystem::path copy = home.path() / "aucast" / "faces" / "default";
   EXPECT_NE(model().editor.saved_to.find(copy.string()), std::string::npos);
+  EXPECT_EQ(session_->kept().face, copy.string()) << "the next start shows it";
+  ask(gui::BeginWithFace{});
+  EXPECT_EQ(session_->kept().face, "");
   const auto face = face::load_face(copy, assets_->data_folder);
   ASSERT_TRUE(face) << face.error().message;
   EXPECT_EQ(face->recordings.at(12).activation[*face->channel_index("jaw")], 3.5F);

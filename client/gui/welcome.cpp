@@ -1,0 +1,49 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr std::size_t kFilesShown = 4;
+constexpr float kWidth = 300;
+
+void contents(const GuiModel& model, GuiCommands& commands) {
+  if (wide_button("Play a sample", 0, 2, !model.sample.empty(), !model.sample.empty())) {
+    commands.push_back(OpenStream{model.sample});
+  }
+  if (wide_button("Open a file...", 1, 2, true)) commands.push_back(Browse{Purpose::PlayStream});
+  for (std::size_t i = 0; i < std::min(model.recent_files.size(), kFilesShown); ++i) {
+    const std::filesystem::path file = model.recent_files[i];
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(file.filename().string().c_str())) {
+      commands.push_back(OpenStream{file.string()});
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.string().c_str());
+    ImGui::PopID();
+  }
+  quiet_text("Or connect to a server, at the right. ? lists the keys.");
+}
+
+}  // namespace
+
+void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {
+  const bool made = model.editor.active || model.composer.active;
+  if (model.remote.activity != Activity::Idle || model.local.open || made) return;
+  if (!model.notice.text.empty()) return;  // it stands at the same place
+  const float own = std::min(kWidth * look.scale, width - 20 * look.scale);
+  const float bottom = ImGui::GetIO().DisplaySize.y - 14 * look.scale;
+  ImGui::SetNextWindowPos(ImVec2(width / 2, bottom), ImGuiCond_Always, ImVec2(0.5F, 1));
+  ImGui::SetNextWindowSize(ImVec2(own, 0));
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
+  const FloatingStyle floating(look);
+  if (ImGui::Begin("welcome", nullptr, kFlags)) contents(model, commands);
+  ImGui::End();
+}
+
+}  // namespace aucast::gui
