@@ -105,7 +105,8 @@ void ClientSession::State::handle(const Keyframe& keyframe) {
   received_to_ms += keyframe.duration_ms.value_or(granted.keyframe_ms);
   if (stopped) return;
   if (level == Level::Classic || window > 0) ++unanswered;
-  events.emplace_back(DeliverKeyframe{running, keyframe.duration_ms, keyframe.place_ms});
+  events.emplace_back(
+      DeliverKeyframe{running, keyframe.duration_ms, keyframe.place_ms, keyframe.changes_only});
 }
 
 void ClientSession::State::handle(const End&) {

@@ -107,11 +107,19 @@ bool Delivery::may_send() const {
   return !paused_ && !held_ && (window_ == 0 || in_flight_ < window_);
 }
 
+/// A keyframe of a recorded stream is there to be sent.
+bool Delivery::has_next() const {
+  const bool again = loop_ && recorded().extent == Extent::Whole;
+  return next_packet_ < packets().size() || (again && !packets().empty());
+}
+
+bool Delivery::broken_off() const {
+  return !stream_.live && recorded().extent == Extent::BrokenOff && !has_next();
+}
+
 /// Every keyframe that this client is to get has been sent.
 bool Delivery::at_end() const {
-  if (!stream_.live) {
-    return packets().empty() || (next_packet_ == packets().size() && !loop_);
-  }
+  if (!stream_.live) return recorded().extent == Extent::Whole && !has_next();
   if (!stream_.live->ended()) return false;
   const LiveMoment* const newest = stream_.live->newest();
   return !last_moment_ || newest == nullptr || *last_moment_ == newest->number;
@@ -153,7 +161,7 @@ void Delivery::pump_latest(std::string& out) {
 // === Recorded
 
 void Delivery::send_recorded(std::string& out) {
-  while (may_send() && !at_end()) {
+  while (may_send() && has_next()) {
     if (next_packet_ == packets().size()) begin_turn();
     if (sounds()) {
       const Milliseconds end = sent_to_ + recorded().times[next_packet_];

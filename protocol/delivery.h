@@ -11,6 +11,7 @@
 #include "protocol/encoded_stream.h"
 #include "protocol/live_channel.h"
 #include "protocol/packet.h"
+#include "protocol/upstream_stream.h"
 #include "protocol/voice_cursor.h"
 #include "protocol/voice_track.h"
 
@@ -18,7 +19,8 @@ namespace aucast::protocol {
 
 /// A stream by the name that a hello asks for: recorded, which each client gets from its beginning
 /// or from the place that its hello names, or live, of which each client gets what is sent now.
-/// Exactly one of `recorded` and `live` is set.
+/// Exactly one of `recorded` and `live` is set, or neither while another server has not said which
+/// it is.
 struct ServedStream {
   std::string name;
   std::shared_ptr<const EncodedStream> recorded;
@@ -29,6 +31,15 @@ struct ServedStream {
   /// last longer than voice may run ahead. Null: `recorded`.
   std::shared_ptr<const EncodedStream> spoken{};
   std::string title{};  ///< for people; empty: none
+  /// Instead of all these: it comes from another server, and what is known of it is there.
+  std::shared_ptr<const UpstreamStream> upstream{};
+
+  /// Clients can be sent it now.
+  [[nodiscard]] bool known() const { return recorded || live; }
+  /// What it is called; empty: nobody knows yet.
+  [[nodiscard]] const std::string& known_name() const {
+    return name.empty() && upstream ? upstream->name : name;
+  }
 };
 
 /// What one client has been sent of a stream, and what it may be sent now: the window of section 6
@@ -40,6 +51,8 @@ class Delivery {
   /// `loop`: a recorded stream starts again at its end.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
+  /// Another stream, before anything was sent; what was answered or paused beforehand counts.
+  void choose(ServedStream stream) { stream_ = std::move(stream); }
   /// Level 2 from now on, with what of the hello can be granted. `keyframe_ms` is only told.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
@@ -50,6 +63,10 @@ class Delivery {
   void pump_latest(std::string& out);
   /// Everything has been sent and answered, nothing will come, and nobody has paused: {-2} is due.
   [[nodiscard]] bool complete() const;
+
+  /// Everything that is there of a recorded stream has been sent, and no more will come, but it is
+  /// not whole.
+  [[nodiscard]] bool broken_off() const;
 
   /// The oldest keyframe in flight is answered, or the next one to be sent if none is.
   void answer();
@@ -79,6 +96,7 @@ class Delivery {
   [[nodiscard]] std::size_t window_for(int asked) const;
   [[nodiscard]] std::uint64_t begin_at(std::uint64_t from_ms);
   [[nodiscard]] bool sounds() const { return voice_ || text_; }
+  [[nodiscard]] bool has_next() const;
   [[nodiscard]] bool at_end() const;
   [[nodiscard]] bool may_send() const;
   void send_keyframe(std::string_view packet, std::string& out);

@@ -6,6 +6,14 @@
 
 namespace aucast::protocol {
 
+bool reaches(const EncodedStream& stream, std::uint64_t from_ms, bool loop) {
+  if (from_ms == 0 || stream.extent != Extent::Growing) return true;
+  if (loop) return false;
+  std::uint64_t length_ms = 0;
+  for (const KeyframeTime time : stream.times) length_ms += time.count();
+  return length_ms > from_ms;
+}
+
 void StreamEncoder::add(const Keyframe& keyframe) {
   const EncodedKeyframe encoded = encoder_.next(keyframe);
   stream_.classic.push_back(encoded.classic);

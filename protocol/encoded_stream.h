@@ -17,16 +17,28 @@ namespace aucast::protocol {
 /// The time of one keyframe; kDurationMsMax fits, and four bytes are enough.
 using KeyframeTime = std::chrono::duration<std::uint32_t, std::milli>;
 
-/// A recorded stream, encoded once in every form it is sent in. Shared by all clients and immutable
-/// from then on.
+/// How much of a recorded stream is there.
+enum class Extent : std::uint8_t {
+  Whole,
+  Growing,    ///< a relay is still receiving it: clients that have all of it wait for more
+  BrokenOff,  ///< no more will come for now: they are cut off, so that they look elsewhere
+};
+
+/// A recorded stream, encoded once in every form it is sent in. Shared by all clients; immutable
+/// when it is whole, and until then only appended to.
 struct EncodedStream {
   PacketList classic;               ///< one packet per keyframe
   PacketList negotiated;            ///< the same keyframes, level 2
   PacketList changes;               ///< for who asks for the changes-only form; empty: not granted
   std::vector<KeyframeTime> times;  ///< of each keyframe, untimed ones with their default
-  std::optional<std::uint64_t> duration_ms{};  ///< their sum, if a hello is to say it
+  std::optional<std::uint64_t> duration_ms{};  ///< their sum in the end, if a hello is to say it
+  Extent extent = Extent::Whole;
   friend bool operator==(const EncodedStream&, const EncodedStream&) = default;
 };
+
+/// Whether the keyframe is there that a client begins with which asks for `from_ms`; a stream that
+/// grows may not have it yet.
+[[nodiscard]] bool reaches(const EncodedStream& stream, std::uint64_t from_ms, bool loop);
 
 /// Encodes a recorded stream keyframe by keyframe and holds nothing but packets and times. Untimed
 /// keyframes last `keyframe_ms`; `classic_min` as in encode_classic(). A stream of plain numbers

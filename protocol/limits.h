@@ -31,7 +31,9 @@ inline constexpr std::size_t kSpareCodesPerPacket = 2;     ///< ... and with eve
 inline constexpr std::size_t kStreamLineBytesMax = 65536;  ///< a line of a stream file
 inline constexpr std::size_t kStreamNameBytesMax = 64;
 inline constexpr std::size_t kTokenBytesMax = 256;
-inline constexpr int kWindowMax = 256;                          ///< the largest that is granted
+inline constexpr std::size_t kServerIdBytesMax = 16;  ///< an ID in `relay=` and `origin=`
+inline constexpr std::size_t kRelayHopsMax = 8;       ///< relays between an origin and a client
+inline constexpr int kWindowMax = 256;                ///< the largest that is granted
 inline constexpr std::int64_t kDurationMsMax = 3'600'000;       ///< time of one keyframe: an hour
 inline constexpr std::int64_t kPlaceMsMax = 1'000'000'000'000;  ///< about 31 years
 
@@ -75,6 +77,9 @@ inline constexpr std::chrono::milliseconds kAcceptPause{200};
 inline constexpr std::size_t kRefusalsMax = 64;
 /// Wrong tokens that an address may show within kWrongTokenTime; then it must wait.
 inline constexpr std::size_t kWrongTokensMax = 8;
+/// Longest wait of a client for a stream that a relay does not have yet: it would give up itself
+/// after 10 s of silence, and nobody would be told why.
+inline constexpr std::chrono::milliseconds kStreamWaitMax{8000};
 inline constexpr std::size_t kClientLogLinesPerSecond = 300;  ///< about single clients
 inline constexpr std::size_t kHttpConnectionsMax = 32;        ///< at a time; more are closed
 inline constexpr std::size_t kHttpHeadBytesMax = 4096;        ///< ours need a hundred

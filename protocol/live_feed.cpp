@@ -4,17 +4,20 @@
 
 namespace aucast::protocol {
 
-LiveFeed::LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice, bool captions)
-    : LiveChannel(true, std::nullopt, {voice, captions}),
+LiveFeed::LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice, bool captions,
+                   std::optional<std::uint64_t> duration_ms)
+    : LiveChannel(true, duration_ms, {voice, captions}),
       keyframe_ms_(keyframe_ms),
       encoder_(keyframe_ms, classic_min) {
   limit_window(usual_ms_);
 }
 
 void LiveFeed::add(const Keyframe& keyframe) {
-  EncodedKeyframe encoded = encoder_.next(keyframe);
+  add(encoder_.next(keyframe), Milliseconds(keyframe.duration_ms.value_or(keyframe_ms_)));
+}
+
+void LiveFeed::add(EncodedKeyframe encoded, Milliseconds time) {
   const std::uint64_t number = newest() == nullptr ? 0 : newest()->number + 1;
-  const Milliseconds time(keyframe.duration_ms.value_or(keyframe_ms_));
   moments_.resize(1);
   moments_.front() = {
       number, std::move(encoded.classic), std::move(encoded.full), std::move(encoded.changes), end_,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "protocol/codec.h"
 #include "protocol/live_channel.h"
@@ -14,10 +15,14 @@ namespace aucast::protocol {
 class LiveFeed final : public LiveChannel {
  public:
   /// `classic_min` as in encode_classic(). `voice`, `captions`: these may come.
-  LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice = false, bool captions = false);
+  /// `duration_ms`: of the whole stream, if it is known.
+  LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice = false, bool captions = false,
+           std::optional<std::uint64_t> duration_ms = std::nullopt);
 
   /// The next moment, a full keyframe. A stream that had ended goes on.
   void add(const Keyframe& keyframe);
+  /// The same, encoded elsewhere: for who passes packets on.
+  void add(EncodedKeyframe encoded, Milliseconds time);
   /// Where the newest moment ends on the channel's clock: the place of the instant at which its
   /// keyframe was made, and so of the sound of that instant.
   [[nodiscard]] Milliseconds end_of_newest() const { return end_; }

@@ -56,6 +56,7 @@ struct HelloAsked {
   std::uint64_t from_ms = 0;  ///< recorded: where to begin, as a sum of keyframe times
   std::string voice{};        ///< the codec it plays: kVoiceCodec; empty: it wants no voice
   bool text = false;          ///< it wants captions
+  std::string relay{};        ///< the ID of a relay that asks; empty: it is none
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };
 
@@ -72,6 +73,7 @@ struct HelloGranted {
   std::string voice{};                       ///< kVoiceCodec: there will be voice packets
   bool text = false;                         ///< there will be captions
   std::string title{};                       ///< of the stream, for people; UTF-8
+  std::string servers{};  ///< that the stream comes through (server_chain.h); only for relays
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 

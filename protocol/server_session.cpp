@@ -8,6 +8,7 @@
 #include "protocol/decoder.h"
 #include "protocol/limits.h"
 #include "protocol/secret.h"
+#include "protocol/stream_choice.h"
 
 namespace aucast::protocol {
 namespace {
@@ -30,14 +31,17 @@ std::string_view name(CloseConnection::Why why) {
       return "protocol error";
     case Why::Refused:
       return "refused";
+    case Why::BrokenOff:
+      return "broken off";
   }
   return "unknown";
 }
 
 struct ServerSession::State {
   enum class Phase : std::uint8_t {
-    Grace,  ///< waiting for a first byte
-    Hello,  ///< a '{' came first
+    Grace,           ///< waiting for a first byte
+    Hello,           ///< a '{' came first
+    AwaitingStream,  ///< of another server, which has not said yet what it is
     Streaming,
     WrongToken,  ///< it was shown; the refusal is held back until the deadline
     Draining,    ///< the last byte is said; reading the peer's last words
@@ -47,6 +51,7 @@ struct ServerSession::State {
   const ServerCatalogue* catalogue = nullptr;
   TokenCount token_count;
   Delivery delivery;
+  std::optional<HelloAsked> asked;  ///< nothing: classic
   ClientPacketDecoder decoder;
   Phase phase = Phase::Grace;
   std::optional<Instant> deadline;
@@ -81,7 +86,11 @@ struct ServerSession::State {
   void say_last(std::string_view bytes, Why why, std::string reason);
   void refuse(int code, const std::string& text);
   void start_streaming();
-  void grant(const HelloAsked& asked);
+  void take_hello(const HelloAsked& hello);
+  void join();
+  [[nodiscard]] bool choose();
+  void await_stream();
+  void give_up_stream();
   void list_streams();
   void read(std::string_view bytes);
   void note_first_byte(std::string_view bytes);
@@ -136,35 +145,68 @@ void ServerSession::State::start_streaming() {
     close(Why::Refused, no_room);
     return;
   }
+  if (!asked && !choose()) return;
   phase = Phase::Streaming;
   deadline.reset();
   send_due(&Delivery::pump);
 }
 
-void ServerSession::State::grant(const HelloAsked& asked) {
-  if (asked.version != kProtocolVersion) {
-    refuse(505, "version " + std::to_string(asked.version) + " is not spoken here, only " +
+void ServerSession::State::take_hello(const HelloAsked& hello) {
+  if (hello.version != kProtocolVersion) {
+    refuse(505, "version " + std::to_string(hello.version) + " is not spoken here, only " +
                     std::to_string(kProtocolVersion));
     return;
   }
   // Before anything else is told: what is served here is no stranger's business.
-  if (!permitted(asked.token)) return;
-  if (!asked.stream.empty()) {
-    const auto found =
-        std::find_if(catalogue->streams.begin(), catalogue->streams.end(),
-                     [&](const ServedStream& candidate) { return candidate.name == asked.stream; });
-    if (found == catalogue->streams.end()) {
-      refuse(404, "there is no stream '" + asked.stream + "' here");
-      return;
-    }
-    delivery = Delivery(*found, catalogue->loop);
+  if (!permitted(hello.token)) return;
+  asked = hello;
+  join();
+}
+
+/// What can be done now for who is let in.
+void ServerSession::State::join() {
+  if (asked) {
+    if (!choose()) return;
+    const ServedStream& stream = delivery.stream();
+    const std::uint32_t keyframe_ms =
+        stream.upstream ? stream.upstream->keyframe_ms : catalogue->keyframe_ms;
+    HelloGranted granted = delivery.grant(*asked, keyframe_ms);
+    granted.servers = servers_told(*catalogue, stream, *asked);
+    send(encode(granted));
+  }
+  start_streaming();
+}
+
+/// Takes the stream that is asked for, if it is here now; else refuses, or waits.
+bool ServerSession::State::choose() {
+  StreamChoice choice = choose_stream(*catalogue, asked);
+  if (choice.state == StreamChoice::State::Refused) {
+    refuse(choice.refusal.code, choice.refusal.text);
+    return false;
   }
   if (no_room != nullptr) {
     refuse(503, no_room);
-    return;
+    return false;
   }
-  send(encode(delivery.grant(asked, catalogue->keyframe_ms)));
-  start_streaming();
+  delivery.choose(std::move(choice.stream));
+  if (choice.state == StreamChoice::State::NotYet) await_stream();
+  return choice.state == StreamChoice::State::Ready;
+}
+
+void ServerSession::State::await_stream() {
+  if (phase == Phase::AwaitingStream) return;
+  phase = Phase::AwaitingStream;
+  const auto& upstream = delivery.stream().upstream;
+  deadline = now + (upstream ? upstream->patience : Milliseconds(kStreamWaitMax));
+}
+
+void ServerSession::State::give_up_stream() {
+  constexpr const char* kNotYet = "the stream has not come from its server yet; try again later";
+  if (asked) {
+    refuse(503, kNotYet);
+  } else {
+    close(Why::Refused, kNotYet);
+  }
 }
 
 /// Whether the token opens this server; refuses if not, and makes who guesses wait.
@@ -187,7 +229,7 @@ bool ServerSession::State::permitted(std::string_view token) {
 
 void ServerSession::State::list_streams() {
   StreamList list;
-  for (const ServedStream& served : catalogue->streams) list.names.push_back(served.name);
+  for (const ServedStream& served : catalogue->streams) list.names.push_back(served.known_name());
   say_last(encode(list), Why::Finished, "the list of streams was asked for");
 }
 
@@ -221,13 +263,15 @@ void ServerSession::State::note_first_byte(std::string_view bytes) {
 void ServerSession::State::handle(const ClientPacket& packet) {
   if (const auto* code = std::get_if<Code>(&packet)) {
     if (phase == Phase::Grace && *code != Code::Stop) start_streaming();
-    if (phase == Phase::Grace || phase == Phase::Streaming) handle_code(*code);
+    const bool heard =
+        phase == Phase::Grace || phase == Phase::Streaming || phase == Phase::AwaitingStream;
+    if (heard) handle_code(*code);
     return;
   }
   // After the grace the connection is classic already and stays so.
   if (phase != Phase::Hello) return;
-  if (const auto* asked = std::get_if<HelloAsked>(&packet)) {
-    grant(*asked);
+  if (const auto* hello = std::get_if<HelloAsked>(&packet)) {
+    take_hello(*hello);
   } else if (permitted(std::get<StreamsAsked>(packet).token)) {
     list_streams();
   }
@@ -310,6 +354,8 @@ void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
       spare_codes + (delivery.packets_sent() - before) * kSpareCodesPerPacket, kSpareCodesMax);
   if (!bytes.empty()) send(bytes);
   if (delivery.complete()) say_last(encode(End{}), Why::Finished, "the stream was sent whole");
+  if (delivery.broken_off())
+    close(Why::BrokenOff, "its server is gone, and no other sends the rest");
 }
 
 /// A peer that has shut its side can neither answer nor resume any more.
@@ -385,6 +431,9 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
     case State::Phase::Hello:
       state_->refuse(400, "the hello was not complete within 5 seconds");
       break;
+    case State::Phase::AwaitingStream:
+      state_->give_up_stream();
+      break;
     case State::Phase::WrongToken:
       state_->refuse(401, "this token does not open this server (--token-file)");
       break;
@@ -398,9 +447,16 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
 }
 
 std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
-  if (!live()) return {};
+  const bool awaits = state_->phase == State::Phase::AwaitingStream;
+  const bool grows =
+      state_->phase == State::Phase::Streaming && state_->delivery.stream().upstream != nullptr;
+  if (!live() && !awaits && !grows) return {};
   state_->begin_call(now);
-  state_->send_due(&Delivery::pump_latest);
+  if (awaits) {
+    state_->join();
+  } else {
+    state_->send_due(live() ? &Delivery::pump_latest : &Delivery::pump);
+  }
   state_->settle_peer_end();
   return state_->take_events();
 }

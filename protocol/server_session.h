@@ -25,6 +25,7 @@ struct ServerCatalogue {
   bool loop = false;                  ///< recorded: start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
+  std::string id{};  ///< of this server, told to relays; empty: none
 };
 
 // Events are instructions to the connection's owner, to be carried out in the order returned.
@@ -42,6 +43,7 @@ struct CloseConnection {
     ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
     Refused,        ///< an {error ...} was sent, or there was no room for a classic client, which
                     ///< is closed without one; `reason` says why
+    BrokenOff,      ///< the rest of the stream is not here: it came from another server
   };
   Why why = Why::Finished;
   std::string reason;
@@ -83,8 +85,8 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> on_lost(Instant now);
   /// Call when deadline() has come.
   [[nodiscard]] std::vector<ServerEvent> on_time(Instant now);
-  /// This session's live channel has moved on, by one moment or several. Without effect unless
-  /// live().
+  /// The streams of this server have moved on: a live channel by one moment or several, or one that
+  /// comes from another server. Without effect unless this session waits for that.
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
   /// The voice of this session's stream has grown. Without effect where it has none.
   [[nodiscard]] std::vector<ServerEvent> on_voice(Instant now);

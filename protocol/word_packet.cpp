@@ -11,6 +11,7 @@
 #include "protocol/caption.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
+#include "protocol/server_chain.h"
 
 namespace aucast::protocol {
 namespace {
@@ -41,7 +42,7 @@ std::vector<Piece> pieces_after_word(std::string_view text) {
   return pieces;
 }
 
-enum class Kind : std::uint8_t { Number, Name, Token, Text };
+enum class Kind : std::uint8_t { Number, Name, Token, Text, ServerId, Servers };
 
 /// A key of a hello: where its value goes and what it may be. The default is what the member is
 /// initialized with; a flag is a number of 0-1.
@@ -73,6 +74,7 @@ constexpr Key<Asked> kAskedKeys[] = {
     {.key = "from", .member = &Asked::from_ms, .max = kPlaceMsMax},
     {.key = "voice", .member = &Asked::voice, .kind = Kind::Name},
     {.key = "text", .member = &Asked::text},
+    {.key = "relay", .member = &Asked::relay, .kind = Kind::ServerId},
 };
 
 using Granted = HelloGranted;
@@ -92,11 +94,19 @@ constexpr Key<Granted> kGrantedKeys[] = {
     {.key = "voice", .member = &Granted::voice, .kind = Kind::Name},
     {.key = "text", .member = &Granted::text},
     {.key = "title", .member = &Granted::title, .kind = Kind::Text},
+    {.key = "origin", .member = &Granted::servers, .kind = Kind::Servers},
 };
 
 constexpr Key<StreamsAsked> kListKeys[] = {
     {.key = "token", .member = &StreamsAsked::token, .kind = Kind::Token},
 };
+
+bool is_of(Kind kind, std::string_view value) {
+  if (kind == Kind::Name) return is_stream_name(value);
+  if (kind == Kind::ServerId) return is_server_id(value);
+  if (kind == Kind::Servers) return is_server_chain(value);
+  return is_field_value(value) && value.size() <= kTokenBytesMax;
+}
 
 /// The string that a value stands for; nothing when it is none of this kind.
 std::optional<std::string> string_of(Kind kind, std::string_view value) {
@@ -104,9 +114,7 @@ std::optional<std::string> string_of(Kind kind, std::string_view value) {
     auto text = from_base64(value);
     return text && is_title(*text) ? text : std::nullopt;
   }
-  const bool fits = kind == Kind::Name ? is_stream_name(value)
-                                       : is_field_value(value) && value.size() <= kTokenBytesMax;
-  return fits ? std::optional<std::string>(value) : std::nullopt;
+  return is_of(kind, value) ? std::optional<std::string>(value) : std::nullopt;
 }
 
 /// Takes the value into the hello; false when it is none of this key.
@@ -141,6 +149,10 @@ std::string rule_of(const Key<Hello>& key, std::string_view found) {
   }
   if (key.kind == Kind::Text) {
     return name + " is base64 of at most " + std::to_string(kTitleBytesMax) + " bytes of text";
+  }
+  if (key.kind == Kind::ServerId || key.kind == Kind::Servers) {
+    return name + " has IDs of 1-" + std::to_string(kServerIdBytesMax) +
+           " letters, digits, '.', '_' or '-', found '" + escaped(found) + "'";
   }
   return name +
          (key.kind == Kind::Name

@@ -88,7 +88,8 @@ void Dialler::on_connected() {
   const auto peer = socket_.remote_endpoint(unknown);
   // The name may have led elsewhere than to this computer.
   if (options_.secret && !options_.tls && (unknown || !peer.address().is_loopback())) {
-    end(DialFailure{true, "everybody on the way could read the token; --tls, or --insecure-token"});
+    end(DialFailure{
+        true, std::string("everybody on the way could read the token; ") + options_.secret_remedy});
     return;
   }
   std::shared_ptr<Link> link = tcp_link(std::move(socket_), options_.limits);

@@ -28,6 +28,8 @@ struct DialOptions {
   std::optional<tls::Context> tls{};  ///< nothing: plain
   /// What will be said is nobody else's business: only over TLS or to this very computer.
   bool secret = false;
+  /// What the user can do when it cannot be kept so.
+  const char* secret_remedy = "--tls, or --insecure-token";
   Limits limits{};
 };
 

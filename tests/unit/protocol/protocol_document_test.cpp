@@ -143,6 +143,9 @@ TEST(ProtocolDocument, LimitsAreThoseOfTheHeader) {
       {"kSpareCodesPerSecond", kSpareCodesPerSecond},
       {"kSpareCodesPerPacket", kSpareCodesPerPacket},
       {"kTokenBytesMax", kTokenBytesMax},
+      {"kServerIdBytesMax", kServerIdBytesMax},
+      {"kRelayHopsMax", kRelayHopsMax},
+      {"kStreamWaitMax", kStreamWaitMax.count()},
       {"kWrongTokenTime", kWrongTokenTime.count()},
       {"kTlsHandshakeTimeMax", kTlsHandshakeTimeMax.count()},
       {"kStreamLineBytesMax", kStreamLineBytesMax},
@@ -201,7 +204,7 @@ TEST(ProtocolDocument, NamesEveryFault) {
     const std::string word(name(static_cast<DecodeFault>(fault)));
     EXPECT_NE(text.find("| " + word), std::string::npos) << word;
   }
-  for (const char* code : {"400", "401", "404", "503", "505"}) {
+  for (const char* code : {"400", "401", "404", "503", "505", "508"}) {
     EXPECT_NE(text.find("| " + std::string(code) + " "), std::string::npos) << code;
   }
 }

@@ -1,0 +1,84 @@
+#include "protocol/stream_choice.h"
+
+#include <algorithm>
+#include <string>
+
+#include "protocol/limits.h"
+#include "protocol/server_chain.h"
+
+namespace aucast::protocol {
+namespace {
+
+/// The servers that a client gets the stream through, this one the last.
+std::string servers_of(const ServerCatalogue& catalogue, const ServedStream& stream) {
+  return chained(stream.upstream ? stream.upstream->servers : std::string(), catalogue.id);
+}
+
+bool tells_servers(const ServerCatalogue& catalogue, const HelloAsked& asked) {
+  return !asked.relay.empty() && !catalogue.id.empty();
+}
+
+std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
+                                        const ServedStream& stream, const HelloAsked& asked) {
+  if (!tells_servers(catalogue, asked)) return std::nullopt;
+  const std::string servers = servers_of(catalogue, stream);
+  if (passes_through(servers, asked.relay)) {
+    return ErrorReply{508, "the stream would come back to the relay that asks for it"};
+  }
+  if (servers_in(servers) > kRelayHopsMax) {
+    return ErrorReply{508, "the stream has come through " + std::to_string(kRelayHopsMax) +
+                               " relays already, which is the most"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+StreamChoice choose_stream(const ServerCatalogue& catalogue,
+                           const std::optional<HelloAsked>& asked) {
+  using State = StreamChoice::State;
+  const auto& streams = catalogue.streams;
+  auto found = streams.begin();
+  if (asked && !asked->stream.empty()) {
+    found = std::find_if(streams.begin(), streams.end(), [&asked](const ServedStream& candidate) {
+      return candidate.known_name() == asked->stream;
+    });
+  }
+  StreamChoice choice;
+  if (found == streams.end()) {
+    const bool may_come = std::any_of(streams.begin(), streams.end(), [](const auto& candidate) {
+      return candidate.known_name().empty();
+    });
+    choice.state = may_come ? State::NotYet : State::Refused;
+    choice.refusal = {404, "there is no stream '" + asked->stream + "' here"};
+    return choice;
+  }
+  choice.stream = *found;
+  ServedStream& stream = choice.stream;
+  if (stream.upstream) {
+    stream.name = stream.upstream->name;
+    stream.recorded = stream.upstream->recorded;
+    stream.live = stream.upstream->live;
+    stream.sound = stream.upstream->sound;
+    stream.title = stream.upstream->title;
+  }
+  if (asked) {
+    if (auto refusal = relay_refused(catalogue, stream, *asked)) {
+      choice.state = State::Refused;
+      choice.refusal = *std::move(refusal);
+      return choice;
+    }
+  }
+  const bool ready =
+      stream.live ||
+      (stream.recorded && reaches(*stream.recorded, asked ? asked->from_ms : 0, catalogue.loop));
+  if (!ready) choice.state = State::NotYet;
+  return choice;
+}
+
+std::string servers_told(const ServerCatalogue& catalogue, const ServedStream& stream,
+                         const HelloAsked& asked) {
+  return tells_servers(catalogue, asked) ? servers_of(catalogue, stream) : std::string();
+}
+
+}  // namespace aucast::protocol
