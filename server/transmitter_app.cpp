@@ -119,7 +119,9 @@ Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& optio
   say_what_was_found(*sources);
   if (auto saved = save_profile_of(options.source.signal, *sources); !saved) return saved.error();
   protocol::StreamList list;
-  for (const Source& source : *sources) list.names.push_back(source.name);
+  for (const Source& source : *sources) {
+    if (!source.name.empty()) list.names.push_back(source.name);
+  }
   // Each name that there is room for comes after a blank.
   const std::string packet = protocol::encode(list);
   const auto listed = static_cast<std::size_t>(std::count(packet.begin(), packet.end(), ' '));

@@ -1,14 +1,18 @@
 #include "server/serve/programme.h"
 
 #include <algorithm>
+#include <random>
+#include <string_view>
 #include <utility>
 
 #include <asio/post.hpp>
 
 #include "common/log.h"
+#include "protocol/endpoint.h"
 #include "protocol/limits.h"
 #include "server/streams/catalogue.h"
 #include "server/streams/source_path.h"
+#include "server/upstream/upstream_options.h"
 
 namespace aucast::server {
 namespace {
@@ -31,8 +35,17 @@ bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCata
   return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
                     [](const auto& one, const auto& other) {
                       return one.name == other.name && one.recorded == other.recorded &&
-                             one.live == other.live;
+                             one.live == other.live && one.upstream == other.upstream;
                     });
+}
+
+/// By which relays find loops.
+std::string random_id() {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::random_device random;
+  std::string id;
+  while (id.size() < 12) id += kDigits[random() % kDigits.size()];
+  return id;
 }
 
 }  // namespace
@@ -44,12 +57,18 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options,
       events_(std::move(events)),
       beat_(io, events_.on_moment),
       catalogue_(std::make_shared<protocol::ServerCatalogue>(std::move(catalogue))),
-      unsent_bytes_max_(unsent_bytes_for(*catalogue_)) {}
+      unsent_bytes_max_(unsent_bytes_for(*catalogue_)) {
+  catalogue_->id = random_id();
+}
 
 Result<void> Programme::open_sources() {
   const auto conditioning = conditioning_of(options_.source.signal);
   if (!conditioning) return conditioning.error();
   for (const std::filesystem::path& path : options_.sources) {
+    if (protocol::is_stream_address(path.string())) {
+      if (auto opened = open_upstream(path.string()); !opened) return opened;
+      continue;
+    }
     if (!is_live(path, options_.live_source.follow)) continue;
     if (auto opened = open(path, *conditioning); !opened) return opened;
   }
@@ -71,6 +90,16 @@ Result<void> Programme::open(const std::filesystem::path& path,
                           }});
   if (auto begun = source->start(); !begun) return begun;
   sources_.push_back(std::move(source));
+  return {};
+}
+
+Result<void> Programme::open_upstream(const std::string& address) {
+  auto upstream = upstream_options(address, options_.upstream);
+  if (!upstream) return upstream.error();
+  upstream->id = catalogue_->id;
+  upstream->classic_min = options_.classic_min;
+  upstreams_.push_back(std::make_unique<Upstream>(io_, *std::move(upstream), events_.on_moment));
+  upstreams_.back()->start();
   return {};
 }
 
@@ -106,10 +135,11 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
       catalogue.streams.push_back(std::move(of_source));
     } else if (!same->recorded && !same->live) {
       same->live = std::move(of_source.live);
+      same->upstream = std::move(of_source.upstream);
     }
   }
   std::erase_if(catalogue.streams, [](const protocol::ServedStream& stream) {
-    const bool nothing = !stream.recorded && !stream.live;
+    const bool nothing = !stream.known() && !stream.upstream;
     if (nothing) {
       spdlog::error("{}: it is written live now and was not at the start; restart to serve it",
                     stream.name);
@@ -124,11 +154,13 @@ std::vector<protocol::ServedStream> Programme::streams_of_sources() const {
     for (protocol::ServedStream& stream : source->streams().served())
       all.push_back(std::move(stream));
   }
+  for (const auto& upstream : upstreams_) all.push_back(upstream->stream());
   return all;
 }
 
 /// Asked at every keyframe: while a source lasts, no list of streams is made.
 bool Programme::over() const {
+  if (!upstreams_.empty()) return false;
   if (!std::all_of(sources_.begin(), sources_.end(),
                    [](const auto& source) { return source->streams().over(); })) {
     return false;
@@ -144,6 +176,7 @@ bool Programme::over() const {
 void Programme::stop() {
   stopped_ = true;
   for (const auto& source : sources_) source->stop();
+  for (const auto& upstream : upstreams_) upstream->stop();
   beat_.stop();
 }
 
@@ -157,6 +190,7 @@ bool Programme::take_over(protocol::ServerCatalogue loaded) {
     return false;
   }
   loaded.token = catalogue_->token;
+  loaded.id = catalogue_->id;
   catalogue_ = std::make_shared<protocol::ServerCatalogue>(std::move(loaded));
   unsent_bytes_max_ = unsent_bytes_max;
   return true;
@@ -186,7 +220,8 @@ void Programme::condition_sources_anew() {
 
 void Programme::describe(Status& status) const {
   status.live = any_live();
-  for (const auto& stream : catalogue_->streams) status.streams.push_back(stream.name);
+  for (const auto& stream : catalogue_->streams) status.streams.push_back(stream.known_name());
+  for (const auto& upstream : upstreams_) status.upstreams.push_back(upstream->status());
   status.lag_seconds = seconds(beat_.lag());
 }
 

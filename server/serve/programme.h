@@ -14,13 +14,14 @@
 #include "server/live/live_source.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/status.h"
+#include "server/upstream/upstream.h"
 
 namespace aucast::server {
 
-/// What is served: the streams as they were read last, and the sources that are still being
-/// written. Who is connected keeps the catalogue it came to, which lives as long as any of its
-/// clients. Thread: that of the io_context, which must outlive it together with the events'
-/// captures and the options.
+/// What is served: the streams as they were read last, the sources that are still being written,
+/// and the streams of other servers. Who is connected keeps the catalogue it came to, which lives
+/// as long as any of its clients. Thread: that of the io_context, which must outlive it together
+/// with the events' captures and the options.
 class Programme {
  public:
   struct Events {
@@ -33,7 +34,7 @@ class Programme {
   Programme(const Programme&) = delete;
   Programme& operator=(const Programme&) = delete;
 
-  /// Opens the sources that are still being written.
+  /// Opens the sources that are still being written, and goes to other servers.
   [[nodiscard]] Result<void> open_sources();
   /// The clocks of the live streams begin.
   void begin() { make_live(*catalogue_); }
@@ -62,9 +63,12 @@ class Programme {
   [[nodiscard]] Result<void> finish();
 
  private:
-  [[nodiscard]] bool any_live() const { return options_.live || !sources_.empty(); }
+  [[nodiscard]] bool any_live() const {
+    return options_.live || !sources_.empty() || !upstreams_.empty();
+  }
   [[nodiscard]] Result<void> open(const std::filesystem::path& path,
                                   const sources::ConditioningSettings& conditioning);
+  [[nodiscard]] Result<void> open_upstream(const std::string& address);
   void on_neutral(const sources::MeasuredNeutral& neutral);
   void on_moment_of_source();
   void make_live(protocol::ServerCatalogue& catalogue);
@@ -76,6 +80,7 @@ class Programme {
   const TransmitterOptions& options_;
   Events events_;
   std::vector<std::unique_ptr<LiveSource>> sources_;
+  std::vector<std::unique_ptr<Upstream>> upstreams_;
   LiveBeat beat_;
   std::shared_ptr<protocol::ServerCatalogue> catalogue_;
   int unsent_bytes_max_;  ///< of a live stream

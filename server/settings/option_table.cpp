@@ -25,30 +25,37 @@ Complaint read_http(const std::string& word, std::optional<HttpAddress>& http) {
 
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
-      {"source", "SOURCE", "", "files, recordings, folders; stdin (-), FIFOs are live",
+      {"source", "SOURCE", "", "files, folders, - and FIFOs (live), aucast://HOST/NAME",
        "A stream file, or a recording of an AU recogniser, told by its content, or a folder: "
        "its .txt and .csv files become sources, in order of their names. A stream has the name "
        "of its file without the extension; a client that asks for no name, and every classic "
        "one, gets the first. - (named live) and FIFOs are sent as they are written, each "
-       "keyframe to all clients at once.",
+       "keyframe to all clients at once. aucast://HOST[:PORT][,HOST...][/NAME] is a stream "
+       "of another au-transmitter, which this one relays: one connection there, however many "
+       "clients here; aucasts:// over TLS. Of several hosts the next is taken when one is "
+       "lost. What is live there is live here; a recorded stream is kept and served from its "
+       "beginning while it still comes, which one in a loop cannot be. SIGHUP leaves relayed "
+       "streams as they are.",
        words(options.sources), "Sources", Where::Positional},
-      {"follow", "", "", "treat files as live: send what is appended from now on",
-       "What a file already holds is past; the face starts from its last keyframe. A file "
+      {"follow", "", "", "send what is appended",
+       "Files are live sources too. What a file already holds is past; the face starts from its "
+       "last keyframe. A file "
        "that is rewritten, replaced or truncated is read from its beginning.",
        flag(options.live_source.follow)},
-      {"source-timeout", "S", "10", "end a live source after S silent seconds (10; 0: never)",
-       "Seconds, up to 86400. The face holds for 0.5 s and returns to neutral within 1 s. "
+      {"source-timeout", "S", "10", "end if silent (10)",
+       "Seconds, up to 86400; 0: never. The face holds for 0.5 s and returns to neutral within 1 "
+       "s. "
        "After S seconds the connected clients get {-2}; when the source comes back, the "
        "stream goes on. With stream files on stdin or FIFOs only the end of input counts.",
        seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"record", "FILE", "", "record a live source as a stream file",
+      {"record", "FILE", "", "keep a live source",
        "Records what is served, with its times. The file is complete at any moment and is "
        "synced to the disk every second. Of several live sources the first is recorded; if "
        "FILE is a folder, each is, to NAME-TIME.txt. A file that is not empty is never "
        "overwritten. A full disk ends the recording but not the stream; the exit code is 1 "
        "then. convert --mend repairs a recording that a power cut has truncated.",
        word(options.record)},
-      {"skip-bad", "", "", "skip broken sources and report them",
+      {"skip-bad", "", "", "leave broken sources out",
        "Without it, one broken source ends the start with code 3 or 4, and SIGHUP changes "
        "nothing. If no source is left, the start fails all the same.",
        flag(options.skip_bad)},
@@ -60,6 +67,25 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "Prints bytes and bits a second for each protocol level, on average and in the "
        "busiest second, without and with headers, and serves nothing.",
        flag(options.estimate), "", Where::Typed},
+  };
+}
+
+std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
+  return {
+      {"upstream-token-file", "FILE", "", "to show",
+       "The token that the server of an aucast:// source wants, one word in a file. It is sent "
+       "only over TLS or to this host.",
+       word(upstream.token)},
+      {"upstream-wait", "S", "10", "hold when lost (10)",
+       "Seconds, up to 86400. While no server of an aucast:// source sends, its clients hold "
+       "for so long; then those of a live stream get {-2}, and those of a recorded one that "
+       "is not whole are cut off. The servers are tried on. A client that comes before the "
+       "stream does waits as long, at most 8 s, and is refused then.",
+       seconds(upstream.wait, 0, kTimeoutMax, "is not a number of seconds from 0 to 86400")},
+      {"upstream-tls-ca", "FILE", "", "authorities to trust at aucasts://",
+       "The certificates of the authorities that the server of an aucasts:// source must have "
+       "its certificate from (PEM); without it those of the system.",
+       word(upstream.tls.authorities)},
   };
 }
 
@@ -188,6 +214,7 @@ std::vector<OptionRow> program_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> option_rows(TransmitterOptions& options) {
   std::vector<OptionRow> rows = input_rows(options);
+  append(rows, upstream_rows(options.upstream));
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
   append(rows, sending_rows(options));
@@ -213,7 +240,7 @@ SIGHUP reloads the sources, SIGUSR1 logs the status.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 )",
       .examples = {"au-transmitter --bind 0.0.0.0 --live --loop talk.txt",
-                   "au-transmitter --follow processed/webcam.csv     (what OpenFace is writing)",
+                   "au-transmitter aucast://origin.example.org/talk     (a relay of that stream)",
                    "printf '1111111' | nc 127.0.0.1 4650     (prints the first eight "
                    "packets)"}};
 }

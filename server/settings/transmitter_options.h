@@ -13,6 +13,7 @@
 #include "protocol/limits.h"
 #include "server/settings/credential_files.h"
 #include "server/settings/source_options.h"
+#include "server/settings/upstream_settings.h"
 
 namespace aucast::server {
 
@@ -46,6 +47,7 @@ struct TransmitterOptions {
   std::optional<HttpAddress> http;              ///< nothing: no status by HTTP
   std::filesystem::path record;                 ///< file or folder for live streams; empty: none
   LiveSourceSettings live_source;               ///< how those are served that are being written
+  UpstreamSettings upstream;                    ///< streams of other servers
   std::string log_level = "info";               ///< as common/log.h takes it
   std::string log_format = "text";              ///< or "json"
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;

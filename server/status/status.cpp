@@ -62,6 +62,28 @@ void counter(std::string& text, std::string_view name, std::string_view help, st
   Family(text, name, "counter", help).sample(std::to_string(value));
 }
 
+/// The families of the streams that come from other servers; none without such a stream.
+void add_upstreams(std::string& text, const std::vector<UpstreamStatus>& upstreams) {
+  if (upstreams.empty()) return;
+  const auto add = [&](std::string_view name, std::string_view type, std::string_view help,
+                       const auto& value_of) {
+    Family family(text, name, type, help);
+    for (const UpstreamStatus& upstream : upstreams) {
+      family.sample(std::to_string(value_of(upstream)), "stream=\"" + upstream.stream + "\"");
+    }
+  };
+  add("aucast_upstream_receiving", "gauge", "A parent sends the stream.",
+      [](const UpstreamStatus& upstream) { return upstream.receiving ? 1 : 0; });
+  add("aucast_upstream_connects_total", "counter", "Connections to parents.",
+      [](const UpstreamStatus& upstream) { return upstream.connects; });
+  add("aucast_upstream_losses_total", "counter", "Parents that were lost while they sent.",
+      [](const UpstreamStatus& upstream) { return upstream.losses; });
+  add("aucast_upstream_packets_total", "counter", "Keyframes received.",
+      [](const UpstreamStatus& upstream) { return upstream.packets; });
+  add("aucast_upstream_bytes_total", "counter", "Bytes of those.",
+      [](const UpstreamStatus& upstream) { return upstream.bytes; });
+}
+
 }  // namespace
 
 std::vector<std::string> status_lines(const Status& status) {
@@ -73,7 +95,7 @@ std::vector<std::string> status_lines(const Status& status) {
   if (!reasons.empty()) reasons += ")";
   std::string names;
   for (const std::string& name : status.streams) names += " " + name;
-  return {
+  std::vector<std::string> lines = {
       "status: up " + duration_text(status.up_seconds) + "; clients " + text(status.clients) +
           ", paused " + text(status.clients_paused) + ", behind " + text(status.clients_behind),
       "status: came " + text(status.connects) + ", left " + text(sum_of(status.disconnects)) +
@@ -85,6 +107,14 @@ std::vector<std::string> status_lines(const Status& status) {
           " s; lag " + number(status.lag_seconds) + " s",
       "status: " + std::string(status.live ? "live" : "recorded") + " streams:" + names,
   };
+  for (const UpstreamStatus& upstream : status.upstreams) {
+    lines.push_back("status: upstream " + upstream.stream + " " +
+                    (upstream.receiving ? "from " + upstream.parent : "from nobody") +
+                    ": connections " + text(upstream.connects) + ", lost " + text(upstream.losses) +
+                    ", received " + text(upstream.packets) + " packets, " + text(upstream.bytes) +
+                    " bytes");
+  }
+  return lines;
 }
 
 std::string metrics_text(const Status& status) {
@@ -124,12 +154,23 @@ std::string metrics_text(const Status& status) {
   counter(text, "aucast_reloads_total", "Reloads by SIGHUP that worked.", status.reloads);
   counter(text, "aucast_reload_failures_total", "Reloads that left everything as it was.",
           status.reload_failures);
+  add_upstreams(text, status.upstreams);
   return text;
 }
 
 std::string status_json(const Status& status) {
   Json disconnects = Json::object();
   for (const auto& [reason, count] : status.disconnects) disconnects[reason] = count;
+  Json upstreams = Json::array();
+  for (const UpstreamStatus& upstream : status.upstreams) {
+    upstreams.push_back({{"stream", upstream.stream},
+                         {"parent", upstream.parent},
+                         {"receiving", upstream.receiving},
+                         {"connects", upstream.connects},
+                         {"losses", upstream.losses},
+                         {"packets", upstream.packets},
+                         {"bytes", upstream.bytes}});
+  }
   const Json all = {{"program", "au-transmitter"},
                     {"version", version_number()},
                     {"protocol", protocol::kProtocolVersion},
@@ -152,7 +193,8 @@ std::string status_json(const Status& status) {
                     {"queue_seconds", status.queue_seconds},
                     {"lag_seconds", status.lag_seconds},
                     {"reloads", status.reloads},
-                    {"reload_failures", status.reload_failures}};
+                    {"reload_failures", status.reload_failures},
+                    {"upstreams", std::move(upstreams)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

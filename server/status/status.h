@@ -10,6 +10,17 @@
 
 namespace aucast::server {
 
+/// A stream that comes from another server.
+struct UpstreamStatus {
+  std::string stream;      ///< empty: not known yet
+  std::string parent;      ///< HOST:PORT; empty: none is connected
+  bool receiving = false;  ///< keyframes have come from it
+  std::uint64_t connects = 0;
+  std::uint64_t losses = 0;   ///< of a parent that sent
+  std::uint64_t packets = 0;  ///< keyframes received
+  std::uint64_t bytes = 0;    ///< of those
+};
+
 /// How a transmitter is at one moment: what SIGUSR1 logs and --http answers.
 struct Status {
   double up_seconds = 0;
@@ -23,12 +34,13 @@ struct Status {
   std::uint64_t connects_unheard = 0;  ///< closed at once: not even room for a refusal
   std::uint64_t accept_failures = 0;   ///< out of descriptors or memory
   std::map<std::string, std::uint64_t> disconnects;  ///< by reason, since the start
-  Totals sent;                        ///< to all clients, those that are here among them
-  std::size_t queue_bytes = 0;        ///< that wait for clients to take them
-  double queue_seconds = 0;           ///< longest time that anything waits for one client
-  double lag_seconds = 0;             ///< how late the latest live moment was sent
-  std::uint64_t reloads = 0;          ///< by SIGHUP, that worked
-  std::uint64_t reload_failures = 0;  ///< that left everything as it was
+  Totals sent;                            ///< to all clients, those that are here among them
+  std::size_t queue_bytes = 0;            ///< that wait for clients to take them
+  double queue_seconds = 0;               ///< longest time that anything waits for one client
+  double lag_seconds = 0;                 ///< how late the latest live moment was sent
+  std::uint64_t reloads = 0;              ///< by SIGHUP, that worked
+  std::uint64_t reload_failures = 0;      ///< that left everything as it was
+  std::vector<UpstreamStatus> upstreams;  ///< one for each stream of another server
 };
 
 /// For the log; the first line says the most.

@@ -13,6 +13,7 @@
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
+#include "protocol/endpoint.h"
 #include "protocol/stream_file.h"
 #include "server/streams/memory.h"
 #include "server/streams/source_path.h"
@@ -89,8 +90,19 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
   return {};
 }
 
+/// A stream of another server; nothing is known of it yet but the name that its address has.
+Result<std::vector<Source>> address_source(const std::filesystem::path& path, LiveSources live) {
+  const auto address = protocol::parse_stream_address(path.string());
+  if (!address) return address.error();
+  if (live == LiveSources::None) {
+    return Error{ErrorKind::Usage, at_place(path.string(), "--check and --estimate read files")};
+  }
+  return std::vector<Source>{{.path = path, .name = address->stream, .live = true}};
+}
+
 /// The streams of one file: one, or one for each face.
 Result<std::vector<Source>> load_source(const std::filesystem::path& path, const Reading& reading) {
+  if (protocol::is_stream_address(path.string())) return address_source(path, reading.live);
   std::vector<Source> streams;
   const std::string stem = stream_name(path);
   if (auto can = check_name(path, stem); !can) return can.error();
@@ -168,6 +180,10 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
     return candidate.name == source.name;
   });
   if (other == sources.end()) return std::nullopt;
+  if (source.name.empty()) {
+    return Error{ErrorKind::Usage, at_place(source.path.string(),
+                                            "only one address may leave the stream's name out")};
+  }
   return Error{ErrorKind::Usage,
                at_place(source.path.string(), "a stream named '" + source.name + "' comes from " +
                                                   printable(other->path.string()) +

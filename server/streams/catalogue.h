@@ -19,11 +19,11 @@ namespace aucast::server {
 /// A stream file or a recording that was read and found right.
 struct Source {
   std::filesystem::path path;
-  std::string name;  ///< the file's stem: what a hello asks for
+  std::string name;  ///< the file's stem: what a hello asks for; empty: another server knows it
   std::shared_ptr<const protocol::EncodedStream> stream{};  ///< nothing while `live`
   StreamSummary summary{};
   std::optional<sources::Found> found{};  ///< of a recording
-  bool live = false;                      ///< nothing is read yet: a LiveSource will
+  bool live = false;                      ///< nothing is read yet: a LiveSource or an Upstream will
 };
 
 /// Which sources are live streams; others are read whole. What is in a folder is not live.

@@ -66,20 +66,24 @@ inline RawClient say_hello(const RunningTransmitter& server, std::string_view he
 }
 
 /// Reads the log until `text` is in it `times` times.
-inline bool logs(RunningTransmitter& server, const std::string& text, int times = 1) {
+inline bool logs(Process& process, const std::string& text, int times = 1) {
   const auto count = [&] {
     int found = 0;
-    for (std::size_t at = server.log().find(text); at != std::string::npos;
-         at = server.log().find(text, at + 1)) {
+    for (std::size_t at = process.err().find(text); at != std::string::npos;
+         at = process.err().find(text, at + 1)) {
       ++found;
     }
     return found;
   };
   const auto until = std::chrono::steady_clock::now() + kPatience;
   while (count() < times && std::chrono::steady_clock::now() < until) {
-    if (server.process().wait(std::chrono::milliseconds(20))) break;
+    if (process.wait(std::chrono::milliseconds(20))) break;
   }
   return count() >= times;
+}
+
+inline bool logs(RunningTransmitter& server, const std::string& text, int times = 1) {
+  return logs(server.process(), text, times);
 }
 
 /// Plays the six expressions as a classic client that answers each packet, and wants them exactly.

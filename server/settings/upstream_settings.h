@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "common/time.h"
+#include "common/tls/context.h"
+
+namespace aucast::server {
+
+/// How streams of other servers are received.
+struct UpstreamSettings {
+  std::filesystem::path token;  ///< shown to the parents; empty: none
+  tls::Files tls;               ///< for addresses aucasts://: authorities
+  Milliseconds wait{10'000};    ///< how long clients hold while no parent sends
+  friend bool operator==(const UpstreamSettings&, const UpstreamSettings&) = default;
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,149 @@
+#include "server/upstream/parent.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace aucast::server {
+namespace {
+
+protocol::ClientSessionOptions session_options(const RelayedStream& stream,
+                                               const Parent::Introduction& introduction) {
+  protocol::ClientSessionOptions options;
+  options.hello = stream.asked();
+  options.hello.token = introduction.token;
+  options.hello.relay = introduction.id;
+  return options;
+}
+
+std::string_view without_blanks_before(std::string_view packet) {
+  return packet.substr(std::min(packet.find('{'), packet.size()));
+}
+
+}  // namespace
+
+Parent::Parent(std::shared_ptr<link::Link> link, RelayedStream& stream,
+               const Introduction& introduction, Owner owner)
+    : link_(std::move(link)),
+      stream_(stream),
+      owner_(std::move(owner)),
+      session_(session_options(stream, introduction)) {}
+
+Parent::~Parent() {
+  link_->close();
+}
+
+void Parent::on_open() {
+  carry_out(session_.on_connected(link_->now()));
+  settle();
+}
+
+void Parent::on_bytes(std::string_view bytes) {
+  while (!bytes.empty() && !ending_) {
+    const std::string_view before = bytes;
+    const auto events = session_.on_bytes(bytes, link_->now());
+    packet_ += before.substr(0, before.size() - bytes.size());
+    carry_out(events);
+  }
+  settle();
+}
+
+void Parent::on_peer_end() {
+  carry_out(session_.on_closed(link_->now()));
+  settle();
+}
+
+void Parent::on_time() {
+  carry_out(session_.on_time(link_->now()));
+  settle();
+}
+
+void Parent::on_closed(const link::Ending& ending) {
+  if (!ending_) ending_ = Ending{false, ending.reason};
+  settle();
+}
+
+void Parent::carry_out(const std::vector<protocol::ClientEvent>& events) {
+  for (const protocol::ClientEvent& event : events) {
+    if (ending_) return;
+    std::visit([this](const auto& what) { handle(what); }, event);
+  }
+}
+
+void Parent::handle(const protocol::SendBytes& event) {
+  link_->write(event.bytes);
+}
+
+void Parent::handle(const protocol::Granted& event) {
+  packet_.clear();
+  granted_ = true;
+  leave(stream_.begin(event.hello));
+  moved_on_ = true;
+}
+
+void Parent::handle(const protocol::DeliverKeyframe& event) {
+  if (!granted_) {
+    leave("it speaks classic only, and a relay needs level 2");
+    return;
+  }
+  if (stream_.live() && floods()) {
+    leave("it sends more than " + std::to_string(kLivePerSecondMost) + " keyframes a second");
+    return;
+  }
+  leave(stream_.add(event, without_blanks_before(packet_)));
+  packet_.clear();
+  answers_ += session_.answer_received();
+  moved_on_ = true;
+}
+
+void Parent::handle(const protocol::DeliverVoice& event) {
+  packet_.clear();
+  stream_.add(event);
+  moved_on_ = true;
+}
+
+void Parent::handle(const protocol::DeliverCaption& event) {
+  packet_.clear();
+  stream_.add(event);
+  moved_on_ = true;
+}
+
+void Parent::handle(const protocol::StreamEnded& /*event*/) {
+  leave(stream_.end());
+  if (!ending_) ending_ = Ending{true, "its stream has ended"};
+  moved_on_ = true;
+}
+
+void Parent::handle(const protocol::ReconnectClassic& /*event*/) {
+  leave("it took the hello for garbage or closed at once; is it an au-transmitter?");
+}
+
+void Parent::handle(const protocol::SessionFailed& event) {
+  leave(event.reason);
+}
+
+void Parent::leave(std::optional<std::string> wrong) {
+  if (wrong) ending_ = Ending{false, *std::move(wrong)};
+}
+
+bool Parent::floods() {
+  const Instant now = link_->now();
+  if (now - second_begin_ >= std::chrono::seconds(1)) {
+    second_begin_ = now;
+    in_second_ = 0;
+  }
+  return ++in_second_ > kLivePerSecondMost;
+}
+
+/// At the end of every call of the link: the last thing that is done with this object.
+void Parent::settle() {
+  if (!answers_.empty()) link_->write(std::exchange(answers_, {}));
+  link_->wake_at(session_.deadline());
+  if (std::exchange(moved_on_, false)) owner_.moved_on();
+  if (!ending_) return;
+  const auto over = std::exchange(owner_.over, nullptr);
+  const Ending ending = *ending_;
+  if (over) over(ending);
+}
+
+}  // namespace aucast::server

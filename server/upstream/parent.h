@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/link/link.h"
+#include "common/time.h"
+#include "protocol/client_session.h"
+#include "server/upstream/relayed_stream.h"
+
+namespace aucast::server {
+
+/// One connection to a parent: the level-2 client that fills a RelayedStream. It answers every
+/// keyframe at once, for it has always room. A parent that is not what it should be is left.
+/// Thread: that of the link.
+class Parent final : public link::LinkUser {
+ public:
+  /// Keyframes of a live stream within a second, beyond which it is a flood.
+  static constexpr std::uint32_t kLivePerSecondMost = 2'000;
+
+  struct Ending {
+    bool in_order = false;  ///< {-2}: it has no more
+    std::string reason;     ///< a clause for the log
+  };
+  struct Owner {
+    std::function<void()> moved_on;  ///< the stream has something new
+    /// Nothing more comes of this parent, which may be destroyed by this call.
+    std::function<void(const Ending&)> over;
+  };
+  struct Introduction {
+    std::string token;  ///< empty: none
+    std::string id;     ///< of this relay
+  };
+
+  /// `stream` outlives it.
+  Parent(std::shared_ptr<link::Link> link, RelayedStream& stream, const Introduction& introduction,
+         Owner owner);
+  ~Parent() override;
+  Parent(const Parent&) = delete;
+  Parent& operator=(const Parent&) = delete;
+
+  void start() { link_->start(*this); }
+
+  [[nodiscard]] std::uint64_t packets() const { return session_.packets_received(); }
+  [[nodiscard]] std::uint64_t bytes() const { return session_.payload_bytes(); }
+
+ private:
+  void on_open() override;
+  void on_bytes(std::string_view bytes) override;
+  void on_peer_end() override;
+  void on_room() override {}
+  void on_time() override;
+  void on_closed(const link::Ending& ending) override;
+
+  void carry_out(const std::vector<protocol::ClientEvent>& events);
+  void handle(const protocol::SendBytes& event);
+  void handle(const protocol::DeliverKeyframe& event);
+  void handle(const protocol::DeliverVoice& event);
+  void handle(const protocol::DeliverCaption& event);
+  void handle(const protocol::Granted& event);
+  void handle(const protocol::StreamEnded& event);
+  void handle(const protocol::ReconnectClassic& event);
+  void handle(const protocol::SessionFailed& event);
+  void leave(std::optional<std::string> wrong);
+  [[nodiscard]] bool floods();
+  void settle();
+
+  std::shared_ptr<link::Link> link_;
+  RelayedStream& stream_;
+  Owner owner_;
+  protocol::ClientSession session_;
+  std::string packet_;  ///< what was read since the last whole packet
+  std::string answers_;
+  bool granted_ = false;
+  bool moved_on_ = false;  ///< in the running call
+  std::optional<Ending> ending_;
+  Instant second_begin_{};
+  std::uint32_t in_second_ = 0;
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,189 @@
+#include "server/upstream/relayed_stream.h"
+
+#include <utility>
+
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+
+namespace aucast::server {
+namespace {
+
+using protocol::Extent;
+
+std::string ms_text(std::uint64_t ms) {
+  return std::to_string(ms) + " ms";
+}
+
+const char* kind_of(bool live) {
+  return live ? "live" : "recorded";
+}
+
+/// How many keyframes are kept between two looks at the memory that is left.
+constexpr std::size_t kLookEvery = 4096;
+
+}  // namespace
+
+RelayedStream::RelayedStream(Options options)
+    : options_(std::move(options)), shared_(std::make_shared<protocol::UpstreamStream>()) {
+  shared_->name = options_.name;
+  shared_->patience = options_.patience;
+}
+
+protocol::HelloAsked RelayedStream::asked() const {
+  protocol::HelloAsked asked;
+  asked.window = protocol::kWindowMax;
+  asked.stream = shared_->name;
+  asked.delta = true;
+  asked.from_ms = place_ms_;
+  asked.voice = protocol::kVoiceCodec;
+  asked.text = true;
+  return asked;
+}
+
+std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted& hello) const {
+  const std::string& name = shared_->name;
+  if (!name.empty() && !hello.stream.empty() && hello.stream != name) {
+    return "it sends the stream '" + hello.stream + "', asked was '" + name + "'";
+  }
+  if (name.empty() && hello.stream.empty()) {
+    return "it does not say its stream's name; ask for one by aucast://HOST/STREAM";
+  }
+  if (begun() && hello.live != live()) {
+    return std::string("its stream is ") + kind_of(hello.live) + ", and what is served here is " +
+           kind_of(live());
+  }
+  if (begun() && hello.keyframe_ms != shared_->keyframe_ms) {
+    return "its keyframes without a time take " + ms_text(hello.keyframe_ms) +
+           ", and what is served here has " + ms_text(shared_->keyframe_ms);
+  }
+  if (hello.live) return std::nullopt;
+  if (!hello.duration_ms) {
+    return "its recording starts again and again (--loop), which cannot be kept; add --live there, "
+           "or --loop here alone";
+  }
+  if (recorded_ && hello.duration_ms != recorded_->duration_ms) {
+    return "its recording takes " + ms_text(*hello.duration_ms) + ", and what is served here " +
+           ms_text(recorded_->duration_ms.value_or(0));
+  }
+  if (hello.from_ms != place_ms_) {
+    return "it begins at " + ms_text(hello.from_ms) + ", asked was " + ms_text(place_ms_);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& hello) {
+  if (auto wrong = objection(hello)) return wrong;
+  shared_->servers = hello.servers;
+  if (begun()) {
+    if (recorded_) recorded_->extent = Extent::Growing;
+    if (feed_) offset_ = feed_->end_of_newest();
+    return std::nullopt;
+  }
+  if (shared_->name.empty()) shared_->name = hello.stream;
+  shared_->keyframe_ms = hello.keyframe_ms;
+  shared_->title = hello.title;
+  const bool voice = hello.voice == protocol::kVoiceCodec;
+  if (hello.live) {
+    feed_ = std::make_shared<protocol::LiveFeed>(hello.keyframe_ms, options_.classic_min, voice,
+                                                 hello.text, hello.duration_ms);
+    shared_->live = feed_;
+    return std::nullopt;
+  }
+  recorded_ = std::make_shared<protocol::EncodedStream>();
+  recorded_->duration_ms = hello.duration_ms;
+  recorded_->extent = Extent::Growing;
+  changes_ = hello.delta;
+  if (voice) voice_ = std::make_shared<protocol::VoiceTrack>();
+  if (voice || hello.text) {
+    sound_ = std::make_shared<protocol::Soundtrack>();
+    sound_->voice = voice_;
+    shared_->sound = sound_;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> RelayedStream::add(const protocol::DeliverKeyframe& keyframe,
+                                              std::string_view packet) {
+  const std::uint32_t time_ms = keyframe.duration_ms.value_or(shared_->keyframe_ms);
+  const protocol::Keyframe state{canonical_terms(keyframe.aus), false, keyframe.duration_ms,
+                                 keyframe.place_ms};
+  protocol::EncodedKeyframe encoded;
+  encoded.classic = encode_classic(state, options_.classic_min);
+  encoded.full = keyframe.changes_only ? encode(state) : std::string(packet);
+  encoded.changes = packet;
+  if (feed_) {
+    feed_->add(std::move(encoded), Milliseconds(time_ms));
+    return std::nullopt;
+  }
+  return keep(encoded, time_ms);
+}
+
+std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& keyframe,
+                                               std::uint32_t time_ms) {
+  protocol::EncodedStream& stream = *recorded_;
+  if (place_ms_ + time_ms > stream.duration_ms.value_or(0)) {
+    return "it sends more than the " + ms_text(stream.duration_ms.value_or(0)) +
+           " that it announced";
+  }
+  const std::uint64_t bytes =
+      stream.classic.bytes() + stream.negotiated.bytes() + stream.changes.bytes();
+  if (bytes > kBytesMost) return "its recording has more than 1 GiB";
+  if (stream.times.size() % kLookEvery == 0) {
+    // As much again is taken for a moment when the buffers grow.
+    if (auto may = options_.may_hold(bytes); !may) return may.error().message;
+  }
+  stream.classic.push_back(keyframe.classic);
+  stream.negotiated.push_back(keyframe.full);
+  if (changes_) stream.changes.push_back(keyframe.changes);
+  stream.times.emplace_back(time_ms);
+  place_ms_ += time_ms;
+  if (voice_) voice_->encoded_to(place());
+  // Not before: by its lists sessions see which forms there are.
+  shared_->recorded = recorded_;
+  return std::nullopt;
+}
+
+/// What a parent sends again, because it sounds where it was asked to begin, is here already.
+void RelayedStream::add(const protocol::DeliverVoice& voice) {
+  if (feed_) {
+    feed_->add_voice({voice.packet.place + offset_, voice.packet.opus});
+  } else if (voice_) {
+    const auto before = voice_->packets();
+    if (before.empty() || voice.packet.place >= before.back().end) voice_->add(voice.packet);
+  }
+}
+
+void RelayedStream::add(const protocol::DeliverCaption& caption) {
+  if (feed_) {
+    const auto place = Milliseconds(caption.caption.place_ms) + offset_;
+    feed_->add_caption({static_cast<std::uint64_t>(place.count()), caption.caption.text});
+  } else if (sound_) {
+    auto& captions = sound_->captions;
+    if (captions.empty() || caption.caption.place_ms > captions.back().place_ms) {
+      captions.push_back(caption.caption);
+    }
+  }
+}
+
+std::optional<std::string> RelayedStream::end() {
+  if (!recorded_) return std::nullopt;
+  if (place_ms_ < recorded_->duration_ms.value_or(0)) {
+    return "it ended after " + ms_text(place_ms_) + " of the " +
+           ms_text(recorded_->duration_ms.value_or(0)) + " that it announced";
+  }
+  recorded_->extent = Extent::Whole;
+  if (voice_) voice_->finish();
+  shared_->recorded = recorded_;
+  return std::nullopt;
+}
+
+void RelayedStream::give_up() {
+  if (feed_) feed_->end();
+  if (recorded_ && !whole()) recorded_->extent = Extent::BrokenOff;
+}
+
+bool RelayedStream::whole() const {
+  return recorded_ && recorded_->extent == Extent::Whole;
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,217 @@
+// au-transmitter as a relay of other au-transmitters, over loopback.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tests/integration/server_running.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::test {
+namespace {
+
+/// OpenFace as far as it matters here: AU 12 at 25 rows a second.
+constexpr const char* kHeader = "face_id,timestamp,success,AU12_r\n";
+
+std::string row(int frame, const std::string& of_five) {
+  const int ms = frame * 40;
+  return "0," + std::to_string(ms / 1000) + "." + std::to_string(1000 + ms % 1000).substr(1) +
+         ",1," + of_five + "\n";
+}
+
+void append(const std::filesystem::path& path, const std::string& text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(file, 0);
+  ASSERT_EQ(::write(file, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  ::close(file);
+}
+
+/// A port that nothing listens on.
+std::string free_port() {
+  RunningTransmitter server({stream_file("six_expressions.txt")});
+  std::string port = server.port();
+  EXPECT_EQ(server.terminate(), 0);
+  return port;
+}
+
+std::string address_of(const RunningTransmitter& server, const std::string& stream) {
+  return "aucast://" + server.address() + "/" + stream;
+}
+
+/// All that a client gets which answers everything beforehand.
+std::string whole(const RunningTransmitter& server, const std::string& hello) {
+  std::string reply;
+  RawClient client = say_hello(server, hello, reply);
+  client.send(std::string(1000, '1'));
+  return reply + client.receive_all();
+}
+
+class ServerRelay : public ::testing::Test {
+ protected:
+  RawClient join(const RunningTransmitter& server) {
+    std::string reply;
+    RawClient client = say_hello(server, "{hello v=2 window=0 delta=1}", reply);
+    EXPECT_NE(reply.find(" stream=webcam live=1 "), std::string::npos) << reply;
+    return client;
+  }
+  /// A source that the test writes, and its server.
+  RunningTransmitter origin() {
+    webcam_ = folder_.write("webcam.csv", kHeader + row(0, "1") + row(1, "1"));
+    return RunningTransmitter({"--follow", "--source-timeout", "0", webcam_.string()});
+  }
+
+  TempFolder folder_;
+  std::filesystem::path webcam_;
+};
+
+TEST_F(ServerRelay, ARecordedStreamIsTheSameBytesBehindTwoRelays) {
+  RunningTransmitter origin({stream_file("talk.txt")});
+  RunningTransmitter first({address_of(origin, "talk")});
+  RunningTransmitter second({address_of(first, "talk")});
+  for (const char* hello : {"{hello v=2 window=64 stream=talk delta=1}", "{hello v=2 window=64}",
+                            "{hello v=2 window=64 delta=1 from=5000}"}) {
+    const std::string direct = whole(origin, hello);
+    EXPECT_TRUE(direct.ends_with(kEnd)) << hello;
+    EXPECT_EQ(whole(second, hello), direct) << hello;
+  }
+  EXPECT_TRUE(logs(first, "talk: it is here whole")) << first.log();
+}
+
+TEST_F(ServerRelay, AClassicClientOfARelayGetsClassicPackets) {
+  RunningTransmitter origin({stream_file("six_expressions.txt")});
+  RunningTransmitter relay({address_of(origin, "")});
+  ASSERT_TRUE(logs(relay, "is here whole")) << relay.log();
+  RawClient client = relay.connect();
+  ASSERT_TRUE(client.send("1"));
+  ASSERT_EQ(client.receive(kSixPackets[0].size()), kSixPackets[0]);
+}
+
+TEST_F(ServerRelay, ALiveMomentReachesTheClientOfASecondRelay) {
+  RunningTransmitter server = origin();
+  RunningTransmitter first({address_of(server, "webcam")});
+  RunningTransmitter second({address_of(first, "webcam")});
+  RawClient direct = join(server);
+  RawClient far = join(second);
+  // In between the face may go to neutral, on a machine that is slow.
+  for (int frame = 2; frame < 12; ++frame) {
+    append(webcam_, row(frame, frame % 2 == 0 ? "3" : "4"));
+    const std::string begin = frame % 2 == 0 ? "{12:60;" : "{12:80;";
+    EXPECT_NE(direct.receive_until(begin).find(begin), std::string::npos);
+    EXPECT_NE(far.receive_until(begin).find(begin), std::string::npos);
+    EXPECT_EQ(far.receive_until("}"), direct.receive_until("}")) << "the same time";
+  }
+}
+
+TEST_F(ServerRelay, OneConnectionThereServesManyClientsHere) {
+  RunningTransmitter server = origin();
+  RunningTransmitter relay({address_of(server, "webcam")});
+  std::vector<RawClient> clients;
+  for (int i = 0; i < 10; ++i) clients.push_back(join(relay));
+  append(webcam_, row(2, "5"));
+  for (RawClient& client : clients) {
+    EXPECT_NE(client.receive_until("{12;").find("{12;"), std::string::npos);
+  }
+  relay.process().signal(SIGUSR1);
+  EXPECT_TRUE(logs(relay, "status: upstream webcam from " + server.address() + ": connections 1"))
+      << relay.log();
+  server.process().signal(SIGUSR1);
+  EXPECT_TRUE(logs(server, "clients 1, paused 0")) << server.log();
+}
+
+TEST_F(ServerRelay, WhenALiveParentIsKilledTheNextOneIsTaken) {
+  RunningTransmitter first = origin();
+  RunningTransmitter second({"--follow", "--source-timeout", "0", webcam_.string()});
+  RunningTransmitter relay({"aucast://" + first.address() + "," + second.address() + "/webcam"});
+  RawClient client = join(relay);
+  EXPECT_NE(client.receive_until("}"), "");
+  first.process().signal(SIGKILL);
+  EXPECT_TRUE(logs(relay, "webcam: goes on with " + second.address())) << relay.log();
+  EXPECT_NE(relay.log().find(" s is missing"), std::string::npos) << relay.log();
+  append(webcam_, row(2, "3"));
+  const std::string seen = client.receive_until("{12:60;");
+  EXPECT_NE(seen.find("{12:60;"), std::string::npos);
+  EXPECT_EQ(seen.find(kEnd), std::string::npos);
+}
+
+TEST_F(ServerRelay, ALiveStreamEndsForClientsWhenNoParentIsFoundInTime) {
+  RunningTransmitter server = origin();
+  RunningTransmitter relay({"--upstream-wait", "0.2", address_of(server, "webcam")});
+  RawClient client = join(relay);
+  EXPECT_NE(client.receive_until("}"), "");
+  server.process().signal(SIGKILL);
+  EXPECT_TRUE(client.receive_all().ends_with(kEnd));
+  EXPECT_TRUE(logs(relay, "no parent sends it: it ends for the clients there")) << relay.log();
+}
+
+TEST_F(ServerRelay, AClientMayComeBeforeTheStream) {
+  const std::string port = free_port();
+  RunningTransmitter relay({"aucast://127.0.0.1:" + port + "/six_expressions"});
+  RawClient client = relay.connect();
+  ASSERT_TRUE(client.send("{hello v=2 window=8}"));
+  ASSERT_TRUE(logs(relay, "cannot be reached")) << relay.log();
+  Process origin({program("au-transmitter"), "--port", port, stream_file("six_expressions.txt")});
+  ASSERT_TRUE(origin.read_line(kPatience).has_value()) << origin.err();
+  EXPECT_TRUE(client.receive_until("}").starts_with("{hello v=2 window=8 stream=six_expressions"));
+}
+
+TEST_F(ServerRelay, WhoWaitsInVainIsTold) {
+  RunningTransmitter relay({"--upstream-wait", "0.2", "aucast://127.0.0.1:" + free_port() + "/x"});
+  std::string reply;
+  say_hello(relay, "{hello v=2 stream=x}", reply);
+  EXPECT_TRUE(reply.starts_with("{error 503 the stream has not come")) << reply;
+  say_hello(relay, "{hello v=2 stream=y}", reply);
+  EXPECT_TRUE(reply.starts_with("{error 404 ")) << reply;
+}
+
+TEST_F(ServerRelay, ARelayThatDialsItselfIsRefused) {
+  const std::string port = free_port();
+  Process relay({program("au-transmitter"), "--port", port, "aucast://127.0.0.1:" + port + "/x"});
+  ASSERT_TRUE(relay.read_line(kPatience).has_value()) << relay.err();
+  EXPECT_TRUE(
+      logs(relay, "the server refused: 508 the stream would come back to the relay that asks"))
+      << relay.err();
+}
+
+TEST_F(ServerRelay, ARelayIsRefusedByTheOneThatItFeeds) {
+  RunningTransmitter server = origin();
+  const std::string port = free_port();
+  // The first one is fed by the origin as long as that lives, then asks the second.
+  RunningTransmitter first(
+      {"aucast://" + server.address() + ",127.0.0.1:" + port + "/webcam", "--upstream-wait", "20"});
+  RawClient client = join(first);
+  Process second({program("au-transmitter"), "--port", port, address_of(first, "webcam")});
+  ASSERT_TRUE(second.read_line(kPatience).has_value()) << second.err();
+  ASSERT_TRUE(logs(second, "webcam: live, from")) << second.err();
+  server.process().signal(SIGKILL);
+  EXPECT_TRUE(logs(first, "508 the stream would come back")) << first.log();
+}
+
+TEST_F(ServerRelay, AnAddressThatCannotBeRightIsAUsageError) {
+  for (const char* address : {"aucast://", "aucast://a/b/c", "aucast://a:0/x"}) {
+    const Finished finished = run({program("au-transmitter"), address});
+    EXPECT_EQ(finished.exit_code, 2) << address;
+    EXPECT_NE(finished.err.find("is no address of a stream"), std::string::npos) << finished.err;
+  }
+}
+
+TEST_F(ServerRelay, ATokenGoesToNobodyInPlainText) {
+  const auto token = folder_.write("token", "0123456789abcdef");
+  const Finished finished = run({program("au-transmitter"), "--port", "0", "--upstream-token-file",
+                                 token.string(), "aucast://example.org/talk"});
+  EXPECT_EQ(finished.exit_code, 2);
+  EXPECT_NE(finished.err.find("use aucasts://"), std::string::npos) << finished.err;
+}
+
+TEST_F(ServerRelay, AParentsTokenIsShown) {
+  const auto token = folder_.write("token", "0123456789abcdef");
+  RunningTransmitter origin({"--token-file", token.string(), stream_file("six_expressions.txt")});
+  RunningTransmitter relay(
+      {"--upstream-token-file", token.string(), address_of(origin, "six_expressions")});
+  EXPECT_TRUE(logs(relay, "is here whole")) << relay.log();
+}
+
+}  // namespace
+}  // namespace aucast::test

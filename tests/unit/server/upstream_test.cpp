@@ -1,0 +1,324 @@
+#include "server/upstream/upstream_options.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/upstream/parent.h"
+#include "server/upstream/parent_turns.h"
+#include "server/upstream/relayed_stream.h"
+#include "tests/support/fake_link.h"
+
+namespace aucast::server {
+namespace {
+
+using link::Ending;
+using test::FakeLink;
+
+/// A relay of the stream `talk`, whose parents the test plays one after the other.
+class RelayOfTalk : public testing::Test {
+ protected:
+  RelayedStream::Options options() {
+    return {"talk", 20, Milliseconds(8000), [this](std::uint64_t bytes) -> Result<void> {
+              asked_bytes_ = bytes;
+              if (full_) return Error{ErrorKind::Unreadable, "talk: there is no memory left"};
+              return {};
+            }};
+  }
+
+  /// The next parent; returns what the relay says to it.
+  std::string connect() {
+    ending_.reset();
+    link_ = std::make_shared<FakeLink>();
+    parent_ = std::make_unique<Parent>(
+        link_, stream_, Parent::Introduction{"secret", "me"},
+        Parent::Owner{[this] { ++moments_; },
+                      [this](const Parent::Ending& ending) { ending_ = ending; }});
+    parent_->start();
+    return link_->heard();
+  }
+  std::string hear(std::string_view bytes) {
+    link_->say(bytes);
+    return link_->heard();
+  }
+  [[nodiscard]] std::string why() const { return ending_ ? ending_->reason : ""; }
+  [[nodiscard]] const protocol::EncodedStream& kept() const { return *stream_.shared()->recorded; }
+  [[nodiscard]] std::vector<std::string> packets(const protocol::PacketList& list) const {
+    std::vector<std::string> all;
+    for (std::size_t at = 0; at < list.size(); ++at) all.emplace_back(list[at]);
+    return all;
+  }
+
+  bool full_ = false;
+  std::uint64_t asked_bytes_ = 0;
+  RelayedStream stream_{options()};
+  std::shared_ptr<FakeLink> link_;
+  std::unique_ptr<Parent> parent_;
+  std::optional<Parent::Ending> ending_;
+  int moments_ = 0;
+};
+
+constexpr const char* kLive = "{hello v=2 window=50 delta=1 stream=talk live=1 origin=o,a}";
+constexpr const char* kRecorded =
+    "{hello v=2 window=256 delta=1 stream=talk duration=120 keyframe=40}";
+
+TEST_F(RelayOfTalk, SaysWhoAsksForWhat) {
+  EXPECT_EQ(connect(),
+            "{hello v=2 window=256 stream=talk token=secret delta=1 voice=opus text=1 relay=me}");
+}
+
+TEST_F(RelayOfTalk, PassesPacketsOfALiveStreamOnAsTheyCame) {
+  connect();
+  EXPECT_EQ(hear(kLive), "");
+  const auto live = stream_.shared()->live;
+  ASSERT_NE(live, nullptr) << "known before its first keyframe";
+  EXPECT_EQ(stream_.shared()->servers, "o,a");
+  EXPECT_EQ(hear("{12C;40@1000} {~1:30;33@1033}\n"), "11");
+  ASSERT_NE(live->newest(), nullptr);
+  EXPECT_EQ(live->newest()->number, 1U);
+  EXPECT_EQ(live->newest()->changes, "{~1:30;33@1033}");
+  EXPECT_EQ(live->newest()->full, "{1:30,12:50;33@1033}") << "for who joins now";
+  EXPECT_EQ(live->newest()->classic, "{1,12}");
+  EXPECT_GE(moments_, 2);
+}
+
+TEST_F(RelayOfTalk, TakesPacketsThatAreCutAnywhere) {
+  connect();
+  hear(kLive);
+  const std::string packet = "{L12:80;40@7}";
+  for (const char byte : packet) hear(std::string(1, byte));
+  EXPECT_EQ(stream_.shared()->live->newest()->full, packet);
+}
+
+TEST_F(RelayOfTalk, KeepsARecordedStreamInEveryForm) {
+  connect();
+  hear(kRecorded);
+  EXPECT_EQ(stream_.shared()->recorded, nullptr) << "its forms show with the first keyframe";
+  hear("{12C}{~1:30}");
+  EXPECT_EQ(kept().extent, protocol::Extent::Growing);
+  EXPECT_EQ(packets(kept().changes), (std::vector<std::string>{"{12C}", "{~1:30}"}));
+  EXPECT_EQ(packets(kept().negotiated), (std::vector<std::string>{"{12C}", "{1:30,12:50}"}));
+  EXPECT_EQ(packets(kept().classic), (std::vector<std::string>{"{12}", "{1,12}"}));
+  hear("{0;40}{-2}");
+  EXPECT_TRUE(stream_.whole());
+  ASSERT_TRUE(ending_);
+  EXPECT_TRUE(ending_->in_order);
+}
+
+TEST_F(RelayOfTalk, KeepsTheVoiceOfARecordedStreamOnce) {
+  const std::string kSpoken =
+      "{hello v=2 window=256 stream=talk duration=120 keyframe=40 voice=opus text=1";
+  connect();
+  hear(kSpoken + "}{a@0 CP/+}{t@0 SGk}{1}");
+  ASSERT_NE(stream_.shared()->sound, nullptr);
+  const protocol::VoiceTrack& voice = *stream_.shared()->sound->voice;
+  EXPECT_EQ(voice.packets().size(), 1U);
+  EXPECT_EQ(voice.encoded_until(), Milliseconds(40));
+  EXPECT_FALSE(voice.complete());
+  link_->end({Ending::Why::Lost, "reset by peer"});
+  connect();
+  hear(kSpoken + " from=40}{a@0 CP/+}{t@0 SGk}{a@40 CP/+}{2}{0}{-2}");
+  EXPECT_EQ(voice.packets().size(), 2U) << "what sounded already is not heard twice";
+  EXPECT_EQ(stream_.shared()->sound->captions.size(), 1U);
+  EXPECT_TRUE(voice.complete());
+}
+
+TEST_F(RelayOfTalk, VoiceOfTheNextLiveParentFollowsThatOfTheOneBefore) {
+  const std::string kSpoken = "{hello v=2 window=50 delta=1 stream=talk live=1 voice=opus}";
+  connect();
+  hear(kSpoken + "{a@0 CP/+}{1;40}");
+  link_->end({Ending::Why::Lost, "reset by peer"});
+  connect();
+  hear(kSpoken + "{a@0 CP/+}{1;40}");
+  const auto& voice = stream_.shared()->live->voice();
+  ASSERT_NE(voice.find(1), nullptr);
+  EXPECT_EQ(voice.find(1)->begin, Milliseconds(40));
+}
+
+TEST_F(RelayOfTalk, ARecordedStreamGoesOnWithTheNextParentWhereItWasCutOff) {
+  connect();
+  hear(kRecorded);
+  hear("{1;40}{2;4");
+  link_->end({Ending::Why::Lost, "reset by peer"});
+  EXPECT_EQ(why(), "reset by peer");
+  EXPECT_EQ(
+      connect(),
+      "{hello v=2 window=256 stream=talk token=secret delta=1 from=40 voice=opus text=1 relay=me}");
+  hear("{hello v=2 window=256 delta=1 stream=talk duration=120 keyframe=40 from=40}{2}{0}{-2}");
+  EXPECT_EQ(packets(kept().negotiated), (std::vector<std::string>{"{1;40}", "{2}", "{0}"}));
+  EXPECT_TRUE(stream_.whole());
+}
+
+TEST_F(RelayOfTalk, ALiveStreamGoesOnWithAFullPacketOfTheNextParent) {
+  connect();
+  hear(kLive);
+  hear("{1;40}{~2;40}");
+  link_->end({Ending::Why::Lost, "reset by peer"});
+  connect();
+  hear(kLive);
+  hear("{4;40}");
+  const protocol::LiveMoment& newest = *stream_.shared()->live->newest();
+  EXPECT_EQ(newest.number, 2U);
+  EXPECT_EQ(newest.changes, "{4;40}") << "no change of what the parent before sent";
+}
+
+TEST_F(RelayOfTalk, GivingUpEndsALiveStreamUntilAParentSendsAgain) {
+  connect();
+  hear(kLive);
+  hear("{1;40}{-2}");
+  EXPECT_FALSE(stream_.shared()->live->ended()) << "another parent may have it";
+  stream_.give_up();
+  EXPECT_TRUE(stream_.shared()->live->ended());
+  connect();
+  hear(kLive);
+  hear("{4;40}");
+  EXPECT_FALSE(stream_.shared()->live->ended());
+}
+
+TEST_F(RelayOfTalk, GivingUpBreaksARecordedStreamOffUntilAParentSendsAgain) {
+  connect();
+  hear(kRecorded);
+  hear("{1;40}");
+  link_->end({Ending::Why::Lost, "reset by peer"});
+  stream_.give_up();
+  EXPECT_EQ(kept().extent, protocol::Extent::BrokenOff);
+  connect();
+  hear("{hello v=2 window=256 delta=1 stream=talk duration=120 keyframe=40 from=40}");
+  EXPECT_EQ(kept().extent, protocol::Extent::Growing);
+}
+
+/// Each of these parents is left with a reason, and nothing else happens.
+TEST_F(RelayOfTalk, LeavesAParentThatIsNotWhatItShouldBe) {
+  const struct {
+    const char* says;
+    const char* reason;
+  } parents[] = {
+      {"HTTP/1.1 400 Bad Request", "not the protocol"},
+      {"{hello v=2 window=50 stream=other live=1}", "sends the stream 'other', asked was 'talk'"},
+      {"{hello v=2 window=50 stream=talk}", "starts again and again"},
+      {"{hello v=3}", "answered in version 3"},
+      {"{1}", "it speaks classic only"},
+      {"{error 404 there is no stream 'talk' here}", "the server refused: 404"},
+      {"{streams talk}", "a list of streams that was not asked for"},
+      {"{hello v=2 stream=talk duration=80 keyframe=40}{1}{2}{4}", "more than the 80 ms"},
+      {"{hello v=2 stream=talk duration=80 keyframe=40}{1}{-2}", "ended after 40 ms of the 80 ms"},
+      {"{hello v=2 stream=talk live=1 delta=1}{~1}", "names only changes"},
+      {"{hello v=2 stream=talk live=1 origin=a,,b}", "origin has IDs of 1-16"},
+  };
+  for (const auto& parent : parents) {
+    SCOPED_TRACE(parent.says);
+    RelayedStream fresh(options());
+    std::optional<Parent::Ending> ending;
+    auto link = std::make_shared<FakeLink>();
+    Parent met(link, fresh, {"", "me"}, {[] {}, [&](const Parent::Ending& why) { ending = why; }});
+    met.start();
+    link->say(parent.says);
+    ASSERT_TRUE(ending);
+    EXPECT_FALSE(ending->in_order);
+    EXPECT_NE(ending->reason.find(parent.reason), std::string::npos) << ending->reason;
+  }
+}
+
+TEST_F(RelayOfTalk, ANextParentMustHaveTheSameStream) {
+  connect();
+  hear(kRecorded);
+  hear("{1;40}");
+  const struct {
+    const char* says;
+    const char* reason;
+  } parents[] = {
+      {"{hello v=2 stream=talk live=1 keyframe=40}", "its stream is live"},
+      {"{hello v=2 stream=talk duration=160 keyframe=40 from=40}", "its recording takes 160 ms"},
+      {"{hello v=2 stream=talk duration=120 keyframe=33 from=40}", "without a time take 33 ms"},
+      {"{hello v=2 stream=talk duration=120 keyframe=40 from=33}", "begins at 33 ms, asked was 40"},
+  };
+  for (const auto& parent : parents) {
+    SCOPED_TRACE(parent.says);
+    connect();
+    hear(parent.says);
+    EXPECT_NE(why().find(parent.reason), std::string::npos) << why();
+    EXPECT_EQ(kept().negotiated.size(), 1U);
+  }
+}
+
+TEST_F(RelayOfTalk, AFloodOfLiveKeyframesIsLeft) {
+  connect();
+  hear(kLive);
+  std::string many;
+  for (std::uint32_t count = 0; count < Parent::kLivePerSecondMost; ++count) many += "{1;0}";
+  hear(many);
+  EXPECT_FALSE(ending_);
+  hear("{1;0}");
+  EXPECT_NE(why().find("keyframes a second"), std::string::npos);
+}
+
+TEST_F(RelayOfTalk, ARecordingThatLeavesNoMemoryIsLeft) {
+  full_ = true;
+  connect();
+  hear(kRecorded);
+  hear("{1;40}");
+  EXPECT_EQ(why(), "talk: there is no memory left");
+}
+
+TEST_F(RelayOfTalk, ASilentParentIsLeft) {
+  connect();
+  link_->advance(std::chrono::seconds(10));
+  EXPECT_NE(why().find("nothing came from the server within"), std::string::npos);
+}
+
+TEST_F(RelayOfTalk, TakesTheNameOfTheParentsFirstStream) {
+  RelayedStream::Options nameless = options();
+  nameless.name.clear();
+  RelayedStream stream(nameless);
+  protocol::HelloGranted hello;
+  hello.stream = "smile";
+  hello.live = true;
+  EXPECT_EQ(stream.begin(hello), std::nullopt);
+  EXPECT_EQ(stream.shared()->name, "smile");
+  EXPECT_EQ(stream.asked().stream, "smile") << "of the next parent too";
+}
+
+TEST(ParentTurns, TakeTheNextAtOnceAndWaitWhenAllHaveFailed) {
+  ParentTurns turns(3, 1);
+  EXPECT_EQ(turns.current(), 0U);
+  EXPECT_LE(turns.next(), ParentTurns::kNextMost);
+  EXPECT_EQ(turns.current(), 1U);
+  EXPECT_LE(turns.next(), ParentTurns::kNextMost);
+  EXPECT_GE(turns.next(), ParentTurns::kFirst / 2);
+  EXPECT_EQ(turns.current(), 0U);
+}
+
+TEST(ParentTurns, WaitLongerEachRoundUpToTheMost) {
+  ParentTurns turns(1, 1);
+  Milliseconds most{0};
+  for (int round = 0; round < 20; ++round) {
+    const Milliseconds wait = turns.next();
+    EXPECT_LE(wait, ParentTurns::kMost);
+    most = std::max(most, wait);
+  }
+  EXPECT_GT(most, ParentTurns::kMost / 2);
+  turns.worked();
+  EXPECT_LE(turns.next(), ParentTurns::kFirst);
+}
+
+TEST(ParentTurns, ComeAtDifferentMomentsForDifferentRelays) {
+  ParentTurns one(1, 1);
+  ParentTurns other(1, 99);
+  EXPECT_NE(one.next(), other.next());
+}
+
+TEST(UpstreamOptions, AreThoseOfTheAddress) {
+  const auto options = upstream_options("aucast://localhost:7/talk", {});
+  ASSERT_TRUE(options) << options.error().message;
+  EXPECT_EQ(options->address.stream, "talk");
+  EXPECT_FALSE(options->tls);
+  EXPECT_TRUE(upstream_options("aucasts://localhost/talk", {})->tls);
+  EXPECT_FALSE(upstream_options("aucast://", {}));
+}
+
+}  // namespace
+}  // namespace aucast::server
