@@ -67,10 +67,19 @@ std::vector<glm::vec3> DefaultFace::posed(int number) {
   return posed({AuTerm{static_cast<std::uint8_t>(number), Side::Both, 100}});
 }
 
-std::vector<glm::vec3> DefaultFace::driven(const std::string& channel, float activation) {
+std::string DefaultFace::without_side(const std::string& name) {
+  for (const std::string side : {"left_", "right_"}) {
+    if (name.starts_with(side)) return name.substr(side.size());
+  }
+  return name;
+}
+
+std::vector<glm::vec3> DefaultFace::driven(const std::map<std::string, float>& channels) {
   std::vector<float> activations(face_->channels.size(), 0.0F);
-  for (const std::string& name : {channel, "left_" + channel, "right_" + channel}) {
-    if (const auto index = face_->channel_index(name)) activations[*index] = activation;
+  for (const auto& [channel, activation] : channels) {
+    for (const std::string& name : {channel, "left_" + channel, "right_" + channel}) {
+      if (const auto index = face_->channel_index(name)) activations[*index] = activation;
+    }
   }
   return deformer_->deform(activations).positions;
 }

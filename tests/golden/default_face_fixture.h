@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,8 +37,13 @@ class DefaultFace : public ::testing::Test {
   /// Positions with the AUs at the given intensities.
   [[nodiscard]] static std::vector<glm::vec3> posed(std::initializer_list<AuTerm> terms);
   [[nodiscard]] static std::vector<glm::vec3> posed(int number);
+  /// zygomaticus_major of left_zygomaticus_major.
+  [[nodiscard]] static std::string without_side(const std::string& name);
   /// Positions with single channels, both sides of a sided one.
-  [[nodiscard]] static std::vector<glm::vec3> driven(const std::string& channel, float activation);
+  [[nodiscard]] static std::vector<glm::vec3> driven(const std::string& channel, float activation) {
+    return driven({{channel, activation}});
+  }
+  [[nodiscard]] static std::vector<glm::vec3> driven(const std::map<std::string, float>& channels);
 
  private:
   static std::unique_ptr<face::Face> face_;
