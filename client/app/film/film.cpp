@@ -111,7 +111,7 @@ class Film {
       auto drawn = timed(begin_ms, duration_ms, sinks_.video_fps, sinks_.video_next, add);
       if (!drawn) return drawn;
     }
-    if (sinks_.sheet && !sinks_.sheet->full()) {
+    if (sinks_.sheet && sinks_.sheet->wants_next()) {
       sinks_.sheet->add(draw(1.0, begin_ms + duration_ms), describe(assets_, begun.target.aus));
     }
     return {};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "common/text.h"
 
@@ -50,7 +51,15 @@ Result<void> FrameFolder::add(const view::Image& picture) {
 }
 
 void Sheet::add(const view::Image& picture, std::string caption) {
-  if (full()) return;
+  if (pictures_.size() == kPicturesMax) {
+    every_ *= 2;
+    for (std::size_t i = 1; i < kPicturesMax / 2; ++i) {  // the first one stays
+      pictures_[i] = std::move(pictures_[2 * i]);
+      captions_[i] = std::move(captions_[2 * i]);
+    }
+    pictures_.resize(kPicturesMax / 2);
+    captions_.resize(kPicturesMax / 2);
+  }
   pictures_.push_back(picture);
   captions_.push_back(std::move(caption));
 }

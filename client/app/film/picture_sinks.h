@@ -31,20 +31,23 @@ class FrameFolder {
   std::uint64_t count_ = 0;
 };
 
-/// The faces that keyframes reach, with a caption each, on one page.
+/// The faces that keyframes reach, with a caption each, on one page. Of a stream of more keyframes
+/// than kPicturesMax every second, fourth, ... one, so that the page shows all of it.
 class Sheet {
  public:
   static constexpr std::size_t kPicturesMax = 60;
 
   explicit Sheet(std::filesystem::path file) : file_(std::move(file)) {}
-  /// More than kPicturesMax are left out.
+  /// To be asked once for each keyframe: whether a picture of it is to be added.
+  [[nodiscard]] bool wants_next() { return keyframes_++ % every_ == 0; }
   void add(const view::Image& picture, std::string caption);
-  [[nodiscard]] bool full() const { return pictures_.size() >= kPicturesMax; }
   /// Writes the page; nothing when no picture came.
   [[nodiscard]] Result<void> finish() const;
 
  private:
   std::filesystem::path file_;
+  std::uint64_t keyframes_ = 0;
+  std::uint64_t every_ = 1;  ///< keyframe has its picture
   std::vector<view::Image> pictures_;
   std::vector<std::string> captions_;
 };

@@ -1,5 +1,8 @@
 #include "client/app/film/picture_sinks.h"
 
+#include <set>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/temp_folder.h"
@@ -30,17 +33,43 @@ TEST(FrameFolder, SaysWhyItCannotWrite) {
   }
 }
 
-TEST(Sheet, IsOnePageAndKeepsTheFirstPictures) {
+/// The page of a stream of so many keyframes, each of a colour of its own.
+view::Image page_of(std::uint32_t keyframes) {
   const test::TempFolder folder;
   Sheet sheet(folder.path() / "sheet.png");
-  for (std::size_t i = 0; i < Sheet::kPicturesMax + 5; ++i) {
-    EXPECT_EQ(sheet.full(), i >= Sheet::kPicturesMax);
-    sheet.add(view::make_image(20, 20, 0xff0000), "12");
+  for (std::uint32_t i = 0; i < keyframes; ++i) {
+    if (sheet.wants_next()) sheet.add(view::make_image(20, 20, 0xff0000 + i), "12");
   }
-  ASSERT_TRUE(sheet.finish().has_value());
-  const auto page = view::read_png(folder.path() / "sheet.png");
-  ASSERT_TRUE(page.has_value()) << page.error().message;
-  EXPECT_GE(page->width, 10 * 20);
+  EXPECT_TRUE(sheet.finish().has_value());
+  auto page = view::read_png(folder.path() / "sheet.png");
+  EXPECT_TRUE(page.has_value());
+  return page.has_value() ? std::move(*page) : view::Image{};
+}
+
+/// How many of the keyframes are on the page.
+std::size_t shown(const view::Image& page, std::uint32_t keyframes) {
+  std::set<std::uint32_t> found;
+  for (std::size_t at = 0; at < page.rgba.size(); at += 4) {
+    const std::uint32_t below = page.rgba[at + 1] * 256U + page.rgba[at + 2];
+    if (page.rgba[at] == 0xff && below < keyframes) found.insert(below);
+  }
+  return found.size();
+}
+
+TEST(Sheet, IsOnePageWithEveryKeyframeOfAShortStream) {
+  const view::Image page = page_of(60);
+  EXPECT_GE(page.width, 10 * 20);
+  EXPECT_EQ(shown(page, 60), 60U);
+}
+
+TEST(Sheet, ShowsALongStreamFromItsBeginningToItsEnd) {
+  for (const auto& [keyframes, pictures] :
+       {std::pair{61U, 31U}, std::pair{120U, 60U}, std::pair{121U, 31U}, std::pair{1000U, 32U}}) {
+    const view::Image page = page_of(keyframes);
+    EXPECT_EQ(shown(page, keyframes), pictures) << keyframes;
+    const std::size_t in_second_half = shown(page, keyframes) - shown(page, keyframes / 2);
+    EXPECT_NEAR(static_cast<double>(in_second_half), pictures / 2.0, 1) << keyframes;
+  }
 }
 
 TEST(Sheet, WithoutPicturesWritesNothing) {
