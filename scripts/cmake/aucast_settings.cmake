@@ -26,6 +26,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 sees overlaps in std::string's operator+ that are not there (its bug 105651).
   target_compile_options(aucast_warnings INTERFACE -Wno-restrict)
 endif()
+if(EMSCRIPTEN)
+  # size_t has 32 bits there, for what never was larger.
+  target_compile_options(aucast_warnings INTERFACE -Wno-shorten-64-to-32 -Wno-sign-conversion)
+endif()
 if(AUCAST_WERROR)
   target_compile_options(aucast_warnings INTERFACE -Werror)
 endif()
