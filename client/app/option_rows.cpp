@@ -354,7 +354,10 @@ coverage.
 std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
   std::vector<OptionRow> rows;
   if (command == Command::Watch) {
-    rows = {{"host", "HOST", "", "", "The server: HOST or HOST:PORT; the port is 4650 by default.",
+    rows = {{"host", "HOST", "", "",
+             "The server: HOST or HOST:PORT; the port is 4650 by default. Or a stream's address: "
+             "aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. When one of several "
+             "hosts is lost the next is taken, as with --reconnect.",
              word(options.playback.endpoint), "", Where::Positional},
             {"list", "", "", "", "Prints the names of the server's streams.", flag(options.list)}};
   } else if (command == Command::Play) {

@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "client/app/option_rows.h"
+#include "common/link/host.h"
+#include "protocol/endpoint.h"
 #include "protocol/limits.h"
 
 namespace aucast::app {
@@ -34,8 +36,26 @@ Result<void> settle_buffers(const TypedWords& typed, playback::BufferOptions& bu
   return {};
 }
 
+/// aucast://HOST/STREAM, which says what other options say too.
+Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) {
+  if (!protocol::is_stream_address(playback.endpoint)) return {};
+  auto address = protocol::parse_stream_address(playback.endpoint);
+  if (!address) return address.error();
+  if (!address->stream.empty()) {
+    if (typed.contains("stream")) return usage("--stream and the address both name a stream");
+    playback.stream = address->stream;
+  }
+  const protocol::Endpoint& first = address->hosts.front();
+  playback.endpoint = link::host_and_port(first.host, first.port);
+  playback.others.assign(address->hosts.begin() + 1, address->hosts.end());
+  playback.reconnect = playback.reconnect || !playback.others.empty();
+  playback.security_options.tls = playback.security_options.tls || address->tls;
+  return {};
+}
+
 /// What one option alone cannot tell.
 Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
+  if (auto settled = settle_address(typed, options.playback); !settled) return settled;
   if (options.quiet) options.log_level = "error";
   if (const auto verbose = typed.find("verbose"); verbose != typed.end()) {
     options.log_level = verbose->second.size() == 1 ? "info" : "debug";

@@ -16,6 +16,7 @@
 #include "client/view/style.h"
 #include "common/result.h"
 #include "common/time.h"
+#include "protocol/endpoint.h"
 
 namespace aucast::app {
 
@@ -38,8 +39,9 @@ struct FaceOptions {
 
 /// How keyframes are received and played.
 struct PlaybackOptions {
-  std::string endpoint;        ///< HOST[:PORT]; empty: none
-  std::filesystem::path file;  ///< play FILE
+  std::string endpoint;                    ///< HOST[:PORT]; empty: none
+  std::vector<protocol::Endpoint> others;  ///< of an address with several hosts: the others
+  std::filesystem::path file;              ///< play FILE
   playback::BufferOptions buffers;
   std::optional<Milliseconds> speed;
   playback::Interpolation interpolation = playback::Interpolation::Linear;

@@ -6,6 +6,7 @@ net::RemoteOptions remote_options(const PlaybackOptions& options, const net::End
   net::RemoteOptions remote;
   remote.host = endpoint.host;
   remote.port = endpoint.port;
+  remote.others = options.others;
   remote.classic = options.classic;
   remote.stream = options.stream;
   remote.connect_timeout = options.connect_timeout;

@@ -8,12 +8,17 @@
 
 namespace aucast::net {
 
-/// How a server is dialled, whatever it is asked then.
-[[nodiscard]] inline link::DialOptions dial_options(const RemoteOptions& options) {
+/// How a server is dialled, whatever it is asked then. `turn` counts through all that there are.
+[[nodiscard]] inline link::DialOptions dial_options(const RemoteOptions& options,
+                                                    std::size_t turn = 0) {
   const Security& security = options.security;
   link::DialOptions dial;
   dial.host = options.host;
   dial.port = options.port;
+  if (const std::size_t place = turn % (options.others.size() + 1); place > 0) {
+    dial.host = options.others[place - 1].host;
+    dial.port = options.others[place - 1].port;
+  }
   dial.time_max = std::chrono::ceil<Milliseconds>(options.connect_timeout);
   dial.tls = security.tls;
   dial.secret = !security.token.empty() && !security.insecure_token;

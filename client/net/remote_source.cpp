@@ -19,15 +19,18 @@
 namespace aucast::net {
 namespace {
 
+/// HOST:PORT of all servers, for messages.
+std::string peer_names(const RemoteOptions& options) {
+  std::string names = link::host_and_port(options.host, options.port);
+  for (const Endpoint& other : options.others) {
+    names += " or " + link::host_and_port(other.host, other.port);
+  }
+  return names;
+}
+
 AuReaderOptions reader_options(const RemoteOptions& options) {
-  return {link::host_and_port(options.host, options.port),
-          options.classic,
-          options.stream,
-          options.connect_timeout,
-          options.buffers,
-          options.speed,
-          options.reconnect,
-          options.security.token};
+  return {peer_names(options), options.classic, options.stream,    options.connect_timeout,
+          options.buffers,     options.speed,   options.reconnect, options.security.token};
 }
 
 }  // namespace
@@ -69,7 +72,7 @@ class RemoteSource::Network {
   void dial() {
     // Thrown when the system has no thread left.
     try {
-      dialler_.dial(dial_options(options_),
+      dialler_.dial(dial_options(options_, turn_),
                     [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
     } catch (const std::system_error& failure) {
       connection_.fail(failure.code().message() + "; the system is short of threads or files",
@@ -87,6 +90,8 @@ class RemoteSource::Network {
   }
 
   void dial_after(Milliseconds wait) {
+    // At once is the same server again, asked in another way.
+    if (wait > Milliseconds::zero()) ++turn_;
     wait_.expires_after(wait);
     wait_.async_wait([this](const std::error_code& error) {
       // end() may come when this handler is queued already, and then no cancelling reaches it.
@@ -109,9 +114,10 @@ class RemoteSource::Network {
   asio::io_context io_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   link::Dialler dialler_{io_};
+  std::size_t turn_ = 0;          ///< which of the servers is dialled
   asio::steady_timer wait_{io_};  ///< before the next attempt
   Connection connection_{reader,
-                         link::host_and_port(options_.host, options_.port),
+                         peer_names(options_),
                          {[this](Milliseconds wait) { dial_after(wait); }, [this] { end(); },
                           [this] { tell_player(); }}};
   std::atomic<bool> speak_posted_{false};

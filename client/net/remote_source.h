@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "client/net/security.h"
 #include "client/playback/keyframe_buffers.h"
@@ -17,11 +18,15 @@
 
 namespace aucast::net {
 
+using protocol::Endpoint;
+using protocol::parse_endpoint;
+
 struct RemoteOptions {
   std::string host;
   std::uint16_t port = protocol::kDefaultPort;
-  bool classic = false;  ///< --protocol classic
-  std::string stream;    ///< --stream; empty: the first
+  std::vector<Endpoint> others{};  ///< with `reconnect`: where the stream is too, tried in turn
+  bool classic = false;            ///< --protocol classic
+  std::string stream;              ///< --stream; empty: the first
   /// For finding and reaching the server, and then for its first packet.
   Duration connect_timeout = std::chrono::seconds(10);
   playback::BufferOptions buffers;
@@ -34,9 +39,6 @@ struct RemoteOptions {
   /// unblock the player (mpv's wakeup). May be empty.
   std::function<void()> wakeup;
 };
-
-using protocol::Endpoint;
-using protocol::parse_endpoint;
 
 /// The keyframes of a server. A thread of its own dials and runs a Connection. The reader is the
 /// one object that both threads touch; what the player asks of the network thread is posted to it.

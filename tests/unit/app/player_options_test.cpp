@@ -240,5 +240,20 @@ TEST(PlayerOptions, LiveDelayAndReconnect) {
   EXPECT_NE(late.error().message.find("--live-delay"), std::string::npos) << late.error().message;
 }
 
+TEST(PlayerOptions, AStreamsAddressSaysWhatOtherOptionsSayToo) {
+  const PlayerOptions one = accepted({"aucast://a:7/talk"});
+  EXPECT_EQ(one.playback.endpoint, "a:7");
+  EXPECT_EQ(one.playback.stream, "talk");
+  EXPECT_FALSE(one.playback.reconnect);
+  EXPECT_FALSE(one.playback.security_options.tls);
+  const PlayerOptions more = accepted({"aucasts://a,[::1]:7/talk"});
+  EXPECT_EQ(more.playback.endpoint, "a:4650");
+  EXPECT_EQ(more.playback.others, (std::vector<protocol::Endpoint>{{"::1", 7}}));
+  EXPECT_TRUE(more.playback.reconnect) << "else the second would never be asked";
+  EXPECT_TRUE(more.playback.security_options.tls);
+  EXPECT_FALSE(parse_player_options({"aucast://a/talk", "--stream", "six"}));
+  EXPECT_FALSE(parse_player_options({"aucast:///talk"}));
+}
+
 }  // namespace
 }  // namespace aucast::app

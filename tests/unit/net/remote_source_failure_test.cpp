@@ -207,5 +207,17 @@ TEST(RemoteSourceFailure, ClosesAtOnceTwice) {
   EXPECT_EQ(server.finish(), "");
 }
 
+TEST(RemoteSourceFailure, OfSeveralHostsTheNextIsTaken) {
+  const DeafPort deaf;
+  ScriptedServer server(
+      {Accept{}, Send{"{1}"}, Expect{"1"}, Send{"{2}"}, Expect{"1"}, Send{"{-2}"}, HalfClose{}});
+  RemoteOptions options = options_for(deaf.port(), true);
+  options.others = {{"127.0.0.1", server.port()}};
+  options.reconnect = true;
+  RemoteSource source(std::move(options));
+  EXPECT_EQ(take_all(source), (Aus{1, 2}));
+  EXPECT_EQ(source.status().end, EndReason::EndOfStream);
+}
+
 }  // namespace
 }  // namespace aucast::net
