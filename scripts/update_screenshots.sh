@@ -86,12 +86,12 @@ shot expression
 # The Editor tab, AU 12 from the list.
 click 1080 54
 click 1135 123
-click 1135 347
+click 1135 368
 shot editor
 # The Compose tab: a smile of AUs 6 and 12, then surprise from the pad.
 click 1145 54
 click 1087 571
-click 916 596
+click 955 596
 click 955 368
 click 1119 434
 click 955 368
