@@ -183,6 +183,26 @@ void StreamFileParser::refuse_line(std::size_t position, const std::string& reas
 
 }  // namespace
 
+std::string stream_title(std::string_view text) {
+  constexpr std::string_view kTitle = "title:";
+  constexpr std::string_view kLineBlanks = " \t\r";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end), kLineBlanks);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.starts_with('#')) {
+      if (line.empty() || content_of(line) == kBeginTag) continue;
+      break;
+    }
+    const std::string_view comment = trimmed(line.substr(1), kLineBlanks);
+    if (comment.starts_with(kTitle)) {
+      return std::string(trimmed(comment.substr(kTitle.size()), kLineBlanks));
+    }
+  }
+  return {};
+}
+
 Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file) {
   StreamFile stream;
   // A keyframe a line: room for all of them at once, where growing takes three times as much.

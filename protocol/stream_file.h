@@ -30,6 +30,10 @@ using KeyframeSink = std::function<Result<void>(Keyframe&& keyframe)>;
 [[nodiscard]] Result<void> read_stream_file(std::string_view text, std::string_view file,
                                             const KeyframeSink& sink);
 
+/// What a comment "# title: ..." before the first packet says; empty: there is none. Bytes as they
+/// are in the file.
+[[nodiscard]] std::string stream_title(std::string_view text);
+
 /// Reads the text of a stream file whole. `file` is what messages call it. BadData with one line
 /// "file:line:column: reason" per error, the first kReportedErrorsMax of them, and a last line that
 /// counts the rest.
