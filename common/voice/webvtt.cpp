@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "common/number_of.h"
 #include "common/text.h"
+#include "common/text_file.h"
+#include "protocol/caption.h"
 
 namespace aucast::voice {
 namespace {
@@ -15,15 +18,16 @@ namespace {
 constexpr std::string_view kArrow = "-->";
 constexpr std::string_view kBlanks = " \t";
 
-struct Cue {
-  Milliseconds begin{0};
-  Milliseconds end{0};
-  std::string text;
-};
-
 struct Line {
   std::string_view text;
   std::size_t number = 0;
+};
+
+struct Cue {
+  std::uint64_t begin_ms = 0;
+  std::uint64_t end_ms = 0;
+  std::string text;
+  Line times;
 };
 
 /// The lines without their ends, be they LF, CR LF or CR.
@@ -38,14 +42,8 @@ std::vector<Line> lines_of(std::string_view text) {
   return lines;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-}
-
 /// "[HH...:]MM:SS.mmm"
-std::optional<Milliseconds> time_of(std::string_view text) {
+std::optional<std::uint64_t> time_of(std::string_view text) {
   const std::size_t point = text.rfind('.');
   if (point == std::string_view::npos || text.size() - point != 4) return std::nullopt;
   const auto ms = number_of<unsigned>(text.substr(point + 1));
@@ -59,7 +57,7 @@ std::optional<Milliseconds> time_of(std::string_view text) {
     if (!part || !fits) return std::nullopt;
     time_s = time_s * 60 + *part;
   }
-  return Milliseconds(time_s * 1000 + *ms);
+  return time_s * 1000 + *ms;
 }
 
 /// The text without <tags> and with the characters that escapes stand for.
@@ -94,30 +92,19 @@ Error bad(std::string_view file, const Line& line, std::size_t column, std::stri
   return {ErrorKind::BadData, at_place(file, line.number, column, why)};
 }
 
-/// Where something begins that is no text; nothing: it is text.
-std::optional<std::size_t> no_text_at(std::string_view line) {
-  for (std::size_t at = 0; at < line.size();) {
-    const std::size_t length = utf8_length(line.substr(at));
-    const auto first = static_cast<unsigned char>(line[at]);
-    if (length == 0 || (first < 0x20 && first != '\t') || first == 0x7F) return at;
-    at += length;
-  }
-  return std::nullopt;
-}
-
 /// The times of a cue. Settings after them are left out.
 Result<Cue> read_times(const Line& line, std::string_view file) {
   const std::size_t arrow = line.text.find(kArrow);
   const std::string_view after = line.text.substr(arrow + kArrow.size());
-  const std::string_view rest = trimmed(after);
-  const auto begin = time_of(trimmed(line.text.substr(0, arrow)));
+  const std::string_view rest = trimmed(after, kBlanks);
+  const auto begin = time_of(trimmed(line.text.substr(0, arrow), kBlanks));
   const auto end = time_of(rest.substr(0, rest.find_first_of(kBlanks)));
   if (!begin) return bad(file, line, 1, "no time such as 00:01:02.345 before -->");
   if (!end) {
     return bad(file, line, arrow + kArrow.size() + 1, "no time such as 00:01:02.345 after -->");
   }
   if (*end < *begin) return bad(file, line, arrow + 1, "the caption ends before it begins");
-  return Cue{*begin, *end, {}};
+  return Cue{*begin, *end, {}, line};
 }
 
 /// The cues of a file whose first line was read.
@@ -126,9 +113,6 @@ Result<std::vector<Cue>> read_cues(std::vector<Line>::const_iterator line,
   std::vector<Cue> cues;
   bool in_cue = false;
   for (; line != end; ++line) {
-    if (const auto at = no_text_at(line->text)) {
-      return bad(file, *line, *at + 1, "a byte that is no UTF-8 text");
-    }
     if (line->text.empty()) {
       in_cue = false;
     } else if (line->text.find(kArrow) != std::string_view::npos) {
@@ -139,17 +123,20 @@ Result<std::vector<Cue>> read_cues(std::vector<Line>::const_iterator line,
     } else if (in_cue) {
       std::string& text = cues.back().text;
       text += (text.empty() ? "" : "\n") + without_markup(line->text);
+      if (!protocol::is_caption(text)) {
+        return bad(file, cues.back().times, 1,
+                   "the caption that begins here is too long, or no UTF-8 text");
+      }
     }
   }
   std::stable_sort(cues.begin(), cues.end(),
-                   [](const Cue& a, const Cue& b) { return a.begin < b.begin; });
+                   [](const Cue& a, const Cue& b) { return a.begin_ms < b.begin_ms; });
   return cues;
 }
 
 }  // namespace
 
-Result<std::vector<PlacedText>> parse_webvtt(std::string_view text, std::string_view file) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+Result<std::vector<protocol::Caption>> parse_webvtt(std::string_view text, std::string_view file) {
   constexpr std::string_view kSignature = "WEBVTT";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::vector<Line> lines = lines_of(text);
@@ -162,15 +149,15 @@ Result<std::vector<PlacedText>> parse_webvtt(std::string_view text, std::string_
   }
   const auto cues = read_cues(lines.begin() + 1, lines.end(), file);
   if (!cues) return cues.error();
-  std::vector<PlacedText> texts;
+  std::vector<protocol::Caption> captions;
   for (std::size_t i = 0; i < cues->size(); ++i) {
     const Cue& cue = (*cues)[i];
-    if (!texts.empty() && texts.back().place == cue.begin) texts.pop_back();
-    texts.push_back({cue.begin, cue.text});
-    const bool gap = i + 1 == cues->size() || (*cues)[i + 1].begin > cue.end;
-    if (gap && cue.end > cue.begin) texts.push_back({cue.end, {}});
+    if (!captions.empty() && captions.back().place_ms == cue.begin_ms) captions.pop_back();
+    captions.push_back({cue.begin_ms, cue.text});
+    const bool gap = i + 1 == cues->size() || (*cues)[i + 1].begin_ms > cue.end_ms;
+    if (gap && cue.end_ms > cue.begin_ms) captions.push_back({cue.end_ms, {}});
   }
-  return texts;
+  return captions;
 }
 
 }  // namespace aucast::voice

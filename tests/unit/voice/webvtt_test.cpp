@@ -5,16 +5,15 @@
 namespace aucast::voice {
 namespace {
 
-using namespace std::chrono_literals;
-using Texts = std::vector<PlacedText>;
+using Captions = std::vector<protocol::Caption>;
 
-Texts read(std::string_view text) {
+Captions read(std::string_view text) {
   const auto read = parse_webvtt(text, "talk.vtt");
   EXPECT_TRUE(read) << read.error().message;
-  return read ? *read : Texts{};
+  return read ? *read : Captions{};
 }
 
-std::string error_of(std::string_view text) {
+std::string error_of(const std::string& text) {
   const auto read = parse_webvtt(text, "talk.vtt");
   EXPECT_FALSE(read);
   return read ? "" : read.error().message;
@@ -25,25 +24,25 @@ TEST(Webvtt, GivesEachCueItsPlaceAndAnEndWhereNoneFollows) {
                  "00:00:01.000 --> 00:00:02.500\nGood morning,\neverybody.\n\n"
                  "7\n00:02.500 --> 00:04.000 align:start\nToday\n\n"
                  "01:00:05.040 --> 01:00:06.000\nan hour later\n"),
-            (Texts{{1s, "Good morning,\neverybody."},
-                   {2500ms, "Today"},
-                   {4s, ""},
-                   {3605040ms, "an hour later"},
-                   {3606s, ""}}));
+            (Captions{{1000, "Good morning,\neverybody."},
+                      {2500, "Today"},
+                      {4000, ""},
+                      {3605040, "an hour later"},
+                      {3606000, ""}}));
 }
 
 TEST(Webvtt, ReadsWhatOtherProgramsWrite) {
   EXPECT_EQ(read("\xEF\xBB\xBFWEBVTT - a talk\r\nKind: captions\r\n\r\nNOTE nobody\r\nreads it\r\n"
                  "\r\nSTYLE\r\n::cue { color: red }\r\n\r\n"
                  "00:01.000 --> 00:02.000\r\n<v Ann>1 &lt; 2 &amp;\t<i>so</i> on\r\n"),
-            (Texts{{1s, "1 < 2 & so on"}, {2s, ""}}));
-  EXPECT_EQ(read("WEBVTT"), Texts{});
+            (Captions{{1000, "1 < 2 & so on"}, {2000, ""}}));
+  EXPECT_EQ(read("WEBVTT"), Captions{});
 }
 
 TEST(Webvtt, ALaterCueTakesThePlaceOfOneThatLasts) {
   EXPECT_EQ(read("WEBVTT\n\n00:03.000 --> 00:09.000\nb\n\n00:01.000 --> 00:05.000\na\n\n"
                  "00:03.000 --> 00:06.000\nc\n"),
-            (Texts{{1s, "a"}, {3s, "c"}, {6s, ""}}));
+            (Captions{{1000, "a"}, {3000, "c"}, {6000, ""}}));
 }
 
 TEST(Webvtt, SaysWhereWhatIsWrong) {
@@ -58,7 +57,9 @@ TEST(Webvtt, SaysWhereWhatIsWrong) {
   EXPECT_EQ(error_of("WEBVTT\n\n00:02.000 --> 00:01.000\nx\n"),
             "talk.vtt:3:11: the caption ends before it begins");
   EXPECT_EQ(error_of("WEBVTT\n\n00:01.000 --> 00:02.000\nab\xFF\n"),
-            "talk.vtt:4:3: a byte that is no UTF-8 text");
+            "talk.vtt:3:1: the caption that begins here is too long, or no UTF-8 text");
+  EXPECT_EQ(error_of("WEBVTT\n\n00:01.000 --> 00:02.000\n" + std::string(2000, 'x') + "\n"),
+            "talk.vtt:3:1: the caption that begins here is too long, or no UTF-8 text");
 }
 
 }  // namespace
