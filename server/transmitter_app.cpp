@@ -55,12 +55,15 @@ LiveSources live_sources(const TransmitterOptions& options) {
   return options.live_source.follow ? LiveSources::Files : LiveSources::Streams;
 }
 
+EncodingOptions encoding_of(const TransmitterOptions& options) {
+  return {options.keyframe_ms, options.classic_min, options.max_kbits,
+          options.check && !options.estimate, options.voice};
+}
+
 /// The sources; what --skip-bad leaves out is said.
 Result<std::vector<Source>> load(const TransmitterOptions& options) {
   std::vector<Error> skipped;
-  auto sources = load_sources(options.sources, options.source,
-                              {options.keyframe_ms, options.classic_min, options.max_kbits,
-                               options.check && !options.estimate},
+  auto sources = load_sources(options.sources, options.source, encoding_of(options),
                               options.skip_bad ? &skipped : nullptr, live_sources(options));
   for (const Error& error : skipped) {
     std::istringstream lines(error.message);
@@ -92,8 +95,16 @@ int check(const TransmitterOptions& options) {
     return report(saved.error());
   }
   for (const Source& source : *sources) {
-    const auto printed = print(options.estimate ? estimate_report(source, options.batch)
-                                                : check_report(source, options.keyframe_ms));
+    std::optional<VoiceSummary> voice;
+    if (source.voice) {
+      auto summary = summarise_voice(*source.voice, options.voice.encoder);
+      if (!summary) return report(summary.error());
+      voice = std::move(*summary);
+    }
+    const VoiceSummary* const spoken = voice ? &*voice : nullptr;
+    const auto printed =
+        print(options.estimate ? estimate_report(source, options.batch, spoken)
+                               : check_report(source, options.keyframe_ms, spoken));
     if (!printed) return report(printed.error());
   }
   return 0;
@@ -109,12 +120,12 @@ void say_what_was_found(const std::vector<Source>& sources) {
 }
 
 /// What the options ask to be served, read and encoded now.
-Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& options) {
+Result<Repertoire> load_repertoire(const TransmitterOptions& options) {
   const auto sources = load(options);
   if (!sources) return sources.error();
-  auto catalogue = make_catalogue(*sources, options.keyframe_ms, options.loop);
+  auto repertoire = make_repertoire(*sources, options.keyframe_ms, options.loop);
   if (options.live) {
-    if (auto can = check_live(catalogue); !can) return can.error();
+    if (auto can = check_live(repertoire.catalogue); !can) return can.error();
   }
   say_what_was_found(*sources);
   if (auto saved = save_profile_of(options.source.signal, *sources); !saved) return saved.error();
@@ -131,7 +142,7 @@ Result<protocol::ServerCatalogue> load_catalogue(const TransmitterOptions& optio
         "--stream plays the others too",
         list.names.size(), list.names[listed - 1], listed);
   }
-  return catalogue;
+  return repertoire;
 }
 
 /// What cannot be asked of these sources.
@@ -145,6 +156,29 @@ Result<void> check_record(const TransmitterOptions& options) {
   return Error{ErrorKind::Usage,
                "--record keeps what is still being written (-, a FIFO, a file with --follow), and "
                "no SOURCE is; 'au-transmitter convert' writes a recording as a stream file"};
+}
+
+/// What cannot be a voice of these sources.
+Result<void> check_voice(const TransmitterOptions& options) {
+  const VoiceOptions& voice = options.voice;
+  if (voice.none || voice.file.empty()) return {};
+  const bool serving = !options.check && !options.estimate;
+  const bool live_face = serving && is_live(options.sources.front(), options.live_source.follow);
+  const bool live_sound = is_live(voice.file, false);
+  const std::string name = "--voice " + escaped(voice.file.string());
+  if (voice.file == "-" && std::count(options.sources.begin(), options.sources.end(), "-") > 0) {
+    return Error{ErrorKind::Usage, "--voice - and SOURCE - would both read stdin; use a FIFO"};
+  }
+  if (live_sound && !live_face) {
+    return Error{ErrorKind::Usage,
+                 name +
+                     " is still being written, and so must be the face: the first SOURCE is not "
+                     "-, a FIFO or, with --follow, a file"};
+  }
+  if (live_face && !live_sound) {
+    return Error{ErrorKind::Usage, name + " beside a live SOURCE must be - or a FIFO"};
+  }
+  return {};
 }
 
 /// Until the process is gone no signal that it knows does what the system would do, which is to end
@@ -166,11 +200,11 @@ void keep_signals() {
   std::_Exit(exit_code);
 }
 
-int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalogue catalogue) {
+int serve_until_signal(const TransmitterOptions& options, Repertoire repertoire) {
   keep_signals();
   Stats stats;
   const auto served = serve(
-      options, std::move(catalogue), stats,
+      options, std::move(repertoire), stats,
       [&options](const std::string& address) -> Result<void> {
         // At the end it would be too late to choose another.
         if (!options.stats.empty()) {
@@ -178,14 +212,14 @@ int serve_until_signal(const TransmitterOptions& options, protocol::ServerCatalo
         }
         return print("listening on " + address + "\n");
       },
-      [&options] { return load_catalogue(options); });
+      [&options] { return load_repertoire(options); });
   if (!served) return report(served.error());
   int exit_code = served->error ? report(*served->error) : 0;
   if (!options.stats.empty()) {
     const auto written = write_file_atomically(options.stats, stats.to_json());
     if (!written) exit_code = report(written.error());
   }
-  if (served->reloading) end_at_once(exit_code);
+  if (served->reading) end_at_once(exit_code);
   return exit_code;
 }
 
@@ -225,11 +259,12 @@ int run_transmitter(std::vector<std::string> arguments) {
   if (auto log = set_up_log("au-transmitter", options.log_level, format); !log)
     return report(log.error());
 
+  if (auto can = check_voice(options); !can) return report(can.error());
   if (options.check || options.estimate) return check(options);
   if (auto can = check_record(options); !can) return report(can.error());
-  auto catalogue = load_catalogue(options);
-  if (!catalogue) return report(catalogue.error());
-  return serve_until_signal(options, std::move(*catalogue));
+  auto repertoire = load_repertoire(options);
+  if (!repertoire) return report(repertoire.error());
+  return serve_until_signal(options, std::move(*repertoire));
 }
 
 }  // namespace aucast::server

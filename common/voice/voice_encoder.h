@@ -19,6 +19,7 @@ inline constexpr int kEncoderSamplesPerMs = kEncoderRate / 1000;
 struct VoiceSettings {
   int bits_per_second = 10000;  ///< 6000-64000; below 8000 wideband speech falls apart
   Milliseconds frame{60};       ///< 20, 40 or 60: of each packet
+  friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
 };
 
 /// Speech to Opus packets. The packet at a place decodes to the sound from that very place on: the

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/log.h"
+#include "server/voice/voice_tracks.h"
 
 namespace aucast::server {
 namespace {
@@ -25,13 +26,17 @@ std::uint64_t begun(const protocol::LiveReplay& replay) {
 }  // namespace
 
 std::shared_ptr<const protocol::LiveChannel> LiveBeat::play(
-    const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop) {
+    const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
+    std::shared_ptr<const protocol::Soundtrack> sound) {
   for (const Playing& playing : playing_) {
     const auto replay = playing.replay.lock();
-    if (replay && playing.name == name && *replay->stream() == *stream) return replay;
+    const bool same = replay && playing.name == name && *replay->stream() == *stream &&
+                      same_sound(replay->sound(), sound);
+    if (same) return replay;
   }
   const Instant begin = now();
-  auto replay = std::make_shared<protocol::LiveReplay>(std::move(stream), loop, begin);
+  auto replay =
+      std::make_shared<protocol::LiveReplay>(std::move(stream), loop, begin, std::move(sound));
   playing_.push_back({name, replay});
   replay->advance(begin);
   wait(begin);

@@ -25,10 +25,11 @@ class LiveBeat {
   LiveBeat(const LiveBeat&) = delete;
   LiveBeat& operator=(const LiveBeat&) = delete;
 
-  /// The stream as a live one. If one of that name and content is running still, it is that one,
-  /// without a gap; else one that begins now.
+  /// The stream as a live one, with its sound, if it has any. If one of that name and content is
+  /// running still, it is that one, without a gap; else one that begins now.
   [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> play(
-      const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop);
+      const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
+      std::shared_ptr<const protocol::Soundtrack> sound = nullptr);
   void stop();
   /// Tells now of what is due. For who is about to do something that takes time, such as letting
   /// in one of many newcomers: the timer is only looked at when all of that is done.

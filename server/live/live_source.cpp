@@ -24,11 +24,23 @@ LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, LiveStre
                 go_on();
               },
               [this](const std::string& why) { streams_.begin_anew(why); }}),
-      timer_(io) {}
+      timer_(io) {
+  if (options.voice.empty()) return;
+  voice_.emplace(
+      io, options.voice, false,
+      LiveInput::Events{[this](std::string_view bytes) {
+                          streams_.feed_voice(bytes, clock_());
+                          go_on();
+                        },
+                        [] {}, [this] { streams_.end_voice(); }, [](const std::string&) {}});
+}
 
 Result<void> LiveSource::start() {
   if (auto opened = input_.start(); !opened) return opened;
   if (auto recorded = streams_.start(); !recorded) return recorded;
+  if (voice_) {
+    if (auto opened = voice_->start(); !opened) return opened;
+  }
   if (!input_.has_past()) streams_.caught_up(clock_());
   return {};
 }
@@ -37,6 +49,7 @@ void LiveSource::stop() {
   stopped_ = true;
   timer_.cancel();
   input_.stop();
+  if (voice_) voice_->stop();
 }
 
 /// Reads on when there is room, and waits for what is due next.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <asio/io_context.hpp>
@@ -13,8 +14,8 @@
 
 namespace aucast::server {
 
-/// A source that is still being written, on the event loop: the bytes of a LiveInput and the time
-/// of a clock go into its LiveStreams.
+/// A source that is still being written, on the event loop: the bytes of a LiveInput, those of
+/// another one for its voice, and the time of a clock go into its LiveStreams.
 /// Thread: that of the io_context, which must outlive it.
 class LiveSource {
  public:
@@ -38,6 +39,7 @@ class LiveSource {
   Clock clock_;
   LiveStreams streams_;
   LiveInput input_;
+  std::optional<LiveInput> voice_;
   asio::steady_timer timer_;
   bool stopped_ = false;
 };

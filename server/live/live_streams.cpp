@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "common/log.h"
 #include "common/sources/profile.h"
 #include "common/sources/source_reader.h"
+#include "protocol/limits.h"
 #include "server/streams/source_path.h"
 
 namespace aucast::server {
@@ -30,7 +32,7 @@ Instant just_after(double at) {
 /// One stream of the source.
 struct LiveStreams::Stream {
   Stream(std::string stream_name, const LiveSourceOptions& options,
-         const sources::LiveOptions& reading);
+         const sources::LiveOptions& reading, bool with_voice);
 
   void take(double moment) {
     for (sources::LiveKeyframe& keyframe : reader.take_keyframes()) {
@@ -45,19 +47,29 @@ struct LiveStreams::Stream {
   LiveThinning thinning;
   std::unique_ptr<Recorder> recorder;
   bool silence_said = true;
+  Milliseconds end{0};  ///< of the last keyframe that was made, on the feed's clock
+
+  // With a voice only.
+  std::optional<LiveVoice> voice;
+  std::optional<double> clock_begin;  ///< when the feed's clock was 0 last; nothing: it stands
+  double voice_at = 0;                ///< when there was any last
+  std::vector<AuTerm> shown;
 };
 
 LiveStreams::Stream::Stream(std::string stream_name, const LiveSourceOptions& options,
-                            const sources::LiveOptions& reading)
+                            const sources::LiveOptions& reading, bool with_voice)
     : name(std::move(stream_name)),
-      feed(std::make_shared<protocol::LiveFeed>(reading.keyframe_ms, options.classic_min)),
+      feed(std::make_shared<protocol::LiveFeed>(reading.keyframe_ms, options.classic_min,
+                                                with_voice)),
       reader(sources::name_of(options.path), reading, sources::load_arkit_table),
-      thinning(reading.keyframe_ms, options.max_kbits) {}
+      thinning(reading.keyframe_ms, options.max_kbits) {
+  if (with_voice) voice.emplace(options.encoder, options.voice_delay);
+}
 
 LiveStreams::LiveStreams(LiveSourceOptions options, Events events)
     : options_(std::move(options)), events_(std::move(events)), catching_up_(options_.follow) {
-  streams_.push_back(
-      std::make_unique<Stream>(stream_name(options_.path), options_, options_.reader));
+  streams_.push_back(std::make_unique<Stream>(stream_name(options_.path), options_, options_.reader,
+                                              !options_.voice.empty()));
 }
 
 LiveStreams::~LiveStreams() = default;
@@ -73,6 +85,7 @@ Result<void> LiveStreams::record(Stream& stream, bool first) {
   auto recorder = Recorder::start(*path);
   if (!recorder) return recorder.error();
   stream.recorder = std::move(*recorder);
+  if (stream.voice) return stream.recorder->add_voice_file();
   return {};
 }
 
@@ -140,7 +153,7 @@ void LiveStreams::add_faces(std::string_view line, double now) {
     reading.recording.all_faces = false;
     reading.recording.face = face;
     const std::string name = face_stream_name(stream_name(options_.path), face);
-    streams_.push_back(std::make_unique<Stream>(name, options_, reading));
+    streams_.push_back(std::make_unique<Stream>(name, options_, reading, false));
     Stream& stream = *streams_.back();
     stream.reader.feed(first.header(), now);
     stream.reader.feed(line, now);
@@ -151,6 +164,25 @@ void LiveStreams::add_faces(std::string_view line, double now) {
     spdlog::info("{}: face {} is the stream {}", sources::name_of(options_.path), face, name);
     events_.on_face();
   }
+}
+
+void LiveStreams::feed_voice(std::string_view bytes, Instant at) {
+  const double now = steady_seconds(at);
+  Stream& stream = *streams_.front();
+  std::vector<protocol::VoicePacket> packets = stream.voice->add(bytes, now);
+  if (packets.empty() || stream.feed->ended()) return;
+  stream.voice_at = now;
+  for (protocol::VoicePacket& packet : packets) {
+    stream.feed->add_voice(packet);
+    const Milliseconds after = packet.place - stream.end;
+    if (stream.recorder) stream.recorder->add_voice(std::move(packet), after);
+  }
+  events_.on_moment();
+}
+
+void LiveStreams::end_voice() {
+  spdlog::info("{}: the voice has ended", streams_.front()->name);
+  streams_.front()->voice->end_sound();
 }
 
 void LiveStreams::caught_up(Instant now) {
@@ -234,11 +266,41 @@ void LiveStreams::send_due(Stream& stream, double now) {
   stream.reader.hold_off(now);
 }
 
-/// `free` as RecordTimeline has it. What is kept is not thinned.
+/// `free` as RecordTimeline has it.
 void LiveStreams::send(Stream& stream, const sources::LiveKeyframe& keyframe, bool free,
                        double now) {
-  if (stream.recorder) stream.recorder->add(keyframe.keyframe, now, free);
-  stream.thinning.push(keyframe.keyframe);
+  if (stream.voice && free) {
+    // A keyframe's own time is part of what has passed.
+    fill_pause(stream, now - keyframe.keyframe.duration_ms.value_or(0) / 1000.0);
+  }
+  pass(stream, keyframe.keyframe, free, now);
+}
+
+/// With a voice: the face that stood since the last keyframe, with the time that it stood.
+void LiveStreams::fill_pause(Stream& stream, double now) {
+  /// Processes wait for each other so long.
+  constexpr Milliseconds kPauseLeast{100};
+  if (!stream.clock_begin) return;
+  const double passed = (now - *stream.clock_begin) * 1000;
+  const Milliseconds pause = Milliseconds(std::llround(passed)) - stream.end;
+  if (pause < kPauseLeast) return;
+  protocol::Keyframe held;
+  held.terms = stream.shown;
+  held.duration_ms = static_cast<std::uint32_t>(
+      std::min<Milliseconds::rep>(pause.count(), protocol::kDurationMsMax));
+  pass(stream, held, true, now);
+}
+
+/// What is kept is not thinned.
+void LiveStreams::pass(Stream& stream, const protocol::Keyframe& keyframe, bool free, double now) {
+  stream.end += Milliseconds(keyframe.duration_ms.value_or(0));
+  if (stream.voice) {
+    if (!stream.clock_begin) stream.clock_begin = now - seconds(stream.end);
+    stream.voice->add_keyframe(stream.end, now);
+    stream.shown = keyframe.terms;
+  }
+  if (stream.recorder) stream.recorder->add(keyframe, now, free);
+  stream.thinning.push(keyframe);
   send_thinned(stream, now);
 }
 
@@ -257,8 +319,9 @@ void LiveStreams::rest(Stream& stream, double now) {
   for (const sources::LiveKeyframe& keyframe : stream.reader.take_keyframes()) {
     send(stream, keyframe, true, now);
   }
+  if (stream.voice && !stream.feed->ended() && now >= beat_of(stream)) fill_pause(stream, now);
   const bool can_end = options_.timeout.count() > 0 && !stream.feed->ended();
-  const auto since = stream.reader.silent_since();
+  const auto since = silent_since(stream);
   if (!since) {
     if (!can_end || !nothing_came()) return;
     spdlog::warn("{}: it ended before the first keyframe", sources::name_of(options_.path));
@@ -282,7 +345,23 @@ void LiveStreams::end(Stream& stream) {
   if (stream.recorder) stream.recorder->end_of_stream();
   if (const auto last = stream.thinning.take_last()) show(stream, *last);
   stream.feed->end();
+  stream.clock_begin.reset();
+  if (stream.voice) stream.voice->end_face();
   events_.on_moment();
+}
+
+/// Since when neither face nor voice has come. Of what can come no more the voice does not count.
+std::optional<double> LiveStreams::silent_since(const Stream& stream) const {
+  const auto since = stream.reader.silent_since();
+  if (!since || !stream.voice || ended_) return since;
+  return std::max(*since, stream.voice_at);
+}
+
+/// With a voice: when the face that stands is sent again, so that the clock goes on.
+double LiveStreams::beat_of(const Stream& stream) {
+  /// The last keyframe is over for so long: the face has been given up by then (kHoldSeconds).
+  constexpr double kBeatSeconds = sources::kHoldSeconds + 0.25;
+  return stream.clock_begin.value_or(0) + seconds(stream.end) + kBeatSeconds;
 }
 
 /// How long a silence may be. Of what nothing can come any more, only until the face is neutral.
@@ -295,12 +374,13 @@ double LiveStreams::patience() const {
 std::optional<double> LiveStreams::next_of(const Stream& stream) const {
   if (const auto due = stream.queue.due()) return due;
   std::optional<double> next = stream.reader.idle_due();
-  const auto since = stream.reader.silent_since();
+  const auto since = silent_since(stream);
   const auto earlier = [&next](double at) { next = std::min(next.value_or(at), at); };
   if (since && !stream.silence_said) earlier(*since + sources::kHoldSeconds);
   if (since && options_.timeout.count() > 0 && !stream.feed->ended()) {
     earlier(*since + patience());
   }
+  if (stream.clock_begin) earlier(beat_of(stream));
   return next;
 }
 

@@ -17,6 +17,7 @@
 #include "protocol/server_session.h"
 #include "server/live/recorder.h"
 #include "server/streams/thinning.h"
+#include "server/voice/live_voice.h"
 
 namespace aucast::server {
 
@@ -27,9 +28,12 @@ struct LiveSourceOptions {
   int classic_min = 20;
   /// After so long a silence the clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
-  std::filesystem::path record;  ///< what --record says; empty: nothing is kept
-  bool record_first = true;      ///< this is the one that a file is for
-  std::uint32_t max_kbits = 0;   ///< a second for each client and stream; 0: any
+  std::filesystem::path record;   ///< what --record says; empty: nothing is kept
+  bool record_first = true;       ///< this is the one that a file is for
+  std::uint32_t max_kbits = 0;    ///< a second for each client's face and stream; 0: any
+  std::filesystem::path voice{};  ///< raw sound of the first stream: "-" or a FIFO; empty: none
+  voice::VoiceSettings encoder{};
+  Milliseconds voice_delay{0};
   /// Called when the neutral face of the first stream was asked for and has been measured.
   std::function<void(const sources::MeasuredNeutral&)> on_neutral;
 };
@@ -41,6 +45,9 @@ struct LiveSourceOptions {
 ///
 /// The first stream is there from the beginning; with --face-id all each face that is seen gets
 /// another one, read from the same bytes by a reader of its own.
+///
+/// A voice is the first stream's. While there is one its clock stands still in no pause: the face
+/// that stands meanwhile is sent with the time that it stood.
 ///
 /// Knows no file but what it records, and no clock: after every call what is due is sent, next()
 /// tells when advance() is wanted.
@@ -71,6 +78,10 @@ class LiveStreams {
   void begin_anew(const std::string& why);
   /// Whoever wrote has gone. `for_good`: nobody can write any more.
   void end_input(Instant now, bool for_good);
+  /// Raw sound, as LiveVoice takes it.
+  void feed_voice(std::string_view bytes, Instant now);
+  /// Whoever wrote the sound has gone.
+  void end_voice();
   /// Sends what is due, or what silence brings.
   void advance(Instant now);
   /// When advance() has something to do; nothing: not before something is fed.
@@ -96,6 +107,8 @@ class LiveStreams {
   void add_faces(std::string_view line, double now);
   [[nodiscard]] Result<void> record(Stream& stream, bool first);
   void go_on(double now);
+  void pass(Stream& stream, const protocol::Keyframe& keyframe, bool free, double now);
+  void fill_pause(Stream& stream, double now);
   void send(Stream& stream, const sources::LiveKeyframe& keyframe, bool free, double now);
   void send_thinned(Stream& stream, double now);
   void show(Stream& stream, const protocol::Keyframe& keyframe);
@@ -103,6 +116,8 @@ class LiveStreams {
   void rest(Stream& stream, double now);
   void end(Stream& stream);
   [[nodiscard]] std::optional<double> next_of(const Stream& stream) const;
+  [[nodiscard]] std::optional<double> silent_since(const Stream& stream) const;
+  [[nodiscard]] static double beat_of(const Stream& stream);
   [[nodiscard]] double patience() const;
   void say();
   void say_neutral();

@@ -65,6 +65,10 @@ void ClientRegistry::for_each(const std::function<void(Connection&)>& visit) {
   }
 }
 
+void ClientRegistry::on_voice() {
+  for_each([](Connection& connection) { connection.on_voice(); });
+}
+
 void ClientRegistry::on_moment() {
   for_each([](Connection& connection) { connection.on_moment(); });
 }

@@ -42,6 +42,8 @@ class ClientRegistry {
 
   /// A live stream has moved on.
   void on_moment();
+  /// More of a voice is there.
+  void on_voice();
   /// {-2} to everybody.
   void stop();
   /// Closes all connections now.

@@ -60,6 +60,12 @@ void Connection::on_moment() {
   go_on();
 }
 
+void Connection::on_voice() {
+  if (!session_ || finishing_) return;
+  carry_out(session_->on_voice(link_->now()));
+  go_on();
+}
+
 void Connection::on_time() {
   const auto alive = shared_from_this();
   const Instant now = link_->now();
@@ -212,6 +218,8 @@ ClientRecord Connection::so_far() const {
   record.packets = session_->packets_sent();
   record.bytes = session_->payload_bytes();
   record.packets_merged = session_->packets_merged();
+  record.voice_packets = session_->voice_packets();
+  record.sound_bytes = session_->sound_bytes();
   return record;
 }
 

@@ -51,6 +51,8 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   void start();
   /// The clock of a live stream has moved on.
   void on_moment();
+  /// The voice of a recorded stream has grown.
+  void on_voice();
   /// The server stops: {-2}, then the link drains.
   void stop();
   /// Closes now, whatever is under way.

@@ -23,8 +23,15 @@ constexpr std::size_t kUnsentBytesLeast = 512;
 constexpr std::size_t kUnsentBytesMost = 65536;
 constexpr std::size_t kUnsentBytesOfSources = 2048;  ///< what they will send is not known
 
-int unsent_bytes_for(const protocol::ServerCatalogue& catalogue) {
-  const std::size_t bytes = bytes_in(catalogue, protocol::kLiveWindowTime / 2);
+int unsent_bytes_for(const protocol::ServerCatalogue& catalogue, const VoiceOptions& voice) {
+  constexpr Milliseconds kTime = protocol::kLiveWindowTime / 2;
+  const bool any_voice =
+      std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
+                  [](const auto& stream) { return stream.sound && stream.sound->voice; });
+  // Kilobits a second are bits a millisecond.
+  const std::size_t of_voice =
+      any_voice ? voice_kbits(voice.encoder) * static_cast<std::size_t>(kTime.count()) / 8 : 0;
+  const std::size_t bytes = bytes_in(catalogue, kTime) + of_voice;
   const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
                                    [](const auto& stream) { return !stream.recorded; });
   const std::size_t least = unknown ? kUnsentBytesOfSources : kUnsentBytesLeast;
@@ -35,7 +42,9 @@ bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCata
   return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
                     [](const auto& one, const auto& other) {
                       return one.name == other.name && one.recorded == other.recorded &&
-                             one.live == other.live && one.upstream == other.upstream;
+                             one.live == other.live && one.upstream == other.upstream &&
+                             same_sound(one.sound, other.sound) && one.spoken == other.spoken &&
+                             one.title == other.title;
                     });
 }
 
@@ -50,14 +59,15 @@ std::string random_id() {
 
 }  // namespace
 
-Programme::Programme(asio::io_context& io, const TransmitterOptions& options,
-                     protocol::ServerCatalogue catalogue, Events events)
+Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,
+                     Events events)
     : io_(io),
       options_(options),
       events_(std::move(events)),
       beat_(io, events_.on_moment),
-      catalogue_(std::make_shared<protocol::ServerCatalogue>(std::move(catalogue))),
-      unsent_bytes_max_(unsent_bytes_for(*catalogue_)) {
+      voices_(io, options.voice.encoder, [this] { events_.on_voice(); }),
+      catalogue_(std::make_shared<protocol::ServerCatalogue>(accompanied(std::move(repertoire)))),
+      unsent_bytes_max_(unsent_bytes_for(*catalogue_, options.voice)) {
   catalogue_->id = random_id();
 }
 
@@ -79,15 +89,31 @@ Result<void> Programme::open(const std::filesystem::path& path,
                              const sources::ConditioningSettings& conditioning) {
   const sources::LiveOptions reader{options_.source.recording, options_.source.rate, conditioning,
                                     options_.keyframe_ms};
-  auto source = std::make_unique<LiveSource>(
-      io_,
-      LiveSourceOptions{path, options_.live_source.follow, reader, options_.classic_min,
-                        options_.live_source.timeout, options_.record, sources_.empty(),
-                        options_.max_kbits, [this](const auto& neutral) { on_neutral(neutral); }},
-      LiveStreams::Events{[this] { on_moment_of_source(); },
-                          [this] {
-                            if (!stopped_) make_live(*catalogue_);
-                          }});
+  LiveSourceOptions source_options;
+  source_options.path = path;
+  source_options.follow = options_.live_source.follow;
+  source_options.reader = reader;
+  source_options.classic_min = options_.classic_min;
+  source_options.timeout = options_.live_source.timeout;
+  source_options.record = options_.record;
+  source_options.record_first = sources_.empty();
+  source_options.max_kbits = options_.max_kbits;
+  const bool first = path == options_.sources.front();
+  if (first && !options_.voice.none && !options_.voice.file.empty()) {
+    const auto kbits = face_kbits(options_.max_kbits, options_.voice.encoder, path);
+    if (!kbits) return kbits.error();
+    source_options.max_kbits = *kbits;
+    source_options.voice = options_.voice.file;
+    source_options.encoder = options_.voice.encoder;
+    source_options.voice_delay = options_.voice.delay;
+  }
+  source_options.on_neutral = [this](const auto& neutral) { on_neutral(neutral); };
+  auto source = std::make_unique<LiveSource>(io_, std::move(source_options),
+                                             LiveStreams::Events{[this] { on_moment_of_source(); },
+                                                                 [this] {
+                                                                   if (!stopped_)
+                                                                     make_live(*catalogue_);
+                                                                 }});
   if (auto begun = source->start(); !begun) return begun;
   sources_.push_back(std::move(source));
   return {};
@@ -124,7 +150,10 @@ void Programme::on_moment_of_source() {
 void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   for (protocol::ServedStream& stream : catalogue.streams) {
     if (stream.recorded && options_.live) {
-      stream.live = beat_.play(stream.name, std::exchange(stream.recorded, nullptr), options_.loop);
+      const auto recorded = std::exchange(stream.recorded, nullptr);
+      const auto spoken = std::exchange(stream.spoken, nullptr);
+      stream.live = beat_.play(stream.name, spoken ? spoken : recorded, options_.loop,
+                               std::exchange(stream.sound, nullptr));
     }
   }
   for (protocol::ServedStream& of_source : streams_of_sources()) {
@@ -175,16 +204,18 @@ bool Programme::over() const {
 
 void Programme::stop() {
   stopped_ = true;
+  voices_.stop();
   for (const auto& source : sources_) source->stop();
   for (const auto& upstream : upstreams_) upstream->stop();
   beat_.stop();
 }
 
-bool Programme::take_over(protocol::ServerCatalogue loaded) {
-  const int unsent_bytes_max = unsent_bytes_for(loaded);
+bool Programme::take_over(Repertoire repertoire) {
+  protocol::ServerCatalogue loaded = accompanied(std::move(repertoire));
+  const int unsent_bytes_max = unsent_bytes_for(loaded, options_.voice);
   make_live(loaded);
   if (loaded.streams.empty()) return false;
-  share_recorded(loaded);
+  share_with_before(loaded);
   if (same_streams(loaded, *catalogue_)) {
     spdlog::info("the sources hold what they held");
     return false;
@@ -196,13 +227,30 @@ bool Programme::take_over(protocol::ServerCatalogue loaded) {
   return true;
 }
 
+/// The streams with their voices, which grow from now on.
+protocol::ServerCatalogue Programme::accompanied(Repertoire repertoire) {
+  protocol::ServerCatalogue catalogue = std::move(repertoire.catalogue);
+  for (std::size_t i = 0; i < std::min(repertoire.voices.size(), catalogue.streams.size()); ++i) {
+    if (!repertoire.voices[i]) continue;
+    protocol::ServedStream& stream = catalogue.streams[i];
+    protocol::Soundtrack sound;
+    if (stream.sound) sound = *stream.sound;
+    sound.voice = voices_.track_of(*repertoire.voices[i]);
+    stream.sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
+  }
+  return catalogue;
+}
+
 /// What a stream held before is held once.
-void Programme::share_recorded(protocol::ServerCatalogue& catalogue) const {
+void Programme::share_with_before(protocol::ServerCatalogue& catalogue) const {
   for (protocol::ServedStream& stream : catalogue.streams) {
     for (const protocol::ServedStream& before : catalogue_->streams) {
       const bool same = stream.recorded && before.recorded && stream.name == before.name &&
                         *stream.recorded == *before.recorded;
-      if (same) stream.recorded = before.recorded;
+      if (!same) continue;
+      stream.recorded = before.recorded;
+      const bool same_spoken = stream.spoken && before.spoken && *stream.spoken == *before.spoken;
+      if (same_spoken) stream.spoken = before.spoken;
     }
   }
 }

@@ -14,7 +14,9 @@
 #include "server/live/live_source.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/status.h"
+#include "server/streams/catalogue.h"
 #include "server/upstream/upstream.h"
+#include "server/voice/voice_tracks.h"
 
 namespace aucast::server {
 
@@ -25,12 +27,13 @@ namespace aucast::server {
 class Programme {
  public:
   struct Events {
-    std::function<void()> on_moment;  ///< a live stream has moved on
-    std::function<void()> on_over;    ///< nothing is served any more and nothing can come
+    std::function<void()> on_moment;         ///< a live stream has moved on
+    std::function<void()> on_over;           ///< nothing is served any more and nothing can come
+    std::function<void()> on_voice = [] {};  ///< more of a voice is there
   };
 
-  Programme(asio::io_context& io, const TransmitterOptions& options,
-            protocol::ServerCatalogue catalogue, Events events);
+  Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,
+            Events events);
   Programme(const Programme&) = delete;
   Programme& operator=(const Programme&) = delete;
 
@@ -44,7 +47,7 @@ class Programme {
 
   /// Serves these to who comes from now on, and says so if they are others than before; the live
   /// sources stay the same. Whether they are others.
-  bool take_over(protocol::ServerCatalogue loaded);
+  bool take_over(Repertoire loaded);
   void set_token(std::string token) { catalogue_->token = std::move(token); }
   /// The profile of the signals may have changed: reads it for the live sources again.
   void condition_sources_anew();
@@ -61,6 +64,8 @@ class Programme {
   /// What went wrong with live sources without stopping anything. Waits until the records are
   /// written.
   [[nodiscard]] Result<void> finish();
+  /// A thread reads a sound file: a disk that hangs would hold up the destructor.
+  [[nodiscard]] bool encoding() const { return voices_.running(); }
 
  private:
   [[nodiscard]] bool any_live() const {
@@ -74,7 +79,8 @@ class Programme {
   void make_live(protocol::ServerCatalogue& catalogue);
   [[nodiscard]] std::vector<protocol::ServedStream> streams_of_sources() const;
   [[nodiscard]] bool over() const;
-  void share_recorded(protocol::ServerCatalogue& catalogue) const;
+  [[nodiscard]] protocol::ServerCatalogue accompanied(Repertoire repertoire);
+  void share_with_before(protocol::ServerCatalogue& catalogue) const;
 
   asio::io_context& io_;
   const TransmitterOptions& options_;
@@ -82,6 +88,7 @@ class Programme {
   std::vector<std::unique_ptr<LiveSource>> sources_;
   std::vector<std::unique_ptr<Upstream>> upstreams_;
   LiveBeat beat_;
+  VoiceTracks voices_;
   std::shared_ptr<protocol::ServerCatalogue> catalogue_;
   int unsent_bytes_max_;  ///< of a live stream
   bool stopped_ = false;

@@ -56,7 +56,7 @@ void Reload::read_sources() {
 
 void Reload::load() {
   // A failure to load is a Result; what else can be thrown is the lack of memory.
-  Result<protocol::ServerCatalogue> loaded = Error{ErrorKind::Failed, "not enough memory"};
+  Result<Repertoire> loaded = Error{ErrorKind::Failed, "not enough memory"};
   try {
     loaded = load_();
   } catch (const std::bad_alloc&) {
@@ -64,14 +64,14 @@ void Reload::load() {
   asio::post(io_, [this, result = std::move(loaded)]() mutable { done(std::move(result)); });
 }
 
-void Reload::done(Result<protocol::ServerCatalogue> loaded) {
+void Reload::done(Result<Repertoire> loaded) {
   running_ = false;
   if (programme_.stopped()) return;
   on_done_(take_over(std::move(loaded)));
   if (std::exchange(again_, false)) read_sources();
 }
 
-bool Reload::take_over(Result<protocol::ServerCatalogue> loaded) {
+bool Reload::take_over(Result<Repertoire> loaded) {
   if (loaded) {
     ++successes_;
     return programme_.take_over(std::move(*loaded));

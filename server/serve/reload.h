@@ -10,9 +10,9 @@
 
 #include "common/result.h"
 #include "common/tls/context.h"
-#include "protocol/server_session.h"
 #include "server/serve/credentials.h"
 #include "server/serve/programme.h"
+#include "server/streams/catalogue.h"
 
 namespace aucast::server {
 
@@ -22,7 +22,7 @@ namespace aucast::server {
 /// on the other one and must not touch what the first one uses.
 class Reload {
  public:
-  using Load = std::function<Result<protocol::ServerCatalogue>()>;
+  using Load = std::function<Result<Repertoire>()>;
   /// `changed`: who comes now gets other streams.
   using OnDone = std::function<void(bool changed)>;
 
@@ -49,8 +49,8 @@ class Reload {
  private:
   void read_sources();
   void load();  ///< on the thread of its own
-  void done(Result<protocol::ServerCatalogue> loaded);
-  [[nodiscard]] bool take_over(Result<protocol::ServerCatalogue> loaded);
+  void done(Result<Repertoire> loaded);
+  [[nodiscard]] bool take_over(Result<Repertoire> loaded);
 
   asio::io_context& io_;
   const CredentialFiles& files_;

@@ -41,7 +41,7 @@ const char* name_of_signal(int number) {
 /// Brings listener, programme, clients, status and signals of one run together.
 class Transmitter {
  public:
-  Transmitter(const TransmitterOptions& options, protocol::ServerCatalogue catalogue, Stats& stats,
+  Transmitter(const TransmitterOptions& options, Repertoire repertoire, Stats& stats,
               Reload::Load load)
       : options_(options),
         end_signals_(io_, SIGINT, SIGTERM),
@@ -50,8 +50,9 @@ class Transmitter {
         tick_timer_(io_),
         listener_(io_, protocol::kAcceptLimits),
         clients_(options, stats, [this] { on_empty(); }),
-        programme_(io_, options, std::move(catalogue),
-                   {[this] { clients_.on_moment(); }, [this] { on_over(); }}),
+        programme_(io_, options, std::move(repertoire),
+                   {[this] { clients_.on_moment(); }, [this] { on_over(); },
+                    [this] { clients_.on_voice(); }}),
         reload_(io_, options.credentials, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
         routes_([this](Instant now) { return status(now); }) {}
@@ -226,7 +227,7 @@ class Transmitter {
 
   [[nodiscard]] Ending ending() {
     Ending ending;
-    ending.reloading = reload_.running();
+    ending.reading = reload_.running() || programme_.encoding();
     if (auto finished = programme_.finish(); !finished) ending.error = finished.error();
     return ending;
   }
@@ -249,15 +250,15 @@ class Transmitter {
 
 }  // namespace
 
-Result<Ending> serve(const TransmitterOptions& options, protocol::ServerCatalogue catalogue,
-                     Stats& stats, const OnReady& on_ready, Reload::Load load) {
+Result<Ending> serve(const TransmitterOptions& options, Repertoire repertoire, Stats& stats,
+                     const OnReady& on_ready, Reload::Load load) {
   std::signal(SIGPIPE, SIG_IGN);
   link::raise_descriptor_limit();
   auto transmitter =
-      std::make_unique<Transmitter>(options, std::move(catalogue), stats, std::move(load));
+      std::make_unique<Transmitter>(options, std::move(repertoire), stats, std::move(load));
   auto ending = transmitter->run(on_ready);
   // A disk may take long, and whoever sent SIGTERM does not wait for it.
-  if (ending && ending->reloading) static_cast<void>(transmitter.release());
+  if (ending && ending->reading) static_cast<void>(transmitter.release());
   return ending;
 }
 

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "common/result.h"
-#include "protocol/server_session.h"
 #include "server/serve/reload.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/stats.h"
+#include "server/streams/catalogue.h"
 
 namespace aucast::server {
 
@@ -22,19 +22,18 @@ using OnReady = std::function<Result<void>(const std::string& address)>;
 /// How serving came to its end.
 struct Ending {
   std::optional<Error> error;  ///< what went wrong without stopping anything, such as a recording
-  /// A reload still reads on its thread, from what `options` and `load` refer to: the process must
-  /// end without returning from where they live.
-  bool reloading = false;
+  /// A thread still reads files, a reload also from what `options` and `load` refer to: the process
+  /// must end without returning from where they live.
+  bool reading = false;
 };
 
-/// Serves the catalogue, recorded or live, to any number of clients until SIGTERM or SIGINT: then
+/// Serves the repertoire, recorded or live, to any number of clients until SIGTERM or SIGINT: then
 /// nobody is accepted any more, everybody gets {-2}, and it returns when the last is gone or
 /// kStopTimeMax is over. The same when all streams are live and nothing can come of them any more,
 /// as after the end of stdin. A second signal ends it at once. SIGHUP calls `load` on another
 /// thread and serves what it returns to who comes then; those that are there keep what they have.
 /// SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
-[[nodiscard]] Result<Ending> serve(const TransmitterOptions& options,
-                                   protocol::ServerCatalogue catalogue, Stats& stats,
-                                   const OnReady& on_ready, Reload::Load load);
+[[nodiscard]] Result<Ending> serve(const TransmitterOptions& options, Repertoire repertoire,
+                                   Stats& stats, const OnReady& on_ready, Reload::Load load);
 
 }  // namespace aucast::server

@@ -91,11 +91,13 @@ std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
 
 std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
   return {
-      {"keyframe", "MS", "250", "duration of untimed keyframes (250)",
-       "Milliseconds, 1 to 3600000. The hello tells it to clients, and --live uses it.",
+      {"keyframe", "MS", "250", "untimed ones (250)",
+       "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello tells "
+       "it to clients, and --live uses it.",
        whole(options.keyframe_ms, 1, protocol::kDurationMsMax), "Sending"},
-      {"classic-min", "PERCENT", "20", "weakest AU that classic clients get (20)",
-       "Level 1 has no intensities: weaker AUs are left out, the others are sent as fully "
+      {"classic-min", "PERCENT", "20", "weakest AU (20)",
+       "For classic clients. Level 1 has no intensities: weaker AUs are left out, the others are "
+       "sent as fully "
        "active.",
        whole(options.classic_min, 0, 100)},
       {"loop", "", "", "restart at the end", "The first keyframe follows the last, endlessly.",
@@ -105,14 +107,15 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        "client gets the newest keyframe and misses those in between; the statistics count "
        "them as merged.",
        flag(options.live)},
-      {"max-bitrate", "KBITS", "0", "limit for each client, headers included (0: none)",
-       "Kilobits a second, up to 1000000. Keyframes that come too soon are merged into the "
+      {"max-bitrate", "KBITS", "0", "limit (0: none)",
+       "Kilobits a second for each client, headers included, up to 1000000. A voice counts first. "
+       "Keyframes that come too soon are merged into the "
        "next one that fits: the newest wins and takes the time of all of them, so the "
        "stream keeps its length. Level 2 packets count with 52 bytes of TCP and IP headers "
        "each. --check and --estimate show the result. A keyframe of a live source waits "
        "until it fits, and a newer one replaces it.",
        whole(options.max_kbits, 0, 1'000'000)},
-      {"batch", "MS", "0", "combine small writes within MS milliseconds (0: no)",
+      {"batch", "MS", "0", "combine writes (0: no)",
        "Headers cost more than a packet: what is written within this time goes out "
        "together. Up to 1000 milliseconds; the face is late by as much.",
        whole(options.batch, 0, 1000)},
@@ -154,10 +157,10 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
        word(files.tls.certificate)},
       {"tls-key", "FILE", "", "its private key",
        "PEM. Only the transmitter should be able to read it.", word(files.tls.key)},
-      {"tls-client-ca", "FILE", "", "require client certificates signed by these CAs",
-       "The certificates of the authorities that client certificates must come from (PEM).",
+      {"tls-client-ca", "FILE", "", "CAs of clients",
+       "Clients must show a certificate that one of these authorities has signed (PEM).",
        word(files.tls.authorities)},
-      {"token-file", "FILE", "", "require the token in this file",
+      {"token-file", "FILE", "", "require its token",
        "One word of at most 256 bytes. A client without it is refused before it learns "
        "anything, and so is every classic client, which cannot send one. Without TLS anyone "
        "on the path can read it.",
@@ -186,14 +189,16 @@ std::vector<OptionRow> program_rows(TransmitterOptions& options) {
       {"config",
        "FILE",
        "",
-       "settings file: these options as name = value (TOML)",
-       "Read before the environment and the command line. Without it "
+       "settings as TOML",
+       "These options as name = value, one a line. Read before the environment and the command "
+       "line. Without it "
        "/etc/aucast/au-transmitter.toml is read if it exists; --config /dev/null reads none.",
        {},
        "",
        Where::Typed},
-      {"print-config", "", "", "print the settings and their origins, then exit",
-       "The output is a settings file for --config.", flag(), "", Where::Typed},
+      {"print-config", "", "", "print all settings",
+       "Each with where it comes from. The output is a settings file for --config.", flag(), "",
+       Where::Typed},
       {"log-level", "LEVEL", "info", "trace ... off (info)",
        "trace, debug, info, warning, error or off. The log goes to stderr. It has at most "
        "300 lines a second about clients and tells how many were left out; at debug it has "
@@ -217,6 +222,7 @@ std::vector<OptionRow> option_rows(TransmitterOptions& options) {
   append(rows, upstream_rows(options.upstream));
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
+  append(rows, voice_rows(options.voice));
   append(rows, sending_rows(options));
   append(rows, connection_rows(options));
   append(rows, credential_rows(options.credentials));

@@ -14,6 +14,7 @@
 #include "server/settings/credential_files.h"
 #include "server/settings/source_options.h"
 #include "server/settings/upstream_settings.h"
+#include "server/settings/voice_options.h"
 
 namespace aucast::server {
 
@@ -43,6 +44,7 @@ struct TransmitterOptions {
   std::filesystem::path stats;                  ///< empty: none
   bool check = false;                           ///< check the sources and serve nothing
   SourceOptions source;                         ///< how recordings are read
+  VoiceOptions voice;                           ///< the sound beside the faces
   bool skip_bad = false;                        ///< broken sources are left out
   std::optional<HttpAddress> http;              ///< nothing: no status by HTTP
   std::filesystem::path record;                 ///< file or folder for live streams; empty: none

@@ -18,6 +18,8 @@ Json json_of(const ClientRecord& record) {
           {"packets_merged", record.packets_merged},
           {"bytes", record.bytes},
           {"bytes_total", record.bytes_total},
+          {"voice_packets", record.voice_packets},
+          {"sound_bytes", record.sound_bytes},
           {"send_seconds", seconds(record.send_time)},
           {"end_reason", record.end_reason}};
 }
@@ -30,6 +32,8 @@ void Totals::add(const ClientRecord& record) {
   packets_merged += record.packets_merged;
   bytes += record.bytes;
   bytes_total += record.bytes_total;
+  voice_packets += record.voice_packets;
+  sound_bytes += record.sound_bytes;
   send_time += record.send_time;
 }
 
@@ -49,6 +53,8 @@ std::string Stats::to_json() const {
                     {"packets_merged", totals_.packets_merged},
                     {"bytes", totals_.bytes},
                     {"bytes_total", totals_.bytes_total},
+                    {"voice_packets", totals_.voice_packets},
+                    {"sound_bytes", totals_.sound_bytes},
                     {"send_seconds", seconds(totals_.send_time)},
                     {"clients_omitted", totals_.clients - records_.size()},
                     {"clients", std::move(clients)}};

@@ -24,6 +24,8 @@ struct ClientRecord {
   Duration send_time{0};
   std::string end_reason;
   std::uint64_t packets_merged = 0;  ///< live keyframes left out because the client was slow
+  std::uint64_t voice_packets = 0;   ///< handed out
+  std::uint64_t sound_bytes = 0;     ///< of voice packets and captions
   friend bool operator==(const ClientRecord&, const ClientRecord&) = default;
 };
 
@@ -34,6 +36,8 @@ struct Totals {
   std::uint64_t packets_merged = 0;
   std::uint64_t bytes = 0;
   std::uint64_t bytes_total = 0;
+  std::uint64_t voice_packets = 0;
+  std::uint64_t sound_bytes = 0;
   Duration send_time{0};
 
   void add(const ClientRecord& record);

@@ -107,6 +107,10 @@ std::vector<std::string> status_lines(const Status& status) {
           " s; lag " + number(status.lag_seconds) + " s",
       "status: " + std::string(status.live ? "live" : "recorded") + " streams:" + names,
   };
+  if (status.sent.sound_bytes > 0) {
+    lines.push_back("status: of that, voice " + text(status.sent.voice_packets) +
+                    " packets; sound and captions " + text(status.sent.sound_bytes) + " bytes");
+  }
   for (const UpstreamStatus& upstream : status.upstreams) {
     lines.push_back("status: upstream " + upstream.stream + " " +
                     (upstream.receiving ? "from " + upstream.parent : "from nobody") +
@@ -145,6 +149,10 @@ std::string metrics_text(const Status& status) {
           status.sent.packets_merged);
   counter(text, "aucast_packet_bytes_total", "Bytes of keyframes.", status.sent.bytes);
   counter(text, "aucast_bytes_total", "All bytes that the sockets took.", status.sent.bytes_total);
+  counter(text, "aucast_voice_packets_total", "Packets of voice handed out.",
+          status.sent.voice_packets);
+  counter(text, "aucast_sound_bytes_total", "Bytes of voice packets and captions.",
+          status.sent.sound_bytes);
   gauge(text, "aucast_queue_bytes", "Bytes that wait for clients to take them.",
         static_cast<double>(status.queue_bytes));
   gauge(text, "aucast_queue_seconds", "Longest time that anything waits for one client.",
@@ -189,6 +197,8 @@ std::string status_json(const Status& status) {
                     {"packets_merged", status.sent.packets_merged},
                     {"bytes", status.sent.bytes},
                     {"bytes_total", status.sent.bytes_total},
+                    {"voice_packets", status.sent.voice_packets},
+                    {"sound_bytes", status.sent.sound_bytes},
                     {"queue_bytes", status.queue_bytes},
                     {"queue_seconds", status.queue_seconds},
                     {"lag_seconds", status.lag_seconds},

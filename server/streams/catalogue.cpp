@@ -11,13 +11,16 @@
 #include "common/sources/resample.h"
 #include "common/sources/source_reader.h"
 #include "common/text.h"
+#include "protocol/caption.h"
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/endpoint.h"
+#include "protocol/spoken_stream.h"
 #include "protocol/stream_file.h"
 #include "server/streams/memory.h"
 #include "server/streams/source_path.h"
 #include "server/streams/thinning.h"
+#include "server/voice/companions.h"
 
 namespace aucast::server {
 namespace {
@@ -44,6 +47,7 @@ struct Reading {
   const sources::ConditioningSettings& conditioning;
   const EncodingOptions& encoding;
   LiveSources live = LiveSources::None;
+  bool first = false;  ///< of all sources: the one that --voice is for
 };
 
 /// A stream file as it is: keyframe by keyframe, so that only its packets are held.
@@ -63,10 +67,18 @@ Result<void> encode_file(std::string_view text, const EncodingOptions& options, 
   return {};
 }
 
+/// The face of a recording sets out for its first row when the stream begins, so that the row's
+/// moment, where its sound is, comes when that keyframe is over.
+void align_voice(const protocol::StreamFile& stream, std::uint32_t keyframe_ms, Source& source) {
+  if (!source.voice) return;
+  source.voice->begin += Milliseconds(stream.keyframes.front().duration_ms.value_or(keyframe_ms));
+}
+
 /// A stream that is held as keyframes: resampled and thinned, if that is asked.
 Result<void> encode_whole(sources::SourceContent content, const Reading& reading, Source& source) {
   const EncodingOptions& options = reading.encoding;
   protocol::StreamFile& stream = content.stream;
+  if (content.found) align_voice(stream, options.keyframe_ms, source);
   if (const auto rate = reading.source.rate) {
     const auto ms = static_cast<double>(protocol::media_ms(stream, options.keyframe_ms));
     const auto keyframes = static_cast<std::uint64_t>(ms * *rate / 1000);
@@ -82,7 +94,13 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
     }
   }
   if (options.max_kbits != 0) {
-    stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, options.max_kbits);
+    std::uint32_t kbits = options.max_kbits;
+    if (source.voice) {
+      const auto left = face_kbits(kbits, options.voice.encoder, source.path);
+      if (!left) return left.error();
+      kbits = *left;
+    }
+    stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, kbits);
   }
   source.stream = std::make_shared<const protocol::EncodedStream>(
       protocol::encode_stream(stream.keyframes, options.keyframe_ms, options.classic_min));
@@ -100,6 +118,13 @@ Result<std::vector<Source>> address_source(const std::filesystem::path& path, Li
   return std::vector<Source>{{.path = path, .name = address->stream, .live = true}};
 }
 
+void add_spoken(const EncodingOptions& options, Source& source) {
+  if (!source.voice) return;
+  source.spoken =
+      protocol::spoken_stream(*source.stream, source.voice->begin + source.voice->duration,
+                              options.keyframe_ms, options.classic_min);
+}
+
 /// The streams of one file: one, or one for each face.
 Result<std::vector<Source>> load_source(const std::filesystem::path& path, const Reading& reading) {
   if (protocol::is_stream_address(path.string())) return address_source(path, reading.live);
@@ -112,11 +137,21 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
   }
   const auto text = sources::read_text(path);
   if (!text) return text.error();
-  if (sources::content_kind(*text) == sources::ContentKind::StreamFile && !reading.source.rate &&
-      reading.encoding.max_kbits == 0) {
-    streams.push_back({.path = path, .name = stem});
+  const auto beside = accompaniment_of(path, reading.encoding.voice, reading.first);
+  if (!beside) return beside.error();
+  const bool is_stream_file = sources::content_kind(*text) == sources::ContentKind::StreamFile;
+  const auto source_named = [&](const std::string& name) {
+    return Source{.path = path,
+                  .name = name,
+                  .voice = beside->voice,
+                  .captions = beside->captions,
+                  .title = is_stream_file ? protocol::stream_title(*text) : std::string()};
+  };
+  if (is_stream_file && !reading.source.rate && reading.encoding.max_kbits == 0) {
+    streams.push_back(source_named(stem));
     auto read = encode_file(*text, reading.encoding, streams.front());
     if (!read) return read.error();
+    add_spoken(reading.encoding, streams.front());
     return streams;
   }
   const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
@@ -128,9 +163,10 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     const bool one_of_several = content.found && content.found->all_taken;
     const std::string name = one_of_several ? face_stream_name(stem, content.found->face) : stem;
     if (auto can = check_name(path, name); !can) return can.error();
-    streams.push_back({.path = path, .name = name});
+    streams.push_back(source_named(name));
     auto encoded = encode_whole(std::move(content), reading, streams.back());
     if (!encoded) return encoded.error();
+    add_spoken(reading.encoding, streams.back());
   }
   return streams;
 }
@@ -211,8 +247,9 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
       continue;
     }
     for (const std::filesystem::path& file : *files) {
+      const bool first = &path == &paths.front() && &file == &files->front();
       auto streams = load_source(
-          file, {options, *conditioning, encoding, file == path ? live : LiveSources::None});
+          file, {options, *conditioning, encoding, file == path ? live : LiveSources::None, first});
       if (!streams) {
         errors.push_back(streams.error());
         continue;
@@ -240,8 +277,25 @@ protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
   protocol::ServerCatalogue catalogue;
   catalogue.keyframe_ms = keyframe_ms;
   catalogue.loop = loop;
-  for (const Source& source : sources) catalogue.streams.push_back({source.name, source.stream});
+  for (const Source& source : sources) {
+    const bool can_be_told = protocol::is_title(source.title);
+    catalogue.streams.push_back({.name = source.name,
+                                 .recorded = source.stream,
+                                 .spoken = source.spoken,
+                                 .title = can_be_told ? source.title : std::string()});
+    if (source.captions.empty()) continue;
+    protocol::Soundtrack sound;
+    sound.captions = source.captions;
+    catalogue.streams.back().sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
+  }
   return catalogue;
+}
+
+Repertoire make_repertoire(const std::vector<Source>& sources, std::uint32_t keyframe_ms,
+                           bool loop) {
+  Repertoire repertoire(make_catalogue(sources, keyframe_ms, loop));
+  for (const Source& source : sources) repertoire.voices.push_back(source.voice);
+  return repertoire;
 }
 
 Result<void> check_live(const protocol::ServerCatalogue& catalogue) {

@@ -5,14 +5,18 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/result.h"
 #include "common/sources/recording.h"
 #include "common/time.h"
+#include "protocol/packet.h"
 #include "protocol/server_session.h"
 #include "server/settings/source_options.h"
+#include "server/settings/voice_options.h"
 #include "server/streams/stream_summary.h"
+#include "server/voice/voice_file.h"
 
 namespace aucast::server {
 
@@ -24,6 +28,11 @@ struct Source {
   StreamSummary summary{};
   std::optional<sources::Found> found{};  ///< of a recording
   bool live = false;                      ///< nothing is read yet: a LiveSource or an Upstream will
+  std::optional<VoiceFile> voice{};       ///< not encoded yet
+  /// What goes with the voice, if that is not `stream`: protocol::spoken_stream().
+  std::shared_ptr<const protocol::EncodedStream> spoken{};
+  std::vector<protocol::Caption> captions{};
+  std::string title{};  ///< empty: none
 };
 
 /// Which sources are live streams; others are read whole. What is in a folder is not live.
@@ -39,6 +48,7 @@ struct EncodingOptions {
   int classic_min = 20;             ///< percent; weaker AUs are left out for classic clients
   std::uint32_t max_kbits = 0;      ///< a second, headers included; 0: no limit
   bool summarise = true;            ///< fills in Source::summary, which only --check needs
+  VoiceOptions voice{};
 };
 
 /// Reads and encodes all files but those that are `live`, of a folder its .txt and .csv files by
@@ -52,9 +62,22 @@ struct EncodingOptions {
     LiveSources live = LiveSources::None);
 
 /// What is served, in the order given; of a source that is live only the name is known yet. Needs
-/// at least one source.
+/// at least one source. No voice is there yet.
 [[nodiscard]] protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
                                                        std::uint32_t keyframe_ms, bool loop);
+
+/// What is served, and the sound files whose voices are to go with it.
+struct Repertoire {
+  // Implicit on purpose: streams without a voice are a repertoire too.
+  Repertoire(protocol::ServerCatalogue streams) : catalogue(std::move(streams)) {}
+
+  protocol::ServerCatalogue catalogue;
+  std::vector<std::optional<VoiceFile>> voices;  ///< of each stream; missing ones: none
+};
+
+/// make_catalogue() with the voices, which are still to be encoded.
+[[nodiscard]] Repertoire make_repertoire(const std::vector<Source>& sources,
+                                         std::uint32_t keyframe_ms, bool loop);
 
 /// Whether the streams can be sent live: one that starts again must take some time. Bad data
 /// otherwise.

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <string_view>
 
 #include "common/action_unit.h"
 #include "common/check.h"
 #include "common/text.h"
+#include "protocol/caption.h"
 
 namespace aucast::server {
 namespace {
@@ -77,12 +79,65 @@ std::string au_lines(const StreamSummary& summary) {
   return text;
 }
 
+double in_seconds(Milliseconds time) {
+  return static_cast<double>(time.count()) / 1000;
+}
+
+std::string silence_lines(const std::vector<Silence>& silences) {
+  constexpr std::size_t kShownMost = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(silences.size(), kShownMost); ++i) {
+    text += formatted("  %-11s %.3f s to %.3f s\n", "silence", in_seconds(silences[i].begin),
+                      in_seconds(silences[i].end));
+  }
+  if (silences.size() > kShownMost) {
+    text += formatted("  %-11s and %zu times more for 3 s and longer\n", "",
+                      silences.size() - kShownMost);
+  }
+  return text;
+}
+
+std::string voice_lines(const VoiceFile& file, const VoiceSummary& voice, Milliseconds face) {
+  constexpr Milliseconds kMuch{1000};
+  const std::vector<std::size_t> sizes = wire_sizes(voice.packets);
+  const std::size_t bytes = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  const double ms = std::max(static_cast<double>(voice.end.count()), 1.0);
+  std::string text = formatted("  %-11s ", "voice") + printable(file.path.string()) +
+                     formatted(": %.3f s, %.1f kbit/s in %zu packets\n", in_seconds(voice.end),
+                               static_cast<double>(bytes) * 8 / ms, sizes.size());
+  const Milliseconds promised = file.begin + file.duration;
+  if (promised - voice.end > kMuch) {
+    text += formatted("  %-11s it can be read up to %.3f s only, and should last %.3f s\n", "",
+                      in_seconds(voice.end), in_seconds(promised));
+  }
+  const Milliseconds longer = voice.end - face;
+  if (longer > kMuch || -longer > kMuch) {
+    text += formatted("  %-11s the voice ends at %.3f s, the face at %.3f s\n", "lengths",
+                      in_seconds(voice.end), in_seconds(face));
+  }
+  return text + silence_lines(voice.silences);
+}
+
+std::string caption_lines(const std::vector<protocol::Caption>& captions) {
+  if (captions.empty()) return {};
+  const auto shown = std::count_if(captions.begin(), captions.end(),
+                                   [](const auto& caption) { return !caption.text.empty(); });
+  return formatted("  %-11s %td, from %.3f s to %.3f s\n", "captions", shown,
+                   in_seconds(Milliseconds(captions.front().place_ms)),
+                   in_seconds(Milliseconds(captions.back().place_ms)));
+}
+
 }  // namespace
 
-std::string check_report(const Source& source, std::uint32_t keyframe_ms) {
+std::string check_report(const Source& source, std::uint32_t keyframe_ms,
+                         const VoiceSummary* voice) {
   const StreamSummary& summary = source.summary;
   const protocol::EncodedStream& served = *source.stream;
   std::string text = source.name + ": " + printable(source.path.string()) + "\n";
+  if (!source.title.empty()) {
+    text += formatted("  %-11s ", "title") + printable(source.title) +
+            (protocol::is_title(source.title) ? "\n" : " (left out: too long, or no plain text)\n");
+  }
   if (source.found) text += sources::found_lines(*source.found);
   text += formatted("  %-11s %zu, %zu of them untimed\n", "packets", summary.keyframes,
                     summary.untimed);
@@ -93,6 +148,10 @@ std::string check_report(const Source& source, std::uint32_t keyframe_ms) {
   if (!served.changes.empty()) text += bytes_line("changes", served.changes);
   text += rate_line(served);
   if (source.found) text += turned_away_line(summary);
+  if (source.voice && voice != nullptr) {
+    text += voice_lines(*source.voice, *voice, Milliseconds(summary.duration_ms));
+  }
+  text += caption_lines(source.captions);
   return text + au_lines(summary);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -18,18 +19,39 @@ struct Sent {
   std::size_t bytes = 0;
 };
 
-/// Each packet goes out when the face is to set out for it, or with others within `batch`.
-std::vector<Sent> sendings(const protocol::PacketList& packets,
-                           const std::vector<protocol::KeyframeTime>& times, Milliseconds batch,
-                           std::size_t headers) {
+using Times = std::vector<protocol::KeyframeTime>;
+
+/// What is written for each keyframe.
+std::vector<std::size_t> sizes_of(const protocol::PacketList& packets) {
+  std::vector<std::size_t> sizes;
+  for (std::size_t i = 0; i < packets.size(); ++i) sizes.push_back(packets[i].size());
+  return sizes;
+}
+
+/// The same of the voice: its packets go out with the keyframe during which they are heard.
+std::vector<std::size_t> sizes_of(const VoiceSummary& voice, const Times& times) {
+  std::vector<std::size_t> sizes(times.size());
+  const std::vector<std::size_t> packets = wire_sizes(voice.packets);
+  std::size_t keyframe = 0;
+  Milliseconds end = times.front();
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    while (keyframe + 1 < times.size() && voice.packets[i].place >= end) end += times[++keyframe];
+    sizes[keyframe] += packets[i];
+  }
+  return sizes;
+}
+
+/// Each goes out when the face is to set out for its keyframe, or with others within `batch`.
+std::vector<Sent> sendings(const std::vector<std::size_t>& sizes, const Times& times,
+                           Milliseconds batch, std::size_t headers) {
   std::vector<Sent> all;
   Milliseconds at{0};
   Milliseconds first{0};
-  for (std::size_t i = 0; i < packets.size(); ++i) {
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (!all.empty() && at - first < batch) {
-      all.back().bytes += packets[i].size();
+      all.back().bytes += sizes[i];
     } else {
-      all.push_back({at + batch, packets[i].size() + headers});
+      all.push_back({at + batch, sizes[i] + headers});
       first = at;
     }
     at += times[i];
@@ -59,12 +81,11 @@ double kbits(std::size_t bytes, double seconds) {
   return static_cast<double>(bytes) * 8 / 1000 / seconds;
 }
 
-std::string line_of(const char* form, const protocol::PacketList& packets,
-                    const protocol::EncodedStream& served, Milliseconds batch) {
-  const std::vector<Sent> plain = sendings(packets, served.times, batch, 0);
-  const std::vector<Sent> headed = sendings(packets, served.times, batch, kHeaderBytes);
-  const Milliseconds whole =
-      std::accumulate(served.times.begin(), served.times.end(), Milliseconds::zero());
+std::string line_of(const char* form, const std::vector<std::size_t>& sizes, const Times& times,
+                    Milliseconds batch) {
+  const std::vector<Sent> plain = sendings(sizes, times, batch, 0);
+  const std::vector<Sent> headed = sendings(sizes, times, batch, kHeaderBytes);
+  const Milliseconds whole = std::accumulate(times.begin(), times.end(), Milliseconds::zero());
   // A stream of no length goes out at once: then the peak says it all.
   const double seconds = std::max(static_cast<double>(whole.count()) / 1000, 1.0);
   std::array<char, 160> line{};
@@ -74,9 +95,14 @@ std::string line_of(const char* form, const protocol::PacketList& packets,
   return line.data();
 }
 
+std::vector<std::size_t> sum_of(std::vector<std::size_t> a, const std::vector<std::size_t>& b) {
+  std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::plus<>());
+  return a;
+}
+
 }  // namespace
 
-std::string estimate_report(const Source& source, Milliseconds batch) {
+std::string estimate_report(const Source& source, Milliseconds batch, const VoiceSummary* voice) {
   const protocol::EncodedStream& served = *source.stream;
   const Milliseconds whole =
       std::accumulate(served.times.begin(), served.times.end(), Milliseconds::zero());
@@ -86,9 +112,20 @@ std::string estimate_report(const Source& source, Milliseconds batch) {
                 "  form               bytes      mean      peak        bytes      mean      peak\n",
                 served.negotiated.size(), static_cast<double>(whole.count()) / 1000);
   std::string text = at_place(source.path.string(), source.name) + "\n" + head.data();
-  text += line_of("classic", served.classic, served, batch);
-  text += line_of("level 2", served.negotiated, served, batch);
-  if (!served.changes.empty()) text += line_of("changes only", served.changes, served, batch);
+  const auto add = [&](const char* form, const protocol::EncodedStream& stream,
+                       const std::vector<std::size_t>& sizes) {
+    text += line_of(form, sizes, stream.times, batch);
+  };
+  add("classic", served, sizes_of(served.classic));
+  add("level 2", served, sizes_of(served.negotiated));
+  if (!served.changes.empty()) add("changes only", served, sizes_of(served.changes));
+  if (voice == nullptr) return text;
+  const protocol::EncodedStream& spoken = source.spoken ? *source.spoken : served;
+  const std::vector<std::size_t> sound = sizes_of(*voice, spoken.times);
+  add("voice alone", spoken, sound);
+  add("level 2+voice", spoken, sum_of(sizes_of(spoken.negotiated), sound));
+  if (!spoken.changes.empty())
+    add("changes+voice", spoken, sum_of(sizes_of(spoken.changes), sound));
   return text;
 }
 

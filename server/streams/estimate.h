@@ -4,12 +4,15 @@
 
 #include "common/time.h"
 #include "server/streams/catalogue.h"
+#include "server/voice/voice_summary.h"
 
 namespace aucast::server {
 
 /// What --estimate prints of one stream: for each form of it the packets, the bytes and the bits a
 /// second that it takes when it is played in its own time, on average and in the second that needs
 /// most, without and with the headers of TCP and IP. What is sent within `batch` shares headers.
-[[nodiscard]] std::string estimate_report(const Source& source, Milliseconds batch);
+/// With a voice, the same for it and for both together.
+[[nodiscard]] std::string estimate_report(const Source& source, Milliseconds batch,
+                                          const VoiceSummary* voice = nullptr);
 
 }  // namespace aucast::server

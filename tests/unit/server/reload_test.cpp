@@ -16,7 +16,7 @@
 namespace aucast::server {
 namespace {
 
-protocol::ServerCatalogue only(const std::string& name) {
+Repertoire only(const std::string& name) {
   protocol::EncodedStream stream;
   stream.classic = stream.negotiated = {"{1}"};
   stream.times.assign(1, protocol::KeyframeTime(100));
@@ -72,7 +72,7 @@ TEST_F(ReloadTest, WhatWasReadIsServedFromThenOn) {
 }
 
 TEST_F(ReloadTest, WhatCannotBeReadChangesNothing) {
-  const Reload& reload = make([]() -> Result<protocol::ServerCatalogue> {
+  const Reload& reload = make([]() -> Result<Repertoire> {
     return Error{ErrorKind::BadData, "b.txt:1:1: broken"};
   });
   EXPECT_FALSE(reloaded());
@@ -81,8 +81,7 @@ TEST_F(ReloadTest, WhatCannotBeReadChangesNothing) {
 }
 
 TEST_F(ReloadTest, TooLittleMemoryChangesNothing) {
-  const Reload& reload =
-      make([]() -> Result<protocol::ServerCatalogue> { throw std::bad_alloc(); });
+  const Reload& reload = make([]() -> Result<Repertoire> { throw std::bad_alloc(); });
   EXPECT_FALSE(reloaded());
   EXPECT_EQ(served(), "a");
   EXPECT_EQ(reload.failures(), 1U);

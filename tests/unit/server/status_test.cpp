@@ -35,6 +35,11 @@ TEST(Status, LinesSayWhatMatters) {
             "status: sent 100 packets, 1700 bytes; merged 4; waiting 321 bytes, the longest 0.25 "
             "s; lag 0.0 s");
   EXPECT_EQ(lines[3], "status: recorded streams: talk six");
+  Status heard = busy();
+  heard.sent.voice_packets = 50;
+  heard.sent.sound_bytes = 4000;
+  EXPECT_EQ(status_lines(heard).back(),
+            "status: of that, voice 50 packets; sound and captions 4000 bytes");
 }
 
 TEST(Status, MetricsAreWellFormed) {

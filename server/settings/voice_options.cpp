@@ -1,0 +1,54 @@
+#include "server/settings/voice_options.h"
+
+namespace aucast::server {
+namespace {
+
+using Kind = OptionValue::Kind;
+
+constexpr std::int64_t kDelayMsMost = 10'000;
+
+Complaint read_rate(const std::string& word, int& bits_per_second) {
+  const int kbits = number_of<int>(word).value_or(0);
+  if (kbits != 8 && kbits != 10 && kbits != 12 && kbits != 16 && kbits != 24) {
+    return "is not one of 8, 10, 12, 16 and 24";
+  }
+  bits_per_second = kbits * 1000;
+  return std::nullopt;
+}
+
+Complaint read_frame(const std::string& word, Milliseconds& frame) {
+  const int ms = number_of<int>(word).value_or(0);
+  if (ms != 20 && ms != 40 && ms != 60) return "is not one of 20, 40 and 60";
+  frame = Milliseconds(ms);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<OptionRow> voice_rows(VoiceOptions& options) {
+  return {
+      {"voice", "FILE", "", "sound of the first source (else talk.wav for talk.txt)",
+       "A sound file (WAV, FLAC, Ogg Opus, Ogg Vorbis, MP3) beside a source, with the same name "
+       "but .wav, .flac, .opus, .ogg or .mp3, is its voice, which clients that ask for it get "
+       "with the face; a .vtt file there has its captions. This option names another file for "
+       "the first source. For a live source it is - or a FIFO with raw sound: 16-bit signed "
+       "little-endian, 16000 Hz, mono, as arecord -f S16_LE -r 16000 -c 1 -t raw writes it.",
+       word(options.file), "Voice"},
+      {"no-voice", "", "", "serve faces only", "Sound files beside the sources are left alone.",
+       flag(options.none)},
+      {"voice-delay", "MS", "0", "sound later by MS (0)",
+       "Milliseconds, -10000 to 10000: how much later the sound is heard with the face. A "
+       "recogniser shows a picture this long after the microphone had its sound; a negative "
+       "number makes the sound come earlier, for a microphone that is later than the recogniser.",
+       whole(options.delay, -kDelayMsMost, kDelayMsMost)},
+      {"voice-rate", "KBITS", "10", "8 to 24 (10)",
+       "Kilobits of speech a second: 8, 10, 12, 16 or 24. On the wire it is a third more.",
+       parsed(Kind::Number, read_rate, options.encoder.bits_per_second)},
+      {"voice-frame", "MS", "60", "20, 40 or 60 (60)",
+       "Milliseconds of speech in one packet: 20, 40 or 60. Short ones are there sooner and take "
+       "more of the link.",
+       parsed(Kind::Number, read_frame, options.encoder.frame)},
+  };
+}
+
+}  // namespace aucast::server

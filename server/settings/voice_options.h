@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "common/options.h"
+#include "common/time.h"
+#include "common/voice/voice_encoder.h"
+
+namespace aucast::server {
+
+/// Where the voices of the streams come from and how they are encoded.
+struct VoiceOptions {
+  bool none = false;           ///< no stream has a voice
+  std::filesystem::path file;  ///< of the first source; empty: the file beside it, if there is one
+  voice::VoiceSettings encoder;
+  Milliseconds delay{0};  ///< the sound is moved so far back on the stream's clock
+  friend bool operator==(const VoiceOptions&, const VoiceOptions&) = default;
+};
+
+/// The options of voices, bound to `options`: --voice to --voice-delay.
+[[nodiscard]] std::vector<OptionRow> voice_rows(VoiceOptions& options);
+
+}  // namespace aucast::server

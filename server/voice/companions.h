@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "common/result.h"
+#include "protocol/packet.h"
+#include "server/settings/voice_options.h"
+#include "server/voice/voice_file.h"
+
+namespace aucast::server {
+
+/// The files of the same name beside a stream file or a recording that belong to it, as subtitles
+/// belong to a film.
+struct Companions {
+  std::optional<std::filesystem::path> sound;
+  std::optional<std::filesystem::path> captions;
+};
+
+/// Of several sound files the first of .wav, .flac, .opus, .ogg, .mp3; captions are .vtt.
+[[nodiscard]] Companions companions_of(const std::filesystem::path& source);
+
+/// The companions as they are served.
+struct Accompaniment {
+  std::optional<VoiceFile> voice;
+  std::vector<protocol::Caption> captions;
+};
+
+/// Looks for the companions of a source and reads the captions. `first`: the source is the one that
+/// --voice is for. Errors of find_voice_file() and parse_webvtt().
+[[nodiscard]] Result<Accompaniment> accompaniment_of(const std::filesystem::path& source,
+                                                     const VoiceOptions& options, bool first);
+
+}  // namespace aucast::server

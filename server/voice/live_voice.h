@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/time.h"
+#include "common/voice/voice_encoder.h"
+#include "protocol/voice_packet.h"
+#include "server/voice/slow_line.h"
+
+namespace aucast::server {
+
+/// Sound that comes while a live face does, as packets on the clock of the face's stream. When a
+/// sample was heard is its arrival less its place in the sound, and when a keyframe was seen is its
+/// arrival, both through a slow line. Where the two clocks drift apart, pauses get longer or
+/// shorter.
+/// Thread: none of its own.
+class LiveVoice {
+ public:
+  /// `delay`: the sound is moved so far back, because the face is so much later.
+  LiveVoice(const voice::VoiceSettings& settings, Milliseconds delay);
+
+  /// A keyframe that ends at `end` on the stream's clock was made now.
+  void add_keyframe(Milliseconds end, double now);
+  /// The stream ended and begins anew with the next keyframe.
+  void end_face() { face_.forget(); }
+  /// 16-bit signed little-endian samples, mono at kEncoderRate. Before the first keyframe they have
+  /// no place and are dropped.
+  [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, double now);
+  /// Whoever wrote has gone: what comes next does not follow what came.
+  void end_sound();
+
+ private:
+  [[nodiscard]] std::vector<float> samples_of(std::string_view bytes);
+  [[nodiscard]] std::size_t steer(Milliseconds target, std::size_t count,
+                                  std::vector<protocol::VoicePacket>& packets);
+
+  voice::VoiceEncoder encoder_;
+  Milliseconds delay_;
+  SlowLine face_;
+  SlowLine sound_;
+  std::uint64_t samples_ = 0;  ///< that came, since sound_ began
+  std::string half_;           ///< of a sample: its first byte
+  bool placed_ = false;        ///< the encoder's place is that of the sound
+  Milliseconds silent_{0};     ///< for so long no packet was made
+};
+
+}  // namespace aucast::server

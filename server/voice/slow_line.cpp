@@ -1,0 +1,35 @@
+#include "server/voice/slow_line.h"
+
+#include <algorithm>
+
+namespace aucast::server {
+namespace {
+
+/// Crystals differ by 100 millionths; ten times that lets the line find its way back up.
+constexpr double kRise = 1e-3;
+/// Later than this for so long is no jitter.
+constexpr double kLate = 0.3;
+constexpr double kLateTime = 2;
+
+}  // namespace
+
+void SlowLine::add(double now, double made) {
+  const double seems = now - made;
+  if (!begin_ || seems <= *begin_) {
+    begin_ = seems;
+    late_since_.reset();
+  } else {
+    begin_ = std::min(*begin_ + kRise * (now - last_now_), seems);
+    if (seems - *begin_ < kLate) {
+      late_since_.reset();
+    } else if (!late_since_) {
+      late_since_ = now;
+    } else if (now - *late_since_ >= kLateTime) {
+      begin_ = seems;
+      late_since_.reset();
+    }
+  }
+  last_now_ = now;
+}
+
+}  // namespace aucast::server

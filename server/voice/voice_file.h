@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "common/result.h"
+#include "common/time.h"
+#include "common/voice/sound_file.h"
+#include "common/voice/voice_encoder.h"
+#include "protocol/voice_packet.h"
+
+namespace aucast::server {
+
+/// A sound file as it was when it was looked at. What is equal holds the same sound.
+struct VoiceFile {
+  std::filesystem::path path;
+  Milliseconds begin{0};     ///< place of its first sample on the stream's clock; may be negative
+  Milliseconds duration{0};  ///< as its own header has it
+  std::uint64_t device = 0;
+  std::uint64_t inode = 0;
+  std::int64_t bytes = 0;
+  std::int64_t changed_ns = 0;  ///< since 1970
+  friend bool operator==(const VoiceFile&, const VoiceFile&) = default;
+};
+
+/// Looks at a sound file without reading its sound. Unreadable or BadData, with the remedy, when
+/// it is none.
+[[nodiscard]] Result<VoiceFile> find_voice_file(const std::filesystem::path& path,
+                                                Milliseconds begin);
+
+/// Reads a sound file and encodes it, piece by piece. What lies before the stream's beginning is
+/// left out. Thread: none of its own.
+class VoiceReader {
+ public:
+  [[nodiscard]] static Result<VoiceReader> open(const VoiceFile& file,
+                                                const voice::VoiceSettings& settings);
+
+  /// Appends the packets of the next second or two; false: that was the last one.
+  [[nodiscard]] bool read(std::vector<protocol::VoicePacket>& packets);
+  /// How far the sound has been read, on the stream's clock.
+  [[nodiscard]] Milliseconds end() const { return encoder_.end(); }
+
+ private:
+  VoiceReader(voice::SoundFile sound, const voice::VoiceSettings& settings, Milliseconds begin);
+
+  voice::SoundFile sound_;
+  voice::VoiceEncoder encoder_;
+  std::vector<float> samples_;
+  std::size_t skipped_;  ///< samples that are still to be left out
+};
+
+/// Kilobits a second that the voice takes on the wire, headers of TCP and IP left out, as far as
+/// its rate promises: base64 and the characters around it are counted.
+[[nodiscard]] std::uint32_t voice_kbits(const voice::VoiceSettings& settings);
+
+/// Kilobits a second of `max_kbits` that are left to a face beside its voice; 0, which means any,
+/// is left at that. Usage error, with the remedy, when it is next to nothing. `source`: whose face.
+[[nodiscard]] Result<std::uint32_t> face_kbits(std::uint32_t max_kbits,
+                                               const voice::VoiceSettings& settings,
+                                               const std::filesystem::path& source);
+
+}  // namespace aucast::server

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <asio/io_context.hpp>
+
+#include "common/voice/voice_encoder.h"
+#include "protocol/voice_track.h"
+#include "server/voice/voice_file.h"
+
+namespace aucast::server {
+
+/// The voices of the streams that are served: each sound file is encoded once, in the background,
+/// some seconds of each in turn, so that every voice is there soon and nobody who is served waits.
+/// Thread: that of the io_context, which must outlive it together with the callback's captures; the
+/// thread that encodes is its own.
+class VoiceTracks {
+ public:
+  /// `on_grown`: a track has grown.
+  VoiceTracks(asio::io_context& io, const voice::VoiceSettings& settings,
+              std::function<void()> on_grown);
+  /// Waits for what is being read from the disk just now, see running().
+  ~VoiceTracks();
+  VoiceTracks(const VoiceTracks&) = delete;
+  VoiceTracks& operator=(const VoiceTracks&) = delete;
+
+  /// The voice of a file, which grows from now on. As long as anybody holds it, an equal file has
+  /// the same voice.
+  [[nodiscard]] std::shared_ptr<const protocol::VoiceTrack> track_of(const VoiceFile& file);
+  /// Something is being encoded: a disk that hangs would hold up the destructor.
+  [[nodiscard]] bool running() const;
+  /// Nothing more is encoded.
+  void stop();
+
+ private:
+  struct Job {
+    VoiceFile file;
+    std::weak_ptr<protocol::VoiceTrack> track;
+    std::optional<VoiceReader> reader;  ///< opened when its turn has come
+  };
+
+  void encode_until_stopped();
+  /// False: the job is done.
+  [[nodiscard]] bool encode_some(Job& job);
+  void deliver(const Job& job, std::vector<protocol::VoicePacket> packets, bool last);
+  [[nodiscard]] bool stopped() const;
+
+  asio::io_context& io_;
+  voice::VoiceSettings settings_;
+  std::function<void()> on_grown_;
+  std::vector<std::pair<VoiceFile, std::weak_ptr<protocol::VoiceTrack>>> tracks_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Job> jobs_;   ///< under mutex_
+  bool encoding_ = false;  ///< under mutex_: a job is taken out
+  bool stopped_ = false;   ///< under mutex_
+  std::thread thread_;
+};
+
+/// Whether two streams sound the same and have the same captions.
+[[nodiscard]] bool same_sound(const std::shared_ptr<const protocol::Soundtrack>& one,
+                              const std::shared_ptr<const protocol::Soundtrack>& other);
+
+}  // namespace aucast::server

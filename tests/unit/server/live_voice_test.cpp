@@ -1,0 +1,143 @@
+// Sound that comes while a live face does: bytes and times in, packets with places out.
+#include "server/voice/live_voice.h"
+
+#include <gtest/gtest.h>
+
+#include "server/voice/slow_line.h"
+#include "tests/unit/voice/speech_like.h"
+
+namespace aucast::server {
+namespace {
+
+using namespace std::chrono_literals;
+using Packets = std::vector<protocol::VoicePacket>;
+
+constexpr Milliseconds kChunk{100};
+
+std::string raw(const std::vector<float>& samples) {
+  std::string bytes;
+  for (const float sample : samples) {
+    const auto value = static_cast<int>(sample * 32767);
+    bytes += static_cast<char>(value & 0xFF);
+    bytes += static_cast<char>(value >> 8);
+  }
+  return bytes;
+}
+
+/// A microphone whose sound arrives in chunks, and a face that makes 25 keyframes a second.
+class LiveVoiceTest : public ::testing::Test {
+ protected:
+  void face_until(double now) {
+    for (; face_end_ + face_begin_ms_ <= Milliseconds(static_cast<int>(now * 1000));
+         face_end_ += 40ms) {
+      voice_.add_keyframe(face_end_, seconds(face_end_ + face_begin_ms_));
+    }
+  }
+  /// The next chunk, which arrives `late` seconds after its last sample was heard.
+  Packets speak(double late = 0) {
+    now_ += seconds(kChunk);
+    face_until(now_);
+    const std::size_t count = kChunk.count() * voice::kEncoderSamplesPerMs * 2;
+    if (at_ + count > sound_.size()) at_ = 0;
+    Packets packets = voice_.add(std::string_view(sound_).substr(at_, count), now_ + late);
+    at_ += count;
+    for (const protocol::VoicePacket& packet : packets) {
+      EXPECT_TRUE(all_.empty() || packet.place >= all_.back().place + 60ms);
+      all_.push_back(packet);
+    }
+    return packets;
+  }
+  /// Of the sound that was heard last, where its last packet ends, less where it should.
+  [[nodiscard]] Milliseconds off() const {
+    const auto should = Milliseconds(static_cast<int>(now_ * 1000)) - face_begin_ms_;
+    return all_.back().place + 60ms - should;
+  }
+
+  LiveVoice voice_{{}, 0ms};
+  std::string sound_ = raw(voice::test::speech_like(20));
+  std::size_t at_ = 0;
+  double now_ = 10;
+  Milliseconds face_begin_ms_{10'500};
+  Milliseconds face_end_{0};
+  Packets all_;
+};
+
+TEST_F(LiveVoiceTest, HasNoPlaceBeforeTheFace) {
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(speak().empty());
+  for (int i = 0; i < 6; ++i) static_cast<void>(speak());
+  ASSERT_FALSE(all_.empty());
+  EXPECT_LT(all_.front().place, 200ms);
+}
+
+TEST_F(LiveVoiceTest, IsPlacedWhereTheFaceWasThen) {
+  for (int i = 0; i < 50; ++i) static_cast<void>(speak());
+  EXPECT_NEAR(static_cast<double>(off().count()), 0, 60) << "of a packet that is not full yet";
+}
+
+TEST_F(LiveVoiceTest, AJitterOfThePipeMovesNothing) {
+  for (int i = 0; i < 20; ++i) static_cast<void>(speak());
+  const std::size_t before = all_.size();
+  for (int i = 0; i < 60; ++i) static_cast<void>(speak(i % 3 == 0 ? 0.2 : 0.05));
+  for (std::size_t i = before + 1; i < all_.size(); ++i) {
+    EXPECT_EQ(all_[i].place - all_[i - 1].place, 60ms) << "no gap";
+  }
+}
+
+TEST_F(LiveVoiceTest, SoundThatWasLostLeavesAGap) {
+  for (int i = 0; i < 20; ++i) static_cast<void>(speak());
+  now_ += 5;
+  for (int i = 0; i < 60; ++i) static_cast<void>(speak());
+  EXPECT_NEAR(static_cast<double>(off().count()), 0, 60);
+}
+
+TEST_F(LiveVoiceTest, AnOddByteIsHalfASample) {
+  LiveVoice whole({}, 0ms);
+  LiveVoice cut({}, 0ms);
+  whole.add_keyframe(0ms, 0);
+  cut.add_keyframe(0ms, 0);
+  const std::string bytes = sound_.substr(0, 32000);
+  const Packets expected = whole.add(bytes, 1);
+  EXPECT_FALSE(expected.empty());
+  Packets packets = cut.add(bytes.substr(0, 9999), 9999.0 / 32000);
+  for (auto& packet : cut.add(bytes.substr(9999), 1)) packets.push_back(packet);
+  EXPECT_EQ(packets, expected);
+}
+
+TEST(LiveVoiceDelay, APositiveOneMakesTheSoundLater) {
+  const std::string bytes = raw(voice::test::speech_like(1));
+  const auto first_place = [&bytes](Milliseconds delay) {
+    LiveVoice voice({}, delay);
+    voice.add_keyframe(5s, 10);
+    return voice.add(bytes, 11).at(0).place;
+  };
+  EXPECT_EQ(first_place(0ms), 5s);
+  EXPECT_EQ(first_place(300ms), 5300ms);
+  EXPECT_EQ(first_place(-300ms), 4700ms);
+}
+
+TEST(SlowLine, BelievesTheEarliest) {
+  SlowLine line;
+  EXPECT_FALSE(line.known());
+  line.add(10.5, 0.1);
+  EXPECT_DOUBLE_EQ(line.begin(), 10.4);
+  line.add(10.6, 0.6);
+  EXPECT_DOUBLE_EQ(line.begin(), 10.0) << "more had been made than had come";
+  line.add(11.2, 1.0);
+  EXPECT_NEAR(line.begin(), 10.0, 0.001) << "it waited somewhere";
+}
+
+TEST(SlowLine, FollowsAClockThatDrifts) {
+  SlowLine line;
+  for (int i = 0; i < 36000; ++i) line.add(i * 0.1, i * 0.1 * (1 - 100e-6));
+  EXPECT_NEAR(line.begin(), 0.36, 0.01);
+}
+
+TEST(SlowLine, WhatIsLateForLongWasLost) {
+  SlowLine line;
+  for (int i = 0; i < 10; ++i) line.add(i, i);
+  for (int i = 10; i < 20; ++i) line.add(i + 1, i);
+  EXPECT_NEAR(line.begin(), 1, 0.01);
+}
+
+}  // namespace
+}  // namespace aucast::server
