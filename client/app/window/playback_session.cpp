@@ -106,8 +106,11 @@ Result<net::RemoteOptions> PlaybackSession::server_of(const gui::RemoteSettings&
   if (!settings.token_file.empty()) protection.token = settings.token_file;
   auto security = net::load_security(protection, settings.address);
   if (!security) return security.error();
-  net::RemoteOptions remote =
-      remote_options(options, {settings.address, static_cast<std::uint16_t>(settings.port)});
+  const net::Endpoint asked{settings.address, static_cast<std::uint16_t>(settings.port)};
+  net::RemoteOptions remote = remote_options(options, asked);
+  // Those beside the command line's server have what that one has.
+  const auto first = net::parse_endpoint(options.endpoint);
+  if (!first || *first != asked) remote.others.clear();
   remote.speed.reset();
   if (settings.speed_ms > 0) remote.speed = Milliseconds(settings.speed_ms);
   remote.reconnect = settings.reconnect;
