@@ -20,6 +20,7 @@
 #include "client/net/stream_list.h"
 #include "client/playback/file_source.h"
 #include "client/playback/seekable_playback.h"
+#include "client/sound/file_track.h"
 #include "common/files.h"
 #include "common/log.h"
 
@@ -61,6 +62,7 @@ Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& optio
     return std::unique_ptr<playback::Playback>(std::make_unique<playback::SeekablePlayback>(
         std::move(keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime)));
   }
+  playback::set_places(keyframes, options.playback.speed.value_or(protocol::kDefaultKeyframeTime));
   auto source = std::make_unique<playback::FileSource>(std::move(keyframes));
   return std::unique_ptr<playback::Playback>(
       std::make_unique<SourcePlayback>(std::move(source), how));
@@ -72,6 +74,17 @@ Result<std::unique_ptr<playback::Playback>> open_remote(const PlaybackOptions& o
   if (!endpoint) return endpoint.error();
   return std::unique_ptr<playback::Playback>(std::make_unique<SourcePlayback>(
       std::make_unique<net::RemoteSource>(remote_options(options, *endpoint)), how));
+}
+
+/// The sound file beside the stream file that is played without a window; null: none.
+Result<std::unique_ptr<sound::SoundTrack>> open_track(const PlayerOptions& options) {
+  std::unique_ptr<sound::SoundTrack> none;
+  if (options.command != Command::Play || !options.headless || !options.wants_voice()) return none;
+  const auto file = sound::sound_beside(options.playback.file);
+  if (!file) return none;
+  auto track = sound::FileTrack::open(*file);
+  if (!track) return track.error();
+  return std::unique_ptr<sound::SoundTrack>(std::move(*track));
 }
 
 Result<void> print_list(const PlaybackOptions& options) {
@@ -110,6 +123,8 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
     if (!opened) return opened.error();
     playback = std::move(*opened);
   }
+  auto track = open_track(options);
+  if (!track) return track.error();
   auto assets = load_assets(options.face);
   if (!assets && options.face.face != given.face.face) {
     spdlog::warn("{}; the window begins with the usual face", assets.error().message);
@@ -127,7 +142,7 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
   if (!options.headless) {
     done = run_window(**assets, options, playback, settings, stop_asked, stats);
   } else if (options.output.fast) {
-    done = run_film(**assets, options, *playback, stop_asked, stats);
+    done = run_film(**assets, options, *playback, track->get(), stop_asked, stats);
   } else {
     run_clocked(**assets, options, *playback, stop_asked, stats);
   }

@@ -155,11 +155,11 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"protocol", "LEVEL", "auto", "auto, classic",
        "classic never sends a hello: for servers that know only level 1.",
        one_of(playback.classic, {{"auto", false}, {"classic", true}})},
-      {"connect-timeout", "S", "10", "for the connection and its first packet (10)",
+      {"connect-timeout", "S", "10", "give up after (10)",
        "The longest wait for a connection and for its first packet, 0.01 to 86400 seconds.",
        seconds(playback.connect_timeout, 0.01, kSecondsMax,
                "is not a number of seconds from 0.01 to 86400")},
-      {"reconnect", "", "", "hold the face and retry after 1, 2, 4 ... 30 s if lost",
+      {"reconnect", "", "", "retry, the face held",
        "When the connection is lost, hold the face and retry after 1, 2, 4, 8, 16, 30, 30 "
        "... seconds.",
        flag(playback.reconnect)},
@@ -239,6 +239,25 @@ std::vector<OptionRow> picture_rows(OutputOptions& output) {
   };
 }
 
+std::vector<OptionRow> sound_rows(SoundOptions& sound) {
+  return {
+      {"volume", "N", "100", "0 to 100 (100)",
+       "How loud the sound is, 0 to 100 percent of how it comes.", whole(sound.volume, 0, 100),
+       "Sound"},
+      {"mute", "", "", "play silence", "Plays silence; nothing else changes.", flag(sound.mute)},
+      {"sound", "FILE.wav", "", "write it",
+       "Writes the sound to a WAV file, as long as the stream, and does not wait for the clock.",
+       word(sound.file)},
+      {"no-sound", "", "", "play none",
+       "Plays no sound, and asks the server for none. Videos of --record are silent.",
+       flag(sound.none)},
+      {"sound-device", "NAME", "", "",
+       "The device to play on, or default. A name that there is not is answered with those that "
+       "there are. With --headless sound is played only if this is given.",
+       word(sound.device)},
+  };
+}
+
 std::vector<OptionRow> film_rows(PlayerOptions& options) {
   OutputOptions& output = options.output;
   return {
@@ -246,7 +265,8 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        "Writes DIR/frame_000001.png and so on: 50 a keyframe, or --fps N a second.",
        word(output.frames)},
       {"record", "FILE", "", ".mp4, .webm or .gif: 30 pictures a second, or --fps N",
-       "Writes a video, .mp4, .webm or .gif: 30 pictures a second, or --fps N.",
+       "Writes a video, .mp4, .webm or .gif: 30 pictures a second, or --fps N. It has the sound, "
+       "if there is any; a .gif has none.",
        word(output.record)},
       {"sheet", "FILE.png", "", "up to 60 poses on one page",
        "Writes the poses of the keyframes to one page: of more than 60, every second, fourth, ...",
@@ -255,7 +275,7 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        whole(output.fps, 1, 240)},
       {"fast", "", "", "as fast as possible",
        "Does not wait for the clock: plays as fast as the computer can. Implied by --frames, "
-       "--record and --sheet.",
+       "--record, --sheet and --sound.",
        flag(output.fast)},
       {"stats", "FILE.json", "", "write statistics at exit",
        "Writes statistics of buffers, delays and frames at exit.", word(output.stats)},
@@ -379,6 +399,7 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
   const bool plays = command == Command::Watch || command == Command::Play;
   if (plays) append(rows, receiving_rows(options.playback));
   if (plays) append(rows, animation_rows(options.playback));
+  if (plays) append(rows, sound_rows(options.sound));
   append(rows, face_rows(options.face));
   append(rows, rules_rows(options.face));
   append(rows, picture_rows(options.output));

@@ -53,6 +53,20 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
   return {};
 }
 
+Result<void> settle_sound(const PlayerOptions& options) {
+  const SoundOptions& sound = options.sound;
+  if (sound.none && !sound.file.empty()) {
+    return usage("--no-sound leaves nothing for --sound to write: give one of them");
+  }
+  if (sound.none && sound.device) {
+    return usage("--no-sound leaves nothing for --sound-device to play: give one of them");
+  }
+  if (!sound.file.empty() && sound.file.extension() != ".wav") {
+    return usage("--sound writes a WAV file: let its name end in .wav");
+  }
+  return {};
+}
+
 /// What one option alone cannot tell.
 Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
   if (auto settled = settle_address(typed, options.playback); !settled) return settled;
@@ -67,7 +81,8 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
   if (options.command == Command::Watch || options.command == Command::Play) {
     auto& buffers = options.playback.buffers;
     if (auto settled = settle_buffers(typed, buffers); !settled) return settled;
-    if (options.output.pictures()) options.output.fast = true;
+    if (auto settled = settle_sound(options); !settled) return settled;
+    if (options.output.pictures() || !options.sound.file.empty()) options.output.fast = true;
     if (options.output.fast) options.headless = true;
     if (options.output.fast && buffers.low_delay) {
       return usage("--live is for watching; --fast and pictures run on the film clock");
@@ -147,6 +162,17 @@ Command take_command(std::vector<std::string>& arguments) {
 }
 
 }  // namespace
+
+bool wants_film_sound(const SoundOptions& sound, const OutputOptions& output) {
+  const std::string ending = output.record.extension().string();
+  return !sound.none && (!sound.file.empty() || ending == ".mp4" || ending == ".webm");
+}
+
+bool PlayerOptions::wants_voice() const {
+  if (sound.none) return false;
+  if (output.fast) return wants_film_sound(sound, output);
+  return !headless || sound.device.has_value();
+}
 
 Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
   PlayerOptions options;

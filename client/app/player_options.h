@@ -75,6 +75,18 @@ struct OutputOptions {
   }
 };
 
+/// What is heard, and where.
+struct SoundOptions {
+  int volume = 100;  ///< percent
+  bool mute = false;
+  bool none = false;                  ///< --no-sound
+  std::filesystem::path file;         ///< --sound FILE.wav
+  std::optional<std::string> device;  ///< --sound-device; "default" is the system's
+};
+
+/// A film is made that has sound.
+[[nodiscard]] bool wants_film_sound(const SoundOptions& sound, const OutputOptions& output);
+
 struct PoseOptions {
   std::string aus;                                     ///< pose and rules: as in a packet
   std::vector<std::pair<std::string, float>> muscles;  ///< --muscle NAME=VALUE, in order
@@ -98,9 +110,12 @@ struct PlayerOptions {
   FaceOptions face;
   PlaybackOptions playback;
   OutputOptions output;
+  SoundOptions sound;
   PoseOptions pose;
   GalleryOptions gallery;
   bool headless = false;
+  /// Voice is asked for: it is heard or written.
+  [[nodiscard]] bool wants_voice() const;
   bool list = false;  ///< --list: print the names of the server's streams
   bool exit_at_end = false;
   bool quiet = false;

@@ -14,6 +14,22 @@ double milliseconds(Duration time) {
   return std::round(seconds(time) * 1e6) / 1000;
 }
 
+void add_sound(const sound::SoundCounts& sound, nlohmann::ordered_json& json) {
+  json["voice_packets"] = sound.voice.packets;
+  json["voice_bytes"] = sound.voice.bytes;
+  json["voice_gaps"] = sound.voice.gaps;
+  json["voice_late"] = sound.voice.too_late;
+  json["sound_underruns"] = sound.underruns;
+  json["sound_drift_ppm"] =
+      sound.drift_ppm ? nlohmann::ordered_json(std::round(*sound.drift_ppm * 10) / 10) : nullptr;
+  const auto offset = [&sound](Duration time) {
+    return sound.offset.count > 0 ? nlohmann::ordered_json(milliseconds(time)) : nullptr;
+  };
+  json["face_to_sound_p50_ms"] = offset(sound.offset.median);
+  json["face_to_sound_p5_ms"] = offset(sound.offset.low);
+  json["face_to_sound_p95_ms"] = offset(sound.offset.high);
+}
+
 }  // namespace
 
 void PlayerStats::take(const playback::Playback& playback) {
@@ -70,6 +86,7 @@ std::string to_json(const PlayerStats& stats) {
   json["live_delay_target_ms"] = delay(stats.live_delay_target.value_or(Duration::zero()));
   json["keyframes_dropped"] = stats.keyframes_dropped;
   json["reconnects"] = stats.reconnects;
+  add_sound(stats.sound, json);
   json["end_reason"] = stats.end_reason;
   json["detail"] = stats.detail;
   return json.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";

@@ -8,6 +8,7 @@
 
 #include "client/playback/keyframe_source.h"
 #include "client/playback/playback.h"
+#include "client/sound/sound_player.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -33,6 +34,7 @@ struct PlayerStats {
   std::optional<Duration> live_delay_target;  ///< what was aimed at: the usual, or that of the end
   std::uint64_t keyframes_dropped = 0;        ///< live: to catch up
   std::uint64_t reconnects = 0;               ///< attempts after a loss
+  sound::SoundCounts sound;
   std::string end_reason = "failed";  ///< a name of EndReason, or failed for what went wrong here
   std::string detail;
 

@@ -4,6 +4,14 @@
 
 namespace aucast::playback {
 
+void set_places(std::vector<TimedAus>& keyframes, Milliseconds untimed) {
+  Milliseconds place{0};
+  for (TimedAus& keyframe : keyframes) {
+    place += keyframe.duration.value_or(untimed);
+    keyframe.place = place;
+  }
+}
+
 FileSource::FileSource(std::vector<TimedAus> keyframes) : keyframes_(std::move(keyframes)) {}
 
 std::optional<TimedAus> FileSource::take() {

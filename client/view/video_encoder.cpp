@@ -84,6 +84,33 @@ std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, 
   return arguments;
 }
 
+/// The pictures of one file and the sound of another, which both begin at 0.
+std::vector<std::string> muxing_arguments(Format format, const std::filesystem::path& pictures,
+                                          const std::filesystem::path& sound,
+                                          const std::filesystem::path& file) {
+  std::vector<std::string> arguments{"ffmpeg",       "-nostdin",
+                                     "-hide_banner", "-loglevel",
+                                     "error",        "-y",
+                                     "-i",           "file:" + pictures.string(),
+                                     "-i",           "file:" + sound.string(),
+                                     "-map",         "0:v",
+                                     "-map",         "1:a",
+                                     "-c:v",         "copy",
+                                     "-xerror"};
+  const std::vector<std::string> coding =
+      format == Format::Mp4
+          ? std::vector<std::string>{"-c:a",      "aac",        "-b:a", "96k",
+                                     "-movflags", "+faststart", "-f",   "mp4"}
+          : std::vector<std::string>{"-c:a", "libopus", "-b:a", "64k", "-f", "webm"};
+  arguments.insert(arguments.end(), coding.begin(), coding.end());
+  for (const std::string& argument :
+       {std::string("-fflags"), std::string("+bitexact"), std::string("-flags:a"),
+        std::string("+bitexact"), "file:" + file.string()}) {
+    arguments.push_back(argument);
+  }
+  return arguments;
+}
+
 /// The picture with its last column and row repeated up to the given size.
 std::vector<std::uint8_t> grown(const Image& picture, int width, int height) {
   std::vector<std::uint8_t> bytes;
@@ -145,6 +172,7 @@ struct VideoEncoder::State {
   std::optional<Error> failure;
 
   [[nodiscard]] Result<void> give_up();
+  [[nodiscard]] Result<void> add_sound(const std::filesystem::path& sound);
 };
 
 /// Collects what ffmpeg had to say once it stopped reading.
@@ -160,6 +188,25 @@ Result<void> VideoEncoder::State::give_up() {
   std::error_code ignored;
   std::filesystem::remove(temporary, ignored);
   return *failure;
+}
+
+/// By a second ffmpeg, which copies the pictures: one that is fed both through pipes takes them in
+/// turns of its own choosing, and then each waits for the other.
+Result<void> VideoEncoder::State::add_sound(const std::filesystem::path& sound) {
+  auto silent = create_temporary_beside(path);
+  if (!silent) return silent.error();
+  std::error_code error;
+  std::filesystem::rename(temporary, *silent, error);
+  bool missing = false;
+  auto started = Child::start(muxing_arguments(format, *silent, sound, temporary), missing);
+  if (started) {
+    ffmpeg = std::move(*started);
+    if (ffmpeg->wait() != 0) started = give_up().error();
+    ffmpeg.reset();
+  }
+  std::filesystem::remove(*silent, error);
+  if (started) return {};
+  return started.error();
 }
 
 VideoEncoder::VideoEncoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -218,7 +265,7 @@ Result<void> VideoEncoder::add(const Image& picture) {
   return {};
 }
 
-Result<void> VideoEncoder::finish() {
+Result<void> VideoEncoder::finish(const std::filesystem::path& sound) {
   State& state = *state_;
   if (state.failure.has_value()) return *state.failure;
   AUCAST_CHECK(state.ffmpeg != nullptr);
@@ -231,6 +278,12 @@ Result<void> VideoEncoder::finish() {
   const int code = state.ffmpeg->wait();
   if (code != 0) return state.give_up();
   state.ffmpeg.reset();
+  if (!sound.empty() && state.format != Format::Gif) {
+    if (auto added = state.add_sound(sound); !added) {
+      state.failure = added.error();
+      return added;
+    }
+  }
   if (const auto replaced = replace_file(state.temporary, state.path); !replaced.has_value()) {
     state.failure = replaced.error();
     return *state.failure;

@@ -28,7 +28,8 @@ class VideoEncoder {
   /// died; every later call then says the same.
   [[nodiscard]] Result<void> add(const Image& picture);
   /// Waits until ffmpeg is done. Without any picture there is no file, which is not an error.
-  [[nodiscard]] Result<void> finish();
+  /// `sound`: a WAV file that begins with the first picture, for all but a GIF; empty: none.
+  [[nodiscard]] Result<void> finish(const std::filesystem::path& sound = {});
 
  private:
   struct State;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "client/app/film/film_sound.h"
 #include "client/app/film/picture_maker.h"
 #include "client/app/film/picture_sinks.h"
 #include "client/app/progress_line.h"
@@ -71,8 +72,8 @@ Result<Sinks> open_sinks(const OutputOptions& output) {
 /// One run: holds what a keyframe's drawing needs.
 class Film {
  public:
-  Film(const Assets& assets, const PlayerOptions& options, const std::function<bool()>& stop,
-       PlayerStats& stats)
+  Film(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
+       sound::SoundTrack* track, const std::function<bool()>& stop, PlayerStats& stats)
       : assets_(assets),
         options_(options),
         stop_(stop),
@@ -81,9 +82,13 @@ class Film {
         player_(mapping_, options.playback.interpolation),
         drawn_(player_.face()),
         progress_(options.output.pictures() && !options.quiet),
-        idle_(assets.face) {}
+        idle_(assets.face),
+        sound_(playback, track) {
+    player_.open(&playback);
+  }
 
   Result<void> open() {
+    if (auto opened = sound_.open(options_.sound, options_.output); !opened) return opened;
     if (!options_.output.pictures()) return {};
     auto sinks = open_sinks(options_.output);
     if (!sinks) return sinks.error();
@@ -103,26 +108,36 @@ class Film {
   /// for before the user stops.
   Result<void> keyframe(const playback::KeyframeBegun& begun, std::int64_t begin_ms) {
     const std::int64_t duration_ms = begun.duration.count();
+    sound_.keyframe(begun, begin_ms + duration_ms);
     if (sinks_.frames) {
       if (auto drawn = frames(begin_ms, duration_ms); !drawn) return drawn;
     }
-    if (sinks_.video) {
-      const auto add = [this](const view::Image& image) { return sinks_.video->add(image); };
-      auto drawn = timed(begin_ms, duration_ms, sinks_.video_fps, sinks_.video_next, add);
-      if (!drawn) return drawn;
-    }
+    if (auto drawn = film(begin_ms, duration_ms); !drawn) return drawn;
     if (sinks_.sheet && sinks_.sheet->wants_next()) {
       sinks_.sheet->add(draw(1.0, begin_ms + duration_ms), describe(assets_, begun.target.aus));
     }
     return {};
   }
 
+  /// After the last keyframe, at `begin_ms`: the face holds while there is sound.
+  Result<void> tail(std::int64_t begin_ms) {
+    const std::int64_t duration_ms = sound_.tail_ms();
+    if (duration_ms == 0) return {};
+    sound_.tail(begin_ms + duration_ms);
+    holds_ = true;
+    return film(begin_ms, duration_ms);
+  }
+
   [[nodiscard]] pipeline::Player& player() { return player_; }
 
   Result<void> finish() {
+    stats_.sound.voice = sound_.counts();
     if (sinks_.video) {
-      if (auto finished = sinks_.video->finish(); !finished) return finished;
+      const auto sound = sound_.file();
+      if (!sound) return sound.error();
+      if (auto finished = sinks_.video->finish(*sound); !finished) return finished;
     }
+    if (auto finished = sound_.finish(); !finished) return finished;
     if (sinks_.sheet) {
       if (auto finished = sinks_.sheet->finish(); !finished) return finished;
     }
@@ -131,6 +146,12 @@ class Film {
   }
 
  private:
+  Result<void> film(std::int64_t begin_ms, std::int64_t duration_ms) {
+    if (!sinks_.video) return {};
+    const auto add = [this](const view::Image& image) { return sinks_.video->add(image); };
+    return timed(begin_ms, duration_ms, sinks_.video_fps, sinks_.video_next, add);
+  }
+
   Result<void> frames(std::int64_t begin_ms, std::int64_t duration_ms) {
     const auto add = [this](const view::Image& image) { return sinks_.frames->add(image); };
     if (sinks_.frames_fps) {
@@ -151,9 +172,10 @@ class Film {
     const std::int64_t end_ms = begin_ms + duration_ms;
     for (; next * 1000 <= end_ms * fps && !stop_(); ++next) {
       const double at_ms = static_cast<double>(next) * 1000.0 / fps;
-      const double mu = duration_ms == 0 ? 1.0
-                                         : (at_ms - static_cast<double>(begin_ms)) /
-                                               static_cast<double>(duration_ms);
+      const bool reached = duration_ms == 0 || holds_;
+      const double mu =
+          reached ? 1.0
+                  : (at_ms - static_cast<double>(begin_ms)) / static_cast<double>(duration_ms);
       if (auto added = add(draw(std::clamp(mu, 0.0, 1.0), at_ms)); !added) return added;
     }
     return {};
@@ -183,6 +205,8 @@ class Film {
   pipeline::FaceState drawn_;
   ProgressLine progress_;
   pipeline::IdleFace idle_;
+  FilmSound sound_;
+  bool holds_ = false;  ///< the last keyframe has been reached
   std::unique_ptr<PictureMaker> maker_;
   Sinks sinks_;
 };
@@ -190,11 +214,10 @@ class Film {
 }  // namespace
 
 Result<void> run_film(const Assets& assets, const PlayerOptions& options,
-                      playback::Playback& playback, const std::function<bool()>& stop,
-                      PlayerStats& stats) {
-  Film film(assets, options, stop, stats);
+                      playback::Playback& playback, sound::SoundTrack* track,
+                      const std::function<bool()>& stop, PlayerStats& stats) {
+  Film film(assets, options, playback, track, stop, stats);
   if (auto opened = film.open(); !opened) return opened;
-  film.player().open(&playback);
   std::optional<Instant> first;
   std::int64_t film_ms = 0;
   const auto film_now = [&film_ms] { return Instant(Milliseconds(film_ms)); };
@@ -218,6 +241,8 @@ Result<void> run_film(const Assets& assets, const PlayerOptions& options,
     film.player().advance(film_now(), draw);
     if (!drawn) return drawn;
   }
+  if (playback.state() == playback::PlaybackState::Ended) drawn = film.tail(film_ms);
+  if (!drawn) return drawn;
   stats.keyframes_played = playback.keyframes_played();
   stats.media_seconds = seconds(playback.media_time());
   return film.finish();

@@ -1,0 +1,74 @@
+#include "client/app/film/film_sound.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aucast::app {
+namespace {
+
+/// Written at once.
+constexpr std::int64_t kPortion = sound::kRate;
+
+}  // namespace
+
+FilmSound::FilmSound(playback::Playback& playback, sound::SoundTrack* track)
+    : playback_(playback), track_(track != nullptr ? *track : voice_), mixer_(track_) {}
+
+Result<void> FilmSound::open(const SoundOptions& sound, const OutputOptions& output) {
+  if (!wants_film_sound(sound, output)) return {};
+  keep_ = !sound.file.empty();
+  auto wav = sound::WavFile::open(keep_ ? sound.file : output.record);
+  if (!wav) return wav.error();
+  wav_ = std::move(*wav);
+  mixer_.set_volume(sound.volume);
+  mixer_.set_muted(sound.mute);
+  return {};
+}
+
+void FilmSound::take_in() {
+  while (auto voice = playback_.take_voice()) voice_.add(voice->place, std::move(voice->opus));
+}
+
+void FilmSound::keyframe(const playback::KeyframeBegun& begun, std::int64_t end_ms) {
+  take_in();
+  if (!begun.target.place) return write(std::nullopt, end_ms);
+  place_ms_ = begun.target.place->count();
+  write(playback::Passing{*begun.target.place, 1}, end_ms);
+}
+
+std::int64_t FilmSound::tail_ms() const {
+  if (wav_ == nullptr) return 0;
+  const std::int64_t end_ms = (track_.end() + sound::kSamplesPerMs - 1) / sound::kSamplesPerMs;
+  return std::max<std::int64_t>(end_ms - place_ms_, 0);
+}
+
+void FilmSound::tail(std::int64_t end_ms) {
+  place_ms_ += tail_ms();
+  write(playback::Passing{Milliseconds(place_ms_), 1}, end_ms);
+}
+
+void FilmSound::write(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
+  if (wav_ == nullptr) return;
+  const std::int64_t due = end_ms * sound::kSamplesPerMs;
+  while (written_ < due) {
+    const std::int64_t count = std::min(due - written_, kPortion);
+    auto passing = at_end;
+    if (passing) passing->place -= Milliseconds((due - written_ - count) / sound::kSamplesPerMs);
+    samples_.resize(static_cast<std::size_t>(count));
+    mixer_.mix(passing, samples_);
+    wav_->add(samples_);
+    written_ += count;
+  }
+}
+
+Result<std::filesystem::path> FilmSound::file() {
+  if (wav_ == nullptr || track_.end() == 0) return std::filesystem::path();
+  if (auto flushed = wav_->flush(); !flushed) return flushed.error();
+  return wav_->temporary();
+}
+
+Result<void> FilmSound::finish() {
+  return keep_ ? wav_->finish() : Result<void>();
+}
+
+}  // namespace aucast::app
