@@ -12,6 +12,7 @@
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/app/remote_options.h"
+#include "client/app/sound_device.h"
 #include "client/app/window/composition_file.h"
 #include "client/app/window/window_run.h"
 #include "client/app/window/window_settings.h"
@@ -20,7 +21,6 @@
 #include "client/net/stream_list.h"
 #include "client/playback/file_source.h"
 #include "client/playback/seekable_playback.h"
-#include "client/sound/file_track.h"
 #include "common/files.h"
 #include "common/log.h"
 
@@ -80,11 +80,7 @@ Result<std::unique_ptr<playback::Playback>> open_remote(const PlaybackOptions& o
 Result<std::unique_ptr<sound::SoundTrack>> open_track(const PlayerOptions& options) {
   std::unique_ptr<sound::SoundTrack> none;
   if (options.command != Command::Play || !options.headless || !options.wants_voice()) return none;
-  const auto file = sound::sound_beside(options.playback.file);
-  if (!file) return none;
-  auto track = sound::FileTrack::open(*file);
-  if (!track) return track.error();
-  return std::unique_ptr<sound::SoundTrack>(std::move(*track));
+  return open_sound_beside(options.playback.file);
 }
 
 Result<void> print_list(const PlaybackOptions& options) {
@@ -114,7 +110,8 @@ Result<void> outcome(const playback::SourceStatus& status) {
 
 Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
   WindowSettings settings = WindowSettings::load(given);
-  const PlayerOptions options = settings.applied(given);
+  PlayerOptions options = settings.applied(given);
+  auto sound_out = open_sound(options);
   SourcePlayback::Options how{options.playback.speed, options.playback.hold, false};
   if (options.output.fast) how = {options.playback.speed, std::nullopt, true};
   std::unique_ptr<playback::Playback> playback;
@@ -140,11 +137,13 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
   }
   Result<void> done;
   if (!options.headless) {
-    done = run_window(**assets, options, playback, settings, stop_asked, stats);
+    done =
+        run_window(**assets, options, playback, std::move(sound_out), settings, stop_asked, stats);
   } else if (options.output.fast) {
     done = run_film(**assets, options, *playback, track->get(), stop_asked, stats);
   } else {
-    run_clocked(**assets, options, *playback, stop_asked, stats);
+    run_clocked(**assets, options, *playback, std::move(sound_out), track->get(), stop_asked,
+                stats);
   }
   if (playback == nullptr) {
     stats.end_reason = "stopped";

@@ -190,6 +190,7 @@ Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
   for (const auto& [name, words] : *typed) options.given.insert(typed_name(*find_row(rows, name)));
   if (auto read = read_words(rows, *typed); !read) return read.error();
   if (auto settled = settle(*typed, options); !settled) return settled.error();
+  options.playback.voice = options.wants_voice();
   if (auto complete = check_required(options); !complete) return complete.error();
   return options;
 }

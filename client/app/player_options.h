@@ -47,6 +47,7 @@ struct PlaybackOptions {
   playback::Interpolation interpolation = playback::Interpolation::Linear;
   bool classic = false;
   std::string stream;
+  bool voice = false;  ///< ask for the stream's: it is heard or written
   Duration connect_timeout = std::chrono::seconds(10);
   bool reconnect = false;
   Milliseconds hold{5'000};  ///< --hold: after a stall of so long the face eases to neutral

@@ -14,6 +14,7 @@ net::RemoteOptions remote_options(const PlaybackOptions& options, const net::End
   remote.speed = options.speed;
   remote.reconnect = options.reconnect;
   remote.security = options.security;
+  remote.voice = options.voice;
   return remote;
 }
 

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "protocol/limits.h"
+#include "protocol/voice_packet.h"
 
 namespace aucast::net {
 namespace {
@@ -30,6 +31,7 @@ protocol::ClientSessionOptions session_options(const AuReaderOptions& options, b
   session.hello.stream = options.stream;
   session.hello.delta = true;
   session.hello.token = options.token;
+  if (options.voice) session.hello.voice = protocol::kVoiceCodec;
   session.silence_max = options.silence_max;
   return session;
 }
@@ -210,6 +212,9 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
   const Milliseconds time = keyframe.duration.value_or(status_.keyframe_time);
   place_ms_ += static_cast<std::uint64_t>(time.count());
+  keyframe.spoken = status_.live && voice_end_ > clock_;
+  clock_ += time;
+  keyframe.place = clock_;
   if (status_.live) note_live(event, keyframe);
 
   ++owed_;
@@ -240,7 +245,20 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   if (options_.buffers.adapt && !options_.buffers.low_delay && status_.live)
     buffers_.set_delay(timing_.first_delay());
   place_ms_ = event.hello.from_ms;
+  clock_shift_ = clock_ - Milliseconds(event.hello.from_ms);
+  status_.voice = !event.hello.voice.empty();
+  status_.title = event.hello.title;
   answer(reaction.send);  // the user may have paused already
+}
+
+void AuReader::handle(const protocol::DeliverVoice& event, Reaction& reaction) {
+  reaction.changed = true;
+  const std::string& opus = event.packet.opus;
+  if (voice_bytes_ + opus.size() > kVoiceBytesMax) return;
+  const Milliseconds place = event.packet.place + clock_shift_;
+  voice_end_ = place + protocol::opus_duration(opus).value_or(Milliseconds::zero());
+  voice_bytes_ += opus.size();
+  voice_.push_back({place, opus});
 }
 
 void AuReader::handle(const protocol::StreamEnded& /*event*/, Reaction& reaction) {
@@ -365,6 +383,14 @@ std::optional<TimedAus> AuReader::take() {
   auto keyframe = buffers_.take();
   store_kept();
   return keyframe;
+}
+
+std::optional<playback::Voice> AuReader::take_voice() {
+  if (stopped_ || voice_.empty()) return std::nullopt;
+  playback::Voice voice = std::move(voice_.front());
+  voice_.pop_front();
+  voice_bytes_ -= voice.opus.size();
+  return voice;
 }
 
 bool AuReader::ready() const {

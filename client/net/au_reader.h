@@ -28,6 +28,7 @@ struct AuReaderOptions {
                                         ///< own; nullopt: what the server's hello says
   bool reconnect = false;               ///< try again when the connection is lost or cannot be made
   std::string token{};                  ///< shown in the hello; empty: none
+  bool voice = false;                   ///< asks for the stream's voice
 };
 
 /// What the connection's owner has to do: send `send`, then what `next` says.
@@ -88,6 +89,10 @@ class AuReader {
   // === The player's side.
 
   [[nodiscard]] std::optional<playback::TimedAus> take();
+  /// KeyframeSource's.
+  [[nodiscard]] std::optional<playback::Voice> take_voice();
+  /// Bytes of voice that wait to be taken; what comes on top is left out. At 24 kbit/s an hour.
+  static constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
   /// True when take() would return a keyframe, or no more will ever come.
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
@@ -103,7 +108,7 @@ class AuReader {
   void react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction, Instant now);
   void handle(const protocol::SendBytes& event, Reaction& reaction);
   void handle(const protocol::DeliverKeyframe& event, Reaction& reaction);
-  void handle(const protocol::DeliverVoice&, Reaction&) {}
+  void handle(const protocol::DeliverVoice& event, Reaction& reaction);
   void handle(const protocol::DeliverCaption&, Reaction&) {}
   void handle(const protocol::Granted& event, Reaction& reaction);
   void handle(const protocol::StreamEnded& event, Reaction& reaction);
@@ -141,7 +146,12 @@ class AuReader {
   Instant connected_at_{};
   Instant now_{};  ///< of the call that is being worked on
   LiveTiming timing_;
-  std::uint64_t place_ms_ = 0;  ///< recorded: how far the stream has come
+  std::uint64_t place_ms_ = 0;   ///< recorded: how far the stream has come
+  Milliseconds clock_{0};        ///< the times of all keyframes received, over all connections
+  Milliseconds clock_shift_{0};  ///< from this connection's places to it
+  Milliseconds voice_end_{0};    ///< on that clock, of the voice received
+  std::deque<playback::Voice> voice_;
+  std::size_t voice_bytes_ = 0;
   BackOff back_off_;
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;

@@ -137,6 +137,12 @@ Key key_of_character(unsigned character) {
       return Key::Slower;
     case ']':
       return Key::Faster;
+    case 'm':
+      return Key::Mute;
+    case '9':
+      return Key::Quieter;
+    case '0':
+      return Key::Louder;
     default:
       return Key::None;
   }

@@ -39,6 +39,9 @@ enum class Key : int {
   H,
   O,
   V,
+  Mute,
+  Quieter,
+  Louder,
   Undo,
   Redo,
   Save

@@ -57,6 +57,8 @@ class OpenAlOut final : public SoundOut {
 
   void write(std::span<const float> samples) override {
     if (samples.empty()) return;
+    // A source that has run out of buffers calls all it has played, those queued later too.
+    const bool stands = state() != AL_PLAYING;
     collect();
     ALuint buffer = 0;
     if (free_.empty()) {
@@ -73,11 +75,7 @@ class OpenAlOut final : public SoundOut {
                  static_cast<ALsizei>(pcm_.size() * sizeof(std::int16_t)), kRate);
     alSourceQueueBuffers(source_, 1, &buffer);
     queued_.push_back({buffer, static_cast<std::int64_t>(samples.size())});
-    // It has stopped by itself if it ran out of buffers.
-    if (state() != AL_PLAYING) {
-      collect();
-      alSourcePlay(source_);
-    }
+    if (stands) alSourcePlay(source_);
   }
 
   std::int64_t heard() override {

@@ -61,7 +61,9 @@ void SoundPlayer::stop() {
 Instant SoundPlayer::now(Instant steady) {
   if (!steady_) now_ = shown_ = steady;
   steady_ = steady;
-  const bool wanted = playback_ != nullptr && (given_ != nullptr || playback_->status().voice);
+  const bool plays = playback_ != nullptr && (!playback_->over() || rings_on());
+  if (sounds_ && !plays) stop();
+  const bool wanted = plays && (given_ != nullptr || playback_->status().voice);
   if (!sounds_ && out_ != nullptr && wanted) start();
   if (sounds_) look_at_device(steady);
   if (sounds_) {

@@ -6,6 +6,7 @@
 #include "client/app/playback_meter.h"
 #include "client/app/steady.h"
 #include "client/app/window/live_text.h"
+#include "client/sound/sound_player.h"
 #include "common/log.h"
 
 namespace aucast::app {
@@ -13,18 +14,36 @@ namespace {
 
 /// Longest sleep, so that a signal is noticed soon.
 constexpr Milliseconds kSleepMax{50};
+/// The same while there is sound to be written.
+constexpr Milliseconds kSoundEvery{10};
+
+/// Until `next`, which is on the clock of `now`, but not for longer than it may be.
+void wait(playback::Playback& playback, std::optional<Instant> next, Instant now, bool sounds) {
+  const Duration most = sounds ? kSoundEvery : kSleepMax;
+  if (next || playback.over()) {
+    const Duration time = next ? *next - now : most;
+    std::this_thread::sleep_for(std::clamp(time, Duration::zero(), most));
+  } else {
+    playback.wait_until(steady_now() + most);
+  }
+}
 
 }  // namespace
 
 void run_clocked(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
+                 std::unique_ptr<sound::SoundOut> out, sound::SoundTrack* track,
                  const std::function<bool()>& stop, PlayerStats& stats) {
   const pipeline::AuMapping mapping = au_mapping(assets, options.face.mixer);
   pipeline::Player player(mapping, options.playback.interpolation);
   player.open(&playback);
+  sound::SoundPlayer sound(std::move(out));
+  sound.open(&playback, track);
+  sound.set_volume(options.sound.volume);
+  sound.set_muted(options.sound.mute);
   PlaybackMeter meter(stats);
   playback::PlaybackState state = playback.state();
-  while (!playback.over()) {
-    const Instant now = steady_now();
+  while (!playback.over() || sound.rings_on()) {
+    const Instant now = sound.now(steady_now());
     if (stop()) {
       playback.stop(now);
       break;
@@ -34,16 +53,18 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
       const std::string objection = live_objection(options.playback, playback.status());
       if (!objection.empty()) spdlog::warn("{}", objection);
     }
+    sound.advanced();
+    sound.face_shown();
+    if (sound.take_loss()) spdlog::warn("the sound device plays no more; going on without it");
     if (playback.state() != state) {
       state = playback.state();
       spdlog::info("{}", playback::name(state));
     }
-    if (const auto next = playback.next_position_at()) {
-      std::this_thread::sleep_until(std::min(*next, now + kSleepMax));
-    } else if (!playback.over()) {
-      playback.wait_until(now + kSleepMax);
+    if (!playback.over() || sound.rings_on()) {
+      wait(playback, playback.next_position_at(), now, sound.sounds());
     }
   }
+  stats.sound = sound.counts();
   stats.take(playback);
 }
 

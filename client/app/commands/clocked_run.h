@@ -1,17 +1,22 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "client/app/assets.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
 #include "client/playback/playback.h"
+#include "client/sound/sound_out.h"
+#include "client/sound/sound_track.h"
 
 namespace aucast::app {
 
 /// Plays to the end in real time without drawing: a timer drives the 50 positions of every
-/// keyframe, activations are computed at each. `stop` is asked at least every 50 ms.
+/// keyframe, activations are computed at each. `stop` is asked at least every 50 ms. `out` plays
+/// the sound, which is `track`, or, if that is null, the voice of what is played; it may be null.
 void run_clocked(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
+                 std::unique_ptr<sound::SoundOut> out, sound::SoundTrack* track,
                  const std::function<bool()>& stop, PlayerStats& stats);
 
 }  // namespace aucast::app

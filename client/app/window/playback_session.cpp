@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "client/app/remote_options.h"
+#include "client/app/sound_device.h"
 #include "client/app/steady.h"
 #include "client/app/window/composition_file.h"
 #include "client/app/window/live_text.h"
@@ -27,6 +28,7 @@ constexpr std::size_t kKeyframesKept = 90'000;
 constexpr Milliseconds kLookEvery{50};
 constexpr Milliseconds kIdle{250};
 constexpr Milliseconds kFrameMax{20};
+constexpr Milliseconds kSoundEvery{10};
 constexpr Milliseconds kJustInTime{2};
 
 bool went_wrong(playback::EndReason end) {
@@ -63,7 +65,10 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
       remote_settings_(settings_of(options.playback)),
       buffers_(options.playback.buffers),
       player_(mapping, options.playback.interpolation),
-      meter_(stats) {}
+      meter_(stats),
+      sound_(std::make_unique<sound::SoundPlayer>(nullptr)),
+      volume_(options.sound.volume),
+      muted_(options.sound.mute) {}
 
 void PlaybackSession::set_remote(const gui::RemoteSettings& settings,
                                  std::vector<std::string> recent) {
@@ -79,8 +84,11 @@ playback::SeekablePlayback* PlaybackSession::seekable() const {
 
 void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::string name,
                            Instant now) {
-  if (running()) playback_->stop(now);
+  if (running()) playback_->stop(sound_->now(now));
   retired_ = std::exchange(playback_, std::move(playback));
+  sound_->open(playback_.get());
+  track_.reset();
+  delay_.clear();
   name_ = std::move(name);
   player_.set_face(shown_);
   player_.open(playback_.get());
@@ -140,8 +148,15 @@ bool PlaybackSession::connect(const gui::RemoteSettings& settings, Instant now) 
 
 void PlaybackSession::advance(Instant now) {
   if (playback_ == nullptr) return;
+  const Instant at = sound_->now(now);
   const bool first =
-      meter_.advance(player_, now, [this](const playback::KeyframeBegun& one) { begun(one); });
+      meter_.advance(player_, at, [this](const playback::KeyframeBegun& one) { begun(one); });
+  sound_->advanced();
+  if (sound_->sounds()) delay_.add(at, player_.face().activations);
+  if (sound_->take_loss()) {
+    notices_.say("the sound device plays no more", true, now);
+    spdlog::warn("the sound device plays no more; going on without it");
+  }
   if (first && seekable() == nullptr) {
     const std::string objection = live_objection(options_.playback, playback_->status());
     if (!objection.empty()) {
@@ -154,6 +169,47 @@ void PlaybackSession::advance(Instant now) {
     answered_ = true;
     gui::remember_address(recent_, remote_settings_);
   }
+}
+
+// === The sound.
+
+void PlaybackSession::set_sound(std::unique_ptr<sound::SoundOut> out) {
+  heard_ = out != nullptr;
+  sound_ = std::make_unique<sound::SoundPlayer>(std::move(out));
+  sound_->set_volume(volume_);
+  sound_->set_muted(muted_);
+  sound_->open(playback_.get(), track_.get());
+}
+
+void PlaybackSession::play_sound_beside(const std::filesystem::path& file, Instant now) {
+  if (!heard_ || seekable() == nullptr) return;
+  auto track = open_sound_beside(file);
+  if (!track) {
+    notices_.say(track.error().message, true, now);
+    return;
+  }
+  if (*track == nullptr) return;
+  sound_->open(playback_.get(), track->get());
+  track_ = std::move(*track);
+}
+
+void PlaybackSession::toggle_mute(Instant now) {
+  muted_ = !muted_;
+  sound_->set_muted(muted_);
+  notices_.say(muted_ ? "muted" : "volume " + std::to_string(volume_) + " %", false, now);
+}
+
+void PlaybackSession::change_volume(int by, Instant now) {
+  volume_ = std::clamp(volume_ + by, 0, 100);
+  muted_ = false;
+  sound_->set_volume(volume_);
+  sound_->set_muted(muted_);
+  notices_.say("volume " + std::to_string(volume_) + " %", false, now);
+}
+
+const std::vector<float>& PlaybackSession::activations(Instant) {
+  if (!sound_->sounds() || delay_.empty()) return player_.face().activations;
+  return delay_.at(sound_->shown());
 }
 
 void PlaybackSession::begun(const playback::KeyframeBegun& keyframe) {
@@ -184,8 +240,10 @@ void PlaybackSession::remake(playback::Interpolation interpolation) {
 }
 
 std::unique_ptr<playback::Playback> PlaybackSession::finish(Instant now) {
-  if (running()) playback_->stop(now);
+  if (running()) playback_->stop(sound_->now(now));
   if (playback_ != nullptr) stats_.take(*playback_);
+  stats_.sound = sound_->counts();
+  sound_->open(nullptr);
   player_.open(nullptr);
   return std::move(playback_);
 }
@@ -208,22 +266,23 @@ Result<std::string> PlaybackSession::export_to(const std::filesystem::path& file
 // === What the panels ask for.
 
 bool PlaybackSession::apply(const gui::PlaybackCommand& command, Instant now) {
-  const Overloaded carry_out{[&](const gui::Connect& one) { return connect(one.settings, now); },
-                             [&](const gui::Pause&) {
-                               if (running()) playback_->pause(now);
-                               return false;
-                             },
-                             [&](const gui::Resume&) { return resume(now); },
-                             [&](const gui::Stop&) {
-                               if (!running()) return false;
-                               if (seekable() != nullptr) {
-                                 playback_->pause(now);
-                               } else {
-                                 playback_->stop(now);
-                               }
-                               return false;
-                             },
-                             [&](const gui::LocalCommand& one) { return apply_local(one, now); }};
+  const Overloaded carry_out{
+      [&](const gui::Connect& one) { return connect(one.settings, now); },
+      [&](const gui::Pause&) {
+        if (running()) playback_->pause(sound_->now(now));
+        return false;
+      },
+      [&](const gui::Resume&) { return resume(sound_->now(now)); },
+      [&](const gui::Stop&) {
+        if (!running()) return false;
+        if (seekable() != nullptr) {
+          playback_->pause(sound_->now(now));
+        } else {
+          playback_->stop(sound_->now(now));
+        }
+        return false;
+      },
+      [&](const gui::LocalCommand& one) { return apply_local(one, sound_->now(now)); }};
   return std::visit(carry_out, command);
 }
 
@@ -282,6 +341,8 @@ bool PlaybackSession::stands() const {
 
 Duration PlaybackSession::idle_time(Instant now) const {
   if (playback_ == nullptr) return kIdle;
+  // The device wants silence too.
+  if (sound_->sounds()) return kSoundEvery;
   if (const auto next = playback_->next_position_at()) {
     return std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
   }

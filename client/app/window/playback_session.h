@@ -12,8 +12,10 @@
 #include "client/gui/composer.h"
 #include "client/gui/gui_commands.h"
 #include "client/net/remote_source.h"
+#include "client/pipeline/face_delay.h"
 #include "client/pipeline/player.h"
 #include "client/playback/seekable_playback.h"
+#include "client/sound/sound_player.h"
 
 namespace aucast::app {
 
@@ -29,6 +31,15 @@ class PlaybackSession {
   /// Plays this from now on; null: nothing. `name`: of a stream loaded in full.
   void open(std::unique_ptr<playback::Playback> playback, std::string name, Instant now);
   void open(std::vector<playback::TimedAus> keyframes, std::string name, Instant now);
+  /// The sound of what plays goes there; null: nowhere.
+  void set_sound(std::unique_ptr<sound::SoundOut> out);
+  /// What plays was read from this file: the sound file beside it, if there is one, is its sound.
+  void play_sound_beside(const std::filesystem::path& file, Instant now);
+  void toggle_mute(Instant now);
+  /// By so many percent.
+  void change_volume(int by, Instant now);
+  /// The face of activations() is on the display.
+  void face_shown() { sound_->face_shown(); }
   /// True when the face that plays is to be shown.
   bool apply(const gui::PlaybackCommand& command, Instant now);
   void advance(Instant now);
@@ -48,11 +59,12 @@ class PlaybackSession {
   [[nodiscard]] const gui::RemoteSettings& remote_settings() const { return remote_settings_; }
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
 
-  [[nodiscard]] const std::vector<float>& activations(Instant) const {
-    return player_.face().activations;
-  }
+  /// With sound, the face that belongs to what is heard.
+  [[nodiscard]] const std::vector<float>& activations(Instant);
   /// Playing has come to its end; false while nothing was ever opened.
-  [[nodiscard]] bool over() const { return playback_ != nullptr && playback_->over(); }
+  [[nodiscard]] bool over() const {
+    return playback_ != nullptr && playback_->over() && !sound_->rings_on();
+  }
   /// The face stands, and Resume would move it.
   [[nodiscard]] bool stands() const;
   /// How long the window may wait before it should look again.
@@ -86,6 +98,12 @@ class PlaybackSession {
   pipeline::Player player_;
   PlaybackMeter meter_;
   std::unique_ptr<playback::Playback> playback_;
+  bool heard_ = false;                         ///< there is a device
+  std::unique_ptr<sound::SoundTrack> track_;   ///< what is played brings it; null: its voice
+  std::unique_ptr<sound::SoundPlayer> sound_;  ///< never null
+  pipeline::FaceDelay delay_;
+  int volume_;
+  bool muted_;
   std::unique_ptr<playback::Playback> retired_;  ///< saying its last words
   std::string name_;                             ///< of a stream loaded in full
   std::vector<face::RuleExplained> explained_;   ///< the rules that fired in this keyframe

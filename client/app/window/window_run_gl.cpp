@@ -52,16 +52,20 @@ struct FrameTimes {
 };
 
 /// The window with everything that a frame of it needs. tick() is the table of contents.
+/// Percent, as mpv has it.
+constexpr int kVolumeStep = 2;
+
 class WindowRun {
  public:
   WindowRun(const Assets& assets, const PlayerOptions& options,
-            std::unique_ptr<playback::Playback> playback, WindowSettings& settings,
-            PlayerStats& stats)
+            std::unique_ptr<playback::Playback> playback, std::unique_ptr<sound::SoundOut> out,
+            WindowSettings& settings, PlayerStats& stats)
       : assets_(assets),
         options_(options),
         settings_(settings),
         stats_(stats),
         session_(assets, options, std::move(playback), stats) {
+    session_.set_sound(std::move(out), steady_now());
     session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
     kept_addresses_ = session_.recent();
     start_times_.passed("session");
@@ -211,6 +215,12 @@ class WindowRun {
         return carry_out(gui::Browse{gui::Purpose::PlayStream});
       case Key::V:
         return toggle_video();
+      case Key::Mute:
+        return session_.toggle_mute(steady_now());
+      case Key::Quieter:
+        return session_.change_volume(-kVolumeStep, steady_now());
+      case Key::Louder:
+        return session_.change_volume(kVolumeStep, steady_now());
       case Key::Undo:
         return session_.undo(steady_now());
       case Key::Redo:
@@ -359,6 +369,7 @@ class WindowRun {
     if (overlay_->input_waits()) frames_due_ = gui::kFramesAfterChange;
     window_->present();
     const Instant end = steady_now();
+    session_.face_shown();
     spdlog::trace("drawn at {:.6f}", seconds(end.time_since_epoch()));
     if (stats_.frames_drawn++ == 0) {
       stats_.first_frame_ms = since_start_ms();
@@ -426,9 +437,10 @@ class WindowRun {
 }  // namespace
 
 Result<void> run_window(const Assets& assets, const PlayerOptions& options,
-                        std::unique_ptr<playback::Playback>& playback, WindowSettings& settings,
+                        std::unique_ptr<playback::Playback>& playback,
+                        std::unique_ptr<sound::SoundOut> out, WindowSettings& settings,
                         const std::function<bool()>& stop, PlayerStats& stats) {
-  WindowRun run(assets, options, std::move(playback), settings, stats);
+  WindowRun run(assets, options, std::move(playback), std::move(out), settings, stats);
   if (auto opened = run.open(); !opened) {
     playback = run.finish();
     return opened;

@@ -3,7 +3,8 @@
 namespace aucast::app {
 
 Result<void> run_window(const Assets&, const PlayerOptions&, std::unique_ptr<playback::Playback>&,
-                        WindowSettings&, const std::function<bool()>&, PlayerStats&) {
+                        std::unique_ptr<sound::SoundOut>, WindowSettings&,
+                        const std::function<bool()>&, PlayerStats&) {
   return Error{ErrorKind::Failed,
                "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no window; "
                "use --headless"};

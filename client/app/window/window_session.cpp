@@ -85,6 +85,11 @@ gui::KeptSettings WindowSession::kept() const {
           rendering_};
 }
 
+void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now) {
+  playback_.set_sound(std::move(out));
+  playback_.play_sound_beside(options_.playback.file, now);
+}
+
 // === The face.
 
 void WindowSession::advance(Instant now) {
@@ -266,6 +271,7 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   last_folder_ = folder_of(file);
   gui::remember_file(recent_files_, whole_path(file));
   playback_.open(std::move(opened->keyframes), file.filename().string(), now);
+  playback_.play_sound_beside(file, now);
   shown_ = Shown::Playback;
   return {};
 }

@@ -39,6 +39,14 @@ class WindowSession {
   WindowSession(const WindowSession&) = delete;
   WindowSession& operator=(const WindowSession&) = delete;
 
+  /// What plays is heard there from now on; null: nowhere.
+  void set_sound(std::unique_ptr<sound::SoundOut> out, Instant now);
+  void toggle_mute(Instant now) { playback_.toggle_mute(now); }
+  /// By so many percent.
+  void change_volume(int by, Instant now) { playback_.change_volume(by, now); }
+  /// The face of activations() is on the display.
+  void face_shown() { playback_.face_shown(); }
+
   /// Moves playback to `now`.
   void advance(Instant now);
   /// Carries out what a panel asked for. LookFrom, TakePicture and ToggleVideo are the window's.

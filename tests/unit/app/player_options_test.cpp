@@ -173,6 +173,25 @@ TEST(PlayerOptions, ASmallBufferShrinksThePlayoutThatWasNotAskedFor) {
             std::string::npos);
 }
 
+TEST(PlayerOptions, VoiceIsWantedWhereItIsHeardOrWritten) {
+  EXPECT_TRUE(accepted({"host"}).playback.voice);
+  EXPECT_FALSE(accepted({"host", "--no-sound"}).playback.voice);
+  EXPECT_FALSE(accepted({"host", "--headless"}).playback.voice);
+  EXPECT_TRUE(accepted({"host", "--headless", "--sound-device", "default"}).playback.voice);
+  EXPECT_TRUE(accepted({"host", "--record", "a.mp4"}).playback.voice);
+  EXPECT_FALSE(accepted({"host", "--record", "a.mp4", "--no-sound"}).playback.voice);
+  EXPECT_FALSE(accepted({"host", "--record", "a.gif"}).playback.voice);
+  const PlayerOptions written = accepted({"host", "--sound", "a.wav", "--volume", "30", "--mute"});
+  EXPECT_TRUE(written.playback.voice);
+  EXPECT_TRUE(written.output.fast);
+  EXPECT_EQ(written.sound.volume, 30);
+  EXPECT_TRUE(written.sound.mute);
+  refused({"host", "--sound", "a.wav", "--no-sound"});
+  refused({"host", "--sound-device", "x", "--no-sound"});
+  refused({"host", "--sound", "a.mp3"});
+  refused({"host", "--volume", "101"});
+}
+
 TEST(PlayerOptions, KnowTheCommands) {
   const PlayerOptions play = accepted({"play", "talk.txt", "--headless", "--buffer", "10"});
   EXPECT_EQ(play.command, Command::Play);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "common/time.h"
+
+namespace aucast::pipeline {
+
+/// The faces of lately, so that one can be shown later than it was made: with its sound.
+/// Thread: none of its own.
+class FaceDelay {
+ public:
+  /// The face of `at`, one activation per channel. The moments must not go back.
+  void add(Instant at, const std::vector<float>& activations);
+  /// The face of `at`: between the two beside it, the first before all and the last after all.
+  /// What lies before it is forgotten. Something must have been added. Valid until the next call.
+  [[nodiscard]] const std::vector<float>& at(Instant at);
+  [[nodiscard]] bool empty() const { return faces_.empty(); }
+  /// at() will still give another face, later on.
+  [[nodiscard]] bool moves() const { return faces_.size() > 1; }
+  void clear() { faces_.clear(); }
+
+ private:
+  struct Face {
+    Instant at;
+    std::vector<float> activations;
+  };
+
+  std::deque<Face> faces_;
+  std::vector<float> between_;
+};
+
+}  // namespace aucast::pipeline

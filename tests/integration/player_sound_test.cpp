@@ -1,0 +1,137 @@
+// The real face-player with a voice: films by the film clock, and a device that nobody hears.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/voice/voice_encoder.h"
+#include "protocol/codec.h"
+#include "tests/integration/player_run.h"
+#include "tests/support/scripted_server.h"
+#include "tests/unit/voice/speech_like.h"
+
+namespace aucast::test {
+namespace {
+
+constexpr int kSeconds = 3;
+
+/// A server that sends three seconds of voice, and a keyframe for each 100 ms of it.
+/// Mute, it sends the keyframes only.
+class TalkingServer {
+ public:
+  explicit TalkingServer(bool mute = false)
+      : server_({Accept{}, ExpectHello{}, Send{talk(packets_, mute)}, ExpectEnd{}}) {}
+
+  [[nodiscard]] std::string address() const {
+    return "127.0.0.1:" + std::to_string(server_.port());
+  }
+  [[nodiscard]] std::size_t packets() const { return packets_; }
+  [[nodiscard]] std::string received() const { return server_.received(); }
+
+ private:
+  static std::string talk(std::size_t& count, bool mute) {
+    voice::VoiceEncoder encoder({});
+    std::vector<protocol::VoicePacket> packets;
+    encoder.add(voice::test::speech_like(kSeconds), packets);
+    encoder.finish(packets);
+    if (mute) packets.clear();
+    count = packets.size();
+    std::string bytes = mute ? "{hello v=2 window=64}" : "{hello v=2 window=64 voice=opus}";
+    std::size_t next = 0;
+    for (int end_ms = 100; end_ms <= 1000 * kSeconds; end_ms += 100) {
+      for (; next < packets.size() && packets[next].place.count() < end_ms; ++next) {
+        const auto place = static_cast<std::uint64_t>(packets[next].place.count());
+        bytes += protocol::encode(protocol::VoiceData{place, packets[next].opus});
+      }
+      bytes += end_ms % 200 == 0 ? "{26:50;100}" : "{26:0;100}";
+    }
+    return bytes + "{-2}";
+  }
+
+  std::size_t packets_ = 0;
+  ScriptedServer server_;
+};
+
+/// The samples of a WAV file with a header of 44 bytes.
+std::vector<float> samples_of(const std::string& wav) {
+  std::vector<float> samples;
+  for (std::size_t at = 44; at + 1 < wav.size(); at += 2) {
+    const auto low = static_cast<unsigned char>(wav[at]);
+    const auto high = static_cast<signed char>(wav[at + 1]);
+    samples.push_back(static_cast<float>(high * 256 + low) / 32768);
+  }
+  return samples;
+}
+
+TEST(PlayerSound, WritesTheVoiceThatComesWhereItBelongs) {
+  const TempFolder folder;
+  TalkingServer server;
+  const PlayerRun run =
+      run_player({"--headless", server.address(), "--sound", (folder.path() / "a.wav").string()});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_NE(server.received().find("voice=opus"), std::string::npos);
+  EXPECT_EQ(run.stats["voice_packets"], server.packets());
+  EXPECT_EQ(run.stats["voice_late"], 0);
+  std::vector<float> heard;
+  const auto samples = samples_of(folder.read("a.wav"));
+  EXPECT_GE(samples.size(), std::size_t{48000} * kSeconds);
+  for (std::size_t i = 0; i < samples.size(); i += 3) heard.push_back(samples[i]);
+  const auto source = voice::test::speech_like(kSeconds);
+  int best = -100;
+  for (int lag = -100; lag <= 100; ++lag) {
+    const double better = voice::test::correlation(source, heard, lag);
+    if (better > voice::test::correlation(source, heard, best)) best = lag;
+  }
+  EXPECT_LE(std::abs(best), 2) << "samples of 1/16 ms";
+}
+
+TEST(PlayerSound, TheSameStreamMakesTheSameSound) {
+  const TempFolder folder;
+  for (const char* name : {"a.wav", "b.wav"}) {
+    TalkingServer server;
+    const PlayerRun run =
+        run_player({"--headless", server.address(), "--sound", (folder.path() / name).string()});
+    ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  }
+  EXPECT_EQ(folder.read("a.wav"), folder.read("b.wav"));
+}
+
+TEST(PlayerSound, ADeviceIsTheClockAndFaceAndSoundAreTogether) {
+  TalkingServer server;
+  const PlayerRun run = run_player({"--headless", server.address(), "--sound-device", "default"},
+                                   {"ALSOFT_DRIVERS=null"});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(run.stats["voice_packets"], server.packets());
+  EXPECT_EQ(run.stats["keyframes_played"], 10 * kSeconds);
+  ASSERT_TRUE(run.stats["face_to_sound_p50_ms"].is_number()) << run.stats;
+  EXPECT_LT(std::abs(run.stats["face_to_sound_p50_ms"].get<double>()), 45);
+}
+
+TEST(PlayerSound, WithoutADeviceNoVoiceIsAskedForAndTheFacePlays) {
+  TalkingServer server(true);
+  const PlayerRun run =
+      run_player({"--headless", server.address(), "--sound-device", "no such device"},
+                 {"ALSOFT_DRIVERS=null"});
+  EXPECT_EQ(run.finished.exit_code, 0);
+  EXPECT_EQ(server.received().find("voice"), std::string::npos);
+  EXPECT_NE(run.finished.err.find("no such device"), std::string::npos) << run.finished.err;
+  EXPECT_EQ(run.stats["keyframes_played"], 10 * kSeconds);
+}
+
+TEST(PlayerSound, ASoundFileBesideAStreamFileIsItsSound) {
+  const TempFolder folder;
+  const auto stream = folder.write("talk.txt", "Beg_Stream\n26:50;500\n26:0;500\nEnd_Stream\n");
+  const std::string silence = (folder.path() / "silence.wav").string();
+  ASSERT_EQ(
+      run_player({"play", stream.string(), "--headless", "--sound", silence}).finished.exit_code,
+      0);
+  EXPECT_EQ(samples_of(folder.read("silence.wav")), std::vector<float>(48000));
+  std::filesystem::rename(silence, folder.path() / "talk.wav");
+  const std::string written = (folder.path() / "a.wav").string();
+  const PlayerRun run = run_player({"play", stream.string(), "--headless", "--sound", written});
+  EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(folder.read("a.wav").size(), folder.read("talk.wav").size());
+}
+
+}  // namespace
+}  // namespace aucast::test

@@ -1,0 +1,116 @@
+// The voice that comes with a stream, on the reader's own clock.
+
+#include <gtest/gtest.h>
+
+#include "client/net/au_reader.h"
+#include "protocol/codec.h"
+#include "tests/support/manual_clock.h"
+
+namespace aucast::net {
+namespace {
+
+using namespace std::chrono_literals;
+using aucast::test::ManualClock;
+
+/// 60 ms of wideband speech, as its first byte says.
+const std::string kOpus("\x58 speech");
+
+std::string voice(std::optional<std::uint64_t> place = std::nullopt) {
+  return protocol::encode(protocol::VoiceData{place, kOpus});
+}
+
+class ReaderVoice : public ::testing::Test {
+ protected:
+  static AuReaderOptions options() {
+    AuReaderOptions options;
+    options.peer = "server:4650";
+    options.buffers = {100, 100, 1};
+    options.reconnect = true;
+    options.voice = true;
+    return options;
+  }
+
+  void connect(const std::string& granted) {
+    said_ = reader_.connected(clock_.now()).send;
+    feed("{hello v=2 window=64 " + granted + "}");
+  }
+  void feed(std::string_view bytes) {
+    clock_.advance(1ms);
+    (void)reader_.received(bytes, clock_.now());
+  }
+  Milliseconds next_voice() {
+    const auto voice = reader_.take_voice();
+    return voice ? voice->place : Milliseconds(-1);
+  }
+
+  ManualClock clock_;
+  AuReader reader_{options()};
+  std::string said_;
+};
+
+TEST_F(ReaderVoice, IsAskedForAndKeptWithItsPlaces) {
+  connect("voice=opus");
+  EXPECT_NE(said_.find("voice=opus"), std::string::npos) << said_;
+  EXPECT_TRUE(reader_.status().voice);
+  feed(voice(100) + voice() + "{12:50;400}" + voice(500) + "{12:50;400}");
+  EXPECT_EQ(next_voice(), 100ms);
+  EXPECT_EQ(next_voice(), 160ms);
+  EXPECT_EQ(next_voice(), 500ms);
+  EXPECT_EQ(next_voice(), -1ms);
+  EXPECT_EQ(reader_.take()->place, 400ms);
+  EXPECT_EQ(reader_.take()->place, 800ms);
+}
+
+TEST_F(ReaderVoice, IsNotAskedForUnlessWanted) {
+  AuReaderOptions without = options();
+  without.voice = false;
+  AuReader reader(without);
+  EXPECT_EQ(reader.connected(clock_.now()).send.find("voice"), std::string::npos);
+  EXPECT_FALSE(reader.status().voice);
+}
+
+TEST_F(ReaderVoice, GoesOnWhereItWasCutOff) {
+  connect("voice=opus from=0");
+  feed(voice(0) + "{12:50;400}");
+  (void)reader_.closed(clock_.now());
+  connect("voice=opus from=400");
+  feed(voice(420) + "{12:50;400}");
+  EXPECT_EQ(next_voice(), 0ms);
+  EXPECT_EQ(next_voice(), 420ms);
+  (void)reader_.take();
+  EXPECT_EQ(reader_.take()->place, 800ms);
+}
+
+TEST_F(ReaderVoice, OfAStreamThatBeginsAnewFollowsWhatWasThere) {
+  connect("voice=opus from=0");
+  feed(voice(0) + "{12:50;400}");
+  (void)reader_.closed(clock_.now());
+  connect("voice=opus");
+  feed(voice(20) + "{12:50;400}");
+  EXPECT_EQ(next_voice(), 0ms);
+  EXPECT_EQ(next_voice(), 420ms);
+}
+
+TEST_F(ReaderVoice, ALiveKeyframeIsSpokenWhileThereIsVoice) {
+  connect("live=1 voice=opus");
+  feed(voice(0) + "{12:50;40}{12:50;40}{12:50;40}");
+  EXPECT_TRUE(reader_.take()->spoken);
+  EXPECT_TRUE(reader_.take()->spoken);
+  EXPECT_FALSE(reader_.take()->spoken);
+}
+
+TEST_F(ReaderVoice, WhatNobodyTakesHasALimit) {
+  connect("voice=opus");
+  const std::string large = kOpus + std::string(1000, 'x');
+  const std::size_t fit = AuReader::kVoiceBytesMax / large.size();
+  feed(protocol::encode(protocol::VoiceData{0, large}));
+  for (std::size_t sent = 0; sent <= fit; ++sent) {
+    feed(protocol::encode(protocol::VoiceData{std::nullopt, large}));
+  }
+  std::size_t taken = 0;
+  while (reader_.take_voice()) ++taken;
+  EXPECT_EQ(taken, fit);
+}
+
+}  // namespace
+}  // namespace aucast::net
