@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "client/view/child.h"
 #include "common/check.h"
+#include "common/child.h"
 #include "common/files.h"
 #include "common/text.h"
 

@@ -1,4 +1,4 @@
-#include "client/view/child.h"
+#include "common/child.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -14,7 +14,7 @@
 #include "common/check.h"
 #include "common/text.h"
 
-namespace aucast::view {
+namespace aucast {
 namespace {
 
 constexpr std::size_t kLastWordsBytesMax = 2048;
@@ -40,7 +40,8 @@ void set_attributes(posix_spawnattr_t& attributes) {
       &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
 }
 
-int spawn(const std::vector<std::string>& arguments, int input, int errors, pid_t& pid) {
+int spawn(const std::vector<std::string>& arguments, Child::Flow flow, int theirs, int errors,
+          pid_t& pid) {
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -48,8 +49,10 @@ int spawn(const std::vector<std::string>& arguments, int input, int errors, pid_
   set_attributes(attributes);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  const bool fed = flow == Child::Flow::Fed;
+  ::posix_spawn_file_actions_adddup2(&actions, theirs, fed ? STDIN_FILENO : STDOUT_FILENO);
+  ::posix_spawn_file_actions_addopen(&actions, fed ? STDOUT_FILENO : STDIN_FILENO, "/dev/null",
+                                     fed ? O_WRONLY : O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
   const int error_number =
       ::posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
@@ -65,31 +68,31 @@ Error cannot_start(const std::string& program, int error_number) {
 }  // namespace
 
 Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& arguments,
-                                            bool& missing) {
+                                            bool& missing, Flow flow) {
   missing = false;
-  std::array<int, 2> input{-1, -1};
+  std::array<int, 2> ends{-1, -1};  // ours, theirs
   std::array<int, 2> errors{-1, -1};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.data()) != 0) {
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     return cannot_start(arguments[0], errno);
   }
   if (::pipe2(errors.data(), O_CLOEXEC) != 0) {
     const int error_number = errno;
-    close_quietly(input[0]);
-    close_quietly(input[1]);
+    close_quietly(ends[0]);
+    close_quietly(ends[1]);
     return cannot_start(arguments[0], error_number);
   }
-  ::setsockopt(input[0], SOL_SOCKET, SO_SNDBUF, &kSendBufferBytes, sizeof(kSendBufferBytes));
+  ::setsockopt(ends[0], SOL_SOCKET, SO_SNDBUF, &kSendBufferBytes, sizeof(kSendBufferBytes));
   pid_t pid = -1;
-  const int error_number = spawn(arguments, input[1], errors[1], pid);
-  close_quietly(input[1]);
+  const int error_number = spawn(arguments, flow, ends[1], errors[1], pid);
+  close_quietly(ends[1]);
   close_quietly(errors[1]);
   if (error_number != 0) {
-    close_quietly(input[0]);
+    close_quietly(ends[0]);
     close_quietly(errors[0]);
     missing = error_number == ENOENT;
     return cannot_start(arguments[0], error_number);
   }
-  return std::unique_ptr<Child>(new Child(pid, input[0], errors[0]));
+  return std::unique_ptr<Child>(new Child(pid, ends[0], errors[0]));
 }
 
 Child::~Child() {
@@ -98,7 +101,7 @@ Child::~Child() {
     while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
-  close_quietly(input_);
+  close_quietly(flow_);
   close_quietly(errors_);
 }
 
@@ -119,13 +122,13 @@ bool Child::read_errors() {
 
 bool Child::feed(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
-    if (input_ < 0) return false;
+    if (flow_ < 0) return false;
     // Its errors are read meanwhile: a child that waits for room on stderr would never read on.
-    std::array<pollfd, 2> waits{{{input_, POLLOUT, 0}, {errors_, POLLIN, 0}}};
+    std::array<pollfd, 2> waits{{{flow_, POLLOUT, 0}, {errors_, POLLIN, 0}}};
     if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) return false;
     if (errors_ >= 0 && waits[1].revents != 0) read_errors();
     if (waits[0].revents == 0) continue;
-    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t sent = ::send(flow_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(sent));
     } else if (errno != EINTR && errno != EAGAIN) {
@@ -135,9 +138,26 @@ bool Child::feed(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
+std::size_t Child::read(std::span<std::uint8_t> bytes) {
+  while (flow_ >= 0) {
+    std::array<pollfd, 2> waits{{{flow_, POLLIN, 0}, {errors_, POLLIN, 0}}};
+    if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) return 0;
+    if (errors_ >= 0 && waits[1].revents != 0) read_errors();
+    if (waits[0].revents == 0) continue;
+    const ssize_t got = ::recv(flow_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (got > 0) return static_cast<std::size_t>(got);
+    if (got == 0 || (errno != EINTR && errno != EAGAIN)) return 0;
+  }
+  return 0;
+}
+
+void Child::stop() const {
+  ::kill(pid_, SIGKILL);
+}
+
 int Child::wait() {
   if (exit_code_.has_value()) return *exit_code_;
-  close_quietly(input_);
+  close_quietly(flow_);
   while (errors_ >= 0 && read_errors()) {
   }
   int status = 0;
@@ -150,4 +170,4 @@ int Child::wait() {
   return *exit_code_;
 }
 
-}  // namespace aucast::view
+}  // namespace aucast

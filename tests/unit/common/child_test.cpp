@@ -1,4 +1,4 @@
-#include "client/view/child.h"
+#include "common/child.h"
 
 #include <csignal>
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 #include "tests/support/temp_folder.h"
 
-namespace aucast::view {
+namespace aucast {
 namespace {
 
 std::unique_ptr<Child> shell(const std::string& script) {
@@ -84,5 +84,32 @@ TEST(Child, IsKilledAndReapedWithItsOwner) {
   EXPECT_EQ(::kill(pid, 0), -1);
 }
 
+TEST(Child, IsReadToItsEnd) {
+  bool missing = false;
+  auto child = Child::start({"sh", "-c", "printf hello; echo why >&2; printf ' you'; exit 3"},
+                            missing, Child::Flow::Read);
+  ASSERT_TRUE(child.has_value());
+  std::string text;
+  std::vector<std::uint8_t> chunk(4);
+  while (const std::size_t got = (*child)->read(chunk)) {
+    text.append(chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(got));
+  }
+  EXPECT_EQ(text, "hello you");
+  EXPECT_EQ((*child)->wait(), 3);
+  EXPECT_EQ((*child)->last_words(), "why\n");
+}
+
+TEST(Child, IsStoppedWhileItIsRead) {
+  bool missing = false;
+  auto child = Child::start({"sh", "-c", "while :; do echo on; done"}, missing, Child::Flow::Read);
+  ASSERT_TRUE(child.has_value());
+  std::vector<std::uint8_t> chunk(64);
+  ASSERT_GT((*child)->read(chunk), 0U);
+  (*child)->stop();
+  while ((*child)->read(chunk) > 0) {
+  }
+  EXPECT_EQ((*child)->wait(), 128 + 9);
+}
+
 }  // namespace
-}  // namespace aucast::view
+}  // namespace aucast

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/result.h"
+
+namespace aucast {
+
+/// A program that is fed through its standard input, or read from its standard output, while its
+/// last words on stderr are kept. It runs in a process group of its own, so that Ctrl-C in a
+/// terminal does not end it before it has finished its file. Never raises SIGPIPE and leaves no
+/// zombie.
+/// Thread: one at a time, but for stop().
+class Child {
+ public:
+  enum class Flow : std::uint8_t { Fed, Read };
+
+  /// `arguments[0]` is looked up in $PATH. Failed with the system's reason when it cannot start;
+  /// the caller is told by `missing` when there is no such program. What does not flow is
+  /// /dev/null.
+  [[nodiscard]] static Result<std::unique_ptr<Child>> start(
+      const std::vector<std::string>& arguments, bool& missing, Flow flow = Flow::Fed);
+  ~Child();  ///< kills what still runs
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Blocks until the child took all bytes; false when it reads no more.
+  [[nodiscard]] bool feed(std::span<const std::uint8_t> bytes);
+  /// Waits for what it writes next; how many bytes of it there are now, 0 at its end.
+  [[nodiscard]] std::size_t read(std::span<std::uint8_t> bytes);
+  /// Kills it. From any thread, before wait() or destruction: read() finds the end.
+  void stop() const;
+  /// Ends the flow and waits for the end: the exit code, or 128 + the signal that killed it. The
+  /// same again when called again.
+  [[nodiscard]] int wait();
+  /// The end of what it wrote to stderr, at most 2 KiB.
+  [[nodiscard]] const std::string& last_words() const { return last_words_; }
+
+ private:
+  Child(pid_t pid, int flow, int errors) : pid_(pid), flow_(flow), errors_(errors) {}
+  bool read_errors();
+
+  pid_t pid_;
+  int flow_;    ///< a socket: send() can be told not to raise SIGPIPE
+  int errors_;  ///< -1 once its end was seen
+  std::string last_words_;
+  std::optional<int> exit_code_;
+};
+
+}  // namespace aucast
