@@ -1,9 +1,20 @@
 #include "common/mesh/flat_buffer.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace aucast::mesh {
+namespace {
+
+/// What std::bit_cast does, which not every C++ library has.
+template <typename To, typename From>
+To same_bits(From from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to{};
+  std::memcpy(&to, &from, sizeof(to));
+  return to;
+}
+
+}  // namespace
 
 std::size_t FlatBuffer::field(std::size_t table, std::size_t index) {
   if (table == kNone) return kNone;
@@ -102,9 +113,9 @@ class FlexReader {
     const std::uint64_t bits = unsigned_at(place, width);
     if (type == kUInt) return static_cast<double>(bits);
     if (type == kFloat && width == 4) {
-      return double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))};
+      return double{same_bits<float>(static_cast<std::uint32_t>(bits))};
     }
-    if (type == kFloat && width == 8) return std::bit_cast<double>(bits);
+    if (type == kFloat && width == 8) return same_bits<double>(bits);
     if (type != kInt) broken = true;
     const std::size_t shift = 64 - 8 * width;
     return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
@@ -188,7 +199,7 @@ float half_to_float(std::uint16_t half) {
     return sign != 0 ? -value : value;
   }
   const std::uint32_t wide = exponent == 31 ? 255U : exponent + 112U;
-  return std::bit_cast<float>(sign | wide << 23U | fraction << 13U);
+  return same_bits<float>(sign | wide << 23U | fraction << 13U);
 }
 
 }  // namespace aucast::mesh

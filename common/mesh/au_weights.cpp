@@ -1,0 +1,164 @@
+#include "common/mesh/au_weights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "common/number_of.h"
+#include "common/problems.h"
+#include "common/text.h"
+
+namespace aucast::mesh {
+namespace {
+
+constexpr std::size_t kFeaturesMax = 1000;
+constexpr int kUnitMax = 99;
+constexpr std::array<std::string_view, 3> kTurnNames{"turn-left", "turn-up", "tilt-left"};
+
+using Words = std::vector<std::string_view>;
+
+std::vector<std::string> input_names() {
+  std::vector<std::string> names;
+  for (const char* side : {"own-", "other-"}) {
+    for (const auto name : side_measure_names()) names.push_back(side + std::string(name));
+  }
+  for (const auto name : middle_measure_names()) names.emplace_back(name);
+  for (const auto name : kTurnNames) names.emplace_back(name);
+  return names;
+}
+
+bool read_numbers(std::span<const std::string_view> words, std::span<double> numbers) {
+  if (words.size() != numbers.size()) return false;
+  for (std::size_t index = 0; index < words.size(); ++index) {
+    const auto number = number_of<double>(words[index]);
+    if (!number || !std::isfinite(*number)) return false;
+    numbers[index] = *number;
+  }
+  return true;
+}
+
+/// Reads the file line by line: "quiet-side", "quiet-middle", "feature" and "au" and their words.
+class WeightsReader {
+ public:
+  /// What is wrong with the line; nothing if it is right.
+  std::optional<std::string> read(const Words& words) {
+    const std::span<const std::string_view> rest = std::span(words).subspan(1);
+    if (words[0] == "quiet-side") {
+      if (!read_numbers(rest, weights_.typical.left)) return "18 numbers are expected";
+      weights_.typical.right = weights_.typical.left;
+    } else if (words[0] == "quiet-middle") {
+      if (!read_numbers(rest, weights_.typical.middle)) return "13 numbers are expected";
+    } else if (words[0] == "feature") {
+      return read_feature(rest);
+    } else if (words[0] == "au") {
+      return read_unit(rest);
+    } else {
+      return "'" + escaped(words[0]) + "' is not known";
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool complete() const { return !weights_.units.empty(); }
+  [[nodiscard]] AuWeights take() { return std::move(weights_); }
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> input_named(std::string_view name) const {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names_.begin());
+  }
+
+  std::optional<std::string> read_feature(std::span<const std::string_view> words) {
+    if (!weights_.units.empty()) return "features come before AUs";
+    const auto input = words.empty() ? std::nullopt : input_named(words[0]);
+    AuWeights::Feature feature;
+    feature.above = words.size() == 2 && words[1] == "above";
+    if (words.size() == 3 && words[1] == "times") feature.times = input_named(words[2]);
+    const bool known = words.size() == 1 || feature.above || feature.times;
+    if (!input || !known || weights_.features.size() == kFeaturesMax) {
+      return "a feature is a measure, or 'MEASURE above', or 'MEASURE times MEASURE'";
+    }
+    feature.input = *input;
+    weights_.features.push_back(feature);
+    return std::nullopt;
+  }
+
+  std::optional<std::string> read_unit(std::span<const std::string_view> words) {
+    using Kind = AuWeights::Kind;
+    constexpr std::array<std::string_view, 4> kKinds{"sided", "whole", "turning", "signed"};
+    const auto number = words.size() < 2 ? std::nullopt : number_of<int>(words[0]);
+    if (!number || *number < 1 || *number > kUnitMax) return "an AU from 1 to 99 is expected";
+    const auto kind = std::find(kKinds.begin(), kKinds.end(), words[1]);
+    if (kind == kKinds.end()) return "sided, whole, turning or signed is expected";
+    std::vector<double> numbers(weights_.features.size() + 2);
+    if (!read_numbers(words.subspan(2), numbers) || numbers[0] < 0 || numbers[0] >= 1) {
+      return "a threshold from 0 to 1, a bias and a weight for each feature are expected";
+    }
+    AuWeights::Unit unit;
+    unit.number = static_cast<std::uint8_t>(*number);
+    unit.kind = static_cast<Kind>(kind - kKinds.begin());
+    if (unit.kind == Kind::Turning || unit.kind == Kind::Signed) {
+      if (*number == kUnitMax) return "its opposite would be no AU";
+    }
+    unit.threshold = numbers[0];
+    unit.bias = numbers[1];
+    unit.weights.assign(numbers.begin() + 2, numbers.end());
+    weights_.units.push_back(std::move(unit));
+    return std::nullopt;
+  }
+
+  const std::vector<std::string> names_ = input_names();
+  AuWeights weights_;
+};
+
+Words words_of(std::string_view line) {
+  Words words;
+  for (const std::string_view word : split(line, ' ')) {
+    if (!word.empty()) words.push_back(word);
+  }
+  return words;
+}
+
+}  // namespace
+
+Inputs inputs_of(const Measures& seen, const Measures& quiet, bool left) {
+  Inputs inputs{};
+  std::size_t at = 0;
+  const double own = left ? 1 : -1;
+  const auto add_side = [&](const auto& side, const auto& at_rest) {
+    for (std::size_t index = 0; index < kSideMeasures; ++index) {
+      const bool sideways = index == static_cast<std::size_t>(SideMeasure::GazeLeft);
+      inputs[at++] = (sideways ? own : 1) * (side[index] - at_rest[index]);
+    }
+  };
+  add_side(left ? seen.left : seen.right, left ? quiet.left : quiet.right);
+  add_side(left ? seen.right : seen.left, left ? quiet.right : quiet.left);
+  for (std::size_t index = 0; index < kMiddleMeasures; ++index) {
+    const bool sideways = index == static_cast<std::size_t>(MiddleMeasure::MouthLeft);
+    inputs[at++] = (sideways ? own : 1) * (seen.middle[index] - quiet.middle[index]);
+  }
+  inputs[at++] = own * (seen.turn.left_rad - quiet.turn.left_rad);
+  inputs[at++] = seen.turn.up_rad - quiet.turn.up_rad;
+  inputs[at++] = own * (seen.turn.tilt_left_rad - quiet.turn.tilt_left_rad);
+  return inputs;
+}
+
+Result<AuWeights> parse_au_weights(std::string_view text, std::string_view file) {
+  WeightsReader reader;
+  Problems problems{std::string(file)};
+  std::size_t number = 0;
+  for (const std::string_view line : split(text, '\n')) {
+    ++number;
+    const Words words = words_of(line);
+    if (words.empty() || words[0].starts_with('#')) continue;
+    if (const auto wrong = reader.read(words)) problems.add({number, 1}, *wrong);
+  }
+  if (auto read = problems.result(); !read) return read.error();
+  if (!reader.complete()) {
+    return Error{ErrorKind::BadData, at_place(file, "it has no weights of any AU")};
+  }
+  return reader.take();
+}
+
+}  // namespace aucast::mesh

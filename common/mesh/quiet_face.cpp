@@ -1,0 +1,147 @@
+#include "common/mesh/quiet_face.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "common/mesh/au_reader.h"
+
+namespace aucast::mesh {
+namespace {
+
+constexpr std::size_t kQuietPart = 5;    ///< one in so many counts as quiet
+constexpr std::size_t kMostSeen = 3000;  ///< no statistics gets better by more than this
+constexpr double kKeptEach = 0.2;
+constexpr double kEaseSeconds = 1;  ///< in which the quiet face follows what was found
+
+/// Everything that is measured, as numbers in a row.
+constexpr std::size_t kNumbers = 2 * kSideMeasures + kMiddleMeasures + 4;
+using Numbers = std::array<double, kNumbers>;
+
+Numbers numbers_of(const Measures& measures) {
+  Numbers numbers{};
+  auto to = std::copy(measures.left.begin(), measures.left.end(), numbers.begin());
+  to = std::copy(measures.right.begin(), measures.right.end(), to);
+  to = std::copy(measures.middle.begin(), measures.middle.end(), to);
+  for (const double number : {measures.turn.left_rad, measures.turn.up_rad,
+                              measures.turn.tilt_left_rad, measures.scale}) {
+    *to++ = number;
+  }
+  return numbers;
+}
+
+Measures measures_of(const Numbers& numbers) {
+  Measures measures;
+  const auto side = [&](std::size_t begin) { return numbers.begin() + std::ptrdiff_t(begin); };
+  std::copy_n(side(0), kSideMeasures, measures.left.begin());
+  std::copy_n(side(kSideMeasures), kSideMeasures, measures.right.begin());
+  std::copy_n(side(2 * kSideMeasures), kMiddleMeasures, measures.middle.begin());
+  const std::size_t turn = 2 * kSideMeasures + kMiddleMeasures;
+  measures.turn = {numbers[turn], numbers[turn + 1], numbers[turn + 2]};
+  measures.scale = numbers[turn + 3];
+  return measures;
+}
+
+/// Of head and gaze: where somebody mostly looks.
+bool is_direction(std::size_t number) {
+  const auto gaze = static_cast<std::size_t>(SideMeasure::GazeLeft);
+  const std::size_t of_side = number % kSideMeasures;
+  return number >= 2 * kSideMeasures + kMiddleMeasures ||
+         (number < 2 * kSideMeasures && of_side >= gaze);
+}
+
+double median_of(std::vector<double>& values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// How much shows in a face; where it looks does not count.
+double expression_of(const AuWeights& weights, const Measures& seen, const Measures& quiet) {
+  const AuFrame frame = read_aus(weights, seen, quiet);
+  double sum = 0;
+  for (const AuWeights::Unit& unit : weights.units) {
+    if (unit.kind != AuWeights::Kind::Sided && unit.kind != AuWeights::Kind::Whole) continue;
+    sum += double{frame.left[unit.number]} + double{frame.right[unit.number]};
+  }
+  return sum;
+}
+
+Measures medians(const std::vector<const Measures*>& quietest,
+                 const std::vector<const Measures*>& all) {
+  std::vector<Numbers> of_quietest;
+  std::vector<Numbers> of_all;
+  for (const Measures* one : quietest) of_quietest.push_back(numbers_of(*one));
+  for (const Measures* one : all) of_all.push_back(numbers_of(*one));
+  Numbers found{};
+  std::vector<double> values;
+  for (std::size_t number = 0; number < kNumbers; ++number) {
+    values.clear();
+    for (const Numbers& one : is_direction(number) ? of_all : of_quietest) {
+      values.push_back(one[number]);
+    }
+    found[number] = median_of(values);
+  }
+  return measures_of(found);
+}
+
+}  // namespace
+
+Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weights) {
+  if (seen.empty()) return weights.typical;
+  const std::size_t step = (seen.size() + kMostSeen - 1) / kMostSeen;
+  std::vector<const Measures*> all;
+  for (std::size_t index = 0; index < seen.size(); index += step) all.push_back(&seen[index]);
+  // The head is where it mostly is; the typical face knows nothing of that.
+  Measures quiet = weights.typical;
+  const Measures usual = medians(all, all);
+  quiet.turn = usual.turn;
+  // Twice: first against the typical face, then against the one that was found.
+  for (int turn = 0; turn < 2; ++turn) {
+    std::vector<std::pair<double, const Measures*>> ranked;
+    for (const Measures* one : all) ranked.emplace_back(expression_of(weights, *one, quiet), one);
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<const Measures*> quietest;
+    for (std::size_t index = 0; index < (ranked.size() + kQuietPart - 1) / kQuietPart; ++index) {
+      quietest.push_back(ranked[index].second);
+    }
+    quiet = medians(quietest, all);
+  }
+  return quiet;
+}
+
+Measures median_face(std::span<const Measures> seen, const AuWeights& weights) {
+  if (seen.empty()) return weights.typical;
+  std::vector<const Measures*> all;
+  for (const Measures& one : seen) all.push_back(&one);
+  return medians(all, all);
+}
+
+const Measures& RunningQuietFace::watch(double seconds, const Measures& seen) {
+  if (!kept_at_ || seconds - *kept_at_ >= kKeptEach) {
+    kept_at_ = seconds;
+    kept_.push_back(seen);
+    if (static_cast<double>(kept_.size()) * kKeptEach > kWatchedSeconds) kept_.pop_front();
+    const std::vector<Measures> watched(kept_.begin(), kept_.end());
+    aim_ = find_quiet_face(watched, weights_);
+    if (!eased_at_) quiet_ = *aim_;
+  }
+  ease(seconds);
+  return quiet_;
+}
+
+void RunningQuietFace::ease(double seconds) {
+  const double past = eased_at_ ? std::max(seconds - *eased_at_, 0.0) : 0;
+  eased_at_ = seconds;
+  const double part = 1 - std::exp(-past / kEaseSeconds);
+  Numbers now = numbers_of(quiet_);
+  const Numbers aim = numbers_of(*aim_);
+  for (std::size_t number = 0; number < kNumbers; ++number) {
+    now[number] += part * (aim[number] - now[number]);
+  }
+  quiet_ = measures_of(now);
+}
+
+}  // namespace aucast::mesh

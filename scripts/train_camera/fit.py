@@ -1,0 +1,186 @@
+"""Fits what turns measures of a face into Action Units: ridge regressions, one for each AU.
+
+A face is looked at twice, as its left side sees it and as its right side does: "own" is the side
+that an AU is told for, "other" the other one. So left and right share their weights, and every
+example counts twice.
+"""
+
+import numpy
+
+SIDE = """brow-inner-up brow-middle-up brow-outer-up brow-inner-out aperture upper-lid-up lower-lid-up
+corner-up corner-out corner-front nose-wing-up nose-wing-out cheek-up cheek-out cheek-front
+nasolabial-up gaze-left gaze-up""".split()
+MIDDLE = """brow-gap mouth-width lip-gap upper-lip-height lower-lip-height lips-height upper-lip-up
+lower-lip-up chin-up chin-boss-up lips-front nose-tip-up mouth-left""".split()
+TURN = ["turn-left", "turn-up", "tilt-left"]
+# Towards the left on either side; turned round for the right one.
+TOWARDS_LEFT = {"gaze-left", "mouth-left", "turn-left", "tilt-left"}
+INPUTS = [f"own-{name}" for name in SIDE] + [f"other-{name}" for name in SIDE] + MIDDLE + TURN
+
+ABOVE = ["own-brow-inner-up", "own-brow-outer-up", "own-aperture", "own-upper-lid-up",
+         "own-lower-lid-up", "own-corner-up", "own-corner-out", "lip-gap", "mouth-width",
+         "upper-lip-up", "lower-lip-up", "chin-up", "lips-height", "own-nose-wing-up"]
+TIMES = [("lip-gap", "mouth-width"), ("lip-gap", "chin-up"), ("turn-left", "turn-left"),
+         ("turn-up", "turn-up"), ("own-aperture", "own-aperture"), ("lip-gap", "lip-gap"),
+         ("turn-left", "own-corner-out"), ("turn-left", "own-corner-up"),
+         ("turn-up", "own-aperture"), ("turn-up", "own-brow-inner-up"),
+         ("turn-up", "chin-up"), ("turn-up", "own-corner-up")]
+FEATURES = ([(name,) for name in INPUTS] + [(name, "above") for name in ABOVE]
+            + [(a, "times", b) for a, b in TIMES])
+
+# How far a measure is off on a face that nobody has trained for: what it may not be trusted with.
+DOUBT = {"aperture": 0.03, "gaze-left": 0.06, "gaze-up": 0.06, "turn-left": 0.05, "turn-up": 0.08,
+         "tilt-left": 0.05, "corner-front": 0.06, "cheek-front": 0.06, "lips-front": 0.06}
+DOUBT_OTHERWISE = 0.008
+ACTIVE_COUNTS = 3.0
+
+# Not 14 and 24: on a head that nobody has trained for they are not seen.
+SIDED = [1, 2, 4, 5, 6, 7, 9, 10, 12, 15, 20, 45]
+WHOLE = [17, 18, 22, 23, 25, 26, 28]
+TURNING = {51: 52, 55: 56, 61: 62}  # left, and the other way
+SIGNED = {53: 54, 63: 64}           # up, and the other way
+
+
+def quiet_of(rows):
+    """The median face of the given rows; `rows`: measures by name."""
+    return {name: float(numpy.median([row[name] for row in rows])) for name in rows[0]}
+
+
+def inputs_of(row, quiet, left):
+    """What one side sees of a face, against the quiet face."""
+    own, other = ("left-", "right-") if left else ("right-", "left-")
+    sign = 1 if left else -1
+    values = []
+    for side in (own, other):
+        for name in SIDE:
+            value = row[side + name] - quiet[side + name]
+            values.append(sign * value if name in TOWARDS_LEFT else value)
+    for name in MIDDLE + TURN:
+        value = row[name] - quiet[name]
+        values.append(sign * value if name in TOWARDS_LEFT else value)
+    return values
+
+
+def features_of(inputs):
+    place = {name: index for index, name in enumerate(INPUTS)}
+    columns = []
+    for feature in FEATURES:
+        column = inputs[:, place[feature[0]]]
+        if feature[1:] == ("above",):
+            column = numpy.maximum(column, 0)
+        elif len(feature) == 3:
+            column = column * inputs[:, place[feature[2]]]
+        columns.append(column)
+    return numpy.stack(columns, axis=1)
+
+
+def doubt_of(feature, scale):
+    def doubt(name):
+        plain = name.split("-", 1)[1] if name.startswith(("own-", "other-")) else name
+        return DOUBT.get(plain, DOUBT_OTHERWISE)
+    if len(feature) == 3:
+        return 0.5 * scale + doubt(feature[0]) * doubt(feature[2])
+    return doubt(feature[0])
+
+
+def shown(face, number, left):
+    """What the set shows of an AU on one side, [0,1]."""
+    sided = face.get(("L" if left else "R") + str(number), 0)
+    return max(face.get(str(number), 0), sided) / 100
+
+
+def targets_of(face, left):
+    sign = 1 if left else -1
+    sided = [shown(face, number, left) for number in SIDED]
+    whole = [shown(face, number, left) for number in WHOLE]
+    whole[WHOLE.index(26)] = max(whole[WHOLE.index(26)], shown(face, 27, left))
+    # The jaw takes the lips along: FACS scores 25 with 26.
+    turning = [sign * (shown(face, a, left) - shown(face, b, left)) for a, b in TURNING.items()]
+    signed = [shown(face, a, left) - shown(face, b, left) for a, b in SIGNED.items()]
+    return sided + whole + turning + signed
+
+
+OUTPUTS = SIDED + WHOLE + list(TURNING) + list(SIGNED)
+
+
+def table_of(people):
+    """Features and targets of every picture from both sides; `people`: lists of (row, face, quiet)."""
+    inputs, targets = [], []
+    for examples in people:
+        for row, face, quiet in examples:
+            for left in (True, False):
+                inputs.append(inputs_of(row, quiet, left))
+                targets.append(targets_of(face, left))
+    return features_of(numpy.array(inputs)), numpy.array(targets)
+
+
+def fit(people, trust=4.0):
+    """Weights: a row for each output, a bias before one number for each feature."""
+    features, targets = table_of(people)
+    scale = features.std(axis=0)
+    doubt = numpy.array([doubt_of(f, s) for f, s in zip(FEATURES, scale)]) / trust
+    x = numpy.concatenate([numpy.ones((len(features), 1)), features], axis=1)
+    penalty = numpy.diag(numpy.concatenate([[1e-6], doubt ** 2]))
+    weights = []
+    for target in targets.T:
+        # An AU is absent from most pictures; those that show it count more.
+        count = numpy.where(target != 0, ACTIVE_COUNTS, 1.0)
+        squares = (x * count[:, None]).T @ x + penalty * count.sum()
+        weights.append(numpy.linalg.solve(squares, (x * count[:, None]).T @ target))
+    return numpy.array(weights)
+
+
+def thresholds_of(weights, people):
+    """How much of each output is only noise: what makes the mean error of `people` least."""
+    features, targets = table_of(people)
+    raw = features @ weights[:, 1:].T + weights[:, :1].T
+    best = []
+    for k, number in enumerate(OUTPUTS):
+        if number in TURNING or number in SIGNED:
+            best.append(0.0)
+            continue
+        errors = [(numpy.abs(rise(raw[:, k], t) - targets[:, k]).mean(), t)
+                  for t in numpy.arange(0, 0.11, 0.02)]
+        best.append(min(errors)[1])
+    return best
+
+
+def rise(raw, threshold):
+    return numpy.clip((raw - threshold) / (1 - threshold), 0, 1)
+
+
+def read(weights, thresholds, row, quiet):
+    """{'12': (left, right), ...} of one face, as au_reader.cpp does it."""
+    sides = [features_of(numpy.array([inputs_of(row, quiet, left)]))[0] for left in (True, False)]
+    left, right = (weights[:, 1:] @ side + weights[:, 0] for side in sides)
+    found = {}
+    for k, number in enumerate(OUTPUTS):
+        a, b = left[k], right[k]
+        if number in TURNING:
+            a = b = (a - b) / 2
+        elif number in SIGNED:
+            a = b = (a + b) / 2
+        else:
+            if number in WHOLE:
+                a = b = (a + b) / 2
+            a, b = rise(a, thresholds[k]), rise(b, thresholds[k])
+        found[number] = (float(a), float(b))
+    return found
+
+
+def write(path, weights, thresholds, quiet):
+    kinds = {**{n: "sided" for n in SIDED}, **{n: "whole" for n in WHOLE},
+             **{n: "turning" for n in TURNING}, **{n: "signed" for n in SIGNED}}
+    with open(path, "w", encoding="utf-8") as out:
+        out.write("# What Action Units are told by, from the measures of a face against the quiet\n"
+                  "# face. Written by scripts/train_camera/train.py; README.md there describes it.\n")
+        out.write("quiet-side " + " ".join(
+            f"{(quiet['left-' + n] + quiet['right-' + n]) / 2 * (n not in TOWARDS_LEFT):.4f}"
+            for n in SIDE) + "\n")
+        out.write("quiet-middle " + " ".join(
+            f"{quiet[n] * (n not in TOWARDS_LEFT):.4f}" for n in MIDDLE) + "\n")
+        for feature in FEATURES:
+            out.write("feature " + " ".join(feature) + "\n")
+        for k, number in enumerate(OUTPUTS):
+            out.write(f"au {number} {kinds[number]} {thresholds[k]:.2f} "
+                      + " ".join(f"{w:.4g}" for w in weights[k]) + "\n")

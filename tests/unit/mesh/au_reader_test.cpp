@@ -1,0 +1,183 @@
+#include "common/mesh/au_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "common/mesh/quiet_face.h"
+
+namespace aucast::mesh {
+namespace {
+
+constexpr double kTolerance = 1e-6;
+
+/// Zeros for the typical face; AU 12 by its own corner's height, 45 by the aperture that is
+/// missing, 26 by the chin, 51 and 53 by the head's turn.
+const std::string kWeights =
+    "# for a test\n"
+    "quiet-side 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "quiet-middle 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "feature own-corner-up\n"
+    "feature own-aperture\n"
+    "feature chin-up\n"
+    "feature turn-left\n"
+    "feature turn-up\n"
+    "feature own-corner-up above\n"
+    "feature own-corner-up times own-corner-up\n"
+    "au 12 sided 0 0 10 0 0 0 0 0 0\n"
+    "au 45 sided 0.2 0 0 -2 0 0 0 0 0\n"
+    "au 26 whole 0 0 0 0 -5 0 0 0 0\n"
+    "au 51 turning 0 0 0 0 0 2 0 0 0\n"
+    "au 53 signed 0 0 0 0 0 0 4 0 0\n"
+    "au 15 sided 0 0 -3 0 0 0 0 3 7\n";
+
+AuWeights weights() {
+  auto read = parse_au_weights(kWeights, "weights.txt");
+  EXPECT_TRUE(read.has_value()) << read.error().message;
+  return std::move(*read);
+}
+
+double& left_of(Measures& measures, SideMeasure what) {
+  return measures.left[static_cast<std::size_t>(what)];
+}
+double& right_of(Measures& measures, SideMeasure what) {
+  return measures.right[static_cast<std::size_t>(what)];
+}
+double& middle_of(Measures& measures, MiddleMeasure what) {
+  return measures.middle[static_cast<std::size_t>(what)];
+}
+
+TEST(AuReader, TellsSidesApartAndSharesTheMiddle) {
+  Measures seen;
+  left_of(seen, SideMeasure::CornerUp) = 0.05;
+  middle_of(seen, MiddleMeasure::ChinUp) = -0.1;
+  const AuFrame frame = read_aus(weights(), seen, Measures{});
+  EXPECT_NEAR(double{frame.left[12]}, 0.5, kTolerance);
+  EXPECT_NEAR(double{frame.right[12]}, 0, kTolerance);
+  EXPECT_NEAR(double{frame.left[26]}, 0.5, kTolerance);
+  EXPECT_NEAR(double{frame.right[26]}, 0.5, kTolerance);
+}
+
+TEST(AuReader, ComparesWithTheQuietFace) {
+  Measures quiet;
+  left_of(quiet, SideMeasure::CornerUp) = 0.04;
+  Measures seen = quiet;
+  EXPECT_EQ(read_aus(weights(), seen, quiet), AuFrame{});
+  left_of(seen, SideMeasure::CornerUp) = 0.07;
+  EXPECT_NEAR(double{read_aus(weights(), seen, quiet).left[12]}, 0.3, kTolerance);
+}
+
+TEST(AuReader, LeavesNoiseOutAndStaysWithinFullIntensity) {
+  Measures seen;
+  left_of(seen, SideMeasure::Aperture) = -0.1;  // 0.2: the threshold
+  right_of(seen, SideMeasure::Aperture) = -0.3;
+  AuFrame frame = read_aus(weights(), seen, Measures{});
+  EXPECT_NEAR(double{frame.left[45]}, 0, kTolerance);
+  EXPECT_NEAR(double{frame.right[45]}, 0.5, kTolerance);
+  right_of(seen, SideMeasure::Aperture) = -3;
+  frame = read_aus(weights(), seen, Measures{});
+  EXPECT_EQ(frame.right[45], 1.0F);
+}
+
+TEST(AuReader, ATurnIsOneOfTwoOppositesAndMayBeMoreThanFull) {
+  Measures seen;
+  seen.turn = {0.2, -0.3, 0};
+  const AuFrame frame = read_aus(weights(), seen, Measures{});
+  EXPECT_NEAR(double{frame.left[51]}, 0.4, kTolerance);
+  EXPECT_NEAR(double{frame.right[51]}, 0.4, kTolerance);
+  EXPECT_EQ(frame.left[52], 0.0F);
+  EXPECT_EQ(frame.left[53], 0.0F);
+  EXPECT_NEAR(double{frame.left[54]}, 1.2, kTolerance);
+}
+
+TEST(AuReader, WeighsPartsAboveAndProducts) {
+  Measures seen;
+  left_of(seen, SideMeasure::CornerUp) = 0.1;    // -0.3 + 0.3 + 0.07
+  right_of(seen, SideMeasure::CornerUp) = -0.1;  // 0.3 + 0 + 0.07
+  const AuFrame frame = read_aus(weights(), seen, Measures{});
+  EXPECT_NEAR(double{frame.left[15]}, 0.07, kTolerance);
+  EXPECT_NEAR(double{frame.right[15]}, 0.37, kTolerance);
+}
+
+TEST(AuWeights, MirroredFacesGiveMirroredInputs) {
+  Measures seen;
+  left_of(seen, SideMeasure::GazeLeft) = 0.3;
+  right_of(seen, SideMeasure::GazeLeft) = 0.2;
+  left_of(seen, SideMeasure::CornerUp) = 0.1;
+  middle_of(seen, MiddleMeasure::MouthLeft) = 0.05;
+  seen.turn.left_rad = 0.4;
+  Measures mirrored;
+  left_of(mirrored, SideMeasure::GazeLeft) = -0.2;
+  right_of(mirrored, SideMeasure::GazeLeft) = -0.3;
+  right_of(mirrored, SideMeasure::CornerUp) = 0.1;
+  middle_of(mirrored, MiddleMeasure::MouthLeft) = -0.05;
+  mirrored.turn.left_rad = -0.4;
+  EXPECT_EQ(inputs_of(seen, Measures{}, true), inputs_of(mirrored, Measures{}, false));
+  EXPECT_EQ(inputs_of(seen, Measures{}, false), inputs_of(mirrored, Measures{}, true));
+}
+
+TEST(AuWeights, SaysWhereAFileIsWrong) {
+  const auto message = [](const std::string& text) {
+    const auto read = parse_au_weights(text, "w.txt");
+    EXPECT_FALSE(read.has_value());
+    EXPECT_EQ(read.error().kind, ErrorKind::BadData);
+    return read.error().message;
+  };
+  EXPECT_NE(message("").find("no weights"), std::string::npos);
+  EXPECT_NE(message("# x\nwhat 1 2\n").find("w.txt:2:1"), std::string::npos);
+  EXPECT_NE(message("quiet-side 1 2\n").find("18 numbers"), std::string::npos);
+  EXPECT_NE(message("quiet-middle nan\n").find("13 numbers"), std::string::npos);
+  EXPECT_NE(message("feature nose\n").find("measure"), std::string::npos);
+  EXPECT_NE(message("feature lip-gap times nose\n").find("measure"), std::string::npos);
+  EXPECT_NE(message("feature lip-gap\nau 0 whole 0 0 1\n").find("AU from 1"), std::string::npos);
+  EXPECT_NE(message("feature lip-gap\nau 12 both 0 0 1\n").find("sided"), std::string::npos);
+  EXPECT_NE(message("feature lip-gap\nau 12 whole 0 0\n").find("a weight"), std::string::npos);
+  EXPECT_NE(message("feature lip-gap\nau 12 whole 1 0 1\n").find("a weight"), std::string::npos);
+  EXPECT_NE(message("feature lip-gap\nau 99 signed 0 0 1\n").find("opposite"), std::string::npos);
+}
+
+/// Somebody whose corners hang a little, who smiles most of the time and looks to the left.
+std::vector<Measures> a_smiling_film() {
+  std::vector<Measures> film;
+  for (int picture = 0; picture < 100; ++picture) {
+    Measures seen;
+    const double smile = picture % 10 < 3 ? 0 : 0.06;
+    left_of(seen, SideMeasure::CornerUp) = right_of(seen, SideMeasure::CornerUp) = smile - 0.02;
+    seen.turn.left_rad = 0.25 + (picture % 2 == 0 ? 0.01 : -0.01);
+    film.push_back(seen);
+  }
+  return film;
+}
+
+TEST(QuietFace, IsThatOfTheQuietestMomentsWithTheHeadWhereItMostlyIs) {
+  const auto film = a_smiling_film();
+  const Measures quiet = find_quiet_face(film, weights());
+  EXPECT_NEAR(quiet.left_of(SideMeasure::CornerUp), -0.02, kTolerance);
+  EXPECT_NEAR(quiet.turn.left_rad, 0.25, 0.011);
+  // The median of all is somebody who smiles.
+  EXPECT_NEAR(median_face(film, weights()).left_of(SideMeasure::CornerUp), 0.04, kTolerance);
+}
+
+TEST(QuietFace, OfNobodyIsTheTypicalOne) {
+  AuWeights typical = weights();
+  typical.typical.left[0] = 0.3;
+  EXPECT_EQ(find_quiet_face({}, typical).left[0], 0.3);
+  EXPECT_EQ(median_face({}, typical).left[0], 0.3);
+}
+
+TEST(QuietFace, IsFoundWhileSomebodyIsWatched) {
+  const AuWeights known = weights();
+  RunningQuietFace running(known);
+  const auto film = a_smiling_film();
+  EXPECT_EQ(running.watch(0, film[0]).left_of(SideMeasure::CornerUp), -0.02);
+  double last = 0;
+  for (std::size_t picture = 1; picture < film.size(); ++picture) {
+    last = running.watch(0.04 * static_cast<double>(picture), film[picture])
+               .left_of(SideMeasure::CornerUp);
+  }
+  EXPECT_NEAR(last, -0.02, 0.01);
+}
+
+}  // namespace
+}  // namespace aucast::mesh
