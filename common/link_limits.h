@@ -26,6 +26,8 @@ struct Limits {
   int keep_alive_probes = 0;            ///< ... and so many go without an answer.
   /// Something is under way to it and has not been acknowledged, or not been taken.
   Milliseconds unanswered_time{0};
+
+  std::size_t frame_bytes = 0;  ///< of one frame of a WebSocket; longer ones are refused
 };
 
 /// How connections are accepted.

@@ -85,6 +85,12 @@ inline constexpr std::size_t kHttpConnectionsMax = 32;        ///< at a time; mo
 inline constexpr std::size_t kHttpHeadBytesMax = 4096;        ///< ours need a hundred
 inline constexpr std::chrono::milliseconds kHttpTimeMax{5000};
 
+inline constexpr std::size_t kWebFrameBytesMax = 65536;  ///< payload of a client's WebSocket frame
+inline constexpr std::size_t kWebConnectionsMax = 256;   ///< that are no WebSocket, at a time
+inline constexpr std::size_t kWebHeadBytesMax = 8192;    ///< browsers send cookies of others, too
+/// Longest time in which nothing of a file is taken by who asked for it.
+inline constexpr std::chrono::milliseconds kWebStallTimeMax{20'000};
+
 /// Keyframes that a classic server may send ahead of the answers while the user pauses.
 inline constexpr std::size_t kOwedAnswersMax = 128;
 inline constexpr std::chrono::milliseconds kFarewellTimeMax{1000};  ///< for -4 to go out

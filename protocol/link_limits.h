@@ -7,8 +7,8 @@ namespace aucast::protocol {
 
 /// The limits of every connection of both programs.
 inline constexpr link::Limits kLinkLimits{
-    kTlsHandshakeTimeMax, kDrainTimeMax,      kDrainBytesMax,   kOutputBytesMax,
-    kKeepAliveIdle,       kKeepAliveInterval, kKeepAliveProbes, kUnansweredTimeMax};
+    kTlsHandshakeTimeMax, kDrainTimeMax,    kDrainBytesMax,     kOutputBytesMax,  kKeepAliveIdle,
+    kKeepAliveInterval,   kKeepAliveProbes, kUnansweredTimeMax, kWebFrameBytesMax};
 
 inline constexpr link::AcceptLimits kAcceptLimits{kAcceptsInARow, kAcceptPause};
 

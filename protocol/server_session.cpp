@@ -50,6 +50,7 @@ struct ServerSession::State {
 
   const ServerCatalogue* catalogue = nullptr;
   TokenCount token_count;
+  Silence silence = Silence::Classic;
   Delivery delivery;
   std::optional<HelloAsked> asked;  ///< nothing: classic
   ClientPacketDecoder decoder;
@@ -141,6 +142,10 @@ void ServerSession::State::refuse(int code, const std::string& text) {
 
 void ServerSession::State::start_streaming() {
   if (delivery.level() == Level::Classic && !permitted({})) return;
+  if (delivery.level() == Level::Classic && silence == Silence::Refused) {
+    refuse(400, "a hello is needed here, as the very first bytes");
+    return;
+  }
   if (no_room != nullptr) {
     close(Why::Refused, no_room);
     return;
@@ -382,16 +387,17 @@ void ServerSession::State::settle_peer_end() {
 }
 
 ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
-                             Admission admission, TokenCount token_count)
+                             Admission admission, TokenCount token_count, Silence silence)
     : state_((AUCAST_CHECK(!catalogue.streams.empty()),
               std::make_unique<State>(catalogue, token_count, now))) {
+  state_->silence = silence;
   if (admission == Admission::Full) state_->no_room = "the server is full";
   if (admission == Admission::FullAddress) state_->no_room = "too many clients from this address";
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
-  // Where a token is needed nobody is served without a hello, so it may take its time.
-  state_->deadline =
-      now + (catalogue.token.empty() ? std::clamp<Duration>(patience, kGraceMin, kGraceMax)
-                                     : Duration(kHelloTimeMax));
+  // Where nobody is served without a hello it may take its time.
+  const bool hello_needed = silence == Silence::Refused || !catalogue.token.empty();
+  state_->deadline = now + (hello_needed ? Duration(kHelloTimeMax)
+                                         : std::clamp<Duration>(patience, kGraceMin, kGraceMax));
 }
 
 ServerSession::~ServerSession() = default;

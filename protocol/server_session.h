@@ -59,6 +59,12 @@ enum class Admission : std::uint8_t {
   FullAddress,  ///< the same, because too many clients come from its address
 };
 
+/// What a client that says no hello is to a server.
+enum class Silence : std::uint8_t {
+  Classic,  ///< one of level 1
+  Refused,  ///< it gets {error 400 ...}, and all of kHelloTimeMax to begin: over a WebSocket
+};
+
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
 /// windowed sending, pause, stop, end, drain. Live, a client that may be sent something gets the
 /// newest moment; those between it and the last one sent are merged into it, which for states
@@ -73,7 +79,8 @@ class ServerSession {
  public:
   /// `round_trip`: measured on the connection, zero if unknown; sets the grace for a first byte.
   ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
-                Admission admission = Admission::Welcome, TokenCount token_count = {});
+                Admission admission = Admission::Welcome, TokenCount token_count = {},
+                Silence silence = Silence::Classic);
   ~ServerSession();
   ServerSession(ServerSession&&) noexcept;
   ServerSession& operator=(ServerSession&&) noexcept;

@@ -21,8 +21,7 @@ class SocketLink final : public link::Link, public std::enable_shared_from_this<
   ~SocketLink() override;
 
   void start(link::LinkUser& user) override;
-  /// From now on `user` is told, in place of the one before.
-  void hand_over(link::LinkUser& user) { user_ = &user; }
+  void hand_over(link::LinkUser& user) override { user_ = &user; }
   void write(std::string_view bytes) override;
   void finish() override;
   void close() override;

@@ -20,6 +20,7 @@ struct Ending {
     Untrusted,  ///< a certificate is not accepted, by us or by the peer
     TlsFailed,  ///< anything else that went wrong with TLS, a slow handshake among it
     NotMade,    ///< of a link that dials itself: it never opened
+    WebSocketFailed,  ///< the peer's frames break the rules of WebSocket
   };
   Why why = Why::Finished;
   std::string reason{};  ///< a clause for the user; peer text escaped
@@ -41,14 +42,15 @@ class LinkUser {
   virtual void on_room() = 0;
   /// The time asked for by wake_at() has come.
   virtual void on_time() = 0;
-  /// TLS has failed. What is still to be sent is drained, then on_closed() says the same.
+  /// TLS or the WebSocket has failed. What is still to be sent is drained, then on_closed() says
+  /// the same.
   virtual void on_failure(const Ending& /*failure*/) {}
   /// The link has closed; nothing is told any more. Does not come after close().
   virtual void on_closed(const Ending& ending) = 0;
 };
 
-/// One byte connection: dialled or accepted, plain or TLS, over TCP or over another link. Its user
-/// sees plain bytes, one timer and now(), and knows neither socket nor clock.
+/// One byte connection: dialled or accepted, plain, TLS or WebSocket, over TCP or over another
+/// link. Its user sees plain bytes, one timer and now(), and knows neither socket nor clock.
 ///
 /// finish() drains, by the same rule everywhere: what was written is sent to the end, the sending
 /// side is shut, and what still comes is read and dropped until the peer ends, so that no reset
@@ -64,6 +66,8 @@ class Link {
 
   /// Begins. `user` must live until on_closed() or close().
   virtual void start(LinkUser& user) = 0;
+  /// Of a link that is open: from now on `user` is told, in place of the one before.
+  virtual void hand_over(LinkUser& user) = 0;
   /// Sends at once what the system takes at once; the rest waits. Ignored after finish().
   virtual void write(std::string_view bytes) = 0;
   /// Nothing more will be written: drains, then on_closed(). Nothing else is told meanwhile.

@@ -59,6 +59,8 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
     go_on();
   }
 
+  void hand_over(LinkUser& user) override { user_ = &user; }
+
   /// Written here and not by a completion, which would cost more than a packet does.
   void write(std::string_view bytes) override {
     if (closed_ || broken_ || finishing_) return;

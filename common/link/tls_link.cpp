@@ -41,6 +41,7 @@ class TlsLink final : public Link, public LinkUser, public std::enable_shared_fr
     user_ = &user;
     below_->start(*this);
   }
+  void hand_over(LinkUser& user) override { user_ = &user; }
   void write(std::string_view bytes) override {
     if (failure_ || finishing_) return;
     channel_.send(bytes);

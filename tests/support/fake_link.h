@@ -59,6 +59,7 @@ class FakeLink final : public link::Link {
     user_ = &user;
     if (opens_at_once) open();
   }
+  void hand_over(link::LinkUser& user) override { user_ = &user; }
   void write(std::string_view bytes) override {
     if (finished_ || closed_) return;
     waiting_ += bytes;

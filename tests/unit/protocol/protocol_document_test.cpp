@@ -178,6 +178,10 @@ TEST(ProtocolDocument, LimitsAreThoseOfTheHeader) {
       {"kHttpConnectionsMax", kHttpConnectionsMax},
       {"kHttpHeadBytesMax", kHttpHeadBytesMax},
       {"kHttpTimeMax", kHttpTimeMax.count()},
+      {"kWebFrameBytesMax", kWebFrameBytesMax},
+      {"kWebConnectionsMax", kWebConnectionsMax},
+      {"kWebHeadBytesMax", kWebHeadBytesMax},
+      {"kWebStallTimeMax", kWebStallTimeMax.count()},
       {"kOwedAnswersMax", kOwedAnswersMax},
       {"kFarewellTimeMax", kFarewellTimeMax.count()},
   };

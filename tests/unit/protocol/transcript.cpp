@@ -126,13 +126,19 @@ ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
   return catalogue;
 }
 
+Silence silence_of(const std::vector<Line>& lines) {
+  const bool refused = std::any_of(lines.begin(), lines.end(),
+                                   [](const Line& line) { return line.verb == "websocket"; });
+  return refused ? Silence::Refused : Silence::Classic;
+}
+
 class ServerReplay {
  public:
   explicit ServerReplay(const std::vector<Line>& lines)
       : lines_(lines),
         catalogue_(catalogue_of(lines)),
         live_(make_live(lines, catalogue_)),
-        session_(catalogue_, {}, now_) {}
+        session_(catalogue_, {}, now_, Admission::Welcome, {}, silence_of(lines)) {}
 
   std::string run() {
     for (const Line& line : lines_) {
@@ -369,7 +375,7 @@ std::string unknown_verb(const std::vector<Line>& lines) {
       "stream", "loop",    "live",     "client",   "for",      "C>",        "S>",
       "t",      "C end",   "C breaks", "C stores", "C pauses", "C resumes", "C ends",
       "C is",   "S end",   "S stops",  "S closes", "S is",     "token",     "voice",
-      "title",  "caption", "C hears",  "C reads"};
+      "title",  "caption", "C hears",  "C reads",  "websocket"};
   for (const Line& line : lines) {
     if (std::find(kKnown.begin(), kKnown.end(), line.verb) == kKnown.end()) {
       return at(line, "'" + line.verb + "' is none of the words of a transcript");

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "common/link/link.h"
+#include "common/link_limits.h"
+
+namespace aucast::link {
+
+/// A WebSocket over a link that is open, whose user so far has read the request for it; start()
+/// takes that link over, sends `answer`, the reply to the request, and opens. What is written
+/// becomes text messages, what comes as text is handed on as bytes. A peer that sends its Close, or
+/// ends without one, is told as lost, for a WebSocket cannot be half-closed.
+[[nodiscard]] std::shared_ptr<Link> web_link(std::shared_ptr<Link> below, std::string answer,
+                                             const Limits& limits);
+
+}  // namespace aucast::link
