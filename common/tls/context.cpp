@@ -3,6 +3,7 @@
 #include <openssl/err.h>
 #include <openssl/pem.h>
 #include <openssl/ssl.h>
+#include <openssl/x509v3.h>
 
 #include <string_view>
 #include <utility>
@@ -73,11 +74,11 @@ bool use_key(SSL_CTX* context, BIO* pem) {
 }
 
 /// What is said of the key's file; empty: nothing.
-Result<std::string> use_own(SSL_CTX* context, const Files& files) {
+Result<std::string> use_own(SSL_CTX* context, const Files& files, const std::string& options) {
   const auto certificate = read_file(files.certificate, kPemBytesMax);
-  if (!certificate) return with_option(certificate.error(), "--tls-cert");
+  if (!certificate) return with_option(certificate.error(), options + "-cert");
   const auto key = read_secret_file(files.key, kPemBytesMax);
-  if (!key) return with_option(key.error(), "--tls-key");
+  if (!key) return with_option(key.error(), options + "-key");
   if (!use_chain(context, bio_of(*certificate).get())) {
     return bad_file(files.certificate, "is no certificate in PEM form");
   }
@@ -136,11 +137,11 @@ Error no_library() {
 
 }  // namespace
 
-Result<Context> Context::for_server(const Files& files) {
+Result<Context> Context::for_server(const Files& files, const std::string& options) {
   auto context = make(TLS_server_method());
   if (!context) return no_library();
   SSL_CTX_set_options(context.get(), SSL_OP_CIPHER_SERVER_PREFERENCE);
-  auto warning = use_own(context.get(), files);
+  auto warning = use_own(context.get(), files, options);
   if (!warning) return warning.error();
   if (!files.authorities.empty()) {
     auto believed = believe(context.get(), files.authorities, "--tls-client-ca", true);
@@ -148,6 +149,22 @@ Result<Context> Context::for_server(const Files& files) {
     SSL_CTX_set_verify(context.get(), SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT, nullptr);
   }
   return Context(std::move(context), true, std::move(*warning));
+}
+
+std::vector<std::string> Context::names() const {
+  std::vector<std::string> names;
+  const X509* const own = SSL_CTX_get0_certificate(context_.get());
+  if (own == nullptr) return names;
+  const std::unique_ptr<GENERAL_NAMES, decltype(&GENERAL_NAMES_free)> all(
+      static_cast<GENERAL_NAMES*>(X509_get_ext_d2i(own, NID_subject_alt_name, nullptr, nullptr)),
+      GENERAL_NAMES_free);
+  for (int i = 0; i < sk_GENERAL_NAME_num(all.get()); ++i) {
+    const GENERAL_NAME* const name = sk_GENERAL_NAME_value(all.get(), i);
+    if (name->type != GEN_DNS) continue;
+    const auto* const text = reinterpret_cast<const char*>(ASN1_STRING_get0_data(name->d.dNSName));
+    names.emplace_back(text, static_cast<std::size_t>(ASN1_STRING_length(name->d.dNSName)));
+  }
+  return names;
 }
 
 Result<Context> Context::for_client(const Files& files) {
@@ -160,7 +177,7 @@ Result<Context> Context::for_client(const Files& files) {
     return believed.error();
   }
   Result<std::string> warning = std::string();
-  if (!files.certificate.empty()) warning = use_own(context.get(), files);
+  if (!files.certificate.empty()) warning = use_own(context.get(), files, "--tls");
   if (!warning) return warning.error();
   SSL_CTX_set_verify(context.get(), SSL_VERIFY_PEER, nullptr);
   return Context(std::move(context), false, std::move(*warning));

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "common/result.h"
 
@@ -26,11 +27,15 @@ class Context {
  public:
   /// Needs certificate and key. With `authorities` clients must show a certificate of theirs.
   /// Unreadable or BadData naming the file and the cause.
-  [[nodiscard]] static Result<Context> for_server(const Files& files);
+  /// `options`: how the options that name the files begin, for the message.
+  [[nodiscard]] static Result<Context> for_server(const Files& files,
+                                                  const std::string& options = "--tls");
   /// Without `authorities` the system's are believed. Certificate and key are for servers that want
   /// to know who comes.
   [[nodiscard]] static Result<Context> for_client(const Files& files);
 
+  /// The DNS names that our own certificate is for; "*.example.org" among them.
+  [[nodiscard]] std::vector<std::string> names() const;
   /// For the log: other users have access to the key; else empty.
   [[nodiscard]] const std::string& warning() const { return warning_; }
 

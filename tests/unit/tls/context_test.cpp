@@ -18,6 +18,14 @@ void expect_error(const Result<Context>& made, ErrorKind kind, const std::string
   EXPECT_NE(made.error().message.find(text), std::string::npos) << made.error().message;
 }
 
+TEST(TlsContext, KnowsTheNamesOfItsCertificate) {
+  test::Authority authority;
+  const test::Certificate own = authority.issue("own", "DNS:au.example,IP:10.0.0.7,DNS:*.b");
+  EXPECT_EQ(Context::for_server({own.file, own.key, {}})->names(),
+            (std::vector<std::string>{"au.example", "*.b"}));
+  EXPECT_TRUE(Context::for_client({{}, {}, authority.file()})->names().empty());
+}
+
 TEST(TlsContext, NamesTheFileThatIsWrong) {
   test::Authority authority;
   const test::Certificate own = authority.issue("own", "DNS:a");
@@ -26,6 +34,8 @@ TEST(TlsContext, NamesTheFileThatIsWrong) {
   const auto junk = folder.write("junk.pem", "no certificate\n");
 
   EXPECT_TRUE(Context::for_server({own.file, own.key, {}}));
+  expect_error(Context::for_server({"/nowhere/a.pem", own.key, {}}, "--web"), ErrorKind::Unreadable,
+               "(--web-cert)");
   expect_error(Context::for_server({"/nowhere/a.pem", own.key, {}}), ErrorKind::Unreadable,
                "/nowhere/a.pem: cannot be read: No such file or directory (--tls-cert)");
   expect_error(Context::for_server({own.file, "/nowhere/a.key", {}}), ErrorKind::Unreadable,
