@@ -205,12 +205,13 @@ int serve_until_signal(const TransmitterOptions& options, Repertoire repertoire)
   Stats stats;
   const auto served = serve(
       options, std::move(repertoire), stats,
-      [&options](const std::string& address) -> Result<void> {
+      [&options](const ReadyAt& where) -> Result<void> {
         // At the end it would be too late to choose another.
         if (!options.stats.empty()) {
           if (auto can = check_writable(options.stats); !can) return can;
         }
-        return print("listening on " + address + "\n");
+        return print("listening on " + where.address + "\n" +
+                     (where.web.empty() ? "" : "web on " + where.web + "\n"));
       },
       [&options] { return load_repertoire(options); });
   if (!served) return report(served.error());

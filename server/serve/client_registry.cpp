@@ -10,7 +10,7 @@ namespace aucast::server {
 
 void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
                              std::shared_ptr<const protocol::ServerCatalogue> catalogue,
-                             const OpenLink& open_link) {
+                             const OpenLink& open_link, Way way) {
   const AddressKey address = address_key(peer.address());
   const protocol::Admission admission = admission_of(address);
   const bool refused = admission != protocol::Admission::Welcome;
@@ -22,16 +22,17 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
   const std::uint64_t number = ++last_number_;
   auto connection = std::make_shared<Connection>(
       open_link(), std::move(catalogue),
-      Connection::Settings{number, link::endpoint_text(peer), &log_, options_.client_timeout,
-                           admission, options_.batch,
-                           protocol::TokenCount{&wrong_tokens_, address}},
+      Connection::Settings{
+          number, link::endpoint_text(peer), &log_, options_.client_timeout, admission,
+          options_.batch, protocol::TokenCount{&wrong_tokens_, address},
+          way == Way::Tcp ? protocol::Silence::Classic : protocol::Silence::Refused},
       [this](const ClientRecord& record) { farewell(record); });
   if (refused) {
     ++refused_;
   } else {
     of_address_.add(address);
   }
-  clients_.emplace(number, Client{connection, refused, address});
+  clients_.emplace(number, Client{connection, refused, address, way});
   connection->start();
 }
 
@@ -90,6 +91,7 @@ void ClientRegistry::describe(Status& status, Instant now) const {
   for (const auto& [number, client] : clients_) {
     const Connection& connection = *client.connection;
     status.sent.add(connection.so_far());
+    if (client.way == Way::WebSocket) ++status.clients_web;
     if (connection.paused()) ++status.clients_paused;
     if (const auto since = connection.unsent_since()) {
       ++status.clients_behind;

@@ -13,9 +13,9 @@
 #include "protocol/server_session.h"
 #include "protocol/wrong_tokens.h"
 #include "server/serve/address_counts.h"
-#include "server/serve/client_log.h"
 #include "server/serve/connection.h"
 #include "server/settings/transmitter_options.h"
+#include "server/status/client_log.h"
 #include "server/status/stats.h"
 #include "server/status/status.h"
 
@@ -35,10 +35,13 @@ class ClientRegistry {
   ClientRegistry(const ClientRegistry&) = delete;
   ClientRegistry& operator=(const ClientRegistry&) = delete;
 
+  /// How a client has come.
+  enum class Way : std::uint8_t { Tcp, WebSocket };
+
   /// Somebody knocks. While as many as possible are being refused the link is not even opened.
   void welcome(const asio::ip::tcp::endpoint& peer,
                std::shared_ptr<const protocol::ServerCatalogue> catalogue,
-               const OpenLink& open_link);
+               const OpenLink& open_link, Way way = Way::Tcp);
 
   /// A live stream has moved on.
   void on_moment();
@@ -61,6 +64,7 @@ class ClientRegistry {
     std::shared_ptr<Connection> connection;
     bool refused = false;  ///< it is heard only to be told so
     AddressKey address = 0;
+    Way way = Way::Tcp;
   };
 
   [[nodiscard]] protocol::Admission admission_of(AddressKey address) const;

@@ -32,7 +32,7 @@ void Connection::start() {
 
 void Connection::on_open() {
   session_.emplace(*catalogue_, link_->round_trip(), link_->now(), settings_.admission,
-                   settings_.token_count);
+                   settings_.token_count, settings_.silence);
   go_on();
 }
 
@@ -90,8 +90,9 @@ void Connection::on_closed(const link::Ending& ending) {
 }
 
 void Connection::on_failure(const link::Ending& failure) {
+  const bool frames = failure.why == link::Ending::Why::WebSocketFailed;
   finish_sending();
-  note_end("tls failed", failure.reason, false);
+  note_end(frames ? "protocol error" : "tls failed", failure.reason, false);
 }
 
 void Connection::stop() {

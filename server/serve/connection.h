@@ -12,7 +12,7 @@
 #include "common/link/link.h"
 #include "common/time.h"
 #include "protocol/server_session.h"
-#include "server/serve/client_log.h"
+#include "server/status/client_log.h"
 #include "server/status/stats.h"
 
 namespace aucast::server {
@@ -38,6 +38,7 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
     protocol::Admission admission = protocol::Admission::Welcome;
     Milliseconds batch{0};  ///< --batch: how long small writes wait for more; 0: they do not
     protocol::TokenCount token_count;  ///< of wrong ones; outlives the connection
+    protocol::Silence silence = protocol::Silence::Classic;
   };
 
   /// `on_closed` is called once, when the link is closed.

@@ -11,6 +11,7 @@ namespace aucast::server {
 
 struct Credentials {
   std::optional<tls::Context> tls;  ///< nothing: plain connections
+  std::optional<tls::Context> web;  ///< of --web, likewise
   std::string token;                ///< empty: none is needed
 };
 

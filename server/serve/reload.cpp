@@ -23,6 +23,7 @@ Result<void> Reload::read_credentials() {
   auto loaded = load_credentials(files_);
   if (!loaded) return loaded.error();
   tls_ = std::move(loaded->tls);
+  web_tls_ = std::move(loaded->web);
   programme_.set_token(std::move(loaded->token));
   return {};
 }

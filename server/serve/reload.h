@@ -41,6 +41,8 @@ class Reload {
 
   /// The certificates in use; nothing: plain connections.
   [[nodiscard]] const std::optional<tls::Context>& tls() const { return tls_; }
+  /// Those of --web, likewise.
+  [[nodiscard]] const std::optional<tls::Context>& web_tls() const { return web_tls_; }
   /// Sources are being read.
   [[nodiscard]] bool running() const { return running_; }
   [[nodiscard]] std::uint64_t successes() const { return successes_; }
@@ -58,6 +60,7 @@ class Reload {
   Load load_;
   OnDone on_done_;
   std::optional<tls::Context> tls_;
+  std::optional<tls::Context> web_tls_;
   std::uint64_t successes_ = 0;
   std::uint64_t failures_ = 0;
   bool running_ = false;

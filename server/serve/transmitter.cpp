@@ -25,6 +25,7 @@
 #include "server/status/http_server.h"
 #include "server/status/service_manager.h"
 #include "server/status/status.h"
+#include "server/web/web_server.h"
 
 namespace aucast::server {
 namespace {
@@ -61,16 +62,19 @@ class Transmitter {
     if (auto read = reload_.read_credentials(); !read) return read.error();
     if (auto opened = open_listeners(); !opened) return opened.error();
     if (auto opened = programme_.open_sources(); !opened) return opened.error();
-    const std::string address = link::endpoint_text(listener_.endpoint());
-    if (auto ready = on_ready(address); !ready) return ready.error();
+    const ReadyAt where{link::endpoint_text(listener_.endpoint()),
+                        web_ ? link::endpoint_text(web_->endpoint()) : ""};
+    if (auto ready = on_ready(where); !ready) return ready.error();
     say_who_can_connect();
     begin_ = std::chrono::steady_clock::now();
     await_end_signal();
     await_other_signal();
     programme_.begin();
     listener_.start([this](tcp::socket socket, const tcp::endpoint& peer) {
-      welcome(std::move(socket), peer);
+      welcome(
+          peer, [&] { return link_of(std::move(socket)); }, ClientRegistry::Way::Tcp);
     });
+    if (web_) web_->start();
     if (http_) http_->start();
     manager_.ready(summary());
     tick();
@@ -89,6 +93,32 @@ class Transmitter {
       return opened;
     }
     if (*passed) spdlog::info("the service manager passed the socket; --bind and --port are idle");
+    if (auto opened = open_web(); !opened) return opened;
+    return open_http();
+  }
+
+  Result<void> open_web() {
+    if (!options_.web.address) return {};
+    web_.emplace(io_, options_.web,
+                 WebServer::Hooks{
+                     [this]() -> const std::optional<tls::Context>& { return reload_.web_tls(); },
+                     [this] { return programme_.unsent_bytes_max(); },
+                     [this](const tcp::endpoint& peer, const WebServer::OpenLink& open_link) {
+                       welcome(peer, open_link, ClientRegistry::Way::WebSocket);
+                     }});
+    auto opened = web_->open();
+    if (!opened) return opened;
+    const bool secure = reload_.web_tls().has_value();
+    spdlog::info("browsers are served at {}://{}/", secure ? "https" : "http",
+                 link::endpoint_text(web_->endpoint()));
+    if (!secure && !web_->endpoint().address().is_loopback()) {
+      spdlog::warn(
+          "without --web-cert everybody on the way can read and change what the page gets");
+    }
+    return {};
+  }
+
+  Result<void> open_http() {
     if (!options_.http) return {};
     http_.emplace(io_, [this](const std::string& path) {
       return routes_.answer(path, programme_.stopped(), std::chrono::steady_clock::now());
@@ -110,10 +140,11 @@ class Transmitter {
     }
   }
 
-  void welcome(tcp::socket socket, const tcp::endpoint& peer) {
+  void welcome(const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
+               ClientRegistry::Way way) {
     // However many knock at once, those who watch are not kept waiting for them.
     programme_.catch_up();
-    clients_.welcome(peer, programme_.catalogue(), [&] { return link_of(std::move(socket)); });
+    clients_.welcome(peer, programme_.catalogue(), open_link, way);
   }
 
   [[nodiscard]] std::shared_ptr<link::Link> link_of(tcp::socket socket) const {
@@ -148,7 +179,7 @@ class Transmitter {
     Status status;
     status.up_seconds = seconds(now - begin_);
     status.stopping = programme_.stopped();
-    status.accept_failures = listener_.failures();
+    status.accept_failures = listener_.failures() + (web_ ? web_->accept_failures() : 0);
     status.reloads = reload_.successes();
     status.reload_failures = reload_.failures();
     programme_.describe(status);
@@ -205,6 +236,7 @@ class Transmitter {
     spdlog::info("{}: ending the stream of {}", why, counted(clients_.size(), "client"));
     manager_.stopping();
     listener_.stop();
+    if (web_) web_->stop();
     programme_.stop();
     clients_.stop();
     if (clients_.empty()) {
@@ -244,6 +276,7 @@ class Transmitter {
   Programme programme_;
   Reload reload_;
   HttpRoutes routes_;
+  std::optional<WebServer> web_;
   std::optional<HttpServer> http_;
   Instant begin_{};
 };

@@ -16,8 +16,14 @@ namespace aucast::server {
 /// off then. The whole exit takes less than the promised two seconds.
 inline constexpr Milliseconds kStopTimeMax{1700};
 
-/// Called when connections can come, with ADDR:PORT; an error ends serve() before any is accepted.
-using OnReady = std::function<Result<void>(const std::string& address)>;
+/// Where connections can come to, as ADDR:PORT.
+struct ReadyAt {
+  std::string address;
+  std::string web;  ///< of --web; empty: there is none
+};
+
+/// Called when connections can come; an error ends serve() before any is accepted.
+using OnReady = std::function<Result<void>(const ReadyAt& where)>;
 
 /// How serving came to its end.
 struct Ending {

@@ -9,6 +9,7 @@ namespace aucast::server {
 /// Where the secrets are: files that the operator may replace while the transmitter runs.
 struct CredentialFiles {
   tls::Files tls;               ///< no certificate: plain connections
+  tls::Files web;               ///< of --web, likewise
   std::filesystem::path token;  ///< empty: none is needed
   friend bool operator==(const CredentialFiles&, const CredentialFiles&) = default;
 };

@@ -1,5 +1,9 @@
 #include "server/settings/option_table.h"
 
+#include <system_error>
+
+#include <asio/ip/address.hpp>
+
 namespace aucast::server {
 namespace {
 
@@ -13,13 +17,21 @@ constexpr std::string_view kNoTimeout = "is not a number of seconds from 0 (neve
 /// More than a process can have descriptors.
 constexpr std::int64_t kMaxClientsMost = 1'000'000;
 
-Complaint read_http(const std::string& word, std::optional<HttpAddress>& http) {
+Complaint read_address(const std::string& word, std::optional<HttpAddress>& address) {
   const std::size_t colon = word.rfind(':');
   const auto port = number_of<std::uint16_t>(std::string_view(word).substr(colon + 1));
   if (colon == std::string::npos || colon == 0 || !port) {
     return "is not ADDR:PORT, such as 127.0.0.1:9465";
   }
-  http = HttpAddress{word.substr(0, colon), *port};
+  address = HttpAddress{word.substr(0, colon), *port};
+  return std::nullopt;
+}
+
+Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies) {
+  std::error_code none;
+  static_cast<void>(asio::ip::make_address(word, none));
+  if (none) return "is not an IP address";
+  proxies.push_back(word);
   return std::nullopt;
 }
 
@@ -152,8 +164,8 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
   return {
       {"tls-cert", "FILE", "", "certificate; turns TLS on",
        "The certificate, followed in the same file by those of the intermediate "
-       "authorities (PEM). SIGHUP reads it again, as it does --tls-key, --tls-client-ca and "
-       "--token-file; connected clients stay.",
+       "authorities (PEM). SIGHUP reads it again, as it does --tls-key, --tls-client-ca, "
+       "--web-cert, --web-key and --token-file; connected clients stay.",
        word(files.tls.certificate)},
       {"tls-key", "FILE", "", "its private key",
        "PEM. Only the transmitter should be able to read it.", word(files.tls.key)},
@@ -165,6 +177,33 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
        "anything, and so is every classic client, which cannot send one. Without TLS anyone "
        "on the path can read it.",
        word(files.token)},
+  };
+}
+
+std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
+  return {
+      {"web", "ADDR:PORT", "", "page for browsers",
+       "The player as a web page at / and the protocol over WebSocket at /aucast "
+       "(http://ADDR:PORT/). The line \"web on ADDR:PORT\" follows \"listening on\" when it is "
+       "ready. --max-clients, --token-file and all other limits hold for both. Without "
+       "--web-cert whoever is not on this host should come through a proxy that speaks https.",
+       parsed(Kind::Word, read_address, web.address)},
+      {"web-cert", "FILE", "", "its certificate",
+       "The certificate for --web, followed in the same file by those of the intermediate "
+       "authorities (PEM): https and wss in place of http and ws. SIGHUP reads it again.",
+       word(files.certificate)},
+      {"web-key", "FILE", "", "and key", "The private key of --web-cert (PEM).", word(files.key)},
+      {"web-host", "NAME", "", "its other names",
+       "A name that --web answers for, beside IP addresses, localhost and the names of "
+       "--web-cert: its own, or that of a proxy before it. Pages of these names may watch by "
+       "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "
+       "label. May be repeated.",
+       words(web.hosts)},
+      {"web-trusted-proxy", "ADDR", "", "believe its X-Forwarded-For",
+       "The IP address of a reverse proxy: of its requests the client is the one that it names "
+       "last in X-Forwarded-For, as --max-clients-per-address and the log have it. May be "
+       "repeated.",
+       parsed(Kind::Words, read_proxy, web.trusted_proxies)},
   };
 }
 
@@ -180,7 +219,7 @@ std::vector<OptionRow> status_rows(TransmitterOptions& options) {
        "transmitter stops, /metrics is in Prometheus' text format, /status.json has the "
        "same as one object. Only GET, one request for each connection, 32 connections at a "
        "time. There is no password: keep it to this host (127.0.0.1:PORT).",
-       parsed(Kind::Word, read_http, options.http)},
+       parsed(Kind::Word, read_address, options.http)},
   };
 }
 
@@ -226,6 +265,7 @@ std::vector<OptionRow> option_rows(TransmitterOptions& options) {
   append(rows, sending_rows(options));
   append(rows, connection_rows(options));
   append(rows, credential_rows(options.credentials));
+  append(rows, web_rows(options.web, options.credentials.web));
   append(rows, status_rows(options));
   append(rows, program_rows(options));
   append(rows, help_rows());

@@ -115,6 +115,14 @@ Result<void> validate(const TransmitterOptions& options) {
   if (!options.credentials.tls.authorities.empty() && options.credentials.tls.certificate.empty()) {
     return usage("--tls-client-ca needs --tls-cert and --tls-key");
   }
+  if (options.credentials.web.certificate.empty() != options.credentials.web.key.empty()) {
+    return usage("--web-cert and --web-key go together");
+  }
+  const bool any_web = !options.credentials.web.certificate.empty() || !options.web.hosts.empty() ||
+                       !options.web.trusted_proxies.empty();
+  if (any_web && !options.web.address) {
+    return usage("--web-cert, --web-host and --web-trusted-proxy need --web");
+  }
   if (options.client_timeout.count() < 0) return usage("--client-timeout is negative");
   return {};
 }

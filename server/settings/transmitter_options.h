@@ -18,11 +18,19 @@
 
 namespace aucast::server {
 
-/// Where --http answers.
+/// Where --http or --web answers.
 struct HttpAddress {
   std::string address;     ///< of this host; brackets allowed
   std::uint16_t port = 0;  ///< 0: any free one
   friend bool operator==(const HttpAddress&, const HttpAddress&) = default;
+};
+
+/// The page and the WebSocket for browsers.
+struct WebOptions {
+  std::optional<HttpAddress> address;        ///< nothing: there is none
+  std::vector<std::string> hosts;            ///< names that it answers for, of pages that may watch
+  std::vector<std::string> trusted_proxies;  ///< addresses whose X-Forwarded-For is believed
+  friend bool operator==(const WebOptions&, const WebOptions&) = default;
 };
 
 /// Everything that au-transmitter's command line says.
@@ -47,6 +55,7 @@ struct TransmitterOptions {
   VoiceOptions voice;                           ///< the sound beside the faces
   bool skip_bad = false;                        ///< broken sources are left out
   std::optional<HttpAddress> http;              ///< nothing: no status by HTTP
+  WebOptions web;                               ///< the page for browsers
   std::filesystem::path record;                 ///< file or folder for live streams; empty: none
   LiveSourceSettings live_source;               ///< how those are served that are being written
   UpstreamSettings upstream;                    ///< streams of other servers

@@ -97,7 +97,8 @@ std::vector<std::string> status_lines(const Status& status) {
   for (const std::string& name : status.streams) names += " " + name;
   std::vector<std::string> lines = {
       "status: up " + duration_text(status.up_seconds) + "; clients " + text(status.clients) +
-          ", paused " + text(status.clients_paused) + ", behind " + text(status.clients_behind),
+          ", web " + text(status.clients_web) + ", paused " + text(status.clients_paused) +
+          ", behind " + text(status.clients_behind),
       "status: came " + text(status.connects) + ", left " + text(sum_of(status.disconnects)) +
           reasons + ", closed unheard " + text(status.connects_unheard) + ", accept failures " +
           text(status.accept_failures),
@@ -130,6 +131,8 @@ std::string metrics_text(const Status& status) {
   gauge(text, "aucast_streams", "Streams that are served.",
         static_cast<double>(status.streams.size()));
   gauge(text, "aucast_clients", "Connected now.", static_cast<double>(status.clients));
+  gauge(text, "aucast_clients_web", "Of those, by WebSocket.",
+        static_cast<double>(status.clients_web));
   gauge(text, "aucast_clients_paused", "Of those, paused.",
         static_cast<double>(status.clients_paused));
   gauge(text, "aucast_clients_behind", "Of those, something waits for them to take it.",
@@ -187,6 +190,7 @@ std::string status_json(const Status& status) {
                     {"stopping", status.stopping},
                     {"streams", status.streams},
                     {"clients", status.clients},
+                    {"clients_web", status.clients_web},
                     {"clients_paused", status.clients_paused},
                     {"clients_behind", status.clients_behind},
                     {"connects", status.connects},

@@ -28,6 +28,7 @@ struct Status {
   bool stopping = false;               ///< nobody is accepted any more
   std::vector<std::string> streams;    ///< names; the first is what a classic client gets
   std::uint64_t clients = 0;           ///< connected now
+  std::uint64_t clients_web = 0;       ///< of those: by WebSocket
   std::uint64_t clients_paused = 0;    ///< of those
   std::uint64_t clients_behind = 0;    ///< of those: something waits for them to take it
   std::uint64_t connects = 0;          ///< since the start

@@ -31,7 +31,9 @@ inline std::string joined(const std::vector<std::string>& packets) {
 /// au-transmitter on a free port of the loopback, ready to be connected to.
 class RunningTransmitter {
  public:
-  explicit RunningTransmitter(std::vector<std::string> arguments) : served_(std::move(arguments)) {
+  explicit RunningTransmitter(std::vector<std::string> arguments,
+                              std::vector<std::string> variables = {})
+      : served_(std::move(arguments), std::move(variables)) {
     EXPECT_FALSE(address().empty()) << log();
   }
 

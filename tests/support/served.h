@@ -11,8 +11,9 @@ namespace aucast::test {
 /// The real au-transmitter, serving on a free port of this host for as long as the object lives.
 class Served {
  public:
-  /// `arguments`: sources and options beside --port 0.
-  explicit Served(std::vector<std::string> arguments);
+  /// `arguments`: sources and options beside --port 0; `variables` of the environment as
+  /// NAME=VALUE.
+  explicit Served(std::vector<std::string> arguments, std::vector<std::string> variables = {});
 
   /// HOST:PORT, empty when it did not get ready (see process().err()).
   [[nodiscard]] const std::string& address() const { return address_; }

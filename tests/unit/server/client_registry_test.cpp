@@ -25,12 +25,16 @@ class ClientRegistryTest : public TalkFixture {
     return *registry_;
   }
   /// Somebody from there connects; nullptr: no link was opened for them.
-  std::shared_ptr<FakeLink> knock(const std::string& address = "10.0.0.1") {
+  std::shared_ptr<FakeLink> knock(const std::string& address = "10.0.0.1",
+                                  ClientRegistry::Way way = ClientRegistry::Way::Tcp) {
     std::shared_ptr<FakeLink> link;
-    registry().welcome({asio::ip::make_address(address), 50000}, catalogue_, [&link] {
-      link = std::make_shared<FakeLink>();
-      return link;
-    });
+    registry().welcome(
+        {asio::ip::make_address(address), 50000}, catalogue_,
+        [&link] {
+          link = std::make_shared<FakeLink>();
+          return link;
+        },
+        way);
     return link;
   }
   static std::string ask(FakeLink& link, std::string_view bytes) {
@@ -103,6 +107,19 @@ TEST_F(ClientRegistryTest, ParallelGuessesOfATokenAreAsManyAsOneAddressMayBeWron
   guessing.front()->end({});
   EXPECT_TRUE(ask(*knock(), "{hello token=word}").starts_with("{error 503 too many wrong tokens"));
   EXPECT_TRUE(ask(*knock("10.0.0.2"), "{hello token=word}").starts_with("{hello "));
+}
+
+TEST_F(ClientRegistryTest, WhoComesByWebSocketIsCountedAndNeedsAHello) {
+  const auto web = knock("10.0.0.1", ClientRegistry::Way::WebSocket);
+  const auto tcp = knock();
+  EXPECT_EQ(status().clients, 2U);
+  EXPECT_EQ(status().clients_web, 1U);
+  web->advance(4s);
+  EXPECT_EQ(web->heard(), "") << "classic does not begin";
+  EXPECT_TRUE(ask(*web, "{hello v=2}").starts_with("{hello "));
+  EXPECT_TRUE(ask(*knock("10.0.0.1", ClientRegistry::Way::WebSocket), "1")
+                  .starts_with("{error 400 a hello is needed"));
+  EXPECT_EQ(ask(*tcp, "1"), "{1}{2}");
 }
 
 TEST_F(ClientRegistryTest, AMomentReachesEverybodyAlthoughSomeLeaveMeanwhile) {

@@ -149,6 +149,15 @@ TEST(TransmitterOptions, ValidateWalksEveryField) {
     bad.client_timeout = Milliseconds(-1);
     EXPECT_FALSE(validate(bad));
   }
+  {
+    auto bad = good;
+    bad.web.hosts = {"a"};
+    EXPECT_FALSE(validate(bad)) << "without --web";
+    bad.web.address = HttpAddress{"127.0.0.1", 8080};
+    EXPECT_TRUE(validate(bad));
+    bad.credentials.web.certificate = "a.pem";
+    EXPECT_FALSE(validate(bad)) << "without its key";
+  }
 }
 
 TEST(TransmitterOptions, HelpIsOneScreenAndComplete) {

@@ -1,4 +1,4 @@
-#include "server/serve/client_log.h"
+#include "server/status/client_log.h"
 
 #include <chrono>
 

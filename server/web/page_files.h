@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "common/result.h"
+#include "common/web/http.h"
+
+namespace aucast::server {
+
+/// Bytes that several connections may be sending.
+using SharedBytes = std::shared_ptr<const std::string>;
+
+/// A reply whose body may be large: it is not copied.
+struct PageReply {
+  web::HttpReply head;
+  SharedBytes body;  ///< null: `head` has its own
+};
+
+/// The files of the page, read once. Thread: none of its own.
+class PageFiles {
+ public:
+  /// All regular files below `folder`, but those whose names begin with a dot; NAME.gz beside NAME
+  /// is the same compressed. No folder: no files. Unreadable naming the file and the cause.
+  [[nodiscard]] static Result<PageFiles> read(const std::filesystem::path& folder);
+
+  /// There is a page, for which "/" stands.
+  [[nodiscard]] bool has_page() const { return files_.contains("/index.html"); }
+  [[nodiscard]] std::size_t size() const { return files_.size(); }
+
+  /// What a request for one of them gets: the file, compressed if that is accepted, or 304 if the
+  /// asker has it; else 404.
+  [[nodiscard]] PageReply reply(const web::HttpRequest& request) const;
+
+ private:
+  struct File {
+    std::string type;
+    SharedBytes plain;
+    SharedBytes compressed;  ///< null: there is none
+    std::string plain_tag;   ///< ETag, in quotes
+    std::string compressed_tag;
+  };
+
+  std::map<std::string, File, std::less<>> files_;  ///< by path: "/index.html"
+};
+
+/// Content-Type by a file's extension.
+[[nodiscard]] std::string content_type(const std::filesystem::path& file);
+
+}  // namespace aucast::server

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+
+#include "common/link/link.h"
+#include "common/link/listener.h"
+#include "common/result.h"
+#include "common/time.h"
+#include "common/tls/context.h"
+#include "server/settings/transmitter_options.h"
+#include "server/status/client_log.h"
+#include "server/web/page_files.h"
+
+namespace aucast::server {
+
+/// --web: gives the page's files, and makes a WebSocket of a request for /aucast, on the loop that
+/// serves the clients. One request a connection. Bounded: kWebConnectionsMax connections that are
+/// no WebSocket, each with kHttpTimeMax and kWebHeadBytesMax for its request, and kWebStallTimeMax
+/// in which a file must move on; one more closes the oldest, those first that have not asked yet.
+/// Thread: that of the io_context, which must outlive it together with what the hooks refer to.
+class WebServer {
+ public:
+  using OpenLink = std::function<std::shared_ptr<link::Link>()>;
+
+  /// What it takes from the transmitter.
+  struct Hooks {
+    /// The certificate of now; nothing: plain connections.
+    std::function<const std::optional<tls::Context>&()> tls;
+    /// What the system may hold back unsent for one client; 0: as much as it likes.
+    std::function<int()> held_back_max;
+    /// Somebody comes by WebSocket. Opens the link, unless there is no room even to say so.
+    std::function<void(const asio::ip::tcp::endpoint& peer, const OpenLink& open_link)> welcome;
+  };
+
+  /// `options`, with an address, must outlive it.
+  WebServer(asio::io_context& io, const WebOptions& options, Hooks hooks);
+  ~WebServer();
+  WebServer(const WebServer&) = delete;
+  WebServer& operator=(const WebServer&) = delete;
+
+  /// Reads the page and listens; a page that is missing is said in the log. Unreadable, or Network
+  /// error naming address, cause and what to do.
+  [[nodiscard]] Result<void> open();
+  void start();
+  /// Nobody is accepted any more.
+  void stop() { listener_.stop(); }
+
+  [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return listener_.endpoint(); }
+  [[nodiscard]] std::uint64_t accept_failures() const { return listener_.failures(); }
+
+ private:
+  class Exchange;
+
+  [[nodiscard]] Result<void> read_page();
+  void welcome(asio::ip::tcp::socket socket, const asio::ip::tcp::endpoint& peer);
+  [[nodiscard]] std::shared_ptr<link::Link> link_of(asio::ip::tcp::socket socket) const;
+  [[nodiscard]] std::vector<std::string> names() const;
+
+  link::Listener listener_;
+  const WebOptions& options_;
+  Hooks hooks_;
+  PageFiles files_;
+  ClientLog log_;
+  std::vector<std::shared_ptr<Exchange>> exchanges_;  ///< in the order they came
+};
+
+}  // namespace aucast::server
