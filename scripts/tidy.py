@@ -17,7 +17,7 @@ LINE_MAX = 100
 FUNCTION_MAX = 70
 FILE_MAX = 600
 
-SERVER = {"common", "common/mesh", "common/sources", "common/tls", "common/web", "common/voice",
+SERVER = {"common", "common/camera", "common/mesh", "common/sources", "common/tls", "common/web", "common/voice",
           "common/link",
           "protocol"}
 APP = SERVER | {"client/" + room for room in
@@ -28,6 +28,7 @@ APP = SERVER | {"client/" + room for room in
 MAY_INCLUDE = {
     "common": set(),
     "common/link": {"common", "common/tls", "common/web"},
+    "common/camera": {"common", "common/mesh"},
     "common/mesh": {"common"},
     "common/sources": {"common", "protocol"},
     "common/tls": {"common"},

@@ -225,7 +225,14 @@ int serve_until_signal(const TransmitterOptions& options, Repertoire repertoire)
 }
 
 int convert(std::vector<std::string> arguments) {
-  const auto converted = run_convert(std::move(arguments));
+  bool progress = false;
+  const auto say = [&progress](const std::string& text) {
+    progress = true;
+    std::fprintf(stderr, "\r%s\033[K", printable(text).c_str());
+  };
+  const bool seen = ::isatty(STDERR_FILENO) != 0;
+  const auto converted = run_convert(std::move(arguments), seen ? SayProgress(say) : nullptr);
+  if (progress) std::fputs("\r\033[K", stderr);
   if (!converted) return report(converted.error());
   if (const auto printed = print(converted->text); !printed) return report(printed.error());
   std::fputs(converted->said.c_str(), stderr);

@@ -12,6 +12,12 @@ constexpr double kDistanceSeconds = 1;
 constexpr std::array<std::size_t, 2> kDistanceChannels{channel_of(kHeadForward, false),
                                                        channel_of(kHeadForward, true)};
 
+/// Of head or eyes, the distance apart.
+bool is_turn(std::size_t channel) {
+  const std::size_t number = channel % kAuCount;
+  return (number >= 51 && number <= 56) || (number >= 61 && number <= 64);
+}
+
 bool knows_distance(const Signals& neutral) {
   return is_signal(neutral[kDistanceChannels[0]]);
 }
@@ -66,7 +72,9 @@ Signals neutral_with(const ConditioningSettings& settings, const MeasuredNeutral
     if (is_signal(measured.signals[channel])) neutral[channel] = measured.signals[channel];
   };
   if (settings.neutral_seconds) {
-    for (std::size_t channel = 0; channel < kChannels; ++channel) take(channel);
+    for (std::size_t channel = 0; channel < kChannels; ++channel) {
+      if (!settings.neutral_turns_only || is_turn(channel)) take(channel);
+    }
   } else {
     for (const std::size_t channel : kDistanceChannels) take(channel);
   }

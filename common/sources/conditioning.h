@@ -19,11 +19,16 @@ struct Profile {
   std::optional<OneEuroSettings> filter;  ///< nothing: off
 };
 
+/// As `neutral_seconds`: without an end; NeutralMeter stops counting after ten minutes.
+inline constexpr double kWholeRecordingSeconds = 1e9;
+
 /// What happens to a recogniser's signals; as it stands here, nothing but the dead band.
 struct ConditioningSettings {
   Profile profile;
   /// The first seconds of a face, above 0, are its neutral one and go before the profile's.
   std::optional<double> neutral_seconds;
+  /// Of the neutral face only where head and eyes turn.
+  bool neutral_turns_only = false;
   bool distance = false;  ///< the head's distance is shown, as AUs 57 and 58
 };
 

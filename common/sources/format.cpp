@@ -5,7 +5,7 @@ namespace {
 
 /// Formats that need no curves. Py-Feat 2 has ARKit's curves beside its AUs.
 std::unique_ptr<Format> open_aus(const CsvReader& table) {
-  for (const auto open : {open_openface, open_pyfeat, open_plain}) {
+  for (const auto open : {open_camera_table, open_openface, open_pyfeat, open_plain}) {
     if (auto format = open(table)) return format;
   }
   return nullptr;

@@ -42,6 +42,8 @@ class Format {
 
 // === One per family: the format, or null when the columns are not its own.
 
+/// What our own camera and film readers write.
+[[nodiscard]] std::unique_ptr<Format> open_camera_table(const CsvReader& table);
 /// OpenFace 1 and 2, and FACSvatar's cleaned form of them.
 [[nodiscard]] std::unique_ptr<Format> open_openface(const CsvReader& table);
 /// Py-Feat, both detectors.

@@ -8,6 +8,9 @@ namespace {
 /// No median gets better by more values than this; a faster source gives every second row or less.
 constexpr double kRowsMax = 2000;
 
+/// Nor by what comes later than this.
+constexpr double kSecondsMax = 600;
+
 /// What moments, which are sums of steps, may be off by.
 constexpr double kRounding = 1e-6;
 
@@ -34,7 +37,8 @@ bool NeutralMeter::add(double seconds, const Signals& signals) {
   }
   if (std::none_of(signals.begin(), signals.end(), is_signal)) return true;
   if (!begin_) begin_ = seconds;
-  if (last_ && seconds - *last_ < wanted_ / kRowsMax) return true;
+  if (seconds - begin_.value_or(seconds) >= kSecondsMax) return true;
+  if (last_ && seconds - *last_ < std::min(wanted_, kSecondsMax) / kRowsMax) return true;
   last_ = seconds;
   ++rows_;
   for (std::size_t channel = 0; channel < kChannels; ++channel) {

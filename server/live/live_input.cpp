@@ -34,11 +34,13 @@ bool can_be_waited_for(int descriptor) {
 
 }  // namespace
 
-LiveInput::LiveInput(asio::io_context& io, std::filesystem::path path, bool follow, Events events)
+LiveInput::LiveInput(asio::io_context& io, std::filesystem::path path, bool follow, Events events,
+                     Opener open)
     : io_(io),
       path_(std::move(path)),
       follow_(follow),
       events_(std::move(events)),
+      open_(std::move(open)),
       stream_(io),
       notify_(io),
       timer_(io),
@@ -50,6 +52,7 @@ LiveInput::~LiveInput() {
 }
 
 Result<int> LiveInput::open_path() const {
+  if (open_) return open_();
   // Of stdin a copy: closing ours must not close it. Not O_NONBLOCK, which whoever shares it with
   // us would get too.
   const int descriptor = path_ == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
@@ -138,7 +141,7 @@ void LiveInput::read_stream() {
 /// A FIFO may get another writer; a pipe does not.
 void LiveInput::stream_ended() {
   std::error_code ignored;
-  if (path_ == "-") {
+  if (path_ == "-" || open_) {
     ended_ = true;
     stream_.close(ignored);
     events_.on_end();

@@ -31,8 +31,14 @@ class LiveInput {
     std::function<void(const std::string& why)> on_anew;
   };
 
-  /// `follow`: a regular file is read on when it grows.
-  LiveInput(asio::io_context& io, std::filesystem::path path, bool follow, Events events);
+  /// Opens something else than the path: a descriptor that can be waited for. When it ends, nothing
+  /// more comes.
+  using Opener = std::function<Result<int>()>;
+
+  /// `follow`: a regular file is read on when it grows. `open`: instead of the path, if it is
+  /// there.
+  LiveInput(asio::io_context& io, std::filesystem::path path, bool follow, Events events,
+            Opener open = {});
   ~LiveInput();
   LiveInput(const LiveInput&) = delete;
   LiveInput& operator=(const LiveInput&) = delete;
@@ -65,6 +71,7 @@ class LiveInput {
   std::filesystem::path path_;
   bool follow_;
   Events events_;
+  Opener open_;
   asio::posix::stream_descriptor stream_;  ///< of what can be waited for
   asio::posix::stream_descriptor notify_;  ///< inotify, of a growing file
   asio::steady_timer timer_;

@@ -4,6 +4,9 @@
 #include <string_view>
 #include <utility>
 
+#include "common/log.h"
+#include "server/streams/source_path.h"
+
 namespace aucast::server {
 
 LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, LiveStreams::Events events,
@@ -19,11 +22,8 @@ LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, LiveStre
                 streams_.caught_up(clock_());
                 go_on();
               },
-              [this] {
-                streams_.end_input(clock_(), input_.ended());
-                go_on();
-              },
-              [this](const std::string& why) { streams_.begin_anew(why); }}),
+              [this] { on_end(); }, [this](const std::string& why) { streams_.begin_anew(why); }},
+             opener(options)),
       timer_(io) {
   if (options.voice.empty()) return;
   voice_.emplace(
@@ -33,6 +33,29 @@ LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, LiveStre
                           go_on();
                         },
                         [] {}, [this] { streams_.end_voice(); }, [](const std::string&) {}});
+}
+
+/// A camera's rows come through a pipe; everything else is opened by its path.
+LiveInput::Opener LiveSource::opener(const LiveSourceOptions& options) {
+  const auto device = camera_device(options.path);
+  if (!device) return {};
+  camera::CameraOptions asked = options.camera;
+  asked.device = *device;
+  return [this, asked, quiet = options.quiet]() -> Result<int> {
+    auto camera = camera::CameraFeed::start(asked, quiet);
+    if (!camera) return camera.error();
+    camera_ = std::move(*camera);
+    return camera_->take_rows();
+  };
+}
+
+void LiveSource::on_end() {
+  if (camera_) {
+    const std::string why = camera_->complaint();
+    spdlog::warn("the camera gives no more pictures{}", why.empty() ? "" : "; ffmpeg says: " + why);
+  }
+  streams_.end_input(clock_(), input_.ended());
+  go_on();
 }
 
 Result<void> LiveSource::start() {

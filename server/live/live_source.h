@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "common/camera/camera_feed.h"
 #include "common/result.h"
 #include "common/time.h"
 #include "server/live/live_input.h"
@@ -34,10 +36,13 @@ class LiveSource {
   [[nodiscard]] const LiveStreams& streams() const { return streams_; }
 
  private:
+  [[nodiscard]] LiveInput::Opener opener(const LiveSourceOptions& options);
+  void on_end();
   void go_on();
 
   Clock clock_;
   LiveStreams streams_;
+  std::unique_ptr<camera::CameraFeed> camera_;
   LiveInput input_;
   std::optional<LiveInput> voice_;
   asio::steady_timer timer_;

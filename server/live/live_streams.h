@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/camera/film_reader.h"
+#include "common/camera/picture_source.h"
 #include "common/result.h"
 #include "common/sources/live_queue.h"
 #include "common/sources/live_reader.h"
@@ -36,6 +38,8 @@ struct LiveSourceOptions {
   Milliseconds voice_delay{0};
   /// Called when the neutral face of the first stream was asked for and has been measured.
   std::function<void(const sources::MeasuredNeutral&)> on_neutral;
+  camera::CameraOptions camera;  ///< if the path is one
+  camera::QuietOptions quiet;    ///< of a camera
 };
 
 /// What becomes of a source that is still being written: reader -> queue -> thinning -> feed. What

@@ -11,6 +11,7 @@
 #include "protocol/endpoint.h"
 #include "protocol/limits.h"
 #include "server/streams/catalogue.h"
+#include "server/streams/film_source.h"
 #include "server/streams/source_path.h"
 #include "server/upstream/upstream_options.h"
 
@@ -87,8 +88,9 @@ Result<void> Programme::open_sources() {
 
 Result<void> Programme::open(const std::filesystem::path& path,
                              const sources::ConditioningSettings& conditioning) {
-  const sources::LiveOptions reader{options_.source.recording, options_.source.rate, conditioning,
-                                    options_.keyframe_ms};
+  const sources::LiveOptions reader{
+      options_.source.recording, options_.source.rate,
+      camera_device(path) ? without_neutral(conditioning) : conditioning, options_.keyframe_ms};
   LiveSourceOptions source_options;
   source_options.path = path;
   source_options.follow = options_.live_source.follow;
@@ -107,6 +109,8 @@ Result<void> Programme::open(const std::filesystem::path& path,
     source_options.encoder = options_.voice.encoder;
     source_options.voice_delay = options_.voice.delay;
   }
+  source_options.camera = options_.source.camera;
+  source_options.quiet = quiet_of(options_.source.signal);
   source_options.on_neutral = [this](const auto& neutral) { on_neutral(neutral); };
   auto source = std::make_unique<LiveSource>(io_, std::move(source_options),
                                              LiveStreams::Events{[this] { on_moment_of_source(); },

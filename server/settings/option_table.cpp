@@ -37,7 +37,7 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
-      {"source", "SOURCE", "", "files, folders, - and FIFOs (live), aucast://HOST/NAME",
+      {"source", "SOURCE", "", "files, films; -, FIFOs, camera (live); aucast://HOST",
        "A stream file, or a recording of an AU recogniser, told by its content, or a folder: "
        "its .txt and .csv files become sources, in order of their names. A stream has the name "
        "of its file without the extension; a client that asks for no name, and every classic "
@@ -47,7 +47,11 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "clients here; aucasts:// over TLS. Of several hosts the next is taken when one is "
        "lost. What is live there is live here; a recorded stream is kept and served from its "
        "beginning while it still comes, which one in a loop cannot be. SIGHUP leaves relayed "
-       "streams as they are.",
+       "streams as they are. "
+       "A film (.mp4, .mov, .mkv, .webm, .avi and others, "
+       "through ffmpeg) is read for the face in it; camera is the camera /dev/video0 and "
+       "camera:DEVICE another one, live. Both need the models that "
+       "scripts/install_models.sh fetches.",
        words(options.sources), "Sources", Where::Positional},
       {"follow", "", "", "send what is appended",
        "Files are live sources too. What a file already holds is past; the face starts from its "
@@ -262,6 +266,7 @@ std::vector<OptionRow> option_rows(TransmitterOptions& options) {
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
   append(rows, voice_rows(options.voice));
+  append(rows, camera_rows(options.source.camera));
   append(rows, sending_rows(options));
   append(rows, connection_rows(options));
   append(rows, credential_rows(options.credentials));

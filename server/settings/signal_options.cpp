@@ -43,6 +43,15 @@ void apply(const std::vector<AuNumber>& numbers, sources::PerAu& table) {
   }
 }
 
+Complaint read_neutral(const std::string& word, SignalOptions& options) {
+  options.neutral_auto = word == "auto";
+  options.neutral_seconds = number_of<double>(word);
+  const double seconds = options.neutral_seconds.value_or(-1);
+  if (options.neutral_auto || (seconds >= 0 && seconds <= kNeutralSecondsMax)) return std::nullopt;
+  options.neutral_seconds.reset();
+  return "is neither auto nor a number of seconds from 0 (no neutral face) to 60";
+}
+
 Complaint read_gain(const std::string& word, std::vector<AuNumber>& gain) {
   auto numbers = read_au_numbers(word, sources::kGainMax);
   if (!numbers) return "is not a list of numbers from 0 to 10, such as 1.2 or 45=1.6,L12=1.2";
@@ -87,13 +96,15 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "(back), 100 % for 14 mm, relative to the neutral face or, without one, to the first "
        "second. Heads move further than that: --gain 57=0.1,58=0.1 makes it 14 cm.",
        flag(options.distance)},
-      {"neutral", "SECONDS", "", "subtract the median face of the first SECONDS",
+      {"neutral", "SECONDS", "", "subtract the median face of the first SECONDS, or auto",
        "Up to 60 seconds, starting at the first row with a face. The median of each AU and "
        "of the rotations of head and eyes is the neutral face, which is subtracted from "
        "every row. A live source subtracts the median so far while it measures. 0: no "
-       "neutral face, whatever the profile has.",
-       real(options.neutral_seconds, 0, kNeutralSecondsMax,
-            "is not a number of seconds from 0 (no neutral face) to 60")},
+       "neutral face, whatever the profile has. auto, which films and cameras do unless told "
+       "otherwise: head and eyes are straight where they mostly are, and the neutral face is "
+       "that of the quietest moments; of a table, whose AUs stay as they are, only head and "
+       "eyes are straightened.",
+       parsed(OptionValue::Kind::Number, read_neutral, options)},
       {"gain", "LIST", "", "multiply intensities: 1.2, or 45=1.6,L12=1.2 (1)",
        "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "
        "for AU 45, L12=1.2 for the left side of AU 12; later ones win. Applied after the "
@@ -140,7 +151,10 @@ Result<sources::ConditioningSettings> conditioning_of(const SignalOptions& optio
   if (settings.profile.filter && settings.profile.filter->min_cutoff_hz == 0) {
     settings.profile.filter.reset();
   }
-  if (measures_neutral(options)) {
+  if (options.neutral_auto) {
+    settings.neutral_seconds = sources::kWholeRecordingSeconds;
+    settings.neutral_turns_only = true;
+  } else if (measures_neutral(options)) {
     settings.neutral_seconds = options.neutral_seconds;
   } else if (options.neutral_seconds) {
     settings.profile.neutral = sources::no_signals();
@@ -150,7 +164,7 @@ Result<sources::ConditioningSettings> conditioning_of(const SignalOptions& optio
 }
 
 bool measures_neutral(const SignalOptions& options) {
-  return options.neutral_seconds.value_or(0) > 0;
+  return options.neutral_auto || options.neutral_seconds.value_or(0) > 0;
 }
 
 Result<void> save_profile(const SignalOptions& options,

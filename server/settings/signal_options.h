@@ -24,6 +24,7 @@ struct SignalOptions {
   std::filesystem::path profile;                   ///< empty: none
   std::filesystem::path save_profile;              ///< empty: none is written
   std::optional<double> neutral_seconds;           ///< 0: no neutral face, not the profile's either
+  bool neutral_auto = false;                       ///< asked for; what films and cameras do anyway
   std::vector<AuNumber> gain;                      ///< in this order, on top of the profile's
   std::vector<AuNumber> dead_band;                 ///< the same
   std::optional<sources::OneEuroSettings> filter;  ///< a min_cutoff_hz of 0: none

@@ -1,6 +1,7 @@
 #include "server/settings/source_options.h"
 
 #include "common/sources/resample.h"
+#include "common/text.h"
 
 namespace aucast::server {
 namespace {
@@ -38,7 +39,32 @@ Complaint read_face_id(const std::string& word, sources::RecordingOptions& recor
   return "is neither a whole number nor all";
 }
 
+Complaint read_size(const std::string& word, camera::CameraOptions& camera) {
+  const auto sides = split(word, 'x');
+  const auto width = number_of<int>(sides[0]);
+  const auto height = sides.size() == 2 ? number_of<int>(sides[1]) : std::nullopt;
+  const auto possible = [](std::optional<int> side) {
+    return side && *side >= 16 && *side <= 8192;
+  };
+  if (!possible(width) || !possible(height)) return "is not WIDTHxHEIGHT, such as 1280x720";
+  camera.width = *width;
+  camera.height = *height;
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<OptionRow> camera_rows(camera::CameraOptions& options) {
+  return {
+      {"camera-size", "WxH", "640x480", "",
+       "The size that a camera is asked for. Faces are read from 640 pixels at most.",
+       parsed(Kind::Word, read_size, options)},
+      {"camera-fps", "N", "30", "",
+       "The pictures a second that a camera is asked for, 1 to 120. Those that come while "
+       "the one before is read are dropped.",
+       whole(options.fps, 1, 120)},
+  };
+}
 
 std::vector<OptionRow> recording_rows(SourceOptions& options) {
   sources::RecordingOptions& recording = options.recording;

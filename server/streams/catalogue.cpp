@@ -17,6 +17,7 @@
 #include "protocol/endpoint.h"
 #include "protocol/spoken_stream.h"
 #include "protocol/stream_file.h"
+#include "server/streams/film_source.h"
 #include "server/streams/memory.h"
 #include "server/streams/source_path.h"
 #include "server/streams/thinning.h"
@@ -135,7 +136,11 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     streams.push_back({.path = path, .name = stem, .live = true});
     return streams;
   }
-  const auto text = sources::read_text(path);
+  if (camera_device(path)) {
+    return Error{ErrorKind::Usage, "a camera is live: it can be served, not described"};
+  }
+  const bool film = camera::is_film(path);
+  const auto text = film ? film_text(path, reading.source.signal) : sources::read_text(path);
   if (!text) return text.error();
   const auto beside = accompaniment_of(path, reading.encoding.voice, reading.first);
   if (!beside) return beside.error();
@@ -156,8 +161,9 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
   }
   const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
   if (auto can = check_memory(path, lines * kWholeBytes); !can) return can.error();
-  auto contents = sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
-                                         reading.conditioning);
+  auto contents =
+      sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
+                             film ? without_neutral(reading.conditioning) : reading.conditioning);
   if (!contents) return contents.error();
   for (sources::SourceContent& content : *contents) {
     const bool one_of_several = content.found && content.found->all_taken;

@@ -1,6 +1,8 @@
 #include "server/streams/convert_command.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "common/files.h"
@@ -11,6 +13,7 @@
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
 #include "server/settings/source_options.h"
+#include "server/streams/film_source.h"
 
 namespace aucast::server {
 namespace {
@@ -21,7 +24,9 @@ Error usage(std::string message) {
 
 struct ConvertOptions {
   std::filesystem::path in;
-  std::filesystem::path out;  ///< "-": stdout
+  std::filesystem::path out;                ///< "-": stdout
+  std::vector<std::filesystem::path> more;  ///< with `to`: OUT and these are sources too
+  std::filesystem::path to;                 ///< a folder; empty: there is OUT
   std::uint32_t keyframe_ms = 250;
   SourceOptions source;
   bool mend = false;  ///< the input is a stream file that may have been cut off
@@ -30,14 +35,20 @@ struct ConvertOptions {
 std::vector<OptionRow> rows_of(ConvertOptions& options) {
   using Where = OptionRow::Where;
   std::vector<OptionRow> rows{
-      {"in", "IN", "", "a stream file, or a recording of an AU recogniser",
+      {"in", "IN", "", "a stream file, a recording of an AU recogniser, a film",
        "A stream file, or a table of OpenFace 1 or 2, FACSvatar, Py-Feat, LibreFace, FaceReader, "
-       "iMotions, Live Link Face or MediaPipe, told by its columns.",
+       "iMotions, Live Link Face or MediaPipe, told by its columns; or a film of a face, "
+       "told by its ending (.mp4, .mov, .mkv, .webm, .avi and others).",
        word(options.in), "", Where::Positional},
       {"out", "OUT", "", "the stream file; - for stdout; NAME.csv: OpenFace 2",
        "The stream file to write, or - for stdout. A name in .csv is written as a table of "
        "OpenFace 2.",
        word(options.out), "", Where::Positional},
+      {"more", "IN...", "", "", "With --to, more sources.", words(options.more), "",
+       Where::Positional},
+      {"to", "DIR", "", "write each source to DIR/NAME.txt instead of OUT",
+       "Every name is a source then, and each becomes a stream file of its name in this folder.",
+       word(options.to)},
       {"mend", "", "", "IN is a stream file that a power cut has truncated",
        "IN is a stream file that a power cut has truncated: converts what is intact.",
        flag(options.mend)},
@@ -51,8 +62,11 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
 }
 
 Result<void> validate(const ConvertOptions& options) {
-  if (options.in.empty() || options.out.empty())
+  if (options.in.empty() || (options.out.empty() && options.to.empty()))
     return usage("convert needs two files, IN and OUT");
+  if (options.to.empty() && !options.more.empty()) {
+    return usage("convert takes two files, IN and OUT, or more with --to DIR");
+  }
   if (options.source.recording.all_faces) {
     return usage("convert writes one stream; --face-id all is for serving, name one face");
   }
@@ -80,16 +94,48 @@ std::string sides_sentence(std::size_t uneven) {
   return "; it knows no sides: the stronger one of " + std::to_string(uneven) + " keyframes";
 }
 
-Result<Converted> convert(const ConvertOptions& options) {
+/// What is seen in a film.
+Result<sources::SourceContent> read_seen(const ConvertOptions& options,
+                                         const sources::ConditioningSettings& conditioning,
+                                         const SayProgress& say) {
+  const std::string name = options.in.filename().string();
+  const auto on_progress = [&](const camera::FilmProgress& progress) {
+    std::string text = name + ": " + std::to_string(static_cast<int>(progress.seconds)) + " s";
+    if (progress.whole) {
+      const double part = std::min(progress.seconds / *progress.whole, 1.0);
+      text += ", " + std::to_string(static_cast<int>(100 * part)) + " %";
+    }
+    say(text);
+  };
+  const auto text =
+      film_text(options.in, options.source.signal,
+                say ? on_progress : std::function<void(const camera::FilmProgress&)>());
+  if (!text) return text.error();
+  auto contents = sources::parse_streams(*text, options.in.string(), options.source.recording,
+                                         without_neutral(conditioning));
+  if (!contents) return contents.error();
+  sources::SourceContent& content = contents->front();
+  if (options.source.rate) {
+    content.stream = sources::resample(content.stream, *options.source.rate, options.keyframe_ms);
+  }
+  return std::move(content);
+}
+
+Result<sources::SourceContent> read_any(const ConvertOptions& options,
+                                        const sources::ConditioningSettings& conditioning,
+                                        const SayProgress& say, std::string& said) {
+  if (options.mend) return read_cut_off(options, said);
+  if (camera::is_film(options.in)) return read_seen(options, conditioning, say);
+  return sources::read_source(options.in, {options.source.recording, options.source.rate,
+                                           conditioning, options.keyframe_ms});
+}
+
+Result<Converted> convert(const ConvertOptions& options, const SayProgress& say) {
   const SignalOptions& signal = options.source.signal;
   const auto conditioning = conditioning_of(signal);
   if (!conditioning) return conditioning.error();
   std::string said = at_place(options.in.string(), "");
-  const auto content =
-      options.mend
-          ? read_cut_off(options, said)
-          : sources::read_source(options.in, {options.source.recording, options.source.rate,
-                                              *conditioning, options.keyframe_ms});
+  const auto content = read_any(options, *conditioning, say, said);
   if (!content) return content.error();
   if (!signal.save_profile.empty()) {
     if (measures_neutral(signal) && !content->found) {
@@ -118,9 +164,36 @@ Result<Converted> convert(const ConvertOptions& options) {
   return Converted{{}, std::move(said)};
 }
 
+/// Each source to a stream file of its name in the folder.
+Result<Converted> convert_each(const ConvertOptions& options, const SayProgress& say) {
+  std::vector<std::filesystem::path> sources{options.in};
+  if (!options.out.empty()) sources.push_back(options.out);
+  sources.insert(sources.end(), options.more.begin(), options.more.end());
+  std::set<std::string> names;
+  for (const std::filesystem::path& source : sources) {
+    if (!names.insert(source.stem().string()).second) {
+      return usage(at_place(source.string(), "another source is called '" +
+                                                 printable(source.stem().string()) +
+                                                 "' too; convert one of them alone"));
+    }
+  }
+  Converted all;
+  for (const std::filesystem::path& source : sources) {
+    ConvertOptions one = options;
+    one.in = source;
+    one.out = options.to / (source.stem().string() + ".txt");
+    auto converted = convert(one, say);
+    if (!converted) {
+      return Error{converted.error().kind, all.said + converted.error().message};
+    }
+    all.said += converted->said;
+  }
+  return all;
+}
+
 }  // namespace
 
-Result<Converted> run_convert(std::vector<std::string> arguments) {
+Result<Converted> run_convert(std::vector<std::string> arguments, const SayProgress& say) {
   ConvertOptions options;
   const std::vector<OptionRow> rows = rows_of(options);
   const auto typed = sort_arguments(rows, std::move(arguments));
@@ -128,21 +201,23 @@ Result<Converted> run_convert(std::vector<std::string> arguments) {
   if (typed->contains("help")) return Converted{help_text(convert_page()), {}};
   if (auto read = read_words(rows, *typed); !read) return read.error();
   if (auto valid = validate(options); !valid) return valid.error();
-  return convert(options);
+  return options.to.empty() ? convert(options, say) : convert_each(options, say);
 }
 
 CommandPage convert_page() {
   static ConvertOptions unused;
-  return {.program = "au-transmitter",
-          .command = "convert",
-          .usage = {"au-transmitter convert [OPTIONS] IN OUT"},
-          .about =
-              "Converts a recording or a stream file to a stream file or an OpenFace table,\n"
-              "with every change: no dead band applies.\n",
-          .rows = rows_of(unused),
-          .examples = {"au-transmitter convert webcam.csv talk.txt",
-                       "au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt",
-                       "au-transmitter convert talk.txt talk.csv"}};
+  return {
+      .program = "au-transmitter",
+      .command = "convert",
+      .usage = {"au-transmitter convert [OPTIONS] IN OUT",
+                "au-transmitter convert [OPTIONS] --to DIR IN..."},
+      .about =
+          "Converts a recording, a film or a stream file to a stream file or an OpenFace table,\n"
+          "with every change: no dead band applies.\n",
+      .rows = rows_of(unused),
+      .examples = {"au-transmitter convert webcam.csv talk.txt",
+                   "au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt",
+                   "au-transmitter convert lecture.mp4 lecture.txt"}};
 }
 
 }  // namespace aucast::server

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,15 @@ struct Converted {
   std::string said;  ///< for stderr: what was found and written; may be empty
 };
 
-/// `au-transmitter convert` from its arguments (without that word): reads a recording or a stream
-/// file and writes a stream file or, to a name in .csv, a table of OpenFace 2, whole or not at all.
-/// Nothing is lost but what a stream file cannot say (intensities are whole percent, times whole
-/// milliseconds) and, of a table, the sides.
-[[nodiscard]] Result<Converted> run_convert(std::vector<std::string> arguments);
+/// Is told how far it is, again and again: "lecture.mp4: 12 s, 34 %".
+using SayProgress = std::function<void(const std::string&)>;
+
+/// `au-transmitter convert` from its arguments (without that word): reads a recording, a film or a
+/// stream file and writes a stream file or, to a name in .csv, a table of OpenFace 2, whole or not
+/// at all. Nothing is lost but what a stream file cannot say (intensities are whole percent, times
+/// whole milliseconds) and, of a table, the sides.
+[[nodiscard]] Result<Converted> run_convert(std::vector<std::string> arguments,
+                                            const SayProgress& say = {});
 
 /// What --help and the manual page say of it.
 [[nodiscard]] CommandPage convert_page();

@@ -43,6 +43,9 @@ sources::ConditioningSettings settled(const SignalOptions& options) {
 
 TEST(SignalOptions, AreRead) {
   EXPECT_EQ(read_one("neutral", "2.5").neutral_seconds, 2.5);
+  EXPECT_EQ(read_one("neutral", "auto").neutral_seconds, std::nullopt);
+  EXPECT_TRUE(read_one("neutral", "auto").neutral_auto);
+  EXPECT_FALSE(read_one("neutral", "2").neutral_auto);
   EXPECT_EQ(read_one("gain", "1.2").gain, (std::vector<AuNumber>{{std::nullopt, 1.2}}));
   EXPECT_EQ(read_one("gain", "0.5,45=1.6,L12=2").gain,
             (std::vector<AuNumber>{
@@ -57,7 +60,7 @@ TEST(SignalOptions, AreRead) {
 TEST(SignalOptions, WrongWordsAreNamedWithTheirForm) {
   for (const char* word : {"-1", "61", "nan", "", "2s"}) {
     EXPECT_EQ(complaint("neutral", word),
-              "is not a number of seconds from 0 (no neutral face) to 60");
+              "is neither auto nor a number of seconds from 0 (no neutral face) to 60");
   }
   for (const char* word : {"-1", "11", "nan", "", "12=", "=2", "0=1", "12:2", "1,,2", "12=1,"}) {
     EXPECT_EQ(complaint("gain", word),

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "common/files.h"
 #include "server/settings/source_options.h"
 #include "server/streams/catalogue.h"
 #include "server/streams/check_report.h"
 #include "server/streams/convert_command.h"
+#include "server/streams/source_path.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
 
@@ -176,6 +178,72 @@ TEST(Convert, WrongCommandLinesAreRefused) {
   const auto in = folder.write("in.csv", sources::tables::kOpenFace1).string();
   EXPECT_EQ(run_convert({in, (folder.path() / "no" / "out").string()}).error().kind,
             ErrorKind::Failed);
+}
+
+TEST(Convert, WritesEachSourceToAFolder) {
+  const TempFolder folder;
+  const auto a = folder.write("a.csv", sources::tables::kOpenFace1).string();
+  const auto b = folder.write("b.txt", "Beg_Stream\n12;100\nEnd_Stream\n").string();
+  const auto c = folder.write("c.txt", "Beg_Stream\n1;100\nEnd_Stream\n").string();
+  std::filesystem::create_directory(folder.path() / "out");
+  const auto to = (folder.path() / "out").string();
+  const auto converted = run_convert({"--to", to, a, b, c});
+  ASSERT_TRUE(converted) << converted.error().message;
+  for (const char* name : {"a.txt", "b.txt", "c.txt"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
+  }
+  EXPECT_EQ(*read_file(folder.path() / "out" / "b.txt"), *read_file(b));
+  EXPECT_TRUE(run_convert({"--to", to, b}));
+  const auto twice = run_convert({"--to", to, a, folder.write("a.txt", "").string()});
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().kind, ErrorKind::Usage);
+  EXPECT_NE(twice.error().message.find("another source is called 'a' too"), std::string::npos);
+}
+
+TEST(Convert, AFilmThatIsNoneIsSaidSo) {
+  const TempFolder folder;
+  const auto none = run_convert({(folder.path() / "none.mp4").string(), "-"});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().kind, ErrorKind::Unreadable);
+  EXPECT_NE(none.error().message.find("none.mp4"), std::string::npos);
+}
+
+TEST(Convert, AutoStraightensTheHeadOfATableAndLeavesItsAus) {
+  const std::string table =
+      "frame,face_id,timestamp,confidence,success,pose_Tx,pose_Rx,pose_Ry,pose_Rz,AU12_r\n"
+      "1,0,0.0,0.98,1,0,0,0.2,0,1\n2,0,0.1,0.98,1,0,0,0.2,0,1\n3,0,0.2,0.98,1,0,0,0.2,0,1\n";
+  const TempFolder folder;
+  const auto in = folder.write("in.csv", table).string();
+  const auto asked = run_convert({"--neutral", "auto", in, "-"});
+  ASSERT_TRUE(asked) << asked.error().message;
+  EXPECT_EQ(asked->text, "Beg_Stream\n12:20;100\n12:20;100\n12:20;100\nEnd_Stream\n");
+  const auto as_it_is = run_convert({in, "-"});
+  ASSERT_TRUE(as_it_is);
+  EXPECT_NE(as_it_is->text.find("52:33"), std::string::npos) << as_it_is->text;
+}
+
+TEST(SourcePath, ACameraIsALiveSourceOfThatName) {
+  EXPECT_EQ(camera_device("camera"), "/dev/video0");
+  EXPECT_EQ(camera_device("camera:/dev/video2"), "/dev/video2");
+  EXPECT_EQ(camera_device("camera:"), std::nullopt);
+  EXPECT_EQ(camera_device("./camera"), std::nullopt);
+  EXPECT_EQ(camera_device("cameraman.txt"), std::nullopt);
+  EXPECT_EQ(stream_name("camera:/dev/video2"), "camera");
+  EXPECT_TRUE(is_live("camera", false));
+  const auto checked = load_sources({"camera"});
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().kind, ErrorKind::Usage);
+}
+
+TEST(CameraOptions, AreRead) {
+  camera::CameraOptions options;
+  const auto rows = camera_rows(options);
+  EXPECT_TRUE(read_words(rows, {{"camera-size", {"1280x720"}}, {"camera-fps", {"25"}}}));
+  EXPECT_EQ(options, (camera::CameraOptions{"/dev/video0", 1280, 720, 25}));
+  for (const char* word : {"1280", "x720", "1280x", "0x0", "640x480x3", "99999x10"}) {
+    EXPECT_FALSE(read_words(rows, {{"camera-size", {word}}})) << word;
+  }
+  EXPECT_FALSE(read_words(rows, {{"camera-fps", {"0"}}}));
 }
 
 TEST(Convert, HelpFitsOneScreen) {

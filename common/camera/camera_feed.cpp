@@ -1,0 +1,133 @@
+#include "common/camera/camera_feed.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <utility>
+
+#include "common/camera/face_table.h"
+#include "common/mesh/au_reader.h"
+#include "common/mesh/quiet_face.h"
+#include "common/text.h"
+
+namespace aucast::camera {
+namespace {
+
+double now_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Writing to a pipe that nobody reads must not end the program.
+void block_pipe_signal() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGPIPE);
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& options,
+                                                      const QuietOptions& quiet) {
+  auto models = load_face_models();
+  if (!models) return models.error();
+  auto pictures = PictureSource::open_camera(options);
+  if (!pictures) return pictures.error();
+  std::array<int, 2> ends{-1, -1};
+  if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+    return Error{ErrorKind::Failed,
+                 at_place(options.device, "cannot be read: " + system_reason(errno))};
+  }
+  return std::unique_ptr<CameraFeed>(
+      new CameraFeed(std::move(*pictures), std::move(*models), quiet, ends[0], ends[1]));
+}
+
+CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const QuietOptions& quiet,
+                       int rows, int write)
+    : pictures_(std::move(pictures)),
+      models_(std::move(models)),
+      quiet_(quiet),
+      rows_(rows),
+      write_(write),
+      taking_([this] { take_pictures(); }),
+      reading_([this] { read_faces(); }) {}
+
+CameraFeed::~CameraFeed() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_all();
+  if (taking_.joinable()) {
+    pictures_.stop();
+    taking_.join();
+  }
+  reading_.join();
+  if (rows_ >= 0) ::close(rows_);
+}
+
+int CameraFeed::take_rows() {
+  return std::exchange(rows_, -1);
+}
+
+std::string CameraFeed::complaint() {
+  if (taking_.joinable()) taking_.join();
+  return pictures_.complaint();
+}
+
+void CameraFeed::take_pictures() {
+  Picture picture;
+  while (pictures_.next(picture.rgb)) {
+    picture.seconds = now_seconds();
+    const std::lock_guard lock(mutex_);
+    if (ended_) return;
+    std::swap(newest_.emplace().rgb, picture.rgb);
+    newest_->seconds = picture.seconds;
+    changed_.notify_all();
+  }
+  const std::lock_guard lock(mutex_);
+  ended_ = true;
+  changed_.notify_all();
+}
+
+bool CameraFeed::write(const std::string& text) const {
+  // A row is shorter than what a pipe takes whole or not at all. One that finds no room is late.
+  const ssize_t written = ::write(write_, text.data(), text.size());
+  return written >= 0 || errno == EAGAIN || errno == EINTR;
+}
+
+void CameraFeed::read_faces() {
+  block_pipe_signal();
+  const FaceTable table(models_.weights);
+  mesh::RunningQuietFace running(models_.weights);
+  bool going = write(table.header());
+  const std::size_t width = pictures_.format().width();
+  const std::size_t height = pictures_.format().height();
+  while (going) {
+    Picture picture;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return newest_.has_value() || ended_; });
+      if (!newest_) break;
+      picture = *std::exchange(newest_, std::nullopt);
+    }
+    const auto seen = models_.tracker.follow({width, height, picture.rgb});
+    std::optional<AuFrame> face;
+    if (seen) {
+      const auto measures = mesh::measure(mesh::fit_head(*seen, mesh::kTypicalStillPoints));
+      const bool typical = quiet_.seconds && *quiet_.seconds == 0;
+      face = mesh::read_aus(
+          models_.weights, measures,
+          typical ? models_.weights.typical : running.watch(picture.seconds, measures));
+    }
+    going = write(table.row(picture.seconds, seen ? seen->presence : 0, face));
+  }
+  ::close(write_);  // the reader of the rows sees their end
+}
+
+}  // namespace aucast::camera

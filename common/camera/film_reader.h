@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "common/camera/face_models.h"
+#include "common/result.h"
+
+namespace aucast::camera {
+
+/// What is taken off a face as its rest. Auto: what its own film says (mesh::find_quiet_face).
+struct QuietOptions {
+  std::optional<double> seconds;  ///< instead: the median of the first seconds; 0: the typical face
+};
+
+/// How far a film was read.
+struct FilmProgress {
+  double seconds = 0;           ///< of the film
+  std::optional<double> whole;  ///< that it has
+};
+
+/// What was seen in a film.
+struct FilmTable {
+  std::string text;  ///< a FaceTable
+  std::size_t pictures = 0;
+  std::size_t faces = 0;  ///< pictures with a face
+};
+
+/// Whether a path names a film, by its ending: .mp4, .mov, .mkv, .webm, ...
+[[nodiscard]] bool is_film(const std::filesystem::path& path);
+
+/// Reads the face of a film: of several the clearest. Errors are those of PictureSource and
+/// load_face_models(); BadData when no face is seen in it.
+[[nodiscard]] Result<FilmTable> read_film(
+    const std::filesystem::path& path, const QuietOptions& quiet,
+    const std::function<void(const FilmProgress&)>& on_progress = {});
+
+/// The same with models that are loaded already.
+[[nodiscard]] Result<FilmTable> read_film(
+    const std::filesystem::path& path, FaceModels& models, const QuietOptions& quiet,
+    const std::function<void(const FilmProgress&)>& on_progress = {});
+
+}  // namespace aucast::camera

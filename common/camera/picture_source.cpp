@@ -1,0 +1,115 @@
+#include "common/camera/picture_source.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/files.h"
+#include "common/number_of.h"
+#include "common/text.h"
+
+namespace aucast::camera {
+namespace {
+
+constexpr std::size_t kWordsShown = 300;
+
+/// Square pixels, then 640 at most; the longer side of a face net's input is 192.
+constexpr const char* kFilters =
+    "scale='max(1,trunc(iw*sar))':ih,"
+    "scale=w='max(2,trunc(iw*min(1,640/max(iw,ih))))':h='max(2,trunc(ih*min(1,640/max(iw,ih))))'"
+    ":out_color_matrix=bt601:out_range=tv,setsar=1";
+
+std::vector<std::string> arguments_of(std::vector<std::string> input, const std::string& filters) {
+  std::vector<std::string> arguments{"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error"};
+  for (std::string& word : input) arguments.push_back(std::move(word));
+  for (const char* word : {"-map", "0:V:0", "-an", "-sn", "-dn", "-vf"})
+    arguments.emplace_back(word);
+  arguments.push_back(filters);
+  for (const char* word :
+       {"-pix_fmt", "yuv444p", "-strict", "-1", "-f", "yuv4mpegpipe", "pipe:1"}) {
+    arguments.emplace_back(word);
+  }
+  return arguments;
+}
+
+/// The end of what ffmpeg wrote, its lines joined, safe to print.
+std::string one_line(std::string words) {
+  while (!words.empty() && words.back() == '\n') words.pop_back();
+  if (words.size() > kWordsShown) words.erase(0, words.size() - kWordsShown);
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  return escaped(words, 4 * kWordsShown);
+}
+
+/// "file:" keeps a name with a colon from being taken for a network address.
+std::string file_url(const std::filesystem::path& path) {
+  return "file:" + path.string();
+}
+
+}  // namespace
+
+Result<PictureSource> PictureSource::open(std::vector<std::string> arguments,
+                                          const std::string& name, ErrorKind kind) {
+  bool missing = false;
+  auto child = Child::start(arguments, missing, Child::Flow::Read);
+  if (!child) {
+    if (!missing) return child.error();
+    return Error{ErrorKind::Failed,
+                 at_place(name, "ffmpeg, which decodes it, is not installed: apt install ffmpeg")};
+  }
+  PictureSource source;
+  source.ffmpeg_ = std::move(*child);
+  Child* ffmpeg = source.ffmpeg_.get();
+  auto pictures =
+      Y4mReader::open([ffmpeg](std::span<std::uint8_t> bytes) { return ffmpeg->read(bytes); });
+  if (!pictures) return Error{kind, at_place(name, pictures.error().message)};
+  if (!*pictures) {
+    const std::string words = source.complaint();
+    return Error{kind, at_place(name, "there are no pictures in it" +
+                                          (words.empty() ? "" : "; ffmpeg says: " + words))};
+  }
+  source.pictures_ = std::move(*pictures);
+  return source;
+}
+
+Result<PictureSource> PictureSource::open_film(const std::filesystem::path& path) {
+  const auto file = open_file(path);
+  if (!file) return file.error();
+  ::close(*file);
+  return open(
+      arguments_of({"-i", file_url(path)}, "fps=fps='min(source_fps,30)'," + std::string(kFilters)),
+      path.string(), ErrorKind::BadData);
+}
+
+Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
+  const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+  // Nothing is buffered that can be shown: a late face is worth nothing.
+  return open(arguments_of({"-fflags", "nobuffer", "-f", "v4l2", "-video_size", size, "-framerate",
+                            std::to_string(options.fps), "-i", options.device},
+                           kFilters),
+              options.device, ErrorKind::Failed);
+}
+
+std::string PictureSource::complaint() {
+  const int code = ffmpeg_->wait();
+  return code == 0 ? std::string() : one_line(ffmpeg_->last_words());
+}
+
+std::optional<double> film_seconds(const std::filesystem::path& path) {
+  bool missing = false;
+  auto probe = Child::start({"ffprobe", "-v", "error", "-show_entries", "format=duration", "-of",
+                             "csv=p=0", file_url(path)},
+                            missing, Child::Flow::Read);
+  if (!probe) return std::nullopt;
+  std::string text;
+  std::vector<std::uint8_t> chunk(256);
+  while (const std::size_t got = (*probe)->read(chunk)) {
+    text.append(chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(got));
+  }
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const auto seconds = number_of<double>(text);
+  if (!seconds || !(*seconds > 0)) return std::nullopt;
+  return seconds;
+}
+
+}  // namespace aucast::camera

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/camera/y4m.h"
+#include "common/child.h"
+#include "common/result.h"
+
+namespace aucast::camera {
+
+/// A camera as it is asked for.
+struct CameraOptions {
+  std::string device = "/dev/video0";
+  int width = 640;
+  int height = 480;
+  int fps = 30;
+  friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
+};
+
+/// Pictures of a film or a camera, decoded by ffmpeg as a child: upright, with square pixels, no
+/// larger than 640x640. A film of more than 30 pictures a second gives 30.
+/// Thread: one at a time, but for stop().
+class PictureSource {
+ public:
+  /// Failed with what to install when ffmpeg is missing; Unreadable for a file that cannot be read;
+  /// BadData when ffmpeg finds no pictures in it.
+  [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path);
+  /// Failed, with ffmpeg's own words, when the device gives no pictures.
+  [[nodiscard]] static Result<PictureSource> open_camera(const CameraOptions& options);
+
+  [[nodiscard]] const Y4mReader& format() const { return *pictures_; }
+  [[nodiscard]] bool next(std::vector<std::uint8_t>& rgb) { return pictures_->next(rgb); }
+  /// From any thread: next() finds the end.
+  void stop() const { ffmpeg_->stop(); }
+  /// What ffmpeg said when it ended, in one line; empty when it was content.
+  [[nodiscard]] std::string complaint();
+
+ private:
+  PictureSource() = default;
+  [[nodiscard]] static Result<PictureSource> open(std::vector<std::string> arguments,
+                                                  const std::string& name, ErrorKind kind);
+  std::unique_ptr<Child> ffmpeg_;
+  std::optional<Y4mReader> pictures_;
+};
+
+/// How long a film is, in seconds; nothing when nobody knows.
+[[nodiscard]] std::optional<double> film_seconds(const std::filesystem::path& path);
+
+}  // namespace aucast::camera

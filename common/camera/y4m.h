@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/result.h"
+
+namespace aucast::camera {
+
+/// Uncompressed pictures as ffmpeg and others pipe them (YUV4MPEG2): a line that says how large
+/// they are and how many a second, then picture after picture. Only what we ask ffmpeg for: 4:4:4,
+/// 8 bit, BT.601 in the range of video. Pure: bytes come from `read`.
+class Y4mReader {
+ public:
+  /// Fills what it is given as far as it can and says how far; 0 at the end.
+  using Read = std::function<std::size_t(std::span<std::uint8_t>)>;
+
+  /// BadData, without a place, when the first line is none of these; nothing when there is none.
+  [[nodiscard]] static Result<std::optional<Y4mReader>> open(Read read);
+
+  [[nodiscard]] std::size_t width() const { return width_; }
+  [[nodiscard]] std::size_t height() const { return height_; }
+  /// Pictures a second, above 0.
+  [[nodiscard]] double fps() const { return fps_; }
+  /// The next picture, as rows of RGB; false at the end. A picture that is cut off is none.
+  [[nodiscard]] bool next(std::vector<std::uint8_t>& rgb);
+
+  static constexpr std::size_t kSideMax = 4096;
+
+ private:
+  Y4mReader() = default;
+  [[nodiscard]] bool parse(std::string_view line);
+  [[nodiscard]] std::optional<std::string> line();
+  [[nodiscard]] bool fill(std::span<std::uint8_t> bytes);
+
+  Read read_;
+  std::size_t width_ = 0;
+  std::size_t height_ = 0;
+  double fps_ = 0;
+  std::vector<std::uint8_t> planes_;
+};
+
+}  // namespace aucast::camera

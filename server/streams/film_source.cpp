@@ -1,0 +1,24 @@
+#include "server/streams/film_source.h"
+
+#include <utility>
+
+namespace aucast::server {
+
+Result<std::string> film_text(const std::filesystem::path& path, const SignalOptions& options,
+                              const std::function<void(const camera::FilmProgress&)>& on_progress) {
+  auto table = camera::read_film(path, quiet_of(options), on_progress);
+  if (!table) return table.error();
+  return std::move(table->text);
+}
+
+camera::QuietOptions quiet_of(const SignalOptions& options) {
+  return {options.neutral_auto ? std::nullopt : options.neutral_seconds};
+}
+
+sources::ConditioningSettings without_neutral(sources::ConditioningSettings settings) {
+  settings.neutral_seconds.reset();
+  settings.neutral_turns_only = false;
+  return settings;
+}
+
+}  // namespace aucast::server

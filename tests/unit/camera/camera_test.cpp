@@ -1,0 +1,240 @@
+// Films and cameras, with programs of our own in the place of ffmpeg; what needs the models of
+// scripts/install_models.sh says so when they are not there.
+#include <gtest/gtest.h>
+
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/camera/camera_feed.h"
+#include "common/camera/face_table.h"
+#include "common/camera/film_reader.h"
+#include "common/camera/y4m.h"
+#include "common/files.h"
+#include "common/sources/recording.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::camera {
+namespace {
+
+using test::TempFolder;
+
+Y4mReader::Read reads(std::string text, std::size_t at_once = 1000) {
+  return [text = std::move(text), at_once](std::span<std::uint8_t> bytes) mutable {
+    const std::size_t count = std::min({bytes.size(), text.size(), at_once});
+    std::memcpy(bytes.data(), text.data(), count);
+    text.erase(0, count);
+    return count;
+  };
+}
+
+const std::string kHead = "YUV4MPEG2 W2 H1 F30000:1001 Ip A1:1 C444 XYSCSS=444\n";
+/// Black and white, then red twice.
+const std::string kPictures = std::string("FRAME\n\x10\xeb\x80\x80\x80\x80", 12) +
+                              std::string("FRAME\n\x51\x51\x5a\x5a\xf0\xf0", 12);
+
+TEST(Y4m, PicturesComeAsRgb) {
+  for (const std::size_t at_once : {1000U, 1U}) {
+    auto reader = Y4mReader::open(reads(kHead + kPictures, at_once));
+    ASSERT_TRUE(reader.has_value());
+    ASSERT_TRUE(reader->has_value());
+    Y4mReader& pictures = **reader;
+    EXPECT_EQ(pictures.width(), 2U);
+    EXPECT_EQ(pictures.height(), 1U);
+    EXPECT_NEAR(pictures.fps(), 29.97, 0.001);
+    std::vector<std::uint8_t> rgb;
+    ASSERT_TRUE(pictures.next(rgb));
+    EXPECT_EQ(rgb, (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255}));
+    ASSERT_TRUE(pictures.next(rgb));
+    EXPECT_NEAR(rgb[0], 255, 2);
+    EXPECT_NEAR(rgb[1], 0, 2);
+    EXPECT_NEAR(rgb[2], 0, 2);
+    EXPECT_FALSE(pictures.next(rgb));
+  }
+}
+
+TEST(Y4m, APictureThatIsCutOffIsNone) {
+  auto reader = Y4mReader::open(reads(kHead + kPictures.substr(0, 20)));
+  ASSERT_TRUE(reader.has_value() && reader->has_value());
+  std::vector<std::uint8_t> rgb;
+  EXPECT_TRUE((*reader)->next(rgb));
+  EXPECT_FALSE((*reader)->next(rgb));
+}
+
+TEST(Y4m, OtherThingsAreRefused) {
+  for (const std::string head :
+       {"hello\n", "YUV4MPEG2 W0 H1 F25:1 C444\n", "YUV4MPEG2 W2 H99999 F25:1 C444\n",
+        "YUV4MPEG2 W2 H1 F0:1 C444\n", "YUV4MPEG2 W2 H1 F25:1 C420\n", "YUV4MPEG2 W2 H1 C444\n"}) {
+    const auto reader = Y4mReader::open(reads(head));
+    ASSERT_FALSE(reader.has_value()) << head;
+    EXPECT_EQ(reader.error().kind, ErrorKind::BadData);
+  }
+  const auto nothing = Y4mReader::open(reads(""));
+  ASSERT_TRUE(nothing.has_value());
+  EXPECT_FALSE(nothing->has_value());
+}
+
+TEST(Films, AreKnownByTheirEnding) {
+  EXPECT_TRUE(is_film("lecture.mp4"));
+  EXPECT_TRUE(is_film("/films/A lecture.MOV"));
+  EXPECT_FALSE(is_film("lecture.txt"));
+  EXPECT_FALSE(is_film("lecture.csv"));
+  EXPECT_FALSE(is_film("mp4"));
+}
+
+mesh::AuWeights some_weights() {
+  auto weights = mesh::parse_au_weights(
+      "feature lip-gap\nau 12 sided 0 0 1\nau 26 whole 0 0 1\nau 51 turning 0 0 1\n", "w");
+  return std::move(*weights);
+}
+
+TEST(FaceTable, IsReadBackWithSidesTurnsAndLostFaces) {
+  const FaceTable table(some_weights());
+  EXPECT_EQ(table.header(), "aucast_seconds,confidence,success,L12,R12,26,51,52\n");
+  AuFrame face;
+  face.left[12] = 0.25F;
+  face.right[12] = 0.75F;
+  face.left[26] = face.right[26] = 0.5F;
+  face.left[52] = face.right[52] = 1.5F;
+  std::string text = table.header();
+  text += table.row(0, 0.99, face);
+  text += table.row(0.04, 0.99, face);
+  text += table.row(0.08, 0, std::nullopt);
+  EXPECT_NE(text.find("0.0800,0.000,0,,,,,\n"), std::string::npos);
+  const auto recording = sources::read_recording(text, "film.mp4", {});
+  ASSERT_TRUE(recording.has_value()) << recording.error().message;
+  EXPECT_EQ(recording->found.format, "camera");
+  EXPECT_EQ(recording->found.lost, 1U);
+  ASSERT_GE(recording->stream.keyframes.size(), 2U);
+  const std::vector<AuTerm> expected{
+      {12, Side::Left, 25}, {12, Side::Right, 75}, {26, Side::Both, 50}, {52, Side::Both, 100}};
+  EXPECT_EQ(recording->stream.keyframes[0].terms, expected);
+}
+
+TEST(FaceModels, SayWhatToDoWhenTheyAreNotThere) {
+  const TempFolder folder;
+  const auto models = load_face_models(folder.path());
+  ASSERT_FALSE(models.has_value());
+  EXPECT_EQ(models.error().kind, ErrorKind::Unreadable);
+  EXPECT_NE(models.error().message.find("scripts/install_models.sh"), std::string::npos);
+}
+
+TEST(FaceModels, ThatAreNoneAreBadData) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder.path() / "models");
+  std::filesystem::create_directory(folder.path() / "camera");
+  for (const char* name :
+       {"face_detection_short_range.tflite", "face_landmark_with_attention.tflite"}) {
+    ASSERT_TRUE(write_file_atomically(folder.path() / "models" / name, "not a model at all"));
+  }
+  ASSERT_TRUE(write_file_atomically(folder.path() / "camera" / "action_units.txt",
+                                    "feature lip-gap\nau 12 sided 0 0 1\n"));
+  const auto models = load_face_models(folder.path());
+  ASSERT_FALSE(models.has_value());
+  EXPECT_EQ(models.error().kind, ErrorKind::BadData);
+}
+
+/// A program `ffmpeg` of our own, first in $PATH for as long as this lives.
+class OtherFfmpeg {
+ public:
+  explicit OtherFfmpeg(const std::string& script) : path_(std::getenv("PATH")) {
+    const auto file = folder_.path() / "ffmpeg";
+    EXPECT_TRUE(write_file_atomically(file, "#!/bin/sh\n" + script).has_value());
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    ::setenv("PATH", (folder_.path().string() + ":" + path_).c_str(), 1);
+  }
+  ~OtherFfmpeg() { ::setenv("PATH", path_.c_str(), 1); }
+  OtherFfmpeg(const OtherFfmpeg&) = delete;
+  OtherFfmpeg& operator=(const OtherFfmpeg&) = delete;
+
+  [[nodiscard]] std::filesystem::path file(const std::string& name, const std::string& text) {
+    return folder_.write(name, text);
+  }
+
+ private:
+  TempFolder folder_;
+  std::string path_;
+};
+
+TEST(PictureSource, GivesWhatFfmpegDecodes) {
+  OtherFfmpeg ffmpeg("printf 'YUV4MPEG2 W2 H1 F25:1 C444\\nFRAME\\nAABBCC'");
+  auto source = PictureSource::open_film(ffmpeg.file("film.mp4", "x"));
+  ASSERT_TRUE(source.has_value()) << source.error().message;
+  std::vector<std::uint8_t> rgb;
+  EXPECT_TRUE(source->next(rgb));
+  EXPECT_EQ(rgb.size(), 6U);
+  EXPECT_FALSE(source->next(rgb));
+  EXPECT_EQ(source->complaint(), "");
+}
+
+TEST(PictureSource, SaysInFfmpegsWordsWhyThereAreNoPictures) {
+  OtherFfmpeg ffmpeg("echo 'moov atom not found' >&2; exit 1");
+  const auto film = PictureSource::open_film(ffmpeg.file("film.mp4", "x"));
+  ASSERT_FALSE(film.has_value());
+  EXPECT_EQ(film.error().kind, ErrorKind::BadData);
+  EXPECT_NE(film.error().message.find("film.mp4"), std::string::npos);
+  EXPECT_NE(film.error().message.find("moov atom not found"), std::string::npos);
+  const auto none = PictureSource::open_film("/no/such/film.mp4");
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().kind, ErrorKind::Unreadable);
+  const auto camera = PictureSource::open_camera({.device = "/dev/video7"});
+  ASSERT_FALSE(camera.has_value());
+  EXPECT_EQ(camera.error().kind, ErrorKind::Failed);
+  EXPECT_NE(camera.error().message.find("/dev/video7"), std::string::npos);
+}
+
+TEST(PictureSource, AsksACameraForSizeAndRate) {
+  OtherFfmpeg ffmpeg("echo \"$@\" >&2; exit 1");
+  const auto camera = PictureSource::open_camera({"/dev/video2", 1280, 720, 25});
+  ASSERT_FALSE(camera.has_value());
+  EXPECT_NE(camera.error().message.find("-video_size 1280x720 -framerate 25 -i /dev/video2"),
+            std::string::npos)
+      << camera.error().message;
+}
+
+/// Whether the models are installed beside the programs.
+bool models_are_there() {
+  return load_face_models().has_value();
+}
+
+TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
+  if (!models_are_there()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  OtherFfmpeg ffmpeg(
+      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; printf 'FRAME\\n'; head -c 768 /dev/zero");
+  auto feed = CameraFeed::start({}, {});
+  ASSERT_TRUE(feed.has_value()) << feed.error().message;
+  const int rows = (*feed)->take_rows();
+  std::string text;
+  std::vector<char> chunk(4096);
+  for (;;) {
+    pollfd wait{rows, POLLIN, 0};
+    ASSERT_EQ(::poll(&wait, 1, 30'000), 1);
+    const ssize_t got = ::read(rows, chunk.data(), chunk.size());
+    if (got <= 0) break;
+    text.append(chunk.data(), static_cast<std::size_t>(got));
+  }
+  ::close(rows);
+  EXPECT_TRUE(text.starts_with("aucast_seconds,"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+  EXPECT_NE(text.find(",0.000,0,"), std::string::npos);
+  EXPECT_EQ((*feed)->complaint(), "");
+}
+
+TEST(CameraFeed, EndsAtOnceWhileItsCameraGoesOn) {
+  if (!models_are_there()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  OtherFfmpeg ffmpeg(
+      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; while :; do printf 'FRAME\\n'; head -c 768 "
+      "/dev/zero; done");
+  auto feed = CameraFeed::start({}, {});
+  ASSERT_TRUE(feed.has_value()) << feed.error().message;
+  feed->reset();
+}
+
+}  // namespace
+}  // namespace aucast::camera
