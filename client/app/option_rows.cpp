@@ -251,7 +251,7 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
       {"no-sound", "", "", "play none",
        "Plays no sound, and asks the server for none. Videos of --record are silent.",
        flag(sound.none)},
-      {"sound-device", "NAME", "", "",
+      {"sound-device", "NAME", "", "device to play on",
        "The device to play on, or default. A name that there is not is answered with those that "
        "there are. With --headless sound is played only if this is given.",
        word(sound.device)},

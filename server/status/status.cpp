@@ -97,8 +97,8 @@ std::vector<std::string> status_lines(const Status& status) {
   for (const std::string& name : status.streams) names += " " + name;
   std::vector<std::string> lines = {
       "status: up " + duration_text(status.up_seconds) + "; clients " + text(status.clients) +
-          ", web " + text(status.clients_web) + ", paused " + text(status.clients_paused) +
-          ", behind " + text(status.clients_behind),
+          ", paused " + text(status.clients_paused) + ", behind " + text(status.clients_behind) +
+          ", web " + text(status.clients_web),
       "status: came " + text(status.connects) + ", left " + text(sum_of(status.disconnects)) +
           reasons + ", closed unheard " + text(status.connects_unheard) + ", accept failures " +
           text(status.accept_failures),

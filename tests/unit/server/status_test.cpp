@@ -28,7 +28,7 @@ Status busy() {
 TEST(Status, LinesSayWhatMatters) {
   const auto lines = status_lines(busy());
   ASSERT_EQ(lines.size(), 4U);
-  EXPECT_EQ(lines[0], "status: up 1 h 2 min; clients 7, web 3, paused 1, behind 2");
+  EXPECT_EQ(lines[0], "status: up 1 h 2 min; clients 7, paused 1, behind 2, web 3");
   EXPECT_EQ(
       lines[1],
       "status: came 12, left 5 (3 finished, 2 timed out), closed unheard 0, accept failures 0");
