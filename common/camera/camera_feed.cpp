@@ -86,8 +86,8 @@ void CameraFeed::take_pictures() {
     picture.seconds = now_seconds();
     const std::lock_guard lock(mutex_);
     if (ended_) return;
-    std::swap(newest_.emplace().rgb, picture.rgb);
-    newest_->seconds = picture.seconds;
+    if (!newest_) newest_ = Picture{};
+    std::swap(*newest_, picture);
     changed_.notify_all();
   }
   const std::lock_guard lock(mutex_);

@@ -48,7 +48,7 @@ std::string file_url(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<PictureSource> PictureSource::open(std::vector<std::string> arguments,
+Result<PictureSource> PictureSource::open(const std::vector<std::string>& arguments,
                                           const std::string& name, ErrorKind kind) {
   bool missing = false;
   auto child = Child::start(arguments, missing, Child::Flow::Read);

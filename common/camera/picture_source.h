@@ -42,7 +42,7 @@ class PictureSource {
 
  private:
   PictureSource() = default;
-  [[nodiscard]] static Result<PictureSource> open(std::vector<std::string> arguments,
+  [[nodiscard]] static Result<PictureSource> open(const std::vector<std::string>& arguments,
                                                   const std::string& name, ErrorKind kind);
   std::unique_ptr<Child> ffmpeg_;
   std::optional<Y4mReader> pictures_;

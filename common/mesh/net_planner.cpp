@@ -164,8 +164,8 @@ bool Net::Planner::plan_convolution(const Step& step, Planned& planned) {
       !plan_window(step, planned, weights.shape[1], weights.shape[2])) {
     return false;
   }
-  multiplications_ +=
-      static_cast<double>(count_of(out)) * static_cast<double>(count_of(weights.shape) / out[3]);
+  const auto weights_of_one = count_of(weights.shape) / out[3];
+  multiplications_ += static_cast<double>(count_of(out)) * static_cast<double>(weights_of_one);
   planned.weights = arranged_weights(weights.values, weights.shape);
   planned.bias = bias.values;
   planned.bias.resize(padded_channels(out[3]), 0.0F);
