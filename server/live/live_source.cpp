@@ -9,8 +9,8 @@
 
 namespace aucast::server {
 
-LiveSource::LiveSource(asio::io_context& io, LiveSourceOptions options, LiveStreams::Events events,
-                       Clock clock)
+LiveSource::LiveSource(asio::io_context& io, const LiveSourceOptions& options,
+                       LiveStreams::Events events, Clock clock)
     : clock_(std::move(clock)),
       streams_(options, std::move(events)),
       input_(io, options.path, options.follow,

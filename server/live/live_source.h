@@ -23,7 +23,7 @@ class LiveSource {
  public:
   using Clock = std::function<Instant()>;
 
-  LiveSource(asio::io_context& io, LiveSourceOptions options, LiveStreams::Events events,
+  LiveSource(asio::io_context& io, const LiveSourceOptions& options, LiveStreams::Events events,
              Clock clock = std::chrono::steady_clock::now);
   LiveSource(const LiveSource&) = delete;
   LiveSource& operator=(const LiveSource&) = delete;
