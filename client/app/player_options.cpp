@@ -132,31 +132,35 @@ Result<void> check_required(const PlayerOptions& options) {
   return {};
 }
 
-/// The word that names a command may follow options: where it stands in `arguments`, or their end.
-std::size_t command_at(const std::vector<std::string>& arguments, const std::string& name,
-                       const std::vector<OptionRow>& rows) {
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& word = arguments[i];
-    if (word == name) return i;
-    if (!word.starts_with("-")) break;
-    const OptionRow* const row = word.starts_with("--") ? find_row(rows, word.substr(2)) : nullptr;
-    if (row != nullptr && row->value.kind != OptionValue::Kind::Flag) ++i;  // its own word
+/// Whether the word behind an option is the option's own: as the first command that has it says.
+bool takes_a_word(const std::string& option) {
+  PlayerOptions unused;
+  for (const Command command :
+       {Command::Watch, Command::Play, Command::Pose, Command::Rules, Command::Gallery}) {
+    for (const OptionRow& row : option_rows(command, unused)) {
+      if (typed_name(row) == option) return row.value.kind != OptionValue::Kind::Flag;
+    }
   }
-  return arguments.size();
+  return false;
 }
 
-/// Takes the word that names a command out of the arguments.
+/// Takes the word that names a command out of the arguments: the first that is neither an option
+/// nor an option's.
 Command take_command(std::vector<std::string>& arguments) {
   static const std::map<std::string, Command> kCommands{{"play", Command::Play},
                                                         {"pose", Command::Pose},
                                                         {"rules", Command::Rules},
                                                         {"gallery", Command::Gallery}};
-  PlayerOptions unused;
-  for (const auto& [name, command] : kCommands) {
-    const std::size_t at = command_at(arguments, name, option_rows(command, unused));
-    if (at == arguments.size()) continue;
-    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(at));
-    return command;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    if (word.starts_with("-")) {
+      if (takes_a_word(word)) ++i;
+      continue;
+    }
+    const auto command = kCommands.find(word);
+    if (command == kCommands.end()) break;
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
+    return command->second;
   }
   return Command::Watch;
 }

@@ -51,6 +51,23 @@ TEST(PlayerOptions, OptionsMayStandBeforeTheCommand) {
   EXPECT_EQ(accepted({"--face", "play", "host"}).command, Command::Watch) << "the word of --face";
 }
 
+TEST(PlayerOptions, TheWordOfAnyCommandsOptionIsNoCommand) {
+  const PlayerOptions stream = accepted({"--stream", "pose", "host"});
+  EXPECT_EQ(stream.command, Command::Watch) << "pose has no --stream";
+  EXPECT_EQ(stream.playback.stream, "pose");
+  EXPECT_EQ(stream.playback.endpoint, "host");
+  EXPECT_EQ(accepted({"--png", "play", "pose", "12"}).command, Command::Pose);
+  EXPECT_EQ(accepted({"--headless", "play", "talk.txt"}).command, Command::Play);
+  EXPECT_EQ(accepted({"--size", "1x1", "pose"}).command, Command::Pose);
+  EXPECT_EQ(accepted({"-q", "rules", "12"}).command, Command::Rules);
+  EXPECT_EQ(accepted({"--only", "aus", "gallery", "out"}).command, Command::Gallery);
+}
+
+TEST(PlayerOptions, TheFirstWordThatIsNoOptionsDecides) {
+  EXPECT_EQ(accepted({"host", "--stream", "pose"}).command, Command::Watch);
+  EXPECT_EQ(accepted({"pose", "--expression", "play"}).command, Command::Pose);
+}
+
 TEST(PlayerOptions, ARepeatedOptionTakesOneWordEachTime) {
   const PlayerOptions options = accepted({"pose", "--muscle", "jaw=1", "12"});
   EXPECT_EQ(options.pose.muscles.size(), 1U);
