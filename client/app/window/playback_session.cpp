@@ -121,7 +121,7 @@ Result<net::RemoteOptions> PlaybackSession::server_of(const gui::RemoteSettings&
   if (!first || *first != asked) remote.others.clear();
   remote.speed.reset();
   if (settings.speed_ms > 0) remote.speed = Milliseconds(settings.speed_ms);
-  remote.reconnect = settings.reconnect;
+  remote.reconnect = settings.reconnect || !remote.others.empty();
   remote.stream = settings.stream;
   remote.security = *std::move(security);
   remote.buffers.receiver_capacity = static_cast<std::size_t>(settings.buffer);

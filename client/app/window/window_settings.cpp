@@ -115,7 +115,7 @@ PlayerOptions WindowSettings::applied(PlayerOptions options) const {
   playback.buffers.threshold_percent = remote.threshold_percent;
   playback.speed.reset();
   if (remote.speed_ms > 0) playback.speed = Milliseconds(remote.speed_ms);
-  playback.reconnect = remote.reconnect;
+  playback.reconnect = remote.reconnect || !playback.others.empty();
   playback.interpolation = in_force_.animation.interpolation;
   options.face.mixer = in_force_.animation.mixer;
   options.face.rules = in_force_.animation.rules;

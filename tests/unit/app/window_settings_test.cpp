@@ -55,6 +55,17 @@ TEST_F(WindowSettingsTest, AnotherServerOfTheCommandLineHasNoStreamOfTheLastOne)
   EXPECT_FALSE(settings.in_force().remote.tls);
 }
 
+TEST_F(WindowSettingsTest, TheSecondOfSeveralHostsIsTriedWithoutBeingKept) {
+  const PlayerOptions given = parsed({"aucast://one.example,other.example/talk"});
+  WindowSettings settings(given, file_);
+  EXPECT_TRUE(settings.applied(given).playback.reconnect) << "else the second is never tried";
+  EXPECT_FALSE(settings.in_force().remote.reconnect) << "the form's box is the user's";
+  gui::KeptSettings now = settings.in_force();
+  now.transition.frames = 60;
+  ASSERT_TRUE(settings.keep(now));
+  EXPECT_FALSE(on_disk().remote.reconnect);
+}
+
 TEST_F(WindowSettingsTest, HeadlessKnowsNothingOfThem) {
   write("[remote]\nbuffer = 200\n");
   const PlayerOptions given = parsed({"--headless", "host.example"});

@@ -470,6 +470,26 @@ TEST_F(WindowSessionTest, OnlyAnAddressThatAnsweredIsAmongTheRecentOnes) {
   EXPECT_EQ(session_->recent(), std::vector<std::string>{"lecture.example.org"});
 }
 
+TEST_F(WindowSessionTest, OnlyTheServerOfTheCommandLineHasItsOtherHosts) {
+  options_.playback.endpoint = "one.example";
+  options_.playback.others = {{"other.example", 4650}};
+  Notices notices;
+  const std::vector<float> shown(assets_->face.channels.size());
+  const pipeline::AuMapping mapping = au_mapping(*assets_, options_.face.mixer);
+  const PlaybackSession playback(mapping, options_, stats_, notices, shown);
+  gui::RemoteSettings form;
+  form.address = "one.example";
+  const auto same = playback.server_of(form);
+  ASSERT_TRUE(same) << same.error().message;
+  EXPECT_EQ(same->others, options_.playback.others);
+  EXPECT_TRUE(same->reconnect) << "else the other is never tried";
+  form.address = "third.example";
+  const auto third = playback.server_of(form);
+  ASSERT_TRUE(third) << third.error().message;
+  EXPECT_TRUE(third->others.empty());
+  EXPECT_FALSE(third->reconnect);
+}
+
 TEST_F(WindowSessionTest, ATokenFileThatIsNotThereIsSaid) {
   open_nothing();
   gui::RemoteSettings settings;
