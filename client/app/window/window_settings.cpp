@@ -103,6 +103,7 @@ WindowSettings::WindowSettings(const PlayerOptions& options, std::filesystem::pa
     // The last ones were another server's.
     in_force_.remote.stream = options.playback.stream;
     in_force_.remote.tls = options.playback.security_options.tls;
+    in_force_.remote.token_file.clear();
   }
 }
 

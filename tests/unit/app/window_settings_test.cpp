@@ -55,6 +55,12 @@ TEST_F(WindowSettingsTest, AnotherServerOfTheCommandLineHasNoStreamOfTheLastOne)
   EXPECT_FALSE(settings.in_force().remote.tls);
 }
 
+TEST_F(WindowSettingsTest, ATokenOfTheLastServerGoesToNoOther) {
+  write("[remote]\naddress = \"old.example\"\ntoken_file = \"/home/anna/token\"\n");
+  EXPECT_EQ(WindowSettings(parsed({}), file_).in_force().remote.token_file, "/home/anna/token");
+  EXPECT_EQ(WindowSettings(parsed({"new.example"}), file_).in_force().remote.token_file, "");
+}
+
 TEST_F(WindowSettingsTest, TheSecondOfSeveralHostsIsTriedWithoutBeingKept) {
   const PlayerOptions given = parsed({"aucast://one.example,other.example/talk"});
   WindowSettings settings(given, file_);
