@@ -1,33 +1,15 @@
 // au-transmitter as a relay of other au-transmitters, over loopback.
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
+#include "tests/integration/growing_table.h"
 #include "tests/integration/server_running.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::test {
 namespace {
-
-/// OpenFace as far as it matters here: AU 12 at 25 rows a second.
-constexpr const char* kHeader = "face_id,timestamp,success,AU12_r\n";
-
-std::string row(int frame, const std::string& of_five) {
-  const int ms = frame * 40;
-  return "0," + std::to_string(ms / 1000) + "." + std::to_string(1000 + ms % 1000).substr(1) +
-         ",1," + of_five + "\n";
-}
-
-void append(const std::filesystem::path& path, const std::string& text) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND);
-  ASSERT_GE(file, 0);
-  ASSERT_EQ(::write(file, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-  ::close(file);
-}
 
 /// A port that nothing listens on.
 std::string free_port() {
