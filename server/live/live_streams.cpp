@@ -9,6 +9,7 @@
 #include "common/sources/profile.h"
 #include "common/sources/source_reader.h"
 #include "protocol/limits.h"
+#include "server/streams/film_source.h"
 #include "server/streams/source_path.h"
 
 namespace aucast::server {
@@ -196,8 +197,8 @@ void LiveStreams::begin_anew(const std::string& why) {
 }
 
 void LiveStreams::condition(const sources::ConditioningSettings& settings) {
-  options_.reader.conditioning = settings;
-  for (const auto& stream : streams_) stream->reader.condition(settings);
+  options_.reader.conditioning = conditioning_for(options_.path, settings);
+  for (const auto& stream : streams_) stream->reader.condition(options_.reader.conditioning);
 }
 
 /// Each face has a neutral one of its own; the first stream's is what a profile is made of.

@@ -88,9 +88,8 @@ Result<void> Programme::open_sources() {
 
 Result<void> Programme::open(const std::filesystem::path& path,
                              const sources::ConditioningSettings& conditioning) {
-  const sources::LiveOptions reader{
-      options_.source.recording, options_.source.rate,
-      camera_device(path) ? without_neutral(conditioning) : conditioning, options_.keyframe_ms};
+  const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
+                                    conditioning_for(path, conditioning), options_.keyframe_ms};
   LiveSourceOptions source_options;
   source_options.path = path;
   source_options.follow = options_.live_source.follow;

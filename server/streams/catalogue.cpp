@@ -161,9 +161,8 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
   }
   const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
   if (auto can = check_memory(path, lines * kWholeBytes); !can) return can.error();
-  auto contents =
-      sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
-                             film ? without_neutral(reading.conditioning) : reading.conditioning);
+  auto contents = sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
+                                         conditioning_for(path, reading.conditioning));
   if (!contents) return contents.error();
   for (sources::SourceContent& content : *contents) {
     const bool one_of_several = content.found && content.found->all_taken;

@@ -112,7 +112,7 @@ Result<sources::SourceContent> read_seen(const ConvertOptions& options,
                 say ? on_progress : std::function<void(const camera::FilmProgress&)>());
   if (!text) return text.error();
   auto contents = sources::parse_streams(*text, options.in.string(), options.source.recording,
-                                         without_neutral(conditioning));
+                                         conditioning_for(options.in, conditioning));
   if (!contents) return contents.error();
   sources::SourceContent& content = contents->front();
   if (options.source.rate) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "server/streams/source_path.h"
+
 namespace aucast::server {
 
 Result<std::string> film_text(const std::filesystem::path& path, const SignalOptions& options,
@@ -15,7 +17,9 @@ camera::QuietOptions quiet_of(const SignalOptions& options) {
   return {options.neutral_auto ? std::nullopt : options.neutral_seconds};
 }
 
-sources::ConditioningSettings without_neutral(sources::ConditioningSettings settings) {
+sources::ConditioningSettings conditioning_for(const std::filesystem::path& path,
+                                               sources::ConditioningSettings settings) {
+  if (!camera::is_film(path) && !camera_device(path)) return settings;
   settings.neutral_seconds.reset();
   settings.neutral_turns_only = false;
   return settings;

@@ -20,7 +20,9 @@ namespace aucast::server {
 /// unless told otherwise.
 [[nodiscard]] camera::QuietOptions quiet_of(const SignalOptions& options);
 
-/// What is left to do with its AUs: all but the neutral face.
-[[nodiscard]] sources::ConditioningSettings without_neutral(sources::ConditioningSettings settings);
+/// What is done with the AUs of this source. Of a film or a camera the neutral face was taken off
+/// already, by quiet_of(): everything but that.
+[[nodiscard]] sources::ConditioningSettings conditioning_for(
+    const std::filesystem::path& path, sources::ConditioningSettings settings);
 
 }  // namespace aucast::server
