@@ -16,7 +16,7 @@ HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms)
   voice_ = asked.voice == kVoiceCodec &&
            (live ? stream_.live->has_voice() : stream_.sound && stream_.sound->voice);
   text_ = asked.text &&
-          (live ? stream_.live->has_captions() : stream_.sound && !stream_.sound->captions.empty());
+          (live ? stream_.live->has_captions() : stream_.sound && stream_.sound->has_captions());
   HelloGranted granted;
   granted.window = static_cast<int>(window_);
   granted.delta = delta_;
@@ -39,8 +39,7 @@ std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
   if (from_ms == 0 || stream_.live) return 0;
   const auto& times = recorded().times;
   if (loop_) {
-    std::uint64_t whole = 0;
-    for (const KeyframeTime time : times) whole += time.count();
+    const auto whole = static_cast<std::uint64_t>(length_of(recorded()).count());
     from_ms = whole == 0 ? 0 : from_ms % whole;
   }
   std::uint64_t begin = 0;

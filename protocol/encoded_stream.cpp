@@ -1,17 +1,28 @@
 #include "protocol/encoded_stream.h"
 
+#include <numeric>
 #include <utility>
 
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
 
+Milliseconds length_of(const EncodedStream& stream) {
+  return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds{0});
+}
+
+std::size_t held_bytes(const EncodedStream& stream) {
+  const auto held = [](const PacketList& list) {
+    return list.bytes() + list.size() * sizeof(std::uint32_t);
+  };
+  return held(stream.classic) + held(stream.negotiated) + held(stream.changes) +
+         stream.times.size() * sizeof(KeyframeTime);
+}
+
 bool reaches(const EncodedStream& stream, std::uint64_t from_ms, bool loop) {
   if (from_ms == 0 || stream.extent != Extent::Growing) return true;
   if (loop) return false;
-  std::uint64_t length_ms = 0;
-  for (const KeyframeTime time : stream.times) length_ms += time.count();
-  return length_ms > from_ms;
+  return static_cast<std::uint64_t>(length_of(stream).count()) > from_ms;
 }
 
 void StreamEncoder::add(const Keyframe& keyframe) {
@@ -22,14 +33,6 @@ void StreamEncoder::add(const Keyframe& keyframe) {
   stream_.times.emplace_back(keyframe.duration_ms.value_or(keyframe_ms_));
   duration_ms_ += stream_.times.back().count();
   plain_ = plain_ && encoded.plain;
-}
-
-std::size_t StreamEncoder::bytes() const {
-  const auto held = [](const PacketList& list) {
-    return list.bytes() + list.size() * sizeof(std::uint32_t);
-  };
-  return held(stream_.classic) + held(stream_.negotiated) + held(stream_.changes) +
-         stream_.times.size() * sizeof(KeyframeTime);
 }
 
 EncodedStream StreamEncoder::finish() {
@@ -46,6 +49,7 @@ EncodedStream encode_stream(std::span<const Keyframe> keyframes, std::uint32_t k
 }
 
 std::optional<Milliseconds> classic_length(const EncodedStream& stream) {
+  if (stream.extent != Extent::Whole) return std::nullopt;
   const Milliseconds length = kDefaultKeyframeTime * stream.classic.size();
   const auto own = static_cast<std::uint64_t>(length.count());
   return stream.duration_ms.value_or(own) == own ? std::nullopt : std::optional(length);

@@ -36,6 +36,12 @@ struct EncodedStream {
   friend bool operator==(const EncodedStream&, const EncodedStream&) = default;
 };
 
+/// The sum of the times of all keyframes that are there.
+[[nodiscard]] Milliseconds length_of(const EncodedStream& stream);
+
+/// Memory that its packets and times take.
+[[nodiscard]] std::size_t held_bytes(const EncodedStream& stream);
+
 /// Whether the keyframe is there that a client begins with which asks for `from_ms`; a stream that
 /// grows may not have it yet.
 [[nodiscard]] bool reaches(const EncodedStream& stream, std::uint64_t from_ms, bool loop);
@@ -52,7 +58,7 @@ class StreamEncoder {
   void add(const Keyframe& keyframe);
   [[nodiscard]] std::size_t keyframes() const { return stream_.times.size(); }
   /// Memory that the stream takes so far.
-  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] std::size_t bytes() const { return held_bytes(stream_); }
   /// The stream; nothing may be added after it.
   [[nodiscard]] EncodedStream finish();
 
@@ -69,7 +75,7 @@ class StreamEncoder {
                                           std::uint32_t keyframe_ms, int classic_min);
 
 /// How long the stream takes a player that gives every keyframe the default time, as classic
-/// packets carry none. Nothing when that is the stream's own length.
+/// packets carry none. Nothing when that is the stream's own length, or not known yet.
 [[nodiscard]] std::optional<Milliseconds> classic_length(const EncodedStream& stream);
 
 }  // namespace aucast::protocol

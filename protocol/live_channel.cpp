@@ -26,7 +26,9 @@ void LiveChannel::keep(Caption caption) {
     const Caption* const second = captions_.find(captions_.first_number() + 1);
     return second == nullptr || Milliseconds(second->place_ms) > now;
   };
-  while (!stands()) captions_.pop_front();
+  // Who writes captions far ahead of the face costs himself the oldest.
+  constexpr std::size_t kCaptionsMost = 64;
+  while (!stands() || captions_.size() > kCaptionsMost) captions_.pop_front();
 }
 
 }  // namespace aucast::protocol

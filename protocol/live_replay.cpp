@@ -1,16 +1,12 @@
 #include "protocol/live_replay.h"
 
-#include <numeric>
 #include <utility>
 
 namespace aucast::protocol {
 namespace {
 
 double mean_ms(const EncodedStream& stream) {
-  const double sum =
-      std::accumulate(stream.times.begin(), stream.times.end(), 0.0,
-                      [](double ms, KeyframeTime time) { return ms + time.count(); });
-  return sum / static_cast<double>(stream.times.size());
+  return static_cast<double>(length_of(stream).count()) / static_cast<double>(stream.times.size());
 }
 
 }  // namespace
@@ -18,7 +14,7 @@ double mean_ms(const EncodedStream& stream) {
 LiveReplay::LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
                        std::shared_ptr<const Soundtrack> sound)
     : LiveChannel(!stream->changes.empty(), loop ? std::nullopt : stream->duration_ms,
-                  {sound && sound->voice, sound && !sound->captions.empty()}),
+                  {sound && sound->voice, sound && sound->has_captions()}),
       stream_(std::move(stream)),
       sound_(std::move(sound)),
       clock_(stream_->times, loop, begin) {
@@ -66,18 +62,18 @@ void LiveReplay::go_to(std::uint64_t number) {
 void LiveReplay::play_sound(Milliseconds end) {
   if (!sound_) return;
   for (; next_caption_ < sound_->captions.size(); ++next_caption_) {
-    Caption caption = sound_->captions[next_caption_];
-    caption.place_ms += static_cast<std::uint64_t>(turn_begin_.count());
-    if (Milliseconds(caption.place_ms) >= end) break;
-    keep(std::move(caption));
+    const Caption& caption = sound_->captions[next_caption_];
+    const Milliseconds place = Milliseconds(caption.place_ms) + turn_begin_;
+    if (place >= end) break;
+    keep(Caption{static_cast<std::uint64_t>(place.count()), caption.text});
   }
   if (!sound_->voice) return;
   const auto voice = sound_->voice->packets();
   for (; next_voice_ < voice.size(); ++next_voice_) {
+    if (voice[next_voice_].begin + turn_begin_ >= end) break;
     EncodedVoice packet = voice[next_voice_];
     packet.begin += turn_begin_;
     packet.end += turn_begin_;
-    if (packet.begin >= end) break;
     keep(std::move(packet));
   }
 }

@@ -72,14 +72,11 @@ class Cutter {
 std::shared_ptr<const EncodedStream> spoken_stream(const EncodedStream& stream,
                                                    Milliseconds sound_end,
                                                    std::uint32_t keyframe_ms, int classic_min) {
-  Milliseconds face_end{0};
-  Milliseconds longest{0};
-  for (const KeyframeTime time : stream.times) {
-    face_end += time;
-    longest = std::max<Milliseconds>(longest, time);
-  }
+  if (stream.times.empty()) return nullptr;
+  const Milliseconds face_end = length_of(stream);
+  const Milliseconds longest = *std::max_element(stream.times.begin(), stream.times.end());
   const bool holds = sound_end > face_end + kSpokenKeyframeMax;
-  if (stream.times.empty() || (longest <= kSpokenKeyframeMax && !holds)) return nullptr;
+  if (longest <= kSpokenKeyframeMax && !holds) return nullptr;
   Cutter cutter(keyframe_ms, classic_min);
   Keyframe keyframe;
   for (std::size_t at = 0; at < stream.times.size(); ++at) {

@@ -39,12 +39,14 @@ class VoiceTrack {
   /// See encoded_to(); Milliseconds::max() after finish().
   [[nodiscard]] Milliseconds encoded_until() const { return encoded_to_; }
   [[nodiscard]] bool complete() const { return encoded_to_ == Milliseconds::max(); }
-  /// Of all packets, without the places that some are sent with.
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const {
+    return bytes_ + packets_.size() * sizeof(EncodedVoice);
+  }
 
  private:
   std::vector<EncodedVoice> packets_;
-  std::size_t bytes_ = 0;
+  std::size_t bytes_ = 0;  ///< of their text
   Milliseconds encoded_to_{0};
 };
 
@@ -52,6 +54,9 @@ class VoiceTrack {
 struct Soundtrack {
   std::shared_ptr<const VoiceTrack> voice{};  ///< null: there is none
   std::vector<Caption> captions{};            ///< their places never fall
+  bool captions_come = false;                 ///< a relay may still receive some
+
+  [[nodiscard]] bool has_captions() const { return captions_come || !captions.empty(); }
 };
 
 }  // namespace aucast::protocol

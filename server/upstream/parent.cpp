@@ -76,20 +76,16 @@ void Parent::handle(const protocol::SendBytes& event) {
 
 void Parent::handle(const protocol::Granted& event) {
   packet_.clear();
-  granted_ = true;
   leave(stream_.begin(event.hello));
   moved_on_ = true;
 }
 
 void Parent::handle(const protocol::DeliverKeyframe& event) {
-  if (!granted_) {
+  if (session_.level() != protocol::Level::Negotiated) {
     leave("it speaks classic only, and a relay needs level 2");
     return;
   }
-  if (stream_.live() && floods()) {
-    leave("it sends more than " + std::to_string(kLivePerSecondMost) + " keyframes a second");
-    return;
-  }
+  if (floods("keyframes")) return;
   leave(stream_.add(event, without_blanks_before(packet_)));
   packet_.clear();
   answers_ += session_.answer_received();
@@ -98,13 +94,15 @@ void Parent::handle(const protocol::DeliverKeyframe& event) {
 
 void Parent::handle(const protocol::DeliverVoice& event) {
   packet_.clear();
-  stream_.add(event);
+  if (floods("packets")) return;
+  leave(stream_.add(event));
   moved_on_ = true;
 }
 
 void Parent::handle(const protocol::DeliverCaption& event) {
   packet_.clear();
-  stream_.add(event);
+  if (floods("packets")) return;
+  leave(stream_.add(event));
   moved_on_ = true;
 }
 
@@ -126,13 +124,17 @@ void Parent::leave(std::optional<std::string> wrong) {
   if (wrong) ending_ = Ending{false, *std::move(wrong)};
 }
 
-bool Parent::floods() {
+/// Leaves a parent that sends more of a live stream than a face can need.
+bool Parent::floods(const std::string& what) {
+  if (!stream_.live()) return false;
   const Instant now = link_->now();
   if (now - second_begin_ >= std::chrono::seconds(1)) {
     second_begin_ = now;
     in_second_ = 0;
   }
-  return ++in_second_ > kLivePerSecondMost;
+  if (++in_second_ <= kLivePerSecondMost) return false;
+  leave("it sends more than " + std::to_string(kLivePerSecondMost) + " " + what + " a second");
+  return true;
 }
 
 /// At the end of every call of the link: the last thing that is done with this object.

@@ -20,7 +20,8 @@ namespace aucast::server {
 /// Thread: that of the link.
 class Parent final : public link::LinkUser {
  public:
-  /// Keyframes of a live stream within a second, beyond which it is a flood.
+  /// Keyframes, voice packets and captions of a live stream within a second, beyond which it is a
+  /// flood.
   static constexpr std::uint32_t kLivePerSecondMost = 2'000;
 
   struct Ending {
@@ -67,7 +68,7 @@ class Parent final : public link::LinkUser {
   void handle(const protocol::ReconnectClassic& event);
   void handle(const protocol::SessionFailed& event);
   void leave(std::optional<std::string> wrong);
-  [[nodiscard]] bool floods();
+  [[nodiscard]] bool floods(const std::string& what);
   void settle();
 
   std::shared_ptr<link::Link> link_;
@@ -76,7 +77,6 @@ class Parent final : public link::LinkUser {
   protocol::ClientSession session_;
   std::string packet_;  ///< what was read since the last whole packet
   std::string answers_;
-  bool granted_ = false;
   bool moved_on_ = false;  ///< in the running call
   std::optional<Ending> ending_;
   Instant second_begin_{};

@@ -97,6 +97,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   if (voice || hello.text) {
     sound_ = std::make_shared<protocol::Soundtrack>();
     sound_->voice = voice_;
+    sound_->captions_come = hello.text;
     shared_->sound = sound_;
   }
   return std::nullopt;
@@ -125,13 +126,7 @@ std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& 
     return "it sends more than the " + ms_text(stream.duration_ms.value_or(0)) +
            " that it announced";
   }
-  const std::uint64_t bytes =
-      stream.classic.bytes() + stream.negotiated.bytes() + stream.changes.bytes();
-  if (bytes > kBytesMost) return "its recording has more than 1 GiB";
-  if (stream.times.size() % kLookEvery == 0) {
-    // As much again is taken for a moment when the buffers grow.
-    if (auto may = options_.may_hold(bytes); !may) return may.error().message;
-  }
+  if (auto full = no_room()) return full;
   stream.classic.push_back(keyframe.classic);
   stream.negotiated.push_back(keyframe.full);
   if (changes_) stream.changes.push_back(keyframe.changes);
@@ -143,26 +138,42 @@ std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& 
   return std::nullopt;
 }
 
+/// Asked before anything more of a recorded stream is kept.
+std::optional<std::string> RelayedStream::no_room() {
+  const std::uint64_t bytes =
+      held_bytes(*recorded_) + (voice_ ? voice_->bytes() : 0) + caption_bytes_;
+  if (bytes > kBytesMost) return "its recording has more than 1 GiB";
+  if (looks_++ % kLookEvery > 0) return std::nullopt;
+  // As much again is taken for a moment when the buffers grow.
+  const auto may = options_.may_hold(bytes);
+  return may ? std::nullopt : std::optional(may.error().message);
+}
+
 /// What a parent sends again, because it sounds where it was asked to begin, is here already.
-void RelayedStream::add(const protocol::DeliverVoice& voice) {
+std::optional<std::string> RelayedStream::add(const protocol::DeliverVoice& voice) {
   if (feed_) {
     feed_->add_voice({voice.packet.place + offset_, voice.packet.opus});
   } else if (voice_) {
+    if (auto full = no_room()) return full;
     const auto before = voice_->packets();
     if (before.empty() || voice.packet.place >= before.back().end) voice_->add(voice.packet);
   }
+  return std::nullopt;
 }
 
-void RelayedStream::add(const protocol::DeliverCaption& caption) {
+std::optional<std::string> RelayedStream::add(const protocol::DeliverCaption& caption) {
   if (feed_) {
     const auto place = Milliseconds(caption.caption.place_ms) + offset_;
     feed_->add_caption({static_cast<std::uint64_t>(place.count()), caption.caption.text});
   } else if (sound_) {
+    if (auto full = no_room()) return full;
     auto& captions = sound_->captions;
     if (captions.empty() || caption.caption.place_ms > captions.back().place_ms) {
       captions.push_back(caption.caption);
+      caption_bytes_ += sizeof(protocol::Caption) + caption.caption.text.size();
     }
   }
+  return std::nullopt;
 }
 
 std::optional<std::string> RelayedStream::end() {

@@ -48,8 +48,8 @@ class RelayedStream {
   /// `packet`: the bytes of the keyframe as they came.
   [[nodiscard]] std::optional<std::string> add(const protocol::DeliverKeyframe& keyframe,
                                                std::string_view packet);
-  void add(const protocol::DeliverVoice& voice);
-  void add(const protocol::DeliverCaption& caption);
+  [[nodiscard]] std::optional<std::string> add(const protocol::DeliverVoice& voice);
+  [[nodiscard]] std::optional<std::string> add(const protocol::DeliverCaption& caption);
   /// {-2}. A live stream may go on with the next parent.
   [[nodiscard]] std::optional<std::string> end();
 
@@ -69,6 +69,7 @@ class RelayedStream {
   [[nodiscard]] std::optional<std::string> objection(const protocol::HelloGranted& hello) const;
   [[nodiscard]] std::optional<std::string> keep(const protocol::EncodedKeyframe& keyframe,
                                                 std::uint32_t time_ms);
+  [[nodiscard]] std::optional<std::string> no_room();
 
   Options options_;
   std::shared_ptr<protocol::UpstreamStream> shared_;
@@ -78,7 +79,9 @@ class RelayedStream {
   std::uint64_t place_ms_ = 0;
   std::shared_ptr<protocol::Soundtrack> sound_;  ///< of a recorded stream; null: it has none
   std::shared_ptr<protocol::VoiceTrack> voice_;  ///< of that; null: it has captions only
-  Milliseconds offset_{0};  ///< live: from the clock of the connection to that of the feed
+  std::size_t caption_bytes_ = 0;                ///< of that
+  std::uint64_t looks_ = 0;  ///< at whether there is room for more of a recorded stream
+  Milliseconds offset_{0};   ///< live: from the clock of the connection to that of the feed
 };
 
 }  // namespace aucast::server

@@ -256,6 +256,34 @@ TEST_F(RelayOfTalk, AFloodOfLiveKeyframesIsLeft) {
   EXPECT_NE(why().find("keyframes a second"), std::string::npos);
 }
 
+TEST_F(RelayOfTalk, AFloodOfLiveVoiceIsLeft) {
+  connect();
+  hear("{hello v=2 window=50 delta=1 stream=talk live=1 voice=opus}{1;0}{a@0 WAEC}");
+  std::string many;
+  for (std::uint32_t count = 2; count < Parent::kLivePerSecondMost; ++count) many += "{a WAM}";
+  hear(many);
+  EXPECT_FALSE(ending_);
+  hear("{a WAM}");
+  EXPECT_NE(why().find("packets a second"), std::string::npos);
+}
+
+TEST_F(RelayOfTalk, VoiceWithoutKeyframesTakesMemoryToo) {
+  full_ = true;
+  connect();
+  hear("{hello v=2 window=256 stream=talk duration=120 keyframe=40 voice=opus}");
+  EXPECT_FALSE(ending_);
+  hear("{a@0 WAEC}");
+  EXPECT_EQ(why(), "talk: there is no memory left");
+}
+
+TEST_F(RelayOfTalk, WhoComesBeforeTheFirstCaptionIsGrantedCaptions) {
+  connect();
+  hear("{hello v=2 window=256 stream=talk duration=120 keyframe=40 text=1}{1;40}");
+  ASSERT_NE(stream_.shared()->sound, nullptr);
+  EXPECT_TRUE(stream_.shared()->sound->captions.empty());
+  EXPECT_TRUE(stream_.shared()->sound->has_captions());
+}
+
 TEST_F(RelayOfTalk, ARecordingThatLeavesNoMemoryIsLeft) {
   full_ = true;
   connect();
