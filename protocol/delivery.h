@@ -75,6 +75,9 @@ class Delivery {
   /// While `held` no keyframe of a live stream is handed out.
   void hold(bool held) { held_ = held; }
 
+  /// Keyframes of a recorded stream may have to wait for its voice.
+  [[nodiscard]] bool waits_for_voice() const { return voice_ && !stream_.live; }
+
   [[nodiscard]] const ServedStream& stream() const { return stream_; }
   [[nodiscard]] Level level() const { return level_; }
   [[nodiscard]] bool answers() const { return window_ > 0; }

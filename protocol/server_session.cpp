@@ -468,7 +468,7 @@ std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
 }
 
 std::vector<ServerEvent> ServerSession::on_voice(Instant now) {
-  if (state_->phase != State::Phase::Streaming) return {};
+  if (state_->phase != State::Phase::Streaming || !state_->delivery.waits_for_voice()) return {};
   state_->begin_call(now);
   state_->send_due(&Delivery::pump);
   return state_->take_events();

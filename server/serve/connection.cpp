@@ -62,7 +62,9 @@ void Connection::on_moment() {
 
 void Connection::on_voice() {
   if (!session_ || finishing_) return;
-  carry_out(session_->on_voice(link_->now()));
+  auto events = session_->on_voice(link_->now());
+  if (events.empty()) return;
+  carry_out(std::move(events));
   go_on();
 }
 
