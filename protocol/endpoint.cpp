@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "common/number_of.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 
@@ -33,11 +33,8 @@ bool is_host_byte(char byte) {
 }
 
 std::optional<std::uint16_t> parse_port(std::string_view text) {
-  std::uint16_t port = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stopped, failure] = std::from_chars(text.data(), end, port);
-  if (failure != std::errc{} || stopped != end || port == 0) return std::nullopt;
-  return port;
+  const auto port = number_of<std::uint16_t>(text);
+  return port == 0 ? std::nullopt : port;
 }
 
 Result<Endpoint> read_endpoint(std::string_view text) {
@@ -111,14 +108,12 @@ Result<StreamAddress> parse_stream_address(std::string_view text) {
       return bad_address(text, "a stream's name has 1 to 64 letters, digits, '.', '_' or '-'");
     }
   }
-  while (true) {
-    const std::size_t comma = std::min(hosts.find(','), hosts.size());
-    auto endpoint = read_endpoint(hosts.substr(0, comma));
+  for (const std::string_view host : split(hosts, ',')) {
+    auto endpoint = read_endpoint(host);
     if (!endpoint) return bad_address(text, endpoint.error().message);
     address.hosts.push_back(*std::move(endpoint));
-    if (comma == hosts.size()) return address;
-    hosts.remove_prefix(comma + 1);
   }
+  return address;
 }
 
 }  // namespace aucast::protocol

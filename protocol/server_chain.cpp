@@ -2,31 +2,19 @@
 
 #include <algorithm>
 
+#include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
-namespace {
-
-/// Calls `visit` with each ID until it returns false; returns whether it never did.
-template <typename Visit>
-bool for_each_id(std::string_view chain, Visit visit) {
-  while (true) {
-    const std::size_t comma = std::min(chain.find(','), chain.size());
-    if (!visit(chain.substr(0, comma))) return false;
-    if (comma == chain.size()) return true;
-    chain.remove_prefix(comma + 1);
-  }
-}
-
-}  // namespace
-
 bool is_server_id(std::string_view text) {
   return text.size() <= kServerIdBytesMax && is_stream_name(text);
 }
 
 bool is_server_chain(std::string_view text) {
-  return servers_in(text) <= kRelayHopsMax && for_each_id(text, is_server_id);
+  if (servers_in(text) > kRelayHopsMax) return false;
+  const auto ids = split(text, ',');
+  return std::all_of(ids.begin(), ids.end(), is_server_id);
 }
 
 std::size_t servers_in(std::string_view chain) {
@@ -35,7 +23,8 @@ std::size_t servers_in(std::string_view chain) {
 }
 
 bool passes_through(std::string_view chain, std::string_view id) {
-  return !for_each_id(chain, [id](std::string_view server) { return server != id; });
+  const auto ids = split(chain, ',');
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 std::string chained(std::string chain, std::string_view id) {

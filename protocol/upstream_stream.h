@@ -25,8 +25,6 @@ struct UpstreamStream {
   std::uint32_t keyframe_ms = 250;          ///< time of a keyframe without its own
   std::string servers;       ///< that it comes through, as server_chain.h has them; without our own
   Milliseconds patience{0};  ///< how long a client waits for a stream that is not known yet
-
-  [[nodiscard]] bool known() const { return recorded != nullptr || live != nullptr; }
 };
 
 }  // namespace aucast::protocol

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/number_of.h"
 #include "common/sources/format.h"
+#include "common/sources/per_au.h"
 
 namespace aucast::sources {
 namespace {
@@ -14,22 +14,8 @@ constexpr std::uint8_t kFirstTurn = 51;
 
 struct Column {
   std::size_t index = 0;
-  std::uint8_t number = 0;
-  Side side = Side::Both;
+  AuName au;
 };
-
-/// "L12", "R12" or "12".
-std::optional<Column> au_column(std::string_view name) {
-  Column column;
-  if (name.starts_with('L') || name.starts_with('R')) {
-    column.side = name[0] == 'L' ? Side::Left : Side::Right;
-    name.remove_prefix(1);
-  }
-  const auto number = number_of<std::uint8_t>(name);
-  if (!number || *number < 1 || *number > kAuNumberMax) return std::nullopt;
-  column.number = *number;
-  return column;
-}
 
 /// Columns are AUs in percent; turns of head and eyes may be above 100.
 class CameraTable final : public Format {
@@ -39,10 +25,7 @@ class CameraTable final : public Format {
         confidence_(table.column("confidence")),
         success_(table.column("success")) {
     for (std::size_t index = 0; index < table.columns().size(); ++index) {
-      if (auto column = au_column(table.columns()[index])) {
-        column->index = index;
-        columns_.push_back(*column);
-      }
+      if (const auto au = parse_au_name(table.columns()[index])) columns_.push_back({index, *au});
     }
   }
 
@@ -57,8 +40,9 @@ class CameraTable final : public Format {
     for (const Column& column : columns_) {
       const auto percent = row.number(column.index);
       if (!percent) continue;
-      const bool turn = column.number >= kFirstTurn;
-      out.aus.push_back({column.number, column.side, turn ? *percent / 100 : *percent, !turn});
+      const bool turn = column.au.number >= kFirstTurn;
+      out.aus.push_back(
+          {column.au.number, column.au.side, turn ? *percent / 100 : *percent, !turn});
     }
   }
 

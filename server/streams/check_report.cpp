@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
-#include <string_view>
 
 #include "common/action_unit.h"
 #include "common/check.h"

@@ -1,6 +1,5 @@
 #include "server/voice/voice_summary.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace aucast::server {
