@@ -80,15 +80,15 @@ void raise_descriptor_limit() {
   ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
+asio::ip::address without_mapping(const asio::ip::address& address) {
+  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address;
+  return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
+}
+
 std::string endpoint_text(const tcp::endpoint& endpoint) {
-  const auto address = endpoint.address();
+  const auto address = without_mapping(endpoint.address());
   const std::string port = ":" + std::to_string(endpoint.port());
-  if (address.is_v4()) return address.to_string() + port;
-  const auto v6 = address.to_v6();
-  if (v6.is_v4_mapped()) {
-    return asio::ip::make_address_v4(asio::ip::v4_mapped, v6).to_string() + port;
-  }
-  return "[" + v6.to_string() + "]" + port;
+  return address.is_v4() ? address.to_string() + port : "[" + address.to_string() + "]" + port;
 }
 
 Listener::Listener(asio::io_context& io, const AcceptLimits& limits)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <asio/io_context.hpp>
+#include <asio/ip/address.hpp>
 #include <asio/ip/tcp.hpp>
 #include <asio/steady_timer.hpp>
 
@@ -15,6 +16,9 @@ namespace aucast::link {
 
 /// A descriptor a client: takes as many as the system lets this process have.
 void raise_descriptor_limit();
+
+/// The address; IPv4 within IPv6 as IPv4.
+[[nodiscard]] asio::ip::address without_mapping(const asio::ip::address& address);
 
 /// ADDR:PORT, with brackets around an IPv6 address.
 [[nodiscard]] std::string endpoint_text(const asio::ip::tcp::endpoint& endpoint);

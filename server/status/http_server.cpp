@@ -1,9 +1,9 @@
 #include "server/status/http_server.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "common/link/tcp_link.h"
+#include "common/web/exchange_list.h"
 #include "common/web/origin.h"
 #include "protocol/link_limits.h"
 
@@ -84,12 +84,7 @@ void HttpServer::start() {
 }
 
 void HttpServer::welcome(tcp::socket socket) {
-  if (exchanges_.size() >= protocol::kHttpConnectionsMax) {
-    // One that says nothing must not keep others out.
-    const auto silent = std::find_if(exchanges_.begin(), exchanges_.end(),
-                                     [](const auto& exchange) { return exchange->asking(); });
-    exchanges_.erase(silent == exchanges_.end() ? exchanges_.begin() : silent);
-  }
+  web::make_room(exchanges_, protocol::kHttpConnectionsMax);
   exchanges_.push_back(std::make_shared<Exchange>(std::move(socket), *this));
   exchanges_.back()->start();
 }

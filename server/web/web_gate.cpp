@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "common/link/listener.h"
 #include "common/text.h"
 #include "common/text_file.h"
 #include "common/web/origin.h"
@@ -13,22 +14,17 @@ namespace {
 
 using asio::ip::address;
 
-/// IPv4 within IPv6 is IPv4.
-address plain(const address& any) {
-  if (!any.is_v6() || !any.to_v6().is_v4_mapped()) return any;
-  return asio::ip::make_address_v4(asio::ip::v4_mapped, any.to_v6());
-}
-
 std::optional<address> address_of(std::string_view text) {
   std::error_code none;
   const address found = asio::ip::make_address(std::string(text), none);
   if (none) return std::nullopt;
-  return plain(found);
+  return link::without_mapping(found);
 }
 
 bool is_one_of(const address& peer, const std::vector<std::string>& addresses) {
-  return std::any_of(addresses.begin(), addresses.end(),
-                     [&peer](const std::string& text) { return address_of(text) == plain(peer); });
+  return std::any_of(addresses.begin(), addresses.end(), [&peer](const std::string& text) {
+    return address_of(text) == link::without_mapping(peer);
+  });
 }
 
 }  // namespace

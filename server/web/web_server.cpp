@@ -1,6 +1,5 @@
 #include "server/web/web_server.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "common/files.h"
@@ -9,6 +8,7 @@
 #include "common/link/web_link.h"
 #include "common/log.h"
 #include "common/text.h"
+#include "common/web/exchange_list.h"
 #include "common/web/http.h"
 #include "common/web/upgrade.h"
 #include "protocol/link_limits.h"
@@ -178,12 +178,7 @@ void WebServer::start() {
 }
 
 void WebServer::welcome(tcp::socket socket, const tcp::endpoint& peer) {
-  if (exchanges_.size() >= protocol::kWebConnectionsMax) {
-    // One that says nothing must not keep others out.
-    const auto silent = std::find_if(exchanges_.begin(), exchanges_.end(),
-                                     [](const auto& exchange) { return exchange->asking(); });
-    exchanges_.erase(silent == exchanges_.end() ? exchanges_.begin() : silent);
-  }
+  web::make_room(exchanges_, protocol::kWebConnectionsMax);
   exchanges_.push_back(std::make_shared<Exchange>(link_of(std::move(socket)), peer, *this));
   exchanges_.back()->start();
 }
