@@ -58,7 +58,8 @@ void SoundMixer::copy(std::span<float> samples) {
 
 void SoundMixer::resample(double to, std::span<float> samples) {
   const double from = *next_;
-  const double step = (to - from) / static_cast<double>(samples.size());
+  // A place that lies a little back is waited for.
+  const double step = std::max(0.0, (to - from) / static_cast<double>(samples.size()));
   const auto first = static_cast<std::int64_t>(std::floor(from)) - 1;
   // No sample from `to` on is asked for: its packet may still be on its way.
   const auto behind = static_cast<std::int64_t>(std::ceil(to));
@@ -71,7 +72,7 @@ void SoundMixer::resample(double to, std::span<float> samples) {
     const auto tap = static_cast<std::size_t>(static_cast<std::int64_t>(whole) - 1 - first);
     samples[i] = between(&taps_[tap], static_cast<float>(at - whole));
   }
-  next_ = to;
+  next_ = std::max(to, from);
 }
 
 void SoundMixer::glide(bool broken, std::span<float> samples) {

@@ -94,6 +94,21 @@ TEST(SoundMixer, ResamplesWithoutALossAndWithoutAClick) {
   }
 }
 
+TEST(SoundMixer, WaitsForAPlaceThatLiesALittleBack) {
+  CountingTrack track;
+  SoundMixer mixer(track);
+  const double speed = 1.05;
+  (void)tick(mixer, Passing{Milliseconds(1000), speed});
+  std::vector<float> samples(4);
+  mixer.mix(Passing{Milliseconds(1000) - std::chrono::microseconds(500), speed}, samples);
+  // The last that was heard, until the place is reached again.
+  for (const float sample : samples) EXPECT_EQ(sample, 47'999 / CountingTrack::kWhole);
+  samples.resize(48);
+  mixer.mix(Passing{Milliseconds(1001), speed}, samples);
+  EXPECT_GE(samples.front(), 47'999 / CountingTrack::kWhole);
+  EXPECT_LE(samples.back(), 48'048 / CountingTrack::kWhole);
+}
+
 TEST(SoundMixer, GoesFromOneSpeedToTheOtherWithoutAClick) {
   ToneTrack track;
   SoundMixer mixer(track);
