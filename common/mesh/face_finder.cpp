@@ -65,8 +65,7 @@ std::optional<Square> FaceFinder::find(const Picture& picture) {
   const auto y = [&](std::size_t index) { return (part(index) + from.y - 0.5) * side + middle_y; };
   const Square square{x(0), y(1), kMargin * std::max(part(2), part(3)) * side,
                       std::atan2(y(7) - y(5), x(6) - x(4))};
-  if (!std::isfinite(square.x + square.y + square.side) || !(square.side >= 1)) return std::nullopt;
-  return square;
+  return can_be_seen(square) ? std::optional(square) : std::nullopt;
 }
 
 }  // namespace aucast::mesh

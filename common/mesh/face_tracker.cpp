@@ -1,6 +1,5 @@
 #include "common/mesh/face_tracker.h"
 
-#include <cmath>
 #include <utility>
 
 namespace aucast::mesh {
@@ -17,10 +16,8 @@ std::optional<Landmarks> FaceTracker::look_in(const Picture& picture, const Squa
   Landmarks landmarks = landmarks_.find(picture, square);
   if (!(landmarks.presence >= kPresenceMin)) return std::nullopt;
   const Square next = square_around(landmarks);
-  // Numbers that are none would be looked for for ever.
-  if (!std::isfinite(next.x + next.y + next.side + next.turn_rad) || !(next.side >= 1)) {
-    return std::nullopt;
-  }
+  // What cannot be seen would be looked for for ever.
+  if (!can_be_seen(next)) return std::nullopt;
   where_ = next;
   return landmarks;
 }

@@ -5,6 +5,8 @@
 namespace aucast::mesh {
 namespace {
 
+constexpr double kPixelsMax = 1e6;
+
 /// A pixel's three bytes; black outside of the picture.
 const std::uint8_t* pixel_at(const Picture& picture, std::int64_t x, std::int64_t y) {
   static constexpr std::uint8_t kBlack[3] = {0, 0, 0};
@@ -16,6 +18,11 @@ const std::uint8_t* pixel_at(const Picture& picture, std::int64_t x, std::int64_
 }
 
 }  // namespace
+
+bool can_be_seen(const Square& square) {
+  return std::isfinite(square.turn_rad) && std::abs(square.x) < kPixelsMax &&
+         std::abs(square.y) < kPixelsMax && square.side >= 1 && square.side < kPixelsMax;
+}
 
 void sample_square(const Picture& picture, const Square& square, std::size_t size, float low,
                    float high, std::span<float> out) {

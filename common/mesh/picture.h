@@ -21,8 +21,12 @@ struct Square {
   double turn_rad = 0;  ///< clockwise as one looks at it
 };
 
-/// What the square shows, `size` times `size` pixels, rows from its top: each byte as a number from
-/// `low` to `high`, 0 bytes outside of the picture. Between pixels it is bilinear.
+/// Whether a square can be looked at: its numbers are numbers and nowhere near what an integer
+/// holds, and its side is a pixel at least.
+[[nodiscard]] bool can_be_seen(const Square& square);
+
+/// What a square that can_be_seen() shows, `size` times `size` pixels, rows from its top: each byte
+/// as a number from `low` to `high`, 0 bytes outside of the picture. Between pixels it is bilinear.
 void sample_square(const Picture& picture, const Square& square, std::size_t size, float low,
                    float high, std::span<float> out);
 
