@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -17,7 +18,8 @@
 namespace aucast {
 namespace {
 
-constexpr std::size_t kLastWordsBytesMax = 2048;
+constexpr std::size_t kLastWordsBytesMax = 2048;  ///< kept; more than shown, for ends of lines
+constexpr std::size_t kLastWordsShown = 300;
 constexpr int kSendBufferBytes = 1 << 20;
 
 void close_quietly(int& descriptor) {
@@ -168,6 +170,14 @@ int Child::wait() {
   AUCAST_CHECK(waited == pid_);
   exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return *exit_code_;
+}
+
+std::string Child::last_words() const {
+  std::string words = last_words_;
+  while (!words.empty() && words.back() == '\n') words.pop_back();
+  if (words.size() > kLastWordsShown) words.erase(0, words.size() - kLastWordsShown);
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  return escaped(words, 4 * kLastWordsShown);
 }
 
 }  // namespace aucast

@@ -40,8 +40,8 @@ class Child {
   /// Ends the flow and waits for the end: the exit code, or 128 + the signal that killed it. The
   /// same again when called again.
   [[nodiscard]] int wait();
-  /// The end of what it wrote to stderr, at most 2 KiB.
-  [[nodiscard]] const std::string& last_words() const { return last_words_; }
+  /// The end of what it wrote to stderr, at most 300 bytes of it, in one line, safe to print.
+  [[nodiscard]] std::string last_words() const;
 
  private:
   Child(pid_t pid, int flow, int errors) : pid_(pid), flow_(flow), errors_(errors) {}

@@ -18,7 +18,6 @@ namespace {
 constexpr int kSideMax = 8192;
 constexpr int kFpsMax = 240;
 constexpr int kGifFpsMax = 50;  ///< browsers slow down what asks for more
-constexpr std::size_t kWordsShown = 300;
 
 enum class Format : std::uint8_t { Mp4, Webm, Gif };
 
@@ -151,14 +150,6 @@ Result<void> check_request(const std::filesystem::path& path, int width, int hei
   return {};
 }
 
-/// The end of what ffmpeg wrote, its lines joined, safe to print.
-std::string one_line(std::string words) {
-  while (!words.empty() && words.back() == '\n') words.pop_back();
-  if (words.size() > kWordsShown) words.erase(0, words.size() - kWordsShown);
-  std::replace(words.begin(), words.end(), '\n', ' ');
-  return escaped(words, 4 * kWordsShown);
-}
-
 }  // namespace
 
 struct VideoEncoder::State {
@@ -178,7 +169,7 @@ struct VideoEncoder::State {
 /// Collects what ffmpeg had to say once it stopped reading.
 Result<void> VideoEncoder::State::give_up() {
   const int code = ffmpeg->wait();
-  const std::string words = one_line(ffmpeg->last_words());
+  const std::string words = ffmpeg->last_words();
   const std::string how = code >= 128 ? "was killed by signal " + std::to_string(code - 128)
                                       : "ended with code " + std::to_string(code);
   failure = Error{ErrorKind::Failed,

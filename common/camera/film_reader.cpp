@@ -57,11 +57,8 @@ Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& 
       on_progress({static_cast<double>(film.pictures.size()) / film.fps, whole});
     }
   }
-  const std::string complaint = source->complaint();
   if (film.pictures.empty()) {
-    return Error{ErrorKind::BadData,
-                 at_place(path.string(), "there are no pictures in it" +
-                                             (complaint.empty() ? "" : "; ffmpeg: " + complaint))};
+    return no_pictures(ErrorKind::BadData, path.string(), source->complaint());
   }
   return film;
 }

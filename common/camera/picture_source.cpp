@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "common/files.h"
@@ -11,8 +10,6 @@
 
 namespace aucast::camera {
 namespace {
-
-constexpr std::size_t kWordsShown = 300;
 
 /// Square pixels, then 640 at most; the longer side of a face net's input is 192.
 constexpr const char* kFilters =
@@ -31,14 +28,6 @@ std::vector<std::string> arguments_of(std::vector<std::string> input, const std:
     arguments.emplace_back(word);
   }
   return arguments;
-}
-
-/// The end of what ffmpeg wrote, its lines joined, safe to print.
-std::string one_line(std::string words) {
-  while (!words.empty() && words.back() == '\n') words.pop_back();
-  if (words.size() > kWordsShown) words.erase(0, words.size() - kWordsShown);
-  std::replace(words.begin(), words.end(), '\n', ' ');
-  return escaped(words, 4 * kWordsShown);
 }
 
 /// "file:" keeps a name with a colon from being taken for a network address.
@@ -64,9 +53,7 @@ Result<PictureSource> PictureSource::open(const std::vector<std::string>& argume
       Y4mReader::open([ffmpeg](std::span<std::uint8_t> bytes) { return ffmpeg->read(bytes); });
   if (!pictures) return Error{kind, at_place(name, pictures.error().message)};
   if (!*pictures) {
-    const std::string words = source.complaint();
-    return Error{kind, at_place(name, "there are no pictures in it" +
-                                          (words.empty() ? "" : "; ffmpeg says: " + words))};
+    return no_pictures(kind, name, source.complaint());
   }
   source.pictures_ = std::move(*pictures);
   return source;
@@ -92,7 +79,12 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
 
 std::string PictureSource::complaint() {
   const int code = ffmpeg_->wait();
-  return code == 0 ? std::string() : one_line(ffmpeg_->last_words());
+  return code == 0 ? std::string() : ffmpeg_->last_words();
+}
+
+Error no_pictures(ErrorKind kind, const std::string& name, const std::string& complaint) {
+  return {kind, at_place(name, "there are no pictures in it" +
+                                   (complaint.empty() ? "" : "; ffmpeg says: " + complaint))};
 }
 
 std::optional<double> film_seconds(const std::filesystem::path& path) {

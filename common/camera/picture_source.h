@@ -48,6 +48,11 @@ class PictureSource {
   std::optional<Y4mReader> pictures_;
 };
 
+/// What is wrong with a film or camera that ffmpeg ended without a picture of, with its
+/// complaint().
+[[nodiscard]] Error no_pictures(ErrorKind kind, const std::string& name,
+                                const std::string& complaint);
+
 /// How long a film is, in seconds; nothing when nobody knows.
 [[nodiscard]] std::optional<double> film_seconds(const std::filesystem::path& path);
 
