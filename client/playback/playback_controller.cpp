@@ -26,8 +26,6 @@ Duration time_taken(const TimedAus& keyframe, Milliseconds time, Instant begin) 
   // A voice that is half a per cent faster or slower sounds the same; a face may be so by five.
   const int bend = keyframe.spoken ? 5 : 50;
   const Duration aim = keyframe.due ? *keyframe.due - begin : whole * keyframe.pace_percent / 100;
-  const bool bends = keyframe.due || keyframe.pace_percent != 100;
-  if (!bends) return whole;
   return std::clamp(aim, whole * (1000 - bend) / 1000, whole * (1000 + bend) / 1000);
 }
 
