@@ -69,7 +69,9 @@ std::string_view remedy(SessionFailed::Why why) {
 
 void AuReader::begin_session() {
   protocol::ClientSessionOptions again = session_options(options_, negotiate_, answers_);
-  if (!status_.live) again.hello.from_ms = place_ms_;
+  if (!status_.live) {
+    again.hello.from_ms = static_cast<std::uint64_t>((clock_ - clock_shift_).count());
+  }
   session_ = protocol::ClientSession(std::move(again));
 }
 
@@ -211,7 +213,6 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   TimedAus keyframe{event.aus, std::nullopt};
   if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
   const Milliseconds time = keyframe.duration.value_or(status_.keyframe_time);
-  place_ms_ += static_cast<std::uint64_t>(time.count());
   keyframe.spoken = status_.live && voice_end_ > clock_;
   clock_ += time;
   keyframe.place = clock_;
@@ -244,7 +245,6 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
   if (options_.buffers.adapt && !options_.buffers.low_delay && status_.live)
     buffers_.set_delay(timing_.first_delay());
-  place_ms_ = event.hello.from_ms;
   clock_shift_ = clock_ - Milliseconds(event.hello.from_ms);
   status_.voice = !event.hello.voice.empty();
   status_.title = event.hello.title;

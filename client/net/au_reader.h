@@ -146,7 +146,6 @@ class AuReader {
   Instant connected_at_{};
   Instant now_{};  ///< of the call that is being worked on
   LiveTiming timing_;
-  std::uint64_t place_ms_ = 0;   ///< recorded: how far the stream has come
   Milliseconds clock_{0};        ///< the times of all keyframes received, over all connections
   Milliseconds clock_shift_{0};  ///< from this connection's places to it
   Milliseconds voice_end_{0};    ///< on that clock, of the voice received
