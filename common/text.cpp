@@ -116,6 +116,18 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+std::vector<std::string_view> split_words(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  std::vector<std::string_view> found;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    if (text.empty()) return found;
+    const std::size_t length = std::min(text.find_first_of(kBlanks), text.size());
+    found.push_back(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+}
+
 std::string counted(std::uint64_t count, std::string_view thing) {
   return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
 }

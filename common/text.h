@@ -34,6 +34,9 @@ namespace aucast {
 /// `text`.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// The parts between blanks, tabs and carriage returns, none of them empty. Views into `text`.
+[[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
+
 /// "1 packet", "6 packets".
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view thing);
 

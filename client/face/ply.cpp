@@ -58,17 +58,6 @@ void append(std::string& bytes, T value) {
   bytes.append(raw.data(), raw.size());
 }
 
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  while (true) {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
-    if (line.empty()) return words;
-    const std::size_t length = std::min(line.find_first_of(" \t\r"), line.size());
-    words.push_back(line.substr(0, length));
-    line.remove_prefix(length);
-  }
-}
-
 struct Property {
   std::string name;
   bool is_float = false;
@@ -104,7 +93,7 @@ class HeaderReader {
       ++line_;
       const std::string_view line = bytes_.substr(position_, end - position_);
       position_ = end + 1;
-      if (auto wrong = take_line(words_of(line))) return bad(*wrong);
+      if (auto wrong = take_line(split_words(line))) return bad(*wrong);
     }
     if (auto wrong = missing()) return bad(*wrong);
     header_.body_begin = position_;

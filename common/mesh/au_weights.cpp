@@ -112,14 +112,6 @@ class WeightsReader {
   AuWeights weights_;
 };
 
-Words words_of(std::string_view line) {
-  Words words;
-  for (const std::string_view word : split(line, ' ')) {
-    if (!word.empty()) words.push_back(word);
-  }
-  return words;
-}
-
 }  // namespace
 
 Inputs inputs_of(const Measures& seen, const Measures& quiet, bool left) {
@@ -150,7 +142,7 @@ Result<AuWeights> parse_au_weights(std::string_view text, std::string_view file)
   std::size_t number = 0;
   for (const std::string_view line : split(text, '\n')) {
     ++number;
-    const Words words = words_of(line);
+    const Words words = split_words(line);
     if (words.empty() || words[0].starts_with('#')) continue;
     if (const auto wrong = reader.read(words)) problems.add({number, 1}, *wrong);
   }

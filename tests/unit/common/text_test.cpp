@@ -48,6 +48,14 @@ TEST(Split, KeepsEmptyParts) {
   EXPECT_EQ(split("", ','), Parts{""});
 }
 
+TEST(SplitWords, LeavesOutBlanks) {
+  using Words = std::vector<std::string_view>;
+  EXPECT_EQ(split_words("au  12 sided\r"), (Words{"au", "12", "sided"}));
+  EXPECT_EQ(split_words("\t a\t"), Words{"a"});
+  EXPECT_TRUE(split_words(" \t\r").empty());
+  EXPECT_TRUE(split_words("").empty());
+}
+
 TEST(SystemReason, IsTheSystems) {
   EXPECT_EQ(system_reason(ENOENT), "No such file or directory");
 }
