@@ -1,24 +1,18 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
-#include "common/link/dialler.h"
 #include "common/time.h"
 #include "common/tls/context.h"
 #include "protocol/endpoint.h"
 #include "protocol/server_session.h"
 #include "server/status/status.h"
-#include "server/upstream/parent.h"
-#include "server/upstream/parent_turns.h"
-#include "server/upstream/relayed_stream.h"
+#include "server/upstream/reception.h"
+#include "server/upstream/redialler.h"
 
 namespace aucast::server {
 
@@ -47,39 +41,14 @@ class Upstream {
 
   /// As what it is served, under the name that its address gives it, if any.
   [[nodiscard]] protocol::ServedStream stream() const;
-  [[nodiscard]] UpstreamStatus status() const;
+  [[nodiscard]] UpstreamStatus status() const { return reception_.status(); }
 
  private:
-  void dial();
-  void on_dialled(link::Dialled dialled);
-  void begin(std::shared_ptr<link::Link> link);
-  void on_moved_on();
   void on_over(const Parent::Ending& ending);
-  void drop_parent();
-  void try_next(const std::string& reason);
-  void say_goes_on();
-  void await_giving_up();
-  void give_up();
-  [[nodiscard]] std::string name() const;
-  [[nodiscard]] std::string peer() const;
 
   UpstreamOptions options_;
-  std::function<void()> on_moment_;
-  RelayedStream stream_;
-  ParentTurns turns_;
-  link::Dialler dialler_;
-  asio::steady_timer dial_timer_;
-  asio::steady_timer wait_timer_;
-  std::unique_ptr<Parent> parent_;  ///< nothing: none is connected
-  bool receiving_ = false;          ///< the parent has sent a keyframe
-  bool ever_received_ = false;
-  bool stopped_ = false;
-  Instant silent_since_{};            ///< while not receiving
-  std::vector<std::string> reasons_;  ///< said last of each parent
-  std::uint64_t connects_ = 0;
-  std::uint64_t losses_ = 0;
-  std::uint64_t packets_before_ = 0;  ///< of parents that were left
-  std::uint64_t bytes_before_ = 0;
+  Reception reception_;
+  Redialler redialler_;
 };
 
 }  // namespace aucast::server

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "server/upstream/host_turns.h"
 #include "server/upstream/parent.h"
-#include "server/upstream/parent_turns.h"
 #include "server/upstream/relayed_stream.h"
 #include "tests/support/fake_link.h"
 
@@ -310,32 +310,32 @@ TEST_F(RelayOfTalk, TakesTheNameOfTheParentsFirstStream) {
   EXPECT_EQ(stream.asked().stream, "smile") << "of the next parent too";
 }
 
-TEST(ParentTurns, TakeTheNextAtOnceAndWaitWhenAllHaveFailed) {
-  ParentTurns turns(3, 1);
+TEST(HostTurns, TakeTheNextAtOnceAndWaitWhenAllHaveFailed) {
+  HostTurns turns(3, 1);
   EXPECT_EQ(turns.current(), 0U);
-  EXPECT_LE(turns.next(), ParentTurns::kNextMost);
+  EXPECT_LE(turns.next(), HostTurns::kNextMost);
   EXPECT_EQ(turns.current(), 1U);
-  EXPECT_LE(turns.next(), ParentTurns::kNextMost);
-  EXPECT_GE(turns.next(), ParentTurns::kFirst / 2);
+  EXPECT_LE(turns.next(), HostTurns::kNextMost);
+  EXPECT_GE(turns.next(), HostTurns::kFirst / 2);
   EXPECT_EQ(turns.current(), 0U);
 }
 
-TEST(ParentTurns, WaitLongerEachRoundUpToTheMost) {
-  ParentTurns turns(1, 1);
+TEST(HostTurns, WaitLongerEachRoundUpToTheMost) {
+  HostTurns turns(1, 1);
   Milliseconds most{0};
   for (int round = 0; round < 20; ++round) {
     const Milliseconds wait = turns.next();
-    EXPECT_LE(wait, ParentTurns::kMost);
+    EXPECT_LE(wait, HostTurns::kMost);
     most = std::max(most, wait);
   }
-  EXPECT_GT(most, ParentTurns::kMost / 2);
+  EXPECT_GT(most, HostTurns::kMost / 2);
   turns.worked();
-  EXPECT_LE(turns.next(), ParentTurns::kFirst);
+  EXPECT_LE(turns.next(), HostTurns::kFirst);
 }
 
-TEST(ParentTurns, ComeAtDifferentMomentsForDifferentRelays) {
-  ParentTurns one(1, 1);
-  ParentTurns other(1, 99);
+TEST(HostTurns, ComeAtDifferentMomentsForDifferentServers) {
+  HostTurns one(1, 1);
+  HostTurns other(1, 99);
   EXPECT_NE(one.next(), other.next());
 }
 

@@ -8,30 +8,30 @@
 
 namespace aucast::server {
 
-/// Which of several parents is dialled next, and after what wait. The next one is tried at once
-/// when one is lost; when all have failed in a row, the next round waits 1, 2, 4 and then 5 s.
-/// Every wait is a random part shorter, so that many relays do not come back at the same moment. No
+/// Which of several hosts is dialled next, and after what wait. The next one is tried at once when
+/// one is lost; when all have failed in a row, the next round waits 1, 2, 4 and then 5 s. Every
+/// wait is a random part shorter, so that many servers do not come back at the same moment. No
 /// clock. Thread: none of its own.
-class ParentTurns {
+class HostTurns {
  public:
   static constexpr Milliseconds kFirst{1'000};
   static constexpr Milliseconds kMost{5'000};
-  static constexpr Milliseconds kNextMost{100};  ///< before the next parent of the same round
+  static constexpr Milliseconds kNextMost{100};  ///< before the next host of the same round
 
-  /// `parents`: at least one.
-  ParentTurns(std::size_t parents, std::uint32_t seed) : parents_(parents), random_(seed) {}
+  /// `hosts`: at least one.
+  HostTurns(std::size_t hosts, std::uint32_t seed) : hosts_(hosts), random_(seed) {}
 
   /// The one whose turn it is.
   [[nodiscard]] std::size_t current() const { return current_; }
   /// It has failed or was lost: the turn goes on. Returns the wait before the new one is dialled.
   [[nodiscard]] Milliseconds next();
-  /// It sends: what failed before is forgotten.
+  /// It was of use: what failed before is forgotten.
   void worked();
 
  private:
   [[nodiscard]] Milliseconds shortened(Milliseconds wait);
 
-  std::size_t parents_;
+  std::size_t hosts_;
   std::minstd_rand random_;
   std::size_t current_ = 0;
   std::size_t failures_ = 0;  ///< in a row

@@ -1,0 +1,140 @@
+#include "server/upstream/reception.h"
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include "common/log.h"
+#include "protocol/limits.h"
+#include "server/streams/memory.h"
+
+namespace aucast::server {
+namespace {
+
+using std::chrono::steady_clock;
+
+RelayedStream::Options stream_options(const Reception::Options& options) {
+  const std::string& name = options.name;
+  return {name, options.classic_min, std::min<Milliseconds>(options.wait, protocol::kStreamWaitMax),
+          [name](std::uint64_t bytes) { return check_memory(name, bytes); }};
+}
+
+}  // namespace
+
+Reception::Reception(asio::io_context& io, Options options, Events events)
+    : options_(std::move(options)),
+      events_(std::move(events)),
+      stream_(stream_options(options_)),
+      timer_(io) {}
+
+void Reception::start() {
+  silent_since_ = steady_clock::now();
+  await_giving_up();
+}
+
+void Reception::stop() {
+  stopped_ = true;
+  timer_.cancel();
+  drop_parent();
+}
+
+std::string Reception::name() const {
+  const std::string& known = stream_.shared()->name;
+  return known.empty() ? "upstream" : known;
+}
+
+void Reception::begin(std::shared_ptr<link::Link> link, std::string peer,
+                      const std::string& token) {
+  ++connects_;
+  peer_ = std::move(peer);
+  parent_ =
+      std::make_unique<Parent>(std::move(link), stream_, Parent::Introduction{token, options_.id},
+                               Parent::Owner{[this] { on_moved_on(); },
+                                             [this](const Parent::Ending& end) { on_over(end); }});
+  parent_->start();
+}
+
+void Reception::begin_anew() {
+  stream_.give_up();
+  stream_ = RelayedStream(stream_options(options_));
+  ever_received_ = false;
+}
+
+void Reception::on_moved_on() {
+  if (!receiving_ && parent_->packets() > 0) {
+    receiving_ = true;
+    timer_.cancel();
+    say_goes_on();
+    ever_received_ = true;
+    events_.on_first();
+  }
+  events_.on_moment();
+}
+
+/// What a change of parents cost: nothing of a recorded stream, a hole in a live one.
+void Reception::say_goes_on() {
+  if (!ever_received_) {
+    spdlog::info("{}: {}, from {}", name(), stream_.live() ? "live" : "recorded", peer_);
+    return;
+  }
+  const double hole = seconds(steady_clock::now() - silent_since_);
+  if (stream_.live()) {
+    spdlog::warn("{}: goes on with {}; what was sent in {:.3f} s is missing", name(), peer_, hole);
+  } else {
+    spdlog::info("{}: goes on with {} where it was cut off, after {:.3f} s; nothing is missing",
+                 name(), peer_, hole);
+  }
+}
+
+void Reception::on_over(const Parent::Ending& ending) {
+  if (stopped_) return;
+  drop_parent();
+  if (std::exchange(receiving_, false)) {
+    silent_since_ = steady_clock::now();
+    await_giving_up();
+    if (!ending.in_order) ++losses_;
+  }
+  if (stream_.whole()) {
+    spdlog::info("{}: it is here whole, {} s", name(), seconds(stream_.place()));
+    timer_.cancel();
+  }
+  events_.on_over(ending);
+}
+
+void Reception::drop_parent() {
+  if (!parent_) return;
+  packets_before_ += parent_->packets();
+  bytes_before_ += parent_->bytes();
+  parent_.reset();
+}
+
+void Reception::await_giving_up() {
+  timer_.expires_at(silent_since_ + options_.wait);
+  timer_.async_wait([this](const std::error_code& error) {
+    if (!error && !stopped_ && !receiving_ && !stream_.whole()) give_up();
+  });
+}
+
+void Reception::give_up() {
+  spdlog::warn("{}: no {} sends it: {} (--upstream-wait {})", name(), options_.sender,
+               ever_received_ ? "it ends for the clients there" : "who asks for it is told so",
+               seconds(options_.wait));
+  stream_.give_up();
+  events_.on_moment();
+  events_.on_given_up();
+}
+
+UpstreamStatus Reception::status() const {
+  UpstreamStatus status;
+  status.stream = stream_.shared()->name;
+  status.parent = parent_ ? peer_ : "";
+  status.receiving = receiving_;
+  status.connects = connects_;
+  status.losses = losses_;
+  status.packets = packets_before_ + (parent_ ? parent_->packets() : 0);
+  status.bytes = bytes_before_ + (parent_ ? parent_->bytes() : 0);
+  return status;
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <asio/io_context.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "common/link/link.h"
+#include "common/time.h"
+#include "protocol/server_session.h"
+#include "server/status/status.h"
+#include "server/upstream/parent.h"
+#include "server/upstream/relayed_stream.h"
+
+namespace aucast::server {
+
+/// A stream that comes over one connection at a time, whoever makes that: holds for its clients
+/// while none is there, ends when none has come in time, and says in log and status how it goes.
+/// Thread: that of the io_context, which must outlive it.
+class Reception {
+ public:
+  struct Options {
+    std::string name;           ///< of the stream; empty: the parent's first
+    std::string id;             ///< of this server, to find loops by
+    Milliseconds wait{10'000};  ///< how long clients hold while nobody sends
+    int classic_min = 20;
+    const char* sender = "parent";  ///< what the log calls who sends
+  };
+  struct Events {
+    std::function<void()> on_moment;  ///< the stream has something new
+    std::function<void()> on_first;   ///< a connection has brought its first keyframe
+    /// A connection is over, and is gone; whole(), or another one is wanted.
+    std::function<void(const Parent::Ending&)> on_over;
+    std::function<void()> on_given_up = [] {};  ///< who is there was told that it has ended
+  };
+
+  Reception(asio::io_context& io, Options options, Events events);
+  ~Reception() { stop(); }
+  Reception(const Reception&) = delete;
+  Reception& operator=(const Reception&) = delete;
+
+  /// Counts from now on how long clients hold.
+  void start();
+  void stop();
+  /// What `link`, which nobody has started, brings from `peer`.
+  void begin(std::shared_ptr<link::Link> link, std::string peer, const std::string& token);
+  /// Nobody sends it any more, or what will be sent is another: who is there is told so, and who
+  /// comes gets what the next connection brings. Not while connected().
+  void begin_anew();
+
+  [[nodiscard]] bool connected() const { return parent_ != nullptr; }
+  /// A recorded stream is here to its end.
+  [[nodiscard]] bool whole() const { return stream_.whole(); }
+  [[nodiscard]] std::string name() const;  ///< for the log
+  [[nodiscard]] std::shared_ptr<const protocol::UpstreamStream> shared() const {
+    return stream_.shared();
+  }
+  [[nodiscard]] UpstreamStatus status() const;
+
+ private:
+  void on_moved_on();
+  void on_over(const Parent::Ending& ending);
+  void drop_parent();
+  void say_goes_on();
+  void await_giving_up();
+  void give_up();
+
+  Options options_;
+  Events events_;
+  RelayedStream stream_;
+  asio::steady_timer timer_;
+  std::unique_ptr<Parent> parent_;  ///< nothing: none is connected
+  std::string peer_;
+  bool receiving_ = false;  ///< the parent has sent a keyframe
+  bool ever_received_ = false;
+  bool stopped_ = false;
+  Instant silent_since_{};  ///< while not receiving
+  std::uint64_t connects_ = 0;
+  std::uint64_t losses_ = 0;
+  std::uint64_t packets_before_ = 0;  ///< of parents that were left
+  std::uint64_t bytes_before_ = 0;
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,93 @@
+#include "server/upstream/redialler.h"
+
+#include <random>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "common/link/host.h"
+#include "common/log.h"
+#include "protocol/link_limits.h"
+
+namespace aucast::server {
+namespace {
+
+/// For the name, the connection and TLS: the next host shall not wait long for one that is dead.
+constexpr Milliseconds kDialTimeMax{5'000};
+
+}  // namespace
+
+Redialler::Redialler(asio::io_context& io, Options options, std::function<std::string()> name,
+                     OnLink on_link)
+    : options_(std::move(options)),
+      name_(std::move(name)),
+      on_link_(std::move(on_link)),
+      turns_(options_.hosts.size(), std::random_device{}()),
+      dialler_(io),
+      timer_(io),
+      reasons_(options_.hosts.size()) {}
+
+void Redialler::stop() {
+  stopped_ = true;
+  dialler_.cancel();
+  timer_.cancel();
+}
+
+std::string Redialler::peer() const {
+  const protocol::Endpoint& host = options_.hosts[turns_.current()];
+  return link::host_and_port(host.host, host.port);
+}
+
+void Redialler::dial() {
+  const protocol::Endpoint& host = options_.hosts[turns_.current()];
+  link::DialOptions dial;
+  dial.host = host.host;
+  dial.port = host.port;
+  dial.time_max = kDialTimeMax;
+  dial.tls = options_.tls;
+  dial.secret = options_.secret;
+  dial.secret_remedy = "use aucasts://";
+  dial.limits = protocol::kLinkLimits;
+  // Thrown when the system has no thread left.
+  try {
+    dialler_.dial(std::move(dial),
+                  [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
+  } catch (const std::system_error& failure) {
+    failed(failure.code().message() + "; the system is short of threads or files");
+  }
+}
+
+void Redialler::on_dialled(link::Dialled dialled) {
+  if (auto* const link = std::get_if<std::shared_ptr<link::Link>>(&dialled)) {
+    on_link_(std::move(*link));
+  } else {
+    failed("cannot be reached: " + std::get<link::DialFailure>(dialled).reason);
+  }
+}
+
+void Redialler::worked() {
+  turns_.worked();
+  for (std::string& reason : reasons_) reason.clear();
+}
+
+/// Of a host that fails in the same way again and again one line is enough.
+void Redialler::failed(const std::string& reason) {
+  if (stopped_) return;
+  std::string& said = reasons_[turns_.current()];
+  const auto level = said == reason ? spdlog::level::debug : spdlog::level::warn;
+  said = reason;
+  const std::string host = peer();
+  const Milliseconds wait = turns_.next();
+  spdlog::log(level, "{}: {}: {}; {} is tried in {:.1f} s", name_(), host, reason, peer(),
+              seconds(wait));
+  again_in(wait);
+}
+
+void Redialler::again_in(Milliseconds wait) {
+  timer_.expires_after(wait);
+  timer_.async_wait([this](const std::error_code& error) {
+    if (!error && !stopped_) dial();
+  });
+}
+
+}  // namespace aucast::server
