@@ -14,14 +14,21 @@ fail() {
     exit 1
 }
 
-# The packages of the lists that dpkg does not show as installed.
+# The packages of the lists that are not installed, and that no installed package provides: a nodejs
+# that is not Debian's brings npm along, and then Debian's npm cannot be installed.
 missing_packages() {
-    local package
+    local package there
+    there=$(installed_packages)
     while read -r package _; do
         case $package in '' | '#'*) continue ;; esac
-        dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
-            printf '%s\n' "$package"
+        grep -qxF "$package" <<<"$there" || printf '%s\n' "$package"
     done < <(cat "${lists[@]}")
+}
+
+# Their names and what they provide, one a line.
+installed_packages() {
+    dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' |
+        sed -n 's/^installed //; T; s/ *([^)]*)//g; s/, */\n/g; p'
 }
 
 command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
@@ -55,7 +62,7 @@ if ! "${as_root[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@
     grep -E '^(E|W|Err)[: ]' "$log" | sort -u | tail -n 12 | sed 's/^/  /' >&2
     if grep -q 'Could not get lock\|Unable to acquire' "$log"; then
         printf 'Another program holds the package database: wait for it to end, then try again.\n' >&2
-    elif grep -q 'resolv\|Failed to fetch\|Could not connect\|Unable to locate' "$log"; then
+    elif grep -q 'Could not resolve\|failure resolving\|Failed to fetch\|Could not connect\|Unable to locate' "$log"; then
         printf 'The package servers cannot be reached: check the network, then try again.\n' >&2
     fi
     exit 1
