@@ -26,6 +26,15 @@ Instant SoundPlayer::moment_of(std::int64_t sample) const {
   return begin_ + time_of(sample);
 }
 
+void SoundPlayer::set_out(std::unique_ptr<SoundOut> out) {
+  if (sounds_) stop();
+  out_ = std::move(out);
+  line_ = {};
+  written_ = 0;
+  heard_ = 0;
+  lead_ = kLeadMin;
+}
+
 void SoundPlayer::open(playback::Playback* playback, SoundTrack* track) {
   if (sounds_) stop();
   before_ = counts();
@@ -102,10 +111,11 @@ void SoundPlayer::feed() {
 void SoundPlayer::advanced() {
   if (playback_ == nullptr) return;
   feed();
+  const auto passing = playback_->passing();
+  if (!sounds_ && passing) voice_->skip(samples_of(passing->place));
   if (!sounds_) return;
   const std::int64_t due = samples_of(now_ - begin_) - written_;
   if (due <= 0) return;
-  const auto passing = playback_->passing();
   const SoundTrack& track = given_ != nullptr ? *given_ : *voice_;
   if (passing && passing->speed > 0 && samples_of(passing->place) < track.end()) {
     sound_until_ = now_;

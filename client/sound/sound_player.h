@@ -42,6 +42,8 @@ class SoundPlayer {
   /// `out` may be null: nothing is heard, and the steady clock is the clock.
   explicit SoundPlayer(std::unique_ptr<SoundOut> out);
 
+  /// Sound goes there from the next now() on, in place of where it went before; null: nowhere.
+  void set_out(std::unique_ptr<SoundOut> out);
   /// Something else plays from now on, which may bring a track of its own; it must outlive this or
   /// the next open().
   void open(playback::Playback* playback, SoundTrack* track = nullptr);

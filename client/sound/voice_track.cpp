@@ -35,7 +35,7 @@ void VoiceTrack::add(Milliseconds place, std::string opus) {
 
 void VoiceTrack::read(std::int64_t begin, std::span<float> samples) {
   const auto count = static_cast<std::int64_t>(samples.size());
-  if (begin > decoded_end() + kLeap) skip_to(begin);
+  skip(begin);
   decode_until(begin + count);
   for (std::int64_t i = 0; i < count; ++i) {
     const std::int64_t at = begin + i - begin_;
@@ -48,8 +48,8 @@ std::int64_t VoiceTrack::decoded_end() const {
   return begin_ + static_cast<std::int64_t>(decoded_.size());
 }
 
-/// What lies before `begin` will not be heard any more.
-void VoiceTrack::skip_to(std::int64_t begin) {
+void VoiceTrack::skip(std::int64_t begin) {
+  if (begin <= decoded_end() + kLeap) return;
   decoded_.clear();
   begin_ = begin - kRunUp;
   silent_ = true;

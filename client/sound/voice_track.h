@@ -33,6 +33,8 @@ class VoiceTrack final : public SoundTrack {
   /// One Opus packet whose sound begins at `place`.
   void add(Milliseconds place, std::string opus);
 
+  /// Nothing before `begin` will be read any more, or only what lies just before it.
+  void skip(std::int64_t begin);
   void read(std::int64_t begin, std::span<float> samples) override;
   [[nodiscard]] std::int64_t end() const override { return last_end_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
@@ -45,7 +47,6 @@ class VoiceTrack final : public SoundTrack {
   };
 
   [[nodiscard]] std::int64_t decoded_end() const;
-  void skip_to(std::int64_t begin);
   void decode_until(std::int64_t end);
   void append(const Packet& packet);
   void fade_out(std::int64_t until);

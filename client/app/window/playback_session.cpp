@@ -66,9 +66,11 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
       buffers_(options.playback.buffers),
       player_(mapping, options.playback.interpolation),
       meter_(stats),
-      sound_(std::make_unique<sound::SoundPlayer>(nullptr)),
       volume_(options.sound.volume),
-      muted_(options.sound.mute) {}
+      muted_(options.sound.mute) {
+  sound_.set_volume(volume_);
+  sound_.set_muted(muted_);
+}
 
 void PlaybackSession::set_remote(const gui::RemoteSettings& settings,
                                  std::vector<std::string> recent) {
@@ -84,9 +86,9 @@ playback::SeekablePlayback* PlaybackSession::seekable() const {
 
 void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::string name,
                            Instant now) {
-  if (running()) playback_->stop(sound_->now(now));
+  if (running()) playback_->stop(sound_.now(now));
   retired_ = std::exchange(playback_, std::move(playback));
-  sound_->open(playback_.get());
+  sound_.open(playback_.get());
   track_.reset();
   delay_.clear();
   name_ = std::move(name);
@@ -148,12 +150,12 @@ bool PlaybackSession::connect(const gui::RemoteSettings& settings, Instant now) 
 
 void PlaybackSession::advance(Instant now) {
   if (playback_ == nullptr) return;
-  const Instant at = sound_->now(now);
+  const Instant at = sound_.now(now);
   const bool first =
       meter_.advance(player_, at, [this](const playback::KeyframeBegun& one) { begun(one); });
-  sound_->advanced();
-  if (sound_->sounds()) delay_.add(at, player_.face().activations);
-  if (sound_->take_loss()) {
+  sound_.advanced();
+  if (sound_.sounds()) delay_.add(at, player_.face().activations);
+  if (sound_.take_loss()) {
     notices_.say("the sound device plays no more", true, now);
     spdlog::warn("the sound device plays no more; going on without it");
   }
@@ -175,10 +177,7 @@ void PlaybackSession::advance(Instant now) {
 
 void PlaybackSession::set_sound(std::unique_ptr<sound::SoundOut> out) {
   heard_ = out != nullptr;
-  sound_ = std::make_unique<sound::SoundPlayer>(std::move(out));
-  sound_->set_volume(volume_);
-  sound_->set_muted(muted_);
-  sound_->open(playback_.get(), track_.get());
+  sound_.set_out(std::move(out));
 }
 
 void PlaybackSession::play_sound_beside(const std::filesystem::path& file, Instant now) {
@@ -189,27 +188,27 @@ void PlaybackSession::play_sound_beside(const std::filesystem::path& file, Insta
     return;
   }
   if (*track == nullptr) return;
-  sound_->open(playback_.get(), track->get());
+  sound_.open(playback_.get(), track->get());
   track_ = std::move(*track);
 }
 
 void PlaybackSession::toggle_mute(Instant now) {
   muted_ = !muted_;
-  sound_->set_muted(muted_);
+  sound_.set_muted(muted_);
   notices_.say(muted_ ? "muted" : "volume " + std::to_string(volume_) + " %", false, now);
 }
 
 void PlaybackSession::change_volume(int by, Instant now) {
   volume_ = std::clamp(volume_ + by, 0, 100);
   muted_ = false;
-  sound_->set_volume(volume_);
-  sound_->set_muted(muted_);
+  sound_.set_volume(volume_);
+  sound_.set_muted(muted_);
   notices_.say("volume " + std::to_string(volume_) + " %", false, now);
 }
 
 const std::vector<float>& PlaybackSession::activations(Instant) {
-  if (!sound_->sounds() || delay_.empty()) return player_.face().activations;
-  return delay_.at(sound_->shown());
+  if (!sound_.sounds() || delay_.empty()) return player_.face().activations;
+  return delay_.at(sound_.shown());
 }
 
 void PlaybackSession::begun(const playback::KeyframeBegun& keyframe) {
@@ -240,10 +239,10 @@ void PlaybackSession::remake(playback::Interpolation interpolation) {
 }
 
 std::unique_ptr<playback::Playback> PlaybackSession::finish(Instant now) {
-  if (running()) playback_->stop(sound_->now(now));
+  if (running()) playback_->stop(sound_.now(now));
   if (playback_ != nullptr) stats_.take(*playback_);
-  stats_.sound = sound_->counts();
-  sound_->open(nullptr);
+  stats_.sound = sound_.counts();
+  sound_.open(nullptr);
   player_.open(nullptr);
   return std::move(playback_);
 }
@@ -269,20 +268,20 @@ bool PlaybackSession::apply(const gui::PlaybackCommand& command, Instant now) {
   const Overloaded carry_out{
       [&](const gui::Connect& one) { return connect(one.settings, now); },
       [&](const gui::Pause&) {
-        if (running()) playback_->pause(sound_->now(now));
+        if (running()) playback_->pause(sound_.now(now));
         return false;
       },
-      [&](const gui::Resume&) { return resume(sound_->now(now)); },
+      [&](const gui::Resume&) { return resume(sound_.now(now)); },
       [&](const gui::Stop&) {
         if (!running()) return false;
         if (seekable() != nullptr) {
-          playback_->pause(sound_->now(now));
+          playback_->pause(sound_.now(now));
         } else {
-          playback_->stop(sound_->now(now));
+          playback_->stop(sound_.now(now));
         }
         return false;
       },
-      [&](const gui::LocalCommand& one) { return apply_local(one, sound_->now(now)); }};
+      [&](const gui::LocalCommand& one) { return apply_local(one, sound_.now(now)); }};
   return std::visit(carry_out, command);
 }
 
@@ -342,7 +341,7 @@ bool PlaybackSession::stands() const {
 Duration PlaybackSession::idle_time(Instant now) const {
   if (playback_ == nullptr) return kIdle;
   // The device wants silence too.
-  if (sound_->sounds()) return kSoundEvery;
+  if (sound_.sounds()) return kSoundEvery;
   if (const auto next = playback_->next_position_at()) {
     return std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
   }

@@ -39,7 +39,7 @@ class PlaybackSession {
   /// By so many percent.
   void change_volume(int by, Instant now);
   /// The face of activations() is on the display.
-  void face_shown() { sound_->face_shown(); }
+  void face_shown() { sound_.face_shown(); }
   /// True when the face that plays is to be shown.
   bool apply(const gui::PlaybackCommand& command, Instant now);
   void advance(Instant now);
@@ -63,7 +63,7 @@ class PlaybackSession {
   [[nodiscard]] const std::vector<float>& activations(Instant);
   /// Playing has come to its end; false while nothing was ever opened.
   [[nodiscard]] bool over() const {
-    return playback_ != nullptr && playback_->over() && !sound_->rings_on();
+    return playback_ != nullptr && playback_->over() && !sound_.rings_on();
   }
   /// The face stands, and Resume would move it.
   [[nodiscard]] bool stands() const;
@@ -98,9 +98,9 @@ class PlaybackSession {
   pipeline::Player player_;
   PlaybackMeter meter_;
   std::unique_ptr<playback::Playback> playback_;
-  bool heard_ = false;                         ///< there is a device
-  std::unique_ptr<sound::SoundTrack> track_;   ///< what is played brings it; null: its voice
-  std::unique_ptr<sound::SoundPlayer> sound_;  ///< never null
+  bool heard_ = false;                        ///< there is a device
+  std::unique_ptr<sound::SoundTrack> track_;  ///< what is played brings it; null: its voice
+  sound::SoundPlayer sound_{nullptr};
   pipeline::FaceDelay delay_;
   int volume_;
   bool muted_;

@@ -92,6 +92,28 @@ TEST_F(SoundPlayerTest, WithoutSoundTheClockIsTheSteadyOne) {
   EXPECT_TRUE(crank_.written.empty());
 }
 
+TEST_F(SoundPlayerTest, ADeviceThatComesLaterGoesOnFromThere) {
+  player_ = SoundPlayer(nullptr);
+  player_.open(playback_.get(), &counting_);
+  keyframes(1000);
+  ticks(100);
+  EXPECT_TRUE(crank_.written.empty());
+  player_.set_out(std::make_unique<CrankedOut>(crank_));
+  ticks(100);
+  ASSERT_TRUE(player_.sounds());
+  EXPECT_NEAR(shown_ms(), heard_ms(), 1);
+  EXPECT_GT(heard_ms(), 1500);
+
+  player_.set_out(nullptr);
+  ticks(10);
+  EXPECT_FALSE(player_.sounds());
+  EXPECT_EQ(player_.shown(), last_now_);
+  crank_ = {};
+  player_.set_out(std::make_unique<CrankedOut>(crank_));
+  ticks(100);
+  EXPECT_NEAR(shown_ms(), heard_ms(), 1);
+}
+
 TEST_F(SoundPlayerTest, TheFaceShownIsThatOfTheSampleHeard) {
   player_.open(playback_.get(), &counting_);
   keyframes(1000);
