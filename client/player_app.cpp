@@ -111,7 +111,6 @@ Result<void> outcome(const playback::SourceStatus& status) {
 Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
   WindowSettings settings = WindowSettings::load(given);
   PlayerOptions options = settings.applied(given);
-  auto sound_out = open_sound(options);
   SourcePlayback::Options how{options.playback.speed, options.playback.hold, false};
   if (options.output.fast) how = {options.playback.speed, std::nullopt, true};
   std::unique_ptr<playback::Playback> playback;
@@ -120,8 +119,6 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
     if (!opened) return opened.error();
     playback = std::move(*opened);
   }
-  auto track = open_track(options);
-  if (!track) return track.error();
   auto assets = load_assets(options.face);
   if (!assets && options.face.face != given.face.face) {
     spdlog::warn("{}; the window begins with the usual face", assets.error().message);
@@ -130,6 +127,10 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
     assets = load_assets(usual);
   }
   if (!assets) return assets.error();
+  // Not before it is clear that something will be shown: a device is taken from who else wants it.
+  auto sound_out = open_sound(options);
+  auto track = open_track(options);
+  if (!track) return track.error();
   if (!options.playback.endpoint.empty()) {
     auto opened = open_remote(options.playback, how);
     if (!opened) return opened.error();

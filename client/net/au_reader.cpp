@@ -216,6 +216,7 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   keyframe.spoken = status_.live && voice_end_ > clock_;
   clock_ += time;
   keyframe.place = clock_;
+  keyframe.span = time;
   if (status_.live) note_live(event, keyframe);
 
   ++owed_;

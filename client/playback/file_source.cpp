@@ -7,7 +7,8 @@ namespace aucast::playback {
 void set_places(std::vector<TimedAus>& keyframes, Milliseconds untimed) {
   Milliseconds place{0};
   for (TimedAus& keyframe : keyframes) {
-    place += keyframe.duration.value_or(untimed);
+    keyframe.span = keyframe.duration.value_or(untimed);
+    place += keyframe.span;
     keyframe.place = place;
   }
 }

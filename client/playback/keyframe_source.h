@@ -19,6 +19,7 @@ struct TimedAus {
   std::optional<Instant> arrived{};      ///< live: when it came
   std::optional<Instant> due{};          ///< --live: when the face should have reached it
   std::optional<Milliseconds> place{};   ///< where it is reached, on the source's own clock
+  Milliseconds span{0};                  ///< what it takes of that clock, whatever --speed says
   bool spoken = false;  ///< live: somebody speaks meanwhile, so that it may take only 99.5-100.5 %
 };
 

@@ -164,6 +164,7 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
   }
   takes_ = time_taken(*keyframe, duration_, begin);
   place_ = keyframe->place;
+  span_ = keyframe->span;
   arrived_ = keyframe->arrived;
   due_ = keyframe->due;
   eased_ = false;
@@ -211,7 +212,8 @@ std::optional<Passing> PlaybackController::passing() const {
     return Passing{reached + (looked_at_ - last_position_at_), 1};
   }
   if (state_ != PlaybackState::Playing) return Passing{reached, 0};
-  const Duration own = duration_;
+  const Duration own = span_;
+  if (takes_ == Duration::zero()) return Passing{reached, 0};
   if (takes_ == own) return Passing{reached - own + (looked_at_ - keyframe_begin_), 1};
   const double speed = static_cast<double>(own.count()) / static_cast<double>(takes_.count());
   const double passed = static_cast<double>((looked_at_ - keyframe_begin_).count()) * speed;

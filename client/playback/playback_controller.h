@@ -142,6 +142,7 @@ class PlaybackController {
   Duration ahead_{0};
   Duration lead_{0};
   std::optional<Milliseconds> place_;  ///< that the keyframe under way reaches
+  Milliseconds span_{0};               ///< and what it takes of that clock
   Instant looked_at_{};                ///< by the last advance()
   Instant looked_before_{};            ///< by the one before
   Instant stalled_since_{};            ///< or lost

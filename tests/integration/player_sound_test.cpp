@@ -15,12 +15,16 @@ namespace {
 
 constexpr int kSeconds = 3;
 
+/// Whose times keyframes have.
+enum class Times : std::uint8_t { Own, Server };
+
 /// A server that sends three seconds of voice, and a keyframe for each 100 ms of it.
 /// Mute, it sends the keyframes only.
 class TalkingServer {
  public:
-  explicit TalkingServer(bool mute = false)
-      : server_({Accept{}, ExpectHello{}, Send{talk(packets_, mute)}, ExpectEnd{}}) {}
+  explicit TalkingServer(Times times, bool mute = false)
+      : server_({Accept{}, ExpectHello{}, Send{talk(packets_, times, mute)}, ExpectEnd{}}) {}
+  explicit TalkingServer(bool mute = false) : TalkingServer(Times::Own, mute) {}
 
   [[nodiscard]] std::string address() const {
     return "127.0.0.1:" + std::to_string(server_.port());
@@ -29,21 +33,23 @@ class TalkingServer {
   [[nodiscard]] std::string received() const { return server_.received(); }
 
  private:
-  static std::string talk(std::size_t& count, bool mute) {
+  static std::string talk(std::size_t& count, Times times, bool mute) {
     voice::VoiceEncoder encoder({});
     std::vector<protocol::VoicePacket> packets;
     encoder.add(voice::test::speech_like(kSeconds), packets);
     encoder.finish(packets);
     if (mute) packets.clear();
     count = packets.size();
-    std::string bytes = mute ? "{hello v=2 window=64}" : "{hello v=2 window=64 voice=opus}";
+    std::string bytes = "{hello v=2 window=64 keyframe=100";
+    bytes += mute ? "}" : " voice=opus}";
     std::size_t next = 0;
     for (int end_ms = 100; end_ms <= 1000 * kSeconds; end_ms += 100) {
       for (; next < packets.size() && packets[next].place.count() < end_ms; ++next) {
         const auto place = static_cast<std::uint64_t>(packets[next].place.count());
         bytes += protocol::encode(protocol::VoiceData{place, packets[next].opus});
       }
-      bytes += end_ms % 200 == 0 ? "{26:50;100}" : "{26:0;100}";
+      bytes += end_ms % 200 == 0 ? "{26:50" : "{26:0";
+      bytes += times == Times::Own ? ";100}" : "}";
     }
     return bytes + "{-2}";
   }
@@ -94,6 +100,21 @@ TEST(PlayerSound, TheSameStreamMakesTheSameSound) {
     ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
   }
   EXPECT_EQ(folder.read("a.wav"), folder.read("b.wav"));
+}
+
+TEST(PlayerSound, AtAnotherSpeedTheSoundIsHeardOnceAndInStep) {
+  const TempFolder folder;
+  TalkingServer server(Times::Server);
+  const PlayerRun run = run_player({"--headless", server.address(), "--speed", "125", "--sound",
+                                    (folder.path() / "a.wav").string()});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  const auto samples = samples_of(folder.read("a.wav"));
+  EXPECT_NEAR(static_cast<double>(samples.size()) / 48000, 1.25 * kSeconds, 0.1);
+  std::vector<float> heard;
+  for (double at = 0; at < static_cast<double>(samples.size()); at += 3 * 1.25) {
+    heard.push_back(samples[static_cast<std::size_t>(at)]);
+  }
+  EXPECT_GT(voice::test::correlation(voice::test::speech_like(kSeconds), heard, 0), 0.7);
 }
 
 TEST(PlayerSound, ADeviceIsTheClockAndFaceAndSoundAreTogether) {

@@ -1,6 +1,7 @@
 #include "client/app/film/film_sound.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace aucast::app {
@@ -33,7 +34,11 @@ void FilmSound::keyframe(const playback::KeyframeBegun& begun, std::int64_t end_
   take_in();
   if (!begun.target.place) return write(std::nullopt, end_ms);
   place_ms_ = begun.target.place->count();
-  write(playback::Passing{*begun.target.place, 1}, end_ms);
+  const double time = seconds(begun.duration);
+  const double speed = begun.target.span == begun.duration ? 1
+                       : time > 0                          ? seconds(begun.target.span) / time
+                                                           : 0;
+  write(playback::Passing{*begun.target.place, speed}, end_ms);
 }
 
 std::int64_t FilmSound::tail_ms() const {
@@ -47,13 +52,23 @@ void FilmSound::tail(std::int64_t end_ms) {
   write(playback::Passing{Milliseconds(place_ms_), 1}, end_ms);
 }
 
+/// A film that turns out to be a silent one has no file of silence.
 void FilmSound::write(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
-  if (wav_ == nullptr) return;
+  const std::int64_t begin_ms = std::exchange(end_ms_, end_ms);
+  if (wav_ == nullptr || (!keep_ && track_.end() == 0)) return;
+  mix(std::nullopt, begin_ms);
+  mix(at_end, end_ms);
+}
+
+void FilmSound::mix(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
   const std::int64_t due = end_ms * sound::kSamplesPerMs;
   while (written_ < due) {
     const std::int64_t count = std::min(due - written_, kPortion);
     auto passing = at_end;
-    if (passing) passing->place -= Milliseconds((due - written_ - count) / sound::kSamplesPerMs);
+    if (passing) {
+      const double left = static_cast<double>(due - written_ - count) / sound::kRate;
+      passing->place -= Duration(std::llround(left * passing->speed * 1e9));
+    }
     samples_.resize(static_cast<std::size_t>(count));
     mixer_.mix(passing, samples_);
     wav_->add(samples_);

@@ -36,6 +36,7 @@ class FilmSound {
  private:
   void take_in();
   void write(std::optional<playback::Passing> at_end, std::int64_t end_ms);
+  void mix(std::optional<playback::Passing> at_end, std::int64_t end_ms);
 
   playback::Playback& playback_;
   sound::VoiceTrack voice_;
@@ -43,7 +44,8 @@ class FilmSound {
   sound::SoundMixer mixer_;
   std::unique_ptr<sound::WavFile> wav_;  ///< null: nobody wants sound
   bool keep_ = false;                    ///< it is what --sound asked for
-  std::int64_t place_ms_ = 0;            ///< the film has come to
+  std::int64_t place_ms_ = 0;            ///< of the stream, that the film has come to
+  std::int64_t end_ms_ = 0;              ///< of the film
   std::int64_t written_ = 0;
   std::vector<float> samples_;
 };

@@ -29,6 +29,7 @@ class PassingTest : public ::testing::Test {
   void keyframe(Milliseconds place, Milliseconds time = 100ms, int pace = 100) {
     TimedAus keyframe = marked(1, time);
     keyframe.place = place;
+    keyframe.span = time;
     keyframe.pace_percent = pace;
     source_->keyframes.push_back(keyframe);
   }
@@ -90,6 +91,17 @@ TEST_F(PassingTest, AKeyframeThatIsPlayedFasterPassesFaster) {
   const Passing passing = after(95ms);
   EXPECT_NEAR(passing.speed, 1 / 0.95, 1e-9);
   EXPECT_EQ(passing.place, 100ms);
+}
+
+TEST_F(PassingTest, AKeyframeThatIsGivenMoreTimePassesItsPartOfTheStreamSlower) {
+  keyframe(200ms, 200ms);
+  source_->keyframes.back().span = 100ms;
+  keyframe(300ms, 200ms);
+  source_->keyframes.back().span = 100ms;
+  (void)after(0ms);
+  EXPECT_EQ(after(50ms).place, 125ms);
+  EXPECT_EQ(after(0ms).speed, 0.5);
+  EXPECT_EQ(after(150ms).place, 200ms) << "no part of it passes twice";
 }
 
 TEST_F(PassingTest, WhileSomebodySpeaksPlayingBendsByHalfAPercent) {
