@@ -2,6 +2,7 @@
 
 #include <sndfile.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -47,6 +48,7 @@ struct Options {
   VoiceOptions voice;
   GestureOptions gestures;
   int gesture_percent = 100;
+  fs::path labels;
   bool list_voices = false;
   bool version = false;
 };
@@ -69,6 +71,8 @@ void bind(CLI::App& app, Options& options) {
                  "how much brows and head move, 0 to 200 %; default 100")
       ->check(CLI::Range(0, 200));
   app.add_option("--seed", options.gestures.seed, "seed for the gestures; default 1");
+  app.add_option("--labels", options.labels,
+                 "writes when each sound is heard, in IPA, as labels for Audacity");
   app.add_option("--data", options.data,
                  "folder with expressions.toml; default: the installed one");
   app.add_flag("--list-voices", options.list_voices, "prints languages and voices");
@@ -96,6 +100,21 @@ Result<void> write_wav(const fs::path& path, const Speech& speech) {
   std::error_code ignored;
   fs::remove(*temporary, ignored);
   return Error{ErrorKind::Failed, at_place(path.string(), "cannot be written whole")};
+}
+
+/// A line for each sound that is no pause: where it begins and ends, in seconds, and its letters.
+std::string labels_of(const Speech& speech) {
+  std::string text;
+  for (std::size_t i = 0; i < speech.phonemes.size(); ++i) {
+    const Phoneme& phoneme = speech.phonemes[i];
+    if (phoneme.ipa.empty()) continue;
+    const Milliseconds end =
+        i + 1 < speech.phonemes.size() ? speech.phonemes[i + 1].begin : speech.length();
+    std::array<char, 48> times{};
+    std::snprintf(times.data(), times.size(), "%.3f\t%.3f\t", seconds(phoneme.begin), seconds(end));
+    text += times.data() + phoneme.ipa + "\n";
+  }
+  return text;
 }
 
 Result<Speech> speech_of(const Script& script, const Options& options) {
@@ -165,6 +184,11 @@ Result<void> run(const Options& options) {
   if (options.text != "-" && fs::equivalent(stream_file, options.text, error)) {
     return Error{ErrorKind::Usage, printable(stream_file.string()) +
                                        " is the text itself; choose another folder with -o"};
+  }
+  if (!options.labels.empty()) {
+    if (auto written = write_file_atomically(options.labels, labels_of(*speech)); !written) {
+      return written;
+    }
   }
   const auto stream = perform(*speech, *script, *expressions, options.gestures);
   if (auto written = write_file_atomically(stream_file, stream_text(*script, stream)); !written) {

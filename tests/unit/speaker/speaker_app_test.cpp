@@ -41,6 +41,16 @@ TEST(SpeakerApp, GivesARecordedVoiceAFace) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "again/talk.wav"));
 }
 
+TEST(SpeakerApp, TellsWhenEachSoundIsHeard) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Pea.\n").string();
+  const std::string labels = (folder.path() / "labels.txt").string();
+  ASSERT_EQ(run_speaker({text, "-o", (folder.path() / "out").string(), "--labels", labels}), 0);
+  const std::string told = folder.read("labels.txt");
+  EXPECT_NE(told.find("\tp"), std::string::npos) << told;
+  EXPECT_NE(told.find("i\xcb\x90"), std::string::npos) << "a long i: " << told;
+}
+
 TEST(SpeakerApp, ARecordingThatCannotBeTheTextIsRefused) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Hello.\n").string();
