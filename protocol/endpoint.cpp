@@ -12,6 +12,7 @@
 #include "common/number_of.h"
 #include "common/text.h"
 #include "protocol/codec.h"
+#include "protocol/engine_message.h"
 
 namespace aucast::protocol {
 namespace {
@@ -37,8 +38,9 @@ std::optional<std::uint16_t> parse_port(std::string_view text) {
   return port == 0 ? std::nullopt : port;
 }
 
-Result<Endpoint> read_endpoint(std::string_view text) {
+Result<Endpoint> read_endpoint(std::string_view text, std::uint16_t default_port = kDefaultPort) {
   Endpoint endpoint;
+  endpoint.port = default_port;
   std::string_view host = text;
   std::optional<std::string_view> port;
 
@@ -73,13 +75,53 @@ Result<Endpoint> read_endpoint(std::string_view text) {
   return endpoint;
 }
 
-constexpr std::string_view kPlain = "aucast://";
-constexpr std::string_view kSecure = "aucasts://";
+/// How addresses of one kind are written.
+struct Scheme {
+  std::string_view plain;
+  std::string_view secure;
+  std::uint16_t port;
+  const char* form;  ///< for who got it wrong
+};
 
-Error bad_address(std::string_view text, const std::string& what) {
-  return {ErrorKind::Usage, "'" + escaped(text) + "' is no address of a stream: " + what +
-                                "; use aucast://HOST[:PORT][,HOST...][/STREAM], or aucasts:// "
-                                "for TLS"};
+constexpr Scheme kServers{"aucast://", "aucasts://", kDefaultPort,
+                          "aucast://HOST[:PORT][,HOST...][/STREAM], or aucasts:// for TLS"};
+constexpr Scheme kEngine{"nats://", "natss://", kEnginePort,
+                         "nats://HOST[:PORT][,HOST...]/STREAM, or natss:// for TLS"};
+
+bool begins_as(const Scheme& scheme, std::string_view text) {
+  return text.starts_with(scheme.plain) || text.starts_with(scheme.secure);
+}
+
+Error bad_address(const Scheme& scheme, std::string_view text, const std::string& what) {
+  return {ErrorKind::Usage,
+          "'" + escaped(text) + "' is no address of a stream: " + what + "; use " + scheme.form};
+}
+
+Result<StreamAddress> read_address(const Scheme& scheme, std::string_view text) {
+  StreamAddress address;
+  address.tls = text.starts_with(scheme.secure);
+  if (!begins_as(scheme, text)) return bad_address(scheme, text, "it begins with neither");
+  std::string_view hosts = text.substr((address.tls ? scheme.secure : scheme.plain).size());
+  if (const std::size_t slash = hosts.find('/'); slash != std::string_view::npos) {
+    address.stream = hosts.substr(slash + 1);
+    hosts = hosts.substr(0, slash);
+    if (!address.stream.empty() && !is_stream_name(address.stream)) {
+      return bad_address(scheme, text,
+                         "a stream's name has 1 to 64 letters, digits, '.', '_' or '-'");
+    }
+  }
+  for (const std::string_view host : split(hosts, ',')) {
+    auto endpoint = read_endpoint(host, scheme.port);
+    if (!endpoint) return bad_address(scheme, text, endpoint.error().message);
+    address.hosts.push_back(*std::move(endpoint));
+  }
+  return address;
+}
+
+/// In a subject of NATS dots part words, none of which may be empty.
+bool is_subject_part(std::string_view name) {
+  const auto words = split(name, '.');
+  return std::none_of(words.begin(), words.end(), [](auto word) { return word.empty(); });
 }
 
 }  // namespace
@@ -93,25 +135,29 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
 }
 
 bool is_stream_address(std::string_view text) {
-  return text.starts_with(kPlain) || text.starts_with(kSecure);
+  return begins_as(kServers, text);
 }
 
 Result<StreamAddress> parse_stream_address(std::string_view text) {
-  StreamAddress address;
-  address.tls = text.starts_with(kSecure);
-  if (!is_stream_address(text)) return bad_address(text, "it begins with neither");
-  std::string_view hosts = text.substr(address.tls ? kSecure.size() : kPlain.size());
-  if (const std::size_t slash = hosts.find('/'); slash != std::string_view::npos) {
-    address.stream = hosts.substr(slash + 1);
-    hosts = hosts.substr(0, slash);
-    if (!address.stream.empty() && !is_stream_name(address.stream)) {
-      return bad_address(text, "a stream's name has 1 to 64 letters, digits, '.', '_' or '-'");
-    }
+  return read_address(kServers, text);
+}
+
+bool is_engine_address(std::string_view text) {
+  return begins_as(kEngine, text);
+}
+
+Result<StreamAddress> parse_engine_address(std::string_view text) {
+  auto address = read_address(kEngine, text);
+  if (!address) return address;
+  if (address->stream.empty()) return bad_address(kEngine, text, "it names no stream");
+  // The client library of NATS would take what is before it for a password.
+  if (std::any_of(address->hosts.begin(), address->hosts.end(), [](const Endpoint& server) {
+        return server.host.find('@') != std::string::npos;
+      })) {
+    return bad_address(kEngine, text, "a host has no '@'; secrets are read from files");
   }
-  for (const std::string_view host : split(hosts, ',')) {
-    auto endpoint = read_endpoint(host);
-    if (!endpoint) return bad_address(text, endpoint.error().message);
-    address.hosts.push_back(*std::move(endpoint));
+  if (!is_subject_part(address->stream)) {
+    return bad_address(kEngine, text, "at NATS there is something before and after each '.'");
   }
   return address;
 }

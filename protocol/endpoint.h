@@ -34,4 +34,11 @@ struct StreamAddress {
 /// aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM], or aucasts:// for TLS. Usage error otherwise.
 [[nodiscard]] Result<StreamAddress> parse_stream_address(std::string_view text);
 
+/// Whether the text begins as an address of a stream at NATS does, right or wrong.
+[[nodiscard]] bool is_engine_address(std::string_view text);
+
+/// nats://HOST[:PORT][,HOST[:PORT]...]/STREAM, or natss:// for TLS: where a stream is at servers of
+/// NATS (ENGINE.md). The stream is always named. Usage error otherwise.
+[[nodiscard]] Result<StreamAddress> parse_engine_address(std::string_view text);
+
 }  // namespace aucast::protocol

@@ -135,5 +135,40 @@ TEST(StreamAddress, SaysWhatIsWrongWithIt) {
   }
 }
 
+TEST(EngineAddress, NamesServersAndAlwaysAStream) {
+  const auto address = parse_engine_address("nats://hub1,hub2:4333,[::1]/talk");
+  ASSERT_TRUE(address) << address.error().message;
+  EXPECT_EQ(*address,
+            (StreamAddress{{{"hub1", 4222}, {"hub2", 4333}, {"::1", 4222}}, false, "talk"}));
+  EXPECT_TRUE(parse_engine_address("natss://hub/smile.v2")->tls);
+  EXPECT_TRUE(is_engine_address("natss://"));
+  EXPECT_FALSE(is_engine_address("aucast://a/talk"));
+  EXPECT_FALSE(is_stream_address("nats://a/talk"));
+}
+
+TEST(EngineAddress, SaysWhatIsWrongWithIt) {
+  const struct {
+    const char* text;
+    const char* reason;
+  } wrongs[] = {
+      {"nats://hub", "it names no stream"},
+      {"nats://hub/", "it names no stream"},
+      {"nats://hub/.talk", "before and after each '.'"},
+      {"nats://hub/talk..2", "before and after each '.'"},
+      {"nats://hub/ta*k", "a stream's name has"},
+      {"nats:///talk", "there is no host"},
+      {"aucast://hub/talk", "it begins with neither"},
+  };
+  for (const auto& wrong : wrongs) {
+    SCOPED_TRACE(wrong.text);
+    const auto address = parse_engine_address(wrong.text);
+    ASSERT_FALSE(address);
+    EXPECT_EQ(address.error().kind, ErrorKind::Usage);
+    EXPECT_NE(address.error().message.find(wrong.reason), std::string::npos)
+        << address.error().message;
+    EXPECT_NE(address.error().message.find("use nats://HOST"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace aucast::protocol
