@@ -21,6 +21,13 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 
+# What goes over NATS; without it au-transmitter says what is missing.
+pkg_check_modules(nats QUIET IMPORTED_TARGET libnats)
+option(AUCAST_NATS "Build au-transmitter with NATS (libnats)" ${nats_FOUND})
+if(AUCAST_NATS AND NOT nats_FOUND)
+  message(FATAL_ERROR "AUCAST_NATS needs libnats: scripts/install_deps.sh scripts/packages_nats.txt")
+endif()
+
 if(AUCAST_BUILD_CLIENT)
   find_package(glm REQUIRED)
   pkg_check_modules(openal REQUIRED IMPORTED_TARGET openal)

@@ -10,6 +10,8 @@
 #include "common/log.h"
 #include "protocol/endpoint.h"
 #include "protocol/limits.h"
+#include "server/engine/nats_bus.h"
+#include "server/engine/nats_options.h"
 #include "server/streams/catalogue.h"
 #include "server/streams/film_source.h"
 #include "server/streams/source_path.h"
@@ -80,6 +82,10 @@ Result<void> Programme::open_sources() {
       if (auto opened = open_upstream(path.string()); !opened) return opened;
       continue;
     }
+    if (protocol::is_engine_address(path.string())) {
+      if (auto opened = open_edge(path.string()); !opened) return opened;
+      continue;
+    }
     if (!is_live(path, options_.live_source.follow)) continue;
     if (auto opened = open(path, *conditioning); !opened) return opened;
   }
@@ -130,6 +136,16 @@ Result<void> Programme::open_upstream(const std::string& address) {
   upstreams_.push_back(std::make_unique<Upstream>(io_, *std::move(upstream), events_.on_moment));
   upstreams_.back()->start();
   return {};
+}
+
+Result<void> Programme::open_edge(const std::string& address) {
+  const auto nats = nats_options(address, options_.engine);
+  if (!nats) return nats.error();
+  const EngineEdge::Options options{nats->address.stream, catalogue_->id, options_.upstream.wait,
+                                    options_.classic_min};
+  edges_.push_back(std::make_unique<EngineEdge>(io_, options, events_.on_moment));
+  return edges_.back()->start(
+      [this, &nats](Bus::Events events) { return open_nats_bus(io_, *nats, std::move(events)); });
 }
 
 void Programme::on_neutral(const sources::MeasuredNeutral& neutral) {
@@ -187,12 +203,13 @@ std::vector<protocol::ServedStream> Programme::streams_of_sources() const {
       all.push_back(std::move(stream));
   }
   for (const auto& upstream : upstreams_) all.push_back(upstream->stream());
+  for (const auto& edge : edges_) all.push_back(edge->stream());
   return all;
 }
 
 /// Asked at every keyframe: while a source lasts, no list of streams is made.
 bool Programme::over() const {
-  if (!upstreams_.empty()) return false;
+  if (!upstreams_.empty() || !edges_.empty()) return false;
   if (!std::all_of(sources_.begin(), sources_.end(),
                    [](const auto& source) { return source->streams().over(); })) {
     return false;
@@ -210,6 +227,7 @@ void Programme::stop() {
   voices_.stop();
   for (const auto& source : sources_) source->stop();
   for (const auto& upstream : upstreams_) upstream->stop();
+  for (const auto& edge : edges_) edge->stop();
   beat_.stop();
 }
 
@@ -273,6 +291,7 @@ void Programme::describe(Status& status) const {
   status.live = any_live();
   for (const auto& stream : catalogue_->streams) status.streams.push_back(stream.known_name());
   for (const auto& upstream : upstreams_) status.upstreams.push_back(upstream->status());
+  for (const auto& edge : edges_) status.upstreams.push_back(edge->status());
   status.lag_seconds = seconds(beat_.lag());
 }
 

@@ -10,6 +10,7 @@
 #include "common/result.h"
 #include "common/sources/conditioning.h"
 #include "protocol/server_session.h"
+#include "server/engine/engine_edge.h"
 #include "server/live/live_beat.h"
 #include "server/live/live_source.h"
 #include "server/settings/transmitter_options.h"
@@ -69,11 +70,12 @@ class Programme {
 
  private:
   [[nodiscard]] bool any_live() const {
-    return options_.live || !sources_.empty() || !upstreams_.empty();
+    return options_.live || !sources_.empty() || !upstreams_.empty() || !edges_.empty();
   }
   [[nodiscard]] Result<void> open(const std::filesystem::path& path,
                                   const sources::ConditioningSettings& conditioning);
   [[nodiscard]] Result<void> open_upstream(const std::string& address);
+  [[nodiscard]] Result<void> open_edge(const std::string& address);
   void on_neutral(const sources::MeasuredNeutral& neutral);
   void on_moment_of_source();
   void make_live(protocol::ServerCatalogue& catalogue);
@@ -87,6 +89,7 @@ class Programme {
   Events events_;
   std::vector<std::unique_ptr<LiveSource>> sources_;
   std::vector<std::unique_ptr<Upstream>> upstreams_;
+  std::vector<std::unique_ptr<EngineEdge>> edges_;
   LiveBeat beat_;
   VoiceTracks voices_;
   std::shared_ptr<protocol::ServerCatalogue> catalogue_;

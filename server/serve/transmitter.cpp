@@ -19,6 +19,9 @@
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/link_limits.h"
+#include "server/engine/nats_bus.h"
+#include "server/engine/nats_options.h"
+#include "server/engine/publisher.h"
 #include "server/serve/client_registry.h"
 #include "server/serve/programme.h"
 #include "server/status/http_routes.h"
@@ -51,9 +54,9 @@ class Transmitter {
         tick_timer_(io_),
         listener_(io_, protocol::kAcceptLimits),
         clients_(options, stats, [this] { on_empty(); }),
-        programme_(io_, options, std::move(repertoire),
-                   {[this] { clients_.on_moment(); }, [this] { on_over(); },
-                    [this] { clients_.on_voice(); }}),
+        programme_(
+            io_, options, std::move(repertoire),
+            {[this] { on_moment(); }, [this] { on_over(); }, [this] { clients_.on_voice(); }}),
         reload_(io_, options.credentials, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
         routes_([this](Instant now) { return status(now); }) {}
@@ -62,6 +65,7 @@ class Transmitter {
     if (auto read = reload_.read_credentials(); !read) return read.error();
     if (auto opened = open_listeners(); !opened) return opened.error();
     if (auto opened = programme_.open_sources(); !opened) return opened.error();
+    if (auto opened = open_publisher(); !opened) return opened.error();
     const ReadyAt where{link::endpoint_text(listener_.endpoint()),
                         web_ ? link::endpoint_text(web_->endpoint()) : ""};
     if (auto ready = on_ready(where); !ready) return ready.error();
@@ -70,6 +74,7 @@ class Transmitter {
     await_end_signal();
     await_other_signal();
     programme_.begin();
+    if (publisher_) publisher_->on_moment();
     listener_.start([this](tcp::socket socket, const tcp::endpoint& peer) {
       welcome(
           peer, [&] { return link_of(std::move(socket)); }, ClientRegistry::Way::Tcp);
@@ -130,6 +135,21 @@ class Transmitter {
       spdlog::warn("--http tells everybody who reaches that address how the transmitter is");
     }
     return {};
+  }
+
+  Result<void> open_publisher() {
+    if (options_.engine.publish.empty()) return {};
+    const auto nats = nats_options(options_.engine.publish, options_.engine);
+    if (!nats) return nats.error();
+    publisher_.emplace(io_, Publisher::Options{nats->address.stream, options_.batch},
+                       [this] { return programme_.catalogue(); });
+    return publisher_->start(
+        [this, &nats](Bus::Events events) { return open_nats_bus(io_, *nats, std::move(events)); });
+  }
+
+  void on_moment() {
+    clients_.on_moment();
+    if (publisher_) publisher_->on_moment();
   }
 
   void say_who_can_connect() const {
@@ -237,6 +257,7 @@ class Transmitter {
     manager_.stopping();
     listener_.stop();
     if (web_) web_->stop();
+    if (publisher_) publisher_->stop();
     programme_.stop();
     clients_.stop();
     if (clients_.empty()) {
@@ -276,6 +297,7 @@ class Transmitter {
   Programme programme_;
   Reload reload_;
   HttpRoutes routes_;
+  std::optional<Publisher> publisher_;
   std::optional<WebServer> web_;
   std::optional<HttpServer> http_;
   Instant begin_{};

@@ -47,7 +47,8 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "clients here; aucasts:// over TLS. Of several hosts the next is taken when one is "
        "lost. What is live there is live here; a recorded stream is kept and served from its "
        "beginning while it still comes, which one in a loop cannot be. SIGHUP leaves relayed "
-       "streams as they are. "
+       "streams as they are. nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends "
+       "over NATS; natss:// over TLS. "
        "A film (.mp4, .mov, .mkv, .webm, .avi and others, "
        "through ffmpeg) is read for the face in it; camera is the camera /dev/video0 and "
        "camera:DEVICE another one, live. Both need the models that "
@@ -102,6 +103,39 @@ std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
        "The certificates of the authorities that the server of an aucasts:// source must have "
        "its certificate from (PEM); without it those of the system.",
        word(upstream.tls.authorities)},
+  };
+}
+
+std::vector<OptionRow> engine_rows(EngineSettings& engine) {
+  return {
+      {"publish", "URL", "", "over NATS, live",
+       "Publishes the first source over NATS under NAME, beside serving it, for au-transmitters "
+       "whose SOURCE is this address (protocol/ENGINE.md). nats://HOST[:PORT][,HOST...]/NAME names "
+       "several servers, which are tried in their order; natss:// is over TLS. Implies --live. "
+       "What comes within --batch goes together.",
+       word(engine.publish)},
+      {"nats-token-file", "FILE", "", "to show",
+       "The token that the servers of NATS want, one word in a file. It is sent only over TLS or "
+       "to "
+       "this host.",
+       word(engine.token)},
+      {"nats-creds", "FILE", "", "of a user",
+       "The credentials of a user of NATS: a .creds file with its JWT and its seed.",
+       word(engine.creds)},
+      {"nats-nkey", "KEY", "", "public",
+       "The public NKey of a user of NATS (U...), whose seed is in --nats-seed.",
+       word(engine.nkey)},
+      {"nats-seed", "FILE", "", "its seed", "The seed of --nats-nkey (SU...).", word(engine.seed)},
+      {"nats-tls-ca", "FILE", "", "for natss://",
+       "The certificates of the authorities that the servers of a natss:// address must have "
+       "theirs "
+       "from (PEM); without it those of the system.",
+       word(engine.tls.authorities)},
+      {"nats-tls-cert", "FILE", "", "to show",
+       "A certificate to show to servers of NATS that want one (PEM).",
+       word(engine.tls.certificate)},
+      {"nats-tls-key", "FILE", "", "its key", "The private key of --nats-tls-cert (PEM).",
+       word(engine.tls.key)},
   };
 }
 
@@ -263,6 +297,7 @@ std::vector<OptionRow> program_rows(TransmitterOptions& options) {
 std::vector<OptionRow> option_rows(TransmitterOptions& options) {
   std::vector<OptionRow> rows = input_rows(options);
   append(rows, upstream_rows(options.upstream));
+  append(rows, engine_rows(options.engine));
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
   append(rows, voice_rows(options.voice));

@@ -9,6 +9,7 @@
 #include "common/files.h"
 #include "common/sources/profile.h"
 #include "common/text.h"
+#include "protocol/endpoint.h"
 #include "server/settings/option_table.h"
 #include "server/settings/settings.h"
 
@@ -95,6 +96,8 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
   if (auto read = settings.read(); !read) return read.error();
   if (typed->contains("print-config")) return printed_config(settings, options);
   if (auto valid = validate(options); !valid) return valid.error();
+  // What is published is everybody's one moment.
+  if (!options.engine.publish.empty()) options.live = true;
   return CommandLine{{}, std::move(options)};
 }
 
@@ -122,6 +125,10 @@ Result<void> validate(const TransmitterOptions& options) {
                        !options.web.trusted_proxies.empty();
   if (any_web && !options.web.address) {
     return usage("--web-cert, --web-host and --web-trusted-proxy need --web");
+  }
+  if (!options.engine.publish.empty()) {
+    const auto address = protocol::parse_engine_address(options.engine.publish);
+    if (!address) return address.error();
   }
   if (options.client_timeout.count() < 0) return usage("--client-timeout is negative");
   return {};

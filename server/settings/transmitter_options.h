@@ -12,6 +12,7 @@
 #include "common/time.h"
 #include "protocol/limits.h"
 #include "server/settings/credential_files.h"
+#include "server/settings/engine_settings.h"
 #include "server/settings/source_options.h"
 #include "server/settings/upstream_settings.h"
 #include "server/settings/voice_options.h"
@@ -59,6 +60,7 @@ struct TransmitterOptions {
   std::filesystem::path record;                 ///< file or folder for live streams; empty: none
   LiveSourceSettings live_source;               ///< how those are served that are being written
   UpstreamSettings upstream;                    ///< streams of other servers
+  EngineSettings engine;                        ///< streams over NATS
   std::string log_level = "info";               ///< as common/log.h takes it
   std::string log_format = "text";              ///< or "json"
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;

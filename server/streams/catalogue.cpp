@@ -111,7 +111,9 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
 
 /// A stream of another server; nothing is known of it yet but the name that its address has.
 Result<std::vector<Source>> address_source(const std::filesystem::path& path, LiveSources live) {
-  const auto address = protocol::parse_stream_address(path.string());
+  const auto address = protocol::is_engine_address(path.string())
+                           ? protocol::parse_engine_address(path.string())
+                           : protocol::parse_stream_address(path.string());
   if (!address) return address.error();
   if (live == LiveSources::None) {
     return Error{ErrorKind::Usage, at_place(path.string(), "--check and --estimate read files")};
@@ -128,7 +130,9 @@ void add_spoken(const EncodingOptions& options, Source& source) {
 
 /// The streams of one file: one, or one for each face.
 Result<std::vector<Source>> load_source(const std::filesystem::path& path, const Reading& reading) {
-  if (protocol::is_stream_address(path.string())) return address_source(path, reading.live);
+  if (protocol::is_stream_address(path.string()) || protocol::is_engine_address(path.string())) {
+    return address_source(path, reading.live);
+  }
   std::vector<Source> streams;
   const std::string stem = stream_name(path);
   if (auto can = check_name(path, stem); !can) return can.error();

@@ -1,0 +1,137 @@
+#include "server/engine/engine_edge.h"
+
+#include <chrono>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "common/log.h"
+#include "common/text.h"
+
+namespace aucast::server {
+namespace {
+
+using std::chrono::steady_clock;
+
+Reception::Options reception_options(const EngineEdge::Options& options) {
+  return {options.stream, options.id, options.wait, options.classic_min, "origin"};
+}
+
+}  // namespace
+
+EngineEdge::EngineEdge(asio::io_context& io, const Options& options,
+                       std::function<void()> on_moment)
+    : name_(options.stream),
+      reception_(
+          io, reception_options(options),
+          {std::move(on_moment), [] {}, [this](const Parent::Ending& ending) { on_over(ending); }}),
+      follower_(options.id),
+      timer_(io) {}
+
+Result<void> EngineEdge::start(const OpenBus& open) {
+  auto bus = open({[this](const Bus::Message& message) { on_message(message); },
+                   [this](const std::string& server) { on_connected(server); },
+                   [this] { on_disconnected(); }});
+  if (!bus) return bus.error();
+  bus_ = *std::move(bus);
+  bus_->subscribe(batch_subject(name_));
+  bus_->subscribe(bus_->own_subject());
+  reception_.start();
+  return {};
+}
+
+void EngineEdge::stop() {
+  stopped_ = true;
+  timer_.cancel();
+  bus_.reset();
+  reception_.stop();
+}
+
+protocol::ServedStream EngineEdge::stream() const {
+  protocol::ServedStream served;
+  served.name = name_;
+  served.upstream = reception_.shared();
+  return served;
+}
+
+void EngineEdge::on_message(const Bus::Message& message) {
+  if (stopped_) return;
+  const Instant now = steady_clock::now();
+  const bool answer = message.subject == bus_->own_subject();
+  carry_out(answer ? follower_.on_answer(message.bytes, now)
+                   : follower_.on_published(message.bytes, now));
+}
+
+void EngineEdge::on_connected(const std::string& server) {
+  if (stopped_) return;
+  spdlog::info("{}: NATS at {}", name_, escaped(server));
+  server_ = server;
+  carry_out(follower_.on_connected(steady_clock::now()));
+}
+
+void EngineEdge::on_disconnected() {
+  if (stopped_) return;
+  spdlog::warn("{}: the connection to NATS at {} is lost", name_, escaped(server_));
+  follower_.on_disconnected();
+}
+
+/// Of what is lost in the same way again and again one line is enough.
+void EngineEdge::on_over(const Parent::Ending& ending) {
+  over_ = true;
+  const auto level = reason_ == ending.reason ? spdlog::level::debug : spdlog::level::warn;
+  reason_ = ending.reason;
+  spdlog::log(level, "{}: {}", name_, ending.reason);
+}
+
+void EngineEdge::carry_out(const std::vector<Follower::Event>& events) {
+  for (const Follower::Event& event : events) {
+    std::visit([this](const auto& what) { handle(what); }, event);
+  }
+  if (stopped_) return;
+  // What the receiver has left by itself the follower does not know yet.
+  if (std::exchange(over_, false)) {
+    link_.reset();
+    carry_out(follower_.on_over(steady_clock::now()));
+    return;
+  }
+  wait();
+}
+
+void EngineEdge::handle(const Follower::Ask& event) {
+  bus_->publish({join_subject(name_), bus_->own_subject(), event.request});
+}
+
+void EngineEdge::handle(const Follower::Begin& event) {
+  link_ = std::make_shared<JoinedLink>();
+  reception_.begin(link_, event.origin + " over NATS at " + escaped(server_), "");
+  link_->deliver(event.packets);
+}
+
+void EngineEdge::handle(const Follower::GoOn& event) {
+  if (link_ && !over_) link_->deliver(event.packets);
+}
+
+void EngineEdge::handle(const Follower::Lose& event) {
+  if (!link_) return;
+  link_->lose(event.reason);
+  link_.reset();
+  over_ = false;
+}
+
+void EngineEdge::handle(const Follower::Say& event) {
+  spdlog::warn("{}: {}", name_, event.text);
+}
+
+void EngineEdge::wait() {
+  const auto deadline = follower_.deadline();
+  if (!deadline) {
+    timer_.cancel();
+    return;
+  }
+  timer_.expires_at(*deadline);
+  timer_.async_wait([this](const std::error_code& error) {
+    if (!error && !stopped_) carry_out(follower_.on_time(steady_clock::now()));
+  });
+}
+
+}  // namespace aucast::server

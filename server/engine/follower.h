@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "common/time.h"
+#include "protocol/engine_message.h"
+
+namespace aucast::server {
+
+/// What came over an engine is put in order, as ENGINE.md has it: joins one origin, sees a hole by
+/// the numbers and asks for what is missing, takes nothing twice, and leaves an origin that is
+/// silent. No connection and no clock: messages and the time go in, events come out.
+/// Thread: none of its own.
+class Follower {
+ public:
+  static constexpr Milliseconds kSilence{2'000};  ///< after which an origin is taken for lost
+  static constexpr Milliseconds kAskFirst{250};   ///< until the question is asked again, ...
+  static constexpr Milliseconds kAskMost{4'000};  ///< ... twice as long each time, up to this
+  static constexpr Milliseconds kSayEvery{60'000};
+  /// Batches that wait for an answer; older ones are dropped.
+  static constexpr std::size_t kWaitingMost = 128;
+  static constexpr std::size_t kWaitingBytesMost = std::size_t{1} << 20U;
+
+  struct Ask {
+    std::string request;
+  };
+  /// Another beginning: hello, the whole face, and places on a clock that begins here.
+  struct Begin {
+    std::string origin;
+    std::string packets;
+  };
+  struct GoOn {
+    std::string packets;  ///< on the same clock
+  };
+  /// What began has ended here.
+  struct Lose {
+    std::string reason;  ///< a clause
+  };
+  struct Say {
+    std::string text;  ///< a warning for the log
+  };
+  using Event = std::variant<Ask, Begin, GoOn, Lose, Say>;
+
+  /// `id`: of this server, by which it finds its own stream.
+  explicit Follower(std::string id) : id_(std::move(id)) {}
+
+  /// The engine is there, for the first time or again: something may have been missed.
+  [[nodiscard]] std::vector<Event> on_connected(Instant now);
+  void on_disconnected() { connected_ = false; }
+  /// To everybody; may be from anybody.
+  [[nodiscard]] std::vector<Event> on_published(std::string_view bytes, Instant now);
+  /// To what was asked.
+  [[nodiscard]] std::vector<Event> on_answer(std::string_view bytes, Instant now);
+  /// What began is over for its receiver: it has ended, or makes no sense.
+  [[nodiscard]] std::vector<Event> on_over(Instant now);
+  [[nodiscard]] std::vector<Event> on_time(Instant now);
+  [[nodiscard]] std::optional<Instant> deadline() const;
+
+  [[nodiscard]] std::uint64_t mended() const { return mended_; }  ///< holes, by what was kept
+
+ private:
+  using Message = protocol::EngineMessage;
+
+  /// What there is to say again and again, once in a while.
+  struct Complaint {
+    Instant next{};
+    std::uint64_t times = 0;
+  };
+
+  [[nodiscard]] std::vector<Event> take_events();
+  void take_batch(Message message, Instant now);
+  void take_state(Message message, Instant now);
+  void take_since(const Message& message, Instant now);
+  [[nodiscard]] std::optional<std::string> objection(const Message& state) const;
+  void pass(const Message& message);
+  void drain();
+  void keep(Message message);
+  void forget();
+  void want(Instant now);
+  void answered(Instant now);
+  void complain(Complaint& complaint, const std::string& text, Instant now);
+
+  std::string id_;
+  std::optional<std::string> origin_;
+  std::uint64_t last_ = 0;     ///< batch that was passed on
+  std::uint64_t base_ms_ = 0;  ///< place on the origin's clock where this clock began
+  Instant heard_at_{};         ///< anything of the origin
+  Instant begun_at_{};         ///< a state was taken
+  bool connected_ = false;
+  bool asking_ = false;          ///< an answer is wanted
+  Instant ask_at_{};             ///< not before
+  Instant asked_at_{};           ///< last
+  unsigned asked_ = 0;           ///< times since what began has lasted a while
+  std::deque<Message> waiting_;  ///< came while an answer was wanted
+  std::size_t waiting_bytes_ = 0;
+  std::uint64_t mended_ = 0;
+  Complaint garbage_;
+  Complaint other_origin_;
+  Complaint refused_;
+  std::vector<Event> events_;
+};
+
+}  // namespace aucast::server

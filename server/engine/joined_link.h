@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "common/link/link.h"
+
+namespace aucast::server {
+
+/// What came of one join as a connection: its user gets the hello, the whole face and all that
+/// follows, as from any server. What it says goes nowhere, for nobody answers an engine.
+class JoinedLink final : public link::Link, public std::enable_shared_from_this<JoinedLink> {
+ public:
+  /// Hands these on one by one, each a moment of its own, unless the user has closed.
+  void deliver(std::string_view packets);
+  /// Ends it for the user, if it is still there.
+  void lose(const std::string& reason);
+
+  void start(link::LinkUser& user) override;
+  void hand_over(link::LinkUser& user) override { user_ = &user; }
+  void write(std::string_view /*bytes*/) override {}
+  void finish() override { user_ = nullptr; }
+  void close() override { user_ = nullptr; }
+  void set_reading(bool /*reading*/) override {}
+  /// A session waits for nothing once it has the hello, which comes at once.
+  void wake_at(std::optional<Instant> /*when*/) override {}
+
+  [[nodiscard]] Instant now() const override;
+  [[nodiscard]] Duration round_trip() const override { return {}; }
+  [[nodiscard]] bool blocked() const override { return false; }
+  [[nodiscard]] std::optional<Instant> stuck_since() const override { return std::nullopt; }
+  [[nodiscard]] std::size_t unsent_bytes() const override { return 0; }
+  [[nodiscard]] std::uint64_t wire_bytes() const override { return 0; }
+
+ private:
+  link::LinkUser* user_ = nullptr;
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,263 @@
+#include "server/engine/nats_bus.h"
+
+#include <nats/nats.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/link/host.h"
+#include "common/log.h"
+#include "common/text.h"
+#include "server/engine/loop_gate.h"
+
+namespace aucast::server {
+namespace {
+
+/// What is held open for a server that does not answer: the loop waits meanwhile, at the start
+/// only.
+constexpr int kConnectMs = 1'000;
+constexpr int kReconnectMs = 250;  ///< between two rounds of all servers
+constexpr int kReconnectJitterMs = 100;
+/// A server that is gone without a word is found after the second unanswered ping.
+constexpr int kPingMs = 2'000;
+constexpr int kPingsUnanswered = 2;
+/// Bytes that the library keeps to send them when it is connected again: none, for they would be
+/// old. 0 would be its own choice, 8 MB.
+constexpr int kKeptBytes = 1;
+constexpr int kFlushMs = 200;  ///< for the last words
+
+struct OptionsDeleter {
+  void operator()(natsOptions* options) const { natsOptions_Destroy(options); }
+};
+using OptionsPtr = std::unique_ptr<natsOptions, OptionsDeleter>;
+
+/// What the library hands to its callbacks: holds the gate until the last of them.
+using Held = std::shared_ptr<LoopGate>;
+
+LoopGate& gate_of(void* held) {
+  return **static_cast<Held*>(held);
+}
+
+void let_go(void* held) {
+  delete static_cast<Held*>(held);
+}
+
+std::string server_of(natsConnection* connection) {
+  std::array<char, 256> url{};
+  if (natsConnection_GetConnectedUrl(connection, url.data(), url.size()) != NATS_OK) return "?";
+  return url.data();
+}
+
+// Callbacks: on threads of the library. They post, nothing else.
+
+void on_connected(natsConnection* connection, void* held) {
+  gate_of(held).post(
+      [server = server_of(connection)](const Bus::Events& events) { events.on_connected(server); },
+      0);
+}
+
+void on_disconnected(natsConnection* /*connection*/, void* held) {
+  gate_of(held).post([](const Bus::Events& events) { events.on_disconnected(); }, 0);
+}
+
+void on_closed(natsConnection* /*connection*/, void* held) {
+  let_go(held);
+}
+
+void on_error(natsConnection* connection, natsSubscription* /*subscription*/, natsStatus status,
+              void* held) {
+  const char* last = nullptr;
+  static_cast<void>(natsConnection_GetLastError(connection, &last));
+  std::string text = natsStatus_GetText(status);
+  if (last != nullptr && *last != '\0') text += std::string(": ") + last;
+  gate_of(held).post([text = std::move(text)](
+                         const Bus::Events&) { spdlog::warn("NATS says: {}", escaped(text, 200)); },
+                     text.size());
+}
+
+void on_message(natsConnection* /*connection*/, natsSubscription* /*subscription*/,
+                natsMsg* message, void* held) {
+  Bus::Message copy;
+  copy.subject = natsMsg_GetSubject(message);
+  const char* const reply = natsMsg_GetReply(message);
+  if (reply != nullptr) copy.reply_to = reply;
+  copy.bytes.assign(natsMsg_GetData(message),
+                    static_cast<std::size_t>(natsMsg_GetDataLength(message)));
+  natsMsg_Destroy(message);
+  const std::size_t bytes = copy.bytes.size();
+  gate_of(held).post(
+      [copy = std::move(copy)](const Bus::Events& events) { events.on_message(copy); }, bytes);
+}
+
+class NatsBus final : public Bus {
+ public:
+  NatsBus(asio::io_context& io, Events events)
+      : gate_(std::make_shared<LoopGate>(io, std::move(events))) {}
+  ~NatsBus() override;
+
+  [[nodiscard]] Result<void> open(const NatsOptions& options);
+
+  void subscribe(const std::string& subject) override;
+  void publish(const Message& message) override;
+  [[nodiscard]] std::string own_subject() const override { return own_subject_; }
+
+ private:
+  [[nodiscard]] natsStatus set_up(natsOptions* options, const NatsOptions& asked);
+  [[nodiscard]] static natsStatus set_up_secrets(natsOptions* options, const NatsOptions& asked);
+  [[nodiscard]] natsStatus set_up_callbacks(natsOptions* options, Held* held);
+
+  std::shared_ptr<LoopGate> gate_;
+  natsConnection* connection_ = nullptr;
+  std::vector<natsSubscription*> subscriptions_;
+  std::string own_subject_;
+};
+
+NatsBus::~NatsBus() {
+  gate_->close();
+  if (connection_ == nullptr) return;
+  if (natsConnection_Status(connection_) == NATS_CONN_STATUS_CONNECTED) {
+    static_cast<void>(natsConnection_FlushTimeout(connection_, kFlushMs));
+  }
+  for (natsSubscription* const subscription : subscriptions_) {
+    natsSubscription_Destroy(subscription);
+  }
+  natsConnection_Destroy(connection_);
+}
+
+/// What the library says of its last failure, after the name of the status.
+std::string reason_of(natsStatus status) {
+  natsStatus last = status;
+  const char* const text = nats_GetLastError(&last);
+  const std::string name = natsStatus_GetText(status);
+  return text == nullptr || *text == '\0' ? name : name + ": " + escaped(text, 200);
+}
+
+natsStatus NatsBus::set_up(natsOptions* options, const NatsOptions& asked) {
+  std::vector<std::string> urls;
+  for (const protocol::Endpoint& server : asked.address.hosts) {
+    urls.push_back((asked.address.tls ? "tls://" : "nats://") +
+                   link::host_and_port(server.host, server.port));
+  }
+  std::vector<const char*> list;
+  for (const std::string& url : urls) list.push_back(url.c_str());
+  natsStatus status = natsOptions_SetServers(options, list.data(), static_cast<int>(list.size()));
+  const auto then = [&status](natsStatus (*set)(natsOptions*, bool), natsOptions* to, bool value) {
+    if (status == NATS_OK) status = set(to, value);
+  };
+  then(natsOptions_SetNoRandomize, options, true);
+  if (status == NATS_OK) status = natsOptions_SetName(options, "au-transmitter");
+  if (status == NATS_OK) status = natsOptions_SetTimeout(options, kConnectMs);
+  if (status == NATS_OK) status = natsOptions_SetMaxReconnect(options, -1);
+  if (status == NATS_OK) status = natsOptions_SetReconnectWait(options, kReconnectMs);
+  if (status == NATS_OK) {
+    status = natsOptions_SetReconnectJitter(options, kReconnectJitterMs, kReconnectJitterMs);
+  }
+  if (status == NATS_OK) status = natsOptions_SetReconnectBufSize(options, kKeptBytes);
+  if (status == NATS_OK) status = natsOptions_SetPingInterval(options, kPingMs);
+  if (status == NATS_OK) status = natsOptions_SetMaxPingsOut(options, kPingsUnanswered);
+  return status;
+}
+
+natsStatus NatsBus::set_up_secrets(natsOptions* options, const NatsOptions& asked) {
+  const EngineSettings& settings = asked.settings;
+  natsStatus status = NATS_OK;
+  if (!asked.token.empty()) status = natsOptions_SetToken(options, asked.token.c_str());
+  if (status == NATS_OK && !settings.creds.empty()) {
+    status = natsOptions_SetUserCredentialsFromFiles(options, settings.creds.c_str(), nullptr);
+  }
+  if (status == NATS_OK && !settings.nkey.empty()) {
+    status = natsOptions_SetNKeyFromSeed(options, settings.nkey.c_str(), settings.seed.c_str());
+  }
+  if (!asked.address.tls) return status;
+  if (status == NATS_OK) status = natsOptions_SetSecure(options, true);
+  if (status == NATS_OK && !settings.tls.authorities.empty()) {
+    status = natsOptions_LoadCATrustedCertificates(options, settings.tls.authorities.c_str());
+  }
+  if (status == NATS_OK && !settings.tls.certificate.empty()) {
+    status = natsOptions_LoadCertificatesChain(options, settings.tls.certificate.c_str(),
+                                               settings.tls.key.c_str());
+  }
+  return status;
+}
+
+natsStatus NatsBus::set_up_callbacks(natsOptions* options, Held* held) {
+  natsStatus status = natsOptions_SetRetryOnFailedConnect(options, true, on_connected, held);
+  if (status == NATS_OK) status = natsOptions_SetReconnectedCB(options, on_connected, held);
+  if (status == NATS_OK) status = natsOptions_SetDisconnectedCB(options, on_disconnected, held);
+  if (status == NATS_OK) status = natsOptions_SetErrorHandler(options, on_error, held);
+  if (status == NATS_OK) status = natsOptions_SetClosedCB(options, on_closed, held);
+  return status;
+}
+
+Result<void> NatsBus::open(const NatsOptions& asked) {
+  natsOptions* created = nullptr;
+  natsStatus status = natsOptions_Create(&created);
+  const OptionsPtr options(created);
+  if (status == NATS_OK) status = set_up(options.get(), asked);
+  if (status == NATS_OK) status = set_up_secrets(options.get(), asked);
+  auto held = std::make_unique<Held>(gate_);
+  if (status == NATS_OK) status = set_up_callbacks(options.get(), held.get());
+  if (status != NATS_OK) {
+    return Error{ErrorKind::Usage, "NATS does not take these options: " + reason_of(status)};
+  }
+  status = natsConnection_Connect(&connection_, options.get());
+  if (connection_ == nullptr) {
+    return Error{ErrorKind::Network, "NATS cannot be reached: " + reason_of(status)};
+  }
+  // From here on on_closed() has it.
+  Held* const given = held.release();
+  if (status == NATS_OK) {
+    on_connected(connection_, given);
+  } else {
+    spdlog::warn("no server of NATS answers yet; they are tried on: {}", reason_of(status));
+  }
+  natsInbox* inbox = nullptr;
+  if (natsInbox_Create(&inbox) != NATS_OK) {
+    return Error{ErrorKind::Failed, "NATS gives no subject of our own"};
+  }
+  own_subject_ = inbox;
+  natsInbox_Destroy(inbox);
+  return {};
+}
+
+void NatsBus::subscribe(const std::string& subject) {
+  auto held = std::make_unique<Held>(gate_);
+  natsSubscription* subscription = nullptr;
+  natsStatus status =
+      natsConnection_Subscribe(&subscription, connection_, subject.c_str(), on_message, held.get());
+  if (status == NATS_OK) {
+    subscriptions_.push_back(subscription);
+    status = natsSubscription_SetOnCompleteCB(subscription, let_go, held.get());
+  }
+  if (status == NATS_OK) {
+    // From here on let_go() has it.
+    static_cast<void>(held.release());
+    return;
+  }
+  spdlog::error("NATS does not let us subscribe to {}: {}", subject, reason_of(status));
+  // The library may still have it.
+  if (subscription != nullptr) static_cast<void>(held.release());
+}
+
+void NatsBus::publish(const Message& message) {
+  const auto size = static_cast<int>(message.bytes.size());
+  const natsStatus status =
+      message.reply_to.empty()
+          ? natsConnection_Publish(connection_, message.subject.c_str(), message.bytes.data(), size)
+          : natsConnection_PublishRequest(connection_, message.subject.c_str(),
+                                          message.reply_to.c_str(), message.bytes.data(), size);
+  if (status != NATS_OK) spdlog::debug("{}: not published: {}", message.subject, reason_of(status));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Bus>> open_nats_bus(asio::io_context& io, const NatsOptions& options,
+                                           Bus::Events events) {
+  auto bus = std::make_unique<NatsBus>(io, std::move(events));
+  if (auto opened = bus->open(options); !opened) return opened.error();
+  return std::unique_ptr<Bus>(std::move(bus));
+}
+
+}  // namespace aucast::server

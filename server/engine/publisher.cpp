@@ -1,0 +1,157 @@
+#include "server/engine/publisher.h"
+
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include "common/log.h"
+#include "common/text.h"
+#include "protocol/limits.h"
+#include "protocol/server_chain.h"
+#include "protocol/stream_choice.h"
+
+namespace aucast::server {
+
+using std::chrono::steady_clock;
+
+Publisher::Publisher(asio::io_context& io, Options options, Catalogue catalogue)
+    : options_(std::move(options)),
+      catalogue_(std::move(catalogue)),
+      batch_timer_(io),
+      beat_timer_(io) {}
+
+Result<void> Publisher::start(const OpenBus& open) {
+  auto bus =
+      open({[this](const Bus::Message& message) { on_message(message); },
+            [this](const std::string& server) {
+              connected_ = true;
+              spdlog::info("{}: published over NATS at {}", options_.stream, escaped(server));
+            },
+            [this] {
+              connected_ = false;
+              spdlog::warn("{}: the connection to NATS is lost; another server is tried",
+                           options_.stream);
+            }});
+  if (!bus) return bus.error();
+  bus_ = *std::move(bus);
+  bus_->subscribe(join_subject(options_.stream));
+  await_beat();
+  return {};
+}
+
+void Publisher::stop() {
+  if (publication_) {
+    publication_->collect_end();
+    flush();
+  }
+  stopped_ = true;
+  batch_timer_.cancel();
+  beat_timer_.cancel();
+  bus_.reset();
+}
+
+/// What a client that asks for no name would get, if it is live.
+std::shared_ptr<const protocol::LiveChannel> Publisher::channel() {
+  protocol::HelloAsked asked;
+  // Asked as a relay, so that the servers which it comes through are told on.
+  asked.relay = "nats";
+  const auto catalogue = catalogue_();
+  auto choice = protocol::choose_stream(*catalogue, asked);
+  if (choice.state != protocol::StreamChoice::State::Ready) return nullptr;
+  const protocol::ServedStream& stream = choice.stream;
+  if (!stream.live) {
+    if (!std::exchange(said_recorded_, true)) {
+      spdlog::error("{}: it is not published: it is recorded where it comes from (--live there)",
+                    options_.stream);
+    }
+    return nullptr;
+  }
+  if (stream.live == channel_) return channel_;
+  hello_ = {};
+  hello_.delta = stream.live->has_changes();
+  hello_.stream = options_.stream;
+  hello_.live = true;
+  hello_.duration_ms = stream.live->duration_ms();
+  hello_.keyframe_ms = stream.upstream ? stream.upstream->keyframe_ms : catalogue->keyframe_ms;
+  if (stream.live->has_voice()) hello_.voice = protocol::kVoiceCodec;
+  hello_.text = stream.live->has_captions();
+  hello_.title = stream.title;
+  hello_.servers = servers_told(*catalogue, stream, asked);
+  begin(stream.live);
+  return channel_;
+}
+
+/// Another channel has a clock of its own: who watches joins anew.
+void Publisher::begin(const std::shared_ptr<const protocol::LiveChannel>& channel) {
+  if (publication_) {
+    publication_->collect_end();
+    flush();
+  }
+  channel_ = channel;
+  const std::string& id = catalogue_()->id;
+  publication_.emplace(++runs_ == 1 ? id : id + '-' + std::to_string(runs_));
+}
+
+void Publisher::on_moment() {
+  if (stopped_) return;
+  const auto now_live = channel();
+  if (!now_live) return;
+  publication_->collect(*now_live);
+  if (now_live->ended()) publication_->collect_end();
+  if (publication_->waiting_bytes() > 0) flush_soon();
+}
+
+void Publisher::flush_soon() {
+  if (options_.batch.count() == 0 || publication_->waiting_bytes() > protocol::kBatchBytesMax) {
+    flush();
+    return;
+  }
+  if (std::exchange(batch_waits_, true)) return;
+  batch_timer_.expires_after(options_.batch);
+  batch_timer_.async_wait([this](const std::error_code& error) {
+    if (!error && !stopped_ && publication_) flush();
+  });
+}
+
+/// Without a connection too: who misses it asks for it later, and nothing old is sent by itself.
+void Publisher::flush() {
+  batch_waits_ = false;
+  batch_timer_.cancel();
+  const std::string batch = publication_->next_batch();
+  if (connected_) bus_->publish({batch_subject(options_.stream), "", batch});
+  await_beat();
+}
+
+void Publisher::await_beat() {
+  beat_timer_.expires_after(kBeat);
+  beat_timer_.async_wait([this](const std::error_code& error) {
+    if (error || stopped_) return;
+    if (publication_ && publication_->running()) {
+      flush();
+    } else {
+      await_beat();
+    }
+  });
+}
+
+void Publisher::on_message(const Bus::Message& message) {
+  if (stopped_ || !publication_ || message.reply_to.empty() || !may_answer()) return;
+  const auto join = protocol::parse_engine_join(message.bytes);
+  if (!join) {
+    spdlog::debug("{}: a question makes no sense: {}", options_.stream, join.error().message);
+    return;
+  }
+  const auto answer = publication_->answer(*join, hello_);
+  if (answer) bus_->publish({message.reply_to, "", *answer});
+}
+
+bool Publisher::may_answer() {
+  const Instant now = steady_clock::now();
+  if (now - second_begin_ >= std::chrono::seconds(1)) {
+    second_begin_ = now;
+    answers_ = 0;
+  }
+  return ++answers_ <= kAnswersPerSecond;
+}
+
+}  // namespace aucast::server

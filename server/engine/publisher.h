@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <asio/io_context.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "common/result.h"
+#include "common/time.h"
+#include "protocol/packet.h"
+#include "protocol/server_session.h"
+#include "server/engine/bus.h"
+#include "server/engine/publication.h"
+
+namespace aucast::server {
+
+/// Publishes the first stream that is served over an engine, and answers who joins there.
+/// Thread: that of the io_context, which must outlive it.
+class Publisher {
+ public:
+  struct Options {
+    std::string stream;     ///< its name at the engine
+    Milliseconds batch{0};  ///< what comes within this time goes together
+  };
+  using Catalogue = std::function<std::shared_ptr<const protocol::ServerCatalogue>()>;
+
+  static constexpr Milliseconds kBeat{
+      500};  ///< without anything new it says so often that it lives
+  static constexpr std::size_t kAnswersPerSecond = 1'000;  ///< more questions are left unanswered
+
+  Publisher(asio::io_context& io, Options options, Catalogue catalogue);
+  Publisher(const Publisher&) = delete;
+  Publisher& operator=(const Publisher&) = delete;
+
+  /// As the bus opens.
+  [[nodiscard]] Result<void> start(const OpenBus& open);
+  /// A stream may have something new.
+  void on_moment();
+  /// Tells who watches that it has ended.
+  void stop();
+
+ private:
+  [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> channel();
+  void begin(const std::shared_ptr<const protocol::LiveChannel>& channel);
+  void on_message(const Bus::Message& message);
+  void flush_soon();
+  void flush();
+  void await_beat();
+  [[nodiscard]] bool may_answer();
+
+  Options options_;
+  Catalogue catalogue_;
+  std::unique_ptr<Bus> bus_;
+  bool connected_ = false;
+  std::shared_ptr<const protocol::LiveChannel> channel_;  ///< that is published
+  protocol::HelloGranted hello_;
+  std::optional<Publication> publication_;
+  std::size_t runs_ = 0;  ///< channels so far
+  bool said_recorded_ = false;
+  asio::steady_timer batch_timer_;
+  bool batch_waits_ = false;
+  asio::steady_timer beat_timer_;
+  Instant second_begin_{};
+  std::size_t answers_ = 0;  ///< in that second
+  bool stopped_ = false;
+};
+
+}  // namespace aucast::server

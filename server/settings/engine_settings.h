@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/tls/context.h"
+
+namespace aucast::server {
+
+/// How streams go over NATS, and how we show who we are there.
+struct EngineSettings {
+  std::string publish;          ///< nats://HOST/NAME; empty: nothing is published
+  std::filesystem::path token;  ///< a word; empty: none
+  std::filesystem::path creds;  ///< a user's JWT and seed; empty: none
+  std::string nkey;             ///< a public key; empty: none
+  std::filesystem::path seed;   ///< of that
+  tls::Files tls;               ///< for addresses natss://
+  friend bool operator==(const EngineSettings&, const EngineSettings&) = default;
+};
+
+}  // namespace aucast::server
