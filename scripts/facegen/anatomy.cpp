@@ -51,12 +51,10 @@ double lower_lip_border(const Identity& who, double x) {
 }
 
 Vec3 brow_spine(const Identity& who, double t) {
-  // It rises late and starts high: an inner end that drops is a hook in profile.
-  const double late = saturate((t - 0.12) / 0.84);
-  const double arch = who.form.brow_arch * power(std::sin(late * 2.2), 1.35);
-  const double start = 0.11 * smooth_step(0.62, 0.0, t);
+  // It rises from the nose to two thirds of its way; an inner end as high as the middle pleads.
+  const double arch = who.form.brow_arch * power(std::sin(saturate(t / 0.95) * 2.2), 1.2);
   return {mix(who.form.brow_begin, 3.55, t),
-          who.form.brow_up + start + arch - who.form.brow_tail_drop * t * t * t, 0.0};
+          who.form.brow_up + arch - who.form.brow_tail_drop * t * t * t, 0.0};
 }
 
 double brow_half_width(const Identity& who, double t) {

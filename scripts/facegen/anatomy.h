@@ -10,7 +10,7 @@ namespace aucast::facegen {
 /// Larger than life (an eyeball measures 0.86), so that the corners of the eye lie on the ball and
 /// no caruncle has to be modelled.
 inline constexpr double kEyeRadius = 1.27;
-inline constexpr Vec3 kEyeCentre{2.18, 2.72, 6.18};
+inline constexpr Vec3 kEyeCentre{2.10, 2.72, 6.18};
 
 /// It spans a little more than two fifths of the opening; much more looks like a doll's.
 inline constexpr double kIrisRadius = 0.50;

@@ -158,6 +158,14 @@ Vec3 along_lash(const LashGrowth& growth, double s) {
          Vec3{0, growth.curl * growth.length * s * s, 0};
 }
 
+/// The weights at `s` of a lash. Its tip turns further than the lid, so that the lashes of a shut
+/// eye hang over the cheek; seen end-on they would be a drawn line.
+Maps maps_along(const LashGrowth& growth, double s) {
+  Maps maps = growth.root.maps;
+  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.36 * s;
+  return maps;
+}
+
 /// How dark lashes are: short ones are also thin.
 double lash_strength(const Identity& who) {
   return mix(0.25, 1.0, who.form.lash);
@@ -176,7 +184,7 @@ void add_lash_fringe(Part& part, const Identity& who, const Skin& skin, int side
                         lash_strength(who) * (1 - 0.6 * smooth_step(0.80, 1.0, t));
     for (std::size_t j = 0; j < kSteps.size(); ++j) {
       rows[j].push_back(part.add(along_lash(growth, 0.85 * kSteps[j]), kLash, kAlphas[j] * dark));
-      part.vertices.back().maps = growth.root.maps;
+      part.vertices.back().maps = upper ? maps_along(growth, kSteps[j]) : growth.root.maps;
       part.vertices.back().gloss = 0;
     }
   }
@@ -210,7 +218,7 @@ void add_lash(Part& part, const Identity& who, const Skin& skin, int side, int n
     const auto add = [&](double aside) {
       const auto index =
           part.add(p + blade * (aside * half_width * kWidths[j]), kLash, kAlphas[j] * dark);
-      part.vertices.back().maps = growth.root.maps;
+      part.vertices.back().maps = maps_along(growth, kSteps[j]);
       part.vertices.back().gloss = 0;
       return index;
     };
@@ -266,7 +274,7 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
     for (int j = 0; j <= kAcross; ++j) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
-      const double fade = smooth_step(0.0, 0.48, t) * smooth_step(1.0, 0.90, t);
+      const double fade = smooth_step(-0.02, 0.26, t) * smooth_step(1.0, 0.86, t);
       const double alpha = 0.8 * fade * smooth_step(1.0, 0.25, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
@@ -293,6 +301,8 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
   constexpr int kHairs = 130;
   for (int i = 0; i < kHairs; ++i) {
     const auto chance = [&](int of) { return hash(i * 97 + of * 7919); };
+    // Both sides stand alike and are not equally dark: no face is its own mirror image.
+    const auto on_side = [&](int of) { return hash(i * 97 + of * 7919 + (side > 0 ? 0 : 53)); };
     // More of them where no ground is under them.
     const double even = (i + chance(1)) / kHairs;
     const double t = 0.94 * mix(even * even, even, 0.55);
@@ -305,8 +315,8 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
     const double length = (0.24 + 0.55 * half_width) * (0.75 + 0.5 * chance(4)) *
                           mix(0.55, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
-    const double alpha = mix(0.12, 0.80, smooth_step(0.0, 0.38, t)) * (0.7 + 0.3 * chance(5));
-    const Vec3 colour = who.colours.brow * (0.75 + 0.5 * chance(6));
+    const double alpha = mix(0.30, 0.80, smooth_step(0.0, 0.26, t)) * (0.6 + 0.4 * on_side(5));
+    const Vec3 colour = who.colours.brow * (0.7 + 0.6 * on_side(6));
     const double thick = 0.012 * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};
     const std::array<Vec3, 3> flat{root - aside * thick, root + aside * thick,

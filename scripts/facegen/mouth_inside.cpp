@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kTeethPerSide = 7;
 
 /// One jaw's arch of teeth. The lower one lies behind the upper, well inside the fold under the
-/// lip.
+/// lip, and leaves a gap to it, as with everybody who is not biting.
 struct Arch {
   double up = 1;  ///< away from the bite: 1 for the upper jaw, -1 for the lower
   double half_width = 0;
@@ -33,7 +33,7 @@ constexpr Arch kLowerArch{-1,
                           -3.30,
                           0.12,
                           {.41, .44, .49, .49, .49, .70, .64},
-                          {.74, .74, .76, .73, .69, .63, .57}};
+                          {.62, .62, .64, .62, .59, .55, .51}};
 constexpr double kArchBack = 4.8;
 /// Squarer than an ellipse (2): a narrow front ends in a dark gap to the corner of the mouth.
 constexpr double kArchPower = 2.18;
@@ -207,7 +207,8 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     vertex.occlusion *= mix(0.25, 1.0, light);
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
-    vertex.colour *= mix(0.55, 1.0, light) * mix(0.65, 1.0, smooth_step(0.0, 0.55, from_gum));
+    vertex.colour *= mix(Vec3{0.40, 0.36, 0.33}, Vec3{1}, light) *
+                     mix(0.60, 1.0, smooth_step(0.05, 0.80, from_gum));
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
       vertex.colour *= kLightOnLowerTeeth;

@@ -66,10 +66,12 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   if (v.ring < kLipBorderRing) return;
   const bool border = v.ring == kLipBorderRing;
   const double to_corner = saturate(v.position.x / kMouthCorner);
-  const double strength = (border ? 0.70 : 1.0) * (1 - 0.25 * to_corner * to_corner);
+  const double strength = (border ? 0.70 : 1.0) * (1 - 0.25 * to_corner * to_corner) *
+                          (1 - 0.5 * smooth_step(0.8, 1.0, to_corner));
   Vec3 c =
       mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.88 : 1.04);
-  if (v.ring >= kLipContactRing - 1) c = mix(c, kLipInside, 0.8);
+  if (v.ring >= kLipContactRing - 1)
+    c = mix(c, kLipInside, 0.8 - 0.5 * smooth_step(0.75, 1.0, to_corner));
   if (v.ring > kLipContactRing) {
     // Into the dark of the mouth, sooner at the corners.
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /

@@ -123,7 +123,8 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   double bridge = round_cone(p, {0, 3.05, 7.38}, Vec3{0, 1.6, 8.18} + hump, 0.46, 0.46 + wide);
   bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.46 + wide, 0.46), 0.9);
   bridge = melt(bridge,
-                round_cone(p, {0.25 + wide, 2.2, 7.1}, {0.45 + wide, 0.1, 8.05}, 0.50, 0.60), 0.8);
+                round_cone(p, {0.20 + wide, 2.2, 7.05}, {0.50 + 0.5 * wide, 0.1, 7.95}, 0.46, 0.60),
+                0.8);
   d = melt(d, bridge, 1.0);
   const Vec3 q{p.x / form.nose_width, p.y, p.z};
   const Vec3 at{0, form.nose_up, form.nose_forward};
@@ -174,13 +175,13 @@ double line_depth(std::span<const Vec3> line, const glm::dvec2& p, double width)
 double alar_groove(const Form& form, const Vec3& p) {
   const double x = std::abs(p.x) / form.nose_width;
   if (p.z <= 7.2 || x >= 1.9 || p.y >= 1.0 || p.y <= -1.4) return 0;
-  static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .010},
-                                              {.61, .22, .035},
-                                              {.82, .33, .055},
-                                              {1.00, .24, .060},
-                                              {1.115, .02, .072},
-                                              {1.155, -.28, .072},
-                                              {1.06, -.55, .050},
+  static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .015},
+                                              {.61, .22, .048},
+                                              {.82, .33, .072},
+                                              {1.00, .24, .080},
+                                              {1.115, .02, .092},
+                                              {1.155, -.28, .090},
+                                              {1.06, -.55, .060},
                                               {.92, -.72, .010}}};
   return line_depth(kLine, {x, p.y}, 0.135) * smooth_step(7.2, 7.7, p.z);
 }

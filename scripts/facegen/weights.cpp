@@ -35,11 +35,11 @@ double nose_tip_field(const Vec3& p) {
 /// 1 on the furrow from the wing of the nose to beside the corner of the mouth.
 double nasolabial_field(const Vec3& p) {
   if (p.z < 5) return 0;
-  static constexpr std::array<Vec3, 5> kLine{{{1.14, -0.25, 0.3},
-                                              {1.38, -0.80, 1.0},
-                                              {1.72, -1.38, 1.0},
-                                              {2.02, -1.88, 0.7},
-                                              {2.16, -2.25, 0.0}}};  // x, y, depth
+  static constexpr std::array<Vec3, 5> kLine{{{1.16, -0.25, 0.3},
+                                              {1.45, -0.75, 1.0},
+                                              {1.88, -1.28, 1.0},
+                                              {2.26, -1.80, 0.7},
+                                              {2.46, -2.25, 0.0}}};  // x, y, depth
   const double x = std::abs(p.x);
   double best = 0;
   for (std::size_t i = 0; i + 1 < kLine.size(); ++i) {
@@ -116,7 +116,7 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   const double lift =
       (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) * (1 - 0.15 * bell(from_middle, 2.6));
   vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * lift, blend);
-  const double red = smooth_step(kLipBorderRing - 3, kLipBorderRing + 1, v.ring);
+  const double red = smooth_step(kLipBorderRing - 5, kLipBorderRing, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
   vertex[Map::LowerRed] = red * lower;
 }

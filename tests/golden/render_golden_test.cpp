@@ -341,6 +341,35 @@ TEST_F(RenderGolden, LightsTheDefaultFace) {
   EXPECT_TRUE(drawn((*scene)->moving_mesh(), {}, 300, 300).rgba == rest.rgba);
 }
 
+TEST_F(RenderGolden, TheShippedHeadsLookAsBefore) {
+  struct Shot {
+    std::string name;
+    std::vector<AuTerm> aus;
+    view::CameraPreset from = view::CameraPreset::Front;
+  };
+  const auto terms = [](std::initializer_list<std::uint8_t> numbers) {
+    std::vector<AuTerm> all;
+    for (const std::uint8_t number : numbers) all.push_back({number, Side::Both, 100});
+    return all;
+  };
+  const std::vector<Shot> shots{{"smile", terms({6, 12, 25})},
+                                {"worry", terms({1, 2, 4})},
+                                {"eyes_shut", terms({43})},
+                                {"profile", {}, view::CameraPreset::Profile}};
+  const auto data = find_data_folder({});
+  ASSERT_TRUE(data.has_value()) << data.error().message;
+  for (const std::string face : {"default", "marek"}) {
+    auto scene = test::PosedFace::load(*data / "faces" / face, *data);
+    ASSERT_TRUE(scene.has_value()) << scene.error().message;
+    renderer().load((*scene)->static_mesh());
+    for (const Shot& shot : shots) {
+      (*scene)->pose(frame_from_terms(shot.aus));
+      expect_as_baseline(drawn((*scene)->moving_mesh(), view::portrait_camera(shot.from), 300, 300),
+                         "render_" + face + "_" + shot.name);
+    }
+  }
+}
+
 TEST_F(RenderGolden, AnIrisIsSeenFromTheSide) {
   const auto data = find_data_folder({});
   ASSERT_TRUE(data.has_value()) << data.error().message;

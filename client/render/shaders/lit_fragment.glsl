@@ -139,11 +139,14 @@ vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   // They stay on the iris also in profile, or the eye is a painted ball.
   float sideways = smoothstep(0.1, 0.8, 1.0 - dot(view, u_eyeball_forward));
   vec3 middle = mix(view, u_eyeball_forward, 0.82);
-  vec3 first = normalize(middle - side * 0.13 * (1.0 - sideways) + up * mix(0.135, 0.09, sideways));
+  // The window stands near: each eye sees it from another place.
+  float which = clamp(dot(u_eyeball_centre, side), -1.0, 1.0) * (1.0 - sideways);
+  float aside = 0.13 * (1.0 - sideways) + 0.024 * which;
+  vec3 first = normalize(middle - side * aside + up * (mix(0.135, 0.09, sideways) + 0.012 * which));
   vec3 second = normalize(middle + side * 0.17 - up * 0.20);
   // A window is square, lighter at its upper edge, and soft on a wet ball.
-  vec3 aside = normal - first;
-  vec2 pane = vec2(dot(aside, side), dot(aside, up)) / kCatchlight;
+  vec3 off = normal - first;
+  vec2 pane = vec2(dot(off, side), dot(off, up)) / (kCatchlight * (1.0 + 0.14 * which));
   vec2 pane2 = pane * pane;
   float window = (1.0 - smoothstep(0.0, 2.0, dot(pane2, pane2))) * (0.85 + 0.15 * pane.y);
   lit = mix(lit, vec3(0.90, 0.90, 0.88), 0.94 * window);
