@@ -76,7 +76,8 @@ Instant SoundPlayer::now(Instant steady) {
   if (!sounds_ && out_ != nullptr && wanted) start();
   if (sounds_) look_at_device(steady);
   if (sounds_) {
-    const Instant heard = begin_ + line_.at(steady);
+    // What has run dry has been heard to its end; the line stands where it was looked at last.
+    const Instant heard = starved_ ? moment_of(heard_) : begin_ + line_.at(steady);
     shown_ = std::max(shown_, heard);
     now_ = std::max(now_, heard + lead_);
   } else {

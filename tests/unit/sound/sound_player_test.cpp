@@ -92,6 +92,22 @@ TEST_F(SoundPlayerTest, WithoutSoundTheClockIsTheSteadyOne) {
   EXPECT_TRUE(crank_.written.empty());
 }
 
+TEST_F(SoundPlayerTest, GoesOnHoweverOftenThePlayerItselfWasHeldUp) {
+  player_.open(playback_.get(), &counting_);
+  keyframes(1000);
+  ticks(100);
+  for (int i = 0; i < 20; ++i) {
+    const std::size_t before = crank_.written.size();
+    steady_ += std::chrono::seconds(1);
+    ticks(1, std::chrono::seconds(1));  // the device has played all it had
+    ticks(20);
+    EXPECT_GT(crank_.written.size(), before) << i;
+  }
+  EXPECT_FALSE(player_.take_loss());
+  ticks(100);
+  EXPECT_NEAR(shown_ms(), heard_ms(), 1);
+}
+
 TEST_F(SoundPlayerTest, ADeviceThatComesLaterGoesOnFromThere) {
   player_ = SoundPlayer(nullptr);
   player_.open(playback_.get(), &counting_);
