@@ -62,7 +62,7 @@ MAY_INCLUDE = {
     "client/app/gallery": APP | {"client/app", "client/app/film"},
     "client/app/window": APP | {"client/app", "client/app/film"},
     "client/app/commands": APP | {"client/app", "client/app/film", "client/app/window"},
-    "client/web": APP - {"client/sound", "client/gui"} | {"client/app/film"},
+    "client/web": APP - {"client/gui"} | {"client/app/film"},
     "client": APP | {"client/app", "client/app/film", "client/app/gallery", "client/app/window",
                      "client/app/commands"},
     "speaker": {"common", "common/voice", "protocol"},

@@ -32,6 +32,7 @@ protocol::ClientSessionOptions session_options(const AuReaderOptions& options, b
   session.hello.delta = true;
   session.hello.token = options.token;
   if (options.voice) session.hello.voice = protocol::kVoiceCodec;
+  session.hello.text = options.captions;
   session.silence_max = options.silence_max;
   return session;
 }
@@ -248,6 +249,7 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
     buffers_.set_delay(timing_.first_delay());
   clock_shift_ = clock_ - Milliseconds(event.hello.from_ms);
   status_.voice = !event.hello.voice.empty();
+  status_.captions = event.hello.text;
   status_.title = event.hello.title;
   answer(reaction.send);  // the user may have paused already
 }
@@ -260,6 +262,12 @@ void AuReader::handle(const protocol::DeliverVoice& event, Reaction& reaction) {
   voice_end_ = place + protocol::opus_duration(opus).value_or(Milliseconds::zero());
   voice_bytes_ += opus.size();
   voice_.push_back({place, opus});
+}
+
+void AuReader::handle(const protocol::DeliverCaption& event, Reaction& reaction) {
+  reaction.changed = true;
+  if (captions_.size() == kCaptionsMax) return;
+  captions_.push_back({Milliseconds(event.caption.place_ms) + clock_shift_, event.caption.text});
 }
 
 void AuReader::handle(const protocol::StreamEnded& /*event*/, Reaction& reaction) {
@@ -392,6 +400,13 @@ std::optional<playback::Voice> AuReader::take_voice() {
   voice_.pop_front();
   voice_bytes_ -= voice.opus.size();
   return voice;
+}
+
+std::optional<playback::Caption> AuReader::take_caption() {
+  if (stopped_ || captions_.empty()) return std::nullopt;
+  playback::Caption caption = std::move(captions_.front());
+  captions_.pop_front();
+  return caption;
 }
 
 bool AuReader::ready() const {

@@ -29,6 +29,7 @@ struct AuReaderOptions {
   bool reconnect = false;               ///< try again when the connection is lost or cannot be made
   std::string token{};                  ///< shown in the hello; empty: none
   bool voice = false;                   ///< asks for the stream's voice
+  bool captions = false;                ///< asks for its captions
 };
 
 /// What the connection's owner has to do: send `send`, then what `next` says.
@@ -93,6 +94,9 @@ class AuReader {
   [[nodiscard]] std::optional<playback::Voice> take_voice();
   /// Bytes of voice that wait to be taken; what comes on top is left out. At 24 kbit/s an hour.
   static constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
+  [[nodiscard]] std::optional<playback::Caption> take_caption();
+  /// Captions that wait to be taken; what comes on top is left out.
+  static constexpr std::size_t kCaptionsMax = 10'000;
   /// True when take() would return a keyframe, or no more will ever come.
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
@@ -109,7 +113,7 @@ class AuReader {
   void handle(const protocol::SendBytes& event, Reaction& reaction);
   void handle(const protocol::DeliverKeyframe& event, Reaction& reaction);
   void handle(const protocol::DeliverVoice& event, Reaction& reaction);
-  void handle(const protocol::DeliverCaption&, Reaction&) {}
+  void handle(const protocol::DeliverCaption& event, Reaction& reaction);
   void handle(const protocol::Granted& event, Reaction& reaction);
   void handle(const protocol::StreamEnded& event, Reaction& reaction);
   void handle(const protocol::ReconnectClassic& event, Reaction& reaction);
@@ -151,6 +155,7 @@ class AuReader {
   Milliseconds voice_end_{0};    ///< on that clock, of the voice received
   std::deque<playback::Voice> voice_;
   std::size_t voice_bytes_ = 0;
+  std::deque<playback::Caption> captions_;
   BackOff back_off_;
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;

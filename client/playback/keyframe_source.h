@@ -29,6 +29,12 @@ struct Voice {
   std::string opus;
 };
 
+/// What is said from a place on, until the next; empty: nothing.
+struct Caption {
+  Milliseconds place{0};  ///< on the clock of TimedAus::place
+  std::string text;       ///< UTF-8
+};
+
 /// Why a source has nothing more to give.
 enum class EndReason : std::uint8_t {
   NotEnded,
@@ -54,6 +60,7 @@ struct SourceStatus {
   bool negotiated = false;              ///< level 2
   bool live = false;                    ///< the server has one clock for all
   bool voice = false;                   ///< a voice comes with the stream
+  bool captions = false;                ///< captions come with it
   std::string title;                    ///< of the stream; empty: none
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
   Milliseconds delay{0};                ///< buffered, by time (live, --buffer auto or Nms);
@@ -83,6 +90,8 @@ class KeyframeSource {
   /// The next voice packet that is there. Their places ascend, and each is there before the
   /// keyframe during which it is heard can be taken.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
+  /// The same of captions.
+  [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
   /// True when take() would give one, or nothing will ever come again.
   [[nodiscard]] virtual bool ready() const = 0;
   /// Waits until ready() or until `until`, whichever is first; returns ready().

@@ -48,6 +48,7 @@ class Playback {
   [[nodiscard]] virtual std::optional<Passing> passing() const = 0;
   /// KeyframeSource's.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
   /// The moments handed in are `ahead` of those of the steady clock, and their face is shown
   /// `lead` later. Zero until then.
   virtual void set_clock(Duration /*ahead*/, Duration /*lead*/) {}
@@ -90,6 +91,7 @@ class SourcePlayback final : public Playback {
   [[nodiscard]] std::optional<Instant> next_position_at() const override;
   [[nodiscard]] std::optional<Passing> passing() const override { return controller_.passing(); }
   [[nodiscard]] std::optional<Voice> take_voice() override { return source_->take_voice(); }
+  [[nodiscard]] std::optional<Caption> take_caption() override { return source_->take_caption(); }
   void set_clock(Duration ahead, Duration lead) override { controller_.set_clock(ahead, lead); }
   [[nodiscard]] std::uint64_t keyframes_played() const override;
   [[nodiscard]] Duration media_time() const override;

@@ -53,6 +53,8 @@ class SoundPlayer {
   void advanced();
   /// The moment whose face is to be shown, as of the last now(); at most that.
   [[nodiscard]] Instant shown() const { return shown_; }
+  /// How far playback is ahead of that.
+  [[nodiscard]] Duration lead() const { return now_ - shown_; }
   /// The face of shown() is on the display: measures how far it is from what is heard.
   void face_shown();
 

@@ -21,6 +21,10 @@ EM_JS(void, aucast_js_drop, (std::uint32_t socket), { Module.browser.drop(socket
 EM_JS(void, aucast_js_timer, (std::uint32_t timer, double ms), {
   Module.browser.timer(timer, ms);
 });
+EM_JS(void, aucast_js_write_sound, (const float* samples, std::size_t count), {
+  Module.browser.writeSound(HEAPF32.slice(samples >> 2, (samples >> 2) + count));
+});
+EM_JS(std::size_t, aucast_js_unheard, (), { return Module.browser.unheard(); });
 // clang-format on
 
 namespace aucast::web::browser {
@@ -48,6 +52,14 @@ void drop_socket(std::uint32_t socket) {
 
 void set_timer(std::uint32_t timer, double milliseconds) {
   aucast_js_timer(timer, milliseconds);
+}
+
+void write_sound(std::span<const float> samples) {
+  aucast_js_write_sound(samples.data(), samples.size());
+}
+
+std::size_t unheard_samples() {
+  return aucast_js_unheard();
 }
 
 }  // namespace aucast::web::browser

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 /// What the browser does for the page: implemented in JavaScript (player_engine.js), which answers
@@ -23,5 +25,10 @@ void drop_socket(std::uint32_t socket);
 /// timer_rang() comes after so many milliseconds, never from within the call; replaces the timer's
 /// earlier time. Negative: never.
 void set_timer(std::uint32_t timer, double milliseconds);
+
+/// To be heard after what was written before; ignored while the browser lets nothing be heard.
+void write_sound(std::span<const float> samples);
+/// How many of the samples written have not been heard yet.
+[[nodiscard]] std::size_t unheard_samples();
 
 }  // namespace aucast::web::browser

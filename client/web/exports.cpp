@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -77,8 +78,9 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_layers(const char* layers) {
   return error_of(page()->set_layers(layers));
 }
 
-EMSCRIPTEN_KEEPALIVE void aucast_play(const char* server, const char* stream, const char* token) {
-  page()->play(server, stream, token);
+EMSCRIPTEN_KEEPALIVE void aucast_play(const char* server, const char* stream, const char* token,
+                                      int voice) {
+  page()->play({server, stream, token, voice != 0});
 }
 
 EMSCRIPTEN_KEEPALIVE void aucast_stop() {
@@ -120,9 +122,8 @@ EMSCRIPTEN_KEEPALIVE void aucast_face_front() {
 /// "idle" while no stream is open; else as --stats has it.
 EMSCRIPTEN_KEEPALIVE const char* aucast_state() {
   static std::string text;
-  const auto* const playback = page()->playback();
-  return kept(text,
-              playback != nullptr ? std::string(name(playback->state())) : std::string("idle"));
+  const auto state = page()->state();
+  return kept(text, state ? std::string(name(*state)) : std::string("idle"));
 }
 
 /// Whether a connection stands.
@@ -134,6 +135,72 @@ EMSCRIPTEN_KEEPALIVE int aucast_connected() {
 EMSCRIPTEN_KEEPALIVE int aucast_live() {
   const auto* const playback = page()->playback();
   return playback != nullptr && playback->status().live ? 1 : 0;
+}
+
+/// Whether a voice comes with the stream.
+EMSCRIPTEN_KEEPALIVE int aucast_voice() {
+  const auto* const playback = page()->playback();
+  return playback != nullptr && playback->status().voice ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE int aucast_captions() {
+  const auto* const playback = page()->playback();
+  return playback != nullptr && playback->status().captions ? 1 : 0;
+}
+
+/// Of the stream; empty: it has none, or none has come yet.
+EMSCRIPTEN_KEEPALIVE const char* aucast_title() {
+  static std::string text;
+  const auto* const playback = page()->playback();
+  return kept(text, playback != nullptr ? playback->status().title : std::string());
+}
+
+/// What is being said.
+EMSCRIPTEN_KEEPALIVE const char* aucast_caption() {
+  return page()->caption().c_str();
+}
+
+/// Whether what is written to the browser's sound can be heard.
+EMSCRIPTEN_KEEPALIVE void aucast_sound(int on) {
+  page()->set_sound(on != 0);
+}
+
+/// Percent, as loudness is felt.
+EMSCRIPTEN_KEEPALIVE void aucast_volume(int percent) {
+  page()->sound().set_volume(percent);
+}
+
+EMSCRIPTEN_KEEPALIVE void aucast_mute(int muted) {
+  page()->sound().set_muted(muted != 0);
+}
+
+/// The browser's sound is the clock.
+EMSCRIPTEN_KEEPALIVE int aucast_sounds() {
+  return page()->sound().sounds() ? 1 : 0;
+}
+
+/// The device has been given up since the last call.
+EMSCRIPTEN_KEEPALIVE int aucast_sound_lost() {
+  return page()->sound().take_loss() ? 1 : 0;
+}
+
+/// After aucast_draw(): what was drawn is what the last aucast_advance() came to.
+EMSCRIPTEN_KEEPALIVE void aucast_face_shown() {
+  page()->sound().face_shown();
+}
+
+/// JSON: what was played, and how far the face is from the sound that is heard (above 0 it is
+/// early).
+EMSCRIPTEN_KEEPALIVE const char* aucast_sound_counts() {
+  static std::string text;
+  const aucast::sound::SoundCounts counts = page()->sound().counts();
+  const auto ms = [](aucast::Duration time) { return 1000 * aucast::seconds(time); };
+  std::ostringstream json;
+  json << R"({"packets":)" << counts.voice.packets << R"(,"late":)" << counts.voice.too_late
+       << R"(,"underruns":)" << counts.underruns << R"(,"faces":)" << counts.offset.count
+       << R"(,"offsetMs":)" << ms(counts.offset.median) << R"(,"offsetLowMs":)"
+       << ms(counts.offset.low) << R"(,"offsetHighMs":)" << ms(counts.offset.high) << "}";
+  return kept(text, json.str());
 }
 
 /// A sentence about why nothing comes; else empty.

@@ -6,6 +6,7 @@
 
 #include "client/render/gl.h"
 #include "client/view/camera.h"
+#include "client/web/browser_sound.h"
 #include "client/web/socket_link.h"
 #include "client/web/socket_source.h"
 #include "protocol/codec.h"
@@ -41,7 +42,8 @@ Page::Page(face::Face face, face::RuleSet rules)
     : face_(std::move(face)),
       mapping_{face_, face_.recordings, std::move(rules)},
       player_(mapping_, playback::Interpolation::Linear),
-      posed_(face_.channels.size()),
+      wanted_(face_.channels.size()),
+      posed_(wanted_),
       camera_(view::portrait_camera(view::CameraPreset::Front)) {}
 
 Page::~Page() = default;
@@ -77,36 +79,77 @@ Result<void> Page::set_layers(std::string_view layers) {
   return {};
 }
 
-void Page::play(const std::string& server, const std::string& stream, const std::string& token) {
+void Page::play(const Wanted& wanted) {
   stop();
   playback_ = std::make_unique<playback::SourcePlayback>(
-      std::make_unique<SocketSource>(server, stream, token),
+      std::make_unique<SocketSource>(wanted.server, wanted.stream, wanted.token, wanted.voice),
       playback::SourcePlayback::Options{.hold = kHold});
+  player_.set_face(wanted_);
   player_.open(playback_.get());
+  sound_.open(playback_.get());
 }
 
 void Page::stop() {
-  if (playback_) playback_->stop(now());
+  if (playback_) playback_->stop(sound_.now(now()));
+  sound_.open(nullptr);
   player_.open(nullptr);
   playback_.reset();
+  delay_.clear();
+  ahead_.clear();
+  captions_ = {};
 }
 
 void Page::pause(bool paused) {
   if (!playback_ || playback_->over()) return;
-  paused ? playback_->pause(now()) : playback_->resume(now());
+  const Instant at = sound_.now(now());
+  paused ? playback_->pause(at) : playback_->resume(at);
+}
+
+void Page::set_sound(bool on) {
+  sound_.set_out(on ? std::make_unique<BrowserSound>() : nullptr);
+}
+
+std::optional<playback::PlaybackState> Page::state() const {
+  if (!playback_) return std::nullopt;
+  return playback_->over() && sound_.rings_on() ? playback::PlaybackState::Playing
+                                                : playback_->state();
 }
 
 bool Page::advance() {
-  player_.advance(now(), [this](const playback::KeyframeBegun& begun) {
-    aus_ = begun.target.aus;
-    if (begun_.size() == kBegunMax) begun_.clear();
-    begun_.push_back(protocol::format_au_set(aus_) + ";" + std::to_string(begun.duration.count()));
-  });
+  const Instant at = sound_.now(now());
+  player_.advance(at, [this, at](const playback::KeyframeBegun& one) { begun(one, at); });
+  sound_.advanced();
+  if (sound_.sounds()) delay_.add(at, player_.face().activations);
+  show_what_is_heard();
   if (playback_ && playback_->eased()) aus_ = {};
-  if (player_.face().activations == posed_) return false;
-  posed_ = player_.face().activations;
-  view_->pose(posed_);
-  return true;
+  wanted_ = activations();
+  return wanted_ != posed_;
+}
+
+void Page::begun(const playback::KeyframeBegun& keyframe, Instant at) {
+  if (ahead_.size() == kBegunMax) ahead_.pop_front();
+  ahead_.push_back({at, keyframe.target.aus,
+                    protocol::format_au_set(keyframe.target.aus) + ";" +
+                        std::to_string(keyframe.duration.count())});
+}
+
+/// Playback is ahead of the sound that is heard, and of the face that belongs to it.
+void Page::show_what_is_heard() {
+  for (; !ahead_.empty() && ahead_.front().at <= sound_.shown(); ahead_.pop_front()) {
+    aus_ = ahead_.front().aus;
+    if (begun_.size() == kBegunMax) begun_.clear();
+    begun_.push_back(std::move(ahead_.front().line));
+  }
+  if (!playback_) return;
+  while (auto caption = playback_->take_caption()) captions_.add(std::move(*caption));
+  if (const auto passing = playback_->passing()) {
+    captions_.move_to(passing->place - sound_.lead());
+  }
+}
+
+const std::vector<float>& Page::activations() {
+  if (!sound_.sounds() || delay_.empty()) return player_.face().activations;
+  return delay_.at(sound_.shown());
 }
 
 std::vector<std::string> Page::take_begun() {
@@ -121,7 +164,15 @@ void Page::ask_streams(const std::string& server, const std::string& token) {
   question_->ask(SocketLink::create());
 }
 
+/// Only when it is drawn: sound wants time to be advanced more often than that.
+void Page::pose() {
+  if (wanted_ == posed_) return;
+  posed_ = wanted_;
+  view_->pose(posed_);
+}
+
 void Page::draw(int width, int height) {
+  pose();
   style_.scale = scale_of(height);
   view_->draw(camera_, style_, width, height);
 }
@@ -130,6 +181,7 @@ Result<view::Image> Page::picture(int width, int height) {
   if (auto prepared = view_->prepare(width, height, app::Sharpness::Still); !prepared) {
     return prepared.error();
   }
+  pose();
   style_.scale = scale_of(height);
   view::Image image = view_->picture(camera_, style_);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,8 +10,11 @@
 #include "client/app/film/face_view.h"
 #include "client/net/stream_question.h"
 #include "client/pipeline/au_mapping.h"
+#include "client/pipeline/face_delay.h"
 #include "client/pipeline/player.h"
+#include "client/playback/caption_line.h"
 #include "client/playback/playback.h"
+#include "client/sound/sound_player.h"
 #include "client/view/image.h"
 #include "client/view/scene.h"
 #include "client/view/style.h"
@@ -36,18 +40,32 @@ class Page {
   /// What is drawn of the face, as face-player's --show. Usage error for another word.
   [[nodiscard]] Result<void> set_layers(std::string_view layers);
 
-  /// Plays a stream; empty: the server's first. `server` is what messages call it.
-  void play(const std::string& server, const std::string& stream, const std::string& token);
+  struct Wanted {
+    std::string server;  ///< what messages call it
+    std::string stream;  ///< empty: the server's first
+    std::string token;   ///< empty: none
+    bool voice = false;  ///< with its voice, which somebody can decode
+  };
+  void play(const Wanted& wanted);
   void stop();
   void pause(bool paused);
   /// Null: nothing was played.
   [[nodiscard]] const playback::Playback* playback() const { return playback_.get(); }
-  /// Moves the face to now; true when it is another one than before.
+  /// Of what is seen and heard: Ended when the sound has ended, too. Nothing when nothing plays.
+  [[nodiscard]] std::optional<playback::PlaybackState> state() const;
+  /// Moves face and sound to now; true when the face is another one than was drawn last. Wants to
+  /// be called every 20 ms or so while something sounds.
   bool advance();
   /// The AUs of the face as they came, before the rules.
   [[nodiscard]] const AuFrame& aus() const { return aus_; }
-  /// The keyframes that began since the last call, as lines of a stream file.
+  /// The keyframes that the face began since the last call, as lines of a stream file.
   [[nodiscard]] std::vector<std::string> take_begun();
+  /// What is being said, in UTF-8; empty: nothing.
+  [[nodiscard]] const std::string& caption() const { return captions_.text(); }
+
+  /// Whether the browser lets the page be heard; in the beginning it does not.
+  void set_sound(bool on);
+  [[nodiscard]] sound::SoundPlayer& sound() { return sound_; }
 
   /// Asks the server for its streams; streams() has the answer once there is one.
   void ask_streams(const std::string& server, const std::string& token);
@@ -66,14 +84,30 @@ class Page {
  private:
   Page(face::Face face, face::RuleSet rules);
   [[nodiscard]] Result<void> make_view();
+  void begun(const playback::KeyframeBegun& keyframe, Instant at);
+  void show_what_is_heard();
+  [[nodiscard]] const std::vector<float>& activations();
+  void pose();
+
+  /// A keyframe that playback has begun, and when.
+  struct Begun {
+    Instant at;
+    AuFrame aus;
+    std::string line;
+  };
 
   const face::Face face_;
   const pipeline::AuMapping mapping_;
   std::unique_ptr<app::FaceView> view_;
   pipeline::Player player_;
   std::unique_ptr<playback::Playback> playback_;
+  sound::SoundPlayer sound_{nullptr};
+  pipeline::FaceDelay delay_;
+  playback::CaptionLine captions_;
+  std::deque<Begun> ahead_;  ///< what is begun, but neither heard nor seen yet
   AuFrame aus_;
-  std::vector<float> posed_;  ///< the activations that the view has
+  std::vector<float> wanted_;  ///< the activations to be drawn
+  std::vector<float> posed_;   ///< those that the view has
   std::vector<std::string> begun_;
   std::unique_ptr<net::StreamQuestion> question_;
   std::optional<Result<std::vector<std::string>>> streams_;

@@ -7,11 +7,14 @@
 namespace aucast::web {
 namespace {
 
-net::AuReaderOptions reader_options(std::string server, std::string stream, std::string token) {
+net::AuReaderOptions reader_options(std::string server, std::string stream, std::string token,
+                                    bool voice) {
   net::AuReaderOptions options;
   options.peer = std::move(server);
   options.stream = std::move(stream);
   options.token = std::move(token);
+  options.voice = voice;
+  options.captions = true;
   options.reconnect = true;
   options.buffers.by_time = true;
   options.buffers.adapt = true;
@@ -20,8 +23,8 @@ net::AuReaderOptions reader_options(std::string server, std::string stream, std:
 
 }  // namespace
 
-SocketSource::SocketSource(std::string server, std::string stream, std::string token)
-    : reader_(reader_options(server, std::move(stream), std::move(token))),
+SocketSource::SocketSource(std::string server, std::string stream, std::string token, bool voice)
+    : reader_(reader_options(server, std::move(stream), std::move(token), voice)),
       redial_([this] { dial(); }),
       connection_(reader_, std::move(server),
                   {[this](Milliseconds wait) { redial_.set(now() + wait); },
@@ -46,6 +49,14 @@ std::optional<playback::TimedAus> SocketSource::take() {
   });
   if (has_words) speak();
   return keyframe;
+}
+
+std::optional<playback::Voice> SocketSource::take_voice() {
+  return reader_.with([](net::AuReader& reader) { return reader.take_voice(); });
+}
+
+std::optional<playback::Caption> SocketSource::take_caption() {
+  return reader_.with([](net::AuReader& reader) { return reader.take_caption(); });
 }
 
 bool SocketSource::ready() const {

@@ -13,9 +13,12 @@ namespace aucast::web {
 /// Connects at once, and again when the connection is lost. Thread: the page's.
 class SocketSource final : public playback::KeyframeSource {
  public:
-  SocketSource(std::string server, std::string stream, std::string token);
+  /// `voice`: the stream's voice is asked for. Its captions are always.
+  SocketSource(std::string server, std::string stream, std::string token, bool voice);
 
   [[nodiscard]] std::optional<playback::TimedAus> take() override;
+  [[nodiscard]] std::optional<playback::Voice> take_voice() override;
+  [[nodiscard]] std::optional<playback::Caption> take_caption() override;
   [[nodiscard]] bool ready() const override;
   bool wait_until(Instant until) override;
   [[nodiscard]] playback::SourceStatus status() const override;

@@ -1,17 +1,20 @@
 // The page in real browsers, from au-transmitter --web. tests/web/run starts it.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 
-import { differing, facePlayer, launch, openTab, root, serve, untilState } from './support.mjs';
+import { auTransmitter, differing, facePlayer, launch, openTab, root, serve, touch, untilState }
+  from './support.mjs';
 
 const DOWNLOAD_MAX = 1_100_000;
 const streams = path.join(root, 'data/streams');
 const expressions = path.join(streams, 'six_expressions.txt');
 const talk = path.join(streams, 'talk.txt');
+const lecture = path.join(streams, 'lecture.txt');
 const folder = mkdtempSync(path.join(tmpdir(), 'aucast-web-'));
 after(() => rmSync(folder, { recursive: true }));
 
@@ -19,6 +22,12 @@ after(() => rmSync(folder, { recursive: true }));
 function setsOf(file) {
   return readFileSync(file, 'utf8').split('\n')
       .filter(line => line && !line.startsWith('#') && !/^(Beg|End)_Stream/.test(line));
+}
+
+/// The texts of a WebVTT file, as they stand there.
+function cuesOf(file) {
+  return readFileSync(file, 'utf8').split('\n\n').slice(1)
+      .map(cue => cue.trim().split('\n').slice(1).join('\n'));
 }
 
 function nativePicture(aus, ...options) {
@@ -32,7 +41,7 @@ for (const name of ['chromium', 'firefox']) {
     let browser;
     let server;
     before(async () => {
-      server = await serve([expressions, talk]);
+      server = await serve([expressions, talk, lecture]);
       browser = await launch(name);
     });
     after(async () => {
@@ -55,6 +64,50 @@ for (const name of ['chromium', 'firefox']) {
       assert.deepEqual(tab.faults, []);
       await tab.close();
     });
+
+    test('the voice of a lecture is heard to its end, and tells the face the time', async t => {
+      const [, sent] = /voice .* in (\d+) packets/.exec(auTransmitter('--check', lecture));
+      const tab = await openTab(browser, server.at('http', '?stream=lecture'),
+                                { width: 160, height: 120 });
+      await touch(tab);
+      await tab.waitForFunction(() => document.querySelector('aucast-player').engine.sounds);
+      const heard = await tab.evaluate(async () => {
+        const player = document.querySelector('aucast-player');
+        player.addEventListener('caption', event => window.captions.push(event.detail.text));
+        const { voice } = player.engine.core;
+        const decode = voice.decode.bind(voice);
+        const counts = { decoded: 0, failed: 0, moments: 0 };
+        voice.decode = (id, packet) => {
+          const sound = decode(id, packet);
+          if (packet.length > 0) sound.length > 0 ? ++counts.decoded : ++counts.failed;
+          return sound;
+        };
+        let before = 0;
+        setInterval(() => {
+          if (!player.engine.sounds) return;
+          const now = player.engine.browser.sound.heardSeconds();
+          if (now > before) ++counts.moments;
+          before = now;
+        }, 50);
+        const earlier = player.engine.soundCounts.packets;
+        await player.play();
+        window.captions = [];
+        await new Promise(resolve => player.addEventListener('state', event => {
+          if (event.detail.state === 'ended') resolve();
+        }));
+        const sound = player.engine.soundCounts;
+        return { ...counts, ...sound, packets: sound.packets - earlier, captions: window.captions };
+      });
+      t.diagnostic(`face before sound: ${heard.offsetMs} ms (5 %: ${heard.offsetLowMs}, 95 %: ` +
+                   `${heard.offsetHighMs}) over ${heard.faces} pictures, ` +
+                   `${heard.underruns} underruns`);
+      assert.equal(heard.packets, Number(sent));
+      assert.deepEqual([heard.decoded, heard.failed], [Number(sent), 0]);
+      assert.ok(heard.moments > 100 && heard.faces > 100, JSON.stringify(heard));
+      assert.deepEqual(heard.captions.filter(Boolean), cuesOf(lecture.replace('.txt', '.vtt')));
+      assert.deepEqual(tab.faults, []);
+      await tab.close();
+    });
   });
 }
 
@@ -63,7 +116,7 @@ describe('page', { timeout: 900_000 }, () => {
   let server;
   const small = { width: 160, height: 120 };
   before(async () => {
-    server = await serve([expressions, talk]);
+    server = await serve([expressions, talk, lecture]);
     browser = await launch('chromium');
   });
   after(async () => {
@@ -80,14 +133,84 @@ describe('page', { timeout: 900_000 }, () => {
     });
   }
 
-  test('a first visit downloads little', async () => {
+  test('a first visit downloads little, and gets all of it', async t => {
     const stranger = await browser.createBrowserContext();  // who has kept nothing
-    const tab = await openTab(stranger, server.at('http', '?show=0'), small);
+    const tab = await openTab(stranger, server.at('http', '?stream=lecture'), small);
     const bytes = await tab.evaluate(() =>
         performance.getEntriesByType('resource').concat(performance.getEntriesByType('navigation'))
             .reduce((sum, entry) => sum + entry.transferSize, 0));
+    t.diagnostic(`${bytes} bytes`);
     assert.ok(bytes > 100_000 && bytes < DOWNLOAD_MAX, `${bytes} bytes`);
+    const sum = await tab.evaluate(async () => {
+      const { FS } = document.querySelector('aucast-player').engine.core;
+      const mesh = FS.readFile('/data/faces/default/mesh.ply');
+      const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', mesh));
+      return [...digest].map(byte => byte.toString(16).padStart(2, '0')).join('');
+    });
+    const mesh = readFileSync(path.join(root, 'data/faces/default/mesh.ply'));
+    assert.equal(sum, createHash('sha256').update(mesh).digest('hex'));
     await stranger.close();
+  });
+
+  test('a voice waits for a touch, and is muted and loud as one likes', async () => {
+    const tab = await openTab(browser, server.at('http', '?stream=lecture'),
+                              { ...small, untouched: true });
+    await tab.waitForFunction(() => document.querySelector('aucast-player').needsTap);
+    await tab.waitForFunction(() => window.keyframes.length > 20);  // it plays all the same
+    const before = await tab.evaluate(() => {
+      const player = document.querySelector('aucast-player');
+      window.told = [];
+      player.addEventListener('sound', event => window.told.push(event.detail));
+      return player.engine.sounds;
+    });
+    assert.equal(before, false);
+    const tap = await tab.waitForSelector('aucast-player >>> .tap:not([hidden])');
+    await tap.click();
+    await tab.waitForFunction(() => document.querySelector('aucast-player').engine.sounds);
+    await tab.evaluate(() => {
+      const { sound } = document.querySelector('aucast-player').engine.browser;
+      const ear = sound.context.createAnalyser();
+      sound.fade.connect(ear);
+      const samples = new Float32Array(ear.fftSize);
+      window.loudness = () => {
+        ear.getFloatTimeDomainData(samples);
+        return Math.max(...samples.map(Math.abs));
+      };
+    });
+    await tab.waitForFunction(() => window.loudness() > 0.02, { polling: 20 });
+    await tab.focus('aucast-player >>> canvas');
+    await tab.keyboard.press('m');
+    await tab.waitForFunction(() => window.loudness() === 0, { polling: 20 });
+    for (const key of ['9', '9', '0']) await tab.keyboard.press(key);  // who turns it wants to hear it
+    await tab.waitForFunction(() => window.loudness() > 0.02, { polling: 20 });
+    await tab.evaluate(() => { document.querySelector('aucast-player').pause(); });
+    await tab.waitForFunction(() => window.loudness() === 0, { polling: 20 });
+    await tab.evaluate(() => { document.querySelector('aucast-player').resume(); });
+    await tab.waitForFunction(() => window.loudness() > 0.02, { polling: 20 });
+    const told = await tab.evaluate(() => window.told.map(
+        ({ needsTap, muted, volume }) => [needsTap, muted, Math.round(100 * volume)]));
+    assert.deepEqual(told, [[false, false, 100], [false, true, 100], [false, false, 98],
+                            [false, false, 96], [false, false, 98]]);
+    assert.deepEqual(tab.faults, []);
+    await tab.close();
+  });
+
+  test('captions and who is speaking', async () => {
+    const tab = await openTab(browser, server.at('http', '?stream=lecture'),
+                              { ...small, untouched: true });
+    const line = await tab.waitForSelector('aucast-player >>> .caption:not([hidden])');
+    const cues = cuesOf(lecture.replace('.txt', '.vtt'));
+    assert.ok(cues.includes(await line.evaluate(p => p.textContent)));
+    assert.equal(await line.evaluate(p => p.getAttribute('aria-live')), 'polite');
+    assert.equal(await tab.title(), 'A face over a thin wire - AUcast');
+    await tab.evaluate(() => {
+      const { shadowRoot } = document.querySelector('aucast-player');
+      [...shadowRoot.querySelectorAll('button')].find(b => b.textContent === 'Captions').click();
+    });
+    await tab.waitForFunction(() => document.querySelector('aucast-player').shadowRoot
+        .querySelector('.caption').hidden);
+    assert.ok(await tab.evaluate(() => document.querySelector('aucast-player').caption));
+    await tab.close();
   });
 
   test('a set that is none is refused with the reason, and the face stays', async () => {

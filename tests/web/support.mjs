@@ -38,6 +38,15 @@ export function facePlayer(...options) {
   execFileSync(path.join(bin, 'face-player'), options, { stdio: 'pipe' });
 }
 
+export function auTransmitter(...options) {
+  return execFileSync(path.join(bin, 'au-transmitter'), options, { encoding: 'utf8' });
+}
+
+/// Somebody touches the face: browsers let a page be heard from then on.
+export async function touch(tab) {
+  await tab.mouse.click(20, 20);
+}
+
 const LAUNCH = {
   // What Mesa draws for the native program it draws for the browser too: the same pictures.
   chromium: {
@@ -59,8 +68,15 @@ export function launch(name) {
 }
 
 /// A tab that keeps what goes wrong in it in `faults`.
-export async function openTab(browser, url, { width = 800, height = 600, ...device } = {}) {
+/// Nobody has touched it, if `untouched`: puppeteer's own calls count as touches.
+export async function openTab(browser, url,
+                              { width = 800, height = 600, untouched = false, ...device } = {}) {
   const tab = await browser.newPage();
+  if (untouched) {
+    await tab.evaluateOnNewDocument(() => {
+      Object.defineProperty(navigator, 'userActivation', { value: { hasBeenActive: false } });
+    });
+  }
   tab.setDefaultTimeout(PATIENCE_MS);
   await tab.setViewport({ width, height, ...device });
   tab.faults = [];

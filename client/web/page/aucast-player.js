@@ -1,8 +1,10 @@
 // <aucast-player>: a face in a page. What a page loads to have it:
 //   <script type="module" src="aucast-player.js"></script>
 // client/web/README.md has its attributes, events and methods.
-import { PlayerEngine } from './player_engine.js';
+import { Captions } from './player_captions.js';
 import { Controls } from './player_controls.js';
+import { PlayerEngine } from './player_engine.js';
+import { PlayerSound } from './player_sound.js';
 import { playerStyle } from './player_style.js';
 
 const PIXELS_PER_PIXEL_MAX = 2;  // more is not seen, and a phone has better uses for its battery
@@ -23,7 +25,7 @@ const WORDS = {
 };
 
 class AucastPlayer extends HTMLElement {
-  static observedAttributes = ['stream', 'server', 'show', 'layers'];
+  static observedAttributes = ['stream', 'server', 'show', 'layers', 'muted', 'volume', 'captions'];
 
   constructor() {
     super();
@@ -36,9 +38,15 @@ class AucastPlayer extends HTMLElement {
     this.message = document.createElement('p');
     this.message.className = 'message';
     this.message.setAttribute('role', 'status');
-    root.append(this.canvas, this.message);
+    this.foot = document.createElement('div');
+    this.foot.className = 'foot';
+    root.append(this.canvas, this.message, this.foot);
+    this.captions = new Captions(this);
+    this.sound = new PlayerSound(this, () => this.advance());
     this.engine = null;
     this.told = { state: '', words: '' };
+    this.about = { title: '', voice: false, captions: false };
+    this.wishes = 0;
     this.token = '';
     this.wantsDraw = true;
     this.ready = new Promise((resolve, reject) => { this.settle = { resolve, reject }; });
@@ -49,6 +57,7 @@ class AucastPlayer extends HTMLElement {
 
   /// Shows a set of AUs, `6,12:80`; needs no server. Throws for anything else.
   async show(aus) {
+    ++this.wishes;
     await this.ready;
     this.engine.show(String(aus));
     this.engine.advance();
@@ -58,13 +67,17 @@ class AucastPlayer extends HTMLElement {
 
   /// Plays a stream of `server`; without a name its first one.
   async play(stream = this.getAttribute('stream') ?? '') {
+    const wish = ++this.wishes;
     await this.ready;
+    await this.engine.loadVoice();
+    if (wish !== this.wishes) return;  // something else was asked for since
     this.engine.play(this.server, stream, this.token);
     this.tell();
     this.beat();
   }
 
   async stop() {
+    ++this.wishes;
     await this.ready;
     this.engine.stop();
     this.tell();
@@ -88,6 +101,18 @@ class AucastPlayer extends HTMLElement {
     canvas.getContext('2d').putImageData(this.engine.picture(width, height), 0, 0);
     return new Promise(resolve => { canvas.toBlob(resolve, 'image/png'); });
   }
+
+  /// As those of a media element: from 0 to 1.
+  get volume() { return this.sound.volume; }
+  set volume(volume) { this.sound.volume = volume; }
+  get muted() { return this.sound.muted; }
+  set muted(muted) { this.sound.muted = muted; }
+  /// A voice waits to be heard until somebody touches the page.
+  get needsTap() { return this.sound.needsTap; }
+  /// What is being said; empty: nothing, or there are no captions.
+  get caption() { return this.captions.text; }
+  /// Who is speaking; empty: the stream does not say.
+  get speaker() { return this.about.title; }
 
   get state() { return this.told.state; }
   get aus() { return this.engine ? this.engine.aus : '0'; }
@@ -113,15 +138,27 @@ class AucastPlayer extends HTMLElement {
       if (this.isConnected) return;
       this.sizes?.disconnect();
       document.removeEventListener('visibilitychange', this.onVisibility);
-      this.engine?.stop();
-      this.tell();
+      ++this.wishes;
+      if (this.engine) {
+        this.engine.stop();
+        this.sound.close();
+        this.tell();
+      }
       this.starting = false;
     });
   }
 
   attributeChangedCallback(name, before, now) {
-    if (before === now || !this.engine) return;
-    if (name === 'layers') {
+    if (before === now) return;
+    if (name === 'muted') {
+      this.muted = now !== null;
+    } else if (name === 'volume') {
+      this.setVolumeText(now);
+    } else if (name === 'captions') {
+      this.captions.show(now !== 'off');
+    } else if (!this.engine) {
+      return;  // start() reads them all
+    } else if (name === 'layers') {
       this.engine.setLayers(now || 'textured');
       this.draw();
     } else if (name === 'show') {
@@ -131,12 +168,22 @@ class AucastPlayer extends HTMLElement {
     }
   }
 
+  setVolumeText(text) {
+    try {
+      this.volume = Number(text ?? 1);
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
   async start() {
     try {
       if (!this.engine) {
         this.say('Loading the face');
-        this.engine = await PlayerEngine.create(this.canvas, this.getAttribute('face') ?? 'default');
+        this.engine = await PlayerEngine.create(this.canvas, this.getAttribute('face') ?? 'default',
+                                                { voice: this.server !== '' });
         this.listenToContext();
+        this.sound.apply();
       }
       const layers = this.getAttribute('layers');
       if (layers) this.engine.setLayers(layers);
@@ -166,16 +213,25 @@ class AucastPlayer extends HTMLElement {
     cancelAnimationFrame(this.nextFrame);
     clearTimeout(this.nextBeat);
     if (!this.engine) return;
-    if (this.engine.advance()) this.wantsDraw = true;
-    this.tell();
+    this.advance();
     if (this.engine.state === 'idle') {
       this.draw();
     } else if (document.hidden) {
       this.nextBeat = setTimeout(() => this.beat(), HIDDEN_BEAT_MS);
     } else {
-      if (this.wantsDraw) this.draw();
+      if (this.wantsDraw) {
+        this.draw();
+        this.engine.faceShown();
+      }
       this.nextFrame = requestAnimationFrame(() => this.beat());
     }
+  }
+
+  advance() {
+    if (this.engine.advance()) this.wantsDraw = true;
+    this.sound.follow();
+    this.captions.follow(this.engine, this.muted);
+    this.tell();
   }
 
   draw() {
@@ -211,6 +267,11 @@ class AucastPlayer extends HTMLElement {
     for (const keyframe of engine.takeBegun()) {
       this.dispatchEvent(new CustomEvent('keyframe', { detail: keyframe }));
     }
+    const about = { title: engine.title, voice: engine.voice, captions: engine.captions };
+    if (JSON.stringify(about) !== JSON.stringify(this.about)) {
+      this.about = about;
+      this.dispatchEvent(new CustomEvent('stream', { detail: about }));
+    }
     let state = engine.state;
     // The core holds and tries again; a person wants to know that the line is cut.
     if (!engine.connected && ['buffering', 'stalled', 'stale'].includes(state)) state = 'connecting';
@@ -230,6 +291,9 @@ class AucastPlayer extends HTMLElement {
     this.listens = true;
     const pointers = new Map();
     const canvas = this.canvas;
+    // A browser counts the end of a touch as somebody's will, and not its beginning.
+    this.addEventListener('pointerup', () => this.sound.allow());
+    this.addEventListener('keydown', () => this.sound.allow());
     canvas.addEventListener('pointerdown', event => {
       canvas.setPointerCapture(event.pointerId);
       pointers.set(event.pointerId, event);
@@ -270,8 +334,12 @@ class AucastPlayer extends HTMLElement {
       this.engine.orbit(...turns[event.key], this.canvas.clientHeight);
     } else if (event.key === '+' || event.key === '-') {
       this.engine.zoom(event.key === '+' ? 1 : -1);
-    } else if (event.key === '0') {
+    } else if (event.key === 'Home') {
       this.engine.faceFront();
+    } else if (event.key === 'm') {
+      this.muted = !this.muted;
+    } else if (event.key === '9' || event.key === '0') {
+      this.sound.step(event.key === '0' ? 1 : -1);
     } else if (event.key === ' ') {
       this.setPaused(this.state !== 'paused');
     } else {

@@ -12,7 +12,7 @@ if (hash.has('token')) {
   player.token = hash.get('token');
   history.replaceState(null, '', location.pathname + location.search);
 }
-for (const name of ['stream', 'face', 'show', 'layers']) {
+for (const name of ['stream', 'face', 'show', 'layers', 'muted', 'captions']) {
   if (asked.has(name)) player.setAttribute(name, asked.get(name));
 }
 if (asked.has('server')) {
@@ -21,8 +21,10 @@ if (asked.has('server')) {
   player.setAttribute('server', location.origin.replace(/^http/, 'ws'));
 }
 player.setAttribute('controls', '');
-player.addEventListener('state', () => {
-  const stream = player.getAttribute('stream');
-  document.title = stream ? `${stream} - AUcast` : 'AUcast';
-});
+for (const news of ['state', 'stream']) {
+  player.addEventListener(news, () => {
+    const who = player.speaker || player.getAttribute('stream');
+    document.title = who ? `${who} - AUcast` : 'AUcast';
+  });
+}
 document.getElementById('stage').append(player);

@@ -31,13 +31,26 @@ export class Controls {
     this.text = button('AUs', () => this.showWords());
     this.text.setAttribute('aria-pressed', 'false');
     this.text.title = 'The Action Units in words';
+    this.mute = button('Mute', () => { player.muted = !player.muted; });
+    this.mute.setAttribute('aria-pressed', 'false');
+    this.volume = document.createElement('input');
+    this.volume.type = 'range';
+    this.volume.max = '100';
+    this.volume.setAttribute('aria-label', 'Volume');
+    this.volume.addEventListener('input', () => this.setVolume());
+    this.mute.hidden = this.volume.hidden = true;
+    this.caption = button('Captions', () => this.toggleCaptions());
+    this.caption.hidden = true;
     this.picture = button('Picture', () => this.keepPicture());
     this.picture.title = 'Save a picture of the face';
     this.screen = button('Full screen', () => this.fullScreen());
-    this.bar.append(this.choice, this.name, this.pause, this.text, this.picture, this.screen);
-    player.shadowRoot.append(this.words, this.bar);
+    this.bar.append(this.choice, this.name, this.pause, this.mute, this.volume, this.caption,
+                    this.text, this.picture, this.screen);
+    player.foot.append(this.words, this.bar);
     if (!document.fullscreenEnabled) this.screen.hidden = true;
     player.addEventListener('state', event => this.follow(event.detail.state));
+    player.addEventListener('sound', () => this.followSound());
+    player.addEventListener('stream', () => this.followStream());
     player.addEventListener('keyframe', () => this.tellWords());
     player.ready.then(() => this.list()).catch(() => {});
   }
@@ -57,8 +70,9 @@ export class Controls {
         return option;
       }));
       this.choice.hidden = names.length < 2;
-      this.name.textContent = names.length < 2 ? chosen : '';
+      this.only = names.length < 2 ? chosen : '';
       this.listed = true;
+      this.followStream();
     } catch {
       // The player says why there is no server; asked again when there is one.
       this.listed = false;
@@ -72,6 +86,31 @@ export class Controls {
     this.pause.textContent = over ? 'Play again' : state === 'paused' ? 'Play' : 'Pause';
     if (!this.listed && state !== 'connecting' && state !== 'idle') this.list();
     this.tellWords();
+  }
+
+  /// Who is speaking; the title says it better than the name of the stream.
+  followStream() {
+    const { title, captions } = this.player.about;
+    this.name.textContent = title || this.only || '';
+    this.caption.hidden = !captions;
+    this.caption.setAttribute('aria-pressed', String(this.player.captions.shown));
+  }
+
+  followSound() {
+    const { player } = this;
+    this.mute.hidden = this.volume.hidden = !player.about.voice;
+    this.mute.setAttribute('aria-pressed', String(player.muted));
+    this.volume.value = String(Math.round(100 * player.volume));
+  }
+
+  setVolume() {
+    this.player.muted = false;
+    this.player.volume = Number(this.volume.value) / 100;
+  }
+
+  toggleCaptions() {
+    this.player.captions.show(!this.player.captions.shown);
+    this.followStream();
   }
 
   press() {

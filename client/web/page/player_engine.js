@@ -1,6 +1,9 @@
 // The face of one canvas: what the WebAssembly cannot do by itself, which is fetching, WebSockets,
 // timers and the browser's texts. aucast-player.js has everything that a person sees.
 import createCore from './aucast_core.js';
+import { unpackMesh } from './packed_mesh.js';
+import { SoundOut } from './sound_out.js';
+import { loadOpus, VoiceDecoders } from './voice_decoders.js';
 
 const here = new URL('.', import.meta.url);
 
@@ -24,29 +27,38 @@ function mayShowToken(url) {
 }
 
 async function fetchBytes(name) {
+  if (name.endsWith('.ply')) return unpackMesh(await fetchBytes(`${name}.packed`));
   const reply = await fetch(new URL(`data/${name}`, here));
   if (!reply.ok) throw new Error(`${name} is not there (${reply.status})`);
   return new Uint8Array(await reply.arrayBuffer());
 }
 
-async function fetchFace(face) {
-  const reply = await fetch(new URL('data/faces.json', here));
-  if (!reply.ok) throw new Error(`data/faces.json is not there (${reply.status})`);
-  const faces = await reply.json();
+/// What the page was built with.
+async function fetchParts() {
+  const reply = await fetch(new URL('data/parts.json', here));
+  if (!reply.ok) throw new Error(`data/parts.json is not there (${reply.status})`);
+  return reply.json();
+}
+
+async function fetchFace(face, { faces }) {
   if (!Object.hasOwn(faces, face)) {
     throw new Error(`there is no face '${face}': ${Object.keys(faces).join(', ')}`);
   }
   return Promise.all(faces[face].map(async name => [name, await fetchBytes(name)]));
 }
 
-/// The WebSockets and timers of the core, by its numbers for them.
+/// The WebSockets and timers of the core, by its numbers for them; and its sound.
 class BrowserSide {
   constructor() {
     this.core = null;  // as soon as it is there
     this.url = null;
     this.sockets = new Map();
     this.timers = new Map();
+    this.sound = null;  // a SoundOut, once somebody may hear it
   }
+
+  writeSound(samples) { this.sound?.write(samples); }
+  unheard() { return this.sound ? this.sound.unheard() : 0; }
 
   open(id) {
     let socket;
@@ -98,34 +110,33 @@ class BrowserSide {
       this.core._aucast_timer_rang(id);
     }, ms));
   }
-
-  /// Everything goes silent.
-  end_all() {
-    for (const id of [...this.sockets.keys()]) this.drop(id);
-    for (const timer of this.timers.values()) clearTimeout(timer);
-    this.timers.clear();
-  }
 }
 
 export class PlayerEngine {
-  /// Loads the face `face` and draws it on `canvas`.
-  static async create(canvas, face) {
+  /// Loads the face `face` and draws it on `canvas`; with what decodes a stream's voice.
+  static async create(canvas, face, { voice = false } = {}) {
     const browser = new BrowserSide();
-    const [core, files] = await Promise.all([createCore({ browser, canvas }), fetchFace(face)]);
+    const parts = await fetchParts();
+    const [core, files] = await Promise.all([
+      createCore({ browser, canvas, voice: new VoiceDecoders() }), fetchFace(face, parts),
+      voice && loadOpus(parts.opus)]);
     browser.core = core;
     for (const [name, bytes] of files) {
       const path = `/data/${name}`;
       core.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
       core.FS.writeFile(path, bytes);
     }
-    const engine = new PlayerEngine(core, browser);
+    const engine = new PlayerEngine(core, browser, parts);
     engine.check(engine.call('aucast_create', [face]));
     return engine;
   }
 
-  constructor(core, browser) {
+  constructor(core, browser, parts) {
     this.core = core;
     this.browser = browser;
+    this.parts = parts;
+    this.decodes = false;      // there is a decoder for voice
+    this.heardBefore = false;  // what the core was told
   }
 
   call(name, texts = []) {
@@ -149,8 +160,12 @@ export class PlayerEngine {
     return url.host;
   }
 
+  /// Before play(), if a voice is to be heard.
+  async loadVoice() { this.decodes = await loadOpus(this.parts.opus); }
+
   play(server, stream, token) {
-    this.call('aucast_play', [this.server(server, token), stream, token]);
+    this.core.ccall('aucast_play', null, ['string', 'string', 'string', 'number'],
+                    [this.server(server, token), stream, token, this.decodes ? 1 : 0]);
   }
 
   /// The names of the server's streams.
@@ -175,6 +190,47 @@ export class PlayerEngine {
   zoom(steps) { this.core._aucast_zoom(steps); }
   faceFront() { this.core._aucast_face_front(); }
 
+  // === Sound. It is the clock of playback as long as the browser lets it be heard.
+
+  /// Asks the browser for it: while somebody touches the page, or after that. `onPlayed` is called
+  /// when time has come to advance().
+  async allowSound(onPlayed, onChange) {
+    this.browser.sound ??= new SoundOut(onPlayed, () => {
+      this.followSound();
+      onChange();
+    });
+    await this.browser.sound.allow();
+    this.followSound();
+  }
+
+  followSound() {
+    if (this.heard === this.heardBefore) return;
+    this.heardBefore = this.heard;
+    this.core._aucast_sound(this.heard ? 1 : 0);
+  }
+
+  /// The browser lets the page be heard.
+  get heard() { return this.browser.sound?.running ?? false; }
+  /// The core has given up a sound that did not go on.
+  takeLoss() { return this.core._aucast_sound_lost() !== 0; }
+
+  dropSound() {
+    this.browser.sound?.close();
+    this.browser.sound = null;
+    this.followSound();
+  }
+
+  /// `volume` from 0 to 1.
+  setVolume(volume, muted) {
+    this.core._aucast_volume(Math.round(100 * volume));
+    this.core._aucast_mute(muted ? 1 : 0);
+  }
+
+  /// The face that advance() came to has been drawn.
+  faceShown() { this.core._aucast_face_shown(); }
+  get sounds() { return this.core._aucast_sounds() !== 0; }
+  get soundCounts() { return JSON.parse(this.call('aucast_sound_counts')); }
+
   /// An ImageData, as `face-player pose --png` draws it.
   picture(width, height) {
     const at = this.core._aucast_picture(width, height);
@@ -190,6 +246,12 @@ export class PlayerEngine {
   get live() { return this.core._aucast_live() !== 0; }
   get reconnects() { return this.core._aucast_reconnects(); }
   get keyframesPlayed() { return this.core._aucast_keyframes_played(); }
+  /// Of the stream: whether a voice and captions come with it, and its title.
+  get voice() { return this.core._aucast_voice() !== 0; }
+  get captions() { return this.core._aucast_captions() !== 0; }
+  get title() { return this.call('aucast_title'); }
+  /// What is being said.
+  get caption() { return this.call('aucast_caption'); }
   get aus() { return this.call('aucast_aus'); }
   get ausInWords() { return this.call('aucast_aus_in_words'); }
   /// The keyframes that began since the last call.
@@ -198,10 +260,5 @@ export class PlayerEngine {
       const [aus, duration] = line.split(';');
       return { aus, duration: Number(duration) };
     });
-  }
-
-  close() {
-    this.stop();
-    this.browser.end_all();
   }
 }

@@ -44,19 +44,24 @@ button:focus-visible, select:focus-visible { outline-offset: 2px; }
   pointer-events: none;
 }
 .message:empty { display: none; }
-.bar {
+.foot {
   position: absolute;
-  inset-inline: 0;
+  inset-inline: 0.75rem;
   bottom: max(0.75rem, env(safe-area-inset-bottom));
+  display: flex;
+  flex-direction: column;
+  gap: 0.5rem;
+  align-items: center;
+  max-height: calc(100% - 1.5rem);
+  pointer-events: none;
+}
+.foot > * { max-width: 100%; box-sizing: border-box; margin: 0; pointer-events: auto; }
+.bar {
   display: flex;
   flex-wrap: wrap;
   gap: 0.5rem;
   justify-content: center;
   align-items: center;
-  width: fit-content;
-  max-width: calc(100% - 1.5rem);
-  box-sizing: border-box;
-  margin: 0 auto;
   padding: 0.4rem;
   border-radius: 0.8rem;
   background: var(--ground);
@@ -76,17 +81,34 @@ select { max-width: 14rem; }
 select option { background: #17191d; color: #f4f5f7; }
 button:hover, select:hover { background: rgb(127 133 145 / 0.3); }
 button[aria-pressed="true"] { background: var(--ink); color: #17191d; }
-[hidden] { display: none !important; }
-.aus {
+input[type="range"] { width: 6rem; min-height: 44px; margin: 0; accent-color: var(--focus); }
+.tap {
   position: absolute;
   inset-inline: 0;
-  bottom: calc(max(0.75rem, env(safe-area-inset-bottom)) + 4.5rem);
+  top: 50%;
   width: fit-content;
-  max-width: calc(100% - 2rem);
-  max-height: 40%;
-  overflow: auto;
-  box-sizing: border-box;
   margin: 0 auto;
+  transform: translateY(-50%);
+  border-radius: 1.5rem;
+  background: var(--ink);
+  color: #17191d;
+  font-weight: 600;
+}
+.tap:hover { background: var(--focus); }
+.foot .caption {
+  padding: 0.3rem 0.8rem;
+  border-radius: 0.4rem;
+  background: rgb(20 22 26 / 0.86);
+  color: #f4f5f7;
+  font-size: clamp(1rem, 2.4vw, 1.4rem);
+  text-align: center;
+  white-space: pre-line;
+  overflow-wrap: anywhere;
+  pointer-events: none;
+}
+[hidden] { display: none !important; }
+.aus {
+  overflow: auto;
   padding: 0.4rem 0.9rem;
   border-radius: 0.8rem;
   background: var(--ground);

@@ -1,4 +1,4 @@
-// The voice that comes with a stream, on the reader's own clock.
+// The voice and the captions that come with a stream, on the reader's own clock.
 
 #include <gtest/gtest.h>
 
@@ -27,6 +27,7 @@ class ReaderVoice : public ::testing::Test {
     options.buffers = {100, 100, 1, 0ms};
     options.reconnect = true;
     options.voice = true;
+    options.captions = true;
     return options;
   }
 
@@ -64,8 +65,11 @@ TEST_F(ReaderVoice, IsAskedForAndKeptWithItsPlaces) {
 TEST_F(ReaderVoice, IsNotAskedForUnlessWanted) {
   AuReaderOptions without = options();
   without.voice = false;
+  without.captions = false;
   AuReader reader(without);
-  EXPECT_EQ(reader.connected(clock_.now()).send.find("voice"), std::string::npos);
+  const std::string said = reader.connected(clock_.now()).send;
+  EXPECT_EQ(said.find("voice"), std::string::npos);
+  EXPECT_EQ(said.find("text"), std::string::npos);
   EXPECT_FALSE(reader.status().voice);
 }
 
@@ -99,6 +103,34 @@ TEST_F(ReaderVoice, ALiveKeyframeIsSpokenWhileThereIsVoice) {
     ASSERT_TRUE(keyframe);
     EXPECT_EQ(keyframe->spoken, spoken);
   }
+}
+
+TEST_F(ReaderVoice, CaptionsAreAskedForAndKeptWithTheirPlaces) {
+  connect("text=1 from=0");
+  EXPECT_NE(said_.find("text=1"), std::string::npos) << said_;
+  EXPECT_TRUE(reader_.status().captions);
+  feed(protocol::encode(protocol::Caption{0, "one"}) + "{12:50;400}" +
+       protocol::encode(protocol::Caption{500, "zwei \xc3\xa4"}));
+  (void)reader_.closed(clock_.now());
+  connect("text=1");
+  feed(protocol::encode(protocol::Caption{100, ""}));
+  for (const auto& [place, text] : {std::pair(0ms, "one"), {500ms, "zwei \xc3\xa4"}, {500ms, ""}}) {
+    const auto caption = reader_.take_caption();
+    ASSERT_TRUE(caption);
+    EXPECT_EQ(caption->place, place);
+    EXPECT_EQ(caption->text, text);
+  }
+  EXPECT_FALSE(reader_.take_caption());
+}
+
+TEST_F(ReaderVoice, CaptionsThatNobodyTakesHaveALimit) {
+  connect("text=1");
+  for (std::size_t sent = 0; sent <= AuReader::kCaptionsMax; ++sent) {
+    feed(protocol::encode(protocol::Caption{sent, "one"}));
+  }
+  std::size_t taken = 0;
+  while (reader_.take_caption()) ++taken;
+  EXPECT_EQ(taken, AuReader::kCaptionsMax);
 }
 
 TEST_F(ReaderVoice, WhatNobodyTakesHasALimit) {
