@@ -46,7 +46,7 @@ std::vector<Follower::Event> Follower::on_answer(std::string_view bytes, Instant
       complain(other_origin_, "origin " + message->origin + " sends it too and is left out", now);
     }
   } else if (message->kind == Kind::State) {
-    take_state(*std::move(message), now);
+    take_state(*message, now);
   } else if (message->kind == Kind::Since) {
     take_since(*message, now);
   }
@@ -90,7 +90,7 @@ std::optional<std::string> Follower::objection(const Message& state) const {
   return std::nullopt;
 }
 
-void Follower::take_state(Message message, Instant now) {
+void Follower::take_state(const Message& message, Instant now) {
   if (origin_ && message.origin != *origin_) return;
   if (const auto wrong = objection(message)) {
     complain(refused_, "origin " + message.origin + " is not followed: " + *wrong, now);

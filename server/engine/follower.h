@@ -76,7 +76,7 @@ class Follower {
 
   [[nodiscard]] std::vector<Event> take_events();
   void take_batch(Message message, Instant now);
-  void take_state(Message message, Instant now);
+  void take_state(const Message& message, Instant now);
   void take_since(const Message& message, Instant now);
   [[nodiscard]] std::optional<std::string> objection(const Message& state) const;
   void pass(const Message& message);

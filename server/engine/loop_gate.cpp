@@ -21,6 +21,11 @@ bool LoopGate::take(std::size_t bytes) {
   return io_ != nullptr;
 }
 
+bool LoopGate::is_open() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return io_ != nullptr;
+}
+
 void LoopGate::close() {
   const std::lock_guard<std::mutex> lock(mutex_);
   io_ = nullptr;

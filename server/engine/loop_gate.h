@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include <asio/io_context.hpp>
 
@@ -11,21 +12,28 @@
 
 namespace aucast::server {
 
+/// What the library tells: to the bus' owner, and to the bus itself.
+struct LibraryEvents {
+  Bus::Events owner;
+  std::function<void(const std::string& why)> on_given_up;  ///< the connection is closed for good
+};
+
 /// The way from the threads of a library to our event loop: what is posted is carried out there, in
 /// its order, until the gate is closed. Whoever may still call holds it.
 /// Thread: post() any; close() that of the loop.
 class LoopGate : public std::enable_shared_from_this<LoopGate> {
  public:
-  using Work = std::function<void(const Bus::Events&)>;
+  using Work = std::function<void(const LibraryEvents&)>;
   /// What waits for the loop; more is dropped, and is seen as a hole by its receiver.
   static constexpr std::size_t kBytesMost = std::size_t{4} << 20U;
 
-  LoopGate(asio::io_context& io, Bus::Events events) : io_(&io), events_(std::move(events)) {}
+  LoopGate(asio::io_context& io, LibraryEvents events) : io_(&io), events_(std::move(events)) {}
 
   /// `bytes`: that the work holds.
   void post(Work work, std::size_t bytes);
   /// Nothing is carried out any more, and the loop is not touched again.
   void close();
+  [[nodiscard]] bool is_open();
 
  private:
   /// True: it is to be carried out.
@@ -34,7 +42,7 @@ class LoopGate : public std::enable_shared_from_this<LoopGate> {
   std::mutex mutex_;
   asio::io_context* io_;           ///< null: closed
   std::size_t waiting_bytes_ = 0;  ///< guarded by mutex_, as is io_
-  const Bus::Events events_;
+  const LibraryEvents events_;
 };
 
 }  // namespace aucast::server

@@ -3,9 +3,13 @@
 #include <nats/nats.h>
 
 #include <array>
+#include <chrono>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
+
+#include <asio/steady_timer.hpp>
 
 #include "common/link/host.h"
 #include "common/log.h"
@@ -27,6 +31,7 @@ constexpr int kPingsUnanswered = 2;
 /// old. 0 would be its own choice, 8 MB.
 constexpr int kKeptBytes = 1;
 constexpr int kFlushMs = 200;  ///< for the last words
+constexpr int kRefusedSeconds = 4;
 
 struct OptionsDeleter {
   void operator()(natsOptions* options) const { natsOptions_Destroy(options); }
@@ -53,28 +58,36 @@ std::string server_of(natsConnection* connection) {
 // Callbacks: on threads of the library. They post, nothing else.
 
 void on_connected(natsConnection* connection, void* held) {
-  gate_of(held).post(
-      [server = server_of(connection)](const Bus::Events& events) { events.on_connected(server); },
-      0);
+  gate_of(held).post([server = server_of(connection)](
+                         const LibraryEvents& events) { events.owner.on_connected(server); },
+                     0);
 }
 
 void on_disconnected(natsConnection* /*connection*/, void* held) {
-  gate_of(held).post([](const Bus::Events& events) { events.on_disconnected(); }, 0);
+  gate_of(held).post([](const LibraryEvents& events) { events.owner.on_disconnected(); }, 0);
 }
 
-void on_closed(natsConnection* /*connection*/, void* held) {
+std::string last_error_of(natsConnection* connection) {
+  const char* last = nullptr;
+  static_cast<void>(natsConnection_GetLastError(connection, &last));
+  return last == nullptr ? "" : last;
+}
+
+/// The last of them for this connection: it is destroyed, or was refused twice.
+void on_closed(natsConnection* connection, void* held) {
+  gate_of(held).post(
+      [why = last_error_of(connection)](const LibraryEvents& events) { events.on_given_up(why); },
+      0);
   let_go(held);
 }
 
 void on_error(natsConnection* connection, natsSubscription* /*subscription*/, natsStatus status,
               void* held) {
-  const char* last = nullptr;
-  static_cast<void>(natsConnection_GetLastError(connection, &last));
-  std::string text = natsStatus_GetText(status);
-  if (last != nullptr && *last != '\0') text += std::string(": ") + last;
-  gate_of(held).post([text = std::move(text)](
-                         const Bus::Events&) { spdlog::warn("NATS says: {}", escaped(text, 200)); },
-                     text.size());
+  const std::string text =
+      std::string(natsStatus_GetText(status)) + ' ' + last_error_of(connection);
+  gate_of(held).post(
+      [text](const LibraryEvents&) { spdlog::warn("NATS says: {}", escaped(text, 200)); },
+      text.size());
 }
 
 void on_message(natsConnection* /*connection*/, natsSubscription* /*subscription*/,
@@ -88,42 +101,81 @@ void on_message(natsConnection* /*connection*/, natsSubscription* /*subscription
   natsMsg_Destroy(message);
   const std::size_t bytes = copy.bytes.size();
   gate_of(held).post(
-      [copy = std::move(copy)](const Bus::Events& events) { events.on_message(copy); }, bytes);
+      [copy = std::move(copy)](const LibraryEvents& events) { events.owner.on_message(copy); },
+      bytes);
 }
 
 class NatsBus final : public Bus {
  public:
-  NatsBus(asio::io_context& io, Events events)
-      : gate_(std::make_shared<LoopGate>(io, std::move(events))) {}
+  NatsBus(asio::io_context& io, NatsOptions options, Events events)
+      : options_(std::move(options)),
+        gate_(std::make_shared<LoopGate>(
+            io, LibraryEvents{std::move(events),
+                              [this](const std::string& why) { on_given_up(why); }})),
+        timer_(io) {}
   ~NatsBus() override;
 
-  [[nodiscard]] Result<void> open(const NatsOptions& options);
+  [[nodiscard]] Result<void> open();
 
   void subscribe(const std::string& subject) override;
   void publish(const Message& message) override;
   [[nodiscard]] std::string own_subject() const override { return own_subject_; }
 
  private:
-  [[nodiscard]] natsStatus set_up(natsOptions* options, const NatsOptions& asked);
-  [[nodiscard]] static natsStatus set_up_secrets(natsOptions* options, const NatsOptions& asked);
-  [[nodiscard]] natsStatus set_up_callbacks(natsOptions* options, Held* held);
+  [[nodiscard]] Result<void> connect();
+  [[nodiscard]] natsStatus set_up(natsOptions* options) const;
+  [[nodiscard]] natsStatus set_up_secrets(natsOptions* options) const;
+  [[nodiscard]] static natsStatus set_up_callbacks(natsOptions* options, Held* held);
+  void add_subscription(const std::string& subject);
+  void on_given_up(const std::string& why);
+  void connect_anew();
+  void disconnect();
 
+  NatsOptions options_;
   std::shared_ptr<LoopGate> gate_;
-  natsConnection* connection_ = nullptr;
+  asio::steady_timer timer_;
+  natsConnection* connection_ = nullptr;  ///< null: between one that is closed and the next
+  std::vector<std::string> subjects_;
   std::vector<natsSubscription*> subscriptions_;
   std::string own_subject_;
 };
 
 NatsBus::~NatsBus() {
   gate_->close();
+  timer_.cancel();
+  disconnect();
+}
+
+void NatsBus::disconnect() {
   if (connection_ == nullptr) return;
   if (natsConnection_Status(connection_) == NATS_CONN_STATUS_CONNECTED) {
     static_cast<void>(natsConnection_FlushTimeout(connection_, kFlushMs));
   }
-  for (natsSubscription* const subscription : subscriptions_) {
+  for (natsSubscription* const subscription : std::exchange(subscriptions_, {})) {
     natsSubscription_Destroy(subscription);
   }
-  natsConnection_Destroy(connection_);
+  natsConnection_Destroy(std::exchange(connection_, nullptr));
+}
+
+/// The library gives up for ever when it is refused twice in the same way; we do not: who may come
+/// in may be changed at the servers.
+void NatsBus::on_given_up(const std::string& why) {
+  spdlog::warn("NATS refuses us: {}; it is asked again in {} s", escaped(why, 200),
+               kRefusedSeconds);
+  timer_.expires_after(std::chrono::seconds(kRefusedSeconds));
+  // A wait that is over already cannot be cancelled any more.
+  timer_.async_wait([this, gate = gate_](const std::error_code& error) {
+    if (!error && gate->is_open()) connect_anew();
+  });
+}
+
+void NatsBus::connect_anew() {
+  disconnect();
+  if (auto connected = connect(); !connected) {
+    on_given_up(connected.error().message);
+    return;
+  }
+  for (const std::string& subject : subjects_) add_subscription(subject);
 }
 
 /// What the library says of its last failure, after the name of the status.
@@ -134,10 +186,10 @@ std::string reason_of(natsStatus status) {
   return text == nullptr || *text == '\0' ? name : name + ": " + escaped(text, 200);
 }
 
-natsStatus NatsBus::set_up(natsOptions* options, const NatsOptions& asked) {
+natsStatus NatsBus::set_up(natsOptions* options) const {
   std::vector<std::string> urls;
-  for (const protocol::Endpoint& server : asked.address.hosts) {
-    urls.push_back((asked.address.tls ? "tls://" : "nats://") +
+  for (const protocol::Endpoint& server : options_.address.hosts) {
+    urls.push_back((options_.address.tls ? "tls://" : "nats://") +
                    link::host_and_port(server.host, server.port));
   }
   std::vector<const char*> list;
@@ -160,17 +212,17 @@ natsStatus NatsBus::set_up(natsOptions* options, const NatsOptions& asked) {
   return status;
 }
 
-natsStatus NatsBus::set_up_secrets(natsOptions* options, const NatsOptions& asked) {
-  const EngineSettings& settings = asked.settings;
+natsStatus NatsBus::set_up_secrets(natsOptions* options) const {
+  const EngineSettings& settings = options_.settings;
   natsStatus status = NATS_OK;
-  if (!asked.token.empty()) status = natsOptions_SetToken(options, asked.token.c_str());
+  if (!options_.token.empty()) status = natsOptions_SetToken(options, options_.token.c_str());
   if (status == NATS_OK && !settings.creds.empty()) {
     status = natsOptions_SetUserCredentialsFromFiles(options, settings.creds.c_str(), nullptr);
   }
   if (status == NATS_OK && !settings.nkey.empty()) {
     status = natsOptions_SetNKeyFromSeed(options, settings.nkey.c_str(), settings.seed.c_str());
   }
-  if (!asked.address.tls) return status;
+  if (!options_.address.tls) return status;
   if (status == NATS_OK) status = natsOptions_SetSecure(options, true);
   if (status == NATS_OK && !settings.tls.authorities.empty()) {
     status = natsOptions_LoadCATrustedCertificates(options, settings.tls.authorities.c_str());
@@ -191,12 +243,22 @@ natsStatus NatsBus::set_up_callbacks(natsOptions* options, Held* held) {
   return status;
 }
 
-Result<void> NatsBus::open(const NatsOptions& asked) {
+Result<void> NatsBus::open() {
+  natsInbox* inbox = nullptr;
+  if (natsInbox_Create(&inbox) != NATS_OK) {
+    return Error{ErrorKind::Failed, "NATS gives no subject of our own"};
+  }
+  own_subject_ = inbox;
+  natsInbox_Destroy(inbox);
+  return connect();
+}
+
+Result<void> NatsBus::connect() {
   natsOptions* created = nullptr;
   natsStatus status = natsOptions_Create(&created);
   const OptionsPtr options(created);
-  if (status == NATS_OK) status = set_up(options.get(), asked);
-  if (status == NATS_OK) status = set_up_secrets(options.get(), asked);
+  if (status == NATS_OK) status = set_up(options.get());
+  if (status == NATS_OK) status = set_up_secrets(options.get());
   auto held = std::make_unique<Held>(gate_);
   if (status == NATS_OK) status = set_up_callbacks(options.get(), held.get());
   if (status != NATS_OK) {
@@ -211,18 +273,17 @@ Result<void> NatsBus::open(const NatsOptions& asked) {
   if (status == NATS_OK) {
     on_connected(connection_, given);
   } else {
-    spdlog::warn("no server of NATS answers yet; they are tried on: {}", reason_of(status));
+    spdlog::warn("no server of NATS answers yet; they are tried on");
   }
-  natsInbox* inbox = nullptr;
-  if (natsInbox_Create(&inbox) != NATS_OK) {
-    return Error{ErrorKind::Failed, "NATS gives no subject of our own"};
-  }
-  own_subject_ = inbox;
-  natsInbox_Destroy(inbox);
   return {};
 }
 
 void NatsBus::subscribe(const std::string& subject) {
+  subjects_.push_back(subject);
+  if (connection_ != nullptr) add_subscription(subject);
+}
+
+void NatsBus::add_subscription(const std::string& subject) {
   auto held = std::make_unique<Held>(gate_);
   natsSubscription* subscription = nullptr;
   natsStatus status =
@@ -231,17 +292,13 @@ void NatsBus::subscribe(const std::string& subject) {
     subscriptions_.push_back(subscription);
     status = natsSubscription_SetOnCompleteCB(subscription, let_go, held.get());
   }
-  if (status == NATS_OK) {
-    // From here on let_go() has it.
-    static_cast<void>(held.release());
-    return;
-  }
-  spdlog::error("NATS does not let us subscribe to {}: {}", subject, reason_of(status));
-  // The library may still have it.
+  if (status != NATS_OK) spdlog::debug("no subscription to {}: {}", subject, reason_of(status));
+  // From here on let_go() has it, or the library may still use it.
   if (subscription != nullptr) static_cast<void>(held.release());
 }
 
 void NatsBus::publish(const Message& message) {
+  if (connection_ == nullptr) return;
   const auto size = static_cast<int>(message.bytes.size());
   const natsStatus status =
       message.reply_to.empty()
@@ -255,8 +312,8 @@ void NatsBus::publish(const Message& message) {
 
 Result<std::unique_ptr<Bus>> open_nats_bus(asio::io_context& io, const NatsOptions& options,
                                            Bus::Events events) {
-  auto bus = std::make_unique<NatsBus>(io, std::move(events));
-  if (auto opened = bus->open(options); !opened) return opened.error();
+  auto bus = std::make_unique<NatsBus>(io, options, std::move(events));
+  if (auto opened = bus->open(); !opened) return opened.error();
   return std::unique_ptr<Bus>(std::move(bus));
 }
 

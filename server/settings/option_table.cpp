@@ -99,7 +99,7 @@ std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
        "is not whole are cut off. The servers are tried on. A client that comes before the "
        "stream does waits as long, at most 8 s, and is refused then.",
        seconds(upstream.wait, 0, kTimeoutMax, "is not a number of seconds from 0 to 86400")},
-      {"upstream-tls-ca", "FILE", "", "authorities to trust at aucasts://",
+      {"upstream-tls-ca", "FILE", "", "whom to trust",
        "The certificates of the authorities that the server of an aucasts:// source must have "
        "its certificate from (PEM); without it those of the system.",
        word(upstream.tls.authorities)},

@@ -96,7 +96,7 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "(back), 100 % for 14 mm, relative to the neutral face or, without one, to the first "
        "second. Heads move further than that: --gain 57=0.1,58=0.1 makes it 14 cm.",
        flag(options.distance)},
-      {"neutral", "SECONDS", "", "subtract the median face of the first SECONDS, or auto",
+      {"neutral", "SECONDS", "", "subtract, or auto",
        "Up to 60 seconds, starting at the first row with a face. The median of each AU and "
        "of the rotations of head and eyes is the neutral face, which is subtracted from "
        "every row. A live source subtracts the median so far while it measures. 0: no "
@@ -105,18 +105,18 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "that of the quietest moments; of a table, whose AUs stay as they are, only head and "
        "eyes are straightened.",
        parsed(OptionValue::Kind::Number, read_neutral, options)},
-      {"gain", "LIST", "", "multiply intensities: 1.2, or 45=1.6,L12=1.2 (1)",
+      {"gain", "LIST", "", "scale: 1.2,45=1.6 (1)",
        "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "
        "for AU 45, L12=1.2 for the left side of AU 12; later ones win. Applied after the "
        "neutral face is subtracted; the result is limited to 100 %.",
        parsed(OptionValue::Kind::Number, read_gain, options.gain)},
-      {"filter", "CUTOFF[,BETA]", "", "One Euro filter, such as 1,5 (none)",
+      {"filter", "CUTOFF[,BETA]", "", "smooth: 1,5",
        "CUTOFF[,BETA[,CUTOFF]]: the cutoff in Hz for a signal at rest, above 0, up to 100; "
        "the Hz added to it at a speed of 100 % a second, 0 to 100 (5); the cutoff of the "
        "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "
        "Roussel and Vogel 2012. 0: no filter, whatever the profile has.",
        parsed(OptionValue::Kind::Number, read_filter, options.filter)},
-      {"dead-band", "LIST", "", "suppress smaller changes: 2, or 2,45=0 (2)",
+      {"dead-band", "LIST", "", "omit: 2,45=0 (2)",
        "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
        "AU that is not named. Jitter costs half of the bytes. An intensity is sent when it "
        "has changed by this much since it was last sent, so its error stays below that; a "

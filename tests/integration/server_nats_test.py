@@ -258,6 +258,7 @@ class Nats(unittest.TestCase):
         self.await_more(self.view(edge))
         stranger = self.edge(server)
         stranger.await_said("no server of NATS answers yet")
+        stranger.await_said("NATS refuses us", 2)
 
     def test_usage_errors_say_what_is_wrong(self):
         for arguments, text in (
