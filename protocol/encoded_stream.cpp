@@ -3,9 +3,18 @@
 #include <numeric>
 #include <utility>
 
+#include "common/check.h"
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
+
+Keyframe keyframe_of(std::string_view packet) {
+  Keyframe keyframe;
+  const auto error =
+      parse_keyframe(packet.substr(1, packet.size() - 2), TermSyntax::Wire, keyframe);
+  AUCAST_CHECK(!error);
+  return keyframe;
+}
 
 Milliseconds length_of(const EncodedStream& stream) {
   return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds{0});

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "common/time.h"
@@ -35,6 +36,9 @@ struct EncodedStream {
   Extent extent = Extent::Whole;
   friend bool operator==(const EncodedStream&, const EncodedStream&) = default;
 };
+
+/// What was encoded as a packet of `negotiated`.
+[[nodiscard]] Keyframe keyframe_of(std::string_view packet);
 
 /// The sum of the times of all keyframes that are there.
 [[nodiscard]] Milliseconds length_of(const EncodedStream& stream);

@@ -31,8 +31,8 @@ void LiveFeed::add(EncodedKeyframe encoded, Milliseconds time) {
   limit_window(usual_ms_ - kSlackMs);
 }
 
-void LiveFeed::add_voice(const VoicePacket& packet) {
-  if (has_voice()) keep(EncodedVoice(packet));
+void LiveFeed::add_voice(EncodedVoice voice) {
+  if (has_voice()) keep(std::move(voice));
 }
 
 void LiveFeed::add_caption(Caption caption) {

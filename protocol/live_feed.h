@@ -28,7 +28,8 @@ class LiveFeed final : public LiveChannel {
   [[nodiscard]] Milliseconds end_of_newest() const { return end_; }
   /// The next packet of the voice, whose place is not before the end of the one before: else it is
   /// left out. Without effect when the feed has no voice.
-  void add_voice(const VoicePacket& packet);
+  void add_voice(const VoicePacket& packet) { add_voice(EncodedVoice(packet)); }
+  void add_voice(EncodedVoice voice);
   void add_caption(Caption caption);
   /// Nothing more comes for now: who is there gets {-2}.
   void end() { ended_ = true; }

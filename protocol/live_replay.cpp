@@ -40,7 +40,8 @@ bool LiveReplay::advance(Instant now) {
     moment.time = stream_->times[keyframe];
   }
   if (!moments_.empty()) {
-    play_sound(ended_ ? Milliseconds::max() : moments_.back().begin + moments_.back().time);
+    play_sound(moments_.front().begin,
+               ended_ ? Milliseconds::max() : moments_.back().begin + moments_.back().time);
   }
   return true;
 }
@@ -51,15 +52,16 @@ void LiveReplay::go_to(std::uint64_t number) {
   for (; next_number_ < number; ++next_number_) {
     next_begin_ += stream_->times[static_cast<std::size_t>(next_number_ % size)];
     if ((next_number_ + 1) % size > 0) continue;
-    play_sound(next_begin_);
+    play_sound(turn_begin_, next_begin_);
     turn_begin_ = next_begin_;
     next_voice_ = 0;
     next_caption_ = 0;
   }
 }
 
-/// Hands out the sound of this turn that begins before `end`.
-void LiveReplay::play_sound(Milliseconds end) {
+/// Hands out the sound of this turn that begins before `end`. A voice that was encoded too late, so
+/// that it would have been over before `begin`, is left out: nobody could hear it in its place.
+void LiveReplay::play_sound(Milliseconds begin, Milliseconds end) {
   if (!sound_) return;
   for (; next_caption_ < sound_->captions.size(); ++next_caption_) {
     const Caption& caption = sound_->captions[next_caption_];
@@ -71,6 +73,7 @@ void LiveReplay::play_sound(Milliseconds end) {
   const auto voice = sound_->voice->packets();
   for (; next_voice_ < voice.size(); ++next_voice_) {
     if (voice[next_voice_].begin + turn_begin_ >= end) break;
+    if (voice[next_voice_].end + turn_begin_ <= begin) continue;
     EncodedVoice packet = voice[next_voice_];
     packet.begin += turn_begin_;
     packet.end += turn_begin_;

@@ -32,7 +32,7 @@ class LiveReplay final : public LiveChannel {
 
  private:
   void go_to(std::uint64_t number);
-  void play_sound(Milliseconds end);
+  void play_sound(Milliseconds begin, Milliseconds end);
 
   std::shared_ptr<const EncodedStream> stream_;
   std::shared_ptr<const Soundtrack> sound_;

@@ -10,14 +10,6 @@
 namespace aucast::protocol {
 namespace {
 
-Keyframe keyframe_of(std::string_view packet) {
-  Keyframe keyframe;
-  const auto error =
-      parse_keyframe(packet.substr(1, packet.size() - 2), TermSyntax::Wire, keyframe);
-  AUCAST_CHECK(!error);
-  return keyframe;
-}
-
 AuFrame between(const AuFrame& from, const AuFrame& to, double mu) {
   AuFrame frame;
   const auto share = static_cast<float>(mu);

@@ -7,8 +7,9 @@
 
 namespace aucast::protocol {
 
-/// Longest keyframe of a stream that goes with a voice: half of what voice may run ahead.
-inline constexpr Milliseconds kSpokenKeyframeMax{1000};
+/// Longest keyframe of a stream that goes with a voice: what is heard during one goes out before
+/// it, all at once.
+inline constexpr Milliseconds kSpokenKeyframeMax{250};
 
 /// The stream as it goes with a voice that ends at `sound_end`: keyframes longer than
 /// kSpokenKeyframeMax are cut into equal pieces on the straight line to their AUs, and the last

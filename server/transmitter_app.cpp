@@ -56,8 +56,9 @@ LiveSources live_sources(const TransmitterOptions& options) {
 }
 
 EncodingOptions encoding_of(const TransmitterOptions& options) {
-  return {options.keyframe_ms, options.classic_min, options.max_kbits,
-          options.check && !options.estimate, options.voice};
+  return {options.keyframe_ms, options.classic_min,
+          options.max_kbits,   options.check && !options.estimate,
+          options.voice,       options.live && !options.check && !options.estimate};
 }
 
 /// The sources; what --skip-bad leaves out is said.

@@ -30,17 +30,17 @@ std::shared_ptr<const protocol::LiveChannel> LiveBeat::play(
     std::shared_ptr<const protocol::Soundtrack> sound) {
   for (const Playing& playing : playing_) {
     const auto replay = playing.replay.lock();
-    const bool same = replay && playing.name == name && *replay->stream() == *stream &&
-                      same_sound(replay->sound(), sound);
-    if (same) return replay;
+    const bool same = replay && playing.name == name && *replay->replay().stream() == *stream &&
+                      same_sound(replay->replay().sound(), sound);
+    if (same) return {replay, &replay->channel()};
   }
   const Instant begin = now();
   auto replay =
-      std::make_shared<protocol::LiveReplay>(std::move(stream), loop, begin, std::move(sound));
+      std::make_shared<ServedReplay>(std::move(stream), loop, begin, std::move(sound), limits_);
   playing_.push_back({name, replay});
   replay->advance(begin);
   wait(begin);
-  return replay;
+  return {replay, &replay->channel()};
 }
 
 void LiveBeat::stop() {
@@ -61,13 +61,13 @@ void LiveBeat::beat() {
     const auto replay = playing.replay.lock();
     if (!replay) continue;
     const Duration late = moment - replay->next_at().value_or(moment);
-    const std::uint64_t before = begun(*replay);
+    const std::uint64_t before = begun(replay->replay());
     if (!replay->advance(moment)) continue;
     moved = true;
     lag_ = late;
     latest = std::max(latest, late);
-    const std::uint64_t now_begun = begun(*replay);
-    if (now_begun > before) left_out += now_begun - before - replay->latest().size();
+    const std::uint64_t now_begun = begun(replay->replay());
+    if (now_begun > before) left_out += now_begun - before - replay->replay().latest().size();
   }
   // Once a second at most: less late than that nothing is left out.
   if (left_out > 0) {

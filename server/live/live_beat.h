@@ -9,7 +9,7 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/time.h"
-#include "protocol/live_replay.h"
+#include "server/live/served_replay.h"
 
 namespace aucast::server {
 
@@ -20,8 +20,8 @@ class LiveBeat {
  public:
   using OnMoment = std::function<void()>;
 
-  LiveBeat(asio::io_context& io, OnMoment on_moment)
-      : timer_(io), on_moment_(std::move(on_moment)) {}
+  LiveBeat(asio::io_context& io, OnMoment on_moment, const ReplayLimits& limits = {})
+      : timer_(io), on_moment_(std::move(on_moment)), limits_(limits) {}
   LiveBeat(const LiveBeat&) = delete;
   LiveBeat& operator=(const LiveBeat&) = delete;
 
@@ -41,7 +41,7 @@ class LiveBeat {
  private:
   struct Playing {
     std::string name;
-    std::weak_ptr<protocol::LiveReplay> replay;
+    std::weak_ptr<ServedReplay> replay;
   };
 
   void beat();
@@ -49,6 +49,7 @@ class LiveBeat {
 
   asio::steady_timer timer_;
   OnMoment on_moment_;
+  ReplayLimits limits_;
   std::vector<Playing> playing_;
   Duration lag_{0};
   bool stopped_ = false;

@@ -63,7 +63,8 @@ LiveStreams::Stream::Stream(std::string stream_name, const LiveSourceOptions& op
       feed(std::make_shared<protocol::LiveFeed>(reading.keyframe_ms, options.classic_min,
                                                 with_voice)),
       reader(sources::name_of(options.path), reading, sources::load_arkit_table),
-      thinning(reading.keyframe_ms, options.max_kbits) {
+      thinning(reading.keyframe_ms,
+               with_voice ? options.link : LinkLimits{options.link.kbits, options.link.batch}) {
   if (with_voice) voice.emplace(options.encoder, options.voice_delay);
 }
 
@@ -174,7 +175,9 @@ void LiveStreams::feed_voice(std::string_view bytes, Instant at) {
   if (packets.empty() || stream.feed->ended()) return;
   stream.voice_at = now;
   for (protocol::VoicePacket& packet : packets) {
-    stream.feed->add_voice(packet);
+    protocol::EncodedVoice encoded(packet);
+    stream.thinning.spend(encoded.continued.size(), now);
+    stream.feed->add_voice(std::move(encoded));
     const Milliseconds after = packet.place - stream.end;
     if (stream.recorder) stream.recorder->add_voice(std::move(packet), after);
   }

@@ -18,7 +18,7 @@
 #include "protocol/live_feed.h"
 #include "protocol/server_session.h"
 #include "server/live/recorder.h"
-#include "server/streams/thinning.h"
+#include "server/streams/live_thinning.h"
 #include "server/voice/live_voice.h"
 
 namespace aucast::server {
@@ -32,7 +32,7 @@ struct LiveSourceOptions {
   Milliseconds timeout{10'000};
   std::filesystem::path record;   ///< what --record says; empty: nothing is kept
   bool record_first = true;       ///< this is the one that a file is for
-  std::uint32_t max_kbits = 0;    ///< a second for each client's face and stream; 0: any
+  LinkLimits link;                ///< what each client's face and voice may take
   std::filesystem::path voice{};  ///< raw sound of the first stream: "-" or a FIFO; empty: none
   voice::VoiceSettings encoder{};
   Milliseconds voice_delay{0};

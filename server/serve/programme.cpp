@@ -51,6 +51,11 @@ bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCata
                     });
 }
 
+LinkLimits link_limits(const TransmitterOptions& options) {
+  return {options.max_kbits, options.batch, voice_kbits(options.voice.encoder),
+          options.voice.encoder.frame};
+}
+
 /// By which relays find loops.
 std::string random_id() {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -67,7 +72,8 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
     : io_(io),
       options_(options),
       events_(std::move(events)),
-      beat_(io, events_.on_moment),
+      beat_(io, events_.on_moment,
+            {link_limits(options), options.keyframe_ms, options.classic_min}),
       voices_(io, options.voice.encoder, [this] { events_.on_voice(); }),
       catalogue_(std::make_shared<protocol::ServerCatalogue>(accompanied(std::move(repertoire)))),
       unsent_bytes_max_(unsent_bytes_for(*catalogue_, options.voice)) {
@@ -104,12 +110,11 @@ Result<void> Programme::open(const std::filesystem::path& path,
   source_options.timeout = options_.live_source.timeout;
   source_options.record = options_.record;
   source_options.record_first = sources_.empty();
-  source_options.max_kbits = options_.max_kbits;
+  source_options.link = link_limits(options_);
   const bool first = path == options_.sources.front();
   if (first && !options_.voice.none && !options_.voice.file.empty()) {
     const auto kbits = face_kbits(options_.max_kbits, options_.voice.encoder, path);
     if (!kbits) return kbits.error();
-    source_options.max_kbits = *kbits;
     source_options.voice = options_.voice.file;
     source_options.encoder = options_.voice.encoder;
     source_options.voice_delay = options_.voice.delay;

@@ -101,7 +101,8 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
       if (!left) return left.error();
       kbits = *left;
     }
-    stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, kbits);
+    const bool when_sent = source.voice && options.live;
+    if (!when_sent) stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, kbits);
   }
   source.stream = std::make_shared<const protocol::EncodedStream>(
       protocol::encode_stream(stream.keyframes, options.keyframe_ms, options.classic_min));

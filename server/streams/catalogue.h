@@ -49,6 +49,7 @@ struct EncodingOptions {
   std::uint32_t max_kbits = 0;      ///< a second, headers included; 0: no limit
   bool summarise = true;            ///< fills in Source::summary, which only --check needs
   VoiceOptions voice{};
+  bool live = false;  ///< what has a voice is thinned when it is sent, not here
 };
 
 /// Reads and encodes all files but those that are `live`, of a folder its .txt and .csv files by

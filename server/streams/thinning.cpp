@@ -45,31 +45,4 @@ std::vector<protocol::Keyframe> thinned(std::span<const protocol::Keyframe> keyf
   return kept;
 }
 
-void LiveThinning::push(protocol::Keyframe keyframe) {
-  if (waiting_) {
-    const std::uint64_t time_ms = waiting_->duration_ms.value_or(keyframe_ms_);
-    give_time(keyframe, time_ms + keyframe.duration_ms.value_or(keyframe_ms_));
-  }
-  bits_ = rate_ > 0 ? bits_on_the_wire(keyframe) : 0;
-  waiting_ = std::move(keyframe);
-}
-
-std::optional<protocol::Keyframe> LiveThinning::pop(double now) {
-  if (!waiting_ || now < *due()) return std::nullopt;
-  there_ = std::min(there_ + rate_ * (now - at_), rate_) - bits_;
-  at_ = now;
-  return take_last();
-}
-
-std::optional<protocol::Keyframe> LiveThinning::take_last() {
-  return std::exchange(waiting_, std::nullopt);
-}
-
-std::optional<double> LiveThinning::due() const {
-  if (!waiting_) return std::nullopt;
-  // One that needs more than a second's bits waits for a second's, and the next ones for the rest.
-  const double missing = std::min(bits_, rate_) - there_;
-  return missing > 0 ? at_ + missing / rate_ : at_;
-}
-
 }  // namespace aucast::server

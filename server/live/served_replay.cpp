@@ -1,0 +1,87 @@
+#include "server/live/served_replay.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace aucast::server {
+namespace {
+
+double steady_seconds(Instant time) {
+  return seconds(time.time_since_epoch());
+}
+
+}  // namespace
+
+ServedReplay::ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
+                           Instant begin, std::shared_ptr<const protocol::Soundtrack> sound,
+                           const ReplayLimits& limits)
+    : replay_(std::move(stream), loop, begin, std::move(sound)),
+      thinning_(limits.keyframe_ms, limits.link) {
+  if (limits.link.kbits == 0 || !replay_.has_voice()) return;
+  feed_.emplace(limits.keyframe_ms, limits.classic_min, true, replay_.has_captions(),
+                replay_.duration_ms());
+}
+
+const protocol::LiveChannel& ServedReplay::channel() const {
+  if (feed_) return *feed_;
+  return replay_;
+}
+
+bool ServedReplay::advance(Instant now) {
+  bool moved = replay_.advance(now);
+  if (!feed_) return moved;
+  if (moved) {
+    take_sound(steady_seconds(now));
+    take_moments();
+  }
+  // What is left at the end waits for nothing.
+  const auto keyframe =
+      replay_.ended() ? thinning_.take_last() : thinning_.pop(steady_seconds(now));
+  if (keyframe) {
+    feed_->add(*keyframe);
+    moved = true;
+  }
+  if (replay_.ended()) feed_->end();
+  return moved;
+}
+
+std::optional<Instant> ServedReplay::next_at() const {
+  std::optional<Instant> next = replay_.next_at();
+  if (const auto due = thinning_.due(); due && feed_) {
+    const Instant at(std::chrono::ceil<Duration>(std::chrono::duration<double>(*due)) +
+                     Duration(1));
+    next = std::min(next.value_or(at), at);
+  }
+  return next;
+}
+
+void ServedReplay::take_sound(double now) {
+  const auto& voice = replay_.voice();
+  next_voice_ = std::max(next_voice_, voice.first_number());
+  for (; const auto* const packet = voice.find(next_voice_); ++next_voice_) {
+    thinning_.spend(packet->continued.size(), now);
+    feed_->add_voice(*packet);
+  }
+  const auto& captions = replay_.captions();
+  next_caption_ = std::max(next_caption_, captions.first_number());
+  for (; const auto* const caption = captions.find(next_caption_); ++next_caption_) {
+    feed_->add_caption(*caption);
+  }
+}
+
+/// The next moment takes the time of those that were left out before it, so that both clocks stay
+/// one.
+void ServedReplay::take_moments() {
+  for (const protocol::LiveMoment& moment : replay_.latest()) {
+    if (moment.number < next_moment_) continue;
+    next_moment_ = moment.number + 1;
+    protocol::Keyframe keyframe = protocol::keyframe_of(moment.full);
+    const Milliseconds end = moment.begin + moment.time;
+    keyframe.duration_ms =
+        static_cast<std::uint32_t>((end - std::exchange(taken_to_, end)).count());
+    thinning_.push(std::move(keyframe));
+  }
+}
+
+}  // namespace aucast::server

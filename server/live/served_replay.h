@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "common/time.h"
+#include "protocol/live_feed.h"
+#include "protocol/live_replay.h"
+#include "server/streams/live_thinning.h"
+
+namespace aucast::server {
+
+struct ReplayLimits {
+  LinkLimits link;
+  std::uint32_t keyframe_ms = 250;  ///< time of an untimed keyframe
+  int classic_min = 20;             ///< percent, as in encode_classic()
+};
+
+/// A recorded stream that is sent live. With a voice, on a link with a limit, its keyframes are
+/// thinned on their way: what is left for them depends on what the voice takes just then.
+/// Thread: none of its own.
+class ServedReplay {
+ public:
+  /// As protocol::LiveReplay.
+  ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop, Instant begin,
+               std::shared_ptr<const protocol::Soundtrack> sound, const ReplayLimits& limits);
+
+  /// LiveReplay's; true also when a keyframe that had to wait was sent.
+  bool advance(Instant now);
+  [[nodiscard]] std::optional<Instant> next_at() const;
+  [[nodiscard]] const protocol::LiveReplay& replay() const { return replay_; }
+  /// What clients are sent.
+  [[nodiscard]] const protocol::LiveChannel& channel() const;
+
+ private:
+  void take_sound(double now);
+  void take_moments();
+
+  protocol::LiveReplay replay_;
+  std::optional<protocol::LiveFeed> feed_;  ///< nothing: the replay is sent as it is
+  LiveThinning thinning_;
+  std::uint64_t next_voice_ = 0;
+  std::uint64_t next_caption_ = 0;
+  std::uint64_t next_moment_ = 0;
+  Milliseconds taken_to_{0};  ///< on the replay's clock
+};
+
+}  // namespace aucast::server
