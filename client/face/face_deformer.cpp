@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -76,10 +77,37 @@ WeightedBlocks gather(std::size_t vertex_count, Weight weight) {
   return result;
 }
 
+/// Weighted by the triangles' areas; of creases +z.
+std::vector<glm::vec3> rest_normals(const FaceMesh& mesh) {
+  std::vector<glm::vec3> normals(mesh.positions.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::vec3 area =
+        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    for (const std::uint32_t corner : {a, b, c}) normals[corner] += area;
+  }
+  const std::vector<bool> crease = crease_vertices(mesh);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const bool lit = !crease[i] && normals[i] != glm::vec3(0);
+    normals[i] = lit ? glm::normalize(normals[i]) : glm::vec3(0, 0, 1);
+  }
+  return normals;
+}
+
 }  // namespace
 
+DeformedFace face_at_rest(const Face& face) {
+  DeformedFace rest;
+  rest.positions = face.mesh.positions;
+  rest.normals = rest_normals(face.mesh);
+  for (const Eye& eye : face.eyes) rest.eye_centres.push_back(eye.centre);
+  rest.eye_forward.assign(face.eyes.size(), {0, 0, 1});
+  rest.eye_open.assign(face.eyes.size(), 1);
+  rest.creases = DrawnBlocks(face).depths();
+  return rest;
+}
+
 struct FaceDeformer::State {
-  explicit State(const Face& driven);
+  State(const Face& driven, MuscleSums sums, NormalField field);
 
   State(const State&) = delete;  // movers refer to it
   State& operator=(const State&) = delete;
@@ -121,15 +149,15 @@ struct FaceDeformer::State {
   DeformedFace result;
 };
 
-FaceDeformer::State::State(const Face& driven)
+FaceDeformer::State::State(const Face& driven, MuscleSums sums, NormalField field)
     : face(driven),
       activations(driven.channels.size()),
-      muscles(driven),
+      muscles(std::move(sums)),
       now(muscles.rest()),
       moved(now.size()),
       shown(now.size()),
       drawn(driven),
-      normals(driven.mesh) {
+      normals(std::move(field)) {
   AUCAST_CHECK(face.muscles.size() <= face.channels.size());
   if (face.lids) {
     for (const Eye& eye : face.eyes) add_lids(eye);
@@ -309,10 +337,35 @@ void FaceDeformer::State::look() {
   }
 }
 
-FaceDeformer::FaceDeformer(const Face& face) : state_(std::make_unique<State>(face)) {}
+FaceDeformer::FaceDeformer(const Face& face)
+    : state_(std::make_unique<State>(face, MuscleSums(face), NormalField(face.mesh))) {}
+FaceDeformer::FaceDeformer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 FaceDeformer::~FaceDeformer() = default;
 FaceDeformer::FaceDeformer(FaceDeformer&&) noexcept = default;
 FaceDeformer& FaceDeformer::operator=(FaceDeformer&&) noexcept = default;
+
+struct FaceDeformer::Making::Parts {
+  explicit Parts(const Face& driven) : face(driven), muscles(driven), normals(driven.mesh) {}
+
+  const Face& face;
+  MuscleSums::Making muscles;
+  NormalField::Making normals;
+  bool has_muscles = false;
+};
+
+FaceDeformer::Making::Making(const Face& face) : parts_(std::make_unique<Parts>(face)) {}
+FaceDeformer::Making::~Making() = default;
+
+std::optional<FaceDeformer> FaceDeformer::Making::step() {
+  Parts& parts = *parts_;
+  if (!parts.has_muscles) {
+    parts.has_muscles = parts.muscles.step();
+    return std::nullopt;
+  }
+  if (!parts.normals.step()) return std::nullopt;
+  return FaceDeformer(
+      std::make_unique<State>(parts.face, parts.muscles.finish(), parts.normals.finish()));
+}
 
 const DeformedFace& FaceDeformer::deform(std::span<const float> activations) {
   State& state = *state_;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct DeformedFace {
   std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
 };
 
+/// The face at rest, at once: what a FaceDeformer gives for activations of 0, but for the last
+/// digits of the normals.
+[[nodiscard]] DeformedFace face_at_rest(const Face& face);
+
 /// Turns activations into positions. Muscles displace vertices from the rest face, and their
 /// displacements are summed, so that their order does not matter; then lids, jaw, eyes and head
 /// turn, in that order. Displacements per unit of activation are computed once, when the deformer
@@ -34,6 +39,7 @@ class FaceDeformer {
  public:
   explicit FaceDeformer(const Face& face);
   ~FaceDeformer();
+  class Making;
   FaceDeformer(FaceDeformer&&) noexcept;
   FaceDeformer& operator=(FaceDeformer&&) noexcept;
 
@@ -44,7 +50,25 @@ class FaceDeformer {
 
  private:
   struct State;
+  explicit FaceDeformer(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
+};
+
+/// A deformer in portions of a few milliseconds, for who must not stand still meanwhile. The face
+/// must outlive it.
+class FaceDeformer::Making {
+ public:
+  explicit Making(const Face& face);
+  ~Making();
+  Making(const Making&) = delete;
+  Making& operator=(const Making&) = delete;
+
+  /// Does the next portion. The deformer, once, after the last one.
+  [[nodiscard]] std::optional<FaceDeformer> step();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace aucast::face

@@ -38,52 +38,66 @@ Four in_all_lanes(float value) {
 
 }  // namespace
 
-MuscleSums::MuscleSums(const Face& face)
-    : rest_(blocks_of(face.mesh.positions)),
-      activations_(face.muscles.size()),
-      acts_(face.muscles.size()),
-      listed_(rest_.size()),
-      factors_(face.muscles.size()) {
-  const FaceMesh& mesh = face.mesh;
-  std::vector<PullTable<Lanes>::Entry> along;
-  std::vector<PullTable<VertexBlock>::Entry> free;
-  std::vector<glm::vec3> pulls(mesh.positions.size());
-  for (const Muscle& muscle : face.muscles) {
-    const auto* const reach = muscle.mask_alone ? nullptr : find_map(mesh, "muscle");
-    const auto* const mask = muscle.mask.empty() ? nullptr : find_map(mesh, muscle.mask);
-    const auto number = static_cast<std::uint32_t>(reaches_.size());
-    Reach& reaches = reaches_.emplace_back();
-    reaches.blocks = BlockSet(rest_.size());
-    reaches.activation_cap = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0; i < pulls.size(); ++i) {
-      pulls[i] = glm::vec3(0);
-      const float factor = map_at(reach, i, 1) * map_at(mask, i, 1);
-      if (factor == 0) continue;
-      const LinearInfluence linear = influence(muscle.shape, mesh.positions[i]);
-      if (linear.per_unit == glm::vec3(0)) continue;
-      reaches.activation_cap = linear.activation_cap;  // the same at every vertex of a muscle
-      reaches.blocks.insert(i / kLanes);
-      pulls[i] = factor * linear.per_unit;
-    }
-    const glm::vec3 way = common_way(pulls);
-    const bool has_way = way != glm::vec3(0);
-    if (has_way) reaches.way = way;
-    reaches.blocks.for_each([&](std::size_t block) {
-      const auto place = static_cast<std::uint32_t>(block);
-      const std::span<const glm::vec3> here = block_of(std::as_const(pulls), block);
-      if (!has_way) {
-        free.push_back({place, number, block_at(pulls, block)});
-        return;
-      }
-      Lanes shares{};
-      std::transform(here.begin(), here.end(), shares.begin(), [&](const glm::vec3& pull) {
-        return static_cast<float>(share_of(way, pull));
-      });
-      along.push_back({place, number, shares});
-    });
+MuscleSums::MuscleSums(const Face& face) {
+  Making making(face);
+  while (!making.step()) {
   }
-  along_ = {rest_.size(), std::move(along)};
-  free_ = {rest_.size(), std::move(free)};
+  *this = making.finish();
+}
+
+MuscleSums::Making::Making(const Face& face) : face_(face), pulls_(face.mesh.positions.size()) {
+  sums_.rest_ = blocks_of(face.mesh.positions);
+  sums_.activations_.resize(face.muscles.size());
+  sums_.acts_.resize(face.muscles.size());
+  sums_.listed_ = BlockSet(sums_.rest_.size());
+  sums_.factors_.resize(face.muscles.size());
+}
+
+bool MuscleSums::Making::step() {
+  const std::size_t next = sums_.reaches_.size();
+  if (next < face_.muscles.size()) add(face_.muscles[next]);
+  return sums_.reaches_.size() == face_.muscles.size();
+}
+
+void MuscleSums::Making::add(const Muscle& muscle) {
+  const FaceMesh& mesh = face_.mesh;
+  const auto* const reach = muscle.mask_alone ? nullptr : find_map(mesh, "muscle");
+  const auto* const mask = muscle.mask.empty() ? nullptr : find_map(mesh, muscle.mask);
+  const auto number = static_cast<std::uint32_t>(sums_.reaches_.size());
+  Reach& reaches = sums_.reaches_.emplace_back();
+  reaches.blocks = BlockSet(sums_.rest_.size());
+  reaches.activation_cap = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < pulls_.size(); ++i) {
+    pulls_[i] = glm::vec3(0);
+    const float factor = map_at(reach, i, 1) * map_at(mask, i, 1);
+    if (factor == 0) continue;
+    const LinearInfluence linear = influence(muscle.shape, mesh.positions[i]);
+    if (linear.per_unit == glm::vec3(0)) continue;
+    reaches.activation_cap = linear.activation_cap;  // the same at every vertex of a muscle
+    reaches.blocks.insert(i / kLanes);
+    pulls_[i] = factor * linear.per_unit;
+  }
+  const glm::vec3 way = common_way(pulls_);
+  const bool has_way = way != glm::vec3(0);
+  if (has_way) reaches.way = way;
+  reaches.blocks.for_each([&](std::size_t block) {
+    const auto place = static_cast<std::uint32_t>(block);
+    const std::span<const glm::vec3> here = block_of(std::as_const(pulls_), block);
+    if (!has_way) {
+      free_.push_back({place, number, block_at(pulls_, block)});
+      return;
+    }
+    Lanes shares{};
+    std::transform(here.begin(), here.end(), shares.begin(),
+                   [&](const glm::vec3& pull) { return static_cast<float>(share_of(way, pull)); });
+    along_.push_back({place, number, shares});
+  });
+}
+
+MuscleSums MuscleSums::Making::finish() {
+  sums_.along_ = {sums_.rest_.size(), std::move(along_)};
+  sums_.free_ = {sums_.rest_.size(), std::move(free_)};
+  return std::move(sums_);
 }
 
 void MuscleSums::take(std::span<const float> activations, BlockSet& moved) {

@@ -18,6 +18,7 @@ namespace aucast::face {
 class MuscleSums {
  public:
   explicit MuscleSums(const Face& face);
+  class Making;
 
   /// One activation per muscle, finite. Adds to `moved` the blocks of the muscles whose activation
   /// has changed.
@@ -32,6 +33,8 @@ class MuscleSums {
   [[nodiscard]] const std::vector<VertexBlock>& rest() const { return rest_; }
 
  private:
+  MuscleSums() = default;
+
   struct Reach {
     float activation_cap = 0;
     BlockSet blocks;
@@ -54,6 +57,24 @@ class MuscleSums {
   std::vector<Factors> factors_;     ///< one per muscle
   PullTable<Lanes> along_;           ///< of muscles with a way, as shares of it
   PullTable<VertexBlock> free_;      ///< of the others, per unit of activation
+};
+
+/// MuscleSums in portions of about a millisecond. The face must outlive it.
+class MuscleSums::Making {
+ public:
+  explicit Making(const Face& face);
+  /// Adds the next muscle. True when all have been added: then finish().
+  [[nodiscard]] bool step();
+  [[nodiscard]] MuscleSums finish();
+
+ private:
+  void add(const Muscle& muscle);
+
+  const Face& face_;
+  MuscleSums sums_;
+  std::vector<glm::vec3> pulls_;  ///< of one muscle
+  std::vector<PullTable<Lanes>::Entry> along_;
+  std::vector<PullTable<VertexBlock>::Entry> free_;
 };
 
 }  // namespace aucast::face

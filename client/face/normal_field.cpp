@@ -16,6 +16,9 @@ constexpr std::size_t kHalf = kLanes / 2;
 /// then wait for nothing.
 constexpr std::size_t kBlocksAtOnce = 16;
 
+/// Triangles or vertices of one portion.
+constexpr std::size_t kAtOnce = 2000;
+
 /// The triangles that take light.
 std::vector<std::array<std::uint32_t, 3>> lit_triangles(const FaceMesh& mesh) {
   const std::vector<bool> crease = crease_vertices(mesh);
@@ -123,63 +126,107 @@ void write_normals(const Four* sums, glm::vec3* out) {
 
 }  // namespace
 
-NormalField::NormalField(const FaceMesh& mesh)
-    : points_(kLanes * block_count(mesh.positions.size())),
-      touched_(block_count(mesh.positions.size())) {
-  const Triangles triangles = lit_triangles(mesh);
-  list_neighbours(triangles, always_drawn(mesh));
-  list_corners(triangles);
-  const std::vector<VertexBlock> rest = blocks_of(mesh.positions);
-  for (std::size_t block = 0; block < rest.size(); ++block) place(block, points_of(rest[block]));
+NormalField::NormalField(const FaceMesh& mesh) {
+  Making making(mesh);
+  while (!making.step()) {
+  }
+  *this = making.finish();
 }
 
-void NormalField::list_neighbours(const Triangles& triangles, const BlockSet& lit) {
-  std::vector<std::map<std::size_t, std::uint64_t>> near_block(points_.size() / kLanes);
-  lit.for_each([&](std::size_t block) {
+struct NormalField::Making::State {
+  explicit State(const FaceMesh& mesh);
+
+  void note(const std::array<std::uint32_t, 3>& triangle);
+  void list_corners(std::size_t half);
+  void list_neighbours();
+
+  const FaceMesh& mesh;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::size_t noted = 0;    ///< triangles
+  std::size_t listed = 0;   ///< half blocks
+  std::vector<Ring> rings;  ///< one per vertex
+  std::vector<std::map<std::size_t, std::uint64_t>> near_block;
+  NormalField field;
+};
+
+NormalField::Making::State::State(const FaceMesh& driven)
+    : mesh(driven),
+      triangles(lit_triangles(driven)),
+      rings(kLanes * block_count(driven.positions.size())),
+      near_block(block_count(driven.positions.size())) {
+  field.points_.resize(rings.size());
+  field.touched_ = BlockSet(near_block.size());
+  always_drawn(mesh).for_each([&](std::size_t block) {
     near_block[block][block / BlockSet::kWordBits] = BlockSet::bit(block);
   });
-  for (const auto& triangle : triangles) {
-    for (const std::uint32_t one : triangle) {
-      for (const std::uint32_t other : triangle) {
-        const std::size_t block = other / kLanes;
-        near_block[one / kLanes][block / BlockSet::kWordBits] |= BlockSet::bit(block);
+}
+
+void NormalField::Making::State::note(const std::array<std::uint32_t, 3>& triangle) {
+  for (const std::uint32_t one : triangle) {
+    for (const std::uint32_t other : triangle) {
+      const std::size_t block = other / kLanes;
+      near_block[one / kLanes][block / BlockSet::kWordBits] |= BlockSet::bit(block);
+    }
+  }
+  const auto& [a, b, c] = triangle;
+  if (a == b || b == c || c == a) return;
+  rings[a].emplace(b, c);
+  rings[b].emplace(c, a);
+  rings[c].emplace(a, b);
+}
+
+void NormalField::Making::State::list_corners(std::size_t half) {
+  std::array<std::vector<std::uint32_t>, kHalf> of_four;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < kHalf; ++i) {
+    const std::size_t vertex = half * kHalf + i;
+    of_four[i] = corners_round(static_cast<std::uint32_t>(vertex), std::move(rings[vertex]));
+    most = std::max(most, of_four[i].size());
+  }
+  for (auto& corners : of_four) {
+    while (corners.size() < most) stay(corners);
+  }
+  for (std::size_t k = 0; k < most; k += 2) {
+    for (const auto& corners : of_four) {
+      for (const std::size_t i : {k, k + 1}) {
+        field.corners_.push_back(static_cast<std::uint32_t>(sizeof(Four) * corners[i]));
       }
     }
   }
+  field.corners_begin_.push_back(static_cast<std::uint32_t>(field.corners_.size()));
+}
+
+void NormalField::Making::State::list_neighbours() {
   for (const auto& words : near_block) {
-    for (const auto& [word, bits] : words) neighbours_.push_back({word, bits});
-    neighbours_begin_.push_back(static_cast<std::uint32_t>(neighbours_.size()));
+    for (const auto& [word, bits] : words) field.neighbours_.push_back({word, bits});
+    field.neighbours_begin_.push_back(static_cast<std::uint32_t>(field.neighbours_.size()));
   }
 }
 
-void NormalField::list_corners(const Triangles& triangles) {
-  std::vector<Ring> rings(points_.size());
-  for (const auto& [a, b, c] : triangles) {
-    if (a == b || b == c || c == a) continue;
-    rings[a].emplace(b, c);
-    rings[b].emplace(c, a);
-    rings[c].emplace(a, b);
+NormalField::Making::Making(const FaceMesh& mesh) : state_(std::make_unique<State>(mesh)) {}
+NormalField::Making::~Making() = default;
+
+bool NormalField::Making::step() {
+  State& s = *state_;
+  const std::size_t halves = s.rings.size() / kHalf;
+  if (s.noted < s.triangles.size()) {
+    const std::size_t until = std::min(s.noted + kAtOnce, s.triangles.size());
+    while (s.noted < until) s.note(s.triangles[s.noted++]);
+  } else {
+    const std::size_t until = std::min(s.listed + kAtOnce / kHalf, halves);
+    while (s.listed < until) s.list_corners(s.listed++);
   }
-  for (std::size_t begin = 0; begin < rings.size(); begin += kHalf) {
-    std::array<std::vector<std::uint32_t>, kHalf> of_four;
-    std::size_t most = 0;
-    for (std::size_t i = 0; i < kHalf; ++i) {
-      const auto vertex = static_cast<std::uint32_t>(begin + i);
-      of_four[i] = corners_round(vertex, std::move(rings[vertex]));
-      most = std::max(most, of_four[i].size());
-    }
-    for (auto& corners : of_four) {
-      while (corners.size() < most) stay(corners);
-    }
-    for (std::size_t k = 0; k < most; k += 2) {
-      for (const auto& corners : of_four) {
-        for (const std::size_t i : {k, k + 1}) {
-          corners_.push_back(static_cast<std::uint32_t>(sizeof(Four) * corners[i]));
-        }
-      }
-    }
-    corners_begin_.push_back(static_cast<std::uint32_t>(corners_.size()));
+  return s.noted == s.triangles.size() && s.listed == halves;
+}
+
+NormalField NormalField::Making::finish() {
+  state_->list_neighbours();
+  NormalField field = std::move(state_->field);
+  const std::vector<VertexBlock> rest = blocks_of(state_->mesh.positions);
+  for (std::size_t block = 0; block < rest.size(); ++block) {
+    field.place(block, points_of(rest[block]));
   }
+  return field;
 }
 
 void NormalField::place(std::size_t block, const std::array<Four, kLanes>& at) {

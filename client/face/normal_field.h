@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,7 @@ class NormalField {
  public:
   /// With the vertices at their rest places.
   explicit NormalField(const FaceMesh& mesh);
+  class Making;
 
   /// Puts the vertices of a block somewhere else. Normals follow with update().
   void place(std::size_t block, const std::array<Four, kLanes>& at);
@@ -33,16 +35,14 @@ class NormalField {
   void update(const BlockSet& moved, std::span<glm::vec3> normals);
 
  private:
+  NormalField() = default;
+
   /// Blocks with neighbouring numbers.
   struct Neighbours {
     std::size_t word = 0;
     std::uint64_t bits = 0;
   };
 
-  using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-  void list_neighbours(const Triangles& triangles, const BlockSet& lit);
-  void list_corners(const Triangles& triangles);
   /// Finds what to compute when these have moved.
   void touch(const BlockSet& moved);
   void update_some(std::span<const std::size_t> blocks, std::span<glm::vec3> normals) const;
@@ -62,6 +62,23 @@ class NormalField {
   std::vector<std::uint32_t> neighbours_begin_{0};
   BlockSet moved_;    ///< the last time
   BlockSet touched_;  ///< whose normals may change when those have moved
+};
+
+/// NormalField in portions of about a millisecond. The mesh must outlive it.
+class NormalField::Making {
+ public:
+  explicit Making(const FaceMesh& mesh);
+  ~Making();
+  Making(const Making&) = delete;
+  Making& operator=(const Making&) = delete;
+
+  /// Does the next portion. True when all are done: then finish().
+  [[nodiscard]] bool step();
+  [[nodiscard]] NormalField finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace aucast::face

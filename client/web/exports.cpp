@@ -65,6 +65,11 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_create(const char* face) {
   return "";
 }
 
+/// After aucast_create() and aucast_renew() until it gives 1: a few milliseconds each.
+EMSCRIPTEN_KEEPALIVE int aucast_make() {
+  return page()->make_more() ? 1 : 0;
+}
+
 /// The canvas has a new context after it had lost the old one.
 EMSCRIPTEN_KEEPALIVE const char* aucast_renew() {
   return error_of(page()->renew());

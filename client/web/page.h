@@ -28,8 +28,12 @@ namespace aucast::web {
 /// Thread: the page's.
 class Page {
  public:
-  /// Reads data/faces/`face_name` and data/rules/facs.toml of the page's file system.
+  /// Reads data/faces/`face_name` and data/rules/facs.toml of the page's file system. Draws the
+  /// face at rest until make_more() has come to its end.
   [[nodiscard]] static Result<std::unique_ptr<Page>> create(const std::string& face_name);
+  /// Makes the next few milliseconds' worth of what the face needs to move, so that a page never
+  /// stands still. True when there is nothing left to make.
+  bool make_more() { return view_->make_more(); }
   ~Page();
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
@@ -78,7 +82,8 @@ class Page {
   /// The face as `face-player pose --png` draws it, byte for byte on the same graphics driver.
   /// Unbinds its framebuffer.
   [[nodiscard]] Result<view::Image> picture(int width, int height);
-  /// After the canvas has lost its context and got a new one: all that lived there, once more.
+  /// After the canvas has lost its context and got a new one: all that lived there, once more, as
+  /// after create().
   [[nodiscard]] Result<void> renew();
 
  private:

@@ -73,6 +73,7 @@ for (const name of ['chromium', 'firefox']) {
       await tab.waitForFunction(() => document.querySelector('aucast-player').engine.sounds);
       const heard = await tab.evaluate(async () => {
         const player = document.querySelector('aucast-player');
+        window.captions = [];
         player.addEventListener('caption', event => window.captions.push(event.detail.text));
         const { voice } = player.engine.core;
         const decode = voice.decode.bind(voice);
@@ -103,7 +104,7 @@ for (const name of ['chromium', 'firefox']) {
                    `${heard.underruns} underruns`);
       assert.equal(heard.packets, Number(sent));
       assert.deepEqual([heard.decoded, heard.failed], [Number(sent), 0]);
-      assert.ok(heard.moments > 100 && heard.faces > 100, JSON.stringify(heard));
+      assert.ok(heard.moments > 100 && heard.faces > 20, JSON.stringify(heard));
       assert.deepEqual(heard.captions.filter(Boolean), cuesOf(lecture.replace('.txt', '.vtt')));
       assert.deepEqual(tab.faults, []);
       await tab.close();
@@ -306,10 +307,12 @@ describe('page', { timeout: 900_000 }, () => {
   test('axe finds nothing serious, in the dark and in the light', async () => {
     const axe = readFileSync(new URL(import.meta.resolve('axe-core')), 'utf8');
     for (const scheme of ['dark', 'light']) {
-      const tab = await openTab(browser, server.at('http', '?stream=talk'),
-                                { width: 360, height: 640, hasTouch: true, isMobile: true });
+      const tab = await openTab(browser, server.at('http', '?stream=lecture'),
+                                { width: 360, height: 640, hasTouch: true, isMobile: true,
+                                  untouched: true });
       await tab.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
       await untilState(tab, 'playing');
+      await tab.waitForSelector('aucast-player >>> .tap:not([hidden])');
       await tab.evaluate(axe);
       const found = await tab.evaluate(async () => (await window.axe.run()).violations
           .filter(v => ['serious', 'critical'].includes(v.impact))

@@ -5,13 +5,13 @@ import path from 'node:path';
 import { launch, openTab, root, serve, untilState } from './support.mjs';
 
 const out = process.argv[2];
-const server = await serve([path.join(root, 'data/streams/talk.txt'),
-                            path.join(root, 'data/streams/six_expressions.txt')]);
+const server = await serve([path.join(root, 'data/streams/lecture.txt')]);
 const browser = await launch('chromium');
 const SHOTS = [
-  { name: 'page', rest: '?stream=talk', device: { width: 1280, height: 800 } },
-  { name: 'phone', rest: '?stream=talk',
-    device: { width: 360, height: 640, deviceScaleFactor: 2, hasTouch: true, isMobile: true } },
+  { name: 'page', rest: '', device: { width: 1280, height: 800 } },
+  { name: 'phone', rest: '',
+    device: { width: 360, height: 640, deviceScaleFactor: 2, hasTouch: true, isMobile: true,
+              untouched: true } },
   { name: 'example', rest: 'example.html', device: { width: 800, height: 860 } },
 ];
 for (const { name, rest, device } of SHOTS) {

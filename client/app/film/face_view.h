@@ -23,6 +23,10 @@ enum class Sharpness : std::uint8_t { Film, Still };
 class FaceView {
  public:
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create(const face::Face& face);
+  /// The same in portions: at first it draws the face at rest, whatever its pose.
+  [[nodiscard]] static Result<std::unique_ptr<FaceView>> create_at_rest(const face::Face& face);
+  /// The next portion, of a few milliseconds. True when there is nothing left to do.
+  bool make_more();
   ~FaceView();
   FaceView(const FaceView&) = delete;
   FaceView& operator=(const FaceView&) = delete;
@@ -43,6 +47,7 @@ class FaceView {
  private:
   struct State;
   explicit FaceView(std::unique_ptr<State> state);
+  void show_pose();
   std::unique_ptr<State> state_;
 };
 

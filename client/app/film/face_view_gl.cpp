@@ -1,5 +1,7 @@
 #include "client/app/film/face_view.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "client/app/film/face_diagram.h"
@@ -13,14 +15,17 @@ namespace aucast::app {
 
 struct FaceView::State {
   State(const face::Face& face, std::unique_ptr<render::FaceRenderer> made)
-      : deformer(face),
+      : making(face),
+        rest(face::face_at_rest(face)),
         diagram(face),
         renderer(std::move(made)),
         activations(face.channels.size()) {
     renderer->load(FaceScene(face).still());
   }
 
-  face::FaceDeformer deformer;
+  std::optional<face::FaceDeformer::Making> making;
+  std::optional<face::FaceDeformer> deformer;  ///< nothing while it is being made
+  face::DeformedFace rest;
   FaceDiagram diagram;
   std::unique_ptr<render::FaceRenderer> renderer;
   std::vector<float> activations;
@@ -33,21 +38,42 @@ struct FaceView::State {
 };
 
 FaceView::FaceView(std::unique_ptr<State> state) : state_(std::move(state)) {
-  pose(std::vector<float>(state_->activations.size()));
+  show_pose();
 }
 FaceView::~FaceView() = default;
 
 Result<std::unique_ptr<FaceView>> FaceView::create(const face::Face& face) {
+  auto view = create_at_rest(face);
+  while (view && !(*view)->make_more()) {
+  }
+  return view;
+}
+
+Result<std::unique_ptr<FaceView>> FaceView::create_at_rest(const face::Face& face) {
   auto renderer = render::FaceRenderer::create();
   if (!renderer) return renderer.error();
   return std::unique_ptr<FaceView>(
       new FaceView(std::make_unique<State>(face, std::move(*renderer))));
 }
 
-void FaceView::pose(std::span<const float> activations) {
+bool FaceView::make_more() {
   State& s = *state_;
-  s.activations.assign(activations.begin(), activations.end());
-  s.deformed = &s.deformer.deform(activations);
+  if (!s.making) return true;
+  s.deformer = s.making->step();
+  if (!s.deformer) return false;
+  s.making.reset();
+  show_pose();
+  return true;
+}
+
+void FaceView::pose(std::span<const float> activations) {
+  state_->activations.assign(activations.begin(), activations.end());
+  show_pose();
+}
+
+void FaceView::show_pose() {
+  State& s = *state_;
+  s.deformed = s.deformer ? &s.deformer->deform(s.activations) : &s.rest;
   s.renderer->pose(FaceScene::moving(*s.deformed));
 }
 

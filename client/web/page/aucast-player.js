@@ -189,6 +189,8 @@ class AucastPlayer extends HTMLElement {
       if (layers) this.engine.setLayers(layers);
       this.resize();
       this.say('');
+      await this.engine.make();
+      this.draw();
       this.settle.resolve();
       if (this.hasAttribute('show')) await this.show(this.getAttribute('show'));
       if (this.server) await this.play();
@@ -355,8 +357,8 @@ class AucastPlayer extends HTMLElement {
       event.preventDefault();
       this.say('The graphics driver has gone; waiting for it');
     });
-    this.canvas.addEventListener('webglcontextrestored', () => {
-      this.engine.renew();
+    this.canvas.addEventListener('webglcontextrestored', async () => {
+      await this.engine.renew();
       this.say('');
       this.draw();
     });

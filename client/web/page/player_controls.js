@@ -94,6 +94,7 @@ export class Controls {
     this.name.textContent = title || this.only || '';
     this.caption.hidden = !captions;
     this.caption.setAttribute('aria-pressed', String(this.player.captions.shown));
+    this.followSound();
   }
 
   followSound() {

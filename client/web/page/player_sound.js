@@ -20,7 +20,7 @@ export class PlayerSound {
     this.tap.textContent = 'Tap to hear';
     this.tap.hidden = true;
     this.tap.addEventListener('click', () => this.allow());
-    player.shadowRoot.append(this.tap);
+    player.foot.prepend(this.tap);
   }
 
   get engine() { return this.player.engine; }

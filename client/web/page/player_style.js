@@ -82,19 +82,7 @@ select option { background: #17191d; color: #f4f5f7; }
 button:hover, select:hover { background: rgb(127 133 145 / 0.3); }
 button[aria-pressed="true"] { background: var(--ink); color: #17191d; }
 input[type="range"] { width: 6rem; min-height: 44px; margin: 0; accent-color: var(--focus); }
-.tap {
-  position: absolute;
-  inset-inline: 0;
-  top: 50%;
-  width: fit-content;
-  margin: 0 auto;
-  transform: translateY(-50%);
-  border-radius: 1.5rem;
-  background: var(--ink);
-  color: #17191d;
-  font-weight: 600;
-}
-.tap:hover { background: var(--focus); }
+.tap, .tap:hover { border-radius: 1.5rem; background: #f4f5f7; color: #17191d; font-weight: 600; }
 .foot .caption {
   padding: 0.3rem 0.8rem;
   border-radius: 0.4rem;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <tuple>
 
@@ -57,6 +58,39 @@ TEST_F(Deformer, ZeroIsTheRestFaceBitForBit) {
   deformer_.deform(std::vector<float>(face_.channels.size(), 1.0F));
   const DeformedFace& out = deformer_.deform(std::vector<float>(face_.channels.size(), 0.0F));
   EXPECT_EQ(out.positions, face_.mesh.positions);
+}
+
+TEST_F(Deformer, TheFaceAtRestIsThatOfNoActivation) {
+  const DeformedFace rest = face_at_rest(face_);
+  const DeformedFace& made = deformer_.deform(std::vector<float>(face_.channels.size()));
+  EXPECT_EQ(rest.positions, made.positions);
+  EXPECT_EQ(rest.eye_centres, made.eye_centres);
+  EXPECT_EQ(rest.eye_forward, made.eye_forward);
+  EXPECT_EQ(rest.eye_open, made.eye_open);
+  EXPECT_EQ(rest.creases, made.creases);
+  ASSERT_EQ(rest.normals.size(), made.normals.size());
+  for (std::size_t i = 0; i < rest.normals.size(); ++i) {
+    EXPECT_LT(glm::distance(rest.normals[i], made.normals[i]), 1e-3F) << i;
+  }
+}
+
+TEST_F(Deformer, MadeInPortionsIsTheSameBitForBit) {
+  FaceDeformer::Making making(face_);
+  std::optional<FaceDeformer> made;
+  int portions = 0;
+  while (!made) {
+    made = making.step();
+    ++portions;
+  }
+  EXPECT_GT(portions, static_cast<int>(face_.muscles.size()));
+  Seeded seeded(7);
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<float> activations = random_activations(seeded);
+    const DeformedFace& whole = deformer_.deform(activations);
+    const DeformedFace& one = made->deform(activations);
+    EXPECT_EQ(one.positions, whole.positions);
+    EXPECT_EQ(one.normals, whole.normals);
+  }
 }
 
 TEST_F(Deformer, NotFiniteAndNegativeCountAsZero) {
