@@ -20,7 +20,7 @@ export class PlayerSound {
     this.tap.textContent = 'Tap to hear';
     this.tap.hidden = true;
     this.tap.addEventListener('click', () => this.allow());
-    player.foot.prepend(this.tap);
+    player.message.after(this.tap);
   }
 
   get engine() { return this.player.engine; }

@@ -82,7 +82,16 @@ select option { background: #17191d; color: #f4f5f7; }
 button:hover, select:hover { background: rgb(127 133 145 / 0.3); }
 button[aria-pressed="true"] { background: var(--ink); color: #17191d; }
 input[type="range"] { width: 6rem; min-height: 44px; margin: 0; accent-color: var(--focus); }
-.tap, .tap:hover { border-radius: 1.5rem; background: #f4f5f7; color: #17191d; font-weight: 600; }
+.tap {
+  position: absolute;
+  inset-inline: 0;
+  top: calc(max(0.75rem, env(safe-area-inset-top)) + 2.6rem);
+  width: fit-content;
+  margin: 0 auto;
+  border-radius: 1.5rem;
+  font-weight: 600;
+}
+.tap, .tap:hover { background: #f4f5f7; color: #17191d; }
 .foot .caption {
   padding: 0.3rem 0.8rem;
   border-radius: 0.4rem;
@@ -112,5 +121,7 @@ input[type="range"] { width: 6rem; min-height: 44px; margin: 0; accent-color: va
 @media (max-width: 480px) {
   .bar { gap: 0.35rem; }
   button, select { padding: 0 0.6rem; font-size: 14px; }
+  /* A phone has keys for that. */
+  input[type="range"] { display: none; }
 }
 `);
