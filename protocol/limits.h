@@ -80,6 +80,8 @@ inline constexpr std::size_t kWrongTokensMax = 8;
 /// Longest wait of a client for a stream that a relay does not have yet: it would give up itself
 /// after 10 s of silence, and nobody would be told why.
 inline constexpr std::chrono::milliseconds kStreamWaitMax{8000};
+inline constexpr std::size_t kPublisherFileBytesMax = 65536;  ///< the file of --accept-push
+inline constexpr std::size_t kPushedStreamsMax = 64;          ///< brought by publishers, at a time
 inline constexpr std::size_t kClientLogLinesPerSecond = 300;  ///< about single clients
 inline constexpr std::size_t kHttpConnectionsMax = 32;        ///< at a time; more are closed
 inline constexpr std::size_t kHttpHeadBytesMax = 4096;        ///< ours need a hundred

@@ -56,7 +56,9 @@ struct HelloAsked {
   std::uint64_t from_ms = 0;  ///< recorded: where to begin, as a sum of keyframe times
   std::string voice{};        ///< the codec it plays: kVoiceCodec; empty: it wants no voice
   bool text = false;          ///< it wants captions
-  std::string relay{};        ///< the ID of a relay that asks; empty: it is none
+  std::string relay{};        ///< the ID of a relay that asks or of a publisher; empty: it is none
+  std::string publish{};      ///< the stream that it brings, in place of asking for one
+  bool takes = false;         ///< the answer to that: bring it; the rest says how
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };
 
@@ -77,7 +79,7 @@ struct HelloGranted {
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 
-/// {error CODE TEXT}: 400, 401, 404, 503 or 505 and a sentence.
+/// {error CODE TEXT}: a code of PROTOCOL.md section 10 and a sentence.
 struct ErrorReply {
   int code = 400;
   std::string text;

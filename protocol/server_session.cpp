@@ -8,6 +8,7 @@
 #include "protocol/decoder.h"
 #include "protocol/limits.h"
 #include "protocol/secret.h"
+#include "protocol/spare_codes.h"
 #include "protocol/stream_choice.h"
 
 namespace aucast::protocol {
@@ -16,6 +17,19 @@ namespace {
 constexpr char kTlsFirstByte = '\x16';  ///< of a client that speaks TLS
 
 using Why = CloseConnection::Why;
+
+/// What is said for want of a token.
+struct TokenWords {
+  const char* none = "a token is needed here (--token-file)";
+  const char* wrong = "this token does not open this server (--token-file)";
+};
+constexpr TokenWords kViewers;
+constexpr TokenWords kPublishers{"a publisher's token is needed here (--accept-push)",
+                                 "this token lets nobody publish here (--accept-push)"};
+
+ServedStream first_of(const ServerCatalogue& catalogue) {
+  return catalogue.streams.empty() ? ServedStream{} : catalogue.streams.front();
+}
 
 }  // namespace
 
@@ -33,6 +47,8 @@ std::string_view name(CloseConnection::Why why) {
       return "refused";
     case Why::BrokenOff:
       return "broken off";
+    case Why::Publishes:
+      return "publishes";
   }
   return "unknown";
 }
@@ -60,10 +76,9 @@ struct ServerSession::State {
 
   bool peer_ended = false;
   const char* no_room = nullptr;  ///< why there is none for this client
-  char first_byte = '\0';         ///< that came at all
-  /// Codes that answer nothing and may still come at `spare_codes_at`.
-  std::size_t spare_codes = kSpareCodesMax;
-  Instant spare_codes_at;
+  const TokenWords* refused_token = &kViewers;
+  char first_byte = '\0';  ///< that came at all
+  SpareCodes spare_codes;
 
   /// Answers that the running call may still bring to packets which it sent itself.
   std::size_t early_left = 0;
@@ -72,9 +87,9 @@ struct ServerSession::State {
   State(const ServerCatalogue& from, TokenCount count, Instant at)
       : catalogue(&from),
         token_count(count),
-        delivery(from.streams.front(), from.loop),
+        delivery(first_of(from), from.loop),
         now(at),
-        spare_codes_at(at) {}
+        spare_codes(at) {}
 
   CloseConnection farewell;  ///< what the drain ends with
   std::size_t drained_bytes = 0;
@@ -90,7 +105,8 @@ struct ServerSession::State {
   void take_hello(const HelloAsked& hello);
   void join();
   [[nodiscard]] bool choose();
-  void await_stream();
+  void take_publisher(const HelloAsked& hello);
+  void await_stream(Milliseconds patience);
   void give_up_stream();
   void list_streams();
   void read(std::string_view bytes);
@@ -100,6 +116,8 @@ struct ServerSession::State {
   void take_answer();
   [[nodiscard]] bool spend_spare_code();
   [[nodiscard]] bool permitted(std::string_view token);
+  [[nodiscard]] bool may_show(std::string_view token, const TokenWords& words);
+  void deny(const TokenWords& words);
   void handle_fault(const DecodeError& fault);
   void send_due(void (Delivery::*pump)(std::string&));
   void settle_peer_end();
@@ -163,9 +181,33 @@ void ServerSession::State::take_hello(const HelloAsked& hello) {
     return;
   }
   // Before anything else is told: what is served here is no stranger's business.
-  if (!permitted(hello.token)) return;
+  if (hello.publish.empty() && !permitted(hello.token)) return;
   asked = hello;
-  join();
+  if (hello.publish.empty()) {
+    join();
+  } else {
+    take_publisher(hello);
+  }
+}
+
+/// A page has no stream to bring; what comes from there is another site's.
+void ServerSession::State::take_publisher(const HelloAsked& hello) {
+  using Verdict = Publishers::Verdict;
+  if (!catalogue->publishers || silence == Silence::Refused) {
+    refuse(403, "streams are not taken here (--accept-push)");
+    return;
+  }
+  if (!may_show(hello.token, kPublishers)) return;
+  const Verdict verdict = catalogue->publishers->verdict(hello.token, hello.publish);
+  if (verdict == Verdict::Unknown) {
+    deny(kPublishers);
+  } else if (verdict == Verdict::OtherNames) {
+    refuse(403, "this token is not for the stream '" + hello.publish + "'");
+  } else if (const auto refusal = catalogue->publish_refused(hello)) {
+    refuse(refusal->code, refusal->text);
+  } else {
+    close(Why::Publishes, "it brings the stream '" + hello.publish + "'");
+  }
 }
 
 /// What can be done now for who is let in.
@@ -194,19 +236,18 @@ bool ServerSession::State::choose() {
     return false;
   }
   delivery.choose(std::move(choice.stream));
-  if (choice.state == StreamChoice::State::NotYet) await_stream();
+  if (choice.state == StreamChoice::State::NotYet) await_stream(choice.patience);
   return choice.state == StreamChoice::State::Ready;
 }
 
-void ServerSession::State::await_stream() {
+void ServerSession::State::await_stream(Milliseconds patience) {
   if (phase == Phase::AwaitingStream) return;
   phase = Phase::AwaitingStream;
-  const auto& upstream = delivery.stream().upstream;
-  deadline = now + (upstream ? upstream->patience : Milliseconds(kStreamWaitMax));
+  deadline = now + patience;
 }
 
 void ServerSession::State::give_up_stream() {
-  constexpr const char* kNotYet = "the stream has not come from its server yet; try again later";
+  constexpr const char* kNotYet = "the stream has not come yet; try again later";
   if (asked) {
     refuse(503, kNotYet);
   } else {
@@ -217,19 +258,30 @@ void ServerSession::State::give_up_stream() {
 /// Whether the token opens this server; refuses if not, and makes who guesses wait.
 bool ServerSession::State::permitted(std::string_view token) {
   if (catalogue->token.empty()) return true;
+  if (!may_show(token, kViewers)) return false;
+  if (same_secret(token, catalogue->token)) return true;
+  deny(kViewers);
+  return false;
+}
+
+/// Whether it is to be compared at all; refuses if not.
+bool ServerSession::State::may_show(std::string_view token, const TokenWords& words) {
   if (token.empty()) {
-    refuse(401, "a token is needed here (--token-file)");
+    refuse(401, words.none);
   } else if (!token_count.may_try(now)) {
     // Whether this one is right must not show.
     refuse(503, "too many wrong tokens from this address");
-  } else if (same_secret(token, catalogue->token)) {
-    return true;
   } else {
-    phase = Phase::WrongToken;
-    deadline = now + kWrongTokenTime;
-    token_count.add_wrong(now);
+    return true;
   }
   return false;
+}
+
+void ServerSession::State::deny(const TokenWords& words) {
+  refused_token = &words;
+  phase = Phase::WrongToken;
+  deadline = now + kWrongTokenTime;
+  token_count.add_wrong(now);
 }
 
 void ServerSession::State::list_streams() {
@@ -322,16 +374,7 @@ void ServerSession::State::take_answer() {
 
 /// Closes on who floods us with what answers nothing.
 bool ServerSession::State::spend_spare_code() {
-  const auto earned = std::chrono::duration_cast<std::chrono::milliseconds>(now - spare_codes_at) *
-                      kSpareCodesPerSecond / 1000;
-  if (earned.count() > 0) {
-    spare_codes_at = now;
-    spare_codes = std::min(spare_codes + static_cast<std::size_t>(earned.count()), kSpareCodesMax);
-  }
-  if (spare_codes > 0) {
-    --spare_codes;
-    return true;
-  }
+  if (spare_codes.spend(now)) return true;
   close(Why::ProtocolError, "a flood of codes that answer nothing");
   return false;
 }
@@ -355,8 +398,7 @@ void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
   std::string bytes;
   const std::uint64_t before = delivery.packets_sent();
   (delivery.*pump)(bytes);
-  spare_codes = std::min<std::uint64_t>(
-      spare_codes + (delivery.packets_sent() - before) * kSpareCodesPerPacket, kSpareCodesMax);
+  spare_codes.earn(delivery.packets_sent() - before);
   if (!bytes.empty()) send(bytes);
   if (delivery.complete()) say_last(encode(End{}), Why::Finished, "the stream was sent whole");
   if (delivery.broken_off())
@@ -388,7 +430,7 @@ void ServerSession::State::settle_peer_end() {
 
 ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
                              Admission admission, TokenCount token_count, Silence silence)
-    : state_((AUCAST_CHECK(!catalogue.streams.empty()),
+    : state_((AUCAST_CHECK(!catalogue.streams.empty() || catalogue.patience),
               std::make_unique<State>(catalogue, token_count, now))) {
   state_->silence = silence;
   if (admission == Admission::Full) state_->no_room = "the server is full";
@@ -441,7 +483,7 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
       state_->give_up_stream();
       break;
     case State::Phase::WrongToken:
-      state_->refuse(401, "this token does not open this server (--token-file)");
+      state_->refuse(401, state_->refused_token->wrong);
       break;
     case State::Phase::Draining:
       state_->close(state_->farewell.why, state_->farewell.reason);
@@ -514,6 +556,10 @@ bool ServerSession::live() const {
 
 std::string_view ServerSession::stream_name() const {
   return state_->delivery.stream().name;
+}
+
+const std::optional<HelloAsked>& ServerSession::hello() const {
+  return state_->asked;
 }
 
 const EncodedStream* ServerSession::recorded() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include "common/time.h"
 #include "protocol/delivery.h"
 #include "protocol/packet.h"
+#include "protocol/publishers.h"
 #include "protocol/wrong_tokens.h"
 
 namespace aucast::protocol {
@@ -20,12 +22,20 @@ namespace aucast::protocol {
 /// token may change at any time: a session holds the stream that it sends, and a client that was
 /// let in stays.
 struct ServerCatalogue {
-  std::vector<ServedStream> streams;  ///< at least one; the first is what a classic client gets
-  std::uint32_t keyframe_ms = 250;    ///< granted in the hello
-  bool loop = false;                  ///< recorded: start again at the end instead of {-2}
+  /// The first is what a classic client gets. At least one, unless `patience` says that one may
+  /// come.
+  std::vector<ServedStream> streams;
+  std::uint32_t keyframe_ms = 250;  ///< granted in the hello
+  bool loop = false;                ///< recorded: start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
   std::string id{};  ///< of this server, told to relays; empty: none
+  /// Who may bring streams; null: nobody.
+  std::shared_ptr<const Publishers> publishers{};
+  /// Asked with the hello of who may: why that stream cannot be taken now, if so.
+  std::function<std::optional<ErrorReply>(const HelloAsked&)> publish_refused{};
+  /// Streams may still be brought: how long a client waits for one that is not here. Nothing: none.
+  std::optional<Milliseconds> patience{};
 };
 
 // Events are instructions to the connection's owner, to be carried out in the order returned.
@@ -44,6 +54,8 @@ struct CloseConnection {
     Refused,        ///< an {error ...} was sent, or there was no room for a classic client, which
                     ///< is closed without one; `reason` says why
     BrokenOff,      ///< the rest of the stream is not here: it came from another server
+    Publishes,      ///< it brings the stream of hello() and may: nothing is closed, the connection
+                    ///< is for a ClientSession from now on, whose hello `takes` it
   };
   Why why = Why::Finished;
   std::string reason;
@@ -113,6 +125,8 @@ class ServerSession {
   /// True while this session sends keyframes of a live stream.
   [[nodiscard]] bool live() const;
   [[nodiscard]] std::string_view stream_name() const;
+  /// What the client asked for; nothing in classic.
+  [[nodiscard]] const std::optional<HelloAsked>& hello() const;
   /// Null when the stream is live.
   [[nodiscard]] const EncodedStream* recorded() const;
   [[nodiscard]] std::uint64_t packets_sent() const;   ///< keyframes handed out

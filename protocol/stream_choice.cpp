@@ -46,21 +46,24 @@ StreamChoice choose_stream(const ServerCatalogue& catalogue,
   }
   StreamChoice choice;
   if (found == streams.end()) {
-    const bool may_come = std::any_of(streams.begin(), streams.end(), [](const auto& candidate) {
-      return candidate.known_name().empty();
-    });
+    const bool may_come = catalogue.patience ||
+                          std::any_of(streams.begin(), streams.end(), [](const auto& candidate) {
+                            return candidate.known_name().empty();
+                          });
     choice.state = may_come ? State::NotYet : State::Refused;
-    choice.refusal = {404, "there is no stream '" + asked->stream + "' here"};
+    if (asked) choice.refusal = {404, "there is no stream '" + asked->stream + "' here"};
+    choice.patience = catalogue.patience.value_or(choice.patience);
     return choice;
   }
   choice.stream = *found;
   ServedStream& stream = choice.stream;
   if (stream.upstream) {
-    stream.name = stream.upstream->name;
+    if (stream.name.empty()) stream.name = stream.upstream->name;
     stream.recorded = stream.upstream->recorded;
     stream.live = stream.upstream->live;
     stream.sound = stream.upstream->sound;
     stream.title = stream.upstream->title;
+    choice.patience = stream.upstream->patience;
   }
   if (asked) {
     if (auto refusal = relay_refused(catalogue, stream, *asked)) {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "common/time.h"
+#include "protocol/limits.h"
 #include "protocol/packet.h"
 #include "protocol/server_session.h"
 
@@ -19,6 +21,7 @@ struct StreamChoice {
   State state = State::Ready;
   ServedStream stream;  ///< with what is known of it now
   ErrorReply refusal{};
+  Milliseconds patience{kStreamWaitMax};  ///< NotYet: how long it is worth waiting
 };
 
 /// Finds the stream that is asked for; `asked` is nothing for a classic client, which gets the

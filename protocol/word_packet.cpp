@@ -75,6 +75,8 @@ constexpr Key<Asked> kAskedKeys[] = {
     {.key = "voice", .member = &Asked::voice, .kind = Kind::Name},
     {.key = "text", .member = &Asked::text},
     {.key = "relay", .member = &Asked::relay, .kind = Kind::ServerId},
+    {.key = "publish", .member = &Asked::publish, .kind = Kind::Name},
+    {.key = "takes", .member = &Asked::takes},
 };
 
 using Granted = HelloGranted;

@@ -74,6 +74,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   catalogue.streams.push_back(
       {"b", std::make_shared<const EncodedStream>(EncodedStream{{"{0}"}, {"{0}"}, {}, {}, {}})});
+  if ((kind & 8U) != 0) {
+    using Publisher = Publishers::Publisher;
+    catalogue.publishers = std::make_shared<const Publishers>(
+        std::vector<Publisher>{{"word", {}}, {"bound", {"talk"}}});
+    catalogue.publish_refused = [](const HelloAsked& hello) -> std::optional<ErrorReply> {
+      if (hello.publish != "a") return std::nullopt;
+      return ErrorReply{409, "it is one of this server's own"};
+    };
+    catalogue.patience = Milliseconds(100);
+  }
   ServerSession session(catalogue, Milliseconds(script.byte()), now);
   Watch watch;
   while (!script.empty()) {

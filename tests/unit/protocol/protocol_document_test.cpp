@@ -116,13 +116,16 @@ TEST(ProtocolDocument, ByteCountsOfTable55AreTrue) {
 
 TEST(ProtocolDocument, ConversationsAreTrue) {
   const std::vector<std::string> conversations = blocks("transcript");
-  EXPECT_GE(conversations.size(), 3U);
+  EXPECT_GE(conversations.size(), 5U);
   for (const std::string& conversation : conversations) {
     if (test::is_for(conversation, "server")) {
       EXPECT_EQ(test::replay_on_server(conversation), "") << conversation;
     }
     if (test::is_for(conversation, "client")) {
       EXPECT_EQ(test::replay_on_client(conversation), "") << conversation;
+    }
+    if (conversation.find("\nroles turn\n") != std::string::npos) {
+      EXPECT_EQ(test::replay_on_publisher(conversation), "") << conversation;
     }
   }
 }
@@ -147,6 +150,8 @@ const std::map<std::string, std::int64_t>& all_limits() {
       {"kServerIdBytesMax", kServerIdBytesMax},
       {"kRelayHopsMax", kRelayHopsMax},
       {"kStreamWaitMax", kStreamWaitMax.count()},
+      {"kPublisherFileBytesMax", kPublisherFileBytesMax},
+      {"kPushedStreamsMax", kPushedStreamsMax},
       {"kWrongTokenTime", kWrongTokenTime.count()},
       {"kTlsHandshakeTimeMax", kTlsHandshakeTimeMax.count()},
       {"kStreamLineBytesMax", kStreamLineBytesMax},

@@ -13,6 +13,8 @@
 #include "protocol/client_session.h"
 #include "protocol/codec.h"
 #include "protocol/live_replay.h"
+#include "protocol/publish_session.h"
+#include "protocol/publishers.h"
 #include "protocol/server_session.h"
 #include "tests/unit/protocol/session_text.h"
 
@@ -99,6 +101,18 @@ void add_sound(ServedStream& stream, const Line& line, const std::vector<std::st
   stream.sound = std::make_shared<const Soundtrack>(std::move(sound));
 }
 
+/// `publisher TOKEN [NAME...]`; the name `taken` is another's already.
+void add_publisher(ServerCatalogue& catalogue, std::vector<std::string> words) {
+  std::vector<Publishers::Publisher> all;
+  if (catalogue.publishers) all = catalogue.publishers->all();
+  all.push_back({words.front(), {words.begin() + 1, words.end()}});
+  catalogue.publishers = std::make_shared<const Publishers>(std::move(all));
+  catalogue.publish_refused = [](const HelloAsked& hello) -> std::optional<ErrorReply> {
+    if (hello.publish != "taken") return std::nullopt;
+    return ErrorReply{409, "another publisher sends the stream 'taken'"};
+  };
+}
+
 /// The names of the transcript's set-up: what is served.
 ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
   ServerCatalogue catalogue;
@@ -106,6 +120,7 @@ ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
     if (line.verb == "loop") catalogue.loop = true;
     if (line.verb == "token") catalogue.token = line.rest;
     if (line.verb == "title") catalogue.streams.back().title = line.rest;
+    if (line.verb == "publisher") add_publisher(catalogue, words_of(line.rest));
     if (line.verb == "voice" || line.verb == "caption") {
       add_sound(catalogue.streams.back(), line, words_of(line.rest));
     }
@@ -250,6 +265,7 @@ ClientSessionOptions options_of(const std::vector<Line>& lines) {
       if (word == "delta") options.hello.delta = true;
       if (word == "voice") options.hello.voice = kVoiceCodec;
       if (word == "text") options.hello.text = true;
+      if (word == "takes") options.hello.takes = true;
       if (word.starts_with("window=")) {
         options.hello.window = number_of(std::string_view(word).substr(7));
       }
@@ -369,13 +385,42 @@ class ClientReplay {
   std::string over_;
 };
 
+/// What the publisher says first is what it would say, and the answer is one that turns the roles.
+std::string introduced(const std::vector<Line>& before, const std::vector<Line>& after) {
+  PublishSession::Asked asked;
+  std::string hello;
+  std::string answer;
+  for (const Line& line : before) {
+    if (line.verb == "C>") hello += unescaped(line.rest);
+    if (line.verb != "publish") continue;
+    for (const std::string& word : words_of(line.rest)) {
+      if (word.starts_with("token=")) {
+        asked.token = word.substr(6);
+      } else if (word.starts_with("relay=")) {
+        asked.id = word.substr(6);
+      } else {
+        asked.stream = word;
+      }
+    }
+  }
+  for (const Line& line : after) {
+    if (line.verb == "C>" && answer.empty()) answer = unescaped(line.rest);
+  }
+  PublishSession session(asked);
+  if (session.hello() != hello) return "the publisher said '" + session.hello() + "'";
+  const auto read = session.on_bytes(answer);
+  if (const auto* failed = std::get_if<PublishSession::Failed>(&read)) return failed->reason;
+  const auto* taken = std::get_if<PublishSession::Taken>(&read);
+  return taken != nullptr && taken->bytes == answer ? "" : "the publisher did not read the answer";
+}
+
 /// Every verb that a transcript may use; a mistyped one must not pass for a comment.
 std::string unknown_verb(const std::vector<Line>& lines) {
   static const std::vector<std::string> kKnown = {
-      "stream", "loop",    "live",     "client",   "for",      "C>",        "S>",
-      "t",      "C end",   "C breaks", "C stores", "C pauses", "C resumes", "C ends",
-      "C is",   "S end",   "S stops",  "S closes", "S is",     "token",     "voice",
-      "title",  "caption", "C hears",  "C reads",  "websocket"};
+      "stream",  "loop",      "live",      "client",   "for",       "C>",     "S>",      "t",
+      "C end",   "C breaks",  "C stores",  "C pauses", "C resumes", "C ends", "C is",    "S end",
+      "S stops", "S closes",  "S is",      "token",    "voice",     "title",  "caption", "C hears",
+      "C reads", "websocket", "publisher", "publish",  "roles"};
   for (const Line& line : lines) {
     if (std::find(kKnown.begin(), kKnown.end(), line.verb) == kKnown.end()) {
       return at(line, "'" + line.verb + "' is none of the words of a transcript");
@@ -425,6 +470,25 @@ std::string replay_on_server(std::string_view transcript) {
   const std::vector<Line> lines = lines_of(transcript);
   const std::string unknown = unknown_verb(lines);
   return unknown.empty() ? ServerReplay(lines).run() : unknown;
+}
+
+std::string replay_on_publisher(std::string_view transcript) {
+  const std::vector<Line> lines = lines_of(transcript);
+  if (std::string unknown = unknown_verb(lines); !unknown.empty()) return unknown;
+  std::vector<Line> before;
+  std::vector<Line> after;
+  bool turned = false;
+  for (const Line& line : lines) {
+    const bool happens = line.verb.size() == 2 || line.verb.starts_with("C ") ||
+                         line.verb.starts_with("S ") || line.verb == "t";
+    if (line.verb == "roles") turned = true;
+    if (!happens || !turned) before.push_back(line);
+    if (!happens || turned) after.push_back(line);
+  }
+  std::string fault = ServerReplay(before).run();
+  if (fault.empty()) fault = introduced(before, after);
+  if (fault.empty()) fault = ServerReplay(after).run();
+  return fault.empty() ? ClientReplay(after).run() : fault;
 }
 
 std::string replay_on_client(std::string_view transcript) {

@@ -14,6 +14,11 @@ namespace aucast::test {
 /// the client sends are what its owner says.
 [[nodiscard]] std::string replay_on_client(std::string_view transcript);
 
+/// The same for one in which the roles turn: up to there against a ServerSession that is brought a
+/// stream and against a PublishSession, from there on against the ServerSession of the publisher
+/// and the ClientSession of who takes the stream.
+[[nodiscard]] std::string replay_on_publisher(std::string_view transcript);
+
 /// True when the transcript is meant for that side.
 [[nodiscard]] bool is_for(std::string_view transcript, std::string_view side);
 

@@ -25,6 +25,7 @@ std::vector<fs::path> transcripts() {
 TEST(Transcripts, AreWhatBothSidesDo) {
   std::size_t servers = 0;
   std::size_t clients = 0;
+  std::size_t publishers = 0;
   for (const fs::path& file : transcripts()) {
     const auto text = read_file(file);
     ASSERT_TRUE(text.has_value()) << text.error().message;
@@ -36,7 +37,12 @@ TEST(Transcripts, AreWhatBothSidesDo) {
       EXPECT_EQ(replay_on_client(*text), "") << file.filename() << ", client";
       ++clients;
     }
+    if (text->find("\nroles turn\n") != std::string::npos) {
+      EXPECT_EQ(replay_on_publisher(*text), "") << file.filename() << ", publisher";
+      ++publishers;
+    }
   }
+  EXPECT_GE(publishers, 3U);
   EXPECT_GE(servers, 20U);
   EXPECT_GE(clients, 20U);
 }
@@ -49,6 +55,10 @@ TEST(Transcripts, AreReadClosely) {
   EXPECT_EQ(replay_on_server("S end\n"), "line 1: no end of sending");
   EXPECT_EQ(replay_on_server("S is classic awaiting\n"), "line 1: the server is classic idle");
   EXPECT_EQ(replay_on_server("C < 1\n"), "line 1: 'C <' is none of the words of a transcript");
+  EXPECT_EQ(
+      replay_on_publisher("publisher x\npublish talk token=x\nC> {hello token=x publish=talk}\n"
+                          "S closes publishes\nroles turn\n"),
+      "the publisher said '{hello v=2 window=1 token=x publish=talk}'");
   EXPECT_EQ(replay_on_client("client classic\nS> {1}\nC> -1\nC is classic paused unanswered=0\n"),
             "");
   EXPECT_EQ(replay_on_client("client classic\nS> {1}\nC stores 2\n"), "line 3: stored was 1");
