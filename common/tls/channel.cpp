@@ -86,8 +86,10 @@ std::string names_of(X509* certificate) {
   return escaped(subject.data());
 }
 
-/// What is wrong with the peer's certificate, and what to do about it.
-std::string verdict(long code, X509* certificate, const std::string& host, bool server) {
+/// What is wrong with the peer's certificate, and what to do about it, by the option that names
+/// whom we believe.
+std::string verdict(long code, X509* certificate, const std::string& host, bool server,
+                    const std::string& option) {
   const std::string whose = server ? "the client's certificate " : "the server's certificate ";
   switch (code) {
     case X509_V_ERR_CERT_HAS_EXPIRED:
@@ -101,7 +103,7 @@ std::string verdict(long code, X509* certificate, const std::string& host, bool 
     case X509_V_ERR_UNABLE_TO_GET_ISSUER_CERT_LOCALLY:
     case X509_V_ERR_UNABLE_TO_VERIFY_LEAF_SIGNATURE:
       return whose + "comes from an authority that is not known here" +
-             (server ? " (--tls-client-ca)" : "; --tls-ca FILE names one to believe");
+             (server ? " (" + option + ")" : "; " + option + " FILE names one to believe");
     case X509_V_ERR_HOSTNAME_MISMATCH:
     case X509_V_ERR_IP_ADDRESS_MISMATCH:
       return whose + "is for " + (certificate != nullptr ? names_of(certificate) : "another host") +
@@ -128,6 +130,7 @@ bool about_certificates(int reason) {
 struct Channel::Peer {
   std::string host;
   bool server = false;
+  std::string authorities_option{};
   std::string verdict{};  ///< on the certificate, when it is not believed
 
   /// Called by the library for each certificate of the peer's chain.
@@ -136,8 +139,9 @@ struct Channel::Peer {
     auto* const ssl =
         static_cast<SSL*>(X509_STORE_CTX_get_ex_data(chain, SSL_get_ex_data_X509_STORE_CTX_idx()));
     auto* const peer = static_cast<Peer*>(SSL_get_ex_data(ssl, 0));
-    peer->verdict = tls::verdict(X509_STORE_CTX_get_error(chain),
-                                 X509_STORE_CTX_get_current_cert(chain), peer->host, peer->server);
+    peer->verdict =
+        tls::verdict(X509_STORE_CTX_get_error(chain), X509_STORE_CTX_get_current_cert(chain),
+                     peer->host, peer->server, peer->authorities_option);
     return good;
   }
 };
@@ -147,7 +151,7 @@ void Channel::Free::operator()(ssl_st* ssl) const {
 }
 
 Channel::Channel(const Context& context, const std::string& host)
-    : peer_(std::make_unique<Peer>(Peer{host, context.server_})),
+    : peer_(std::make_unique<Peer>(Peer{host, context.server_, context.authorities_option_})),
       ssl_(SSL_new(context.context_.get())) {
   BIO* const in = BIO_new(BIO_s_mem());
   BIO* const out = BIO_new(BIO_s_mem());
@@ -182,7 +186,8 @@ bool Channel::received(std::string_view wire, std::string& plain) {
     failure_ = Failure::NotTls;
     reason_ = peer_->server
                   ? "the client does not speak TLS, as this server wants (--tls)"
-                  : "the server does not speak TLS; leave out --tls, or serve with --tls-cert";
+                  : "the server does not speak TLS; leave out --tls (of aucasts:// the s), or "
+                    "serve with --tls-cert";
     return false;
   }
   BIO_write(SSL_get_rbio(ssl_.get()), wire.data(), length_of(wire));

@@ -148,7 +148,7 @@ Result<Context> Context::for_server(const Files& files, const std::string& optio
     if (!believed) return believed.error();
     SSL_CTX_set_verify(context.get(), SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT, nullptr);
   }
-  return Context(std::move(context), true, std::move(*warning));
+  return Context(std::move(context), true, "--tls-client-ca", std::move(*warning));
 }
 
 std::vector<std::string> Context::names() const {
@@ -167,20 +167,20 @@ std::vector<std::string> Context::names() const {
   return names;
 }
 
-Result<Context> Context::for_client(const Files& files) {
+Result<Context> Context::for_client(const Files& files, const std::string& options) {
   auto context = make(TLS_client_method());
   if (!context) return no_library();
   if (files.authorities.empty()) {
     if (SSL_CTX_set_default_verify_paths(context.get()) != 1) return no_library();
-  } else if (auto believed = believe(context.get(), files.authorities, "--tls-ca", false);
+  } else if (auto believed = believe(context.get(), files.authorities, options + "-ca", false);
              !believed) {
     return believed.error();
   }
   Result<std::string> warning = std::string();
-  if (!files.certificate.empty()) warning = use_own(context.get(), files, "--tls");
+  if (!files.certificate.empty()) warning = use_own(context.get(), files, options);
   if (!warning) return warning.error();
   SSL_CTX_set_verify(context.get(), SSL_VERIFY_PEER, nullptr);
-  return Context(std::move(context), false, std::move(*warning));
+  return Context(std::move(context), false, options + "-ca", std::move(*warning));
 }
 
 }  // namespace aucast::tls

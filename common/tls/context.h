@@ -32,7 +32,8 @@ class Context {
                                                   const std::string& options = "--tls");
   /// Without `authorities` the system's are believed. Certificate and key are for servers that want
   /// to know who comes.
-  [[nodiscard]] static Result<Context> for_client(const Files& files);
+  [[nodiscard]] static Result<Context> for_client(const Files& files,
+                                                  const std::string& options = "--tls");
 
   /// The DNS names that our own certificate is for; "*.example.org" among them.
   [[nodiscard]] std::vector<std::string> names() const;
@@ -41,11 +42,16 @@ class Context {
 
  private:
   friend class Channel;
-  Context(std::shared_ptr<ssl_ctx_st> context, bool server, std::string warning)
-      : context_(std::move(context)), server_(server), warning_(std::move(warning)) {}
+  Context(std::shared_ptr<ssl_ctx_st> context, bool server, std::string authorities_option,
+          std::string warning)
+      : context_(std::move(context)),
+        server_(server),
+        authorities_option_(std::move(authorities_option)),
+        warning_(std::move(warning)) {}
 
   std::shared_ptr<ssl_ctx_st> context_;
   bool server_;
+  std::string authorities_option_;  ///< names whose certificates are believed
   std::string warning_;
 };
 
