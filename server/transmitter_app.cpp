@@ -22,6 +22,7 @@
 #include "protocol/codec.h"
 #include "protocol/limits.h"
 #include "server/manual_page.h"
+#include "server/serve/credentials.h"
 #include "server/serve/transmitter.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/stats.h"
@@ -30,6 +31,7 @@
 #include "server/streams/convert_command.h"
 #include "server/streams/estimate.h"
 #include "server/streams/source_path.h"
+#include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
 namespace {
@@ -89,7 +91,28 @@ Result<void> save_profile_of(const SignalOptions& options, const std::vector<Sou
   return save_profile(options, measured->found->neutral);
 }
 
+/// What is said of the streams that are brought, from here or here.
+Result<std::string> check_pushes(const TransmitterOptions& options) {
+  const PushSettings& push = options.push;
+  for (const std::string& address : push.addresses) {
+    const auto to = dialled_address(address, {push.token, push.tls, "--push-tls"});
+    if (!to) return to.error();
+  }
+  if (options.credentials.publishers.empty()) return std::string();
+  const auto credentials = load_credentials(options.credentials);
+  if (!credentials) return credentials.error();
+  const auto& all = credentials->publishers->all();
+  const auto any = std::count_if(all.begin(), all.end(),
+                                 [](const auto& publisher) { return publisher.names.empty(); });
+  return at_place(
+      options.credentials.publishers.string(),
+      counted(all.size(), "publisher") + ", " + std::to_string(any) + " of them for any stream\n");
+}
+
 int check(const TransmitterOptions& options) {
+  const auto pushes = check_pushes(options);
+  if (!pushes) return report(pushes.error());
+  if (const auto printed = print(*pushes); !printed) return report(printed.error());
   const auto sources = load(options);
   if (!sources) return report(sources.error());
   if (const auto saved = save_profile_of(options.source.signal, *sources); !saved) {

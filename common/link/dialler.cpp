@@ -92,7 +92,8 @@ void Dialler::on_connected() {
         true, std::string("everybody on the way could read the token; ") + options_.secret_remedy});
     return;
   }
-  std::shared_ptr<Link> link = tcp_link(std::move(socket_), options_.limits);
+  std::shared_ptr<Link> link =
+      tcp_link(std::move(socket_), options_.limits, options_.held_back_max);
   if (options_.tls) {
     Limits limits = options_.limits;
     limits.tls_handshake =

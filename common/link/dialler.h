@@ -31,6 +31,7 @@ struct DialOptions {
   /// What the user can do when it cannot be kept so.
   const char* secret_remedy = "--tls, or --insecure-token";
   Limits limits{};
+  int held_back_max = 0;  ///< of the link, as tcp_link() has it
 };
 
 /// Why no connection could be made.

@@ -25,8 +25,8 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
       Connection::Settings{
           number, link::endpoint_text(peer), &log_, options_.client_timeout, admission,
           options_.batch, protocol::TokenCount{&wrong_tokens_, address},
-          way == Way::Tcp ? protocol::Silence::Classic : protocol::Silence::Refused},
-      [this](const ClientRecord& record) { farewell(record); });
+          way == Way::Tcp ? protocol::Silence::Classic : protocol::Silence::Refused, on_publisher_},
+      [this](const ClientRecord& record, const std::string&) { farewell(record); });
   if (refused) {
     ++refused_;
   } else {
@@ -36,8 +36,29 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
   connection->start();
 }
 
+void ClientRegistry::serve(std::string peer,
+                           std::shared_ptr<const protocol::ServerCatalogue> catalogue,
+                           std::shared_ptr<link::Link> link, std::string_view bytes,
+                           Connection::OnClosed on_closed) {
+  const std::uint64_t number = ++last_number_;
+  Connection::Settings settings;
+  settings.number = number;
+  settings.peer = std::move(peer);
+  settings.client_timeout = options_.client_timeout;
+  settings.batch = options_.batch;
+  auto connection = std::make_shared<Connection>(
+      std::move(link), std::move(catalogue), std::move(settings),
+      [this, told = std::move(on_closed)](const ClientRecord& record, const std::string& why) {
+        farewell(record);
+        told(record, why);
+      });
+  ++dialled_;
+  clients_.emplace(number, Client{connection, false, 0, Way::Dialled});
+  connection->take_over(bytes);
+}
+
 protocol::Admission ClientRegistry::admission_of(AddressKey address) const {
-  const std::size_t inside = clients_.size() - refused_;
+  const std::size_t inside = clients_.size() - refused_ - dialled_;
   if (options_.max_clients != 0 && inside >= options_.max_clients) {
     return protocol::Admission::Full;
   }
@@ -51,6 +72,8 @@ void ClientRegistry::farewell(const ClientRecord& record) {
   const auto client = clients_.find(record.number);
   if (client->second.refused) {
     --refused_;
+  } else if (client->second.way == Way::Dialled) {
+    --dialled_;
   } else {
     of_address_.remove(client->second.address);
   }
@@ -83,7 +106,7 @@ void ClientRegistry::abort() {
 }
 
 void ClientRegistry::describe(Status& status, Instant now) const {
-  status.clients = clients_.size();
+  status.clients = clients_.size() - dialled_;
   status.connects = last_number_;
   status.connects_unheard = unheard_;
   status.disconnects = stats_.end_reasons();

@@ -5,6 +5,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <asio/ip/tcp.hpp>
@@ -30,18 +32,33 @@ class ClientRegistry {
 
   /// Of the options the limits and times of clients count. `options` and `stats`, which gets the
   /// record of each client that leaves, outlive it. `on_empty`: the last one has left.
-  ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty)
-      : options_(options), stats_(stats), on_empty_(std::move(on_empty)) {}
+  /// `on_publisher`: one brings a stream, and is no client any more.
+  ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty,
+                 Connection::OnPublisher on_publisher = {})
+      : options_(options),
+        stats_(stats),
+        on_empty_(std::move(on_empty)),
+        on_publisher_(std::move(on_publisher)) {}
   ClientRegistry(const ClientRegistry&) = delete;
   ClientRegistry& operator=(const ClientRegistry&) = delete;
 
   /// How a client has come.
-  enum class Way : std::uint8_t { Tcp, WebSocket };
+  enum class Way : std::uint8_t {
+    Tcp,
+    WebSocket,
+    Dialled,  ///< by us: --push
+  };
 
   /// Somebody knocks. While as many as possible are being refused the link is not even opened.
   void welcome(const asio::ip::tcp::endpoint& peer,
                std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                const OpenLink& open_link, Way way = Way::Tcp);
+
+  /// Another server, which we have dialled and which takes what is served here: `bytes` have come
+  /// on the link, which is open. No limit of clients counts, and the log is left to `on_closed`.
+  void serve(std::string peer, std::shared_ptr<const protocol::ServerCatalogue> catalogue,
+             std::shared_ptr<link::Link> link, std::string_view bytes,
+             Connection::OnClosed on_closed);
 
   /// A live stream has moved on.
   void on_moment();
@@ -62,7 +79,7 @@ class ClientRegistry {
  private:
   struct Client {
     std::shared_ptr<Connection> connection;
-    bool refused = false;  ///< it is heard only to be told so
+    bool refused = false;  ///< it is heard only to be told so; never of one that was dialled
     AddressKey address = 0;
     Way way = Way::Tcp;
   };
@@ -74,10 +91,12 @@ class ClientRegistry {
   const TransmitterOptions& options_;
   Stats& stats_;
   OnEmpty on_empty_;
+  Connection::OnPublisher on_publisher_;
   ClientLog log_;
   protocol::WrongTokens wrong_tokens_;
   std::map<std::uint64_t, Client> clients_;  ///< by number
   std::size_t refused_ = 0;                  ///< of those
+  std::size_t dialled_ = 0;                  ///< likewise
   AddressCounts of_address_;                 ///< of the others
   std::uint64_t last_number_ = 0;
   std::uint64_t unheard_ = 0;

@@ -21,13 +21,18 @@ Connection::Connection(std::shared_ptr<link::Link> link,
 }
 
 Connection::~Connection() {
-  link_->close();
+  if (link_) link_->close();
 }
 
 void Connection::start() {
-  settings_.log->say(link_->now(), spdlog::level::info, "client {} {}: connected", record_.number,
-                     record_.peer);
+  say(spdlog::level::info, "client {} {}: connected", record_.number, record_.peer);
   link_->start(*this);
+}
+
+void Connection::take_over(std::string_view bytes) {
+  link_->hand_over(*this);
+  on_open();
+  on_bytes(bytes);
 }
 
 void Connection::on_open() {
@@ -111,9 +116,8 @@ void Connection::stop() {
 void Connection::abort() {
   if (closed_) return;
   if (output_bytes() != 0) {
-    settings_.log->say(link_->now(), spdlog::level::warn,
-                       "client {} {}: {} bytes were not taken in time", record_.number,
-                       record_.peer, output_bytes());
+    say(spdlog::level::warn, "client {} {}: {} bytes were not taken in time", record_.number,
+        record_.peer, output_bytes());
   }
   lose();
 }
@@ -125,6 +129,11 @@ void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
     } else if (std::holds_alternative<protocol::ShutdownSending>(event)) {
       finish_sending();
     } else if (const auto* end = std::get_if<protocol::CloseConnection>(&event)) {
+      if (end->why == protocol::CloseConnection::Why::Publishes) {
+        note_end(protocol::name(end->why), end->reason, true);
+        hand_over();
+        return;
+      }
       const bool in_order = end->why != protocol::CloseConnection::Why::ProtocolError &&
                             end->why != protocol::CloseConnection::Why::Refused;
       finish_sending();
@@ -133,16 +142,29 @@ void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
   }
 }
 
+/// The connection ends here and goes on elsewhere.
+void Connection::hand_over() {
+  record_.bytes_total = link_->wire_bytes();
+  link_->wake_at(std::nullopt);
+  finishing_ = true;
+  closed_ = true;
+  const auto on_publisher = std::move(settings_.on_publisher);
+  auto link = std::exchange(link_, nullptr);
+  const protocol::HelloAsked hello = *session_->hello();
+  const auto alive = shared_from_this();
+  on_closed_(record_, why_);
+  on_publisher(std::move(link), hello, record_.peer);
+}
+
 /// A player that never heard of times shows a recording of 30 pictures a second at four a second.
 void Connection::note_pace() {
   if (session_->level() != protocol::Level::Classic || session_->recorded() == nullptr) return;
   const auto length = protocol::classic_length(*session_->recorded());
   if (!length) return;
-  settings_.log->say(link_->now(), spdlog::level::info,
-                     "client {} {}: classic packets carry no times: at {} ms a keyframe the stream "
-                     "takes {:.0f} s; --live keeps its pace",
-                     record_.number, record_.peer, protocol::kDefaultKeyframeTime.count(),
-                     seconds(*length));
+  say(spdlog::level::info,
+      "client {} {}: classic packets carry no times: at {} ms a keyframe the stream "
+      "takes {:.0f} s; --live keeps its pace",
+      record_.number, record_.peer, protocol::kDefaultKeyframeTime.count(), seconds(*length));
 }
 
 void Connection::send(std::string_view bytes) {
@@ -191,10 +213,11 @@ void Connection::note_end(std::string_view end_reason, std::string_view reason, 
   if (std::exchange(end_noted_, true)) return;
   record_ = so_far();
   record_.end_reason = std::string(end_reason);
-  settings_.log->say(link_->now(), in_order ? spdlog::level::info : spdlog::level::warn,
-                     "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)",
-                     record_.number, record_.peer, end_reason, reason.empty() ? "" : ": ", reason,
-                     record_.packets, record_.bytes, seconds(record_.send_time));
+  why_ = reason.empty() ? end_reason : reason;
+  say(in_order ? spdlog::level::info : spdlog::level::warn,
+      "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)", record_.number,
+      record_.peer, end_reason, reason.empty() ? "" : ": ", reason, record_.packets, record_.bytes,
+      seconds(record_.send_time));
 }
 
 /// Nothing can be sent any more.
@@ -209,12 +232,12 @@ void Connection::close() {
   finishing_ = true;
   record_.bytes_total = link_->wire_bytes();
   link_->close();
-  on_closed_(record_);
+  on_closed_(record_, why_);
 }
 
 ClientRecord Connection::so_far() const {
   ClientRecord record = record_;
-  record.bytes_total = link_->wire_bytes();
+  if (link_) record.bytes_total = link_->wire_bytes();
   if (!session_) return record;
   record.level = static_cast<int>(session_->level());
   record.stream = std::string(session_->stream_name());

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/link/link.h"
@@ -27,18 +28,23 @@ namespace aucast::server {
 /// Thread: that of the link. Stays alive until a call that the link makes to it has returned.
 class Connection final : public link::LinkUser, public std::enable_shared_from_this<Connection> {
  public:
-  using OnClosed = std::function<void(const ClientRecord&)>;
+  /// `why`: a sentence or clause, for who made the connection.
+  using OnClosed = std::function<void(const ClientRecord&, const std::string& why)>;
+  /// The client brings a stream, and may: the link, open, with what it said and from where.
+  using OnPublisher = std::function<void(std::shared_ptr<link::Link>, const protocol::HelloAsked&,
+                                         std::string peer)>;
 
   struct Settings {
     std::uint64_t number = 0;  ///< of the client, for the log and the record
     std::string peer;          ///< ADDR:PORT
-    ClientLog* log = nullptr;  ///< outlives the connection
+    ClientLog* log = nullptr;  ///< outlives the connection; nullptr: nothing is said
     /// Longest wait for an answer that is owed, or for the link to take anything; 0: for ever.
     Milliseconds client_timeout{0};
     protocol::Admission admission = protocol::Admission::Welcome;
     Milliseconds batch{0};  ///< --batch: how long small writes wait for more; 0: they do not
     protocol::TokenCount token_count;  ///< of wrong ones; outlives the connection
     protocol::Silence silence = protocol::Silence::Classic;
+    OnPublisher on_publisher{};  ///< needed where the catalogue has publishers
   };
 
   /// `on_closed` is called once, when the link is closed.
@@ -50,6 +56,8 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   Connection& operator=(const Connection&) = delete;
 
   void start();
+  /// In place of start(), of a link that is open and on which `bytes` have come.
+  void take_over(std::string_view bytes);
   /// The clock of a live stream has moved on.
   void on_moment();
   /// The voice of a recorded stream has grown.
@@ -76,7 +84,14 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   void on_failure(const link::Ending& failure) override;
   void on_closed(const link::Ending& ending) override;
 
+  template <typename... Args>
+  void say(spdlog::level::level_enum level, spdlog::format_string_t<Args...> format,
+           Args&&... args) {
+    if (settings_.log != nullptr)
+      settings_.log->say(link_->now(), level, format, std::forward<Args>(args)...);
+  }
   void carry_out(std::vector<protocol::ServerEvent> events);
+  void hand_over();
   void note_pace();
   void send(std::string_view bytes);
   void flush();
@@ -88,7 +103,7 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   void go_on();
   [[nodiscard]] std::optional<Instant> patience_ends();
 
-  std::shared_ptr<link::Link> link_;
+  std::shared_ptr<link::Link> link_;                            ///< nullptr: it was handed over
   std::shared_ptr<const protocol::ServerCatalogue> catalogue_;  ///< outlives the session
   std::optional<protocol::ServerSession> session_;              ///< nullopt: the link is not open
   bool finishing_ = false;
@@ -100,6 +115,7 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   std::string gathered_;  ///< small writes that wait for more
   Settings settings_;
   OnClosed on_closed_;
+  std::string why_;  ///< it ended
   ClientRecord record_;
 };
 

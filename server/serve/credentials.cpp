@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/log.h"
+#include "common/text.h"
 #include "protocol/token_file.h"
 
 namespace aucast::server {
@@ -21,6 +22,30 @@ Result<std::optional<tls::Context>> load_context(const tls::Files& files,
   return std::optional(std::move(*context));
 }
 
+void warn_of_short(const std::string& token, const std::filesystem::path& file) {
+  if (token.size() >= kTokenBytesGood) return;
+  spdlog::warn(
+      "{}: the token has fewer than {} characters and may be guessed; "
+      "'openssl rand -hex 16' makes a good one",
+      file.string(), kTokenBytesGood);
+}
+
+Result<std::shared_ptr<const protocol::Publishers>> load_publishers(
+    const std::filesystem::path& path, const std::string& token_of_viewers) {
+  auto file = protocol::read_publisher_file(path);
+  if (!file) return file.error();
+  if (!file->warning.empty()) spdlog::warn("{}", file->warning);
+  for (const auto& publisher : file->publishers.all()) {
+    if (publisher.token == token_of_viewers) {
+      return Error{ErrorKind::BadData, at_place(path.string(),
+                                                "the token of --token-file is in it: every viewer "
+                                                "could bring streams")};
+    }
+    warn_of_short(publisher.token, path);
+  }
+  return std::make_shared<const protocol::Publishers>(std::move(file->publishers));
+}
+
 }  // namespace
 
 Result<Credentials> load_credentials(const CredentialFiles& files) {
@@ -35,14 +60,13 @@ Result<Credentials> load_credentials(const CredentialFiles& files) {
     auto token = protocol::read_token_file(files.token);
     if (!token) return token.error();
     if (!token->warning.empty()) spdlog::warn("{}", token->warning);
-    if (token->word.size() < kTokenBytesGood) {
-      spdlog::warn(
-          "{}: the token has fewer than {} characters and may be guessed; "
-          "'openssl rand -hex 16' makes a good one",
-          files.token.string(), kTokenBytesGood);
-    }
+    warn_of_short(token->word, files.token);
     credentials.token = std::move(token->word);
   }
+  if (files.publishers.empty()) return credentials;
+  auto publishers = load_publishers(files.publishers, credentials.token);
+  if (!publishers) return publishers.error();
+  credentials.publishers = *std::move(publishers);
   return credentials;
 }
 

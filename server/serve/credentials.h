@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "common/result.h"
 #include "common/tls/context.h"
+#include "protocol/publishers.h"
 #include "server/settings/credential_files.h"
 
 namespace aucast::server {
@@ -13,10 +15,13 @@ struct Credentials {
   std::optional<tls::Context> tls;  ///< nothing: plain connections
   std::optional<tls::Context> web;  ///< of --web, likewise
   std::string token;                ///< empty: none is needed
+  /// Who may bring streams; null: nobody.
+  std::shared_ptr<const protocol::Publishers> publishers;
 };
 
 /// Reads all of them and warns in the log of a secret that other users have access to and of a
-/// token that is easy to guess. Unreadable or BadData naming the file and the cause.
+/// token that is easy to guess. Unreadable or BadData naming the file and the cause; the token of
+/// viewers is no publisher's.
 [[nodiscard]] Result<Credentials> load_credentials(const CredentialFiles& files);
 
 }  // namespace aucast::server

@@ -15,7 +15,7 @@
 #include "server/streams/catalogue.h"
 #include "server/streams/film_source.h"
 #include "server/streams/source_path.h"
-#include "server/upstream/upstream_options.h"
+#include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
 namespace {
@@ -72,12 +72,81 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
     : io_(io),
       options_(options),
       events_(std::move(events)),
+      id_(random_id()),
+      pushed_(io, {id_, options.upstream.wait, options.classic_min},
+              {events_.on_moment, [this] { serve_pushed(*catalogue_); }}),
       beat_(io, events_.on_moment,
             {link_limits(options), options.keyframe_ms, options.classic_min}),
       voices_(io, options.voice.encoder, [this] { events_.on_voice(); }),
       catalogue_(std::make_shared<protocol::ServerCatalogue>(accompanied(std::move(repertoire)))),
       unsent_bytes_max_(unsent_bytes_for(*catalogue_, options.voice)) {
-  catalogue_->id = random_id();
+  catalogue_->id = id_;
+  open_to_publishers(*catalogue_);
+}
+
+/// Streams may come to it, and be gone again.
+void Programme::open_to_publishers(protocol::ServerCatalogue& catalogue) {
+  if (!takes_streams()) return;
+  catalogue.patience = std::min<Milliseconds>(options_.upstream.wait, protocol::kStreamWaitMax);
+  catalogue.publish_refused = [this](const protocol::HelloAsked& hello) {
+    return publish_refused(hello);
+  };
+}
+
+void Programme::set_tokens(std::string token,
+                           std::shared_ptr<const protocol::Publishers> publishers) {
+  catalogue_->token = std::move(token);
+  catalogue_->publishers = std::move(publishers);
+}
+
+bool Programme::is_own(const std::string& name) const {
+  const auto& streams = catalogue_->streams;
+  const auto named = [&name](const auto& stream) { return stream.known_name() == name; };
+  const auto& pushed = pushed_names_;
+  return std::find(pushed.begin(), pushed.end(), name) == pushed.end() &&
+         std::any_of(streams.begin(), streams.end(), named);
+}
+
+std::optional<protocol::ErrorReply> Programme::publish_refused(
+    const protocol::HelloAsked& hello) const {
+  if (stopped_) return protocol::ErrorReply{503, "the server stops"};
+  if (is_own(hello.publish)) {
+    return protocol::ErrorReply{
+        409, "the stream '" + hello.publish + "' is one of this server's own; use another name"};
+  }
+  return pushed_.refusal(hello);
+}
+
+/// Puts the streams that were brought behind our own, in place of those of before.
+void Programme::serve_pushed(protocol::ServerCatalogue& catalogue) {
+  std::erase_if(catalogue.streams, [this](const protocol::ServedStream& stream) {
+    return std::find(pushed_names_.begin(), pushed_names_.end(), stream.name) !=
+           pushed_names_.end();
+  });
+  pushed_names_.clear();
+  for (protocol::ServedStream& stream : pushed_.streams()) {
+    pushed_names_.push_back(stream.name);
+    catalogue.streams.push_back(std::move(stream));
+  }
+}
+
+std::shared_ptr<const protocol::ServerCatalogue> Programme::alone(const std::string& name) const {
+  const auto& streams = catalogue_->streams;
+  const auto found = std::find_if(streams.begin(), streams.end(), [&name](const auto& stream) {
+    return stream.known_name() == name;
+  });
+  auto one = std::make_shared<protocol::ServerCatalogue>();
+  one->streams.emplace_back();
+  if (found != streams.end()) {
+    one->streams.front() = *found;
+  } else if (!streams.empty()) {
+    one->streams.front() = streams.front();
+  }
+  if (!name.empty()) one->streams.front().name = name;
+  one->keyframe_ms = catalogue_->keyframe_ms;
+  one->loop = catalogue_->loop;
+  one->id = catalogue_->id;
+  return one;
 }
 
 Result<void> Programme::open_sources() {
@@ -122,23 +191,21 @@ Result<void> Programme::open(const std::filesystem::path& path,
   source_options.camera = options_.source.camera;
   source_options.quiet = quiet_of(options_.source.signal);
   source_options.on_neutral = [this](const auto& neutral) { on_neutral(neutral); };
-  auto source = std::make_unique<LiveSource>(io_, std::move(source_options),
-                                             LiveStreams::Events{[this] { on_moment_of_source(); },
-                                                                 [this] {
-                                                                   if (!stopped_)
-                                                                     make_live(*catalogue_);
-                                                                 }});
+  auto source = std::make_unique<LiveSource>(
+      io_, std::move(source_options),
+      LiveStreams::Events{[this] { on_moment_of_source(); }, [this] { add_faces(); }});
   if (auto begun = source->start(); !begun) return begun;
   sources_.push_back(std::move(source));
   return {};
 }
 
 Result<void> Programme::open_upstream(const std::string& address) {
-  auto upstream = upstream_options(address, options_.upstream);
-  if (!upstream) return upstream.error();
-  upstream->id = catalogue_->id;
-  upstream->classic_min = options_.classic_min;
-  upstreams_.push_back(std::make_unique<Upstream>(io_, *std::move(upstream), events_.on_moment));
+  auto from =
+      dialled_address(address, {options_.upstream.token, options_.upstream.tls, "--upstream-tls"});
+  if (!from) return from.error();
+  upstreams_.push_back(std::make_unique<Upstream>(
+      io_, UpstreamOptions{*std::move(from), id_, options_.upstream.wait, options_.classic_min},
+      events_.on_moment));
   upstreams_.back()->start();
   return {};
 }
@@ -167,6 +234,14 @@ void Programme::on_moment_of_source() {
   events_.on_moment();
   // Not now: it is a source that calls.
   if (over()) asio::post(io_, events_.on_over);
+}
+
+/// Their names are this server's own from now on.
+void Programme::add_faces() {
+  if (stopped_) return;
+  for (const protocol::ServedStream& own : streams_of_sources()) pushed_.give_way(own.name);
+  serve_pushed(*catalogue_);
+  make_live(*catalogue_);
 }
 
 /// Gives each stream that is to be live its channel: of a source its feed, of a recording, with
@@ -214,7 +289,7 @@ std::vector<protocol::ServedStream> Programme::streams_of_sources() const {
 
 /// Asked at every keyframe: while a source lasts, no list of streams is made.
 bool Programme::over() const {
-  if (!upstreams_.empty() || !edges_.empty()) return false;
+  if (!upstreams_.empty() || !edges_.empty() || takes_streams()) return false;
   if (!std::all_of(sources_.begin(), sources_.end(),
                    [](const auto& source) { return source->streams().over(); })) {
     return false;
@@ -233,6 +308,7 @@ void Programme::stop() {
   for (const auto& source : sources_) source->stop();
   for (const auto& upstream : upstreams_) upstream->stop();
   for (const auto& edge : edges_) edge->stop();
+  pushed_.stop();
   beat_.stop();
 }
 
@@ -240,14 +316,19 @@ bool Programme::take_over(Repertoire repertoire) {
   protocol::ServerCatalogue loaded = accompanied(std::move(repertoire));
   const int unsent_bytes_max = unsent_bytes_for(loaded, options_.voice);
   make_live(loaded);
-  if (loaded.streams.empty()) return false;
+  if (loaded.streams.empty() && !takes_streams()) return false;
+  for (const protocol::ServedStream& own : loaded.streams) pushed_.give_way(own.known_name());
+  pushed_names_.clear();
+  serve_pushed(loaded);
   share_with_before(loaded);
   if (same_streams(loaded, *catalogue_)) {
     spdlog::info("the sources hold what they held");
     return false;
   }
   loaded.token = catalogue_->token;
-  loaded.id = catalogue_->id;
+  loaded.publishers = catalogue_->publishers;
+  loaded.id = id_;
+  open_to_publishers(loaded);
   catalogue_ = std::make_shared<protocol::ServerCatalogue>(std::move(loaded));
   unsent_bytes_max_ = unsent_bytes_max;
   return true;
@@ -297,6 +378,7 @@ void Programme::describe(Status& status) const {
   for (const auto& stream : catalogue_->streams) status.streams.push_back(stream.known_name());
   for (const auto& upstream : upstreams_) status.upstreams.push_back(upstream->status());
   for (const auto& edge : edges_) status.upstreams.push_back(edge->status());
+  for (UpstreamStatus& pushed : pushed_.statuses()) status.upstreams.push_back(std::move(pushed));
   status.lag_seconds = seconds(beat_.lag());
 }
 

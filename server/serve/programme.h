@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "server/engine/engine_edge.h"
 #include "server/live/live_beat.h"
 #include "server/live/live_source.h"
+#include "server/push/pushed_streams.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/status.h"
 #include "server/streams/catalogue.h"
@@ -49,7 +51,16 @@ class Programme {
   /// Serves these to who comes from now on, and says so if they are others than before; the live
   /// sources stay the same. Whether they are others.
   bool take_over(Repertoire loaded);
-  void set_token(std::string token) { catalogue_->token = std::move(token); }
+  /// The viewers' token, if one is needed, and who may bring streams.
+  void set_tokens(std::string token, std::shared_ptr<const protocol::Publishers> publishers);
+  /// Takes the stream that a publisher brings on this link.
+  void take(std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello, std::string peer) {
+    pushed_.take(std::move(link), hello, std::move(peer));
+  }
+  /// For another server that is brought it: the stream of this name, or else the first, alone and
+  /// under this name; empty: its own.
+  [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
+      const std::string& name) const;
   /// The profile of the signals may have changed: reads it for the live sources again.
   void condition_sources_anew();
   /// Tells of what is due, before something that takes time.
@@ -70,14 +81,22 @@ class Programme {
 
  private:
   [[nodiscard]] bool any_live() const {
-    return options_.live || !sources_.empty() || !upstreams_.empty() || !edges_.empty();
+    return options_.live || !sources_.empty() || !upstreams_.empty() || !edges_.empty() ||
+           takes_streams();
   }
+  [[nodiscard]] bool takes_streams() const { return !options_.credentials.publishers.empty(); }
+  [[nodiscard]] bool is_own(const std::string& name) const;
+  void open_to_publishers(protocol::ServerCatalogue& catalogue);
+  [[nodiscard]] std::optional<protocol::ErrorReply> publish_refused(
+      const protocol::HelloAsked& hello) const;
+  void serve_pushed(protocol::ServerCatalogue& catalogue);
   [[nodiscard]] Result<void> open(const std::filesystem::path& path,
                                   const sources::ConditioningSettings& conditioning);
   [[nodiscard]] Result<void> open_upstream(const std::string& address);
   [[nodiscard]] Result<void> open_edge(const std::string& address);
   void on_neutral(const sources::MeasuredNeutral& neutral);
   void on_moment_of_source();
+  void add_faces();
   void make_live(protocol::ServerCatalogue& catalogue);
   [[nodiscard]] std::vector<protocol::ServedStream> streams_of_sources() const;
   [[nodiscard]] bool over() const;
@@ -87,9 +106,12 @@ class Programme {
   asio::io_context& io_;
   const TransmitterOptions& options_;
   Events events_;
+  const std::string id_;  ///< of this server, by which relays find loops
   std::vector<std::unique_ptr<LiveSource>> sources_;
   std::vector<std::unique_ptr<Upstream>> upstreams_;
   std::vector<std::unique_ptr<EngineEdge>> edges_;
+  PushedStreams pushed_;
+  std::vector<std::string> pushed_names_;  ///< as they are in the catalogue
   LiveBeat beat_;
   VoiceTracks voices_;
   std::shared_ptr<protocol::ServerCatalogue> catalogue_;

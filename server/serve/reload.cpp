@@ -24,7 +24,7 @@ Result<void> Reload::read_credentials() {
   if (!loaded) return loaded.error();
   tls_ = std::move(loaded->tls);
   web_tls_ = std::move(loaded->web);
-  programme_.set_token(std::move(loaded->token));
+  programme_.set_tokens(std::move(loaded->token), std::move(loaded->publishers));
   return {};
 }
 

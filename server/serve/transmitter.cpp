@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <asio/io_context.hpp>
 #include <asio/signal_set.hpp>
@@ -22,6 +23,7 @@
 #include "server/engine/nats_bus.h"
 #include "server/engine/nats_options.h"
 #include "server/engine/publisher.h"
+#include "server/push/pusher.h"
 #include "server/serve/client_registry.h"
 #include "server/serve/programme.h"
 #include "server/status/http_routes.h"
@@ -53,7 +55,10 @@ class Transmitter {
         stop_timer_(io_),
         tick_timer_(io_),
         listener_(io_, protocol::kAcceptLimits),
-        clients_(options, stats, [this] { on_empty(); }),
+        clients_(
+            options, stats, [this] { on_empty(); },
+            [this](std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello,
+                   std::string peer) { programme_.take(std::move(link), hello, std::move(peer)); }),
         programme_(
             io_, options, std::move(repertoire),
             {[this] { on_moment(); }, [this] { on_over(); }, [this] { clients_.on_voice(); }}),
@@ -66,6 +71,7 @@ class Transmitter {
     if (auto opened = open_listeners(); !opened) return opened.error();
     if (auto opened = programme_.open_sources(); !opened) return opened.error();
     if (auto opened = open_publisher(); !opened) return opened.error();
+    if (auto opened = open_pushers(); !opened) return opened.error();
     const ReadyAt where{link::endpoint_text(listener_.endpoint()),
                         web_ ? link::endpoint_text(web_->endpoint()) : ""};
     if (auto ready = on_ready(where); !ready) return ready.error();
@@ -81,6 +87,7 @@ class Transmitter {
     });
     if (web_) web_->start();
     if (http_) http_->start();
+    for (const auto& pusher : pushers_) pusher->start();
     manager_.ready(summary());
     tick();
     io_.run();
@@ -119,6 +126,23 @@ class Transmitter {
     if (!secure && !web_->endpoint().address().is_loopback()) {
       spdlog::warn(
           "without --web-cert everybody on the way can read and change what the page gets");
+    }
+    return {};
+  }
+
+  Result<void> open_pushers() {
+    const PushSettings& push = options_.push;
+    for (const std::string& address : push.addresses) {
+      auto to = dialled_address(address, {push.token, push.tls, "--push-tls"});
+      if (!to) return to.error();
+      Pusher::Hooks hooks;
+      hooks.catalogue = [this](const std::string& name) { return programme_.alone(name); };
+      hooks.serve = [this](auto peer, auto catalogue, auto link, auto bytes, auto on_served) {
+        clients_.serve(std::move(peer), std::move(catalogue), std::move(link), bytes,
+                       std::move(on_served));
+      };
+      pushers_.push_back(std::make_unique<Pusher>(io_, *std::move(to), programme_.catalogue()->id,
+                                                  programme_.unsent_bytes_max(), std::move(hooks)));
     }
     return {};
   }
@@ -204,6 +228,7 @@ class Transmitter {
     status.reload_failures = reload_.failures();
     programme_.describe(status);
     clients_.describe(status, now);
+    for (const auto& pusher : pushers_) status.pushes.push_back(pusher->status());
     return status;
   }
 
@@ -258,6 +283,7 @@ class Transmitter {
     listener_.stop();
     if (web_) web_->stop();
     if (publisher_) publisher_->stop();
+    for (const auto& pusher : pushers_) pusher->stop();
     programme_.stop();
     clients_.stop();
     if (clients_.empty()) {
@@ -295,6 +321,7 @@ class Transmitter {
   link::Listener listener_;
   ClientRegistry clients_;
   Programme programme_;
+  std::vector<std::unique_ptr<Pusher>> pushers_;
   Reload reload_;
   HttpRoutes routes_;
   std::optional<Publisher> publisher_;

@@ -94,7 +94,8 @@ std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
        "only over TLS or to this host.",
        word(upstream.token)},
       {"upstream-wait", "S", "10", "hold when lost (10)",
-       "Seconds, up to 86400. While no server of an aucast:// source sends, its clients hold "
+       "Seconds, up to 86400. While nobody sends a stream of an aucast:// source or of "
+       "--accept-push, its clients hold "
        "for so long; then those of a live stream get {-2}, and those of a recorded one that "
        "is not whole are cut off. The servers are tried on. A client that comes before the "
        "stream does waits as long, at most 8 s, and is refused then.",
@@ -136,6 +137,34 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
        word(engine.tls.certificate)},
       {"nats-tls-key", "FILE", "", "its key", "The private key of --nats-tls-cert (PEM).",
        word(engine.tls.key)},
+  };
+}
+
+std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credentials) {
+  return {
+      {"push", "URL", "", "bring a stream there",
+       "Brings a stream to another au-transmitter, which is dialled from here, as from behind a "
+       "home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. It must run "
+       "with --accept-push. There the stream is called NAME; here it is the one of that name, or "
+       "else the first, whose name is also the default. Of several hosts the next is taken when "
+       "one is lost, and all are tried again for ever. May be repeated, for several servers or "
+       "streams.",
+       words(push.addresses)},
+      {"push-token-file", "FILE", "", "to show",
+       "The publisher's token that the servers of --push want, one word in a file. It is sent "
+       "only over TLS or to this host.",
+       word(push.token)},
+      {"push-tls-ca", "FILE", "", "its CAs",
+       "The certificates of the authorities that the servers of --push aucasts:// must have "
+       "their certificates from (PEM); without it those of the system.",
+       word(push.tls.authorities)},
+      {"accept-push", "FILE", "", "take streams",
+       "Streams that others bring by --push are served here too; a SOURCE is not needed then. "
+       "FILE has a publisher a line: a token of at most 256 bytes, and after it, if it is not for "
+       "any, the names of the streams that it may bring. These tokens are not those of viewers. A "
+       "name has one publisher at a time, and is none of this server's own streams. While a "
+       "publisher is away its clients hold for --upstream-wait. SIGHUP reads FILE again.",
+       word(credentials.publishers)},
   };
 }
 
@@ -203,7 +232,7 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
       {"tls-cert", "FILE", "", "certificate; turns TLS on",
        "The certificate, followed in the same file by those of the intermediate "
        "authorities (PEM). SIGHUP reads it again, as it does --tls-key, --tls-client-ca, "
-       "--web-cert, --web-key and --token-file; connected clients stay.",
+       "--web-cert, --web-key, --token-file and --accept-push; connected clients stay.",
        word(files.tls.certificate)},
       {"tls-key", "FILE", "", "its private key",
        "PEM. Only the transmitter should be able to read it.", word(files.tls.key)},
@@ -298,6 +327,7 @@ std::vector<OptionRow> option_rows(TransmitterOptions& options) {
   std::vector<OptionRow> rows = input_rows(options);
   append(rows, upstream_rows(options.upstream));
   append(rows, engine_rows(options.engine));
+  append(rows, push_rows(options.push, options.credentials));
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
   append(rows, voice_rows(options.voice));

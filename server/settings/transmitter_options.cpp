@@ -62,6 +62,24 @@ Result<CommandLine> printed_config(const Settings& settings, const TransmitterOp
   return CommandLine{std::move(text), {}};
 }
 
+/// What there is to serve and to bring to others.
+Result<void> validate_streams(const TransmitterOptions& options) {
+  const bool any = !options.sources.empty();
+  if (!any && options.credentials.publishers.empty()) {
+    return usage("no SOURCE: name at least one stream file, such as six_expressions.txt");
+  }
+  if (!any && !options.push.addresses.empty()) return usage("--push brings a SOURCE; name one");
+  if (!any && !options.voice.file.empty()) return usage("--voice is for a SOURCE; name one");
+  if (options.push.addresses.empty()) return {};
+  if (options.loop && !options.live) {
+    return usage("--push brings a recording once; with --loop add --live");
+  }
+  for (const std::string& address : options.push.addresses) {
+    if (auto parsed = protocol::parse_stream_address(address); !parsed) return parsed.error();
+  }
+  return {};
+}
+
 }  // namespace
 
 Surroundings surroundings_of_process() {
@@ -102,9 +120,7 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
 }
 
 Result<void> validate(const TransmitterOptions& options) {
-  if (options.sources.empty()) {
-    return usage("no SOURCE: name at least one stream file, such as six_expressions.txt");
-  }
+  if (auto can = validate_streams(options); !can) return can;
   if (options.bind.empty()) return usage("--bind is empty");
   if (options.keyframe_ms < 1 || options.keyframe_ms > protocol::kDurationMsMax) {
     return usage("--keyframe is outside 1 to " + std::to_string(protocol::kDurationMsMax));

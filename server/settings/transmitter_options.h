@@ -13,6 +13,7 @@
 #include "protocol/limits.h"
 #include "server/settings/credential_files.h"
 #include "server/settings/engine_settings.h"
+#include "server/settings/push_settings.h"
 #include "server/settings/source_options.h"
 #include "server/settings/upstream_settings.h"
 #include "server/settings/voice_options.h"
@@ -36,7 +37,7 @@ struct WebOptions {
 
 /// Everything that au-transmitter's command line says.
 struct TransmitterOptions {
-  std::vector<std::filesystem::path> sources;   ///< stream files or recordings, at least one
+  std::vector<std::filesystem::path> sources;   ///< may be none where publishers bring streams
   std::string bind = "127.0.0.1";               ///< address or name of this host
   std::uint16_t port = protocol::kDefaultPort;  ///< 0: any free one
   std::uint32_t keyframe_ms = 250;              ///< 1 to kDurationMsMax; for untimed keyframes
@@ -61,6 +62,7 @@ struct TransmitterOptions {
   LiveSourceSettings live_source;               ///< how those are served that are being written
   UpstreamSettings upstream;                    ///< streams of other servers
   EngineSettings engine;                        ///< streams over NATS
+  PushSettings push;                            ///< streams that are brought to other servers
   std::string log_level = "info";               ///< as common/log.h takes it
   std::string log_format = "text";              ///< or "json"
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;

@@ -84,6 +84,25 @@ void add_upstreams(std::string& text, const std::vector<UpstreamStatus>& upstrea
       [](const UpstreamStatus& upstream) { return upstream.bytes; });
 }
 
+/// The same of the streams that are brought to other servers.
+void add_pushes(std::string& text, const std::vector<PushStatus>& pushes) {
+  if (pushes.empty()) return;
+  const auto add = [&](std::string_view name, std::string_view type, std::string_view help,
+                       const auto& value_of) {
+    Family family(text, name, type, help);
+    for (const PushStatus& push : pushes) {
+      family.sample(std::to_string(value_of(push)),
+                    "stream=\"" + push.stream + "\",server=\"" + push.server + "\"");
+    }
+  };
+  add("aucast_push_sending", "gauge", "The other server takes the stream.",
+      [](const PushStatus& push) { return push.sending ? 1 : 0; });
+  add("aucast_push_connects_total", "counter", "Times that it was taken.",
+      [](const PushStatus& push) { return push.connects; });
+  add("aucast_push_losses_total", "counter", "Times that it was lost there.",
+      [](const PushStatus& push) { return push.losses; });
+}
+
 }  // namespace
 
 std::vector<std::string> status_lines(const Status& status) {
@@ -118,6 +137,11 @@ std::vector<std::string> status_lines(const Status& status) {
                     ": connections " + text(upstream.connects) + ", lost " + text(upstream.losses) +
                     ", received " + text(upstream.packets) + " packets, " + text(upstream.bytes) +
                     " bytes");
+  }
+  for (const PushStatus& push : status.pushes) {
+    lines.push_back("status: push " + push.stream + " to " + push.server + ": " +
+                    (push.sending ? "taken" : "not taken") + ", connections " +
+                    text(push.connects) + ", lost " + text(push.losses));
   }
   return lines;
 }
@@ -166,6 +190,7 @@ std::string metrics_text(const Status& status) {
   counter(text, "aucast_reload_failures_total", "Reloads that left everything as it was.",
           status.reload_failures);
   add_upstreams(text, status.upstreams);
+  add_pushes(text, status.pushes);
   return text;
 }
 
@@ -181,6 +206,14 @@ std::string status_json(const Status& status) {
                          {"losses", upstream.losses},
                          {"packets", upstream.packets},
                          {"bytes", upstream.bytes}});
+  }
+  Json pushes = Json::array();
+  for (const PushStatus& push : status.pushes) {
+    pushes.push_back({{"stream", push.stream},
+                      {"server", push.server},
+                      {"sending", push.sending},
+                      {"connects", push.connects},
+                      {"losses", push.losses}});
   }
   const Json all = {{"program", "au-transmitter"},
                     {"version", version_number()},
@@ -208,7 +241,8 @@ std::string status_json(const Status& status) {
                     {"lag_seconds", status.lag_seconds},
                     {"reloads", status.reloads},
                     {"reload_failures", status.reload_failures},
-                    {"upstreams", std::move(upstreams)}};
+                    {"upstreams", std::move(upstreams)},
+                    {"pushes", std::move(pushes)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

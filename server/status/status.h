@@ -21,6 +21,15 @@ struct UpstreamStatus {
   std::uint64_t bytes = 0;    ///< of those
 };
 
+/// A stream that is brought to another server.
+struct PushStatus {
+  std::string stream;    ///< its name there
+  std::string server;    ///< HOST:PORT of the one whose turn it is
+  bool sending = false;  ///< it is taken there
+  std::uint64_t connects = 0;
+  std::uint64_t losses = 0;  ///< of those
+};
+
 /// How a transmitter is at one moment: what SIGUSR1 logs and --http answers.
 struct Status {
   double up_seconds = 0;
@@ -42,6 +51,7 @@ struct Status {
   std::uint64_t reloads = 0;              ///< by SIGHUP, that worked
   std::uint64_t reload_failures = 0;      ///< that left everything as it was
   std::vector<UpstreamStatus> upstreams;  ///< one for each stream of another server
+  std::vector<PushStatus> pushes;         ///< one for each --push
 };
 
 /// For the log; the first line says the most.

@@ -283,7 +283,6 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
 
 protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
                                          std::uint32_t keyframe_ms, bool loop) {
-  AUCAST_CHECK(!sources.empty());
   protocol::ServerCatalogue catalogue;
   catalogue.keyframe_ms = keyframe_ms;
   catalogue.loop = loop;

@@ -62,8 +62,8 @@ struct EncodingOptions {
     const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,
     LiveSources live = LiveSources::None);
 
-/// What is served, in the order given; of a source that is live only the name is known yet. Needs
-/// at least one source. No voice is there yet.
+/// What is served, in the order given; of a source that is live only the name is known yet. No
+/// voice is there yet.
 [[nodiscard]] protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
                                                        std::uint32_t keyframe_ms, bool loop);
 

@@ -13,6 +13,7 @@ protocol::ClientSessionOptions session_options(const RelayedStream& stream,
   options.hello = stream.asked();
   options.hello.token = introduction.token;
   options.hello.relay = introduction.id;
+  options.hello.takes = introduction.takes;
   return options;
 }
 
@@ -31,6 +32,11 @@ Parent::Parent(std::shared_ptr<link::Link> link, RelayedStream& stream,
 
 Parent::~Parent() {
   link_->close();
+}
+
+void Parent::take_over() {
+  link_->hand_over(*this);
+  on_open();
 }
 
 void Parent::on_open() {
@@ -77,6 +83,7 @@ void Parent::handle(const protocol::SendBytes& event) {
 void Parent::handle(const protocol::Granted& event) {
   packet_.clear();
   leave(stream_.begin(event.hello));
+  if (ending_) ending_->unfit = true;
   moved_on_ = true;
 }
 

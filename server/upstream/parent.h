@@ -15,8 +15,9 @@
 
 namespace aucast::server {
 
-/// One connection to a parent: the level-2 client that fills a RelayedStream. It answers every
-/// keyframe at once, for it has always room. A parent that is not what it should be is left.
+/// One connection to a parent, or from a publisher: the level-2 client that fills a RelayedStream.
+/// It answers every keyframe at once, for it has always room. A parent that is not what it should
+/// be is left.
 /// Thread: that of the link.
 class Parent final : public link::LinkUser {
  public:
@@ -27,6 +28,7 @@ class Parent final : public link::LinkUser {
   struct Ending {
     bool in_order = false;  ///< {-2}: it has no more
     std::string reason;     ///< a clause for the log
+    bool unfit = false;     ///< what it has does not go with what is here
   };
   struct Owner {
     std::function<void()> moved_on;  ///< the stream has something new
@@ -34,8 +36,9 @@ class Parent final : public link::LinkUser {
     std::function<void(const Ending&)> over;
   };
   struct Introduction {
-    std::string token;  ///< empty: none
-    std::string id;     ///< of this relay
+    std::string token;   ///< empty: none
+    std::string id;      ///< of this relay
+    bool takes = false;  ///< it has come by itself and was not asked
   };
 
   /// `stream` outlives it.
@@ -46,6 +49,8 @@ class Parent final : public link::LinkUser {
   Parent& operator=(const Parent&) = delete;
 
   void start() { link_->start(*this); }
+  /// In place of start(), of a link that is open.
+  void take_over();
 
   [[nodiscard]] std::uint64_t packets() const { return session_.packets_received(); }
   [[nodiscard]] std::uint64_t bytes() const { return session_.payload_bytes(); }

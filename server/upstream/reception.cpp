@@ -46,24 +46,46 @@ std::string Reception::name() const {
 
 void Reception::begin(std::shared_ptr<link::Link> link, std::string peer,
                       const std::string& token) {
+  connect(std::move(link), std::move(peer), {token, options_.id});
+  parent_->start();
+}
+
+void Reception::take_over(std::shared_ptr<link::Link> link, std::string peer) {
+  connect(std::move(link), std::move(peer), {"", options_.id, true});
+  parent_->take_over();
+}
+
+void Reception::connect(std::shared_ptr<link::Link> link, std::string peer,
+                        const Parent::Introduction& introduction) {
   ++connects_;
   peer_ = std::move(peer);
   parent_ =
-      std::make_unique<Parent>(std::move(link), stream_, Parent::Introduction{token, options_.id},
+      std::make_unique<Parent>(std::move(link), stream_, introduction,
                                Parent::Owner{[this] { on_moved_on(); },
                                              [this](const Parent::Ending& end) { on_over(end); }});
-  parent_->start();
+}
+
+void Reception::drop() {
+  if (parent_) on_over({false, "another connection takes its place"});
+}
+
+void Reception::end() {
+  stop();
+  stream_.give_up();
+  events_.on_moment();
 }
 
 void Reception::begin_anew() {
   stream_.give_up();
   stream_ = RelayedStream(stream_options(options_));
-  ever_received_ = false;
+  ever_received_ = given_up_ = whole_said_ = false;
+  start();
 }
 
 void Reception::on_moved_on() {
   if (!receiving_ && parent_->packets() > 0) {
     receiving_ = true;
+    given_up_ = false;
     timer_.cancel();
     say_goes_on();
     ever_received_ = true;
@@ -95,7 +117,7 @@ void Reception::on_over(const Parent::Ending& ending) {
     await_giving_up();
     if (!ending.in_order) ++losses_;
   }
-  if (stream_.whole()) {
+  if (stream_.whole() && !std::exchange(whole_said_, true)) {
     spdlog::info("{}: it is here whole, {} s", name(), seconds(stream_.place()));
     timer_.cancel();
   }
@@ -117,6 +139,7 @@ void Reception::await_giving_up() {
 }
 
 void Reception::give_up() {
+  given_up_ = true;
   spdlog::warn("{}: no {} sends it: {} (--upstream-wait {})", name(), options_.sender,
                ever_received_ ? "it ends for the clients there" : "who asks for it is told so",
                seconds(options_.wait));

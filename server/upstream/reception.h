@@ -45,13 +45,22 @@ class Reception {
   /// Counts from now on how long clients hold.
   void start();
   void stop();
-  /// What `link`, which nobody has started, brings from `peer`.
+  /// What `link`, which nobody has started, brings from `peer`, which is asked for it.
   void begin(std::shared_ptr<link::Link> link, std::string peer, const std::string& token);
-  /// Nobody sends it any more, or what will be sent is another: who is there is told so, and who
+  /// The same of a link that is open, from a peer that has said that it brings it.
+  void take_over(std::shared_ptr<link::Link> link, std::string peer);
+  /// What will be sent is another stream of the same name: this one ends for who is there, and who
   /// comes gets what the next connection brings. Not while connected().
   void begin_anew();
 
+  /// The connection that is there, if any, is of no use any more.
+  void drop();
+  /// Stops, and tells who is there that it has ended.
+  void end();
+
   [[nodiscard]] bool connected() const { return parent_ != nullptr; }
+  /// Who is there was told that it has ended, and nothing has come since.
+  [[nodiscard]] bool given_up() const { return given_up_; }
   /// A recorded stream is here to its end.
   [[nodiscard]] bool whole() const { return stream_.whole(); }
   [[nodiscard]] std::string name() const;  ///< for the log
@@ -61,6 +70,8 @@ class Reception {
   [[nodiscard]] UpstreamStatus status() const;
 
  private:
+  void connect(std::shared_ptr<link::Link> link, std::string peer,
+               const Parent::Introduction& introduction);
   void on_moved_on();
   void on_over(const Parent::Ending& ending);
   void drop_parent();
@@ -76,6 +87,8 @@ class Reception {
   std::string peer_;
   bool receiving_ = false;  ///< the parent has sent a keyframe
   bool ever_received_ = false;
+  bool given_up_ = false;
+  bool whole_said_ = false;
   bool stopped_ = false;
   Instant silent_since_{};  ///< while not receiving
   std::uint64_t connects_ = 0;

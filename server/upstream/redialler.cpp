@@ -39,6 +39,10 @@ std::string Redialler::peer() const {
 }
 
 void Redialler::dial() {
+  if (!options_.ready()) {
+    again_in(kNotReady);
+    return;
+  }
   const protocol::Endpoint& host = options_.hosts[turns_.current()];
   link::DialOptions dial;
   dial.host = host.host;
@@ -48,6 +52,7 @@ void Redialler::dial() {
   dial.secret = options_.secret;
   dial.secret_remedy = "use aucasts://";
   dial.limits = protocol::kLinkLimits;
+  dial.held_back_max = options_.held_back_max;
   // Thrown when the system has no thread left.
   try {
     dialler_.dial(std::move(dial),
@@ -84,6 +89,7 @@ void Redialler::failed(const std::string& reason) {
 }
 
 void Redialler::again_in(Milliseconds wait) {
+  if (stopped_) return;
   timer_.expires_after(wait);
   timer_.async_wait([this](const std::error_code& error) {
     if (!error && !stopped_) dial();

@@ -26,9 +26,13 @@ class Redialler {
   struct Options {
     std::vector<protocol::Endpoint> hosts;  ///< at least one
     std::optional<tls::Context> tls{};      ///< nothing: plain
-    bool secret = false;  ///< a token will be shown: only over TLS or to this host
+    bool secret = false;    ///< a token will be shown: only over TLS or to this host
+    int held_back_max = 0;  ///< of the links, as tcp_link() has it
+    std::function<bool()> ready = [] { return true; };  ///< while it says no, nobody is dialled
   };
   using OnLink = std::function<void(std::shared_ptr<link::Link>)>;
+
+  static constexpr Milliseconds kNotReady{500};  ///< how often it is asked whether it is ready
 
   /// `name`: what the log calls it, asked whenever there is something to say.
   Redialler(asio::io_context& io, Options options, std::function<std::string()> name,

@@ -75,7 +75,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   if (auto wrong = objection(hello)) return wrong;
   shared_->servers = hello.servers;
   if (begun()) {
-    if (recorded_) recorded_->extent = Extent::Growing;
+    if (recorded_ && !whole()) recorded_->extent = Extent::Growing;
     if (feed_) offset_ = feed_->end_of_newest();
     return std::nullopt;
   }

@@ -7,7 +7,7 @@ namespace aucast::server {
 namespace {
 
 Reception::Options reception_options(const UpstreamOptions& options) {
-  return {options.address.stream, options.id, options.wait, options.classic_min};
+  return {options.from.address.stream, options.id, options.wait, options.classic_min};
 }
 
 }  // namespace
@@ -18,10 +18,10 @@ Upstream::Upstream(asio::io_context& io, UpstreamOptions options, std::function<
                  {std::move(on_moment), [this] { redialler_.worked(); },
                   [this](const Parent::Ending& ending) { on_over(ending); }}),
       redialler_(
-          io, {options_.address.hosts, options_.tls, !options_.token.empty()},
+          io, {options_.from.address.hosts, options_.from.tls, !options_.from.token.empty()},
           [this] { return reception_.name(); },
           [this](std::shared_ptr<link::Link> link) {
-            reception_.begin(std::move(link), redialler_.peer(), options_.token);
+            reception_.begin(std::move(link), redialler_.peer(), options_.from.token);
           }) {}
 
 void Upstream::start() {
@@ -36,7 +36,7 @@ void Upstream::stop() {
 
 protocol::ServedStream Upstream::stream() const {
   protocol::ServedStream served;
-  served.name = options_.address.stream;
+  served.name = options_.from.address.stream;
   served.upstream = reception_.shared();
   return served;
 }

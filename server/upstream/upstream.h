@@ -1,27 +1,23 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 
 #include <asio/io_context.hpp>
 
 #include "common/time.h"
-#include "common/tls/context.h"
-#include "protocol/endpoint.h"
 #include "protocol/server_session.h"
 #include "server/status/status.h"
+#include "server/upstream/dialled_address.h"
 #include "server/upstream/reception.h"
 #include "server/upstream/redialler.h"
 
 namespace aucast::server {
 
 struct UpstreamOptions {
-  protocol::StreamAddress address;
-  std::optional<tls::Context> tls{};  ///< when the address wants it
-  std::string token{};                ///< shown to the parents; empty: none
-  std::string id;                     ///< of this server, to find loops by
-  Milliseconds wait{10'000};          ///< how long clients hold while no parent sends
+  DialledAddress from;
+  std::string id;             ///< of this server, to find loops by
+  Milliseconds wait{10'000};  ///< how long clients hold while no parent sends
   int classic_min = 20;
 };
 

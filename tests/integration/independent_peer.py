@@ -326,6 +326,15 @@ class Client(Bytes):
         if hello is not None:
             self.send(hello, one_by_one)
 
+    @classmethod
+    def that_takes(cls, connection, hello):
+        """Who was dialled by a publisher and takes its stream [15]."""
+        client = cls.__new__(cls)
+        Bytes.__init__(client, connection.socket)
+        client.pending = connection.pending
+        client.send(hello)
+        return client
+
     def packet(self, seconds=PATIENCE):
         """The next packet; None when the server has shut its sending. Too late is a violation."""
         until = time.monotonic() + seconds
@@ -428,6 +437,13 @@ class Connection(Bytes):
         while time.monotonic() < until and self.more(until - time.monotonic()):
             pass
         self.socket.close()
+
+
+def publish(port, fields):
+    """Dials a server to bring it a stream [15]."""
+    connection = Connection(socket.create_connection(("127.0.0.1", port), PATIENCE))
+    connection.send("{hello " + fields + "}")
+    return connection
 
 
 class Server:

@@ -17,7 +17,7 @@ import time
 import unittest
 
 from independent_peer import (Client, END, Error, Hello, Keyframe, Server, Streams, Violation,
-                              changed, full, read_stream_file, refusal)
+                              changed, full, publish, read_stream_file, refusal)
 
 BIN = pathlib.Path()
 DATA = pathlib.Path(__file__).parents[2] / "data"
@@ -558,6 +558,74 @@ class OurClient(PeerTest):
             self.assertEqual(client.packet(), END)
             client.expect_end()
             server.__exit__()
+
+
+class Publishing(PeerTest):
+    """au-transmitter that brings a stream to the Python server, and that is brought one [15]."""
+
+    def setUp(self):
+        super().setUp()
+        self.token = self.folder / "token"
+        self.token.write_text("open-sesame-please", encoding="ascii")
+        self.token.chmod(0o600)
+
+    def test_a_stream_is_brought(self):
+        path, states = self.stream()
+        with Server() as campus, Transmitter("--push", f"aucast://127.0.0.1:{campus.port}/talk",
+                                             "--push-token-file", self.token, path):
+            with campus.accept() as connection:
+                word, fields = connection.hello()
+                self.assertEqual((word, fields["publish"], fields["token"]),
+                                 ("hello", "talk", "open-sesame-please"))
+                self.assertRegex(fields["relay"], r"^[\w.-]{1,16}$")
+                client = Client.that_takes(
+                    connection, "{hello v=2 window=4 stream=talk relay=campus takes=1}")
+                fields = client.packet().fields
+                self.assertEqual((fields["stream"], fields["window"], fields["duration"]),
+                                 ("talk", "4", "800"))
+                self.assertNotIn("campus", fields["origin"].split(","))
+                keyframes = client.rest()
+        self.assertEqual(len(keyframes), len(states))
+
+    def test_a_publisher_that_is_refused_comes_again(self):
+        path, _ = self.stream()
+        with Server() as campus, Transmitter("--push", f"aucast://127.0.0.1:{campus.port}/talk",
+                                             path):
+            for answer in ("{error 409 another publisher sends it}", "{hello v=2 stream=x}",
+                           "{1,6}", "HTTP/1.1 400\r\n"):
+                with campus.accept() as connection:
+                    self.assertEqual(connection.hello()[1]["publish"], "talk")
+                    connection.send(answer)
+                    while connection.more():
+                        pass
+
+    def test_a_stream_is_taken(self):
+        states = faces(20)
+        packets = [full(state, ";40") for state in states]
+        with Transmitter("--accept-push", self.token) as server:
+            with publish(server.port, "v=2 token=open-sesame-please publish=talk") as connection:
+                word, fields = connection.hello()
+                self.assertEqual((word, fields["stream"], fields["takes"]), ("hello", "talk", "1"))
+                self.assertEqual(fields.get("from", "0"), "0")
+                connection.send("{hello v=2 window=5 stream=talk duration=800}")
+                codes = connection.serve(packets, 5)
+            self.assertEqual(codes, ["1"] * 20)
+            with Client(server.port, "{hello stream=talk}") as client:
+                self.assertEqual(client.packet().fields["duration"], "800")
+                self.assertEqual([keyframe.text for keyframe in client.rest()], packets)
+
+    def test_a_second_publisher_and_a_wrong_token(self):
+        with Transmitter("--accept-push", self.token) as server:
+            with publish(server.port, "token=open-sesame-please publish=talk") as first:
+                self.assertEqual(first.hello()[1]["takes"], "1")
+                for fields, code in (("token=open-sesame-please publish=talk", 409),
+                                     ("token=wrong publish=other", 401), ("publish=other", 401),
+                                     ("publish=../x", 400)):
+                    with Client(server.port, "{hello " + fields + "}") as second:
+                        self.assertEqual(second.packet().code, code, fields)
+                        second.expect_end()
+                self.assertFalse(first.more(0.2), "the first one stays")
+                self.assertFalse(first.ended)
 
 
 class OurServer(PeerTest):

@@ -172,5 +172,53 @@ TEST_F(ClientRegistryTest, TheStatusCountsWhoIsHereAndWhoWas) {
   EXPECT_EQ(now.disconnects.size(), 1U);
 }
 
+TEST_F(ClientRegistryTest, APublisherIsHandedOnAndIsNoClientAnyMore) {
+  options_.max_clients = 1;
+  catalogue_->publishers = std::make_shared<const protocol::Publishers>(
+      std::vector<protocol::Publishers::Publisher>{{"word", {}}});
+  catalogue_->publish_refused = [](const auto&) { return std::nullopt; };
+  std::shared_ptr<link::Link> handed;
+  std::string brought;
+  std::string from;
+  registry_.emplace(
+      options_, stats_, [] {},
+      [&](auto link, const protocol::HelloAsked& hello, const std::string& peer) {
+        handed = std::move(link);
+        brought = hello.publish;
+        from = peer;
+      });
+  const auto viewer = knock();
+  const auto publisher = knock();
+  EXPECT_EQ(ask(*publisher, "{hello token=word publish=talk}"), "") << "though it is full";
+  EXPECT_EQ(handed, publisher);
+  EXPECT_FALSE(publisher->closed());
+  EXPECT_EQ(brought, "talk");
+  EXPECT_EQ(from, "10.0.0.1:50000");
+  EXPECT_EQ(registry().size(), 1U);
+  EXPECT_EQ(stats_.end_reasons().at("publishes"), 1U);
+}
+
+TEST_F(ClientRegistryTest, AServerThatWasDialledIsServedLikeAClientAndCountsAsNone) {
+  options_.max_clients = 1;
+  const auto link = std::make_shared<FakeLink>();
+  std::string why;
+  std::uint64_t packets = 0;
+  registry().serve("campus:4650", catalogue_, link, "{hello v=2 window=2 stream=talk takes=1}",
+                   [&](const ClientRecord& record, const std::string& reason) {
+                     why = reason;
+                     packets = record.packets;
+                   });
+  EXPECT_EQ(link->heard(), "{hello v=2 window=2 stream=talk keyframe=250}{1}{2}");
+  EXPECT_EQ(status().clients, 0U);
+  const auto viewer = knock();
+  EXPECT_EQ(ask(*viewer, "{hello v=2}"), "{hello v=2 window=1 stream=talk keyframe=250}{1}");
+  EXPECT_EQ(ask(*link, "11"), "{3}");
+  EXPECT_EQ(ask(*link, "1"), "{-2}");
+  link->end({});
+  EXPECT_EQ(why, "the stream was sent whole");
+  EXPECT_EQ(packets, 3U);
+  EXPECT_EQ(registry().size(), 1U);
+}
+
 }  // namespace
 }  // namespace aucast::server

@@ -35,11 +35,11 @@ class ConnectionTest : public TalkFixture {
     connection_->on_moment();
   }
   void start() {
-    connection_ = std::make_shared<Connection>(link_, catalogue_, settings_,
-                                               [this](const ClientRecord& record) {
-                                                 record_ = record;
-                                                 connection_.reset();
-                                               });
+    connection_ = std::make_shared<Connection>(
+        link_, catalogue_, settings_, [this](const ClientRecord& record, const std::string&) {
+          record_ = record;
+          connection_.reset();
+        });
     connection_->start();
   }
   std::string ask(std::string_view bytes) {

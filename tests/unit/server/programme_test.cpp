@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "common/log.h"
+#include "tests/support/fake_link.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
@@ -73,7 +74,7 @@ TEST_F(ProgrammeTest, AStreamThatHoldsWhatItHeldIsHeldOnce) {
 
 TEST_F(ProgrammeTest, ATokenOutlastsTheStreams) {
   Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
-  programme.set_token("word");
+  programme.set_tokens("word", nullptr);
   ASSERT_TRUE(programme.take_over(catalogue_of({{"b", stream_of("{1}")}})));
   EXPECT_EQ(programme.catalogue()->token, "word");
 }
@@ -122,6 +123,46 @@ TEST_F(ProgrammeTest, ASourceThatCannotBeOpenedIsAnError) {
   options_.record = "/nowhere/kept.txt";
   Programme programme(io_, options_, catalogue_of({{"live", nullptr}}), {[] {}, [] {}});
   EXPECT_FALSE(programme.open_sources());
+}
+
+TEST_F(ProgrammeTest, AStreamIsBroughtToOthersAloneUnderAnotherName) {
+  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}}));
+  const auto alone = programme.alone("b");
+  ASSERT_EQ(alone->streams.size(), 1U);
+  EXPECT_EQ(alone->streams[0].recorded->classic[0], "{4}") << "the one of that name";
+  EXPECT_EQ(programme.alone("talk")->streams[0].name, "talk");
+  EXPECT_EQ(programme.alone("talk")->streams[0].recorded->classic[0], "{1}") << "the first";
+  EXPECT_EQ(programme.alone("")->streams[0].name, "a");
+  EXPECT_TRUE(alone->token.empty()) << "who is dialled shows none";
+}
+
+TEST_F(ProgrammeTest, WhatPublishersBringStandsBehindItsOwnStreams) {
+  options_.credentials.publishers = "publishers";
+  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  const auto publish_refused = programme.catalogue()->publish_refused;
+  protocol::HelloAsked hello;
+  hello.publish = "a";
+  ASSERT_TRUE(publish_refused(hello));
+  EXPECT_EQ(publish_refused(hello)->code, 409) << "its own";
+  hello.publish = "talk";
+  EXPECT_FALSE(publish_refused(hello));
+  programme.take(std::make_shared<test::FakeLink>(), hello, "campus:1");
+  EXPECT_EQ(names(), (Names{"a", "talk"}));
+  EXPECT_EQ(publish_refused(hello)->code, 409) << "another publisher's";
+  EXPECT_TRUE(programme.take_over(catalogue_of({{"b", stream_of("{1}")}})));
+  EXPECT_EQ(names(), (Names{"b", "talk"})) << "a reload leaves it";
+  EXPECT_EQ(programme.catalogue()->publish_refused(hello)->code, 409);
+  EXPECT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{1}")}})));
+  EXPECT_EQ(names(), Names{"talk"}) << "now one of its own";
+  EXPECT_NE(programme.catalogue()->streams[0].recorded, nullptr);
+}
+
+TEST_F(ProgrammeTest, NeedsNoStreamOfItsOwnWherePublishersBringThem) {
+  options_.credentials.publishers = "publishers";
+  Programme& programme = begin(catalogue_of({}));
+  EXPECT_TRUE(programme.catalogue()->patience);
+  EXPECT_FALSE(programme.take_over(catalogue_of({}))) << "still none";
+  EXPECT_TRUE(programme.catalogue()->streams.empty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "server/upstream/upstream_options.h"
+#include "server/upstream/dialled_address.h"
 
 #include <gtest/gtest.h>
 
@@ -339,13 +339,20 @@ TEST(HostTurns, ComeAtDifferentMomentsForDifferentServers) {
   EXPECT_NE(one.next(), other.next());
 }
 
-TEST(UpstreamOptions, AreThoseOfTheAddress) {
-  const auto options = upstream_options("aucast://localhost:7/talk", {});
+TEST(DialledAddress, IsReadWithItsSecrets) {
+  const auto options = dialled_address("aucast://localhost:7/talk", {});
   ASSERT_TRUE(options) << options.error().message;
   EXPECT_EQ(options->address.stream, "talk");
   EXPECT_FALSE(options->tls);
-  EXPECT_TRUE(upstream_options("aucasts://localhost/talk", {})->tls);
-  EXPECT_FALSE(upstream_options("aucast://", {}));
+  EXPECT_TRUE(dialled_address("aucasts://localhost/talk", {})->tls);
+  EXPECT_FALSE(dialled_address("aucast://", {}));
+  DialSecrets secrets;
+  secrets.tls.authorities = "/nowhere";
+  secrets.tls_options = "--push-tls";
+  const auto wrong = dialled_address("aucasts://localhost/talk", secrets);
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().message.find("--push-tls-ca"), std::string::npos)
+      << wrong.error().message;
 }
 
 }  // namespace

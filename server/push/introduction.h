@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "common/link/link.h"
+#include "protocol/publish_session.h"
+
+namespace aucast::server {
+
+/// The beginning of a connection that brings a stream: carries a PublishSession out on a link.
+/// Thread: that of the link.
+class Introduction final : public link::LinkUser {
+ public:
+  /// Told once, as the last thing that is done with this object, which may be destroyed by it.
+  using OnAnswer = std::function<void(const protocol::PublishSession::Answer&)>;
+
+  Introduction(std::shared_ptr<link::Link> link, protocol::PublishSession session,
+               OnAnswer on_answer);
+  ~Introduction() override;
+  Introduction(const Introduction&) = delete;
+  Introduction& operator=(const Introduction&) = delete;
+
+  void start() { link_->start(*this); }
+  /// After it was taken: the link is for who goes on.
+  [[nodiscard]] std::shared_ptr<link::Link> release();
+
+ private:
+  void on_open() override;
+  void on_bytes(std::string_view bytes) override;
+  void on_peer_end() override;
+  void on_room() override {}
+  void on_time() override;
+  void on_closed(const link::Ending& ending) override;
+
+  void answer(const protocol::PublishSession::Answer& answer);
+
+  std::shared_ptr<link::Link> link_;  ///< nullptr: released
+  protocol::PublishSession session_;
+  OnAnswer on_answer_;
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,91 @@
+#include "server/push/pusher.h"
+
+#include <utility>
+#include <variant>
+
+#include "common/log.h"
+
+namespace aucast::server {
+
+using protocol::PublishSession;
+
+Pusher::Pusher(asio::io_context& io, DialledAddress to, std::string id, int held_back_max,
+               Hooks hooks)
+    : to_(std::move(to)),
+      id_(std::move(id)),
+      hooks_(std::move(hooks)),
+      redialler_(
+          io,
+          {to_.address.hosts, to_.tls, !to_.token.empty(), held_back_max,
+           [this] { return ready(); }},
+          [this] { return name(); },
+          [this](std::shared_ptr<link::Link> link) { introduce(std::move(link)); }) {}
+
+void Pusher::stop() {
+  redialler_.stop();
+  introduction_.reset();
+}
+
+/// While there is nothing to bring nobody is told so.
+bool Pusher::ready() const {
+  const auto catalogue = hooks_.catalogue(to_.address.stream);
+  const protocol::ServedStream& stream = catalogue->streams.front();
+  const auto live = stream.upstream ? stream.upstream->live : stream.live;
+  const auto recorded = stream.upstream ? stream.upstream->recorded : stream.recorded;
+  return live ? !live->ended() : recorded != nullptr;
+}
+
+std::string Pusher::name() const {
+  return "push " + hooks_.catalogue(to_.address.stream)->streams.front().known_name();
+}
+
+void Pusher::introduce(std::shared_ptr<link::Link> link) {
+  const std::string stream = hooks_.catalogue(to_.address.stream)->streams.front().known_name();
+  introduction_ = std::make_unique<Introduction>(
+      std::move(link), PublishSession({stream, to_.token, id_}),
+      [this](const PublishSession::Answer& answer) { on_answer(answer); });
+  introduction_->start();
+}
+
+void Pusher::on_answer(const PublishSession::Answer& answer) {
+  const auto introduction = std::move(introduction_);
+  if (const auto* failed = std::get_if<PublishSession::Failed>(&answer)) {
+    redialler_.failed(failed->reason);
+    return;
+  }
+  ++connects_;
+  serving_ = true;
+  spdlog::log(std::exchange(said_, true) ? spdlog::level::debug : spdlog::level::info,
+              "{}: taken by {}", name(), redialler_.peer());
+  hooks_.serve(
+      redialler_.peer(), hooks_.catalogue(to_.address.stream), introduction->release(),
+      std::get<PublishSession::Taken>(answer).bytes,
+      [this](const ClientRecord& record, const std::string& why) { on_served(record, why); });
+}
+
+void Pusher::on_served(const ClientRecord& record, const std::string& why) {
+  serving_ = false;
+  if (record.packets > 0) {
+    redialler_.worked();
+    said_ = false;
+  }
+  if (record.end_reason == protocol::name(protocol::CloseConnection::Why::Finished)) {
+    if (record.packets > 0) spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
+    redialler_.again_in(kOfferAgain);
+  } else {
+    ++losses_;
+    redialler_.failed(why);
+  }
+}
+
+PushStatus Pusher::status() const {
+  PushStatus status;
+  status.stream = hooks_.catalogue(to_.address.stream)->streams.front().known_name();
+  status.server = redialler_.peer();
+  status.sending = serving_;
+  status.connects = connects_;
+  status.losses = losses_;
+  return status;
+}
+
+}  // namespace aucast::server

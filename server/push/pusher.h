@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <asio/io_context.hpp>
+
+#include "common/link/link.h"
+#include "common/time.h"
+#include "protocol/server_session.h"
+#include "server/push/introduction.h"
+#include "server/status/stats.h"
+#include "server/status/status.h"
+#include "server/upstream/dialled_address.h"
+#include "server/upstream/redialler.h"
+
+namespace aucast::server {
+
+/// Brings a stream of this server to another one (--push): dials it, says so, and when it is taken
+/// serves that connection like any client's. Comes back for ever when it is lost or refused. A
+/// recorded stream that was sent whole is offered again now and then: a server that was restarted
+/// has forgotten it.
+/// Thread: that of the io_context, which must outlive it.
+class Pusher {
+ public:
+  static constexpr Milliseconds kOfferAgain{30'000};
+
+  using Catalogue = std::shared_ptr<const protocol::ServerCatalogue>;
+  using OnServed = std::function<void(const ClientRecord&, const std::string& why)>;
+  struct Hooks {
+    /// The stream that is brought, alone, under that name; empty: its own.
+    std::function<Catalogue(const std::string& name)> catalogue;
+    /// Serves it on the link, which is open and on which the bytes have come; tells its end.
+    std::function<void(std::string peer, Catalogue, std::shared_ptr<link::Link>, std::string_view,
+                       OnServed)>
+        serve;
+  };
+
+  /// `id`: of this server. `held_back_max`: of the links, as tcp_link() has it.
+  Pusher(asio::io_context& io, DialledAddress to, std::string id, int held_back_max, Hooks hooks);
+  ~Pusher() { stop(); }
+  Pusher(const Pusher&) = delete;
+  Pusher& operator=(const Pusher&) = delete;
+
+  void start() { redialler_.dial(); }
+  /// Dials no more. What is being served goes on.
+  void stop();
+
+  [[nodiscard]] PushStatus status() const;
+
+ private:
+  [[nodiscard]] bool ready() const;
+  [[nodiscard]] std::string name() const;
+  void introduce(std::shared_ptr<link::Link> link);
+  void on_answer(const protocol::PublishSession::Answer& answer);
+  void on_served(const ClientRecord& record, const std::string& why);
+
+  DialledAddress to_;
+  std::string id_;
+  Hooks hooks_;
+  Redialler redialler_;
+  std::unique_ptr<Introduction> introduction_;  ///< while the answer is waited for
+  bool serving_ = false;
+  bool said_ = false;  ///< that it is taken
+  std::uint64_t connects_ = 0;
+  std::uint64_t losses_ = 0;
+};
+
+}  // namespace aucast::server
