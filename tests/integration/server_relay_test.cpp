@@ -6,6 +6,7 @@
 
 #include "tests/integration/growing_table.h"
 #include "tests/integration/server_running.h"
+#include "tests/support/fault_proxy.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::test {
@@ -27,7 +28,7 @@ std::string address_of(const RunningTransmitter& server, const std::string& stre
 std::string whole(const RunningTransmitter& server, const std::string& hello) {
   std::string reply;
   RawClient client = say_hello(server, hello, reply);
-  client.send(std::string(1000, '1'));
+  client.send(std::string(4000, '1'));
   return reply + client.receive_all();
 }
 
@@ -60,6 +61,30 @@ TEST_F(ServerRelay, ARecordedStreamIsTheSameBytesBehindTwoRelays) {
     EXPECT_EQ(whole(second, hello), direct) << hello;
   }
   EXPECT_TRUE(logs(first, "talk: it is here whole")) << first.log();
+}
+
+TEST_F(ServerRelay, ARecordedStreamLosesAndDoublesNothingWhenItsParentIsKilledMidway) {
+  RunningTransmitter first({stream_file("talk.txt")});
+  RunningTransmitter second({stream_file("talk.txt")});
+  // Slow, so that there is a midway.
+  FaultProxy slow(first.address(), {.kilobits = 100}, 1);
+  RunningTransmitter relay({"aucast://" + slow.address() + "," + second.address() + "/talk"});
+  ASSERT_TRUE(logs(relay, "talk: recorded, from " + slow.address())) << relay.log();
+  // Full packets: where the next parent goes on, the first one is no change of the one before.
+  const char* const hello = "{hello v=2 window=64 stream=talk}";
+  std::string begin;
+  RawClient client = say_hello(relay, hello, begin);
+  client.send(std::string(4000, '1'));
+  begin += client.receive(2000);
+  first.process().signal(SIGKILL);
+  const std::string all = begin + client.receive_all();
+  EXPECT_TRUE(logs(relay, "talk: goes on with " + second.address() + " where it was cut off"))
+      << relay.log();
+  const std::string direct = whole(second, hello);
+  EXPECT_TRUE(direct.ends_with(kEnd));
+  EXPECT_EQ(all.size(), direct.size());
+  EXPECT_TRUE(all == direct);
+  EXPECT_TRUE(whole(relay, hello) == direct) << "what it has kept";
 }
 
 TEST_F(ServerRelay, AClassicClientOfARelayGetsClassicPackets) {
