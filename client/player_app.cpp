@@ -69,11 +69,14 @@ Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& optio
 }
 
 Result<std::unique_ptr<playback::Playback>> open_remote(const PlaybackOptions& options,
-                                                        const SourcePlayback::Options& how) {
+                                                        const SourcePlayback::Options& how,
+                                                        bool captions) {
   const auto endpoint = net::parse_endpoint(options.endpoint);
   if (!endpoint) return endpoint.error();
+  net::RemoteOptions remote = remote_options(options, *endpoint);
+  remote.captions = captions;
   return std::unique_ptr<playback::Playback>(std::make_unique<SourcePlayback>(
-      std::make_unique<net::RemoteSource>(remote_options(options, *endpoint)), how));
+      std::make_unique<net::RemoteSource>(std::move(remote)), how));
 }
 
 /// The sound file beside the stream file that is played without a window; null: none.
@@ -132,7 +135,7 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
   auto track = open_track(options);
   if (!track) return track.error();
   if (!options.playback.endpoint.empty()) {
-    auto opened = open_remote(options.playback, how);
+    auto opened = open_remote(options.playback, how, !options.headless);
     if (!opened) return opened.error();
     playback = std::move(*opened);
   }

@@ -143,7 +143,7 @@ struct KeyHelp {
   const char* key;
   const char* meaning;
 };
-constexpr std::array<KeyHelp, 23> kKeys = {{
+constexpr std::array<KeyHelp, 26> kKeys = {{
     {"Space", "pause and resume"},
     {"Left, Right", "5 s back, on (files)"},
     {"Home, End", "to the beginning, the end"},
@@ -152,6 +152,9 @@ constexpr std::array<KeyHelp, 23> kKeys = {{
     {"[ ]", "slower, faster"},
     {"l", "loop: begin, end, none"},
     {"L", "repeat the whole file"},
+    {"m", "no sound, sound"},
+    {"9, 0", "softer, louder"},
+    {"c", "captions and title over the face"},
     {"o", "open a stream file or a table"},
     {"Tab", "hide and show the panel"},
     {"h", "the face alone"},
@@ -316,6 +319,7 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
     transport_bar(state_->look, model, free, commands);
     welcome(state_->look, model, free, commands);
   }
+  captions(state_->look, model, free);
   notices(state_->look, model, free, state_->notice, commands);
   file_dialog(state_->look, model, state_->file, commands);
   if (state_->keys) key_list(state_->look, free, state_->keys);

@@ -96,16 +96,30 @@ struct TakePicture {};
 /// Begins a video of what is shown, or ends it.
 struct ToggleVideo {};
 
+struct SetVolume {
+  int percent = 100;
+};
+struct ToggleMute {};
+/// Looks which devices there are.
+struct ListDevices {};
+/// The sound goes there from now on; empty: to the usual one.
+struct ChooseDevice {
+  std::string name;
+};
+struct ToggleCaptions {};
+/// About what is heard and read.
+using SoundCommand = std::variant<SetVolume, ToggleMute, ListDevices, ChooseDevice, ToggleCaptions>;
+
 /// About what plays.
 using PlaybackCommand = std::variant<Connect, Pause, Resume, Stop, LocalCommand>;
 /// About the face of the expression panel.
 using EditorCommand = std::variant<ShowExpression, ChangeTransition, SetChannel, SetLinked, LoadAu,
                                    SaveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
-using GuiCommand =
-    std::variant<PlaybackCommand, EditorCommand, ComposerCommand, ChangeAnimation, ChangeRendering,
-                 AskStreams, LookFrom, Leave, Browse, EnterFolder, ChooseFile, ChangeTable,
-                 BeginWithFace, CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
+using GuiCommand = std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand,
+                                ChangeAnimation, ChangeRendering, AskStreams, LookFrom, Leave,
+                                Browse, EnterFolder, ChooseFile, ChangeTable, BeginWithFace,
+                                CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

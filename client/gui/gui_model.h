@@ -181,6 +181,26 @@ struct Notice {
   friend bool operator==(const Notice&, const Notice&) = default;
 };
 
+/// What is heard, and where.
+struct SoundView {
+  bool there = false;  ///< a device plays
+  int volume = 100;    ///< percent
+  bool muted = false;
+  int level_percent = 0;  ///< how loud what plays is, volume and mute left out: 100 is the most
+                          ///< there can be, 0 is 48 dB below
+  std::string device;     ///< the one that was chosen; empty: the usual one
+  std::vector<std::string> devices;  ///< what there is to choose from
+  friend bool operator==(const SoundView&, const SoundView&) = default;
+};
+
+/// What is said, in writing.
+struct SpokenView {
+  std::string title;    ///< of the stream; empty: it has none
+  std::string caption;  ///< of this moment, UTF-8; empty: nothing is said
+  bool shown = true;    ///< over the face
+  friend bool operator==(const SpokenView&, const SpokenView&) = default;
+};
+
 /// The streams of the server whose address is in the form.
 struct StreamsView {
   bool asking = false;
@@ -211,6 +231,8 @@ struct GuiModel {
   StreamsView streams;
   RemoteView remote;
   LocalView local;
+  SoundView sound;
+  SpokenView spoken;
   TableSettings table;
   std::string sample;                     ///< a stream file that shows what there is; empty: none
   std::vector<std::string> recent_files;  ///< the last one first

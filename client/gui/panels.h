@@ -63,6 +63,12 @@ void file_part(const GuiModel& model, GuiCommands& commands);
 /// Pictures, video and stream files of what is played.
 void record_part(const GuiModel& model, GuiCommands& commands);
 
+/// What the remote player's panel says about sound: volume, level, device; nothing where there is
+/// no device.
+void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands);
+/// Over the face: the stream's title above, what is being said below.
+void captions(const Look& look, const GuiModel& model, float width);
+
 /// What was read and clicked away.
 struct NoticeForm {
   std::string trouble;

@@ -231,6 +231,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
   server(look, model, form, commands);
   file_part(model, commands);
   record_part(model, commands);
+  sound_part(look, model, commands);
   if (!model.remote.local) buffers(look, model, form);
   animation(look, model, commands);
   action_units(look, model);

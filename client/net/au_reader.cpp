@@ -16,6 +16,9 @@ using playback::TimedAus;
 using protocol::SessionFailed;
 
 constexpr std::size_t kWindowAsked = 64;
+/// Answers wait so long for each other, and until so much of the window is owed.
+constexpr Milliseconds kAnswersLate{250};
+constexpr std::size_t kWindowPartOwed = 4;
 
 /// `answers`: without, the window is 0.
 protocol::ClientSessionOptions session_options(const AuReaderOptions& options, bool negotiate,
@@ -113,13 +116,18 @@ Reaction AuReader::time(Instant now) {
   Reaction reaction;
   if (!waiting_.empty()) return reaction;
   react(session_.on_time(now), reaction, now);
+  answer(reaction.send);
   return reaction;
 }
 
 std::optional<Instant> AuReader::deadline() const {
   // What waits for room is not silence of the server's.
   if (status_.end != EndReason::NotEnded || !waiting_.empty()) return std::nullopt;
-  return session_.deadline();
+  auto deadline = session_.deadline();
+  if (gathers_answers()) {
+    deadline = std::min(deadline.value_or(Instant::max()), owed_since_ + kAnswersLate);
+  }
+  return deadline;
 }
 
 Reaction AuReader::unreachable(std::string reason) {
@@ -220,7 +228,7 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   keyframe.span = time;
   if (status_.live) note_live(event, keyframe);
 
-  ++owed_;
+  if (owed_++ == 0) owed_since_ = now_;
   if (!settled_ && negotiate_ && !negotiated() && !first_) {
     first_ = keyframe;
   } else {
@@ -347,7 +355,16 @@ void AuReader::answer_classic(std::string& send) {
   }
 }
 
+/// Each answer that goes alone has the server's system acknowledge it: with a voice, which goes
+/// over thin links, several go at once.
+bool AuReader::gathers_answers() const {
+  const auto window = static_cast<std::size_t>(std::max(session_.window(), 0));
+  return status_.voice && negotiated() && !user_paused_ && !session_.paused() && kept_.empty() &&
+         owed_ > 0 && owed_ < window / kWindowPartOwed && now_ < owed_since_ + kAnswersLate;
+}
+
 void AuReader::answer_negotiated(std::string& send) {
+  if (gathers_answers()) return;
   const bool hold = user_paused_ || !kept_.empty();
   // First the pause, then the answers: the other way round each answer would let one more packet
   // go than there is room for.
@@ -416,6 +433,7 @@ bool AuReader::ready() const {
 bool AuReader::has_words() const {
   if (status_.end != EndReason::NotEnded || !status_.connected) return false;
   if (!waiting_.empty() && digests()) return true;
+  if (gathers_answers()) return false;
   if (negotiated()) return owed_ > 0 || session_.paused() != (user_paused_ || !kept_.empty());
   if (user_paused_) return !session_.paused() && owed_ > 0;
   if (!kept_.empty() || !session_.paused()) return owed_ > (kept_.empty() ? 0 : 1);

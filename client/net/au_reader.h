@@ -127,6 +127,7 @@ class AuReader {
   void answer(std::string& send);
   void answer_classic(std::string& send);
   void answer_negotiated(std::string& send);
+  [[nodiscard]] bool gathers_answers() const;
   void say_pause(std::string& send);
   void say_resume(std::string& send);
   [[nodiscard]] bool negotiated() const;
@@ -144,6 +145,7 @@ class AuReader {
   std::deque<playback::TimedAus> kept_;      ///< case A: came when both buffers were full
   std::string waiting_;                      ///< received bytes that wait for room in kept_
   std::size_t owed_ = 0;                     ///< keyframes not yet answered by `1` or -3
+  Instant owed_since_{};
   bool user_paused_ = false;
   bool stopped_ = false;           ///< by leave()
   playback::SourceStatus status_;  ///< without what status() asks the other members for

@@ -29,9 +29,9 @@ std::string peer_names(const RemoteOptions& options) {
 }
 
 AuReaderOptions reader_options(const RemoteOptions& options) {
-  return {peer_names(options),     options.classic,        options.stream,
-          options.connect_timeout, options.buffers,        options.speed,
-          options.reconnect,       options.security.token, options.voice};
+  return {peer_names(options), options.classic, options.stream,    options.connect_timeout,
+          options.buffers,     options.speed,   options.reconnect, options.security.token,
+          options.voice,       options.captions};
 }
 
 }  // namespace
@@ -141,6 +141,10 @@ std::optional<playback::TimedAus> RemoteSource::take() {
   });
   if (speak) network_->post_speak();
   return keyframe;
+}
+
+std::optional<playback::Caption> RemoteSource::take_caption() {
+  return network_->reader.with([](AuReader& reader) { return reader.take_caption(); });
 }
 
 std::optional<playback::Voice> RemoteSource::take_voice() {

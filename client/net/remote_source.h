@@ -35,7 +35,8 @@ struct RemoteOptions {
   /// s, until stop().
   bool reconnect = false;
   Security security{};
-  bool voice = false;  ///< ask for the stream's voice
+  bool voice = false;     ///< ask for the stream's voice
+  bool captions = false;  ///< ask for its captions
   /// Called on the network thread when something changed, to the end of the source's life; may only
   /// unblock the player (mpv's wakeup). May be empty.
   std::function<void()> wakeup;
@@ -53,6 +54,7 @@ class RemoteSource final : public playback::KeyframeSource {
 
   [[nodiscard]] std::optional<playback::TimedAus> take() override;
   [[nodiscard]] std::optional<playback::Voice> take_voice() override;
+  [[nodiscard]] std::optional<playback::Caption> take_caption() override;
   [[nodiscard]] bool ready() const override;
   bool wait_until(Instant until) override;
   [[nodiscard]] playback::SourceStatus status() const override;

@@ -82,6 +82,8 @@ Key key_of(int code, int modifiers) {
       return control ? Key::Save : Key::S;
     case GLFW_KEY_V:
       return Key::V;
+    case GLFW_KEY_C:
+      return control ? Key::None : Key::C;
     case GLFW_KEY_Z:
       if (!control) return Key::None;
       return (modifiers & GLFW_MOD_SHIFT) != 0 ? Key::Redo : Key::Undo;

@@ -39,6 +39,7 @@ enum class Key : int {
   H,
   O,
   V,
+  C,
   Mute,
   Quieter,
   Louder,

@@ -123,6 +123,7 @@ void SoundPlayer::advanced() {
   }
   samples_.resize(static_cast<std::size_t>(due));
   mixer_->mix(passing, samples_);
+  if (tap_) tap_(*steady_ + (moment_of(written_) - shown_), samples_);
   out_->write(samples_);
   written_ += due;
   starved_ = false;

@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "client/playback/playback.h"
@@ -44,6 +47,10 @@ class SoundPlayer {
 
   /// Sound goes there from the next now() on, in place of where it went before; null: nowhere.
   void set_out(std::unique_ptr<SoundOut> out);
+  /// All that is written goes there too, from now on: the samples, and when, by the steady clock,
+  /// the first of them will be heard. Empty: nowhere.
+  using Tap = std::function<void(Instant heard_at, std::span<const float> samples)>;
+  void set_tap(Tap tap) { tap_ = std::move(tap); }
   /// Something else plays from now on, which may bring a track of its own; it must outlive this or
   /// the next open().
   void open(playback::Playback* playback, SoundTrack* track = nullptr);
@@ -85,6 +92,7 @@ class SoundPlayer {
   std::unique_ptr<VoiceTrack> voice_;
   std::unique_ptr<SoundMixer> mixer_;
   std::vector<float> samples_;
+  Tap tap_;
   HeardLine line_;
   OffsetMeter offsets_;
   SoundCounts before_;  ///< of what was opened before

@@ -1,6 +1,7 @@
 #include "client/app/window/playback_session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -12,6 +13,7 @@
 #include "client/gui/kept_settings.h"
 #include "client/gui/view_text.h"
 #include "client/net/remote_source.h"
+#include "client/sound/openal_out.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 #include "common/text.h"
@@ -66,8 +68,10 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
       buffers_(options.playback.buffers),
       player_(mapping, options.playback.interpolation),
       meter_(stats),
+      device_(options.sound.device.value_or("default")),
       volume_(options.sound.volume),
       muted_(options.sound.mute) {
+  if (device_ == "default") device_.clear();
   sound_.set_volume(volume_);
   sound_.set_muted(muted_);
 }
@@ -90,6 +94,8 @@ void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::st
   retired_ = std::exchange(playback_, std::move(playback));
   sound_.open(playback_.get());
   track_.reset();
+  spoken_.begin_again();
+  file_.clear();
   delay_.clear();
   name_ = std::move(name);
   player_.set_face(shown_);
@@ -125,6 +131,9 @@ Result<net::RemoteOptions> PlaybackSession::server_of(const gui::RemoteSettings&
   if (settings.speed_ms > 0) remote.speed = Milliseconds(settings.speed_ms);
   remote.reconnect = settings.reconnect || !remote.others.empty();
   remote.stream = settings.stream;
+  // A device may have been plugged in, or chosen, since.
+  remote.voice = options.voice || heard_;
+  remote.captions = true;
   remote.security = *std::move(security);
   remote.buffers.receiver_capacity = static_cast<std::size_t>(settings.buffer);
   remote.buffers.playout_capacity = static_cast<std::size_t>(settings.playout);
@@ -154,6 +163,10 @@ void PlaybackSession::advance(Instant now) {
   const bool first =
       meter_.advance(player_, at, [this](const playback::KeyframeBegun& one) { begun(one); });
   sound_.advanced();
+  if (const auto passing = playback_->passing()) {
+    const double ahead = seconds(at - sound_.shown()) * passing->speed;
+    spoken_.move_to(*playback_, passing->place - Duration(std::llround(ahead * 1e9)));
+  }
   if (sound_.sounds()) delay_.add(at, player_.face().activations);
   if (sound_.take_loss()) {
     notices_.say("the sound device plays no more", true, now);
@@ -180,9 +193,18 @@ void PlaybackSession::set_sound(std::unique_ptr<sound::SoundOut> out) {
   sound_.set_out(std::move(out));
 }
 
-void PlaybackSession::play_sound_beside(const std::filesystem::path& file, Instant now) {
-  if (!heard_ || seekable() == nullptr) return;
-  auto track = open_sound_beside(file);
+void PlaybackSession::play_beside(const std::filesystem::path& file, Instant now) {
+  if (file.empty() || seekable() == nullptr) return;
+  file_ = file;
+  if (const auto read = spoken_.read_beside(file); !read) {
+    notices_.say(read.error().message, true, now);
+  }
+  play_sound_beside(now);
+}
+
+void PlaybackSession::play_sound_beside(Instant now) {
+  if (!heard_ || file_.empty() || track_ != nullptr) return;
+  auto track = open_sound_beside(file_);
   if (!track) {
     notices_.say(track.error().message, true, now);
     return;
@@ -190,6 +212,54 @@ void PlaybackSession::play_sound_beside(const std::filesystem::path& file, Insta
   if (*track == nullptr) return;
   sound_.open(playback_.get(), track->get());
   track_ = std::move(*track);
+}
+
+void PlaybackSession::apply(const gui::SoundCommand& command, Instant now) {
+  const Overloaded carry_out{
+      [&](const gui::SetVolume& one) { change_volume(one.percent - volume_, now); },
+      [&](const gui::ToggleMute&) { toggle_mute(now); },
+      [&](const gui::ListDevices&) { devices_ = sound::sound_devices(); },
+      [&](const gui::ChooseDevice& one) { choose_device(one.name, now); },
+      [&](const gui::ToggleCaptions&) {
+        shows_spoken_ = !shows_spoken_;
+        notices_.say(shows_spoken_ ? "with captions" : "without captions", false, now);
+      }};
+  std::visit(carry_out, command);
+}
+
+/// There is one device at a time: the one before is closed first.
+void PlaybackSession::choose_device(const std::string& name, Instant now) {
+  set_sound(nullptr);
+  auto out = sound::open_sound_device(name);
+  if (!out) {
+    notices_.say(out.error().message, true, now);
+    out = sound::open_sound_device(device_);
+    if (!out) return;
+  } else {
+    device_ = name;
+  }
+  set_sound(std::move(*out));
+  play_sound_beside(now);
+}
+
+gui::SoundView PlaybackSession::sound_view() const {
+  /// Of the meter, in decibels.
+  constexpr double kRange = 48;
+  gui::SoundView view;
+  view.there = heard_;
+  view.volume = volume_;
+  view.muted = muted_;
+  if (const float level = sound_.level(); level > 0) {
+    const double part = 1 + 20 * std::log10(static_cast<double>(level)) / kRange;
+    view.level_percent = static_cast<int>(std::lround(100 * std::clamp(part, 0.0, 1.0)));
+  }
+  view.device = device_;
+  view.devices = devices_;
+  return view;
+}
+
+gui::SpokenView PlaybackSession::spoken_view() const {
+  return {spoken_.title(), spoken_.caption(), shows_spoken_};
 }
 
 void PlaybackSession::toggle_mute(Instant now) {

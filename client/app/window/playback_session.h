@@ -9,6 +9,7 @@
 #include "client/app/player_options.h"
 #include "client/app/window/notices.h"
 #include "client/app/window/playback_history.h"
+#include "client/app/window/spoken_text.h"
 #include "client/gui/composer.h"
 #include "client/gui/gui_commands.h"
 #include "client/net/remote_source.h"
@@ -33,8 +34,15 @@ class PlaybackSession {
   void open(std::vector<playback::TimedAus> keyframes, std::string name, Instant now);
   /// The sound of what plays goes there; null: nowhere.
   void set_sound(std::unique_ptr<sound::SoundOut> out);
-  /// What plays was read from this file: the sound file beside it, if there is one, is its sound.
-  void play_sound_beside(const std::filesystem::path& file, Instant now);
+  /// What plays was read from this file: the sound file and the captions beside it, if there are
+  /// any, belong to it.
+  void play_beside(const std::filesystem::path& file, Instant now);
+  /// What it makes of a sound command, and what the panels show of sound and captions.
+  void apply(const gui::SoundCommand& command, Instant now);
+  [[nodiscard]] gui::SoundView sound_view() const;
+  [[nodiscard]] gui::SpokenView spoken_view() const;
+  /// SoundPlayer's.
+  void set_sound_tap(sound::SoundPlayer::Tap tap) { sound_.set_tap(std::move(tap)); }
   void toggle_mute(Instant now);
   /// By so many percent.
   void change_volume(int by, Instant now);
@@ -83,6 +91,8 @@ class PlaybackSession {
   void begun(const playback::KeyframeBegun& keyframe);
   void explain();
   void remember(Instant now);
+  void play_sound_beside(Instant now);
+  void choose_device(const std::string& name, Instant now);
   void describe_traffic(const playback::SourceStatus& status, gui::RemoteView& view) const;
   [[nodiscard]] std::vector<gui::AuRow> au_rows() const;
 
@@ -102,6 +112,11 @@ class PlaybackSession {
   std::unique_ptr<sound::SoundTrack> track_;  ///< what is played brings it; null: its voice
   sound::SoundPlayer sound_{nullptr};
   pipeline::FaceDelay delay_;
+  std::string device_;                ///< that was chosen; empty: the usual one
+  std::vector<std::string> devices_;  ///< to choose from
+  std::filesystem::path file_;        ///< that what plays was read from; empty: none
+  SpokenText spoken_;
+  bool shows_spoken_ = true;
   int volume_;
   bool muted_;
   std::unique_ptr<playback::Playback> retired_;  ///< saying its last words

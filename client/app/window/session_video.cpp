@@ -24,12 +24,15 @@ Result<std::unique_ptr<SessionVideo>> SessionVideo::open(const std::filesystem::
                                                          int width, int height, Instant begin) {
   auto encoder = view::VideoEncoder::open(file, width, height, kFps);
   if (!encoder) return encoder.error();
+  auto sound = SessionSound::open(file, begin);
+  if (!sound) return sound.error();
   std::unique_ptr<SessionVideo> video(new SessionVideo);
   video->file_ = file;
   video->width_ = width;
   video->height_ = height;
   video->begin_ = begin;
   video->encoder_ = std::move(*encoder);
+  video->sound_ = std::move(*sound);
   return video;
 }
 
@@ -46,7 +49,9 @@ Result<void> SessionVideo::show(const view::Image& picture, Instant now) {
 }
 
 Result<std::string> SessionVideo::finish() {
-  if (auto finished = encoder_->finish(); !finished) return finished.error();
+  const auto sound = sound_->file();
+  if (!sound) return sound.error();
+  if (auto finished = encoder_->finish(*sound); !finished) return finished.error();
   return "video saved: " + std::filesystem::absolute(file_).lexically_normal().string();
 }
 

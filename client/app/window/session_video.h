@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
+#include "client/app/window/session_sound.h"
 #include "client/view/image.h"
 #include "client/view/video_encoder.h"
 #include "common/result.h"
@@ -21,7 +23,7 @@ namespace aucast::app {
 /// window is drawn irregularly; the pictures of a video are equally spaced in time.
 [[nodiscard]] std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written);
 
-/// A video of what the window shows, as it happens.
+/// A video of what the window shows, as it happens, with what is heard.
 class SessionVideo {
  public:
   static constexpr int kFps = 25;
@@ -37,6 +39,8 @@ class SessionVideo {
   [[nodiscard]] bool due(Instant now) const;
   /// Adds the picture as many times as pictures are missing at `now`; not at all unless due().
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
+  /// SessionSound's.
+  void hear(Instant heard_at, std::span<const float> samples) { sound_->add(heard_at, samples); }
   /// Completes the file. Returns a sentence for the user that says where it is.
   [[nodiscard]] Result<std::string> finish();
 
@@ -49,6 +53,7 @@ class SessionVideo {
   Instant begin_{};
   std::uint64_t written_ = 0;
   std::unique_ptr<view::VideoEncoder> encoder_;
+  std::unique_ptr<SessionSound> sound_;
 };
 
 }  // namespace aucast::app

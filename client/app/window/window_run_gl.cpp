@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "client/app/film/face_view.h"
@@ -65,7 +66,10 @@ class WindowRun {
         settings_(settings),
         stats_(stats),
         session_(assets, options, std::move(playback), stats) {
+    const bool heard = out != nullptr;
     session_.set_sound(std::move(out), steady_now());
+    // What there is shows that something could be heard.
+    if (!heard) session_.apply(gui::SoundCommand(gui::ListDevices{}), steady_now());
     session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
     kept_addresses_ = session_.recent();
     start_times_.passed("session");
@@ -215,6 +219,8 @@ class WindowRun {
         return carry_out(gui::Browse{gui::Purpose::PlayStream});
       case Key::V:
         return toggle_video();
+      case Key::C:
+        return carry_out(gui::SoundCommand(gui::ToggleCaptions{}));
       case Key::Mute:
         return session_.toggle_mute(steady_now());
       case Key::Quieter:
@@ -303,9 +309,13 @@ class WindowRun {
     if (!video) return complain(video.error());
     video_ = std::move(*video);
     session_.set_recording(video_->file().filename().string());
+    session_.set_sound_tap([this](Instant heard_at, std::span<const float> samples) {
+      video_->hear(heard_at, samples);
+    });
   }
 
   void end_video() {
+    session_.set_sound_tap({});
     const std::unique_ptr<SessionVideo> video = std::move(video_);
     session_.set_recording({});
     const auto finished = video->finish();
@@ -318,6 +328,7 @@ class WindowRun {
     const auto image = picture(video_->width(), video_->height(), Sharpness::Film);
     const auto shown = image ? video_->show(*image, steady_now()) : Result<void>(image.error());
     if (shown) return;
+    session_.set_sound_tap({});
     video_.reset();
     session_.set_recording({});
     complain(shown.error());

@@ -87,7 +87,7 @@ gui::KeptSettings WindowSession::kept() const {
 
 void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now) {
   playback_.set_sound(std::move(out));
-  playback_.play_sound_beside(options_.playback.file, now);
+  playback_.play_beside(options_.playback.file, now);
 }
 
 // === The face.
@@ -149,6 +149,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::PlaybackCommand& one) {
         if (playback_.apply(one, now)) shown_ = Shown::Playback;
       },
+      [&](const gui::SoundCommand& one) { playback_.apply(one, now); },
       [&](const gui::EditorCommand& one) {
         if (editor_.apply(one, now)) show_edited(Shown::Editor, now);
         if (gui::command_if<gui::SaveAu>(one) && !editor_.view().save_failed) {
@@ -271,7 +272,7 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   last_folder_ = folder_of(file);
   gui::remember_file(recent_files_, whole_path(file));
   playback_.open(std::move(opened->keyframes), file.filename().string(), now);
-  playback_.play_sound_beside(file, now);
+  playback_.play_beside(file, now);
   shown_ = Shown::Playback;
   return {};
 }
@@ -336,6 +337,8 @@ gui::GuiModel WindowSession::model() const {
   model.remote.stale = model.remote.stale && shown_ == Shown::Playback;
   model.remote.eased = model.remote.eased && shown_ == Shown::Playback;
   model.local = playback_.local_view();
+  model.sound = playback_.sound_view();
+  model.spoken = playback_.spoken_view();
   model.table = table_;
   model.sample = sample_;
   model.recent_files = recent_files_;

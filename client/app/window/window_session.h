@@ -42,6 +42,7 @@ class WindowSession {
   /// What plays is heard there from now on; null: nowhere.
   void set_sound(std::unique_ptr<sound::SoundOut> out, Instant now);
   void toggle_mute(Instant now) { playback_.toggle_mute(now); }
+  void set_sound_tap(sound::SoundPlayer::Tap tap) { playback_.set_sound_tap(std::move(tap)); }
   /// By so many percent.
   void change_volume(int by, Instant now) { playback_.change_volume(by, now); }
   /// The face of activations() is on the display.

@@ -146,5 +146,34 @@ TEST_F(ReaderVoice, WhatNobodyTakesHasALimit) {
   EXPECT_EQ(taken, fit);
 }
 
+TEST_F(ReaderVoice, AnswersWaitForEachOtherWhereThereIsAVoice) {
+  connect("voice=opus");
+  EXPECT_EQ(reader_.received("{12:50;40}{12:60;40}", clock_.now()).send, "");
+  EXPECT_FALSE(reader_.has_words());
+  const Instant since = clock_.now();
+  ASSERT_TRUE(reader_.deadline());
+  EXPECT_LE(*reader_.deadline() - since, 250ms);
+  clock_.advance(100ms);
+  EXPECT_EQ(reader_.received("{12:50;40}", clock_.now()).send, "");
+  clock_.advance(150ms);
+  EXPECT_EQ(reader_.time(clock_.now()).send, "111");
+  std::string many;
+  for (int i = 0; i < 16; ++i) many += i % 2 == 0 ? "{12:50;40}" : "{12:60;40}";
+  EXPECT_EQ(reader_.received(many, clock_.now()).send, std::string(16, '1'))
+      << "a quarter of the window is not kept waiting";
+}
+
+TEST_F(ReaderVoice, APauseTakesTheAnswersWithIt) {
+  connect("voice=opus");
+  EXPECT_EQ(reader_.received("{12:50;40}", clock_.now()).send, "");
+  reader_.set_paused(true);
+  EXPECT_EQ(reader_.speak(clock_.now()).send, "-11");
+}
+
+TEST_F(ReaderVoice, WithoutAVoiceAnAnswerGoesAtOnce) {
+  connect("");
+  EXPECT_EQ(reader_.received("{12:50;40}", clock_.now()).send, "1");
+}
+
 }  // namespace
 }  // namespace aucast::net

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "client/playback/playback.h"
 #include "tests/unit/playback/scripted_source.h"
@@ -38,6 +40,7 @@ class SoundPlayerTest : public ::testing::Test {
       TimedAus keyframe;
       keyframe.duration = Milliseconds(40);
       keyframe.place = place_ += Milliseconds(40);
+      keyframe.span = Milliseconds(40);
       source_->keyframes.push_back(keyframe);
     }
   }
@@ -277,12 +280,37 @@ TEST_F(SoundPlayerTest, LiveKeyframesAreDueByTheClockOfTheSound) {
     TimedAus keyframe;
     keyframe.duration = Milliseconds(40);
     keyframe.place = place_ += Milliseconds(40);
+    keyframe.span = Milliseconds(40);
     keyframe.arrived = steady_;
     source_->keyframes.push_back(keyframe);
   }
   ticks(200);
   ASSERT_GT(playback_->delays().all().keyframes, 0U);
   EXPECT_GE(playback_->delays().all().median, SoundPlayer::kLeadMin);
+}
+
+TEST_F(SoundPlayerTest, WhatIsWrittenGoesToTheTapWithWhenItIsHeard) {
+  std::vector<std::pair<Instant, std::size_t>> tapped;
+  std::int64_t first = 0;
+  player_.open(playback_.get(), &counting_);
+  keyframes(1000);
+  ticks(200);
+  first = static_cast<std::int64_t>(crank_.written.size());
+  player_.set_tap([&](Instant heard_at, std::span<const float> samples) {
+    tapped.emplace_back(heard_at, samples.size());
+  });
+  ticks(50);
+  player_.set_tap({});
+  ticks(10);
+  ASSERT_GT(tapped.size(), 40U);
+  std::int64_t sample = first;
+  for (const auto& [heard_at, count] : tapped) {
+    // The crank turns as fast as the steady clock does.
+    const Duration until = std::chrono::nanoseconds((sample - crank_.heard) * 1'000'000 / 48);
+    EXPECT_NEAR(seconds(heard_at - steady_), seconds(until), 0.002);
+    sample += static_cast<std::int64_t>(count);
+  }
+  EXPECT_LT(sample, static_cast<std::int64_t>(crank_.written.size()));
 }
 
 }  // namespace

@@ -1,0 +1,130 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr float kMeterHeight = 8;
+/// Above these parts of the meter it is loud, and as loud as can be.
+constexpr float kLoud = 0.75F;
+constexpr float kTooLoud = 0.94F;
+constexpr float kCaptionMargin = 24;
+constexpr float kCaptionWidthMax = 640;
+constexpr const char* kUsualDevice = "the usual one";
+
+/// A bar from soft to loud, green, amber and red.
+void level_meter(const Look& look, int percent) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = kMeterHeight * look.scale;
+  ImGui::Dummy(ImVec2(width, ImGui::GetFrameHeight()));
+  at.y += (ImGui::GetFrameHeight() - height) / 2;
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("how loud what plays is, before the volume");
+  const float rounding = 2 * look.scale;
+  list.AddRectFilled(at, ImVec2(at.x + width, at.y + height), ImGui::GetColorU32(ImGuiCol_FrameBg),
+                     rounding);
+  const float level = static_cast<float>(std::clamp(percent, 0, 100)) / 100;
+  struct Part {
+    float from;
+    float to;
+    Tone tone;
+  };
+  constexpr std::array<Part, 3> kParts = {
+      {{0, kLoud, Tone::Good}, {kLoud, kTooLoud, Tone::Waiting}, {kTooLoud, 1, Tone::Bad}}};
+  for (const Part& part : kParts) {
+    if (level <= part.from) break;
+    list.AddRectFilled(ImVec2(at.x + width * part.from, at.y),
+                       ImVec2(at.x + width * std::min(level, part.to), at.y + height),
+                       colour_of(part.tone), part.from == 0 ? rounding : 0);
+  }
+}
+
+void device_choice(const Look& look, const SoundView& sound, GuiCommands& commands) {
+  label(look, "Device");
+  const char* shown = sound.device.empty() ? kUsualDevice : sound.device.c_str();
+  if (!ImGui::BeginCombo("##device", shown)) return;
+  if (ImGui::IsWindowAppearing()) commands.push_back(SoundCommand(ListDevices{}));
+  if (ImGui::Selectable(kUsualDevice, sound.device.empty())) {
+    commands.push_back(SoundCommand(ChooseDevice{}));
+  }
+  for (const std::string& device : sound.devices) {
+    if (ImGui::Selectable(device.c_str(), device == sound.device)) {
+      commands.push_back(SoundCommand(ChooseDevice{device}));
+    }
+  }
+  ImGui::EndCombo();
+}
+
+/// Text over the face, its middle at `x`; `anchor`: 0, `y` is its upper edge, 1, its lower.
+void written(const Look& look, const char* id, const std::string& text, float x, float y,
+             float anchor, float room) {
+  ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, ImVec2(0.5F, anchor));
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize |
+      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus;
+  ImGui::SetNextWindowBgAlpha(0.72F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * look.scale, 7 * look.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * look.scale);
+  if (ImGui::Begin(id, nullptr, kFlags)) {
+    ImGui::PushTextWrapPos(std::min(room, kCaptionWidthMax * look.scale));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace
+
+void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) {
+  const SoundView& sound = model.sound;
+  if (sound.there || !sound.devices.empty()) {
+    heading(look, "Sound");
+    label(look, "Volume");
+    const float mute_width = 64 * look.scale;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - mute_width -
+                            ImGui::GetStyle().ItemSpacing.x);
+    int volume = sound.volume;
+    if (ImGui::SliderInt("##volume", &volume, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp)) {
+      commands.push_back(SoundCommand(SetVolume{volume}));
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("softer and louder (9 and 0)");
+    ImGui::SameLine();
+    if (ImGui::Button(sound.muted ? "Unmute" : "Mute", ImVec2(mute_width, 0))) {
+      commands.push_back(SoundCommand(ToggleMute{}));
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("no sound, sound (m)");
+    label(look, "Level");
+    level_meter(look, sound.level_percent);
+    device_choice(look, sound, commands);
+  }
+  if (model.spoken.title.empty() && model.spoken.caption.empty() && model.spoken.shown) return;
+  bool shown = model.spoken.shown;
+  label(look, "Captions");
+  if (ImGui::Checkbox("and title over the face", &shown)) {
+    commands.push_back(SoundCommand(ToggleCaptions{}));
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("c");
+}
+
+void captions(const Look& look, const GuiModel& model, float width) {
+  const SpokenView& spoken = model.spoken;
+  if (!spoken.shown || model.editor.active || model.composer.active) return;
+  const float margin = kCaptionMargin * look.scale;
+  const float room = std::max(width - 4 * margin, 120 * look.scale);
+  if (!spoken.title.empty()) {
+    written(look, "title", spoken.title, width / 2, margin, 0, room);
+  }
+  if (spoken.caption.empty()) return;
+  const float above = model.local.open ? kTransportHeight * look.scale : 0;
+  written(look, "caption", spoken.caption, width / 2, ImGui::GetIO().DisplaySize.y - above - margin,
+          1, room);
+}
+
+}  // namespace aucast::gui
