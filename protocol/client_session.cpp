@@ -58,7 +58,7 @@ struct ClientSession::State {
 
   [[nodiscard]] std::vector<ClientEvent> take_events() { return std::exchange(events, {}); }
   void finish(ClientEvent last);
-  void fail(Why why, std::string reason);
+  void fail(Why why, std::string reason, std::optional<int> code = std::nullopt);
   void handle(const Keyframe& keyframe);
   void handle(const End&);
   void handle(const HelloGranted& hello);
@@ -78,11 +78,11 @@ void ClientSession::State::finish(ClientEvent last) {
   events.push_back(std::move(last));
 }
 
-void ClientSession::State::fail(Why why, std::string reason) {
+void ClientSession::State::fail(Why why, std::string reason, std::optional<int> code) {
   if (stopped) {
     finish(StreamEnded{});
   } else {
-    finish(SessionFailed{why, std::move(reason)});
+    finish(SessionFailed{why, std::move(reason), code});
   }
 }
 
@@ -163,7 +163,8 @@ void ClientSession::State::handle(const HelloGranted& hello) {
 
 void ClientSession::State::handle(const ErrorReply& error) {
   // The decoder lets nothing but printable text through.
-  fail(Why::Refused, "the server refused: " + std::to_string(error.code) + ' ' + error.text);
+  fail(Why::Refused, "the server refused: " + std::to_string(error.code) + ' ' + error.text,
+       error.code);
 }
 
 void ClientSession::State::handle(const StreamList&) {

@@ -58,7 +58,8 @@ struct SessionFailed {
     Silent,         ///< nothing at all within silence_max
   };
   Why why = Why::Lost;
-  std::string reason;  ///< a sentence; peer text escaped
+  std::string reason;         ///< a sentence; peer text escaped
+  std::optional<int> code{};  ///< Refused: the server's
 };
 using ClientEvent = std::variant<SendBytes, DeliverKeyframe, DeliverVoice, DeliverCaption, Granted,
                                  StreamEnded, ReconnectClassic, SessionFailed>;

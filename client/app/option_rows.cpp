@@ -377,7 +377,8 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
     rows = {{"host", "HOST", "", "",
              "The server: HOST or HOST:PORT; the port is 4650 by default. Or a stream's address: "
              "aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. When one of several "
-             "hosts is lost the next is taken, as with --reconnect.",
+             "hosts is lost the next is taken, as with --reconnect, and when one is full or does "
+             "not have the stream yet, until all have said so.",
              word(options.playback.endpoint), "", Where::Positional},
             {"list", "", "", "", "Prints the names of the server's streams.", flag(options.list)}};
   } else if (command == Command::Play) {

@@ -69,6 +69,9 @@ std::string_view remedy(SessionFailed::Why why) {
   return "; is it an au-transmitter? --connect-timeout sets how long to wait";
 }
 
+/// The server is full, or does not have the stream yet: another one may.
+constexpr int kBusyCode = 503;
+
 }  // namespace
 
 void AuReader::begin_session() {
@@ -131,6 +134,7 @@ std::optional<Instant> AuReader::deadline() const {
 }
 
 Reaction AuReader::unreachable(std::string reason) {
+  busy_in_a_row_ = 0;
   Reaction reaction;
   reaction.changed = true;
   if (!begin_again(reaction, reason)) {
@@ -219,6 +223,7 @@ void AuReader::handle(const protocol::SendBytes& event, Reaction& reaction) {
 void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction) {
   reaction.changed = true;
   back_off_.reset();
+  busy_in_a_row_ = 0;
   TimedAus keyframe{event.aus, std::nullopt};
   if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
   const Milliseconds time = keyframe.duration.value_or(status_.keyframe_time);
@@ -304,7 +309,9 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
   reaction.changed = true;
   const bool lost =
       event.why == SessionFailed::Why::Lost || event.why == SessionFailed::Why::Silent;
-  if (lost && begin_again(reaction, options_.peer + ": " + event.reason)) return;
+  busy_in_a_row_ = event.code == kBusyCode ? busy_in_a_row_ + 1 : 0;
+  const bool elsewhere = busy_in_a_row_ > 0 && busy_in_a_row_ < options_.hosts;
+  if ((lost || elsewhere) && begin_again(reaction, options_.peer + ": " + event.reason)) return;
   reaction.next = Reaction::Next::Close;
   end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));
 }

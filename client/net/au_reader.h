@@ -30,6 +30,7 @@ struct AuReaderOptions {
   std::string token{};                  ///< shown in the hello; empty: none
   bool voice = false;                   ///< asks for the stream's voice
   bool captions = false;                ///< asks for its captions
+  std::size_t hosts = 1;                ///< that the stream may be at, tried in turn
 };
 
 /// What the connection's owner has to do: send `send`, then what `next` says.
@@ -159,6 +160,7 @@ class AuReader {
   std::size_t voice_bytes_ = 0;
   std::deque<playback::Caption> captions_;
   BackOff back_off_;
+  std::size_t busy_in_a_row_ = 0;     ///< hosts that had no room, or not the stream yet
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;
 };

@@ -29,9 +29,9 @@ std::string peer_names(const RemoteOptions& options) {
 }
 
 AuReaderOptions reader_options(const RemoteOptions& options) {
-  return {peer_names(options), options.classic, options.stream,    options.connect_timeout,
-          options.buffers,     options.speed,   options.reconnect, options.security.token,
-          options.voice,       options.captions};
+  return {peer_names(options), options.classic,  options.stream,           options.connect_timeout,
+          options.buffers,     options.speed,    options.reconnect,        options.security.token,
+          options.voice,       options.captions, 1 + options.others.size()};
 }
 
 }  // namespace

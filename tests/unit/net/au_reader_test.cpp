@@ -359,6 +359,23 @@ TEST(AuReader, TellsOfARefusal) {
   EXPECT_NE(status.detail.find("no such stream"), std::string::npos) << status.detail;
 }
 
+TEST(AuReader, IsRefusedWhenNoHostIsLeftThatHasRoom) {
+  AuReaderOptions options;
+  options.peer = "a:4650 or b:4650";
+  options.reconnect = true;
+  options.hosts = 2;
+  ManualClock clock;
+  AuReader reader(options);
+  (void)reader.connected(clock.now());
+  EXPECT_EQ(reader.received("{error 503 the server is full}", clock.now()).next,
+            Next::ReconnectLater)
+      << "the other may have room";
+  (void)reader.connected(clock.now());
+  EXPECT_EQ(reader.received("{error 503 the stream has not come yet}", clock.now()).next,
+            Next::Close);
+  EXPECT_EQ(reader.status().end, EndReason::Refused);
+}
+
 TEST(AuReader, TellsOfSilence) {
   Reading reading(kEager);
   ASSERT_TRUE(reading.reader.deadline());

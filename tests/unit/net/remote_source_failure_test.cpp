@@ -219,5 +219,18 @@ TEST(RemoteSourceFailure, OfSeveralHostsTheNextIsTaken) {
   EXPECT_EQ(source.status().end, EndReason::EndOfStream);
 }
 
+TEST(RemoteSourceFailure, WhenAHostIsFullTheNextIsTaken) {
+  ScriptedServer full(
+      {Accept{}, ExpectHello{}, Send{"{error 503 the server is full}"}, HalfClose{}, ExpectEnd{}});
+  ScriptedServer server({Accept{}, ExpectHello{}, Send{"{hello v=2 window=1}{1}"}, Expect{"1"},
+                         Send{"{-2}"}, HalfClose{}});
+  RemoteOptions options = options_for(full.port());
+  options.others = {{"127.0.0.1", server.port()}};
+  options.reconnect = true;
+  RemoteSource source(std::move(options));
+  EXPECT_EQ(take_all(source), Aus{1});
+  EXPECT_EQ(source.status().end, EndReason::EndOfStream) << source.status().detail;
+}
+
 }  // namespace
 }  // namespace aucast::net
