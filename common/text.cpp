@@ -153,6 +153,10 @@ std::string system_reason(int error_number) {
   return std::generic_category().message(error_number);
 }
 
+std::string shortage_text(const std::system_error& failure) {
+  return failure.code().message() + "; the system is short of threads or files";
+}
+
 std::string at_place(std::string_view file, std::size_t line, std::size_t column,
                      std::string_view text) {
   std::string place = printable(file);

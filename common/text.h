@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace aucast {
@@ -45,6 +46,10 @@ namespace aucast {
 
 /// The message of an errno: "No such file or directory".
 [[nodiscard]] std::string system_reason(int error_number);
+
+/// Why a thread, a timer or a socket could not be had, and what to look for: "Resource temporarily
+/// unavailable; the system is short of threads or files".
+[[nodiscard]] std::string shortage_text(const std::system_error& failure);
 
 /// "file:line:column: text" with the file's name printable(); line and column count from 1, and 0
 /// leaves them out. This is how every message about a file begins.

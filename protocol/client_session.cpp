@@ -67,7 +67,7 @@ struct ClientSession::State {
   void handle(const VoiceData& voice);
   void handle(const Caption& caption);
   [[nodiscard]] std::optional<std::string> objection(const HelloGranted& hello) const;
-  void lose();
+  void lose(std::string_view broke);
   [[nodiscard]] bool took_hello_for_garbage() const;
 };
 
@@ -200,15 +200,17 @@ bool ClientSession::State::took_hello_for_garbage() const {
   return options.negotiate && level == Level::Classic && packets_received <= 1;
 }
 
-void ClientSession::State::lose() {
+void ClientSession::State::lose(std::string_view broke) {
   if (stopped) {
     finish(StreamEnded{});
   } else if (took_hello_for_garbage()) {
     finish(ReconnectClassic{});
-  } else if (decoder.mid_packet()) {
-    fail(Why::Lost, "the connection ended within a packet");
   } else {
-    fail(Why::Lost, "the connection ended before the end of the stream, {-2}");
+    std::string how = decoder.mid_packet()
+                          ? "the connection ended within a packet"
+                          : "the connection ended before the end of the stream, {-2}";
+    if (!broke.empty()) how.append(": ").append(broke);
+    fail(Why::Lost, std::move(how));
   }
 }
 
@@ -244,9 +246,9 @@ std::vector<ClientEvent> ClientSession::on_bytes(std::string_view& bytes, Instan
   return state.take_events();
 }
 
-std::vector<ClientEvent> ClientSession::on_closed(Instant) {
+std::vector<ClientEvent> ClientSession::on_closed(Instant, std::string_view broke) {
   if (state_->phase == State::Phase::Waiting || state_->phase == State::Phase::Streaming) {
-    state_->lose();
+    state_->lose(broke);
   }
   return state_->take_events();
 }

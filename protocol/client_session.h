@@ -80,8 +80,8 @@ class ClientSession {
   /// Reads up to the end of the first packet in `bytes` and removes what it read from their front:
   /// to be called again while some are left.
   [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes, Instant now);
-  /// The server shut its side or the connection broke.
-  [[nodiscard]] std::vector<ClientEvent> on_closed(Instant now);
+  /// The server shut its side, or the connection broke for this reason, a clause.
+  [[nodiscard]] std::vector<ClientEvent> on_closed(Instant now, std::string_view broke = {});
   [[nodiscard]] std::vector<ClientEvent> on_time(Instant now);
   [[nodiscard]] std::optional<Instant> deadline() const;
 

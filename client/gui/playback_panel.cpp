@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "client/gui/panels.h"
+#include "common/text.h"
 
 namespace aucast::gui {
 namespace {
@@ -281,7 +282,7 @@ void file_part(const GuiModel& model, GuiCommands& commands) {
   }
   ImGui::EndDisabled();
   if (model.local.open) {
-    quiet_text(model.local.name + ", " + std::to_string(model.local.ends->size()) + " keyframes, " +
+    quiet_text(model.local.name + ", " + counted(model.local.ends->size(), "keyframe") + ", " +
                time_text(model.local.total));
   }
 }

@@ -91,8 +91,7 @@ std::string state_in_words(PlaybackState state, const playback::SourceStatus& st
     return "reconnecting";
   }
   if (state == PlaybackState::Buffering) {
-    const std::size_t threshold = std::max<std::size_t>(
-        1, buffers.receiver_capacity * static_cast<std::size_t>(buffers.threshold_percent) / 100);
+    const std::size_t threshold = playback::threshold_of(buffers);
     const std::size_t there = std::min(threshold, status.receiver_fill + status.playout_fill);
     return "buffering " + std::to_string(there * 100 / threshold) + " %";
   }

@@ -109,9 +109,9 @@ Reaction AuReader::received(std::string_view bytes, Instant now) {
   return reaction;
 }
 
-Reaction AuReader::closed(Instant now) {
+Reaction AuReader::closed(Instant now, std::string_view broke) {
   Reaction reaction;
-  react(session_.on_closed(now), reaction, now);
+  react(session_.on_closed(now, broke), reaction, now);
   return reaction;
 }
 

@@ -70,8 +70,8 @@ class AuReader {
   /// `round_trip`: of this connection; zero if unknown.
   [[nodiscard]] Reaction connected(Instant now, Duration round_trip = {});
   [[nodiscard]] Reaction received(std::string_view bytes, Instant now);
-  /// The server shut its side or the connection broke.
-  [[nodiscard]] Reaction closed(Instant now);
+  /// The server shut its side, or the connection broke for this reason, a clause.
+  [[nodiscard]] Reaction closed(Instant now, std::string_view broke = {});
   [[nodiscard]] Reaction time(Instant now);
   /// When time() wants to be called; nullopt: no timer is running.
   [[nodiscard]] std::optional<Instant> deadline() const;

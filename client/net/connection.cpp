@@ -37,7 +37,13 @@ void Connection::on_bytes(std::string_view bytes) {
 }
 
 void Connection::on_peer_end() {
+  lose({});
+}
+
+/// The reader is told when it has taken what came before.
+void Connection::lose(std::string broke) {
   peer_ended_ = true;
+  broke_ = std::move(broke);
   carry_out({});
 }
 
@@ -51,14 +57,15 @@ void Connection::on_closed(const link::Ending& ending) {
     over_ = true;
     owner_.over();
   } else if (ending.why == Why::NotTls || ending.why == Why::Untrusted) {
-    const bool spoke = ending.why == Why::Untrusted;
+    const bool speaks_tls = ending.why == Why::Untrusted;
     carry_out(reader_.with([&](AuReader& reader) {
-      return reader.refused(spoke ? EndReason::Refused : EndReason::ProtocolError, ending.reason);
+      return reader.refused(speaks_tls ? EndReason::Refused : EndReason::ProtocolError,
+                            ending.reason);
     }));
   } else if (!open_) {
     fail(ending.reason + (ending.why == Why::NotMade ? "" : "; does it speak TLS?"), false);
   } else {
-    on_peer_end();
+    lose(ending.reason);
   }
 }
 
@@ -89,7 +96,8 @@ void Connection::carry_out(const Reaction& reaction) {
       });
       // What the peer said before its end may still wait for room.
       if (wants && std::exchange(peer_ended_, false)) {
-        carry_out(reader_.with([&](AuReader& reader) { return reader.closed(link_->now()); }));
+        carry_out(
+            reader_.with([&](AuReader& reader) { return reader.closed(link_->now(), broke_); }));
         return;
       }
       link_->set_reading(wants);

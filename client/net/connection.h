@@ -78,6 +78,7 @@ class Connection final : public link::LinkUser {
   void on_time() override;
   void on_closed(const link::Ending& ending) override;
 
+  void lose(std::string broke);
   void carry_out(const Reaction& reaction);
   void send(std::string_view words);
   void drop_link();
@@ -88,6 +89,7 @@ class Connection final : public link::LinkUser {
   std::shared_ptr<link::Link> link_;  ///< nothing: none is there
   bool open_ = false;
   bool peer_ended_ = false;  ///< and the reader has not been told yet
+  std::string broke_;        ///< why it did; empty: the peer shut its side
   bool leaving_ = false;
   bool over_ = false;
   std::atomic<std::uint64_t> bytes_sent_{0};

@@ -15,6 +15,7 @@
 #include "client/net/connection.h"
 #include "client/net/dialling.h"
 #include "common/link/host.h"
+#include "common/text.h"
 
 namespace aucast::net {
 namespace {
@@ -76,8 +77,7 @@ class RemoteSource::Network {
       dialler_.dial(dial_options(options_, turn_),
                     [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
     } catch (const std::system_error& failure) {
-      connection_.fail(failure.code().message() + "; the system is short of threads or files",
-                       false);
+      connection_.fail(shortage_text(failure), false);
     }
   }
 

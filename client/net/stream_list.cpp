@@ -12,6 +12,7 @@
 #include "client/net/dialling.h"
 #include "client/net/stream_question.h"
 #include "common/link/host.h"
+#include "common/text.h"
 
 namespace aucast::net {
 namespace {
@@ -48,9 +49,8 @@ Result<std::vector<std::string>> list_streams(const RemoteOptions& options) {
   try {
     return ask(options);
   } catch (const std::system_error& failure) {
-    return Error{ErrorKind::Network, link::host_and_port(options.host, options.port) + ": " +
-                                         failure.code().message() +
-                                         "; the system is short of threads or files"};
+    return Error{ErrorKind::Network,
+                 link::host_and_port(options.host, options.port) + ": " + shortage_text(failure)};
   }
 }
 

@@ -44,7 +44,7 @@ KeyframeBuffers::Stored KeyframeBuffers::store(const TimedAus& keyframe) {
 
   // Case D compares before it stores, as figure 5.13 does; a threshold of the whole receiver is
   // therefore reached by case B.
-  const bool start = !full && !playing && (ended_ || receiver_fill() >= threshold());
+  const bool start = !full && !playing && (ended_ || receiver_fill() >= threshold_of(options_));
   keyframes_.push_back(keyframe);  // all but case A
   if (options_.by_time ? !playing && (!starved_ || enough()) : start) fill_playout();
   return Stored::Yes;
@@ -149,11 +149,6 @@ void KeyframeBuffers::fill_playout() {
 void KeyframeBuffers::pop_front() {
   keyframes_.pop_front();
   if (playout_ > 0) --playout_;
-}
-
-std::size_t KeyframeBuffers::threshold() const {
-  const auto percent = static_cast<std::size_t>(options_.threshold_percent);
-  return (options_.receiver_capacity * percent + 99) / 100;
 }
 
 }  // namespace aucast::playback

@@ -22,6 +22,13 @@ struct BufferOptions {
                                         ///< and is reached at its own TimedAus::due
 };
 
+/// What has to be in the Receiver buffer before the Playout buffer is filled, in sets: the
+/// threshold's share of it, rounded up.
+[[nodiscard]] constexpr std::size_t threshold_of(const BufferOptions& options) {
+  return (options.receiver_capacity * static_cast<std::size_t>(options.threshold_percent) + 99) /
+         100;
+}
+
 /// The Receiver and the Playout buffer of the thesis (5.4.4.1-5.4.4.2, figures 5.12-5.15), first-in
 /// first-out, with the gaps of its figures closed: the end of the stream flushes what is below the
 /// threshold; a full receiver with an empty playout fills it whatever the threshold; the
@@ -104,7 +111,6 @@ class KeyframeBuffers {
   void pop_front();
   /// How many sets the receiver must hold before the Playout buffer is filled for the first time or
   /// after a stall; at least 1.
-  [[nodiscard]] std::size_t threshold() const;
 
   BufferOptions options_;
   /// Both buffers, so that a keyframe passes from one to the other where it lies.

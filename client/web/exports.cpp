@@ -1,5 +1,5 @@
-// What player_engine.js calls. Texts that are returned are valid until the next call of the same
-// function; an empty error means that all went well.
+// What player_engine.js calls. A text that is returned is valid until the next call of a function
+// that returns one; an empty error means that all went well.
 #include <emscripten/emscripten.h>
 
 #include <cstdint>

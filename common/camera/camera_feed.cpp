@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <system_error>
 #include <utility>
 
 #include "common/camera/face_table.h"
@@ -43,8 +44,16 @@ Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& optio
     return Error{ErrorKind::Failed,
                  at_place(options.device, "cannot be read: " + system_reason(errno))};
   }
-  return std::unique_ptr<CameraFeed>(
+  std::unique_ptr<CameraFeed> feed(
       new CameraFeed(std::move(*pictures), std::move(*models), quiet, ends[0], ends[1]));
+  // Thrown when the system has no thread left; what began then ends with the feed.
+  try {
+    feed->taking_ = std::jthread([&feed = *feed] { feed.take_pictures(); });
+    feed->reading_ = std::jthread([&feed = *feed] { feed.read_faces(); });
+  } catch (const std::system_error& failure) {
+    return Error{ErrorKind::Failed, at_place(options.device, shortage_text(failure))};
+  }
+  return feed;
 }
 
 CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const QuietOptions& quiet,
@@ -53,9 +62,7 @@ CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const QuietOpt
       models_(std::move(models)),
       quiet_(quiet),
       rows_(rows),
-      write_(write),
-      taking_([this] { take_pictures(); }),
-      reading_([this] { read_faces(); }) {}
+      write_(write) {}
 
 CameraFeed::~CameraFeed() {
   {
@@ -67,7 +74,11 @@ CameraFeed::~CameraFeed() {
     pictures_.stop();
     taking_.join();
   }
-  reading_.join();
+  if (reading_.joinable()) {
+    reading_.join();
+  } else {
+    ::close(write_);
+  }
   if (rows_ >= 0) ::close(rows_);
 }
 

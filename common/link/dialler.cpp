@@ -27,12 +27,7 @@ void Dialler::dial(DialOptions options, OnDialled on_dialled) {
   next_address_ = 0;
   first_failure_.clear();
 
-  timer_.expires_at(until_);
-  timer_.async_wait([this, attempt = attempt_](const std::error_code& error) {
-    if (error || attempt != attempt_) return;
-    fail("its name could not be looked up within " + time_text(options_.time_max),
-         "check the network or give the address in numbers");
-  });
+  // First what may be refused for want of a thread: then nothing has begun yet.
   lookup_.start(options_.host, options_.port, [this](const std::string& failure, Addresses found) {
     if (!failure.empty()) {
       fail(failure, "check the host's name");
@@ -40,6 +35,12 @@ void Dialler::dial(DialOptions options, OnDialled on_dialled) {
     }
     addresses_ = std::move(found);
     try_next_address();
+  });
+  timer_.expires_at(until_);
+  timer_.async_wait([this, attempt = attempt_](const std::error_code& error) {
+    if (error || attempt != attempt_) return;
+    fail("its name could not be looked up within " + time_text(options_.time_max),
+         "check the network or give the address in numbers");
   });
 }
 

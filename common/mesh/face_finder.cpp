@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "common/mesh/model_file.h"
+
 namespace aucast::mesh {
 namespace {
 
@@ -43,7 +45,7 @@ Result<FaceFinder> FaceFinder::make(std::span<const std::uint8_t> bytes, std::st
   const Shape expected{1, kSide, kSide, 3};
   if (net->input_shape() != expected || net->outputs() != 2 ||
       net->output(0).size() != kLooks * kNumbers || net->output(1).size() != kLooks) {
-    return Error{ErrorKind::BadData, std::string(file) + ": not MediaPipe's face detector"};
+    return unusable_model(file, "it is not MediaPipe's face detector");
   }
   return FaceFinder(std::move(*net));
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "common/mesh/model_file.h"
+
 namespace aucast::mesh {
 namespace {
 
@@ -91,8 +93,7 @@ Result<LandmarkFinder> LandmarkFinder::make(std::span<const std::uint8_t> bytes,
     fits = net->output(index).size() == kSizes[index];
   }
   if (!fits) {
-    return Error{ErrorKind::BadData,
-                 std::string(file) + ": not MediaPipe's face mesh with attention"};
+    return unusable_model(file, "it is not MediaPipe's face mesh with attention");
   }
   return LandmarkFinder(std::move(*net));
 }

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "common/text.h"
+
 namespace aucast::mesh {
 namespace {
 
@@ -54,9 +56,7 @@ class ModelReader {
   }
 
  private:
-  [[nodiscard]] Error bad(const std::string& why) const {
-    return {ErrorKind::BadData, file_ + ": not a model that can be used: " + why};
-  }
+  [[nodiscard]] Error bad(const std::string& why) const { return unusable_model(file_, why); }
 
   Result<void> read_operators(std::size_t root) {
     const auto codes = buffer_.items(root, 1, 4);
@@ -257,10 +257,14 @@ std::size_t count_of(const Shape& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
+Error unusable_model(std::string_view file, std::string_view why) {
+  return {ErrorKind::BadData, at_place(file, "not a model that can be used: " + std::string(why))};
+}
+
 Result<Model> read_model(std::span<const std::uint8_t> bytes, std::string_view file) {
   constexpr std::string_view kMark = "TFL3";
   if (bytes.size() < 8 || !std::equal(kMark.begin(), kMark.end(), bytes.begin() + 4)) {
-    return Error{ErrorKind::BadData, std::string(file) + ": not a TFLite model"};
+    return unusable_model(file, "it is no TFLite file");
   }
   return ModelReader(bytes, file).read();
 }

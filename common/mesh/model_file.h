@@ -75,6 +75,9 @@ struct Model {
 inline constexpr std::size_t kTensorNumbersMax = std::size_t{1} << 24U;
 inline constexpr std::size_t kModelNumbersMax = std::size_t{1} << 25U;
 
+/// BadData: "file: not a model that can be used: why".
+[[nodiscard]] Error unusable_model(std::string_view file, std::string_view why);
+
 /// Reads a TFLite file with 32 or 16 bit floats. BadData, beginning with `file`, when it is no such
 /// file, is damaged or has operators that the engine does not know.
 [[nodiscard]] Result<Model> read_model(std::span<const std::uint8_t> bytes, std::string_view file);

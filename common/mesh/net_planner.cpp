@@ -23,7 +23,7 @@ std::size_t index_in(double value, std::size_t most) {
 }  // namespace
 
 Error Net::Planner::bad(const std::string& why) const {
-  return {ErrorKind::BadData, file_ + ": not a model that can be used: " + why};
+  return unusable_model(file_, why);
 }
 
 Result<Net> Net::Planner::plan() {

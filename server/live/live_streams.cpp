@@ -147,6 +147,7 @@ void LiveStreams::add_faces(std::string_view line, double now) {
   sources::LiveReader& first = streams_.front()->reader;
   for (const std::int64_t face : first.take_new_faces()) {
     if (streams_.size() > kFacesMost) {
+      if (std::exchange(more_faces_said_, true)) return;
       spdlog::warn("{}: face {} and what others come get no stream: there are {}",
                    sources::name_of(options_.path), face, kFacesMost);
       return;

@@ -131,6 +131,7 @@ class LiveStreams {
   std::vector<std::unique_ptr<Stream>> streams_;  ///< the first one's reader speaks for all
   std::optional<Error> not_recorded_;
   bool catching_up_;
+  bool more_faces_said_ = false;
   bool ended_ = false;  ///< for good
 };
 

@@ -31,7 +31,7 @@ Result<std::unique_ptr<RecordWriter>> RecordWriter::start(const std::filesystem:
     return writer;
   } catch (const std::system_error& failure) {
     return Error{ErrorKind::Failed,
-                 escaped(path.string()) + ": cannot be recorded: " + failure.code().message()};
+                 at_place(path.string(), "cannot be recorded to: " + shortage_text(failure))};
   }
 }
 

@@ -8,6 +8,7 @@
 #include <asio/post.hpp>
 
 #include "common/log.h"
+#include "common/text.h"
 
 namespace aucast::server {
 
@@ -50,7 +51,7 @@ void Reload::read_sources() {
     running_ = true;
   } catch (const std::system_error& failure) {
     ++failures_;
-    spdlog::error("the sources were not read again: {}", failure.code().message());
+    spdlog::error("the sources were not read again: {}", shortage_text(failure));
     on_done_(false);
   }
 }

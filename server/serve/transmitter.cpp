@@ -211,8 +211,8 @@ class Transmitter {
     if (!manager_.present()) return;
     if (manager_.watchdog()) manager_.alive();
     manager_.status(summary());
-    const Duration pause =
-        std::min<Duration>(kStatusEvery, manager_.watchdog().value_or(kStatusEvery) / 2);
+    Duration pause = kStatusEvery;
+    if (const auto watchdog = manager_.watchdog()) pause = std::min(pause, *watchdog / 2);
     tick_timer_.expires_after(pause);
     tick_timer_.async_wait([this](const std::error_code& error) {
       if (!error) tick();

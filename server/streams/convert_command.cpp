@@ -131,6 +131,10 @@ Result<sources::SourceContent> read_any(const ConvertOptions& options,
 }
 
 Result<Converted> convert(const ConvertOptions& options, const SayProgress& say) {
+  std::error_code not_there;
+  if (std::filesystem::equivalent(options.in, options.out, not_there)) {
+    return usage(at_place(options.in.string(), "would be replaced by what it is converted to"));
+  }
   const SignalOptions& signal = options.source.signal;
   const auto conditioning = conditioning_of(signal);
   if (!conditioning) return conditioning.error();
@@ -149,7 +153,7 @@ Result<Converted> convert(const ConvertOptions& options, const SayProgress& say)
   }
   std::string text;
   if (content->found) said += sources::found_sentence(*content->found) + "; ";
-  said += std::to_string(content->stream.keyframes.size()) + " keyframes, " +
+  said += counted(content->stream.keyframes.size(), "keyframe") + ", " +
           std::to_string(protocol::media_ms(content->stream, options.keyframe_ms)) + " ms\n";
   if (options.out.extension() == ".csv") {
     auto table = sources::write_openface_table(content->stream, options.keyframe_ms);

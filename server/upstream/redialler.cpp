@@ -7,6 +7,7 @@
 
 #include "common/link/host.h"
 #include "common/log.h"
+#include "common/text.h"
 #include "protocol/link_limits.h"
 
 namespace aucast::server {
@@ -58,7 +59,7 @@ void Redialler::dial() {
     dialler_.dial(std::move(dial),
                   [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
   } catch (const std::system_error& failure) {
-    failed(failure.code().message() + "; the system is short of threads or files");
+    failed(shortage_text(failure));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <asio/post.hpp>
 
 #include "common/log.h"
+#include "common/text.h"
 
 namespace aucast::server {
 namespace {
@@ -44,7 +45,8 @@ std::shared_ptr<const protocol::VoiceTrack> VoiceTracks::track_of(const VoiceFil
   try {
     thread_ = std::thread([this] { encode_until_stopped(); });
   } catch (const std::system_error& failure) {
-    spdlog::error("{}: its voice is not served: {}", file.path.string(), failure.code().message());
+    spdlog::error(
+        "{}", at_place(file.path.string(), "its voice is not served: " + shortage_text(failure)));
     jobs_.clear();
     track->finish();
   }

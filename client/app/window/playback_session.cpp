@@ -329,7 +329,7 @@ Result<std::string> PlaybackSession::export_to(const std::filesystem::path& file
   }
   auto saved = save_stream(keyframes, file);
   if (!saved) return saved;
-  return std::to_string(keyframes.size()) + " keyframes " + *saved;
+  return counted(keyframes.size(), "keyframe") + " " + *saved;
 }
 
 // === What the panels ask for.

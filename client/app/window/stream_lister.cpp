@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "common/text.h"
+
 namespace aucast::app {
 
 StreamLister::StreamLister(Ask ask) : ask_(std::move(ask)) {}
@@ -21,7 +23,7 @@ void StreamLister::begin() {
   try {
     answer_ = std::async(std::launch::async, ask_, server);
   } catch (const std::system_error& failure) {
-    view_ = {.asking = false, .names = {}, .problem = failure.code().message()};
+    view_ = {.asking = false, .names = {}, .problem = shortage_text(failure)};
   }
 }
 

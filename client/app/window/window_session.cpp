@@ -158,7 +158,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
         }
       },
       [&](const gui::ComposerCommand& one) { apply_composer(one, now); },
-      [&](const gui::ChangeAnimation& one) { change_animation(one.settings); },
+      [&](const gui::ChangeAnimation& one) { change_animation(one.settings, now); },
       [&](const gui::ChangeRendering& one) { rendering_ = one.settings; },
       [&](const gui::Leave& one) {
         asks_to_leave_ = false;
@@ -214,12 +214,12 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
   }
 }
 
-void WindowSession::change_animation(const gui::AnimationSettings& settings) {
+void WindowSession::change_animation(const gui::AnimationSettings& settings, Instant now) {
   if (settings.rules != animation_.rules) {
     auto rules = face::find_rules(settings.rules, assets_.data_folder);
     if (!rules) {
       spdlog::error("{}", rules.error().message);
-      return;
+      return say(rules.error().message, true, now);
     }
     mapping_.rules = std::move(*rules);
   }

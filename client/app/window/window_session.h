@@ -95,7 +95,7 @@ class WindowSession {
   void show_edited(Shown shown, Instant now);
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
-  void change_animation(const gui::AnimationSettings& settings);
+  void change_animation(const gui::AnimationSettings& settings, Instant now);
   void list_faces();
   void browse(gui::Purpose purpose);
   void choose_file(const std::string& name, Instant now);

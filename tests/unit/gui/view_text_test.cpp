@@ -39,8 +39,10 @@ TEST(ViewText, TheStateIsSaidInWords) {
   EXPECT_EQ(state_in_words(PlaybackState::Lost, {}, buffers), "lost");
 }
 
-TEST(ViewText, AThresholdOfLessThanOneSetIsOne) {
+TEST(ViewText, AThresholdIsRoundedUpAsTheBuffersHaveIt) {
   EXPECT_EQ(state_in_words(PlaybackState::Buffering, connected(1), {10, 5, 1}), "buffering 100 %");
+  EXPECT_EQ(state_in_words(PlaybackState::Buffering, connected(2), {10, 5, 25}), "buffering 66 %")
+      << "playing begins with three";
 }
 
 TEST(ViewText, ConnectingEndsWithTheConnectionOrItsFailure) {

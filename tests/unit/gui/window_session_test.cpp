@@ -214,6 +214,7 @@ TEST_F(WindowSessionTest, RulesThatAreNotThereChangeNothing) {
   settings.rules = "no such rules";
   ask(gui::ChangeAnimation{settings});
   EXPECT_EQ(model().animation.rules, "facs");
+  EXPECT_TRUE(model().notice.bad) << "the user sees why the choice springs back";
 }
 
 TEST_F(WindowSessionTest, AnExpressionIsReachedFromTheFaceAsItIs) {

@@ -53,8 +53,8 @@ void expect_bad(const std::string& file, const std::string& why) {
 }
 
 TEST(Net, SaysWhatIsWrongWithAModel) {
-  expect_bad("", "not a TFLite model");
-  expect_bad("something else altogether", "not a TFLite model");
+  expect_bad("", "it is no TFLite file");
+  expect_bad("something else altogether", "it is no TFLite file");
   test::SmallModel model;
   model.code = 99;
   expect_bad(model.file(), "operator 99");

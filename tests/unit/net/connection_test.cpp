@@ -116,6 +116,16 @@ TEST_F(PlayerConnection, ALossIsTriedAgainLaterIfWanted) {
   EXPECT_FALSE(over_);
 }
 
+TEST_F(PlayerConnection, ALossSaysHowItCame) {
+  begin();
+  ask("{hello v=2 window=1}{1}");
+  link_->end({Ending::Why::Lost, "Connection timed out"});
+  EXPECT_TRUE(over_);
+  EXPECT_NE(status().detail.find("before the end of the stream, {-2}: Connection timed out"),
+            std::string::npos)
+      << status().detail;
+}
+
 TEST_F(PlayerConnection, WhatIsFinalIsNotTriedAgain) {
   AuReaderOptions options;
   options.reconnect = true;
