@@ -38,6 +38,9 @@ namespace aucast {
 /// The parts between blanks, tabs and carriage returns, none of them empty. Views into `text`.
 [[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
 
+/// ASCII capitals as small letters, every other byte as it is.
+[[nodiscard]] std::string lowered(std::string_view text);
+
 /// "1 packet", "6 packets".
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view thing);
 

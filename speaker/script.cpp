@@ -23,12 +23,6 @@ std::size_t first_bad_byte(std::string_view bytes) {
   return std::string_view::npos;
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 constexpr std::string_view kBlanks = " \t\r";
 
 class Reader {
@@ -62,7 +56,7 @@ class Reader {
  private:
   void take_comment(std::string_view comment) {
     constexpr std::string_view kTitle = "title:";
-    if (lower(comment).starts_with(kTitle)) {
+    if (lowered(comment).starts_with(kTitle)) {
       script_.title = trimmed(comment.substr(kTitle.size()), kBlanks);
     }
   }
@@ -79,7 +73,7 @@ class Reader {
                      at_place(file_, line_, column_, "a [ without its ] on the same line")};
       }
       const std::string_view name = trimmed(line.substr(open + 1, close - open - 1), kBlanks);
-      script_.cues.push_back({lower(name), characters(script_.text), line_, column_});
+      script_.cues.push_back({lowered(name), characters(script_.text), line_, column_});
       column_ += close - open + 1;
       line.remove_prefix(close + 1);
     }

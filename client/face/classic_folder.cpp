@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <set>
 #include <system_error>
@@ -208,9 +207,7 @@ void build_mesh(HalfFace& half, Face& face) {
 
 /// A muscle's name without its side, in small letters: Left_Labi_Nasi is labi_nasi.
 std::string sideless(std::string_view name) {
-  std::string result(name);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string result = lowered(name);
   for (const std::string_view prefix : {"left_", "right_", "l_", "r_"}) {
     if (result.starts_with(prefix)) return result.substr(prefix.size());
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -77,9 +76,7 @@ bool is_film(const std::filesystem::path& path) {
   constexpr std::array<std::string_view, 14> kEndings{".mp4", ".m4v", ".mov",  ".mkv", ".webm",
                                                       ".avi", ".mpg", ".mpeg", ".ts",  ".wmv",
                                                       ".flv", ".ogv", ".3gp",  ".y4m"};
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lowered(path.extension().string());
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 

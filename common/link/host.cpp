@@ -1,7 +1,5 @@
 #include "common/link/host.h"
 
-#include <algorithm>
-#include <cctype>
 #include <system_error>
 
 #include <asio/ip/address.hpp>
@@ -11,14 +9,9 @@
 namespace aucast::link {
 
 bool is_localhost(std::string_view host) {
-  constexpr std::string_view kName = "localhost";
   if (host.ends_with('.')) host.remove_suffix(1);
-  if (host.size() < kName.size()) return false;
-  const std::string_view end = host.substr(host.size() - kName.size());
-  const bool same = std::equal(end.begin(), end.end(), kName.begin(), [](char byte, char expected) {
-    return std::tolower(static_cast<unsigned char>(byte)) == expected;
-  });
-  return same && (host.size() == kName.size() || host[host.size() - kName.size() - 1] == '.');
+  const std::string name = lowered(host);
+  return name == "localhost" || name.ends_with(".localhost");
 }
 
 bool is_own_host(std::string_view host) {

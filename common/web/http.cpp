@@ -59,12 +59,6 @@ bool is_visible(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c > 0x20 && c < 0x7f; });
 }
 
-std::string lower(std::string_view text) {
-  std::string small(text);
-  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return small;
-}
-
 /// Takes the next line, without its end; the head is known to be whole.
 std::string_view take_line(std::string_view& head) {
   const std::size_t end = head.find(kLineEnd);
@@ -105,7 +99,7 @@ std::optional<Field> field_of(std::string_view line) {
     return (code < 0x20 && c != '\t') || code == 0x7f;
   });
   if (!clean) return std::nullopt;
-  return Field{lower(line.substr(0, colon)), trimmed(value, " \t")};
+  return Field{lowered(line.substr(0, colon)), trimmed(value, " \t")};
 }
 
 /// All fields of a head, its request line taken off; nothing when one is malformed.
@@ -124,11 +118,11 @@ std::optional<std::map<std::string, std::string, std::less<>>> fields_of(std::st
 std::string word_of(std::string_view part) {
   const std::vector<std::string_view> parts = split(part, ';');
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    const std::string parameter = lower(trimmed(parts[i], " \t"));
+    const std::string parameter = lowered(trimmed(parts[i], " \t"));
     const bool is_zero = parameter.find_first_not_of("0.", 2) == std::string::npos;
     if (parameter.starts_with("q=") && is_zero) return {};
   }
-  return lower(trimmed(parts.front(), " \t"));
+  return lowered(trimmed(parts.front(), " \t"));
 }
 
 }  // namespace
@@ -139,7 +133,7 @@ std::string_view HttpRequest::field(std::string_view name) const {
 }
 
 bool has_word(std::string_view field, std::string_view word) {
-  const std::string wanted = lower(word);
+  const std::string wanted = lowered(word);
   const std::vector<std::string_view> parts = split(field, ',');
   return std::any_of(parts.begin(), parts.end(),
                      [&wanted](std::string_view part) { return word_of(part) == wanted; });

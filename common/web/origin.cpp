@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "common/text.h"
 
 namespace aucast::web {
 namespace {
@@ -40,8 +41,7 @@ std::string host_of(std::string_view host_and_port) {
   std::string host(bracketed ? host_and_port.substr(1, bracket - 1)
                              : host_and_port.substr(0, host_and_port.find(':')));
   if (host.ends_with('.')) host.pop_back();  // the root of all names
-  for (char& c : host) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return host;
+  return lowered(host);
 }
 
 bool is_own_host(std::string_view host, const std::vector<std::string>& names) {

@@ -1,8 +1,8 @@
 #include "client/app/gallery/gallery_page.h"
 
 #include <algorithm>
-#include <cctype>
 
+#include "common/text.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
@@ -74,10 +74,7 @@ std::string in_pairs(const std::vector<std::string>& channels) {
 
 /// Whether a note says no more than the name does.
 bool repeats(std::string_view note, std::string_view name) {
-  return std::equal(note.begin(), note.end(), name.begin(), name.end(), [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-  });
+  return lowered(note) == lowered(name);
 }
 
 /// Builds the page piece by piece; each function adds one kind of element.

@@ -56,6 +56,10 @@ TEST(SplitWords, LeavesOutBlanks) {
   EXPECT_TRUE(split_words("").empty());
 }
 
+TEST(Lowered, TouchesAsciiCapitalsOnly) {
+  EXPECT_EQ(lowered("Left_LABI 9@[`{\xC3\x84"), "left_labi 9@[`{\xC3\x84");
+}
+
 TEST(SystemReason, IsTheSystems) {
   EXPECT_EQ(system_reason(ENOENT), "No such file or directory");
 }
