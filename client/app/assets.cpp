@@ -176,6 +176,16 @@ Result<Expression> find_expression(const Assets& assets, const std::string& name
                                      " (face-player pose --list names them)"};
 }
 
+Expression at_strength(Expression expression, float strength) {
+  for (float& intensity : expression.aus.left) intensity *= strength;
+  for (float& intensity : expression.aus.right) intensity *= strength;
+  for (ExpressionMuscle& muscle : expression.muscles) {
+    muscle.left *= strength;
+    muscle.right *= strength;
+  }
+  return expression;
+}
+
 Result<void> apply_muscles(const face::Face& face, const Expression& expression,
                            std::span<float> activations) {
   for (const ExpressionMuscle& muscle : expression.muscles) {

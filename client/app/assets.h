@@ -56,6 +56,9 @@ struct Assets {
 /// The expression with this name; Usage error with the nearest one.
 [[nodiscard]] Result<Expression> find_expression(const Assets& assets, const std::string& name);
 
+/// The same with all intensities and activations times `strength`, in [0,1].
+[[nodiscard]] Expression at_strength(Expression expression, float strength);
+
 /// Sets an expression's muscles on top of `activations` (one per channel of the face): the larger
 /// value counts, cut to what the channel can do. BadData when the face has no such muscle.
 [[nodiscard]] Result<void> apply_muscles(const face::Face& face, const Expression& expression,

@@ -35,14 +35,17 @@ Complaint read_size(const std::string& word, OutputOptions& output) {
   return "is not WIDTHxHEIGHT, each 1 to " + std::to_string(kSizeMax) + ", such as 800x600";
 }
 
-Complaint read_background(const std::string& word, std::optional<std::uint32_t>& background) {
+Complaint read_background(const std::string& word, OutputOptions& output) {
+  output.transparent = word == "none";
+  output.background.reset();
+  if (output.transparent) return std::nullopt;
   std::uint32_t rgb = 0;
   const char* const end = word.data() + word.size();
   const auto read = std::from_chars(word.data(), end, rgb, 16);
   if (word.size() != 6 || read.ec != std::errc() || read.ptr != end) {
-    return "is not RRGGBB, such as 808080";
+    return "is not RRGGBB, such as 808080, and not none";
   }
-  background = rgb;
+  output.background = rgb;
   return std::nullopt;
 }
 
@@ -229,9 +232,9 @@ std::vector<OptionRow> picture_rows(OutputOptions& output) {
        "Size of the pictures in pixels, each side up to 8192: 800x600 by default, 300x375 in "
        "a gallery.",
        parsed(Kind::Word, read_size, output), "Pictures"},
-      {"background", "RRGGBB", "", "plain background",
-       "A plain background of this colour behind the face.",
-       parsed(Kind::Word, read_background, output.background)},
+      {"background", "RRGGBB", "", "plain background; none: transparent",
+       "A plain background of this colour behind the face; with none, PNGs are transparent there.",
+       parsed(Kind::Word, read_background, output)},
       {"show", "LAYER[,...]", "", "what is drawn; see below (textured)",
        "Layers: polygons, textured (the default), transparent, wireframe, vertices, muscles, "
        "jaw-tags, eye-tags.",
@@ -279,6 +282,10 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        flag(output.fast)},
       {"stats", "FILE.json", "", "write statistics at exit",
        "Writes statistics of buffers, delays and frames at exit.", word(output.stats)},
+      {"onsets", "FILE.csv", "", "when each face was on the display",
+       "Writes when each face was on the display (CLOCK_MONOTONIC, s), its keyframe and its AUs: "
+       "for the clock of an experiment. Only with the window.",
+       word(output.onsets)},
       {"headless", "", "", "no window; exits with the stream", "", flag(options.headless),
        "Program"},
       {"exit-at-end", "", "", "close at the end", "Closes the window when the stream ends.",

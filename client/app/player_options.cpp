@@ -53,6 +53,14 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
   return {};
 }
 
+Result<void> check_background(const OutputOptions& output) {
+  if (!output.transparent) return {};
+  if (!output.record.empty())
+    return usage("--record makes a video, which has no --background none");
+  if (!output.sheet.empty()) return usage("--sheet makes a page, which has no --background none");
+  return {};
+}
+
 Result<void> settle_sound(const PlayerOptions& options) {
   const SoundOptions& sound = options.sound;
   if (sound.none && !sound.file.empty()) {
@@ -82,8 +90,12 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
     auto& buffers = options.playback.buffers;
     if (auto settled = settle_buffers(typed, buffers); !settled) return settled;
     if (auto settled = settle_sound(options); !settled) return settled;
+    if (auto checked = check_background(options.output); !checked) return checked;
     if (options.output.pictures() || !options.sound.file.empty()) options.output.fast = true;
     if (options.output.fast) options.headless = true;
+    if (options.headless && !options.output.onsets.empty()) {
+      return usage("--onsets tells when the window showed a face: there is none");
+    }
     if (options.output.fast && buffers.low_delay) {
       return usage("--live is for watching; --fast and pictures run on the film clock");
     }

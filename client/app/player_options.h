@@ -63,8 +63,10 @@ struct OutputOptions {
   std::filesystem::path record;             ///< --record FILE
   std::filesystem::path sheet;              ///< --sheet FILE.png
   std::filesystem::path stats;              ///< --stats FILE.json
+  std::filesystem::path onsets;             ///< --onsets FILE.csv
   std::optional<int> fps;                   ///< 1-240
   std::optional<std::uint32_t> background;  ///< --background RRGGBB; nothing: the usual one
+  bool transparent = false;                 ///< --background none
   int width = 800;
   int height = 600;
   view::Layers layers;      ///< --show

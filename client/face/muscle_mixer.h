@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "client/face/face.h"
 #include "common/action_unit.h"
@@ -14,6 +15,11 @@ enum class Mixer : std::uint8_t {
   Maximum,  ///< max of intensity x recorded activation (table 5.2)
   Average,  ///< over the AUs that use the channel: sum(i a) / sum(i) x max(i) (table 5.1 at 100 %)
 };
+
+/// "maximum" or "average", as options and files have it.
+[[nodiscard]] constexpr std::string_view name(Mixer mixer) {
+  return mixer == Mixer::Average ? "average" : "maximum";
+}
 
 /// Fills `activations`, one per channel. A channel of the left side takes the left intensities, a
 /// central one the larger side. An AU without recording does nothing. Allocates nothing.

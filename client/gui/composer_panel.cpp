@@ -19,12 +19,6 @@ void ask(GuiCommands& commands, ComposerCommand command) {
   commands.push_back(std::move(command));
 }
 
-/// A change of something that is dragged belongs to the press that began it.
-bool belongs_to_drag() {
-  return !ImGui::IsItemActivated() && ImGui::IsMouseDown(0) &&
-         ImGui::GetIO().MouseDownDuration[0] > 0;
-}
-
 void file_buttons(const ComposerView& composer, GuiCommands& commands) {
   if (wide_button("New", 0, 4, true)) ask(commands, NewComposition{});
   if (wide_button("Open...", 1, 4, true)) commands.push_back(Browse{Purpose::ComposeStream});
@@ -182,14 +176,6 @@ void au_grid(const GuiModel& model, GuiCommands& commands) {
   ImGui::PopStyleVar(2);
 }
 
-/// One slider of an AU: changed, `value` is the new one.
-bool percent_slider(const char* id, float width, int& value, bool& continued) {
-  ImGui::SetNextItemWidth(width);
-  const bool changed = ImGui::SliderInt(id, &value, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);
-  continued = belongs_to_drag();
-  return changed;
-}
-
 void au_sliders(const Look& look, const ComposerView& composer, bool linked,
                 GuiCommands& commands) {
   for (const ComposedAu& au : composer.aus) {
@@ -239,6 +225,10 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
   if (wide_button("Neutral", 1, 4, true)) ask(commands, ComposeNeutral{});
   if (wide_button("Undo", 2, 4, composer.can_undo)) ask(commands, UndoComposing{});
   if (wide_button("Redo", 3, 4, composer.can_redo)) ask(commands, RedoComposing{});
+  if (wide_button("Take the face shown", 0, 1, composer.can_take)) ask(commands, ComposeShown{});
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("the AUs of this moment, of what plays or of an expression");
+  }
   time_of_keyframe(look, composer, commands);
   pad(look, composer, commands);
   au_grid(model, commands);

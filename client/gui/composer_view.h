@@ -29,7 +29,8 @@ struct ComposedAu {
 };
 
 struct ComposerView {
-  bool active = false;  ///< the face shows the keyframe being composed
+  bool active = false;    ///< the face shows the keyframe being composed
+  bool can_take = false;  ///< the face shows AUs that are not from here
   std::shared_ptr<const std::vector<TimelineRow>> rows;  ///< always there
   std::string total;                                     ///< "3 keyframes, 1.5 s"
   int chosen = -1;                                       ///< -1: a new one
@@ -59,6 +60,8 @@ struct ComposeMood {
   bool continued = false;
 };
 struct ComposeNeutral {};
+/// The AUs that the face shows at this moment, from a stream or as an expression.
+struct ComposeShown {};
 struct ComposeTime {
   int ms = -1;  ///< -1: no time of its own
   bool continued = false;
@@ -79,8 +82,8 @@ struct PlayComposition {};
 struct SaveComposition {};
 
 using ComposerCommand =
-    std::variant<ComposeAu, ComposeMood, ComposeNeutral, ComposeTime, AddKeyframe, ChooseKeyframe,
-                 RemoveKeyframe, MoveKeyframe, UndoComposing, RedoComposing, NewComposition,
-                 PlayComposition, SaveComposition>;
+    std::variant<ComposeAu, ComposeMood, ComposeNeutral, ComposeShown, ComposeTime, AddKeyframe,
+                 ChooseKeyframe, RemoveKeyframe, MoveKeyframe, UndoComposing, RedoComposing,
+                 NewComposition, PlayComposition, SaveComposition>;
 
 }  // namespace aucast::gui

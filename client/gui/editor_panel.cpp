@@ -102,10 +102,7 @@ void channel_slider(const Look& look, const char* id, int channel, float value, 
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(width - 2 * (step_size.x + gap));
   if (ImGui::SliderFloat("##value", &wanted, 0, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
-    // The press is the beginning of a step, what follows while it is held belongs to it.
-    const bool continued = !ImGui::IsItemActivated() && ImGui::IsMouseDown(0) &&
-                           ImGui::GetIO().MouseDownDuration[0] > 0;
-    commands.push_back(SetChannel{channel, wanted, continued});
+    commands.push_back(SetChannel{channel, wanted, belongs_to_drag()});
   }
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
     ImGui::SetTooltip("0 to %g; control and click to type", static_cast<double>(maximum));

@@ -32,6 +32,12 @@ void ExpressionEditor::step(State next) {
   future_.clear();
 }
 
+void ExpressionEditor::step_or_go_on(State next, bool continued) {
+  if (!continued || past_.empty()) return step(std::move(next));
+  now_ = std::move(next);
+  future_.clear();
+}
+
 void ExpressionEditor::set(std::size_t channel, float activation, bool continued) {
   if (!std::isfinite(activation)) return;
   State next = now_;
@@ -42,12 +48,7 @@ void ExpressionEditor::set(std::size_t channel, float activation, bool continued
   const auto partner = partner_of(face_, channel);
   if (linked_ && partner) put(*partner);
   if (next.activations == now_.activations) return;
-  if (continued && !past_.empty()) {
-    now_ = std::move(next);
-    future_.clear();
-  } else {
-    step(std::move(next));
-  }
+  step_or_go_on(std::move(next), continued);
 }
 
 void ExpressionEditor::load(int au) {
@@ -63,8 +64,8 @@ void ExpressionEditor::load(int au) {
   step(std::move(next));
 }
 
-void ExpressionEditor::take(const std::vector<float>& activations) {
-  step({activations, activations, std::nullopt});
+void ExpressionEditor::take(const std::vector<float>& activations, bool continued) {
+  step_or_go_on({activations, activations, std::nullopt}, continued);
 }
 
 void ExpressionEditor::neutral() {

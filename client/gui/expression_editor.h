@@ -33,8 +33,8 @@ class ExpressionEditor {
   void set(std::size_t channel, float activation, bool continued);
   /// Begins to edit an AU: its recording, or the neutral face for one that has none.
   void load(int au);
-  /// Takes a whole face over as a free expression.
-  void take(const std::vector<float>& activations);
+  /// Takes a whole face over as a free expression; `continued` as for set().
+  void take(const std::vector<float>& activations, bool continued);
   /// All channels to 0; the AU stays.
   void neutral();
   /// Back to what was loaded or saved last.
@@ -52,6 +52,7 @@ class ExpressionEditor {
   };
 
   void step(State next);
+  void step_or_go_on(State next, bool continued);
 
   const face::Face& face_;
   const face::AuRecordings& recordings_;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "client/gui/panels.h"
+#include "common/text.h"
 
 namespace aucast::gui {
 namespace {
@@ -11,41 +13,94 @@ namespace {
 constexpr std::array kInterpolations = {"Linear", "Cosine"};
 constexpr int kColumns = 4;
 
+std::string in_words(const ExpressionButton& button) {
+  const std::string& aus = button.kind == ExpressionKind::Macro ? std::string() : button.aus;
+  if (button.source.empty() || aus.empty()) return aus + button.source;
+  return aus + "\n" + button.source;
+}
+
 /// Returns how many there were.
-int expression_buttons(const GuiModel& model, ExpressionKind kind, GuiCommands& commands) {
+int expression_buttons(const ExpressionsView& expressions, ExpressionKind kind,
+                       GuiCommands& commands) {
   int place = 0;
-  for (std::size_t i = 0; i < model.expressions.size(); ++i) {
-    const ExpressionButton& button = model.expressions[i];
+  for (std::size_t i = 0; i < expressions.buttons.size(); ++i) {
+    const ExpressionButton& button = expressions.buttons[i];
     if (button.kind != kind) continue;
+    const bool chosen = static_cast<int>(i) == expressions.chosen;
     ImGui::PushID(static_cast<int>(i));
-    if (wide_button(button.label.c_str(), place++ % kColumns, kColumns, true)) {
+    if (wide_button(button.label.c_str(), place++ % kColumns, kColumns, true, chosen)) {
       commands.push_back(ShowExpression{i});
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.what.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_words(button).c_str());
     ImGui::PopID();
   }
   return place;
 }
 
+/// Whether the label, an AU's packet or the source have the words; case does not matter.
+bool is_meant(const ExpressionButton& button, const std::string& words) {
+  return lowered(button.label + "\n" + in_words(button)).find(words) != std::string::npos;
+}
+
+void found_expressions(const ExpressionsView& expressions, const std::string& words,
+                       GuiCommands& commands) {
+  bool any = false;
+  for (std::size_t i = 0; i < expressions.buttons.size(); ++i) {
+    const ExpressionButton& button = expressions.buttons[i];
+    if (button.kind != ExpressionKind::Other || !is_meant(button, words)) continue;
+    any = true;
+    const bool chosen = static_cast<int>(i) == expressions.chosen;
+    if (ImGui::Selectable(button.label.c_str(), chosen)) {
+      commands.push_back(ShowExpression{i});
+      ImGui::CloseCurrentPopup();
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_words(button).c_str());
+  }
+  if (!any) quiet_text("none has these words");
+}
+
 /// Other sets of AUs for the same emotions: what the buttons leave free of their last line.
-void more_expressions(const GuiModel& model, int buttons, GuiCommands& commands) {
+void more_expressions(const Look& look, const ExpressionsView& expressions, int buttons,
+                      ExpressionForm& form, GuiCommands& commands) {
+  const auto chosen = static_cast<std::size_t>(expressions.chosen);
+  const bool is_other = chosen < expressions.buttons.size() &&
+                        expressions.buttons[chosen].kind == ExpressionKind::Other;
   if (buttons % kColumns != 0) ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##more", "more", ImGuiComboFlags_HeightLarge)) return;
-  for (std::size_t i = 0; i < model.expressions.size(); ++i) {
-    const ExpressionButton& button = model.expressions[i];
-    if (button.kind != ExpressionKind::Other) continue;
-    if (ImGui::Selectable(button.label.c_str())) commands.push_back(ShowExpression{i});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.what.c_str());
+  const char* shown = is_other ? expressions.buttons[chosen].label.c_str() : "more";
+  if (!ImGui::BeginCombo("##more", shown, ImGuiComboFlags_HeightLarge)) return;
+  if (ImGui::IsWindowAppearing()) {
+    form.search[0] = 0;
+    ImGui::SetKeyboardFocusHere();
   }
+  ImGui::SetNextItemWidth(260 * look.scale);
+  ImGui::InputTextWithHint("##search", "search: a word, AUs, an author", form.search.data(),
+                           form.search.size());
+  found_expressions(expressions, lowered(form.search.data()), commands);
   ImGui::EndCombo();
 }
 
-void expressions(const Look& look, const GuiModel& model, GuiCommands& commands) {
+void strength(const Look& look, const ExpressionsView& expressions, GuiCommands& commands) {
+  label(look, "Strength");
+  int percent = expressions.percent;
+  bool continued = false;
+  if (percent_slider("##strength", -1, percent, continued)) {
+    commands.push_back(ChangeStrength{percent, continued});
+  }
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("of all intensities of an expression; control and click to type");
+  }
+}
+
+void expressions(const Look& look, const GuiModel& model, ExpressionForm& form,
+                 GuiCommands& commands) {
+  const ExpressionsView& all = model.expressions;
   heading(look, "Expressions");
-  more_expressions(model, expression_buttons(model, ExpressionKind::Main, commands), commands);
+  const int buttons = expression_buttons(all, ExpressionKind::Main, commands);
+  more_expressions(look, all, buttons, form, commands);
+  strength(look, all, commands);
   heading(look, "Waters' macros");
-  expression_buttons(model, ExpressionKind::Macro, commands);
+  expression_buttons(all, ExpressionKind::Macro, commands);
 }
 
 void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
@@ -72,6 +127,14 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
 void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
               GuiCommands& commands) {
   heading(look, "Action Units together");
+  // The AUs of an expression are where they can be changed.
+  if (form.taken != model.expressions.aus) {
+    form.taken = model.expressions.aus;
+    if (!form.taken.empty()) {
+      form.aus.fill(0);
+      form.taken.copy(form.aus.data(), form.aus.size() - 1);
+    }
+  }
   const float button = 70 * look.scale;
   ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));
   const bool entered =
@@ -88,7 +151,7 @@ void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
 
 void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
                       GuiCommands& commands) {
-  expressions(look, model, commands);
+  expressions(look, model, form, commands);
   way_there(look, model, commands);
   compound(look, model, form, commands);
 }

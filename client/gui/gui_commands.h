@@ -28,6 +28,11 @@ struct ChangeAnimation {
 struct ShowExpression {
   std::size_t index = 0;
 };
+/// Of the expression that is shown, and of those to come: 0-100 % of all its intensities.
+struct ChangeStrength {
+  int percent = 100;
+  bool continued = false;  ///< as in SetChannel
+};
 struct ChangeTransition {
   TransitionSettings settings;
 };
@@ -113,8 +118,9 @@ using SoundCommand = std::variant<SetVolume, ToggleMute, ListDevices, ChooseDevi
 /// About what plays.
 using PlaybackCommand = std::variant<Connect, Pause, Resume, Stop, LocalCommand>;
 /// About the face of the expression panel.
-using EditorCommand = std::variant<ShowExpression, ChangeTransition, SetChannel, SetLinked, LoadAu,
-                                   SaveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
+using EditorCommand =
+    std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
+                 SaveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
 using GuiCommand = std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand,
                                 ChangeAnimation, ChangeRendering, AskStreams, LookFrom, Leave,

@@ -134,9 +134,19 @@ enum class ExpressionKind : std::uint8_t {
 /// An expression as a button.
 struct ExpressionButton {
   std::string label;
-  std::string what;  ///< its AUs, or where its muscles come from
+  std::string aus;  ///< as in a packet; "0" for muscles alone
   ExpressionKind kind = ExpressionKind::Main;
+  std::string source{};  ///< who describes it so, in words
   friend bool operator==(const ExpressionButton&, const ExpressionButton&) = default;
+};
+
+/// The named expressions, and the one that the face shows.
+struct ExpressionsView {
+  std::vector<ExpressionButton> buttons;
+  int chosen = -1;    ///< index of the one that is shown; -1: none, or it was changed since
+  int percent = 100;  ///< 0-100: how much of an expression is shown
+  std::string aus;    ///< of the chosen one at this strength, as in a packet; empty: none
+  friend bool operator==(const ExpressionsView&, const ExpressionsView&) = default;
 };
 
 /// How an expression is reached from the face as it is.
@@ -147,7 +157,8 @@ struct TransitionSettings {
   friend bool operator==(const TransitionSettings&, const TransitionSettings&) = default;
 };
 
-enum class Ground : std::uint8_t { Studio, Black, Grey, White };
+/// None: pictures are transparent there; the window shows the studio.
+enum class Ground : std::uint8_t { Studio, Black, Grey, White, None };
 enum class View : std::uint8_t { Front, ThreeQuarter, Profile };
 
 struct RenderingSettings {
@@ -245,7 +256,7 @@ struct GuiModel {
   ComposerView composer;
   std::shared_ptr<const std::vector<AuEntry>> known_aus;  ///< always there
   std::string recording;                                  ///< the video being recorded; empty: none
-  std::vector<ExpressionButton> expressions;
+  ExpressionsView expressions;
   TransitionSettings transition;
   RenderingView rendering;
   bool asks_to_leave = false;  ///< there are unsaved changes and the user wants to go

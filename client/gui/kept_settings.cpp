@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kFileMax = std::size_t{1} << 20U;
 constexpr std::array<std::string_view, 2> kMixers = {"maximum", "average"};
 constexpr std::array<std::string_view, 2> kInterpolations = {"linear", "cosine"};
-constexpr std::array<std::string_view, 4> kGrounds = {"studio", "black", "grey", "white"};
+constexpr std::array<std::string_view, 5> kGrounds = {"studio", "black", "grey", "white", "none"};
 
 /// Fields keep their value where the file is silent.
 class Fields : public TableReader {

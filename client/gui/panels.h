@@ -25,7 +25,9 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, Gui
 
 /// What is being typed in the expression panel.
 struct ExpressionForm {
-  std::array<char, 512> aus{};  ///< to be shown together
+  std::array<char, 512> aus{};    ///< to be shown together
+  std::string taken;              ///< the AUs of the expression that were put there last
+  std::array<char, 64> search{};  ///< among the expressions without a button
 };
 
 /// Named expressions, and AUs put together.

@@ -8,7 +8,7 @@
 namespace aucast::gui {
 namespace {
 
-constexpr std::array kGrounds = {"Studio", "Black", "Grey", "White"};
+constexpr std::array kGrounds = {"Studio", "Black", "Grey", "White", "None"};
 constexpr std::array kInterpolations = {"Linear", "Cosine"};
 
 struct LayerLabel {

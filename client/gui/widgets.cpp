@@ -126,6 +126,18 @@ bool wide_button(const char* text, int share, int shares, bool enabled, bool imp
   return pressed;
 }
 
+bool belongs_to_drag() {
+  return !ImGui::IsItemActivated() && ImGui::IsMouseDown(0) &&
+         ImGui::GetIO().MouseDownDuration[0] > 0;
+}
+
+bool percent_slider(const char* id, float width, int& value, bool& continued) {
+  ImGui::SetNextItemWidth(width);
+  const bool changed = ImGui::SliderInt(id, &value, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);
+  continued = belongs_to_drag();
+  return changed;
+}
+
 void buffer_bar(const Look& look, const char* name, const BufferLevel& level) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(name);

@@ -67,7 +67,8 @@ Image make_image(int width, int height, std::uint32_t rgb) {
   return image;
 }
 
-Result<void> write_png(const Image& image, const std::filesystem::path& path) {
+Result<void> write_png(const Image& image, const std::filesystem::path& path,
+                       std::span<const PngText> texts) {
   AUCAST_CHECK(whole(image));
   // A third less to compress, and every viewer shows it the same.
   const bool drop_alpha = opaque(image);
@@ -84,7 +85,7 @@ Result<void> write_png(const Image& image, const std::filesystem::path& path) {
                              drop_alpha ? rgb.data() : image.rgba.data(), image.width * channels);
   if (done == 0)
     return Error{ErrorKind::Failed, at_place(path.string(), "no memory for a picture")};
-  return write_file_atomically(path, bytes);
+  return write_file_atomically(path, with_texts(bytes, texts));
 }
 
 Result<Image> read_png(const std::filesystem::path& path) {
@@ -167,6 +168,25 @@ Image halved(const Image& image) {
     }
   }
   return half;
+}
+
+Image without_ground(const Image& on_black, const Image& on_white) {
+  AUCAST_CHECK(whole(on_black) && on_black.rgba.size() == on_white.rgba.size());
+  Image image{on_black.width, on_black.height, {}};
+  image.rgba.resize(on_black.rgba.size());
+  for (std::size_t i = 0; i < image.rgba.size(); i += kChannels) {
+    const std::uint8_t* const black = &on_black.rgba[i];
+    const std::uint8_t* const white = &on_white.rgba[i];
+    // Where the ground shines through, it does so in all three colours alike, but for rounding.
+    const int through = (white[0] - black[0] + white[1] - black[1] + white[2] - black[2] + 1) / 3;
+    const int alpha = 255 - std::clamp(through, 0, 255);
+    for (std::size_t c = 0; c < 3 && alpha > 0; ++c) {
+      image.rgba[i + c] =
+          static_cast<std::uint8_t>(std::min(255, (black[c] * 255 + alpha / 2) / alpha));
+    }
+    image.rgba[i + 3] = static_cast<std::uint8_t>(alpha);
+  }
+  return image;
 }
 
 ImageDifference compare(const Image& a, const Image& b, int tolerance) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "client/view/png_text.h"
 #include "common/result.h"
 
 namespace aucast::view {
@@ -19,8 +20,9 @@ struct Image {
 
 [[nodiscard]] Image make_image(int width, int height, std::uint32_t rgb = 0);
 
-/// Writes a PNG atomically. Failed when the place cannot be written.
-[[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path);
+/// Writes a PNG atomically, with these texts. Failed when the place cannot be written.
+[[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path,
+                                     std::span<const PngText> texts = {});
 [[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
 
 /// Copies `from` into `to` with its top left corner at (x, y), cut at the borders.
@@ -29,6 +31,10 @@ void paste(Image& to, const Image& from, int x, int y);
 /// Half as wide and high, both of which are even: each pixel the mean of four. stb_image_resize
 /// gives the same bytes in eighty times the time.
 [[nodiscard]] Image halved(const Image& image);
+
+/// The picture whose ground is transparent, from the same picture on black and on white ground:
+/// alpha = 1 - (white - black), colour = black / alpha (Smith and Blinn 1996, two backings).
+[[nodiscard]] Image without_ground(const Image& on_black, const Image& on_white);
 
 /// Pictures of one size in rows of `columns`, each with a line of text under it, on a plain ground.
 [[nodiscard]] Image contact_sheet(std::span<const Image> pictures,

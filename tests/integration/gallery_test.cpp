@@ -106,6 +106,20 @@ TEST(Gallery, TheBackgroundIsTheOneThatWasAskedFor) {
   EXPECT_NEAR(picture->rgba[2], 0x40, 1);
 }
 
+TEST(Gallery, WithoutABackgroundThePictureIsTransparentThere) {
+  const TempFolder folder;
+  const auto file = folder.path() / "pose.png";
+  const PlayerRun run =
+      run_player({"pose", "12", "--png", file.string(), "--size", "48x60", "--background", "none"});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  const auto picture = view::read_png(file);
+  ASSERT_TRUE(picture.has_value());
+  EXPECT_EQ(picture->rgba[3], 0) << "a corner";
+  const std::size_t nose = 4 * (30 * 48 + 24);
+  EXPECT_EQ(picture->rgba[nose + 3], 255);
+  EXPECT_GT(picture->rgba[nose], picture->rgba[nose + 2]) << "skin is red rather than blue";
+}
+
 TEST(Gallery, AFolderThatCannotBeMadeFails) {
   const TempFolder folder;
   const auto file = folder.write("file", "x");

@@ -4,6 +4,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -129,6 +132,19 @@ TEST(Pictures, APoseIsAPicture) {
       {"pose", "6,12", "--png", (folder.path() / "smile.png").string(), "--size", "64x64"});
   EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
   EXPECT_TRUE(folder.read("smile.png").starts_with("\x89PNG"));
+}
+
+TEST(Pictures, APoseSaysInItsFileWhatItIs) {
+  const TempFolder folder;
+  const PlayerRun run = run_player({"pose", "12:40", "--mixer", "average", "--png",
+                                    (folder.path() / "smile.png").string(), "--size", "64x64"});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  const std::string png = folder.read("smile.png");
+  for (const auto& [keyword, text] : std::vector<std::pair<std::string, std::string>>{
+           {"AUs", "12:40"}, {"Rules", "facs"}, {"Mixer", "average"}, {"Camera", "front"}}) {
+    EXPECT_NE(png.find(keyword + std::string(5, '\0') + text), std::string::npos) << keyword;
+  }
+  EXPECT_NE(png.find("left_zygomaticus_major=0."), std::string::npos);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "client/app/assets.h"
 #include "client/app/film/obj_writer.h"
 #include "client/app/film/picture_maker.h"
+#include "client/app/film/picture_notes.h"
+#include "client/app/film/shot.h"
 #include "client/face/au_blender.h"
 #include "client/face/face_deformer.h"
 #include "common/files.h"
@@ -91,7 +93,8 @@ Result<AuFrame> requested_aus(const PoseOptions& pose, const Expression& express
   return frame;
 }
 
-Result<void> write_outputs(const Assets& assets, const PlayerOptions& options,
+/// `aus`: with the rules applied.
+Result<void> write_outputs(const Assets& assets, const PlayerOptions& options, const AuFrame& aus,
                            std::span<const float> activations) {
   const PoseOptions& pose = options.pose;
   if (!pose.obj.empty()) {
@@ -100,12 +103,15 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options,
     if (auto written = write_file_atomically(pose.obj, text); !written) return written;
   }
   if (!pose.png.empty()) {
-    auto maker = PictureMaker::create(assets.face, options.output.width, options.output.height,
-                                      camera_preset(pose.camera, assets.face),
-                                      backdrop(options.output.background), Sharpness::Still);
+    auto maker = PictureMaker::create(
+        assets.face, options.output.width, options.output.height,
+        camera_preset(pose.camera, assets.face),
+        backdrop(options.output.background, options.output.transparent), Sharpness::Still);
     if (!maker) return maker.error();
     (*maker)->show(options.output.layers);
-    return view::write_png((*maker)->picture(activations), pose.png);
+    const auto texts = texts_of({assets.face, aus, assets.rules.name, options.face.mixer,
+                                 options.output.layers, pose.camera, activations});
+    return view::write_png((*maker)->picture(activations), pose.png, texts);
   }
   if (pose.obj.empty()) print_activations(assets, activations);
   return {};
@@ -132,13 +138,14 @@ Result<void> run_pose(const PlayerOptions& options) {
     spdlog::warn("the face '{}' cannot show AU {}", (*assets)->face.name, missing);
   }
   std::vector<float> activations((*assets)->face.channels.size());
-  face::mix((*assets)->face, face::blend((*assets)->rules, *aus), options.face.mixer, activations);
+  const AuFrame blended = face::blend((*assets)->rules, *aus);
+  face::mix((*assets)->face, blended, options.face.mixer, activations);
   auto applied = apply_muscles((*assets)->face, expression, activations);
   if (!applied) return applied;
   for (const auto& [name, value] : options.pose.muscles) {
     if (auto set = set_channel((*assets)->face, name, value, activations); !set) return set;
   }
-  return write_outputs(**assets, options, activations);
+  return write_outputs(**assets, options, blended, activations);
 }
 
 Result<void> run_rules(const PlayerOptions& options) {

@@ -40,8 +40,8 @@ class FaceView {
 
   /// Makes room for pictures of one size. Failed when the driver cannot draw them.
   [[nodiscard]] Result<void> prepare(int width, int height, Sharpness sharpness);
-  /// A picture of the size prepared last. Leaves a framebuffer of its own bound. Same pose, camera
-  /// and style, same bytes.
+  /// A picture of the size prepared last; with a transparent background it is drawn twice. Leaves a
+  /// framebuffer of its own bound. Same pose, camera and style, same bytes.
   [[nodiscard]] view::Image picture(const view::Camera& camera, view::Style style);
 
  private:

@@ -6,6 +6,7 @@
 
 #include "client/app/film/face_diagram.h"
 #include "client/app/film/face_scene.h"
+#include "client/app/film/shot.h"
 #include "client/face/face_deformer.h"
 #include "client/render/face_renderer.h"
 #include "client/render/offscreen_target.h"
@@ -105,11 +106,18 @@ Result<void> FaceView::prepare(int width, int height, Sharpness sharpness) {
 view::Image FaceView::picture(const view::Camera& camera, view::Style style) {
   State& s = *state_;
   AUCAST_CHECK(s.target != nullptr);
-  s.target->bind();
   style.scale *= static_cast<float>(s.drawn_larger);
-  draw(camera, style, s.drawn_larger * s.width, s.drawn_larger * s.height);
-  view::Image image = s.target->read();
-  return s.drawn_larger == 2 ? view::halved(image) : image;
+  const auto drawn = [&] {
+    s.target->bind();
+    draw(camera, style, s.drawn_larger * s.width, s.drawn_larger * s.height);
+    view::Image image = s.target->read();
+    return s.drawn_larger == 2 ? view::halved(image) : image;
+  };
+  if (!style.background.transparent) return drawn();
+  style.background = backdrop(0x000000);
+  const view::Image on_black = drawn();
+  style.background = backdrop(0xFFFFFF);
+  return view::without_ground(on_black, drawn());
 }
 
 }  // namespace aucast::app

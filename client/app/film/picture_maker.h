@@ -1,10 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string_view>
 
 #include "client/app/film/face_view.h"
 #include "client/face/face.h"
@@ -14,12 +11,6 @@
 #include "common/result.h"
 
 namespace aucast::app {
-
-/// The camera of --camera: front, three-quarter or profile.
-[[nodiscard]] view::Camera camera_preset(std::string_view name, const face::Face& face);
-
-/// The plain ground of --background (sRGB, 0xRRGGBB); nothing: the usual one, lit from behind.
-[[nodiscard]] view::Background backdrop(std::optional<std::uint32_t> rgb);
 
 /// Activations in, picture out, without a display. In a build without OpenGL create() fails and
 /// says so.

@@ -12,7 +12,9 @@
 
 #include "client/app/assets.h"
 #include "client/app/film/picture_maker.h"
+#include "client/app/film/picture_notes.h"
 #include "client/app/film/picture_sinks.h"
+#include "client/app/film/shot.h"
 #include "client/app/gallery/gallery_manifest.h"
 #include "client/app/gallery/gallery_page.h"
 #include "client/app/gallery/gallery_plan.h"
@@ -88,9 +90,10 @@ class GalleryWriter {
   }
 
   Result<void> draw_all() {
-    auto maker = PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
-                                      camera_preset(options_.pose.camera, assets_.face),
-                                      backdrop(options_.output.background), Sharpness::Still);
+    auto maker = PictureMaker::create(
+        assets_.face, options_.output.width, options_.output.height,
+        camera_preset(options_.pose.camera, assets_.face),
+        backdrop(options_.output.background, options_.output.transparent), Sharpness::Still);
     if (!maker) return maker.error();
     (*maker)->show(options_.output.layers);
     maker_ = std::move(*maker);
@@ -120,7 +123,11 @@ class GalleryWriter {
       for (float& activation : activations_) activation *= strength;
     }
     const view::Image image = maker_->picture(activations_);
-    auto written = view::write_png(image, options_.gallery.folder / picture.file);
+    const bool only_muscles = !picture.muscles.empty() && picture.shown == AuFrame{};
+    const auto texts = texts_of(
+        {assets_.face, only_muscles ? std::nullopt : std::optional(picture.shown), picture.rules,
+         picture.mixer, options_.output.layers, options_.pose.camera, activations_});
+    auto written = view::write_png(image, options_.gallery.folder / picture.file, texts);
     if (!written) return written;
     if (video != nullptr) {
       if (auto added = video->add(image); !added) return added;
@@ -163,7 +170,7 @@ class GalleryWriter {
     GallerySetting setting;
     setting.face = assets_.face.name;
     setting.camera = options_.pose.camera;
-    setting.background = "default";
+    setting.background = options_.output.transparent ? "none" : "default";
     if (options_.output.background) {
       std::array<char, 16> text{};
       std::snprintf(text.data(), text.size(), "%06X", *options_.output.background);

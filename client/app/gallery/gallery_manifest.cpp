@@ -53,7 +53,6 @@ std::vector<std::string> what_is_shown(const GalleryPicture& picture, const std:
                        : term.side == Side::Right ? "right"
                                                   : "both");
   }
-  const char* mixer = picture.mixer == face::Mixer::Average ? "average" : "maximum";
   return {joined(numbers),
           joined(intensities),
           joined(sides),
@@ -61,7 +60,7 @@ std::vector<std::string> what_is_shown(const GalleryPicture& picture, const std:
           joined(picture.sources),
           muscles_text(picture.muscles),
           face,
-          only_muscles ? "" : mixer,
+          only_muscles ? "" : std::string(face::name(picture.mixer)),
           only_muscles ? "" : picture.rules};
 }
 

@@ -12,7 +12,7 @@ namespace aucast::app {
 struct GallerySetting {
   std::string face;
   std::string camera;
-  std::string background;  ///< RRGGBB or default
+  std::string background;  ///< RRGGBB, none or default
   std::string layers;      ///< as --show takes them
   std::string version;
   int width = 0;

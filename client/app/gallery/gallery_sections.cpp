@@ -43,10 +43,6 @@ const char* word(Side side) {
   return side == Side::Left ? "left" : side == Side::Right ? "right" : "both";
 }
 
-const char* word(face::Mixer mixer) {
-  return mixer == face::Mixer::Average ? "average" : "maximum";
-}
-
 /// The sides on which an AU is shown. A wink is on one side or it is none, a jaw goes to one.
 std::vector<Side> sides_of(const face::Face& face, int number) {
   if (!is_sided(face, number)) return {Side::Both};
@@ -232,7 +228,7 @@ GalleryRow GalleryPlanner::benchmark_row(const std::string& emotion, face::Mixer
   for (const face::RuleSet* rules :
        {&input_.rules.kumar2010, &input_.rules.facs, &input_.rules.none}) {
     const std::string file =
-        "appendix_b/" + emotion + "_" + word(mixer) + "_" + rules->name + ".png";
+        "appendix_b/" + emotion + "_" + std::string(face::name(mixer)) + "_" + rules->name + ".png";
     const std::size_t index = picture(file, subject(*thesis), mixer, *rules);
     row.figures.push_back({index, "", spaced(plan_.pictures[index].shown), 0});
   }
@@ -249,7 +245,7 @@ void GalleryPlanner::add_appendix_b() {
       "do are cut). Under each picture: the Action Units that the rules left.",
       {}};
   for (const face::Mixer mixer : {face::Mixer::Average, face::Mixer::Maximum}) {
-    GalleryBlock block{std::string("Mixer: ") + word(mixer),
+    GalleryBlock block{"Mixer: " + std::string(face::name(mixer)),
                        {"Waters (benchmark)", "rules kumar2010", "rules facs", "no rules"},
                        {}};
     for (const char* emotion : kEmotions) block.rows.push_back(benchmark_row(emotion, mixer));

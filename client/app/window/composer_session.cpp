@@ -46,7 +46,8 @@ ComposerSession::ComposerSession(const Assets& assets, const pipeline::AuMapping
 }
 
 bool ComposerSession::apply(const gui::ComposerCommand& command, Instant) {
-  if (std::holds_alternative<gui::PlayComposition>(command) ||
+  if (std::holds_alternative<gui::ComposeShown>(command) ||
+      std::holds_alternative<gui::PlayComposition>(command) ||
       std::holds_alternative<gui::SaveComposition>(command)) {
     return false;
   }
@@ -77,12 +78,19 @@ bool ComposerSession::apply(const gui::ComposerCommand& command, Instant) {
       [&](const gui::UndoComposing&) { composer_.undo(); },
       [&](const gui::RedoComposing&) { composer_.redo(); },
       [&](const gui::NewComposition&) { composer_.begin_anew(); },
+      [](const gui::ComposeShown&) {},
       [](const gui::PlayComposition&) {},
       [](const gui::SaveComposition&) {}};
   std::visit(carry_out, command);
   remake();
   list_keyframes();
   return shows;
+}
+
+void ComposerSession::take(const AuFrame& aus) {
+  pad_at_.reset();
+  composer_.set_aus(aus, false);
+  remake();
 }
 
 void ComposerSession::remake() {

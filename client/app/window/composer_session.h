@@ -23,9 +23,11 @@ class ComposerSession {
  public:
   ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping);
 
-  /// True when the composer's face is to be shown. PlayComposition and SaveComposition are not
-  /// carried out here: they need a player and a file.
+  /// True when the composer's face is to be shown. ComposeShown, PlayComposition and
+  /// SaveComposition are not carried out here: they need another face, a player and a file.
   bool apply(const gui::ComposerCommand& command, Instant now);
+  /// These are the AUs of the keyframe from now on.
+  void take(const AuFrame& aus);
   /// The mapping has changed.
   void remake();
   /// Reads a stream file in place of what is there, which undo brings back.
@@ -34,6 +36,8 @@ class ComposerSession {
   [[nodiscard]] Result<std::string> save(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<float>& activations(Instant) const { return activations_; }
+  /// Of the keyframe being composed.
+  [[nodiscard]] const AuFrame& aus() const { return composer_.current().aus; }
   [[nodiscard]] bool unsaved() const { return composer_.unsaved(); }
   /// Where it came from or went to; empty: nowhere yet.
   [[nodiscard]] std::filesystem::path file() const { return composer_.file(); }

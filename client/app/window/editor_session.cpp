@@ -22,10 +22,9 @@ std::vector<gui::ExpressionButton> buttons_of(const std::vector<Expression>& exp
       return one.kind == ExpressionKind::Main && one.label == expression.label;
     };
     gui::ExpressionButton button{expression.label, protocol::format_au_set(expression.aus),
-                                 ExpressionKind::Main};
+                                 ExpressionKind::Main, expression.source};
     if (!expression.muscles.empty()) {
       button.kind = ExpressionKind::Macro;
-      button.what = expression.source;
     } else if (std::any_of(buttons.begin(), buttons.end(), same)) {
       button.kind = ExpressionKind::Other;
       button.label = expression.name;
@@ -43,8 +42,8 @@ EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping,
       mapping_(mapping),
       notices_(notices),
       shown_(shown),
-      editor_(mapping.face, mapping.recordings),
-      buttons_(buttons_of(assets.expressions)) {
+      editor_(mapping.face, mapping.recordings) {
+  expressions_.buttons = buttons_of(assets.expressions);
   list_aus();
 }
 
@@ -52,12 +51,13 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
   // What is edited is shown at once, and is no longer what was put together.
   const auto edit = [&](auto change) {
     transition_.reset();
-    compound_.clear();
+    show_none_of_them();
     change();
     return true;
   };
   const Overloaded carry_out{
-      [&](const gui::ShowExpression& one) { return show_expression(one.index, now); },
+      [&](const gui::ShowExpression& one) { return show_expression(one.index, false, now); },
+      [&](const gui::ChangeStrength& one) { return change_strength(one, now); },
       [&](const gui::ShowAus& one) { return show_aus(one.aus, now); },
       [&](const gui::ChangeTransition& one) {
         transition_settings_ = one.settings;
@@ -86,18 +86,29 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
   return std::visit(carry_out, command);
 }
 
-bool EditorSession::show_expression(std::size_t index, Instant now) {
+bool EditorSession::show_expression(std::size_t index, bool continued, Instant now) {
   if (index >= assets_.expressions.size()) return false;
-  const Expression& expression = assets_.expressions[index];
-  std::vector<float> target(shown_.size());
-  mapping_.apply(expression.aus, target);
+  const Expression expression =
+      at_strength(assets_.expressions[index], static_cast<float>(expressions_.percent) / 100.0F);
+  std::vector<float> target = put_together(expression.aus);
   if (const auto set = apply_muscles(mapping_.face, expression, target); !set) {
     notices_.say(set.error().message, true, now);
     return false;
   }
-  go_to(std::move(target), now);
-  compound_.clear();
+  go_to(std::move(target), continued, now);
+  expressions_.chosen = static_cast<int>(index);
+  if (expression.muscles.empty()) {
+    expressions_.aus = protocol::format_au_set(expression.aus);
+  } else {
+    aus_.reset();
+  }
   return true;
+}
+
+bool EditorSession::change_strength(const gui::ChangeStrength& change, Instant now) {
+  expressions_.percent = std::clamp(change.percent, 0, 100);
+  const int chosen = expressions_.chosen;
+  return chosen >= 0 && show_expression(static_cast<std::size_t>(chosen), change.continued, now);
 }
 
 bool EditorSession::show_aus(const std::string& text, Instant now) {
@@ -108,17 +119,31 @@ bool EditorSession::show_aus(const std::string& text, Instant now) {
     return false;
   }
   if (notices_.view().text == complaint_) notices_.clear();
-  std::vector<face::RuleFired> fired;
-  std::vector<float> target(shown_.size());
-  const AuFrame blended = mapping_.apply(*aus, target, &fired);
-  go_to(std::move(target), now);
-  compound_ = gui::au_rows(*aus, blended, face::explain(fired), mapping_.recordings);
+  go_to(put_together(*aus), false, now);
   return true;
 }
 
+std::vector<float> EditorSession::put_together(const AuFrame& aus) {
+  show_none_of_them();
+  std::vector<face::RuleFired> fired;
+  std::vector<float> target(shown_.size());
+  const AuFrame blended = mapping_.apply(aus, target, &fired);
+  aus_ = blended;
+  compound_ = gui::au_rows(aus, blended, face::explain(fired), mapping_.recordings);
+  return target;
+}
+
+/// The face is no longer an expression or AUs that were put together.
+void EditorSession::show_none_of_them() {
+  aus_.reset();
+  compound_.clear();
+  expressions_.chosen = -1;
+  expressions_.aus.clear();
+}
+
 /// The editor takes a face, on the way from the one that is shown.
-void EditorSession::go_to(std::vector<float> target, Instant now) {
-  editor_.take(target);
+void EditorSession::go_to(std::vector<float> target, bool continued, Instant now) {
+  editor_.take(target, continued);
   transition_.emplace(shown_, std::move(target), transition_settings_, now);
 }
 

@@ -33,24 +33,30 @@ class EditorSession {
   [[nodiscard]] std::vector<float> activations(Instant now) const;
   /// When activations() change next; nullopt while they stay the same.
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
+  /// The AUs that the face is made of; nothing when it is made of muscles.
+  [[nodiscard]] const std::optional<AuFrame>& aus() const { return aus_; }
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved(); }
   /// The folder of the face that was saved to; empty: nothing was saved.
   [[nodiscard]] const std::string& saved_face() const { return saved_face_; }
   /// All but `active`, which the caller sets.
   [[nodiscard]] gui::EditorView view() const;
-  /// One for each expression, in their order.
-  [[nodiscard]] const std::vector<gui::ExpressionButton>& expressions() const { return buttons_; }
+  /// The buttons are one for each expression, in their order.
+  [[nodiscard]] const gui::ExpressionsView& expressions() const { return expressions_; }
   /// The AUs of the face with what they drive.
   [[nodiscard]] const std::shared_ptr<const std::vector<gui::AuEntry>>& known_aus() const {
     return known_aus_;
   }
 
  private:
-  bool show_expression(std::size_t index, Instant now);
+  bool show_expression(std::size_t index, bool continued, Instant now);
+  bool change_strength(const gui::ChangeStrength& change, Instant now);
   bool show_aus(const std::string& text, Instant now);
+  /// The face of these AUs, with what became of each of them.
+  [[nodiscard]] std::vector<float> put_together(const AuFrame& aus);
+  void show_none_of_them();
   void save_au(int number);
-  void go_to(std::vector<float> target, Instant now);
+  void go_to(std::vector<float> target, bool continued, Instant now);
   [[nodiscard]] Result<std::string> save_recording(int number);
   void list_aus();
 
@@ -64,9 +70,10 @@ class EditorSession {
   std::string saved_to_;
   bool save_failed_ = false;
   std::string saved_face_;
-  std::string complaint_;             ///< about the AUs that were typed last
-  std::vector<gui::AuRow> compound_;  ///< the AUs that were last put together
-  std::vector<gui::ExpressionButton> buttons_;
+  std::string complaint_;  ///< about the AUs that were typed last
+  std::optional<AuFrame> aus_;
+  std::vector<gui::AuRow> compound_;  ///< what became of aus_
+  gui::ExpressionsView expressions_;
   std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;
 };
 

@@ -69,6 +69,12 @@ class PlaybackSession {
 
   /// With sound, the face that belongs to what is heard.
   [[nodiscard]] const std::vector<float>& activations(Instant);
+  /// The keyframe under way, from 1; 0: none has begun.
+  [[nodiscard]] std::uint64_t keyframe() const {
+    return playback_ == nullptr ? 0 : playback_->progress().keyframe;
+  }
+  /// The AUs of that face, rules applied.
+  [[nodiscard]] const AuFrame& aus() const { return player_.face().aus; }
   /// Playing has come to its end; false while nothing was ever opened.
   [[nodiscard]] bool over() const {
     return playback_ != nullptr && playback_->over() && !sound_.rings_on();

@@ -11,9 +11,11 @@
 #include <string>
 
 #include "client/app/film/face_view.h"
-#include "client/app/film/picture_maker.h"
+#include "client/app/film/picture_notes.h"
+#include "client/app/film/shot.h"
 #include "client/app/start_times.h"
 #include "client/app/steady.h"
+#include "client/app/window/onset_log.h"
 #include "client/app/window/session_video.h"
 #include "client/app/window/window_overlay.h"
 #include "client/app/window/window_session.h"
@@ -28,6 +30,8 @@ namespace {
 
 constexpr int kFramesPerPace = 20;
 constexpr Milliseconds kSeekStep{5'000};
+/// Percent, as mpv has it.
+constexpr int kVolumeStep = 2;
 /// The pictures' size is too small for a face beside the panels.
 constexpr int kWindowWidth = 1280;
 constexpr int kWindowHeight = 800;
@@ -53,9 +57,6 @@ struct FrameTimes {
 };
 
 /// The window with everything that a frame of it needs. tick() is the table of contents.
-/// Percent, as mpv has it.
-constexpr int kVolumeStep = 2;
-
 class WindowRun {
  public:
   WindowRun(const Assets& assets, const PlayerOptions& options,
@@ -93,6 +94,10 @@ class WindowRun {
       window_->set_icon(std::move(*icon));
     }
     start_times_.passed("panels");
+    if (output.onsets.empty()) return {};
+    auto onsets = OnsetLog::create(output.onsets);
+    if (!onsets) return onsets.error();
+    onsets_ = std::move(*onsets);
     return {};
   }
 
@@ -118,6 +123,11 @@ class WindowRun {
 
   [[nodiscard]] bool done() const {
     return leaving_ || session_.leaving() || (options_.exit_at_end && session_.over());
+  }
+
+  /// Of the table of onsets.
+  [[nodiscard]] Result<void> finish_onsets() {
+    return onsets_ ? onsets_->finish() : Result<void>();
   }
 
   [[nodiscard]] std::unique_ptr<playback::Playback> finish() {
@@ -294,7 +304,15 @@ class WindowRun {
     const auto image = picture(width, height, Sharpness::Still);
     if (!image) return complain(image.error());
     const std::filesystem::path file = free_name(".", ".png");
-    if (const auto written = view::write_png(*image, file); !written) {
+    const gui::AnimationSettings& animation = shown_model_.animation;
+    const auto texts = texts_of({assets_.face,
+                                 session_.aus_shown(),
+                                 animation.rules,
+                                 animation.mixer,
+                                 style().layers,
+                                 {},
+                                 shown_activations_});
+    if (const auto written = view::write_png(*image, file, texts); !written) {
       return complain(written.error());
     }
     tell("picture saved: " + std::filesystem::absolute(file).lexically_normal().string());
@@ -381,6 +399,7 @@ class WindowRun {
     window_->present();
     const Instant end = steady_now();
     session_.face_shown();
+    if (moved && onsets_) onsets_->add(end, session_.keyframe_shown(), session_.aus_shown());
     spdlog::trace("drawn at {:.6f}", seconds(end.time_since_epoch()));
     if (stats_.frames_drawn++ == 0) {
       stats_.first_frame_ms = since_start_ms();
@@ -395,7 +414,10 @@ class WindowRun {
   }
 
   [[nodiscard]] view::Style style() {
-    return window_style(session_.rendering(), options_.output.background, window_->scale());
+    view::Style style =
+        window_style(session_.rendering(), options_.output.background, window_->scale());
+    style.background.transparent |= options_.output.transparent;
+    return style;
   }
 
   /// Only frames in which the face moved count, or showing the pace would be a reason to draw.
@@ -439,6 +461,7 @@ class WindowRun {
   std::vector<std::string> kept_addresses_;
   int frames_due_ = gui::kFramesAfterChange;
   std::unique_ptr<SessionVideo> video_;
+  std::optional<OnsetLog> onsets_;
   bool leaving_ = false;
   int pace_frames_ = 0;
   Instant pace_begin_{steady_now()};
@@ -458,7 +481,7 @@ Result<void> run_window(const Assets& assets, const PlayerOptions& options,
   }
   while (!run.done()) run.tick(stop());
   playback = run.finish();
-  return {};
+  return run.finish_onsets();
 }
 
 }  // namespace aucast::app

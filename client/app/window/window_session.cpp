@@ -122,6 +122,18 @@ const std::vector<float>& WindowSession::activations(Instant now) {
   return activations_;
 }
 
+std::optional<AuFrame> WindowSession::aus_shown() const {
+  switch (shown_) {
+    case Shown::Playback:
+      return playback_.aus();
+    case Shown::Editor:
+      return editor_.aus();
+    case Shown::Composer:
+      break;
+  }
+  return face::blend(mapping_.rules, composer_.aus());
+}
+
 /// What is made takes the face; what plays waits.
 void WindowSession::show_edited(Shown shown, Instant now) {
   playback_.apply(gui::Pause{}, now);
@@ -197,6 +209,12 @@ void WindowSession::ask_streams(const gui::RemoteSettings& settings, Instant now
 }
 
 void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant now) {
+  if (std::holds_alternative<gui::ComposeShown>(command)) {
+    const std::optional<AuFrame> aus = aus_shown();
+    if (!aus || shown_ == Shown::Composer) return;
+    composer_.take(*aus);
+    show_edited(Shown::Composer, now);
+  }
   if (composer_.apply(command, now)) show_edited(Shown::Composer, now);
   if (std::holds_alternative<gui::PlayComposition>(command)) {
     auto keyframes = composer_.keyframes();
@@ -351,6 +369,7 @@ gui::GuiModel WindowSession::model() const {
   model.editor.active = shown_ == Shown::Editor;
   model.composer = composer_.view();
   model.composer.active = shown_ == Shown::Composer;
+  model.composer.can_take = shown_ != Shown::Composer && aus_shown().has_value();
   model.known_aus = editor_.known_aus();
   model.recording = recording_;
   model.expressions = editor_.expressions();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,13 @@ class WindowSession {
 
   /// The face of this moment; one activation per channel. Overwritten by the next call.
   [[nodiscard]] const std::vector<float>& activations(Instant now);
+  /// The AUs that the face of this moment is made of, rules applied; nothing when it is made of
+  /// muscles.
+  [[nodiscard]] std::optional<AuFrame> aus_shown() const;
+  /// The keyframe of the face that is shown, from 1; 0: it is not of what plays.
+  [[nodiscard]] std::uint64_t keyframe_shown() const {
+    return shown_ == Shown::Playback ? playback_.keyframe() : 0;
+  }
   [[nodiscard]] gui::GuiModel model() const;
   /// "AUcast - playing", for the title of the window.
   [[nodiscard]] std::string title() const { return playback_.title(); }

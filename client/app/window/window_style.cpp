@@ -1,6 +1,6 @@
 #include "client/app/window/window_style.h"
 
-#include "client/app/film/picture_maker.h"
+#include "client/app/film/shot.h"
 
 namespace aucast::app {
 namespace {
@@ -8,6 +8,7 @@ namespace {
 std::optional<std::uint32_t> colour_of(gui::Ground ground, std::optional<std::uint32_t> studio) {
   switch (ground) {
     case gui::Ground::Studio:
+    case gui::Ground::None:
       break;
     case gui::Ground::Black:
       return 0x000000;
@@ -23,7 +24,8 @@ std::optional<std::uint32_t> colour_of(gui::Ground ground, std::optional<std::ui
 
 view::Style window_style(const gui::RenderingSettings& settings,
                          std::optional<std::uint32_t> background, float scale) {
-  return {.background = backdrop(colour_of(settings.ground, background)),
+  return {.background = backdrop(colour_of(settings.ground, background),
+                                 settings.ground == gui::Ground::None),
           .layers = settings.layers,
           .light = view::key_light(static_cast<float>(settings.light_yaw_deg),
                                    static_cast<float>(settings.light_pitch_deg),

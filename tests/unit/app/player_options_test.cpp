@@ -87,6 +87,8 @@ TEST(PlayerOptions, ReadWhatAGalleryNeeds) {
   EXPECT_EQ(all.gallery.only, (std::vector<std::string>{"aus", "prototypes", "sweeps"}));
   EXPECT_EQ(all.gallery.sweeps, (std::vector<std::string>{"1,2", "fear"}));
   EXPECT_EQ(all.output.background, 0x00FF7FU);
+  EXPECT_FALSE(all.output.transparent);
+  EXPECT_TRUE(accepted({"gallery", "d", "--background", "none"}).output.transparent);
   EXPECT_EQ(all.output.width, 48);
   for (const char* wrong : {"red", "12345", "1234567", "-12345", "0x1234", " 12345"}) {
     EXPECT_NE(refused({"gallery", "d", "--background", wrong}).find("--background"),
@@ -249,6 +251,7 @@ TEST(PlayerOptions, RefuseWithOneLine) {
   EXPECT_NE(refused({"h", "--fps", "0"}).find("--fps"), std::string::npos);
   EXPECT_NE(refused({"a", "b"}).find("unexpected argument 'b'"), std::string::npos);
   EXPECT_NE(refused({"--headless"}).find("needs HOST"), std::string::npos);
+  EXPECT_NE(refused({"h", "--headless", "--onsets", "o.csv"}).find("--onsets"), std::string::npos);
   EXPECT_NE(refused({"play"}).find("needs a stream FILE"), std::string::npos);
   EXPECT_NE(refused({"rules"}).find("needs a set of AUs"), std::string::npos);
 }

@@ -36,7 +36,7 @@ GuiModel playing_model() {
   model.editor.groups = {{"Mouth", {{"zygomaticus major", 2, 0, 1, 0.5F, 0.5F}}}};
   model.known_aus = std::make_shared<const std::vector<AuEntry>>(
       std::vector<AuEntry>{{12, "Lip Corner Puller", "zygomaticus major 1", "A smile."}});
-  model.expressions = {{"Happiness", "6,12"}, {"Anger", "4,5,7,23"}};
+  model.expressions.buttons = {{"Happiness", "6,12"}, {"Anger", "4,5,7,23"}};
   return model;
 }
 
@@ -295,6 +295,15 @@ TEST_F(Panels, ExpressionsAreButtonsOfTheirTab) {
   const auto show = find_by_clicking<ShowExpression>(450, 80, 200);
   ASSERT_TRUE(show.has_value());
   EXPECT_EQ(show->index, 0U);
+}
+
+TEST_F(Panels, TheAusOfTheChosenExpressionCanBeChanged) {
+  static_cast<void>(click(530, 54));  // the tab
+  model_.expressions.chosen = 0;
+  model_.expressions.aus = "6:40,12:40";
+  const auto show = find_by_clicking<ShowAus>(760, 300, 500);
+  ASSERT_TRUE(show.has_value());
+  EXPECT_EQ(show->aus, "6:40,12:40");
 }
 
 TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {

@@ -18,7 +18,7 @@ class SlowFrames : public testing::Test {
  protected:
   void SetUp() override {
     model_.known_aus = std::make_shared<const std::vector<gui::AuEntry>>();
-    model_.expressions = {{"Happiness", "6,12"}};
+    model_.expressions.buttons = {{"Happiness", "6,12"}};
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(800, 800);
     unsigned char* pixels = nullptr;

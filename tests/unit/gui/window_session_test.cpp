@@ -44,6 +44,12 @@ class WindowSessionTest : public SessionOnDefaultFace {
   [[nodiscard]] static int channel(const char* name) {
     return static_cast<int>(*assets_->face.channel_index(name));
   }
+  [[nodiscard]] static std::size_t expression(const char* name) {
+    const auto& all = assets_->expressions;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [name](const auto& one) { return one.name == name; });
+    return static_cast<std::size_t>(found - all.begin());
+  }
 
   ScriptedSource* source_ = nullptr;
   playback::Playback* playback_ = nullptr;  ///< of source_
@@ -219,12 +225,8 @@ TEST_F(WindowSessionTest, RulesThatAreNotThereChangeNothing) {
 
 TEST_F(WindowSessionTest, AnExpressionIsReachedFromTheFaceAsItIs) {
   open_nothing();
-  const auto buttons = model().expressions;
-  const auto happy = std::find_if(buttons.begin(), buttons.end(),
-                                  [](const auto& one) { return one.label == "Happiness"; });
-  ASSERT_NE(happy, buttons.end());
   ask(gui::SetChannel{channel("jaw"), 2, false});
-  ask(gui::ShowExpression{static_cast<std::size_t>(happy - buttons.begin())});
+  ask(gui::ShowExpression{expression("happiness")});
   EXPECT_EQ(shown("jaw"), 2);
   clock_.advance(Milliseconds(125));
   EXPECT_FLOAT_EQ(shown("jaw"), 1);
@@ -234,10 +236,62 @@ TEST_F(WindowSessionTest, AnExpressionIsReachedFromTheFaceAsItIs) {
   EXPECT_TRUE(model().editor.active);
 }
 
+TEST_F(WindowSessionTest, AnExpressionIsShownAsStronglyAsAsked) {
+  open_nothing();
+  EXPECT_EQ(model().expressions.chosen, -1);
+  ask(gui::ChangeStrength{40, false});
+  EXPECT_FALSE(model().editor.active) << "nothing is chosen yet";
+  const std::size_t happy = expression("happiness");
+  ask(gui::ShowExpression{happy});
+  EXPECT_EQ(model().expressions.chosen, static_cast<int>(happy));
+  EXPECT_EQ(model().expressions.aus, "6:40,12:40");
+  ASSERT_EQ(model().editor.compound.size(), 2U);
+  EXPECT_EQ(model().editor.compound[1].received_percent, 40);
+  ask(gui::ChangeStrength{100, false});
+  clock_.advance(Milliseconds(250));
+  const float whole = shown("left_zygomaticus_major");
+  ask(gui::ChangeStrength{70, true});
+  ask(gui::ChangeStrength{50, true});
+  clock_.advance(Milliseconds(250));
+  EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), whole / 2);
+  ask(gui::Undo{});
+  EXPECT_EQ(model().expressions.chosen, -1) << "the face is another one now";
+  EXPECT_EQ(model().expressions.aus, "");
+  EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), whole * 0.4F) << "a drag is one step";
+}
+
+TEST_F(WindowSessionTest, AMacroIsShownAsStronglyAsAsked) {
+  open_nothing();
+  ask(gui::ChangeStrength{50, false});
+  ask(gui::ShowExpression{expression("waters-happiness")});
+  clock_.advance(Milliseconds(250));
+  EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), 0.5F);
+  EXPECT_EQ(model().expressions.aus, "") << "muscles are no AUs";
+}
+
+TEST_F(WindowSessionTest, TheComposerTakesTheFaceThatIsShown) {
+  open_nothing();
+  EXPECT_TRUE(model().composer.can_take) << "the neutral face of what does not play yet";
+  ask(gui::SetChannel{channel("jaw"), 2, false});
+  EXPECT_FALSE(model().composer.can_take) << "muscles are no AUs";
+  ask(gui::ComposerCommand(gui::ComposeShown{}));
+  EXPECT_TRUE(model().editor.active);
+  ask(gui::ChangeStrength{60, false});
+  ask(gui::ShowExpression{expression("happiness")});
+  ask(gui::ComposerCommand(gui::ComposeShown{}));
+  EXPECT_TRUE(model().composer.active);
+  EXPECT_FALSE(model().composer.can_take) << "it is its own";
+  ASSERT_EQ(model().composer.aus.size(), 2U);
+  EXPECT_EQ(model().composer.aus[0].number, 6);
+  EXPECT_EQ(model().composer.aus[0].left_percent, 60);
+  ASSERT_TRUE(session_->aus_shown().has_value());
+  EXPECT_FLOAT_EQ(session_->aus_shown()->right[12], 0.6F);
+}
+
 TEST_F(WindowSessionTest, EveryKindOfExpressionHasOneButton) {
   using gui::ExpressionKind;
   open_nothing();
-  const auto all = model().expressions;
+  const auto all = model().expressions.buttons;
   EXPECT_EQ(all.size(), assets_->expressions.size());
   std::set<std::string> labels;
   int macros = 0;
@@ -296,11 +350,7 @@ TEST_F(WindowSessionTest, UndoIsOfWhatTheFaceShows) {
 
 TEST_F(WindowSessionTest, AMacroSetsItsMuscles) {
   open_nothing();
-  const auto& all = assets_->expressions;
-  const auto macro = std::find_if(all.begin(), all.end(),
-                                  [](const auto& one) { return one.name == "waters-happiness"; });
-  ASSERT_NE(macro, all.end());
-  ask(gui::ShowExpression{static_cast<std::size_t>(macro - all.begin())});
+  ask(gui::ShowExpression{expression("waters-happiness")});
   clock_.advance(Milliseconds(250));
   EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), 1.0F);
   EXPECT_FLOAT_EQ(shown("right_zygomaticus_major"), 1.1F);

@@ -166,6 +166,16 @@ TEST(Halved, IsTheMeanOfFour) {
   EXPECT_EQ(half.rgba, (std::vector<std::uint8_t>{17, 33, 48, 255, 16, 88, 48, 255}));
 }
 
+TEST(WithoutGround, TellsTheGroundFromWhatStandsBeforeIt) {
+  // What is there wholly, not at all, and by two thirds.
+  Image on_black = make_image(3, 1);
+  Image on_white = make_image(3, 1, 0xFFFFFF);
+  on_black.rgba = {10, 200, 90, 255, 0, 0, 0, 255, 100, 40, 0, 255};
+  on_white.rgba = {10, 200, 90, 255, 255, 255, 255, 255, 185, 125, 85, 255};
+  const Image image = without_ground(on_black, on_white);
+  EXPECT_EQ(image.rgba, (std::vector<std::uint8_t>{10, 200, 90, 255, 0, 0, 0, 0, 150, 60, 0, 170}));
+}
+
 TEST(Compare, CallsOtherSizesWhollyDifferent) {
   const ImageDifference difference = compare(make_image(4, 5), make_image(5, 4), 255);
   EXPECT_EQ(difference.share, 1);

@@ -1,7 +1,8 @@
+#include "client/app/film/shot.h"
+
 #include <algorithm>
 #include <limits>
 
-#include "client/app/film/picture_maker.h"
 #include "client/view/camera.h"
 
 namespace aucast::app {
@@ -23,15 +24,15 @@ view::Camera camera_preset(std::string_view name, const face::Face& face) {
   return camera;
 }
 
-view::Background backdrop(std::optional<std::uint32_t> rgb) {
-  if (!rgb) return {};
+view::Background backdrop(std::optional<std::uint32_t> rgb, bool transparent) {
+  if (!rgb) return {.transparent = transparent};
   // The inverse of the renderer's tone curve (to_screen() in client/render/shaders/common.glsl).
   const auto linear = [rgb](unsigned shift) {
     const float value = static_cast<float>((*rgb >> shift) & 255U) / 255.0F;
     return value * value / (1.0F - 0.14F * value * value);
   };
   const glm::vec3 colour{linear(16), linear(8), linear(0)};
-  return {colour, colour};
+  return {colour, colour, transparent};
 }
 
 }  // namespace aucast::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/face/face.h"
+#include "client/face/muscle_mixer.h"
+#include "client/view/png_text.h"
+#include "client/view/style.h"
+#include "common/action_unit.h"
+
+namespace aucast::app {
+
+/// What a picture shows and how that came about.
+struct PictureNotes {
+  const face::Face& face;
+  std::optional<AuFrame> aus;  ///< as the face shows them, rules applied; nothing: muscles alone
+  std::string_view rules{};
+  face::Mixer mixer = face::Mixer::Maximum;
+  view::Layers layers = {};
+  std::string_view camera{};  ///< of --camera; empty: turned by hand
+  std::span<const float> activations{};
+};
+
+/// The same as the text of a PNG, so that the picture explains itself and can be made again:
+/// Software, Face, AUs as in a packet, Rules, Mixer, Camera, Layers, and as Activations what
+/// `pose --muscle` takes. What there is nothing to say about is left out.
+[[nodiscard]] std::vector<view::PngText> texts_of(const PictureNotes& notes);
+
+}  // namespace aucast::app

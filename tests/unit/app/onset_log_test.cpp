@@ -1,0 +1,41 @@
+#include "client/app/window/onset_log.h"
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.h"
+
+namespace aucast::app {
+namespace {
+
+TEST(OnsetLog, HasARowForEachPictureOnceItIsFinished) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "onsets.csv";
+  auto log = OnsetLog::create(file);
+  ASSERT_TRUE(log) << log.error().message;
+  AuFrame smile;
+  set_intensity(smile, 6, Side::Both, 0.4F);
+  set_intensity(smile, 12, Side::Left, 1);
+  log->add(Instant(std::chrono::microseconds(1'500'000)), 1, smile);
+  log->add(Instant(std::chrono::microseconds(1'516'667)), 2, AuFrame{});
+  log->add(Instant(std::chrono::microseconds(20'000'000)), 0, std::nullopt);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  ASSERT_TRUE(log->finish());
+  EXPECT_EQ(folder.read("onsets.csv"),
+            "monotonic_s,keyframe,aus\n"
+            "1.500000,1,\"6:40,L12\"\n"
+            "1.516667,2,\"0\"\n"
+            "20.000000,0,\"\"\n");
+}
+
+TEST(OnsetLog, SaysAtTheStartThatItsPlaceCannotBeWritten) {
+  const auto log = OnsetLog::create("/nowhere/at/all.csv");
+  ASSERT_FALSE(log);
+  EXPECT_EQ(log.error().kind, ErrorKind::Failed);
+}
+
+}  // namespace
+}  // namespace aucast::app
