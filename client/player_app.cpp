@@ -6,6 +6,7 @@
 
 #include "client/app/assets.h"
 #include "client/app/commands/clocked_run.h"
+#include "client/app/commands/export_command.h"
 #include "client/app/commands/pose_command.h"
 #include "client/app/film/film.h"
 #include "client/app/gallery/gallery_command.h"
@@ -194,6 +195,8 @@ Result<void> run(PlayerOptions options) {
       return run_pose(options);
     case Command::Rules:
       return run_rules(options);
+    case Command::Export:
+      return run_export(options);
     case Command::Gallery:
       set_up_signals();
       return run_gallery(options, stop_asked);

@@ -21,7 +21,7 @@ SERVER = {"common", "common/camera", "common/mesh", "common/sources", "common/tl
           "common/link",
           "protocol"}
 APP = SERVER | {"client/" + room for room in
-                ("playback", "face", "pipeline", "net", "sound", "view", "render", "gui")}
+                ("playback", "face", "pipeline", "net", "sound", "view", "render", "gui", "glb")}
 
 # What the files of a folder may include of the project, besides their own folder. A file belongs to
 # the longest folder named here that it lies in; what lies in none of them may not be included.
@@ -57,6 +57,7 @@ MAY_INCLUDE = {
     "client/net": {"common", "common/tls", "common/link", "protocol", "client/playback"},
     "client/sound": {"common", "common/voice", "protocol", "client/playback"},
     "client/view": {"common"},
+    "client/glb": {"common", "common/sources", "client/playback", "client/face", "client/pipeline", "client/view"},
     "client/render": {"common", "client/view"},
     "client/gui": {"common", "protocol", "client/playback", "client/face", "client/view"},
     "client/app": APP,
@@ -64,7 +65,7 @@ MAY_INCLUDE = {
     "client/app/gallery": APP | {"client/app", "client/app/film"},
     "client/app/window": APP | {"client/app", "client/app/film"},
     "client/app/commands": APP | {"client/app", "client/app/film", "client/app/window"},
-    "client/web": APP - {"client/gui"} | {"client/app/film"},
+    "client/web": APP - {"client/gui", "client/glb"} | {"client/app/film"},
     "client": APP | {"client/app", "client/app/film", "client/app/gallery", "client/app/window",
                      "client/app/commands"},
     "speaker": {"common", "common/voice", "protocol"},
@@ -74,7 +75,7 @@ MAY_INCLUDE = {
 
 # Folders whose code knows no socket, clock, OpenGL or log.
 PURE = {"protocol", "common/mesh", "common/tls", "common/sources", "common/voice", "common/web",
-        "client/playback", "client/face", "client/pipeline", "client/sound"}
+        "client/playback", "client/face", "client/pipeline", "client/sound", "client/glb"}
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|\bf?printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL"
     r"|<thread>"

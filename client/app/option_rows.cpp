@@ -261,6 +261,15 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
   };
 }
 
+OptionRow fps_row(OutputOptions& output) {
+  return {"fps",
+          "N",
+          "",
+          "frame rate, 1-240",
+          "Pictures a second, 1 to 240.",
+          whole(output.fps, 1, 240)};
+}
+
 std::vector<OptionRow> film_rows(PlayerOptions& options) {
   OutputOptions& output = options.output;
   return {
@@ -274,8 +283,7 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
       {"sheet", "FILE.png", "", "up to 60 poses on one page",
        "Writes the poses of the keyframes to one page: of more than 60, every second, fourth, ...",
        word(output.sheet)},
-      {"fps", "N", "", "frame rate, 1-240", "Pictures a second, 1 to 240.",
-       whole(output.fps, 1, 240)},
+      fps_row(output),
       {"fast", "", "", "as fast as possible",
        "Does not wait for the clock: plays as fast as the computer can. Implied by --frames, "
        "--record, --sheet and --sound.",
@@ -363,6 +371,27 @@ std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
   };
 }
 
+std::vector<OptionRow> export_rows(PlayerOptions& options) {
+  OptionRow fps = fps_row(options.output);
+  fps.fallback = "30";
+  fps.text = "moments of the animation a second, 1 to 240 (30)";
+  fps.more = "Moments of the animation a second, 1 to 240.";
+  std::vector<OptionRow> rows{
+      {"files", "[STREAM] FILE.glb", "", "",
+       "A stream file or the table of a recogniser, which becomes the animation, and the file to "
+       "write; or the file alone, for the face without an animation.",
+       words(options.exported.files), "", Where::Positional},
+      {"basis", "BASIS", "muscles", "muscles, or aus (muscles)",
+       "What there is a morph target for: muscles, one for each muscle and lid, true to the face; "
+       "or "
+       "aus, one for each Action Unit and side, to be driven by hand.",
+       one_of<glb::Basis>(options.exported.basis,
+                          {{"muscles", glb::Basis::Muscles}, {"aus", glb::Basis::Aus}}),
+       "File"},
+      std::move(fps)};
+  return rows;
+}
+
 constexpr std::string_view kLayers =
     R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
 eye-tags.
@@ -375,6 +404,28 @@ Sections: aus (A to E, both sides and each alone), prototypes, combinations
 (pairs of basic expressions), appendix-a, appendix-b (the thesis'), sweeps,
 coverage.
 )";
+
+void describe_rules(CommandPage& page) {
+  page.command = "rules";
+  page.usage = {"face-player rules AUS [OPTIONS]"};
+  page.about = "Prints what the co-occurrence rules make of a set of AUs.\n";
+  page.examples = {"face-player rules 51,52:40",
+                   "face-player rules 1,2,5,15,16,20,26 --rules kumar2010 --explain"};
+}
+
+void describe_export(CommandPage& page) {
+  page.command = "export";
+  page.usage = {"face-player export STREAM FILE.glb [OPTIONS]   face and animation",
+                "face-player export FILE.glb [OPTIONS]          the face alone"};
+  page.about =
+      "Writes the face as glTF 2.0 for other programs, with morph targets, and prints\n"
+      "how far it is there from the face that is drawn here. The same stream and\n"
+      "options give the same bytes. It has no sound: play STREAM --sound FILE.wav\n"
+      "writes one that begins with the animation.\n";
+  page.examples = {"face-player export talk.txt talk.glb",
+                   "face-player export talk.txt talk.glb --fps 60 --idle 1",
+                   "face-player export --face marek --basis aus marek.glb"};
+}
 
 }  // namespace
 
@@ -395,6 +446,14 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
     rows = pose_rows(options.pose);
   } else if (command == Command::Gallery) {
     rows = gallery_rows(options);
+  } else if (command == Command::Export) {
+    rows = export_rows(options);
+    append(rows, animation_rows(options.playback));
+    append(rows, face_rows(options.face));
+    append(rows, rules_rows(options.face));
+    append(rows, program_rows(options));
+    append(rows, help_rows());
+    return rows;
   } else {
     rows = {aus_row(options.pose),
             {"explain", "", "", "a line for each rule that applied, with its source", "",
@@ -427,7 +486,7 @@ CommandPage command_page(Command command) {
                     "face-player --headless [OPTIONS] HOST[:PORT]   without a display",
                     "face-player --list HOST[:PORT]                 names of the streams",
                     "face-player play FILE                          a stream file or a table",
-                    "face-player pose|rules|gallery --help          stills, rules, pictures"};
+                    "face-player pose|rules|gallery|export --help   stills, rules, pictures, GLB"};
       page.about = "Receives a face as FACS Action Units and draws it.\n";
       page.notes =
           R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
@@ -466,11 +525,7 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
                        "face-player pose --muscle left_zygomaticus_major=1 --obj pull.obj"};
       break;
     case Command::Rules:
-      page.command = "rules";
-      page.usage = {"face-player rules AUS [OPTIONS]"};
-      page.about = "Prints what the co-occurrence rules make of a set of AUs.\n";
-      page.examples = {"face-player rules 51,52:40",
-                       "face-player rules 1,2,5,15,16,20,26 --rules kumar2010 --explain"};
+      describe_rules(page);
       break;
     case Command::Gallery:
       page.command = "gallery";
@@ -484,14 +539,17 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
                        "face-player gallery stimuli --only aus --size 800x1000 --background 808080",
                        "face-player gallery sweeps --only sweeps --sweep 12 --sweep happiness"};
       break;
+    case Command::Export:
+      describe_export(page);
+      break;
   }
   return page;
 }
 
 std::vector<CommandPage> command_pages() {
   std::vector<CommandPage> pages;
-  for (const Command command :
-       {Command::Watch, Command::Play, Command::Pose, Command::Rules, Command::Gallery}) {
+  for (const Command command : {Command::Watch, Command::Play, Command::Pose, Command::Rules,
+                                Command::Gallery, Command::Export}) {
     pages.push_back(command_page(command));
   }
   return pages;

@@ -6,6 +6,7 @@
 
 #include "client/app/option_rows.h"
 #include "common/link/host.h"
+#include "common/text.h"
 #include "protocol/endpoint.h"
 #include "protocol/limits.h"
 
@@ -114,6 +115,17 @@ Result<void> check_security(const PlaybackOptions& options) {
   return {};
 }
 
+Result<void> check_export(const ExportOptions& exported) {
+  if (exported.files.empty() || exported.files.size() > 2) {
+    return usage("export needs FILE.glb, or a stream file and FILE.glb");
+  }
+  if (exported.glb().extension() != ".glb") {
+    return usage("export writes a GLB file: let the name of '" + escaped(exported.glb().string()) +
+                 "' end in .glb");
+  }
+  return {};
+}
+
 Result<void> check_required(const PlayerOptions& options) {
   if (auto secure = check_security(options.playback); !secure) return secure;
   switch (options.command) {
@@ -137,6 +149,8 @@ Result<void> check_required(const PlayerOptions& options) {
     case Command::Gallery:
       if (options.gallery.folder.empty()) return usage("gallery needs a folder DIR to write to");
       break;
+    case Command::Export:
+      return check_export(options.exported);
     case Command::Pose:
     case Command::Help:
       break;
@@ -147,8 +161,8 @@ Result<void> check_required(const PlayerOptions& options) {
 /// Whether the word behind an option is the option's own: as the first command that has it says.
 bool takes_a_word(const std::string& option) {
   PlayerOptions unused;
-  for (const Command command :
-       {Command::Watch, Command::Play, Command::Pose, Command::Rules, Command::Gallery}) {
+  for (const Command command : {Command::Watch, Command::Play, Command::Pose, Command::Rules,
+                                Command::Gallery, Command::Export}) {
     for (const OptionRow& row : option_rows(command, unused)) {
       if (typed_name(row) == option) return row.value.kind != OptionValue::Kind::Flag;
     }
@@ -162,7 +176,8 @@ Command take_command(std::vector<std::string>& arguments) {
   static const std::map<std::string, Command> kCommands{{"play", Command::Play},
                                                         {"pose", Command::Pose},
                                                         {"rules", Command::Rules},
-                                                        {"gallery", Command::Gallery}};
+                                                        {"gallery", Command::Gallery},
+                                                        {"export", Command::Export}};
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     if (word.starts_with("-")) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "client/face/muscle_mixer.h"
+#include "client/glb/basis.h"
 #include "client/net/security.h"
 #include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
@@ -26,6 +27,7 @@ enum class Command : std::uint8_t {
   Pose,     ///< pose [AUS]
   Rules,    ///< rules AUS
   Gallery,  ///< gallery DIR
+  Export,   ///< export [STREAM] FILE.glb
   Help,     ///< print `text` and leave
 };
 
@@ -108,6 +110,18 @@ struct GalleryOptions {
   std::vector<std::string> sweeps;  ///< --sweep: AUs, names of expressions, or all
 };
 
+/// What `export` writes; face, fps and what moves the face are those of the other commands.
+struct ExportOptions {
+  std::vector<std::filesystem::path> files;  ///< the stream, unless the face alone; the GLB
+  glb::Basis basis = glb::Basis::Muscles;
+
+  [[nodiscard]] const std::filesystem::path& glb() const { return files.back(); }
+  /// Empty: the face alone.
+  [[nodiscard]] std::filesystem::path stream() const {
+    return files.size() > 1 ? files.front() : std::filesystem::path();
+  }
+};
+
 struct PlayerOptions {
   Command command = Command::Watch;
   FaceOptions face;
@@ -116,6 +130,7 @@ struct PlayerOptions {
   SoundOptions sound;
   PoseOptions pose;
   GalleryOptions gallery;
+  ExportOptions exported;
   bool headless = false;
   /// Voice is asked for: it is heard or written.
   [[nodiscard]] bool wants_voice() const;

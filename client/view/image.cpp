@@ -67,8 +67,7 @@ Image make_image(int width, int height, std::uint32_t rgb) {
   return image;
 }
 
-Result<void> write_png(const Image& image, const std::filesystem::path& path,
-                       std::span<const PngText> texts) {
+Result<std::string> png_bytes(const Image& image) {
   AUCAST_CHECK(whole(image));
   // A third less to compress, and every viewer shows it the same.
   const bool drop_alpha = opaque(image);
@@ -83,9 +82,15 @@ Result<void> write_png(const Image& image, const std::filesystem::path& path,
   const int done =
       stbi_write_png_to_func(append, &bytes, image.width, image.height, channels,
                              drop_alpha ? rgb.data() : image.rgba.data(), image.width * channels);
-  if (done == 0)
-    return Error{ErrorKind::Failed, at_place(path.string(), "no memory for a picture")};
-  return write_file_atomically(path, with_texts(bytes, texts));
+  if (done == 0) return Error{ErrorKind::Failed, "no memory for a picture"};
+  return bytes;
+}
+
+Result<void> write_png(const Image& image, const std::filesystem::path& path,
+                       std::span<const PngText> texts) {
+  const auto bytes = png_bytes(image);
+  if (!bytes) return Error{bytes.error().kind, at_place(path.string(), bytes.error().message)};
+  return write_file_atomically(path, with_texts(*bytes, texts));
 }
 
 Result<Image> read_png(const std::filesystem::path& path) {

@@ -20,6 +20,8 @@ struct Image {
 
 [[nodiscard]] Image make_image(int width, int height, std::uint32_t rgb = 0);
 
+/// The bytes of a PNG file. Failed when memory lacks.
+[[nodiscard]] Result<std::string> png_bytes(const Image& image);
 /// Writes a PNG atomically, with these texts. Failed when the place cannot be written.
 [[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path,
                                      std::span<const PngText> texts = {});

@@ -97,6 +97,7 @@ TEST_F(Completion, OffersTheSameInBashZshAndFish) {
       {"au-transmitter --tls-cert ", {"talk.txt", "pictures"}, {"convert"}},
       {"au-transmitter --tls-cert=t", {"talk.txt"}, {"pictures", "convert"}},
       {"au-transmitter convert ", {"talk.txt"}, {"convert"}},
+      {"face-player exp", {"export"}, {"play"}},
       {"face-player p", {"play", "pose", "pictures"}, {"gallery", "talk.txt"}},
       {"face-player play --inter", {"--interpolation"}, {"--fps"}}};
   for (const auto& shell : shells) {

@@ -49,7 +49,8 @@ const Pages kPrograms[] = {{"au-transmitter", {{"--help"}, {"convert", "--help"}
                              {"play", "--help"},
                              {"pose", "--help"},
                              {"rules", "--help"},
-                             {"gallery", "--help"}}}};
+                             {"gallery", "--help"},
+                             {"export", "--help"}}}};
 
 TEST(Manual, HasEveryOptionOfHelpAndSoHasTheCompletion) {
   for (const Pages& pages : kPrograms) {

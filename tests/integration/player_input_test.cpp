@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/files.h"
 #include "tests/integration/player_run.h"
 #include "tests/support/served.h"
 
@@ -54,6 +55,35 @@ TEST(PlayerInput, StreamFiles) {
   const PlayerRun run = run_player({"play", bad.string(), "--fast"});
   expect_failure(run, 3, {"bad.txt:3:5:"});
   EXPECT_EQ(run.stats["end_reason"], "failed");
+}
+
+TEST(PlayerInput, AnExportIsWholeAndTheSameEachTime) {
+  const TempFolder folder;
+  const auto stream = folder.write("s.txt", "Beg_Stream\n12:80,500\n1,2,500\nEnd_Stream\n");
+  const std::string first = (folder.path() / "first.glb").string();
+  const std::string second = (folder.path() / "second.glb").string();
+  const Finished done = run({program("face-player"), "export", stream.string(), first});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.out.find("31 moments in 1.0 s"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("farthest vertex"), std::string::npos) << done.out;
+  ASSERT_EQ(run({program("face-player"), "export", stream.string(), second}).exit_code, 0);
+  const std::string bytes = *read_file(first);
+  EXPECT_EQ(bytes.substr(0, 4), "glTF");
+  EXPECT_TRUE(bytes == *read_file(second));
+}
+
+TEST(PlayerInput, ExportsThatCannotBeLeaveWhatWasThere) {
+  const TempFolder folder;
+  const std::string glb = folder.write("face.glb", "mine").string();
+  const auto bad = folder.write("bad.txt", "Beg_Stream\n1,2\n1,100\nEnd_Stream\n");
+  expect_failure(run_player({"export", (folder.path() / "none.txt").string(), glb}), 4,
+                 {"none.txt"});
+  expect_failure(run_player({"export", bad.string(), glb}), 3, {"bad.txt:3:5:"});
+  expect_failure(run_player({"export", "--face", "nobody", glb}), 4, {"nobody"});
+  expect_failure(run_player({"export", (folder.path() / "none" / "face.glb").string()}), 1,
+                 {"none"});
+  expect_failure(run_player({"export", glb + ".txt"}), 2, {"end in .glb"});
+  EXPECT_EQ(*read_file(glb), "mine");
 }
 
 TEST(PlayerInput, AShippedStreamPlaysWithoutAServer) {

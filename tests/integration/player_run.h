@@ -22,7 +22,7 @@ struct PlayerRun {
   const TempFolder folder;
   arguments.insert(arguments.begin(), program("face-player"));
   const bool counts = arguments.size() > 1 && arguments[1] != "pose" && arguments[1] != "rules" &&
-                      arguments[1] != "gallery";
+                      arguments[1] != "gallery" && arguments[1] != "export";
   if (counts) {
     arguments.insert(arguments.end(), {"--stats", (folder.path() / "stats.json").string()});
   }

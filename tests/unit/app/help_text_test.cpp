@@ -9,8 +9,8 @@
 namespace aucast::app {
 namespace {
 
-constexpr Command kCommands[] = {Command::Watch, Command::Play, Command::Pose, Command::Rules,
-                                 Command::Gallery};
+constexpr Command kCommands[] = {Command::Watch, Command::Play,    Command::Pose,
+                                 Command::Rules, Command::Gallery, Command::Export};
 
 TEST(HelpText, FitsOneScreen) {
   for (const Command command : kCommands) {

@@ -99,6 +99,24 @@ TEST(PlayerOptions, ReadWhatAGalleryNeeds) {
   EXPECT_NE(refused({"gallery", "d", "--only", "noses"}).find("--only"), std::string::npos);
 }
 
+TEST(PlayerOptions, ReadWhatIsExported) {
+  const PlayerOptions alone = accepted({"export", "--face", "marek", "face.glb"});
+  EXPECT_EQ(alone.command, Command::Export);
+  EXPECT_EQ(alone.exported.glb(), "face.glb");
+  EXPECT_EQ(alone.exported.stream(), "");
+  EXPECT_EQ(alone.exported.basis, glb::Basis::Muscles);
+  const PlayerOptions moved =
+      accepted({"export", "talk.txt", "--basis", "aus", "talk.glb", "--fps", "60"});
+  EXPECT_EQ(moved.exported.stream(), "talk.txt");
+  EXPECT_EQ(moved.exported.glb(), "talk.glb");
+  EXPECT_EQ(moved.exported.basis, glb::Basis::Aus);
+  EXPECT_EQ(moved.output.fps, 60);
+  EXPECT_NE(refused({"export"}).find("needs FILE.glb"), std::string::npos);
+  EXPECT_NE(refused({"export", "talk.txt"}).find("end in .glb"), std::string::npos);
+  EXPECT_NE(refused({"export", "a", "b", "c.glb"}).find("needs FILE.glb"), std::string::npos);
+  EXPECT_NE(refused({"export", "a.glb", "--basis", "bones"}).find("--basis"), std::string::npos);
+}
+
 TEST(PlayerOptions, ReadEverythingAWatcherMaySay) {
   const PlayerOptions options =
       accepted({"--headless", "h",           "--buffer", "50",       "--playout",

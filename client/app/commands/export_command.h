@@ -1,0 +1,12 @@
+#pragma once
+
+#include "client/app/player_options.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// Writes the face, and the animation that a stream file gives it, as a GLB file, and prints what
+/// is in it and how far it is from the face that face-player draws.
+[[nodiscard]] Result<void> run_export(const PlayerOptions& options);
+
+}  // namespace aucast::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "client/face/face.h"
+#include "client/glb/face_rig.h"
+#include "client/glb/glb_file.h"
+#include "client/glb/morph_targets.h"
+#include "common/sources/arkit_table.h"
+
+namespace aucast::glb {
+
+/// What a file says of itself beyond numbers.
+struct About {
+  std::string licence;         ///< of the face; empty: not known
+  std::string sound;           ///< name of the sound file that goes with the animation; empty: none
+  sources::ArkitTable curves;  ///< ARKit's names, as far as they fit
+};
+
+/// For `extras`, which viewers show to people and programs may read: units, what weights mean, and
+/// for each Action Unit and each curve of ARKit which targets and joints make it.
+[[nodiscard]] Json face_notes(const face::Face& face, const MorphTargets& targets,
+                              const FaceRig& rig, const About& about);
+
+}  // namespace aucast::glb

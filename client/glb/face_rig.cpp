@@ -1,0 +1,167 @@
+#include "client/glb/face_rig.h"
+
+#include <algorithm>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "client/face/face_folder.h"
+
+namespace aucast::glb {
+namespace {
+
+const glm::vec3 kX(1, 0, 0);
+const glm::vec3 kY(0, 1, 0);
+const glm::vec3 kZ(0, 0, 1);
+
+/// How much of the head's turn the neck has.
+constexpr float kNeckShare = 0.5F;
+
+/// Less would be nothing in 16 bits.
+constexpr float kLeastShare = 1e-4F;
+
+/// First tilted to the left, then what is in front goes up, then to the left (face/block_turns.h).
+glm::quat turned(float tilt_rad, float up_rad, float left_rad) {
+  return glm::angleAxis(left_rad, kY) * glm::angleAxis(-up_rad, kX) * glm::angleAxis(-tilt_rad, kZ);
+}
+
+}  // namespace
+
+std::optional<std::size_t> Carried::wholly() const {
+  return shares[1] == 0 ? std::optional<std::size_t>(joints[0]) : std::nullopt;
+}
+
+float FaceRig::Opposed::of(std::span<const float> activations) const {
+  return (plus ? activations[*plus] : 0.0F) - (minus ? activations[*minus] : 0.0F);
+}
+
+FaceRig::FaceRig(const face::Face& face, bool with_jaw) : face_(face) {
+  add("body", 0, {0, 0, 0});
+  if (face.head) add_head();
+  const std::size_t parent = head_.value_or(0);
+  if (face.jaw && with_jaw) add_jaw(parent);
+  for (const face::Eye& eye : face.eyes) add_eye(eye, parent);
+}
+
+std::size_t FaceRig::add(std::string name, std::size_t parent, const glm::vec3& place) {
+  joints_.push_back({std::move(name), parent, place});
+  return joints_.size() - 1;
+}
+
+FaceRig::Opposed FaceRig::opposed(const std::string& plus, const std::string& minus) {
+  const Opposed channels{face_.channel_index(plus), face_.channel_index(minus)};
+  for (const auto& channel : {channels.plus, channels.minus}) {
+    if (channel) taken_.push_back(*channel);
+  }
+  return channels;
+}
+
+void FaceRig::add_head() {
+  turn_ = opposed("head_turn_left", "head_turn_right");
+  pitch_ = opposed("head_up", "head_down");
+  tilt_ = opposed("head_tilt_left", "head_tilt_right");
+  shift_ = opposed("head_forward", "head_back");
+  head_ = add("head", add("neck", 0, face_.head->pivot), face_.head->pivot);
+}
+
+void FaceRig::add_jaw(std::size_t parent) {
+  jaw_channel_ = face_.channel_index("jaw");
+  if (!jaw_channel_) return;
+  taken_.push_back(*jaw_channel_);
+  jaw_ = add("jaw", parent, face_.jaw->hinge);
+}
+
+void FaceRig::add_eye(const face::Eye& eye, std::size_t parent) {
+  const Side side = face::side_at(eye.centre.x);
+  const auto pair = [&](std::string_view plus, std::string_view minus) {
+    return opposed(sided_name(side, plus), sided_name(side, minus));
+  };
+  EyeJoint joint{.joint = add(eye.part, parent, eye.centre),
+                 .yaw = pair("gaze_left", "gaze_right"),
+                 .pitch = pair("gaze_up", "gaze_down"),
+                 .yaw_rad = glm::radians(eye.yaw_deg),
+                 .pitch_rad = glm::radians(eye.pitch_deg)};
+  for (const face::MeshPart& part : face_.mesh.parts) {
+    if (part.name != eye.part) continue;
+    joint.vertex_begin = part.vertex_begin;
+    joint.vertex_end = part.vertex_begin + part.vertex_count;
+  }
+  eyes_.push_back(joint);
+}
+
+bool FaceRig::takes(std::size_t channel) const {
+  return std::find(taken_.begin(), taken_.end(), channel) != taken_.end();
+}
+
+Carried FaceRig::carried(std::size_t vertex) const {
+  for (const EyeJoint& eye : eyes_) {
+    if (vertex >= eye.vertex_begin && vertex < eye.vertex_end) {
+      return {{static_cast<std::uint8_t>(eye.joint)}, {1, 0, 0, 0}};
+    }
+  }
+  const float jaw =
+      jaw_ ? std::clamp(face::map_at(face::find_map(face_.mesh, "jaw"), vertex, 0), 0.0F, 1.0F) : 0;
+  const float head =
+      head_ ? std::clamp(face::map_at(face::find_map(face_.mesh, "head"), vertex, 0), 0.0F, 1.0F)
+            : 0;
+  // From body to neck, then from neck to head; what goes with the head may go with the jaw.
+  const float above = head_ ? std::max(head - kNeckShare, 0.0F) / (1 - kNeckShare) : 1;
+  const float below = head_ ? std::max(kNeckShare - head, 0.0F) / kNeckShare : 0;
+  const std::size_t top = head_.value_or(0);
+  const std::array<std::pair<std::size_t, float>, 4> all{{{jaw_.value_or(0), jaw * above},
+                                                          {top, (1 - jaw) * above},
+                                                          {head_ ? top - 1 : 0, 1 - above - below},
+                                                          {0, below}}};
+  Carried carried{{}, {}};
+  std::size_t next = 0;
+  float left = 1;
+  for (const auto& [joint, share] : all) {
+    if (share < kLeastShare) continue;
+    carried.joints[next] = static_cast<std::uint8_t>(joint);
+    carried.shares[next++] = share;
+    left -= share;
+  }
+  carried.shares[0] += left;
+  return carried;
+}
+
+std::vector<JointPose> FaceRig::pose(std::span<const float> activations) const {
+  std::vector<JointPose> poses(joints_.size());
+  if (head_) {
+    const face::HeadPose& most = *face_.head;
+    const glm::vec3 angles = glm::radians(glm::vec3(most.tilt_deg * tilt_.of(activations),
+                                                    most.pitch_deg * pitch_.of(activations),
+                                                    most.turn_deg * turn_.of(activations)));
+    const glm::vec3 forward = most.shift * shift_.of(activations) * kZ;
+    const glm::vec3 part = kNeckShare * angles;
+    const glm::quat neck = turned(part.x, part.y, part.z);
+    poses[*head_ - 1] = {neck, kNeckShare * forward};
+    poses[*head_] = {glm::inverse(neck) * turned(angles.x, angles.y, angles.z),
+                     glm::inverse(neck) * ((1 - kNeckShare) * forward)};
+  }
+  if (jaw_) {
+    const float down = glm::radians(face_.jaw->degrees_per_unit) * activations[*jaw_channel_];
+    poses[*jaw_] = {glm::angleAxis(down, kX), face_.jaw->forward_per_rad * down * kZ};
+  }
+  for (const EyeJoint& eye : eyes_) {
+    poses[eye.joint].turn =
+        turned(0, eye.pitch_rad * eye.pitch.of(activations), eye.yaw_rad * eye.yaw.of(activations));
+  }
+  return poses;
+}
+
+std::vector<glm::mat4> FaceRig::carriers(std::span<const JointPose> poses) const {
+  std::vector<glm::mat4> stands;  // of the joints themselves
+  std::vector<glm::mat4> carriers;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Joint& joint = joints_[i];
+    const glm::vec3 from = i == 0 ? glm::vec3(0) : joints_[joint.parent].place;
+    const glm::mat4 here = glm::translate(glm::mat4(1), joint.place - from + poses[i].shift) *
+                           glm::mat4_cast(poses[i].turn);
+    stands.push_back(i == 0 ? here : stands[joint.parent] * here);
+    carriers.push_back(stands.back() * glm::translate(glm::mat4(1), -joint.place));
+  }
+  return carriers;
+}
+
+}  // namespace aucast::glb

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "client/face/face.h"
+
+namespace aucast::glb {
+
+/// What turns as a whole: glTF's word. At rest none is turned.
+struct Joint {
+  std::string name;
+  std::size_t parent = 0;  ///< of the first, itself
+  glm::vec3 place{0};      ///< of the face at rest, mesh units
+};
+
+/// How a joint stands to its parent, beyond where it is at rest.
+struct JointPose {
+  glm::quat turn = glm::identity<glm::quat>();
+  glm::vec3 shift{0};  ///< mesh units
+};
+
+/// Which joints carry a vertex, and how much of it each.
+struct Carried {
+  std::array<std::uint8_t, 4> joints{};
+  std::array<float, 4> shares{1, 0, 0, 0};
+
+  /// The one joint that carries all of it; nothing when there are several.
+  [[nodiscard]] std::optional<std::size_t> wholly() const;
+};
+
+/// The joints of a face: body, neck, head, jaw and eyes, as far as it has them. The neck stands
+/// half way to the head, so that between body and head skin goes round in two steps and loses
+/// little of its girth. The face must outlive it.
+class FaceRig {
+ public:
+  /// Without `with_jaw` the jaw is no joint: something else opens the mouth.
+  FaceRig(const face::Face& face, bool with_jaw);
+
+  [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
+  /// Whether a joint follows this channel.
+  [[nodiscard]] bool takes(std::size_t channel) const;
+  /// The one that the jaw follows, if it is a joint. What skin between jaw and head does beyond the
+  /// mean of both is left to a morph target.
+  [[nodiscard]] std::optional<std::size_t> jaw_channel() const { return jaw_channel_; }
+  [[nodiscard]] Carried carried(std::size_t vertex) const;
+
+  /// Where the joints stand for these activations, one per channel.
+  [[nodiscard]] std::vector<JointPose> pose(std::span<const float> activations) const;
+  /// What carries a place of the face at rest along, one per joint.
+  [[nodiscard]] std::vector<glm::mat4> carriers(std::span<const JointPose> poses) const;
+
+ private:
+  /// Two channels that pull opposite ways; a missing one is nothing.
+  struct Opposed {
+    std::optional<std::size_t> plus;
+    std::optional<std::size_t> minus;
+
+    [[nodiscard]] float of(std::span<const float> activations) const;
+  };
+  struct EyeJoint {
+    std::size_t joint = 0;
+    Opposed yaw;
+    Opposed pitch;
+    float yaw_rad = 0;
+    float pitch_rad = 0;
+    std::uint32_t vertex_begin = 0;
+    std::uint32_t vertex_end = 0;
+  };
+
+  std::size_t add(std::string name, std::size_t parent, const glm::vec3& place);
+  Opposed opposed(const std::string& plus, const std::string& minus);
+  void add_head();
+  void add_jaw(std::size_t parent);
+  void add_eye(const face::Eye& eye, std::size_t parent);
+
+  const face::Face& face_;
+  std::vector<Joint> joints_;
+  std::vector<std::size_t> taken_;   ///< channels
+  std::optional<std::size_t> head_;  ///< the neck is the joint before it
+  std::optional<std::size_t> jaw_;
+  std::optional<std::size_t> jaw_channel_;
+  std::vector<EyeJoint> eyes_;
+  Opposed turn_;
+  Opposed pitch_;
+  Opposed tilt_;
+  Opposed shift_;
+};
+
+}  // namespace aucast::glb

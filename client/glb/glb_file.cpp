@@ -1,0 +1,270 @@
+#include "client/glb/glb_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <glm/common.hpp>
+
+#include "common/check.h"
+
+namespace aucast::glb {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
+
+// Numbers of the specification.
+constexpr int kUnsignedByte = 5121;
+constexpr int kUnsignedShort = 5123;
+constexpr int kUnsignedInt = 5125;
+constexpr int kFloat = 5126;
+constexpr int kNoTarget = 0;
+constexpr int kVertexTarget = 34962;
+constexpr int kIndexTarget = 34963;
+constexpr std::uint32_t kMagic = 0x46546C67;
+constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+
+/// The largest number of 16 bits may not be an index: it ends a strip.
+constexpr std::size_t kShortVerticesMax = 65'535;
+
+constexpr float kShortMax = 65'535;
+
+template <typename T>
+std::string_view bytes_of(std::span<const T> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+void pad(std::string& bytes, char with) {
+  bytes.resize((bytes.size() + 3) / 4 * 4, with);
+}
+
+template <typename T>
+void append(std::string& bytes, const T& value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+Json numbers(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+void set_range(Json& accessor, const glm::vec3& low, const glm::vec3& high) {
+  accessor["min"] = numbers(low);
+  accessor["max"] = numbers(high);
+}
+
+}  // namespace
+
+GlbFile::GlbFile() {
+  document_["asset"] = {{"version", "2.0"}};
+}
+
+int GlbFile::view(std::string_view bytes, int target) {
+  pad(binary_, '\0');
+  Json view{{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes.size()}};
+  if (target != kNoTarget) view["target"] = target;
+  binary_ += bytes;
+  views_.push_back(std::move(view));
+  return static_cast<int>(views_.size()) - 1;
+}
+
+int GlbFile::accessor(int view, int component, std::string_view type, std::size_t count) {
+  accessors_.push_back(
+      {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+  return static_cast<int>(accessors_.size()) - 1;
+}
+
+template <typename T>
+int GlbFile::vertices(std::span<const T> values, int component, std::string_view type) {
+  return accessor(view(bytes_of(values), kVertexTarget), component, type, values.size());
+}
+
+int GlbFile::places(std::span<const glm::vec3> places) {
+  AUCAST_CHECK(!places.empty());
+  glm::vec3 low = places.front();
+  glm::vec3 high = places.front();
+  for (const glm::vec3& place : places) {
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+  const int index = vertices(places, kFloat, "VEC3");
+  set_range(accessors_.back(), low, high);
+  return index;
+}
+
+int GlbFile::normals(std::span<const glm::vec3> normals) {
+  return vertices(normals, kFloat, "VEC3");
+}
+
+int GlbFile::colours(std::span<const glm::vec4> colours) {
+  std::vector<std::array<std::uint16_t, 4>> shorts;
+  for (const glm::vec4& colour : colours) {
+    auto& one = shorts.emplace_back();
+    for (glm::length_t i = 0; i < 4; ++i) {
+      one[static_cast<std::size_t>(i)] =
+          static_cast<std::uint16_t>(std::lround(kShortMax * std::clamp(colour[i], 0.0F, 1.0F)));
+    }
+  }
+  const int index =
+      vertices(std::span<const std::array<std::uint16_t, 4>>(shorts), kUnsignedShort, "VEC4");
+  accessors_.back()["normalized"] = true;
+  return index;
+}
+
+int GlbFile::texture_places(std::span<const glm::vec2> places) {
+  return vertices(places, kFloat, "VEC2");
+}
+
+int GlbFile::joints(std::span<const std::array<std::uint8_t, 4>> joints) {
+  return vertices(joints, kUnsignedByte, "VEC4");
+}
+
+int GlbFile::shares(std::span<const std::array<float, 4>> shares) {
+  std::vector<std::array<std::uint16_t, 4>> shorts;
+  for (const std::array<float, 4>& given : shares) {
+    auto& one = shorts.emplace_back();
+    int left = static_cast<int>(kShortMax);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      one[i] = static_cast<std::uint16_t>(std::lround(kShortMax * given[i]));
+      left -= one[i];
+    }
+    auto& largest = *std::max_element(one.begin(), one.end());
+    largest = static_cast<std::uint16_t>(largest + left);
+  }
+  const int index =
+      vertices(std::span<const std::array<std::uint16_t, 4>>(shorts), kUnsignedShort, "VEC4");
+  accessors_.back()["normalized"] = true;
+  return index;
+}
+
+int GlbFile::triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
+                       std::size_t vertex_count) {
+  if (vertex_count > kShortVerticesMax) {
+    return accessor(view(bytes_of(triangles), kIndexTarget), kUnsignedInt, "SCALAR",
+                    3 * triangles.size());
+  }
+  std::vector<std::uint16_t> shorts;
+  for (const auto& triangle : triangles) {
+    for (const std::uint32_t i : triangle) shorts.push_back(static_cast<std::uint16_t>(i));
+  }
+  return accessor(view(bytes_of(std::span<const std::uint16_t>(shorts)), kIndexTarget),
+                  kUnsignedShort, "SCALAR", shorts.size());
+}
+
+int GlbFile::matrices(std::span<const std::array<float, 16>> matrices) {
+  return accessor(view(bytes_of(matrices), kNoTarget), kFloat, "MAT4", matrices.size());
+}
+
+/// Without a view the accessor is all zeros, which is what most targets change of most meshes.
+int GlbFile::changes(std::span<const Change> changes, std::size_t vertex_count, int width,
+                     bool ranged) {
+  Json accessor{
+      {"componentType", kFloat}, {"count", vertex_count}, {"type", width == 4 ? "VEC4" : "VEC3"}};
+  glm::vec3 low(changes.size() < vertex_count ? 0.0F : std::numeric_limits<float>::max());
+  glm::vec3 high(-low);
+  const bool wide = vertex_count > kShortVerticesMax;
+  if (!changes.empty()) {
+    const std::size_t step = wide ? sizeof(std::uint32_t) : sizeof(std::uint16_t);
+    change_vertices_.resize((change_vertices_.size() + step - 1) / step * step);
+    accessor["sparse"] = {{"count", changes.size()},
+                          {"indices",
+                           {{"bufferView", -1},
+                            {"byteOffset", change_vertices_.size()},
+                            {"componentType", wide ? kUnsignedInt : kUnsignedShort}}},
+                          {"values", {{"bufferView", -1}, {"byteOffset", change_values_.size()}}}};
+  }
+  for (const Change& change : changes) {
+    wide ? append(change_vertices_, change.vertex)
+         : append(change_vertices_, static_cast<std::uint16_t>(change.vertex));
+    for (glm::length_t i = 0; i < width; ++i) append(change_values_, change.by[i]);
+    low = glm::min(low, glm::vec3(change.by));
+    high = glm::max(high, glm::vec3(change.by));
+  }
+  if (ranged) set_range(accessor, low, high);
+  accessors_.push_back(std::move(accessor));
+  return static_cast<int>(accessors_.size()) - 1;
+}
+
+int GlbFile::place_changes(std::span<const Change> changes, std::size_t vertex_count) {
+  return this->changes(changes, vertex_count, 3, true);
+}
+
+int GlbFile::normal_changes(std::span<const Change> changes, std::size_t vertex_count) {
+  return this->changes(changes, vertex_count, 3, false);
+}
+
+int GlbFile::colour_changes(std::span<const Change> changes, std::size_t vertex_count) {
+  return this->changes(changes, vertex_count, 4, false);
+}
+
+int GlbFile::moments(std::span<const float> seconds) {
+  AUCAST_CHECK(!seconds.empty());
+  const int index = accessor(view(bytes_of(seconds), kNoTarget), kFloat, "SCALAR", seconds.size());
+  accessors_.back()["min"] = {seconds.front()};
+  accessors_.back()["max"] = {seconds.back()};
+  return index;
+}
+
+int GlbFile::weights(std::span<const std::uint8_t> weights) {
+  const int index =
+      accessor(view(bytes_of(weights), kNoTarget), kUnsignedByte, "SCALAR", weights.size());
+  accessors_.back()["normalized"] = true;
+  return index;
+}
+
+int GlbFile::turns(std::span<const glm::quat> turns) {
+  std::vector<std::array<float, 4>> xyzw;
+  for (const glm::quat& turn : turns) xyzw.push_back({turn.x, turn.y, turn.z, turn.w});
+  const auto bytes = bytes_of(std::span<const std::array<float, 4>>(xyzw));
+  return accessor(view(bytes, kNoTarget), kFloat, "VEC4", turns.size());
+}
+
+int GlbFile::shifts(std::span<const glm::vec3> shifts) {
+  return accessor(view(bytes_of(shifts), kNoTarget), kFloat, "VEC3", shifts.size());
+}
+
+int GlbFile::png(std::string_view bytes) {
+  images_.push_back({{"bufferView", view(bytes, kNoTarget)}, {"mimeType", "image/png"}});
+  return static_cast<int>(images_.size()) - 1;
+}
+
+void GlbFile::append_changes() {
+  if (change_vertices_.empty()) return;
+  const int indices = view(change_vertices_, kNoTarget);
+  const int values = view(change_values_, kNoTarget);
+  for (Json& accessor : accessors_) {
+    if (!accessor.contains("sparse")) continue;
+    accessor["sparse"]["indices"]["bufferView"] = indices;
+    accessor["sparse"]["values"]["bufferView"] = values;
+  }
+}
+
+std::string GlbFile::bytes() {
+  append_changes();
+  pad(binary_, '\0');
+  document_["accessors"] = std::move(accessors_);
+  document_["bufferViews"] = std::move(views_);
+  if (!images_.empty()) document_["images"] = std::move(images_);
+  document_["buffers"] = {{{"byteLength", binary_.size()}}};
+  std::string text = document_.dump();
+  pad(text, ' ');
+  std::string file;
+  const auto add = [&file](std::size_t number) {
+    append(file, static_cast<std::uint32_t>(number));
+  };
+  add(kMagic);
+  add(kVersion);
+  add(7 * sizeof(std::uint32_t) + text.size() + binary_.size());
+  add(text.size());
+  add(kJsonChunk);
+  file += text;
+  add(binary_.size());
+  add(kBinaryChunk);
+  file += binary_;
+  return file;
+}
+
+}  // namespace aucast::glb

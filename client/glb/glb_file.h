@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <nlohmann/json.hpp>
+
+namespace aucast::glb {
+
+/// Objects keep the order in which they were filled: the same face, the same bytes.
+using Json = nlohmann::ordered_json;
+
+/// How much one vertex of a mesh is changed.
+struct Change {
+  std::uint32_t vertex = 0;
+  glm::vec4 by{0};  ///< xyz of a place or a normal; rgba of a colour
+};
+
+/// A binary glTF 2.0 file that is being made: the document, and the numbers that it points to.
+/// Each function that stores numbers gives the index of their accessor.
+class GlbFile {
+ public:
+  GlbFile();
+
+  /// All but what the functions below keep: accessors, bufferViews, buffers, images.
+  Json& document() { return document_; }
+
+  [[nodiscard]] int places(std::span<const glm::vec3> places);
+  [[nodiscard]] int normals(std::span<const glm::vec3> normals);
+  [[nodiscard]] int colours(std::span<const glm::vec4> colours);  ///< cut to [0,1], as 16 bits
+  [[nodiscard]] int texture_places(std::span<const glm::vec2> places);
+  [[nodiscard]] int joints(std::span<const std::array<std::uint8_t, 4>> joints);
+  /// Shares that sum to 1 for each vertex; as 16 bits they still do.
+  [[nodiscard]] int shares(std::span<const std::array<float, 4>> shares);
+  [[nodiscard]] int triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
+                              std::size_t vertex_count);
+  [[nodiscard]] int matrices(std::span<const std::array<float, 16>> matrices);
+
+  /// What a morph target changes of `vertex_count` vertices, those in `changes` (ascending) and no
+  /// others.
+  [[nodiscard]] int place_changes(std::span<const Change> changes, std::size_t vertex_count);
+  [[nodiscard]] int normal_changes(std::span<const Change> changes, std::size_t vertex_count);
+  [[nodiscard]] int colour_changes(std::span<const Change> changes, std::size_t vertex_count);
+
+  // Of animations.
+  [[nodiscard]] int moments(std::span<const float> seconds);         ///< ascending
+  [[nodiscard]] int weights(std::span<const std::uint8_t> weights);  ///< 255 is 1
+  [[nodiscard]] int turns(std::span<const glm::quat> turns);
+  [[nodiscard]] int shifts(std::span<const glm::vec3> shifts);
+
+  /// Gives the index of the image.
+  [[nodiscard]] int png(std::string_view bytes);
+
+  /// The whole file. To be called once, at the end.
+  [[nodiscard]] std::string bytes();
+
+ private:
+  int view(std::string_view bytes, int target);
+  int accessor(int view, int component, std::string_view type, std::size_t count);
+  template <typename T>
+  int vertices(std::span<const T> values, int component, std::string_view type);
+  int changes(std::span<const Change> changes, std::size_t vertex_count, int width, bool ranged);
+  void append_changes();
+
+  Json document_;
+  Json accessors_ = Json::array();
+  Json views_ = Json::array();
+  Json images_ = Json::array();
+  std::string binary_;
+  // Of all morph targets, in two views of their own.
+  std::string change_vertices_;
+  std::string change_values_;
+};
+
+}  // namespace aucast::glb

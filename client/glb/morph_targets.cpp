@@ -1,0 +1,188 @@
+#include "client/glb/morph_targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "client/face/face_deformer.h"
+#include "client/face/muscle_mixer.h"
+
+namespace aucast::glb {
+namespace {
+
+constexpr float kLeastWay = 0.002F;  ///< mesh units: 0.03 mm
+constexpr float kLeastTurn = 0.03F;  ///< of a normal: less than two degrees, which no light shows
+constexpr float kLeastArc = 0.015F;  ///< mesh units: what a target of its own is worth, 0.2 mm
+
+std::vector<Target> of_channels(const face::Face& face, const FaceRig& rig) {
+  std::vector<Target> targets;
+  for (std::size_t i = 0; i < face.channels.size(); ++i) {
+    if (rig.takes(i) && i != rig.jaw_channel()) continue;
+    Target& target = targets.emplace_back();
+    target.name = face.channels[i].name;
+    target.channel = i;
+    target.pose.resize(face.channels.size());
+    target.pose[i] = face.channels[i].activation_max;
+  }
+  return targets;
+}
+
+std::vector<Target> of_aus(const face::Face& face, const FaceRig& rig) {
+  std::vector<Target> targets;
+  for (const auto& [number, recording] : face.recordings) {
+    if (number == 0) continue;
+    for (const Side side : {Side::Left, Side::Right}) {
+      Target& target = targets.emplace_back();
+      target.name = "AU" + std::to_string(number) + (side == Side::Left ? "_L" : "_R");
+      target.au = number;
+      target.side = side;
+      target.pose = side_of_au(face, number, side);
+      for (std::size_t i = 0; i < target.pose.size(); ++i) {
+        if (rig.takes(i)) target.pose[i] = 0;
+      }
+    }
+  }
+  return targets;
+}
+
+/// The vertices that targets may change.
+std::vector<bool> changeable(const face::FaceMesh& mesh) {
+  std::vector<bool> all(mesh.positions.size());
+  for (const face::MeshPart& part : mesh.parts) {
+    const bool still =
+        part.material == face::Material::Hair || part.material == face::Material::GreyHair ||
+        part.material == face::Material::Cloth || part.material == face::Material::Eye;
+    std::fill_n(all.begin() + part.vertex_begin, part.vertex_count, !still);
+  }
+  return all;
+}
+
+std::vector<Change> differences(const std::vector<glm::vec3>& now,
+                                const std::vector<glm::vec3>& rest, const std::vector<bool>& which,
+                                float least) {
+  std::vector<Change> changes;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const glm::vec3 by = now[i] - rest[i];
+    if (which[i] && glm::dot(by, by) > least * least) {
+      changes.push_back({static_cast<std::uint32_t>(i), glm::vec4(by, 0)});
+    }
+  }
+  return changes;
+}
+
+/// Makes targets of poses.
+class Sculptor {
+ public:
+  Sculptor(const face::Face& face, const FaceRig& rig)
+      : rig_(rig), deformer_(face), drawn_(face.channels.size()) {
+    // A crease of depth 0 does not go along: all are drawn, at rest too.
+    for (const face::MeshPart& part : face.mesh.parts) {
+      const auto channel = face::is_crease(part) ? face.channel_index(part.name) : std::nullopt;
+      if (channel) drawn_[*channel] = 1;
+    }
+    rest_ = deformer_.deform(drawn_);
+    which_ = changeable(face.mesh);
+  }
+
+  /// Fills in what the pose changes; false when that is nothing.
+  bool sculpt(Target& target) {
+    target.creases = deformer_.deform(target.pose).creases;
+    target.places = differences(places(target.pose), rest_.positions, which_, kLeastWay);
+    target.normals = differences(normals_, rest_.normals, which_, kLeastTurn);
+    return !target.places.empty() || std::any_of(target.creases.begin(), target.creases.end(),
+                                                 [](float depth) { return depth > 0; });
+  }
+
+  /// What half the pose is beyond half of the target; nothing when that is little.
+  std::optional<Target> arc_of(const Target& target) {
+    Target arc = target;
+    arc.name += "_arc";
+    arc.arc = true;
+    for (float& activation : arc.pose) activation /= 2;
+    std::vector<glm::vec3> straight = rest_.positions;
+    for (const Change& change : target.places)
+      straight[change.vertex] += 0.5F * glm::vec3(change.by);
+    const std::vector<glm::vec3> half = places(arc.pose);
+    if (differences(half, straight, which_, kLeastArc).empty()) return std::nullopt;
+    arc.places = differences(half, straight, which_, kLeastWay);
+    arc.normals.clear();
+    std::fill(arc.creases.begin(), arc.creases.end(), 0.0F);
+    return arc;
+  }
+
+ private:
+  /// Where the pose has the vertices, without what joints carry; keeps its normals.
+  std::vector<glm::vec3> places(std::vector<float> pose) {
+    const std::vector<glm::mat4> carriers = rig_.carriers(rig_.pose(pose));
+    const bool carried = std::any_of(carriers.begin(), carriers.end(),
+                                     [](const glm::mat4& one) { return one != glm::mat4(1); });
+    for (std::size_t i = 0; i < pose.size(); ++i) pose[i] = std::max(pose[i], drawn_[i]);
+    const face::DeformedFace& deformed = deformer_.deform(pose);
+    std::vector<glm::vec3> places = deformed.positions;
+    normals_ = carried ? rest_.normals : deformed.normals;
+    for (std::size_t i = 0; carried && i < places.size(); ++i) {
+      const Carried by = rig_.carried(i);
+      glm::mat4 carrier(0);
+      for (std::size_t k = 0; k < by.joints.size(); ++k) {
+        carrier += by.shares[k] * carriers[by.joints[k]];
+      }
+      places[i] = glm::vec3(glm::inverse(carrier) * glm::vec4(places[i], 1));
+    }
+    return places;
+  }
+
+  const FaceRig& rig_;
+  face::FaceDeformer deformer_;
+  std::vector<float> drawn_;  ///< activations of the creases alone
+  face::DeformedFace rest_;
+  std::vector<bool> which_;
+  std::vector<glm::vec3> normals_;
+};
+
+}  // namespace
+
+std::vector<float> side_of_au(const face::Face& face, int number, Side side) {
+  AuFrame aus;
+  const bool alone = shows_on_one_side(number);
+  const auto at = static_cast<std::size_t>(number);
+  aus.left[at] = !alone || side == Side::Left ? 1.0F : 0.0F;
+  aus.right[at] = !alone || side == Side::Right ? 1.0F : 0.0F;
+  std::vector<float> activations(face.channels.size());
+  face::mix(face, aus, face::Mixer::Maximum, activations);
+  for (std::size_t i = 0; i < activations.size(); ++i) {
+    if (face.channels[i].side == opposite(side)) activations[i] = 0;
+    if (face.channels[i].side == Side::Both && !alone) activations[i] /= 2;
+  }
+  return activations;
+}
+
+MorphTargets::MorphTargets(const face::Face& face, Basis basis, const FaceRig& rig)
+    : basis_(basis) {
+  Sculptor sculptor(face, rig);
+  for (Target& target : basis == Basis::Muscles ? of_channels(face, rig) : of_aus(face, rig)) {
+    if (!sculptor.sculpt(target)) continue;
+    // Of AUs there are none: who drives by hand wants one number for each.
+    auto arc = basis == Basis::Muscles ? sculptor.arc_of(target) : std::nullopt;
+    targets_.push_back(std::move(target));
+    if (arc) targets_.push_back(std::move(*arc));
+  }
+}
+
+std::vector<std::uint8_t> MorphTargets::weights(const face::Face& face,
+                                                const pipeline::FaceState& state) const {
+  std::vector<std::uint8_t> weights;
+  for (const Target& target : targets_) {
+    const auto at = static_cast<std::size_t>(target.au);
+    const float weight =
+        target.au == 0
+            ? state.activations[target.channel] / face.channels[target.channel].activation_max
+            : (target.side == Side::Left ? state.aus.left : state.aus.right)[at];
+    weights.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(weight, 0.0F, 1.0F))));
+  }
+  return weights;
+}
+
+}  // namespace aucast::glb

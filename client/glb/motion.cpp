@@ -1,0 +1,45 @@
+#include "client/glb/motion.h"
+
+#include <algorithm>
+
+namespace aucast::glb {
+namespace {
+
+std::int64_t duration_ms(const playback::TimedAus& keyframe, const Sampling& sampling) {
+  return keyframe.duration.value_or(sampling.untimed).count();
+}
+
+}  // namespace
+
+std::size_t moment_count(std::span<const playback::TimedAus> keyframes, const Sampling& sampling) {
+  std::int64_t all_ms = 0;
+  for (const playback::TimedAus& keyframe : keyframes) all_ms += duration_ms(keyframe, sampling);
+  return static_cast<std::size_t>(all_ms * sampling.fps / 1000) + 1;
+}
+
+void for_each_moment(const pipeline::AuMapping& mapping,
+                     std::span<const playback::TimedAus> keyframes, const Sampling& sampling,
+                     const AtMoment& at_moment) {
+  pipeline::FacePipeline pipeline(mapping, sampling.interpolation);
+  const pipeline::IdleFace idle(mapping.face);
+  pipeline::FaceState reached = pipeline.neutral();
+  pipeline::FaceState shown = reached;
+  std::int64_t begin_ms = 0;
+  std::int64_t next = 0;
+  for (const playback::TimedAus& keyframe : keyframes) {
+    pipeline.begin_keyframe(keyframe.aus, reached);
+    const std::int64_t takes_ms = duration_ms(keyframe, sampling);
+    for (; next * 1000 <= (begin_ms + takes_ms) * sampling.fps; ++next) {
+      const double seconds = static_cast<double>(next) / sampling.fps;
+      const double into_ms = 1000 * seconds - static_cast<double>(begin_ms);
+      const double mu = takes_ms == 0 ? 1.0 : into_ms / static_cast<double>(takes_ms);
+      pipeline.at(std::clamp(mu, 0.0, 1.0), shown);
+      idle.apply(sampling.idle, seconds, shown.activations);
+      at_moment(seconds, shown);
+    }
+    pipeline.at(1, reached);
+    begin_ms += takes_ms;
+  }
+}
+
+}  // namespace aucast::glb

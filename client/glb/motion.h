@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "client/glb/face_rig.h"
+#include "client/glb/morph_targets.h"
+#include "client/pipeline/face_pipeline.h"
+#include "client/pipeline/idle_face.h"
+#include "client/playback/interpolator.h"
+#include "client/playback/keyframe_source.h"
+
+namespace aucast::glb {
+
+/// How a stream is looked at.
+struct Sampling {
+  int fps = 30;
+  Milliseconds untimed{250};  ///< of keyframes without a time of their own
+  playback::Interpolation interpolation = playback::Interpolation::Linear;
+  pipeline::IdleOptions idle{};
+};
+
+/// How many moments for_each_moment() has.
+[[nodiscard]] std::size_t moment_count(std::span<const playback::TimedAus> keyframes,
+                                       const Sampling& sampling);
+
+using AtMoment = std::function<void(double seconds, const pipeline::FaceState& face)>;
+
+/// The face at n / fps seconds from the neutral face on, to the end of the last keyframe: the same
+/// faces as on the pictures of a film.
+void for_each_moment(const pipeline::AuMapping& mapping,
+                     std::span<const playback::TimedAus> keyframes, const Sampling& sampling,
+                     const AtMoment& at_moment);
+
+/// An animation: what weights and joints are at each moment.
+struct Motion {
+  std::string name;
+  std::vector<float> seconds;
+  std::vector<std::uint8_t> weights;           ///< of all targets at the first moment, then ...
+  std::vector<std::vector<JointPose>> joints;  ///< one per moment
+};
+
+}  // namespace aucast::glb

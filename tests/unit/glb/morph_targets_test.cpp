@@ -1,0 +1,98 @@
+#include "client/glb/morph_targets.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "client/face/face_deformer.h"
+#include "tests/unit/face/small_face.h"
+
+namespace aucast::glb {
+namespace {
+
+using face::test::small_face;
+
+const Target* named(const MorphTargets& targets, std::string_view name) {
+  const auto found = std::find_if(targets.all().begin(), targets.all().end(),
+                                  [&](const Target& target) { return target.name == name; });
+  return found == targets.all().end() ? nullptr : &*found;
+}
+
+TEST(MorphTargets, AtWeightOneAMuscleIsAtItsLargestContraction) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, true);
+  const MorphTargets targets(face, Basis::Muscles, rig);
+  ASSERT_FALSE(targets.all().empty());
+  face::FaceDeformer deformer(face);
+  for (const Target& target : targets.all()) {
+    if (target.arc || target.name == "jaw") continue;
+    std::vector<glm::vec3> places = face.mesh.positions;
+    for (const Change& change : target.places) places[change.vertex] += glm::vec3(change.by);
+    const auto& real = deformer.deform(target.pose).positions;
+    for (const face::MeshPart& part : face.mesh.parts) {
+      if (part.material != face::Material::Skin) continue;
+      for (std::uint32_t i = part.vertex_begin; i < part.vertex_begin + part.vertex_count; ++i) {
+        ASSERT_LT(glm::distance(places[i], real[i]), 0.0021F) << target.name;
+      }
+    }
+    EXPECT_EQ(target.pose[target.channel], face.channels[target.channel].activation_max);
+  }
+}
+
+TEST(MorphTargets, WhatJointsDoIsNoTarget) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, true);
+  const MorphTargets muscles(face, Basis::Muscles, rig);
+  EXPECT_EQ(named(muscles, "head_up"), nullptr);
+  const MorphTargets aus(face, Basis::Aus, FaceRig(face, false));
+  for (const Target& target : aus.all()) EXPECT_EQ(target.name.substr(0, 2), "AU");
+}
+
+TEST(MorphTargets, ALidsArcIsNothingAtItsEndsAndWholeHalfWay) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, true);
+  const MorphTargets targets(face, Basis::Muscles, rig);
+  const Target* const arc = named(targets, "left_lid_close_arc");
+  ASSERT_NE(arc, nullptr);
+  EXPECT_FALSE(arc->places.empty());
+  EXPECT_EQ(arc->weight(0), 0);
+  EXPECT_EQ(arc->weight(0.5F), 1);
+  EXPECT_EQ(arc->weight(1), 0);
+  const MorphTargets aus(face, Basis::Aus, FaceRig(face, false));
+  for (const Target& target : aus.all()) EXPECT_FALSE(target.arc);
+}
+
+TEST(MorphTargets, BothSidesOfAnAuTogetherAreTheAu) {
+  const face::Face face = small_face();
+  for (const auto& [number, recording] : face.recordings) {
+    if (number == 0 || shows_on_one_side(number)) continue;
+    const std::vector<float> left = side_of_au(face, number, Side::Left);
+    const std::vector<float> right = side_of_au(face, number, Side::Right);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      EXPECT_FLOAT_EQ(left[i] + right[i], recording.activation[i]) << number;
+    }
+  }
+}
+
+TEST(MorphTargets, WeightsAreSharesOfTheLargestContractionOrIntensities) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, false);
+  const MorphTargets muscles(face, Basis::Muscles, rig);
+  pipeline::FaceState state{{}, std::vector<float>(face.channels.size())};
+  const Target& first = muscles.all().front();
+  state.activations[first.channel] = face.channels[first.channel].activation_max / 2;
+  EXPECT_EQ(muscles.weights(face, state).front(), 128);
+  state.activations[first.channel] = 100;
+  EXPECT_EQ(muscles.weights(face, state).front(), 255);
+
+  const MorphTargets aus(face, Basis::Aus, rig);
+  ASSERT_GE(aus.all().size(), 2U);
+  const Target& left = aus.all()[0];
+  ASSERT_EQ(left.side, Side::Left);
+  state.aus.left[static_cast<std::size_t>(left.au)] = 0.2F;
+  EXPECT_EQ(aus.weights(face, state)[0], 51);
+  EXPECT_EQ(aus.weights(face, state)[1], 0);
+}
+
+}  // namespace
+}  // namespace aucast::glb
