@@ -180,7 +180,8 @@ std::vector<std::uint8_t> MorphTargets::weights(const face::Face& face,
         target.au == 0
             ? state.activations[target.channel] / face.channels[target.channel].activation_max
             : (target.side == Side::Left ? state.aus.left : state.aus.right)[at];
-    weights.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(weight, 0.0F, 1.0F))));
+    const float own = target.weight(std::clamp(weight, 0.0F, 1.0F));
+    weights.push_back(static_cast<std::uint8_t>(std::lround(255 * own)));
   }
   return weights;
 }
