@@ -232,7 +232,7 @@ std::vector<OptionRow> picture_rows(OutputOptions& output) {
        "Size of the pictures in pixels, each side up to 8192: 800x600 by default, 300x375 in "
        "a gallery.",
        parsed(Kind::Word, read_size, output), "Pictures"},
-      {"background", "RRGGBB", "", "plain background; none: transparent",
+      {"background", "RRGGBB", "", "or none",
        "A plain background of this colour behind the face; with none, PNGs are transparent there.",
        parsed(Kind::Word, read_background, output)},
       {"show", "LAYER[,...]", "", "what is drawn; see below (textured)",
@@ -486,7 +486,7 @@ CommandPage command_page(Command command) {
                     "face-player --headless [OPTIONS] HOST[:PORT]   without a display",
                     "face-player --list HOST[:PORT]                 names of the streams",
                     "face-player play FILE                          a stream file or a table",
-                    "face-player pose|rules|gallery|export --help   stills, rules, pictures, GLB"};
+                    "face-player pose|rules|gallery|export --help   pictures, rules, GLB"};
       page.about = "Receives a face as FACS Action Units and draws it.\n";
       page.notes =
           R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,

@@ -221,14 +221,14 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
   heading(look,
           chosen ? ("Keyframe " + std::to_string(composer.chosen + 1)).c_str() : "New keyframe");
   const char* add = chosen ? "Double it" : "Add it";
-  if (wide_button(add, 0, 4, true, !chosen)) ask(commands, AddKeyframe{});
-  if (wide_button("Neutral", 1, 4, true)) ask(commands, ComposeNeutral{});
-  if (wide_button("Undo", 2, 4, composer.can_undo)) ask(commands, UndoComposing{});
-  if (wide_button("Redo", 3, 4, composer.can_redo)) ask(commands, RedoComposing{});
-  if (wide_button("Take the face shown", 0, 1, composer.can_take)) ask(commands, ComposeShown{});
+  if (wide_button(add, 0, 5, true, !chosen)) ask(commands, AddKeyframe{});
+  if (wide_button("Neutral", 1, 5, true)) ask(commands, ComposeNeutral{});
+  if (wide_button("Take", 2, 5, composer.can_take)) ask(commands, ComposeShown{});
   if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("the AUs of this moment, of what plays or of an expression");
+    ImGui::SetTooltip("the AUs that the face shows at this moment, of what plays or an expression");
   }
+  if (wide_button("Undo", 3, 5, composer.can_undo)) ask(commands, UndoComposing{});
+  if (wide_button("Redo", 4, 5, composer.can_redo)) ask(commands, RedoComposing{});
   time_of_keyframe(look, composer, commands);
   pad(look, composer, commands);
   au_grid(model, commands);

@@ -137,9 +137,9 @@ void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
   }
   const float button = 70 * look.scale;
   ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));
-  const bool entered =
-      ImGui::InputTextWithHint("##compound", "1,2,5B,L12:40", form.aus.data(), form.aus.size(),
-                               ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint(
+      "##compound", "1,2,5B,L12:40", form.aus.data(), form.aus.size(),
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("AUs as in a packet; mixer and rules are applied");
   ImGui::SameLine();
   const bool pressed = ImGui::Button("Show", ImVec2(-1, 0));

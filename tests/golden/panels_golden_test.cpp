@@ -216,7 +216,7 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
 TEST_F(Replay, TheViewIsSetByMouse) {
   open(1, nullptr);
   // The tab, then the boxes for wireframe and muscles, then a white ground.
-  replay("click 731 54\nclick 638 211\nclick 638 273\nclick 757 373\n");
+  replay("click 731 54\nclick 638 211\nclick 638 273\nclick 729 373\n");
   const gui::RenderingSettings rendering = session_->rendering();
   EXPECT_TRUE(rendering.layers.wireframe);
   EXPECT_TRUE(rendering.layers.muscles);
@@ -268,7 +268,7 @@ TEST_F(Making, AnExpressionIsShownAndAusArePutTogether) {
   // The tab, Happiness, then two AUs that the rules change.
   replay("click 525 54\nclick 590 154\nat 300\n");
   EXPECT_GT(shown("left_zygomaticus_major"), 0.5F);
-  replay("click 550 485\ntype 51,52:40\nclick 744 485\nat 300\n");
+  replay("click 550 516\ntype 51,52:40\nclick 744 516\nat 300\n");
   EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
   EXPECT_EQ(shown("left_zygomaticus_major"), 0);
   test::expect_as_baseline(panel(), "panel_expression", kTolerance, kShareMax);

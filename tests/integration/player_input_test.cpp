@@ -59,7 +59,7 @@ TEST(PlayerInput, StreamFiles) {
 
 TEST(PlayerInput, AnExportIsWholeAndTheSameEachTime) {
   const TempFolder folder;
-  const auto stream = folder.write("s.txt", "Beg_Stream\n12:80,500\n1,2,500\nEnd_Stream\n");
+  const auto stream = folder.write("s.txt", "Beg_Stream\n12:80;500\n1,2;500\nEnd_Stream\n");
   const std::string first = (folder.path() / "first.glb").string();
   const std::string second = (folder.path() / "second.glb").string();
   const Finished done = run({program("face-player"), "export", stream.string(), first});

@@ -20,10 +20,10 @@ TEST(Drift, IsNothingWhereTargetsAreExact) {
   drift.add({{}, std::vector<float>(face.channels.size())});
   for (const Target& target : targets.all()) {
     drift.add({{}, target.pose});
-    EXPECT_LT(drift.summary().worst_mm, 0.1) << target.name;
+    EXPECT_LT(drift.summary().worst_mm, 0.15) << target.name;
   }
   EXPECT_EQ(drift.summary().faces, 1 + targets.all().size());
-  EXPECT_LT(drift.summary().worst_mm, 0.1) << "a step of 8 bits, and what is not worth a number";
+  EXPECT_LT(drift.summary().worst_mm, 0.15) << "a step of 8 bits, and what is not worth a number";
 }
 
 TEST(Drift, SeesAFaceThatTheFileDoesNotShow) {

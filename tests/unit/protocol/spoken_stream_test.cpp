@@ -28,7 +28,7 @@ std::string packets_of(const PacketList& list) {
 }
 
 TEST(SpokenStream, IsTheStreamItselfWhereNothingLastsLong) {
-  EXPECT_EQ(spoken_stream(stream_of({"1;250", "2", "0;40"}), 2s, 250, 20), nullptr);
+  EXPECT_EQ(spoken_stream(stream_of({"1;250", "2", "0;40"}), 790ms, 250, 20), nullptr);
 }
 
 TEST(SpokenStream, LongKeyframesAreCutOnTheStraightLine) {
