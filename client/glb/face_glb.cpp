@@ -16,10 +16,6 @@ namespace {
 constexpr const char* kUnlit = "KHR_materials_unlit";
 constexpr std::size_t kBytesMax = std::numeric_limits<std::uint32_t>::max();
 
-Json vector_of(const glm::vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 Json material(const Surface& surface) {
   const auto matt = [](double roughness) {
     return Json{{"metallicFactor", 0}, {"roughnessFactor", roughness}};
@@ -70,9 +66,8 @@ class FaceFile {
     normals_ = deformer.deform(std::vector<float>(face.channels.size())).normals;
     for (std::size_t i = 0; i < rig.joints().size(); ++i) {
       const Joint& joint = rig.joints()[i];
-      const glm::vec3 from = i == 0 ? glm::vec3(0) : rig.joints()[joint.parent].place;
-      nodes_.push_back({{"name", joint.name},
-                        {"translation", vector_of(kMetresPerUnit * (joint.place - from))}});
+      nodes_.push_back(
+          {{"name", joint.name}, {"translation", vector_of(kMetresPerUnit * rig.from_parent(i))}});
       if (i != 0) nodes_[joint.parent]["children"].push_back(i);
     }
     scene_nodes_.push_back(0);
@@ -88,7 +83,7 @@ class FaceFile {
   Json attributes(const Surface& surface, std::optional<std::size_t> joint);
   Json targets(const Surface& surface);
   void hang(const Surface& surface, std::optional<std::size_t> joint, std::size_t mesh);
-  int skin();
+  void need_skin();
   Result<int> strands(bool grey);
 
   const face::Face& face_;
@@ -192,16 +187,15 @@ Json FaceFile::targets(const Surface& surface) {
   return all;
 }
 
-/// All skinned meshes have the same joints.
-int FaceFile::skin() {
-  if (inverse_) return 0;
+/// All skinned meshes have the same joints: there is one skin.
+void FaceFile::need_skin() {
+  if (inverse_) return;
   std::vector<std::array<float, 16>> matrices;
   for (const Joint& joint : rig_.joints()) {
     const glm::vec3 back = -kMetresPerUnit * joint.place;
     matrices.push_back({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, back.x, back.y, back.z, 1});
   }
   inverse_ = file_.matrices(matrices);
-  return 0;
 }
 
 void FaceFile::hang(const Surface& surface, std::optional<std::size_t> joint, std::size_t mesh) {
@@ -211,7 +205,8 @@ void FaceFile::hang(const Surface& surface, std::optional<std::size_t> joint, st
   if (joint) {
     nodes_[*joint]["children"].push_back(node);
   } else {
-    nodes_[node]["skin"] = skin();
+    need_skin();
+    nodes_[node]["skin"] = 0;
     scene_nodes_.push_back(node);
   }
 }
@@ -263,8 +258,7 @@ void FaceFile::add(const Motion& motion) {
     for (const std::size_t node : morphing_) channel(weights, node, "weights");
   }
   for (std::size_t k = 0; k < rig_.joints().size(); ++k) {
-    const Joint& joint = rig_.joints()[k];
-    const glm::vec3 from = k == 0 ? glm::vec3(0) : rig_.joints()[joint.parent].place;
+    const glm::vec3 from_parent = rig_.from_parent(k);
     std::vector<glm::quat> turns;
     std::vector<glm::vec3> shifts;
     bool turned = false;
@@ -273,7 +267,7 @@ void FaceFile::add(const Motion& motion) {
       turned = turned || poses[k].turn != JointPose{}.turn;
       shifted = shifted || poses[k].shift != JointPose{}.shift;
       turns.push_back(glm::normalize(poses[k].turn));
-      shifts.push_back(kMetresPerUnit * (joint.place - from + poses[k].shift));
+      shifts.push_back(kMetresPerUnit * (from_parent + poses[k].shift));
     }
     if (turned) channel(sampler(file_.turns(turns)), k, "rotation");
     if (shifted) channel(sampler(file_.shifts(shifts)), k, "translation");

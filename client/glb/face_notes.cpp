@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "client/face/side_word.h"
 #include "client/glb/units.h"
 
 namespace aucast::glb {
@@ -50,10 +51,6 @@ class Recipes {
   const FaceRig& rig_;
 };
 
-const char* word_of(Side side) {
-  return side == Side::Left ? "left" : side == Side::Right ? "right" : "both";
-}
-
 /// What each channel of a joint does at share 1.
 Json joint_channels(const face::Face& face, const FaceRig& rig) {
   Json channels = Json::object();
@@ -95,7 +92,7 @@ Json arkit(const Recipes& recipes, const sources::ArkitTable& table) {
   for (const sources::ArkitCurve& curve : table.curves) {
     Json recipe = recipes.of(curve.number, curve.side);
     if (recipe.empty()) continue;
-    curves[curve.curve] = {{"au", curve.number}, {"side", word_of(curve.side)}};
+    curves[curve.curve] = {{"au", curve.number}, {"side", face::side_word(curve.side)}};
     curves[curve.curve].update(recipe);
   }
   return curves;

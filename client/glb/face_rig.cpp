@@ -150,13 +150,17 @@ std::vector<JointPose> FaceRig::pose(std::span<const float> activations) const {
   return poses;
 }
 
+glm::vec3 FaceRig::from_parent(std::size_t joint) const {
+  const Joint& own = joints_[joint];
+  return joint == 0 ? own.place : own.place - joints_[own.parent].place;
+}
+
 std::vector<glm::mat4> FaceRig::carriers(std::span<const JointPose> poses) const {
   std::vector<glm::mat4> stands;  // of the joints themselves
   std::vector<glm::mat4> carriers;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
-    const glm::vec3 from = i == 0 ? glm::vec3(0) : joints_[joint.parent].place;
-    const glm::mat4 here = glm::translate(glm::mat4(1), joint.place - from + poses[i].shift) *
+    const glm::mat4 here = glm::translate(glm::mat4(1), from_parent(i) + poses[i].shift) *
                            glm::mat4_cast(poses[i].turn);
     stands.push_back(i == 0 ? here : stands[joint.parent] * here);
     carriers.push_back(stands.back() * glm::translate(glm::mat4(1), -joint.place));

@@ -47,6 +47,8 @@ class FaceRig {
   FaceRig(const face::Face& face, bool with_jaw);
 
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
+  /// Where a joint is at rest, seen from its parent, mesh units.
+  [[nodiscard]] glm::vec3 from_parent(std::size_t joint) const;
   /// Whether a joint follows this channel.
   [[nodiscard]] bool takes(std::size_t channel) const;
   /// The one that the jaw follows, if it is a joint. What skin between jaw and head does beyond the

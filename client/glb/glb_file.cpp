@@ -47,16 +47,16 @@ void append(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-Json numbers(const glm::vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 void set_range(Json& accessor, const glm::vec3& low, const glm::vec3& high) {
-  accessor["min"] = numbers(low);
-  accessor["max"] = numbers(high);
+  accessor["min"] = vector_of(low);
+  accessor["max"] = vector_of(high);
 }
 
 }  // namespace
+
+Json vector_of(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 GlbFile::GlbFile() {
   document_["asset"] = {{"version", "2.0"}};

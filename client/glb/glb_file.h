@@ -18,6 +18,8 @@ namespace aucast::glb {
 /// Objects keep the order in which they were filled: the same face, the same bytes.
 using Json = nlohmann::ordered_json;
 
+[[nodiscard]] Json vector_of(const glm::vec3& v);
+
 /// How much one vertex of a mesh is changed.
 struct Change {
   std::uint32_t vertex = 0;

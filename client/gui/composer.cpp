@@ -6,9 +6,6 @@
 namespace aucast::gui {
 namespace {
 
-/// More steps than anybody takes back.
-constexpr std::size_t kStepsMax = 500;
-
 bool same(const Composer::Keyframes& a, const Composer::Keyframes& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
     return one == other || *one == *other;
@@ -22,27 +19,22 @@ float intensity(int percent) {
 }  // namespace
 
 const ComposedKeyframe& Composer::current() const {
-  return now_.chosen ? *now_.keyframes[*now_.chosen] : now_.fresh;
+  return history_.now().chosen ? *history_.now().keyframes[*history_.now().chosen]
+                               : history_.now().fresh;
 }
 
 bool Composer::unsaved() const {
-  return now_.fresh_touched || !same(now_.keyframes, now_.stored);
+  return history_.now().fresh_touched || !same(history_.now().keyframes, history_.now().stored);
 }
 
 void Composer::step(State next, bool continued) {
   ++revision_;
-  future_.clear();
-  if (continued && !past_.empty()) {
-    now_ = std::move(next);
-    return;
-  }
-  if (past_.size() == kStepsMax) past_.erase(past_.begin());
-  past_.push_back(std::exchange(now_, std::move(next)));
+  history_.step(std::move(next), continued);
 }
 
 void Composer::change_current(const ComposedKeyframe& keyframe, bool continued) {
   if (keyframe == current()) return;
-  State next = now_;
+  State next = history_.now();
   if (next.chosen) {
     next.keyframes[*next.chosen] = std::make_shared<const ComposedKeyframe>(keyframe);
   } else {
@@ -76,7 +68,7 @@ void Composer::set_time(std::optional<std::uint32_t> ms, bool continued) {
 }
 
 void Composer::add() {
-  State next = now_;
+  State next = history_.now();
   const auto added = std::make_shared<const ComposedKeyframe>(current());
   if (next.chosen) {
     next.chosen = *next.chosen + 1;
@@ -90,9 +82,9 @@ void Composer::add() {
 }
 
 void Composer::choose(std::optional<std::size_t> keyframe) {
-  if (keyframe && *keyframe >= now_.keyframes.size()) return;
-  if (keyframe == now_.chosen) return;
-  State next = now_;
+  if (keyframe && *keyframe >= history_.now().keyframes.size()) return;
+  if (keyframe == history_.now().chosen) return;
+  State next = history_.now();
   // A new keyframe that was not added waits until somebody comes back to it.
   if (!keyframe && !next.fresh_touched) next.fresh = current();
   next.chosen = keyframe;
@@ -100,8 +92,8 @@ void Composer::choose(std::optional<std::size_t> keyframe) {
 }
 
 void Composer::remove() {
-  if (!now_.chosen) return;
-  State next = now_;
+  if (!history_.now().chosen) return;
+  State next = history_.now();
   next.keyframes.erase(next.keyframes.begin() + static_cast<std::ptrdiff_t>(*next.chosen));
   if (next.keyframes.empty()) {
     next.chosen.reset();
@@ -112,11 +104,11 @@ void Composer::remove() {
 }
 
 void Composer::move(int direction) {
-  if (!now_.chosen) return;
-  const std::size_t from = *now_.chosen;
-  if (direction < 0 ? from == 0 : from + 1 == now_.keyframes.size()) return;
+  if (!history_.now().chosen) return;
+  const std::size_t from = *history_.now().chosen;
+  if (direction < 0 ? from == 0 : from + 1 == history_.now().keyframes.size()) return;
   const std::size_t to = direction < 0 ? from - 1 : from + 1;
-  State next = now_;
+  State next = history_.now();
   std::swap(next.keyframes[from], next.keyframes[to]);
   next.chosen = to;
   step(std::move(next));
@@ -139,29 +131,22 @@ void Composer::begin_anew() {
 
 void Composer::saved(const std::string& file) {
   ++revision_;
-  now_.stored = now_.keyframes;
-  now_.file = file;
+  State& now = history_.now();
+  now.stored = now.keyframes;
+  now.file = file;
   // The file has changed under every step that was about it: going back to one of them is a change
   // that has not been saved.
-  for (std::vector<State>* steps : {&past_, &future_}) {
-    for (State& state : *steps) {
-      if (state.file == file) state.stored = now_.stored;
-    }
-  }
+  history_.change_others([&](State& state) {
+    if (state.file == file) state.stored = now.stored;
+  });
 }
 
 void Composer::undo() {
-  if (past_.empty()) return;
-  ++revision_;
-  future_.push_back(std::exchange(now_, std::move(past_.back())));
-  past_.pop_back();
+  if (history_.undo()) ++revision_;
 }
 
 void Composer::redo() {
-  if (future_.empty()) return;
-  ++revision_;
-  past_.push_back(std::exchange(now_, std::move(future_.back())));
-  future_.pop_back();
+  if (history_.redo()) ++revision_;
 }
 
 }  // namespace aucast::gui

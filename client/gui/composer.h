@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/gui/history.h"
 #include "common/action_unit.h"
 
 namespace aucast::gui {
@@ -28,16 +29,16 @@ class Composer {
 
   using Keyframes = std::vector<std::shared_ptr<const ComposedKeyframe>>;
 
-  [[nodiscard]] const Keyframes& keyframes() const { return now_.keyframes; }
-  [[nodiscard]] std::optional<std::size_t> chosen() const { return now_.chosen; }
+  [[nodiscard]] const Keyframes& keyframes() const { return history_.now().keyframes; }
+  [[nodiscard]] std::optional<std::size_t> chosen() const { return history_.now().chosen; }
   /// The chosen keyframe, else the new one.
   [[nodiscard]] const ComposedKeyframe& current() const;
   /// Where it was loaded from or saved to; empty: nowhere yet.
-  [[nodiscard]] const std::string& file() const { return now_.file; }
+  [[nodiscard]] const std::string& file() const { return history_.now().file; }
   /// There is something that saving would keep: keyframes, or a new one that was not added.
   [[nodiscard]] bool unsaved() const;
-  [[nodiscard]] bool can_undo() const { return !past_.empty(); }
-  [[nodiscard]] bool can_redo() const { return !future_.empty(); }
+  [[nodiscard]] bool can_undo() const { return history_.can_undo(); }
+  [[nodiscard]] bool can_redo() const { return history_.can_redo(); }
   /// Counts up with everything that changes.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
@@ -74,9 +75,10 @@ class Composer {
   void step(State next, bool continued = false);
   void change_current(const ComposedKeyframe& keyframe, bool continued);
 
-  State now_;
-  std::vector<State> past_;
-  std::vector<State> future_;
+  /// More steps than anybody takes back.
+  static constexpr std::size_t kStepsMax = 500;
+
+  History<State> history_{kStepsMax};
   std::uint64_t revision_ = 0;
 };
 

@@ -195,15 +195,16 @@ void au_sliders(const Look& look, const ComposerView& composer, bool linked,
     bool continued = false;
     bool changed = false;
     if (linked && left == right) {
-      changed = percent_slider("##both", width, left, continued);
+      changed = percent_slider("##both", width, left);
+      continued = belongs_to_drag();
       right = left;
     } else {
       // As one sees them: the subject's right is at the viewer's left.
-      bool more = false;
-      changed = percent_slider("##right", (width - gap) / 2, right, continued);
+      changed = percent_slider("##right", (width - gap) / 2, right);
+      continued = belongs_to_drag();
       ImGui::SameLine(0, gap);
-      changed |= percent_slider("##left", (width - gap) / 2, left, more);
-      continued |= more;
+      changed |= percent_slider("##left", (width - gap) / 2, left);
+      continued |= belongs_to_drag();
     }
     if (changed) ask(commands, ComposeAu{au.number, left, right, continued});
     ImGui::PopID();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "client/face/face.h"
+#include "client/gui/history.h"
 
 namespace aucast::gui {
 
@@ -17,13 +18,13 @@ class ExpressionEditor {
   ExpressionEditor(const face::Face& face, const face::AuRecordings& recordings);
 
   /// One per channel of the face.
-  [[nodiscard]] const std::vector<float>& activations() const { return now_.activations; }
+  [[nodiscard]] const std::vector<float>& activations() const { return history_.now().activations; }
   /// The AU being edited; nothing: a free expression.
-  [[nodiscard]] std::optional<int> au() const { return now_.au; }
+  [[nodiscard]] std::optional<int> au() const { return history_.now().au; }
   /// There is something that save would change: edits since the AU was loaded or saved.
-  [[nodiscard]] bool unsaved() const { return now_.activations != now_.stored; }
-  [[nodiscard]] bool can_undo() const { return !past_.empty(); }
-  [[nodiscard]] bool can_redo() const { return !future_.empty(); }
+  [[nodiscard]] bool unsaved() const { return history_.now().activations != history_.now().stored; }
+  [[nodiscard]] bool can_undo() const { return history_.can_undo(); }
+  [[nodiscard]] bool can_redo() const { return history_.can_redo(); }
   [[nodiscard]] bool linked() const { return linked_; }
 
   /// With `linked`, setting a channel sets its partner on the other side too.
@@ -41,8 +42,8 @@ class ExpressionEditor {
   void revert();
   /// What is shown has been saved as `au`.
   void saved(int au);
-  void undo();
-  void redo();
+  void undo() { history_.undo(); }
+  void redo() { history_.redo(); }
 
  private:
   struct State {
@@ -51,14 +52,12 @@ class ExpressionEditor {
     std::optional<int> au;
   };
 
-  void step(State next);
-  void step_or_go_on(State next, bool continued);
-
   const face::Face& face_;
   const face::AuRecordings& recordings_;
-  State now_;
-  std::vector<State> past_;
-  std::vector<State> future_;
+  /// More steps than anybody takes back; a step of a large face is a kilobyte.
+  static constexpr std::size_t kStepsMax = 1000;
+
+  History<State> history_{kStepsMax};
   bool linked_ = true;
 };
 

@@ -83,9 +83,8 @@ void more_expressions(const Look& look, const ExpressionsView& expressions, int 
 void strength(const Look& look, const ExpressionsView& expressions, GuiCommands& commands) {
   label(look, "Strength");
   int percent = expressions.percent;
-  bool continued = false;
-  if (percent_slider("##strength", -1, percent, continued)) {
-    commands.push_back(ChangeStrength{percent, continued});
+  if (percent_slider("##strength", -1, percent)) {
+    commands.push_back(ChangeStrength{percent, belongs_to_drag()});
   }
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("of all intensities of an expression; control and click to type");

@@ -88,10 +88,10 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) 
     heading(look, "Sound");
     label(look, "Volume");
     const float mute_width = 64 * look.scale;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - mute_width -
-                            ImGui::GetStyle().ItemSpacing.x);
+    const float width =
+        ImGui::GetContentRegionAvail().x - mute_width - ImGui::GetStyle().ItemSpacing.x;
     int volume = sound.volume;
-    if (ImGui::SliderInt("##volume", &volume, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp)) {
+    if (percent_slider("##volume", width, volume)) {
       commands.push_back(SoundCommand(SetVolume{volume}));
     }
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("softer and louder (9 and 0)");

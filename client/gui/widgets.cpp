@@ -131,11 +131,9 @@ bool belongs_to_drag() {
          ImGui::GetIO().MouseDownDuration[0] > 0;
 }
 
-bool percent_slider(const char* id, float width, int& value, bool& continued) {
+bool percent_slider(const char* id, float width, int& value) {
   ImGui::SetNextItemWidth(width);
-  const bool changed = ImGui::SliderInt(id, &value, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);
-  continued = belongs_to_drag();
-  return changed;
+  return ImGui::SliderInt(id, &value, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);
 }
 
 void buffer_bar(const Look& look, const char* name, const BufferLevel& level) {

@@ -51,8 +51,8 @@ void quiet_text(const std::string& text);
 /// Whether a change of the item before belongs to the press of the mouse that began it: the press
 /// is the beginning of a step, and what follows while it is held belongs to that step.
 [[nodiscard]] bool belongs_to_drag();
-/// A slider of 0 to 100 %; true when it changed `value`. `continued`: belongs_to_drag().
-[[nodiscard]] bool percent_slider(const char* id, float width, int& value, bool& continued);
+/// A slider of 0 to 100 %; true when it changed `value`.
+[[nodiscard]] bool percent_slider(const char* id, float width, int& value);
 /// A buffer as a bar with its fill and the mark of its threshold.
 void buffer_bar(const Look& look, const char* name, const BufferLevel& level);
 /// A line of a plot; values in [0,1], oldest first.

@@ -7,6 +7,7 @@
 
 #include "common/log.h"
 #include "common/text.h"
+#include "server/upstream/repeated.h"
 
 namespace aucast::server {
 namespace {
@@ -47,13 +48,6 @@ void EngineEdge::stop() {
   reception_.stop();
 }
 
-protocol::ServedStream EngineEdge::stream() const {
-  protocol::ServedStream served;
-  served.name = name_;
-  served.upstream = reception_.shared();
-  return served;
-}
-
 void EngineEdge::on_message(const Bus::Message& message) {
   if (stopped_) return;
   const Instant now = steady_clock::now();
@@ -75,12 +69,9 @@ void EngineEdge::on_disconnected() {
   follower_.on_disconnected();
 }
 
-/// Of what is lost in the same way again and again one line is enough.
 void EngineEdge::on_over(const Parent::Ending& ending) {
   over_ = true;
-  const auto level = reason_ == ending.reason ? spdlog::level::debug : spdlog::level::warn;
-  reason_ = ending.reason;
-  spdlog::log(level, "{}: {}", name_, ending.reason);
+  spdlog::log(level_of(ending.reason, reason_), "{}: {}", name_, ending.reason);
 }
 
 void EngineEdge::carry_out(const std::vector<Follower::Event>& events) {

@@ -40,7 +40,7 @@ class EngineEdge {
   [[nodiscard]] Result<void> start(const OpenBus& open);
   void stop();
 
-  [[nodiscard]] protocol::ServedStream stream() const;
+  [[nodiscard]] protocol::ServedStream stream() const { return reception_.served(); }
   [[nodiscard]] UpstreamStatus status() const { return reception_.status(); }
 
  private:

@@ -4,10 +4,9 @@
 #include <utility>
 
 #include "common/files.h"
-#include "common/link/host.h"
 #include "common/log.h"
 #include "common/text.h"
-#include "protocol/token_file.h"
+#include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
 namespace {
@@ -54,16 +53,9 @@ Result<NatsOptions> nats_options(const std::string& address, const EngineSetting
   if (auto good = check_settings(settings); !good) return good.error();
   if (auto readable = check_readable(settings); !readable) return readable.error();
   NatsOptions options{*std::move(parsed), {}, settings};
-  if (settings.token.empty()) return options;
-  auto token = protocol::read_token_file(settings.token);
+  auto token = token_for(options.address, settings.token, "natss://");
   if (!token) return token.error();
-  if (!token->warning.empty()) spdlog::warn("{}", token->warning);
-  options.token = std::move(token->word);
-  for (const protocol::Endpoint& server : options.address.hosts) {
-    if (options.address.tls || link::is_own_host(server.host)) continue;
-    return usage("everybody on the way to " + escaped(server.host) +
-                 " could read the token: use natss://");
-  }
+  options.token = *std::move(token);
   return options;
 }
 

@@ -9,6 +9,7 @@
 #include "common/sources/profile.h"
 #include "common/sources/source_reader.h"
 #include "protocol/limits.h"
+#include "server/live/steady_seconds.h"
 #include "server/streams/film_source.h"
 #include "server/streams/source_path.h"
 
@@ -17,16 +18,6 @@ namespace {
 
 /// A recording that is poured in waits in its pipe, not in our memory.
 constexpr std::size_t kQueueMost = 256;
-
-/// What the readers count by.
-double steady_seconds(Instant time) {
-  return seconds(time.time_since_epoch());
-}
-
-/// Just after `at`, however it is rounded: what is waited for is due then.
-Instant just_after(double at) {
-  return Instant(std::chrono::floor<Duration>(std::chrono::duration<double>(at)) + Duration(1));
-}
 
 }  // namespace
 

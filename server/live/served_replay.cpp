@@ -1,18 +1,11 @@
 #include "server/live/served_replay.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
+#include "server/live/steady_seconds.h"
+
 namespace aucast::server {
-namespace {
-
-double steady_seconds(Instant time) {
-  return seconds(time.time_since_epoch());
-}
-
-}  // namespace
-
 ServedReplay::ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
                            Instant begin, std::shared_ptr<const protocol::Soundtrack> sound,
                            const ReplayLimits& limits)
@@ -49,8 +42,7 @@ bool ServedReplay::advance(Instant now) {
 std::optional<Instant> ServedReplay::next_at() const {
   std::optional<Instant> next = replay_.next_at();
   if (const auto due = thinning_.due(); due && feed_) {
-    const Instant at(std::chrono::ceil<Duration>(std::chrono::duration<double>(*due)) +
-                     Duration(1));
+    const Instant at = just_after(*due);
     next = std::min(next.value_or(at), at);
   }
   return next;

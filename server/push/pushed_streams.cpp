@@ -7,6 +7,7 @@
 
 #include "common/log.h"
 #include "protocol/limits.h"
+#include "server/upstream/repeated.h"
 
 namespace aucast::server {
 
@@ -91,10 +92,8 @@ void PushedStreams::on_over(Slot& slot, const Parent::Ending& ending) {
   const auto stream = slot.reception.shared();
   const bool other = ending.unfit && (stream->live || stream->recorded);
   if (other || !slot.reception.whole()) {
-    const auto level = slot.said == ending.reason ? spdlog::level::debug : spdlog::level::warn;
-    slot.said = ending.reason;
     spdlog::log(
-        level, "{}: {}: {}", slot.name,
+        level_of(ending.reason, slot.said), "{}: {}: {}", slot.name,
         other ? "its publisher brings another stream of this name" : "its publisher is gone",
         ending.reason);
   }
@@ -134,12 +133,7 @@ void PushedStreams::retire(std::shared_ptr<Slot> slot) {
 
 std::vector<protocol::ServedStream> PushedStreams::streams() const {
   std::vector<protocol::ServedStream> all;
-  for (const auto& slot : slots_) {
-    protocol::ServedStream served;
-    served.name = slot->name;
-    served.upstream = slot->reception.shared();
-    all.push_back(std::move(served));
-  }
+  for (const auto& slot : slots_) all.push_back(slot->reception.served());
   return all;
 }
 

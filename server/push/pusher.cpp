@@ -36,13 +36,16 @@ bool Pusher::ready() const {
 }
 
 std::string Pusher::name() const {
-  return "push " + hooks_.catalogue(to_.address.stream)->streams.front().known_name();
+  return "push " + stream_name();
+}
+
+std::string Pusher::stream_name() const {
+  return hooks_.catalogue(to_.address.stream)->streams.front().known_name();
 }
 
 void Pusher::introduce(std::shared_ptr<link::Link> link) {
-  const std::string stream = hooks_.catalogue(to_.address.stream)->streams.front().known_name();
   introduction_ = std::make_unique<Introduction>(
-      std::move(link), PublishSession({stream, to_.token, id_}),
+      std::move(link), PublishSession({stream_name(), to_.token, id_}),
       [this](const PublishSession::Answer& answer) { on_answer(answer); });
   introduction_->start();
 }
@@ -80,7 +83,7 @@ void Pusher::on_served(const ClientRecord& record, const std::string& why) {
 
 PushStatus Pusher::status() const {
   PushStatus status;
-  status.stream = hooks_.catalogue(to_.address.stream)->streams.front().known_name();
+  status.stream = stream_name();
   status.server = redialler_.peer();
   status.sending = serving_;
   status.connects = connects_;

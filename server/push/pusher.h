@@ -53,7 +53,8 @@ class Pusher {
 
  private:
   [[nodiscard]] bool ready() const;
-  [[nodiscard]] std::string name() const;
+  [[nodiscard]] std::string name() const;  ///< for the log
+  [[nodiscard]] std::string stream_name() const;
   void introduce(std::shared_ptr<link::Link> link);
   void on_answer(const protocol::PublishSession::Answer& answer);
   void on_served(const ClientRecord& record, const std::string& why);

@@ -5,13 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "protocol/limits.h"
 #include "server/streams/thinning.h"
 
 namespace aucast::server {
 namespace {
 
-constexpr auto kLongest = static_cast<std::uint64_t>(protocol::kDurationMsMax);
 constexpr double kHeaderBits = kHeaderBytes * 8;
 /// Every write is answered by the peer, and that answer acknowledged.
 constexpr double kSegmentsPerBatch = 2;
@@ -49,7 +47,7 @@ void LiveThinning::push(protocol::Keyframe keyframe) {
   if (waiting_) {
     const std::uint64_t time_ms = std::uint64_t{waiting_->duration_ms.value_or(keyframe_ms_)} +
                                   keyframe.duration_ms.value_or(keyframe_ms_);
-    keyframe.duration_ms = static_cast<std::uint32_t>(std::min(time_ms, kLongest));
+    give_time(keyframe, time_ms);
   }
   bits_ = limited_ ? bits_of(keyframe) : 0;
   waiting_ = std::move(keyframe);

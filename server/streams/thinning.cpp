@@ -15,12 +15,11 @@ double bits_on_the_wire(const protocol::Keyframe& keyframe) {
   return static_cast<double>((encode(keyframe).size() + kHeaderBytes) * 8);
 }
 
-/// The keyframe with the time of those that are merged into it.
+}  // namespace
+
 void give_time(protocol::Keyframe& keyframe, std::uint64_t time_ms) {
   keyframe.duration_ms = static_cast<std::uint32_t>(std::min(time_ms, kLongest));
 }
-
-}  // namespace
 
 std::vector<protocol::Keyframe> thinned(std::span<const protocol::Keyframe> keyframes,
                                         std::uint32_t keyframe_ms, std::uint32_t kbits_per_second) {

@@ -22,4 +22,7 @@ inline constexpr std::size_t kHeaderBytes = 52;
                                                       std::uint32_t keyframe_ms,
                                                       std::uint32_t kbits_per_second);
 
+/// Gives a keyframe the time of those that are merged into it, as far as the protocol lets it.
+void give_time(protocol::Keyframe& keyframe, std::uint64_t time_ms);
+
 }  // namespace aucast::server

@@ -9,6 +9,21 @@
 
 namespace aucast::server {
 
+Result<std::string> token_for(const protocol::StreamAddress& address,
+                              const std::filesystem::path& file, std::string_view secure) {
+  if (file.empty()) return std::string();
+  auto token = protocol::read_token_file(file);
+  if (!token) return token.error();
+  if (!token->warning.empty()) spdlog::warn("{}", token->warning);
+  for (const protocol::Endpoint& host : address.hosts) {
+    if (address.tls || link::is_own_host(host.host)) continue;
+    return Error{ErrorKind::Usage, "everybody on the way to " + escaped(host.host) +
+                                       " could read the token: use " + std::string(secure) +
+                                       " (try --help)"};
+  }
+  return std::move(token->word);
+}
+
 Result<DialledAddress> dialled_address(const std::string& address, const DialSecrets& secrets) {
   auto parsed = protocol::parse_stream_address(address);
   if (!parsed) return parsed.error();
@@ -20,16 +35,9 @@ Result<DialledAddress> dialled_address(const std::string& address, const DialSec
     if (!context->warning().empty()) spdlog::warn("{}", context->warning());
     dialled.tls = *std::move(context);
   }
-  if (secrets.token.empty()) return dialled;
-  auto token = protocol::read_token_file(secrets.token);
+  auto token = token_for(dialled.address, secrets.token, "aucasts://");
   if (!token) return token.error();
-  if (!token->warning.empty()) spdlog::warn("{}", token->warning);
-  dialled.token = std::move(token->word);
-  for (const protocol::Endpoint& host : dialled.address.hosts) {
-    if (dialled.tls || link::is_own_host(host.host)) continue;
-    return Error{ErrorKind::Usage, "everybody on the way to " + escaped(host.host) +
-                                       " could read the token: use aucasts:// (try --help)"};
-  }
+  dialled.token = *std::move(token);
   return dialled;
 }
 

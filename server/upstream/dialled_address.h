@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "common/result.h"
 #include "common/tls/context.h"
@@ -22,6 +23,13 @@ struct DialSecrets {
   tls::Files tls;
   std::string tls_options;  ///< how the options that name its files begin: "--upstream-tls"
 };
+
+/// The token of the file, to be shown at that address; empty when no file is given. Warns in the
+/// log when others can read it. Usage error when it would go over the network for everybody to
+/// read; `secure`: how an address over TLS begins.
+[[nodiscard]] Result<std::string> token_for(const protocol::StreamAddress& address,
+                                            const std::filesystem::path& file,
+                                            std::string_view secure);
 
 /// Reads the address and the files, and warns in the log of secrets that others can read. Usage
 /// error when the token would go over the network for everybody to read.

@@ -148,6 +148,13 @@ void Reception::give_up() {
   events_.on_given_up();
 }
 
+protocol::ServedStream Reception::served() const {
+  protocol::ServedStream served;
+  served.name = options_.name;
+  served.upstream = stream_.shared();
+  return served;
+}
+
 UpstreamStatus Reception::status() const {
   UpstreamStatus status;
   status.stream = stream_.shared()->name;

@@ -67,6 +67,8 @@ class Reception {
   [[nodiscard]] std::shared_ptr<const protocol::UpstreamStream> shared() const {
     return stream_.shared();
   }
+  /// As what it is served, under its name.
+  [[nodiscard]] protocol::ServedStream served() const;
   [[nodiscard]] UpstreamStatus status() const;
 
  private:

@@ -9,6 +9,7 @@
 #include "common/log.h"
 #include "common/text.h"
 #include "protocol/link_limits.h"
+#include "server/upstream/repeated.h"
 
 namespace aucast::server {
 namespace {
@@ -76,12 +77,9 @@ void Redialler::worked() {
   for (std::string& reason : reasons_) reason.clear();
 }
 
-/// Of a host that fails in the same way again and again one line is enough.
 void Redialler::failed(const std::string& reason) {
   if (stopped_) return;
-  std::string& said = reasons_[turns_.current()];
-  const auto level = said == reason ? spdlog::level::debug : spdlog::level::warn;
-  said = reason;
+  const auto level = level_of(reason, reasons_[turns_.current()]);
   const std::string host = peer();
   const Milliseconds wait = turns_.next();
   spdlog::log(level, "{}: {}: {}; {} is tried in {:.1f} s", name_(), host, reason, peer(),

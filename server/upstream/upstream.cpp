@@ -34,13 +34,6 @@ void Upstream::stop() {
   reception_.stop();
 }
 
-protocol::ServedStream Upstream::stream() const {
-  protocol::ServedStream served;
-  served.name = options_.from.address.stream;
-  served.upstream = reception_.shared();
-  return served;
-}
-
 void Upstream::on_over(const Parent::Ending& ending) {
   if (!reception_.whole()) redialler_.failed(ending.reason);
 }

@@ -36,7 +36,7 @@ class Upstream {
   void stop();
 
   /// As what it is served, under the name that its address gives it, if any.
-  [[nodiscard]] protocol::ServedStream stream() const;
+  [[nodiscard]] protocol::ServedStream stream() const { return reception_.served(); }
   [[nodiscard]] UpstreamStatus status() const { return reception_.status(); }
 
  private:

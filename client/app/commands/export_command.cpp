@@ -15,6 +15,7 @@
 #include "client/sound/file_track.h"
 #include "common/files.h"
 #include "common/log.h"
+#include "common/text.h"
 #include "protocol/limits.h"
 
 namespace aucast::app {
@@ -99,9 +100,10 @@ Result<std::vector<playback::TimedAus>> keyframes_of(const PlayerOptions& option
   const std::size_t moments = glb::moment_count(opened->keyframes, sampling_of(options));
   if (moments > kMomentsMax) {
     return Error{ErrorKind::BadData,
-                 options.exported.stream().string() + ": " + std::to_string(moments) +
-                     " moments are more than the " + std::to_string(kMomentsMax) +
-                     " that are exported; give a lower --fps, or cut the stream"};
+                 at_place(options.exported.stream().string(),
+                          std::to_string(moments) + " moments are more than the " +
+                              std::to_string(kMomentsMax) +
+                              " that are exported; give a lower --fps, or cut the stream")};
   }
   return std::move(opened->keyframes);
 }

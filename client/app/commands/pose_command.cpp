@@ -11,24 +11,13 @@
 #include "client/app/film/shot.h"
 #include "client/face/au_blender.h"
 #include "client/face/face_deformer.h"
+#include "client/face/side_word.h"
 #include "common/files.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
 namespace {
-
-const char* side_word(Side side) {
-  switch (side) {
-    case Side::Left:
-      return "left";
-    case Side::Right:
-      return "right";
-    case Side::Both:
-      break;
-  }
-  return "both";
-}
 
 void print_list(const Assets& assets) {
   std::printf("Channels of %s (name, range):\n", assets.face.name.c_str());
@@ -166,7 +155,7 @@ Result<void> run_rules(const PlayerOptions& options) {
   if (fired.empty()) std::printf("no rule of '%s' changed anything\n", rules->name.c_str());
   for (const face::RuleExplained& one : face::explain(fired)) {
     std::printf("%s (%s): %s [%s]\n", std::string(face::name(one.rule->kind)).c_str(),
-                side_word(one.side), one.what.c_str(), one.rule->source.c_str());
+                face::side_word(one.side), one.what.c_str(), one.rule->source.c_str());
   }
   return {};
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "client/face/side_word.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
@@ -49,9 +50,7 @@ std::vector<std::string> what_is_shown(const GalleryPicture& picture, const std:
     if (only_muscles) break;
     numbers.push_back(std::to_string(term.number));
     intensities.push_back(std::to_string(term.percent));
-    sides.emplace_back(term.side == Side::Left    ? "left"
-                       : term.side == Side::Right ? "right"
-                                                  : "both");
+    sides.emplace_back(face::side_word(term.side));
   }
   return {joined(numbers),
           joined(intensities),

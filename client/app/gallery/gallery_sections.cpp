@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "client/face/au_blender.h"
+#include "client/face/side_word.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 
@@ -37,10 +38,6 @@ std::string au_stem(int number) {
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "au%02d", number);
   return text.data();
-}
-
-const char* word(Side side) {
-  return side == Side::Left ? "left" : side == Side::Right ? "right" : "both";
 }
 
 /// The sides on which an AU is shown. A wink is on one side or it is none, a jaw goes to one.
@@ -102,7 +99,7 @@ std::size_t GalleryPlanner::picture(const std::string& file, const Subject& subj
 
 std::size_t GalleryPlanner::au_picture(int number, char letter, Side side) {
   std::string file = "au/" + au_stem(number) + "_" + letter;
-  if (is_sided(input_.face, number)) file += std::string("_") + word(side);
+  if (is_sided(input_.face, number)) file += std::string("_") + face::side_word(side);
   const AuTerm term{static_cast<std::uint8_t>(number), side,
                     percent_of_letter(letter).value_or(std::uint8_t{100})};
   return picture(file + ".png", {{}, frame_from_terms({&term, 1}), {}});
@@ -139,7 +136,7 @@ void GalleryPlanner::add_aus() {
     GalleryBlock block{au_title(number), columns, {}};
     for (const Side side : sides_of(input_.face, number)) {
       GalleryRow row;
-      if (is_sided(input_.face, number)) row.heading = word(side);
+      if (is_sided(input_.face, number)) row.heading = face::side_word(side);
       for (const char letter : kLetters) {
         row.figures.push_back({au_picture(number, letter, side), "", "", 0});
       }

@@ -164,7 +164,7 @@ void PlaybackSession::advance(Instant now) {
       meter_.advance(player_, at, [this](const playback::KeyframeBegun& one) { begun(one); });
   sound_.advanced();
   if (const auto passing = playback_->passing()) {
-    const double ahead = seconds(at - sound_.shown()) * passing->speed;
+    const double ahead = seconds(sound_.lead()) * passing->speed;
     spoken_.move_to(*playback_, passing->place - Duration(std::llround(ahead * 1e9)));
   }
   if (sound_.sounds()) delay_.add(at, player_.face().activations);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "common/action_unit.h"
+
+namespace aucast::face {
+
+/// "left", "right" or "both", as people and files have it.
+[[nodiscard]] constexpr const char* side_word(Side side) {
+  return side == Side::Left ? "left" : side == Side::Right ? "right" : "both";
+}
+
+}  // namespace aucast::face
