@@ -199,8 +199,8 @@ void ManualPage::options(const std::vector<OptionRow>& rows) {
     if (!row.heading.empty()) heading(row.heading);
     std::string text(row.more.empty() ? row.text : row.more);
     if (!row.fallback.empty()) {
-      if (text.back() != '.') text += ".";
-      text += " Default: " + std::string(row.fallback) + ".";
+      if (!text.empty()) text += text.back() == '.' ? " " : ". ";
+      text += "Default: " + std::string(row.fallback) + ".";
     }
     item(tag_of(row), text);
   }

@@ -229,7 +229,7 @@ Result<void> FaceFile::add(const Surface& surface) {
     mesh["weights"] = std::vector<int>(names_.size(), 0);
     mesh["extras"]["targetNames"] = names_;
   }
-  mesh["primitives"] = {std::move(primitive)};
+  mesh["primitives"] = Json::array({std::move(primitive)});
   materials_.push_back(material(surface));
   if (surface.hair()) {
     const auto texture = strands(surface.look == Look::GreyHair);
@@ -296,7 +296,7 @@ std::string FaceFile::finish(const About& about) {
     document["textures"] = std::move(textures_);
     document["samplers"] = {{{"minFilter", 9987}, {"magFilter", 9729}}};  // mipmaps; linear
   }
-  if (!animation_.is_null()) document["animations"] = {std::move(animation_)};
+  if (!animation_.is_null()) document["animations"] = Json::array({std::move(animation_)});
   return file_.bytes();
 }
 

@@ -66,6 +66,12 @@ TEST(ManualPage, HasEveryOptionWithItsDefault) {
       << page.text();
 }
 
+TEST(ManualPage, AnOptionWithoutAnExplanationHasItsDefault) {
+  ManualPage page("a-b", "1", "does it");
+  page.options({{.name = "quick", .argument = "N", .fallback = "3"}});
+  EXPECT_TRUE(page.text().ends_with(".TP\n\\fB\\-\\-quick N\\fR\nDefault: 3.\n")) << page.text();
+}
+
 TEST(Completion, NamesTheProgramItsCommandsAndAllOptions) {
   const std::vector<CommandPage> pages{example_page(""), example_page("play")};
   const auto script = [&pages](const char* shell) {
