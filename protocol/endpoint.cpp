@@ -18,7 +18,7 @@ namespace aucast::protocol {
 namespace {
 
 /// Only what is wrong: the caller says with what, and the remedy.
-Error bad(std::string what) {
+Error bad_address(std::string what) {
   return {ErrorKind::Usage, std::move(what)};
 }
 
@@ -46,12 +46,12 @@ Result<Endpoint> read_endpoint(std::string_view text, std::uint16_t default_port
 
   if (text.starts_with('[')) {
     const std::size_t close = text.find(']');
-    if (close == std::string_view::npos) return bad("the bracket is not closed");
+    if (close == std::string_view::npos) return bad_address("the bracket is not closed");
     host = text.substr(1, close - 1);
-    if (!is_v6(host)) return bad("an IPv6 address must stand in the brackets");
+    if (!is_v6(host)) return bad_address("an IPv6 address must stand in the brackets");
     const std::string_view rest = text.substr(close + 1);
     if (!rest.empty() && rest.front() != ':') {
-      return bad("only :PORT may follow the bracket");
+      return bad_address("only :PORT may follow the bracket");
     }
     if (!rest.empty()) port = rest.substr(1);
   } else if (const auto colons = std::count(text.begin(), text.end(), ':'); colons == 1) {
@@ -59,16 +59,16 @@ Result<Endpoint> read_endpoint(std::string_view text, std::uint16_t default_port
     host = text.substr(0, colon);
     port = text.substr(colon + 1);
   } else if (colons > 1 && !is_v6(text)) {
-    return bad("an IPv6 address with a port needs brackets");
+    return bad_address("an IPv6 address with a port needs brackets");
   }
 
-  if (host.empty()) return bad("there is no host");
+  if (host.empty()) return bad_address("there is no host");
   if (!std::all_of(host.begin(), host.end(), is_host_byte)) {
-    return bad("a host has no blanks, brackets or special bytes");
+    return bad_address("a host has no blanks, brackets or special bytes");
   }
   if (port) {
     const auto number = parse_port(*port);
-    if (!number) return bad("the port must be a number from 1 to 65535");
+    if (!number) return bad_address("the port must be a number from 1 to 65535");
     endpoint.port = *number;
   }
   endpoint.host = host;

@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, EngineMessage::Kind>, 3> kKinds
 /// Numbers of batches and places stay exact in every language that reads them.
 constexpr std::uint64_t kNumberMost = (std::uint64_t{1} << 53U) - 1;
 
-Error bad(std::string what) {
+Error broken(std::string what) {
   return {ErrorKind::BadData, std::move(what)};
 }
 
@@ -45,18 +45,18 @@ class Line {
   [[nodiscard]] bool has(std::string_view key) const { return values_.count(key) > 0; }
   [[nodiscard]] Result<std::uint64_t> number(std::string_view key) const {
     const auto found = values_.find(key);
-    if (found == values_.end()) return bad("its line has no " + std::string(key) + "=");
+    if (found == values_.end()) return broken("its line has no " + std::string(key) + "=");
     const auto number = number_of<std::uint64_t>(found->second);
     if (!number || *number > kNumberMost) {
-      return bad("its " + std::string(key) + "= is no number from 0 to 2^53-1");
+      return broken("its " + std::string(key) + "= is no number from 0 to 2^53-1");
     }
     return *number;
   }
   [[nodiscard]] Result<std::string> id(std::string_view key) const {
     const auto found = values_.find(key);
-    if (found == values_.end()) return bad("its line has no " + std::string(key) + "=");
+    if (found == values_.end()) return broken("its line has no " + std::string(key) + "=");
     if (!is_stream_name(found->second) || found->second.size() > kServerIdBytesMax) {
-      return bad("its " + std::string(key) + "= is no ID of a server");
+      return broken("its " + std::string(key) + "= is no ID of a server");
     }
     return std::string(found->second);
   }
@@ -69,11 +69,11 @@ class Line {
 /// The line at the beginning, which is then taken off `bytes`.
 Result<std::string_view> take_line(std::string_view& bytes) {
   if (bytes.size() > kEngineBytesMax) {
-    return bad("it has " + std::to_string(bytes.size()) + " bytes, and at most " +
-               std::to_string(kEngineBytesMax) + " are read");
+    return broken("it has " + std::to_string(bytes.size()) + " bytes, and at most " +
+                  std::to_string(kEngineBytesMax) + " are read");
   }
   const std::string_view text = bytes.substr(0, bytes.find('\n'));
-  if (text.size() > kEngineLineBytesMax) return bad("it does not begin with a short line");
+  if (text.size() > kEngineLineBytesMax) return broken("it does not begin with a short line");
   bytes.remove_prefix(std::min(text.size() + 1, bytes.size()));
   return text;
 }
@@ -124,7 +124,7 @@ Result<EngineMessage> parse_engine_message(std::string_view bytes) {
   const Line line(*text);
   const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
                                  [&line](const auto& one) { return one.first == line.word(); });
-  if (kind == kKinds.end()) return bad("it begins with none of batch, state and since");
+  if (kind == kKinds.end()) return broken("it begins with none of batch, state and since");
   EngineMessage message;
   message.kind = kind->second;
   auto origin = line.id("origin");
@@ -139,13 +139,13 @@ Result<EngineMessage> parse_engine_message(std::string_view bytes) {
   if (message.kind == EngineMessage::Kind::Since) {
     const auto after = line.number("after");
     if (!after) return after.error();
-    if (*after > message.seq) return bad("its after= is behind its seq=");
+    if (*after > message.seq) return broken("its after= is behind its seq=");
     message.after = *after;
   }
   const bool whole = bytes.empty() || (bytes.front() == '{' && bytes.back() == '}');
-  if (!whole) return bad("what follows its line are no whole packets");
+  if (!whole) return broken("what follows its line are no whole packets");
   if (message.kind == EngineMessage::Kind::State && !bytes.starts_with("{hello ")) {
-    return bad("it is a state without a hello");
+    return broken("it is a state without a hello");
   }
   message.packets = bytes;
   return message;
@@ -155,7 +155,7 @@ Result<EngineJoin> parse_engine_join(std::string_view bytes) {
   const auto text = take_line(bytes);
   if (!text) return text.error();
   const Line line(*text);
-  if (line.word() != kJoinWord) return bad("it does not begin with join");
+  if (line.word() != kJoinWord) return broken("it does not begin with join");
   EngineJoin join;
   if (line.has("origin")) {
     auto origin = line.id("origin");

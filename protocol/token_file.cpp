@@ -16,9 +16,9 @@ Result<TokenFile> read_token_file(const std::filesystem::path& path) {
   const auto wrong = [&path](const std::string& what) {
     return Error{ErrorKind::BadData, at_place(path.string(), what)};
   };
-  constexpr std::string_view kBlanks = " \t\r\n";
+  constexpr std::string_view kAround = " \t\r\n";
   TokenFile token;
-  token.word = trimmed(file->bytes, kBlanks);
+  token.word = trimmed(file->bytes, kAround);
   if (token.word.empty()) return wrong("the token file is empty");
   if (token.word.size() > kTokenBytesMax) {
     return wrong("the token is longer than " + std::to_string(kTokenBytesMax) + " bytes");

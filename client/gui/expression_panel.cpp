@@ -10,7 +10,6 @@
 namespace aucast::gui {
 namespace {
 
-constexpr std::array kInterpolations = {"Linear", "Cosine"};
 constexpr int kColumns = 4;
 
 std::string in_words(const ExpressionButton& button) {
@@ -107,7 +106,7 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   TransitionSettings settings = model.transition;
   label(look, "In between");
   int kind = settings.cosine ? 1 : 0;
-  bool changed = choice("way", kInterpolations, kind);
+  bool changed = choice("way", kWays, kind);
   settings.cosine = kind == 1;
   label(look, "Frames");
   if (ImGui::InputInt("##frames", &settings.frames, 1, 10)) {

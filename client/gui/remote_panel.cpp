@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::array kMixers = {"Maximum", "Average"};
 constexpr std::array kRules = {"facs", "kumar2010", "none"};
-constexpr std::array kInterpolations = {"Linear", "Cosine"};
 
 void write(const std::string& text, std::span<char> out) {
   const std::size_t length = std::min(text.size(), out.size() - 1);
@@ -197,7 +196,7 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
   }
   label(look, "In between");
   int kind = settings.interpolation == playback::Interpolation::Cosine ? 1 : 0;
-  if (choice("interpolation", kInterpolations, kind)) {
+  if (choice("interpolation", kWays, kind)) {
     settings.interpolation =
         kind == 1 ? playback::Interpolation::Cosine : playback::Interpolation::Linear;
     changed = true;

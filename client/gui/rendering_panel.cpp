@@ -9,7 +9,6 @@ namespace aucast::gui {
 namespace {
 
 constexpr std::array kGrounds = {"Studio", "Black", "Grey", "White", "None"};
-constexpr std::array kInterpolations = {"Linear", "Cosine"};
 
 struct LayerLabel {
   const char* text;
@@ -103,7 +102,7 @@ bool blinking(const Look& look, RenderingSettings& settings) {
   changed |= number(look, "Closing ms", "##closing", blink.closing_ms, 25, 500, 25);
   label(look, "In between");
   int kind = blink.interpolation == playback::Interpolation::Cosine ? 1 : 0;
-  if (choice("lids", kInterpolations, kind)) {
+  if (choice("lids", kWays, kind)) {
     blink.interpolation =
         kind == 1 ? playback::Interpolation::Cosine : playback::Interpolation::Linear;
     changed = true;

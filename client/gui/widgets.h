@@ -14,6 +14,9 @@ namespace aucast::gui {
 
 // Small things that several panels draw. All of them inside an open ImGui window.
 
+/// From keyframe to keyframe, as the lists of the panels call it.
+inline constexpr std::array kWays = {"Linear", "Cosine"};
+
 /// What panels need to know beside the model.
 struct Look {
   float scale = 1;  ///< of the screen: 1 is 96 dots an inch

@@ -6,7 +6,7 @@
 namespace aucast::render {
 namespace {
 
-constexpr int kSide = 256;  ///< texels of 0.1 units; every reading is spread over several
+constexpr int kShadowSide = 256;  ///< texels of 0.1 units; every reading is spread over several
 /// The box is fixed, so that shadows do not crawl while the head moves.
 constexpr glm::vec3 kCentre{0, 0, 1};
 constexpr float kReach = 13;
@@ -29,8 +29,8 @@ class BoundFramebuffer {
 
 ShadowMap::ShadowMap() {
   glBindTexture(GL_TEXTURE_2D, depths_.id());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSide, kSide, 0, GL_DEPTH_COMPONENT,
-               GL_UNSIGNED_INT, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kShadowSide, kShadowSide, 0,
+               GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -55,12 +55,12 @@ void ShadowMap::aim(const glm::vec3& towards_key) {
 
 void ShadowMap::draw(const Program& depth, const std::function<void()>& draw_casters) {
   const BoundFramebuffer before;
-  glViewport(0, 0, kSide, kSide);
+  glViewport(0, 0, kShadowSide, kShadowSide);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target_.id());
   glClear(GL_DEPTH_BUFFER_BIT);
   // The texels at the border stay at the greatest depth: outside the box everything is lit.
   glEnable(GL_SCISSOR_TEST);
-  glScissor(1, 1, kSide - 2, kSide - 2);
+  glScissor(1, 1, kShadowSide - 2, kShadowSide - 2);
   glUseProgram(depth.id());
   CameraBlock camera;
   camera.world_to_clip = world_to_clip_;

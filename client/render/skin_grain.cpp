@@ -7,7 +7,7 @@
 namespace aucast::render {
 namespace {
 
-constexpr int kSide = 256;
+constexpr int kGrainSide = 256;
 /// Mesh units that one turn of the texture covers: a pore of three texels measures 0.8 mm.
 constexpr float kTurn = 5.0F;
 constexpr int kPores = 3600;
@@ -21,7 +21,7 @@ float hash(std::uint32_t n) {
 
 /// Smooth noise in [0, 1) with features of `cell` texels; it goes on beyond the edges.
 float noise(int x, int y, int cell, std::uint32_t seed) {
-  const int cells = kSide / cell;
+  const int cells = kGrainSide / cell;
   const auto corner = [&](int i, int j) {
     return hash(seed + static_cast<std::uint32_t>((j % cells) * cells + i % cells));
   };
@@ -40,25 +40,26 @@ using Texels = std::vector<std::array<std::uint8_t, 2>>;
 
 /// Colour in the first channel, shine in the second; 128 is no change.
 Texels texels() {
-  std::vector<float> pores(std::size_t{kSide} * kSide, 0.0F);
+  std::vector<float> pores(std::size_t{kGrainSide} * kGrainSide, 0.0F);
   for (std::uint32_t n = 0; n < kPores; ++n) {
-    const float x = hash(3 * n) * kSide;
-    const float y = hash(3 * n + 1) * kSide;
+    const float x = hash(3 * n) * kGrainSide;
+    const float y = hash(3 * n + 1) * kGrainSide;
     const float depth = 0.4F + 0.6F * hash(3 * n + 2);
     for (int dy = -2; dy <= 2; ++dy) {
       for (int dx = -2; dx <= 2; ++dx) {
         const int i = static_cast<int>(x) + dx;
         const int j = static_cast<int>(y) + dy;
         const float away = std::hypot(static_cast<float>(i) - x, static_cast<float>(j) - y);
-        auto& pore = pores[static_cast<std::size_t>((j & (kSide - 1)) * kSide + (i & (kSide - 1)))];
+        auto& pore = pores[static_cast<std::size_t>((j & (kGrainSide - 1)) * kGrainSide +
+                                                    (i & (kGrainSide - 1)))];
         pore = std::max(pore, depth * std::exp(-away * away));
       }
     }
   }
   Texels all(pores.size());
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      const auto at = static_cast<std::size_t>(y * kSide + x);
+  for (int y = 0; y < kGrainSide; ++y) {
+    for (int x = 0; x < kGrainSide; ++x) {
+      const auto at = static_cast<std::size_t>(y * kGrainSide + x);
       const float blotch =
           0.45F * (noise(x, y, 16, 11) - 0.5F) + 0.35F * (noise(x, y, 8, 977) - 0.5F);
       const float fine = 0.35F * (noise(x, y, 2, 5003) - 0.5F);
@@ -78,7 +79,8 @@ SkinGrain::SkinGrain() {
   glBindTexture(GL_TEXTURE_2D, texture_.id());
   const Texels all = texels();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kSide, kSide, 0, GL_RG, GL_UNSIGNED_BYTE, all.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kGrainSide, kGrainSide, 0, GL_RG, GL_UNSIGNED_BYTE,
+               all.data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

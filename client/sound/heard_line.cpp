@@ -9,7 +9,7 @@ constexpr Duration kLookedBack = std::chrono::seconds(1);
 /// Over less than this the readings' own jitter is more than a drift.
 constexpr Duration kDriftOver = std::chrono::seconds(10);
 /// A reading this far from the others is a leap of the device.
-constexpr Duration kLeap = std::chrono::milliseconds(80);
+constexpr Duration kClockLeap = std::chrono::milliseconds(80);
 /// What the line may run faster or slower by: a hundredth, and a tenth until there are readings of
 /// half a second.
 constexpr int kBendPart = 100;
@@ -37,7 +37,7 @@ void HeardLine::add(Instant now, Duration heard) {
     last_at_ = now;
   }
   const Duration ahead = heard - (now - begin_);
-  if (!readings_.empty() && std::chrono::abs(ahead - mean()) > kLeap) {
+  if (!readings_.empty() && std::chrono::abs(ahead - mean()) > kClockLeap) {
     begin_again();
     return;
   }

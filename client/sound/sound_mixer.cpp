@@ -6,7 +6,7 @@
 namespace aucast::sound {
 namespace {
 
-constexpr int kGlide = 5 * kSamplesPerMs;
+constexpr int kStepGlide = 5 * kSamplesPerMs;
 /// From silence to full volume.
 constexpr float kGainStep = 1.0F / (10 * kSamplesPerMs);
 /// So far the sound may be from where it should be, rather than skip: a thousandth of a second when
@@ -78,11 +78,11 @@ void SoundMixer::resample(double to, std::span<float> samples) {
 void SoundMixer::glide(bool broken, std::span<float> samples) {
   if (broken) {
     step_ = last_ - samples.front();
-    step_left_ = kGlide;
+    step_left_ = kStepGlide;
   }
   for (float& sample : samples) {
     if (step_left_ == 0) break;
-    sample += step_ * static_cast<float>(step_left_) / kGlide;
+    sample += step_ * static_cast<float>(step_left_) / kStepGlide;
     --step_left_;
   }
   last_ = samples.back();

@@ -6,7 +6,7 @@
 namespace aucast::sound {
 namespace {
 
-constexpr std::int64_t kGlide = std::int64_t{10} * kSamplesPerMs;
+constexpr std::int64_t kPortion = std::int64_t{10} * kSamplesPerMs;
 
 Duration time_of(std::int64_t samples) {
   return std::chrono::microseconds(samples / kSamplesPerMs * 1000) +
@@ -61,10 +61,10 @@ void SoundPlayer::stop() {
   sounds_ = false;
   ahead_.reset();
   if (out_ == nullptr) return;
-  samples_.resize(static_cast<std::size_t>(kGlide));
+  samples_.resize(static_cast<std::size_t>(kPortion));
   mixer_->mix(std::nullopt, samples_);
   out_->write(samples_);
-  written_ += kGlide;
+  written_ += kPortion;
 }
 
 Instant SoundPlayer::now(Instant steady) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kFadeIn = std::int64_t{5} * kSamplesPerMs;
 /// A leap of more than this is not decoded through.
-constexpr std::int64_t kLeap = std::int64_t{500} * kSamplesPerMs;
+constexpr std::int64_t kVoiceLeap = std::int64_t{500} * kSamplesPerMs;
 /// A decoder that begins in the middle is right after five packets of 60 ms.
 constexpr std::int64_t kRunUp = std::int64_t{300} * kSamplesPerMs;
 
@@ -49,7 +49,7 @@ std::int64_t VoiceTrack::decoded_end() const {
 }
 
 void VoiceTrack::skip(std::int64_t begin) {
-  if (begin <= decoded_end() + kLeap) return;
+  if (begin <= decoded_end() + kVoiceLeap) return;
   decoded_.clear();
   begin_ = begin - kRunUp;
   silent_ = true;
@@ -67,7 +67,7 @@ void VoiceTrack::decode_until(std::int64_t end) {
     if (silent_) {
       decoded_.resize(static_cast<std::size_t>(std::min(next, end) - begin_));
     } else {
-      fade_out(waiting_.empty() ? decoded_end() + kLeap : next);
+      fade_out(waiting_.empty() ? decoded_end() + kVoiceLeap : next);
     }
   }
 }
@@ -105,7 +105,7 @@ void VoiceTrack::fade_out(std::int64_t until) {
 
 void VoiceTrack::forget_before(std::int64_t begin) {
   // Not at each call: what follows is moved.
-  if (begin - begin_ < kLeap) return;
+  if (begin - begin_ < kVoiceLeap) return;
   decoded_.erase(decoded_.begin(), decoded_.begin() + static_cast<std::ptrdiff_t>(begin - begin_));
   begin_ = begin;
 }

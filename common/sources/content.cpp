@@ -13,15 +13,13 @@
 namespace aucast::sources {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
-
 using Numbers = std::vector<double>;
 
 /// The numbers of a line between separators; none when anything else stands there.
 Numbers numbers_of(std::string_view line, char separator) {
   Numbers numbers;
   for (std::string_view cell : split(line, separator)) {
-    cell = trimmed(cell, kBlanks);
+    cell = trimmed(cell, kCsvBlanks);
     if (cell.empty() && separator == ' ') continue;
     const auto number = parse_number(cell, false);
     if (!number) return {};
@@ -35,7 +33,7 @@ std::vector<std::string_view> first_lines(std::string_view text, std::size_t mos
   std::vector<std::string_view> lines;
   while (!text.empty() && lines.size() < most) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    const std::string_view line = trimmed(text.substr(0, end), kBlanks);
+    const std::string_view line = trimmed(text.substr(0, end), kCsvBlanks);
     // A longer line is no label file's.
     if (line.size() > 1000) return {};
     if (!line.empty()) lines.push_back(line);

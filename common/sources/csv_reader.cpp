@@ -11,11 +11,9 @@
 namespace aucast::sources {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
-
 std::string_view unquoted(std::string_view cell) {
   if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return cell;
-  return trimmed(cell.substr(1, cell.size() - 2), kBlanks);
+  return trimmed(cell.substr(1, cell.size() - 2), kCsvBlanks);
 }
 
 char separator_of(std::string_view header) {
@@ -54,8 +52,8 @@ bool are_thousands(std::string_view whole) {
 }  // namespace
 
 bool is_preamble(std::string_view line) {
-  line = unquoted(trimmed(line, kBlanks));
-  const std::string_view first = trimmed(line.substr(0, line.find('\t')), kBlanks);
+  line = unquoted(trimmed(line, kCsvBlanks));
+  const std::string_view first = trimmed(line.substr(0, line.find('\t')), kCsvBlanks);
   return line.starts_with('#') || line.starts_with("sep=") || line.ends_with("detailed log") ||
          first.ends_with(':');
 }
@@ -101,8 +99,8 @@ Result<void> CsvReader::read_header() {
       refuse_at(0, "the file holds nothing; expected a line with the names of columns");
       return error();
     }
-  } while (trimmed(content_, kBlanks).empty() || is_preamble(content_));
-  header_ = trimmed(content_, kBlanks);
+  } while (trimmed(content_, kCsvBlanks).empty() || is_preamble(content_));
+  header_ = trimmed(content_, kCsvBlanks);
   separator_ = separator_of(header_);
   if (content_.size() > kCsvLineBytesMax) {
     refuse_at(kCsvLineBytesMax,
@@ -139,7 +137,7 @@ bool CsvReader::take_line() {
 CsvReader::Next CsvReader::next() {
   do {
     if (!take_line()) return Next::End;
-  } while (trimmed(content_, kBlanks).empty());
+  } while (trimmed(content_, kCsvBlanks).empty());
   return read_row();
 }
 
@@ -151,7 +149,7 @@ CsvReader::Next CsvReader::take(std::string_view content, std::size_t line) {
 }
 
 CsvReader::Next CsvReader::read_row() {
-  if (trimmed(content_, kBlanks) == header_) return Next::RepeatedHeader;
+  if (trimmed(content_, kCsvBlanks) == header_) return Next::RepeatedHeader;
   if (content_.size() > kCsvLineBytesMax) {
     refuse_at(kCsvLineBytesMax,
               "the line is longer than " + std::to_string(kCsvLineBytesMax) + " bytes");
@@ -181,7 +179,7 @@ void CsvReader::split() {
   for (std::size_t at = 0; at <= content_.size() && cells_.size() <= kCsvColumnsMax; ++at) {
     if (at < content_.size() && content_[at] == '"') quoted = !quoted;
     if (at < content_.size() && (quoted || content_[at] != separator_)) continue;
-    cells_.push_back(trimmed(content_.substr(begin, at - begin), kBlanks));
+    cells_.push_back(trimmed(content_.substr(begin, at - begin), kCsvBlanks));
     begin = at + 1;
   }
 }

@@ -14,6 +14,8 @@ namespace aucast::sources {
 
 inline constexpr std::size_t kCsvLineBytesMax = std::size_t{256} << 10U;
 inline constexpr std::size_t kCsvColumnsMax = 8192;
+/// What may stand around a cell or a line and says nothing.
+inline constexpr std::string_view kCsvBlanks = " \t\r";
 
 /// Reads a table row by row; columns are found by name, never by position. Accepts LF, CRLF, CR, a
 /// UTF-8 byte order mark, a preamble (is_preamble()), blanks around cells, quoted cells, and ',',

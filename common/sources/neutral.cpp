@@ -12,7 +12,7 @@ constexpr double kRowsMax = 2000;
 constexpr double kSecondsMax = 600;
 
 /// What moments, which are sums of steps, may be off by.
-constexpr double kRounding = 1e-6;
+constexpr double kSpanRounding = 1e-6;
 
 float median(const std::vector<float>& sorted) {
   if (sorted.empty()) return kNoSignal;
@@ -31,7 +31,7 @@ void take_off(Signals& signals, const Signals& neutral) {
 
 bool NeutralMeter::add(double seconds, const Signals& signals) {
   if (done_) return false;
-  if (begin_ && seconds - *begin_ >= wanted_ - kRounding) {
+  if (begin_ && seconds - *begin_ >= wanted_ - kSpanRounding) {
     done_ = true;
     return false;
   }

@@ -9,7 +9,7 @@
 namespace aucast::app {
 namespace {
 
-const GallerySetting kSetting{"small", "front", "default", "creases", "1.2.3", 300, 375};
+const GallerySetting kPageSetting{"small", "front", "default", "creases", "1.2.3", 300, 375};
 
 /// The values of an attribute, in order.
 std::vector<std::string> values_of(const std::string& html, const std::string& attribute) {
@@ -31,7 +31,7 @@ TEST(GalleryPage, ShowsEveryPictureByARelativeLinkAndNothingFromOutside) {
   const PlannedGallery gallery;
   const auto plan = gallery.plan();
   ASSERT_TRUE(plan.has_value());
-  const std::string html = format_page(*plan, kSetting, {});
+  const std::string html = format_page(*plan, kPageSetting, {});
   const auto sources = values_of(html, "src");
   const std::set<std::string> shown(sources.begin(), sources.end());
   for (const GalleryPicture& picture : plan->pictures) {
@@ -45,7 +45,7 @@ TEST(GalleryPage, ItsLinksLeadToItsOwnPlaces) {
   const PlannedGallery gallery;
   const auto plan = gallery.plan();
   ASSERT_TRUE(plan.has_value());
-  const std::string html = format_page(*plan, kSetting, {});
+  const std::string html = format_page(*plan, kPageSetting, {});
   const auto ids = values_of(html, "id");
   const std::set<std::string> places(ids.begin(), ids.end());
   EXPECT_EQ(places.size(), ids.size()) << "an id stands twice";
@@ -61,7 +61,7 @@ TEST(GalleryPage, MarksWhatIsMissingAndWhatIsLimited) {
   const auto plan = gallery.plan({"coverage"});
   ASSERT_TRUE(plan.has_value());
   EXPECT_TRUE(plan->pictures.empty());
-  const std::string html = format_page(*plan, kSetting, {});
+  const std::string html = format_page(*plan, kPageSetting, {});
   EXPECT_NE(html.find("4 of 54 are recorded"), std::string::npos);
   EXPECT_NE(html.find("<td>26</td><td>Jaw Drop</td><td><span class=\"mark limited\">"),
             std::string::npos);
@@ -76,7 +76,7 @@ TEST(GalleryPage, ANoteThatIsTheNameAgainIsLeftOut) {
   gallery.face.recordings.at(12).note = "lip corner puller";
   const auto plan = gallery.plan({"coverage"});
   ASSERT_TRUE(plan.has_value());
-  const std::string html = format_page(*plan, kSetting, {});
+  const std::string html = format_page(*plan, kPageSetting, {});
   EXPECT_EQ(html.find("lip corner puller"), std::string::npos);
   EXPECT_NE(html.find("Lip Corner Puller"), std::string::npos);
   EXPECT_NE(html.find("its best form on this mesh"), std::string::npos);
@@ -89,7 +89,7 @@ TEST(GalleryPage, EscapesWhatComesFromFiles) {
   gallery.expressions.front().label = "\"<i>joy</i>\"";
   const auto plan = gallery.plan();
   ASSERT_TRUE(plan.has_value());
-  GallerySetting setting = kSetting;
+  GallerySetting setting = kPageSetting;
   setting.face = gallery.face.name;
   const std::string html = format_page(*plan, setting, {});
   EXPECT_EQ(html.find("<small>"), std::string::npos);
@@ -101,8 +101,9 @@ TEST(GalleryPage, LinksTheVideosThatThereAre) {
   const PlannedGallery gallery;
   const auto plan = gallery.plan({"sweeps"}, {"12"});
   ASSERT_TRUE(plan.has_value());
-  EXPECT_NE(format_page(*plan, kSetting, {0}).find("href=\"sweeps/au12.mp4\""), std::string::npos);
-  EXPECT_EQ(format_page(*plan, kSetting, {}).find(".mp4"), std::string::npos);
+  EXPECT_NE(format_page(*plan, kPageSetting, {0}).find("href=\"sweeps/au12.mp4\""),
+            std::string::npos);
+  EXPECT_EQ(format_page(*plan, kPageSetting, {}).find(".mp4"), std::string::npos);
 }
 
 }  // namespace

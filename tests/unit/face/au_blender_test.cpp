@@ -10,14 +10,14 @@
 
 #include "tests/support/allocations.h"
 #include "tests/support/seeded.h"
+#include "tests/unit/face/shipped_data.h"
 
 namespace aucast::face {
 namespace {
 
 using aucast::test::Seeded;
 using Terms = std::vector<AuTerm>;
-
-const std::filesystem::path kData = AUCAST_TEST_DATA;
+using test::kData;
 
 RuleSet profile(std::string_view name) {
   auto rules = find_rules(name, kData);
@@ -367,9 +367,9 @@ TEST(Blender, AllocatesNothing) {
   for (int run = 0; run < 100; ++run) {
     const AuFrame frame = random_frame(seeded, {1, 4, 5, 7, 9, 12, 13, 14, 23, 26, 51, 52});
     fired.clear();
-    const std::size_t before = test::allocations();
+    const std::size_t before = aucast::test::allocations();
     static_cast<void>(blend(rules, frame, &fired));
-    ASSERT_EQ(test::allocations(), before);
+    ASSERT_EQ(aucast::test::allocations(), before);
   }
   EXPECT_FALSE(fired.empty());
 }

@@ -8,7 +8,7 @@ namespace aucast::face {
 namespace {
 
 TEST(BlockSet, HoldsWhatWasPutIn) {
-  test::Seeded seeded;
+  aucast::test::Seeded seeded;
   SCOPED_TRACE(seeded.trace());
   for (const int count : {1, 63, 64, 65, 200}) {
     BlockSet set(static_cast<std::size_t>(count));
@@ -30,7 +30,7 @@ TEST(BlockSet, HoldsWhatWasPutIn) {
 }
 
 TEST(BlockSet, ComparesAndCutsLikeSets) {
-  test::Seeded seeded;
+  aucast::test::Seeded seeded;
   SCOPED_TRACE(seeded.trace());
   constexpr std::size_t kCount = 150;
   BlockSet a(kCount);

@@ -13,6 +13,7 @@
 #include "tests/support/seeded.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/face/bad_file.h"
+#include "tests/unit/face/shipped_data.h"
 #include "tests/unit/face/small_face.h"
 
 namespace aucast::face {
@@ -21,9 +22,8 @@ namespace {
 using aucast::test::Seeded;
 using aucast::test::TempFolder;
 using test::BadFile;
+using test::kData;
 using test::replaced;
-
-const std::filesystem::path kData = AUCAST_TEST_DATA;
 
 // A face of our own in the classic format: six points of half a face, two quads on the cheek and a
 // triangle in the middle that is its own mirror's neighbour.

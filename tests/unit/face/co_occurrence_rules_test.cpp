@@ -5,13 +5,13 @@
 #include <ostream>
 
 #include "tests/support/temp_folder.h"
+#include "tests/unit/face/shipped_data.h"
 
 namespace aucast::face {
 namespace {
 
 using aucast::test::TempFolder;
-
-const std::filesystem::path kData = AUCAST_TEST_DATA;
+using test::kData;
 
 TEST(Rules, BothProfilesLoadAndNameTheirSources) {
   for (const auto* choice : {"facs", "kumar2010"}) {

@@ -10,12 +10,13 @@
 #include "client/face/co_occurrence_rules.h"
 #include "client/face/face_deformer.h"
 #include "client/face/muscle_mixer.h"
+#include "tests/unit/face/shipped_data.h"
 #include "tests/unit/face/small_face.h"
 
 namespace aucast::face {
 namespace {
 
-const std::filesystem::path kData = AUCAST_TEST_DATA;
+using test::kData;
 
 class DefaultFace : public ::testing::Test {
  protected:

@@ -12,7 +12,7 @@
 namespace aucast::face {
 namespace {
 
-using test::Seeded;
+using aucast::test::Seeded;
 
 /// The definition: each triangle gives its area to its corners.
 std::vector<glm::dvec3> plain_sums(const FaceMesh& mesh) {

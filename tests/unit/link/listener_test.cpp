@@ -7,29 +7,29 @@ namespace {
 
 using asio::ip::tcp;
 
-constexpr AcceptLimits kLimits{16, Milliseconds(200)};
+constexpr AcceptLimits kAcceptLimits{16, Milliseconds(200)};
 
 TEST(Listener, LetsOthersHaveTheirTurnWhenManyKnock) {
   asio::io_context io;
-  Listener listener(io, kLimits);
+  Listener listener(io, kAcceptLimits);
   ASSERT_TRUE(listener.open("127.0.0.1", 0));
   std::vector<tcp::socket> knocking;
-  for (int n = 0; n < 3 * kLimits.in_a_row; ++n) {
+  for (int n = 0; n < 3 * kAcceptLimits.in_a_row; ++n) {
     knocking.emplace_back(io).connect(listener.endpoint());
   }
   int taken = 0;
   listener.start([&taken](tcp::socket, const tcp::endpoint&) { ++taken; });
   ASSERT_EQ(io.run_one(), 1U);
-  EXPECT_EQ(taken, kLimits.in_a_row);
-  while (taken < 3 * kLimits.in_a_row) ASSERT_EQ(io.run_one(), 1U);
+  EXPECT_EQ(taken, kAcceptLimits.in_a_row);
+  while (taken < 3 * kAcceptLimits.in_a_row) ASSERT_EQ(io.run_one(), 1U);
   listener.stop();
   io.run();
-  EXPECT_EQ(taken, 3 * kLimits.in_a_row);
+  EXPECT_EQ(taken, 3 * kAcceptLimits.in_a_row);
 }
 
 TEST(Listener, LocalhostIsTheLoopbackWhateverAResolverSays) {
   asio::io_context io;
-  Listener listener(io, kLimits);
+  Listener listener(io, kAcceptLimits);
   ASSERT_TRUE(listener.open("au.localhost", 0));
   EXPECT_TRUE(listener.endpoint().address().is_loopback());
 }

@@ -21,7 +21,7 @@ using asio::ip::tcp;
 using test::RecordingUser;
 using Why = Ending::Why;
 
-constexpr Limits kLimits{10s, 200ms, 1000, 65536, 30s, 10s, 3, 60s};
+constexpr Limits kTcpLimits{10s, 200ms, 1000, 65536, 30s, 10s, 3, 60s};
 
 /// A link and, at the other end of the connection, a socket of the test's.
 class TcpLinkTest : public ::testing::Test {
@@ -29,7 +29,7 @@ class TcpLinkTest : public ::testing::Test {
   TcpLinkTest() {
     tcp::acceptor acceptor(io_, tcp::endpoint(asio::ip::address_v4::loopback(), 0));
     peer_.connect(acceptor.local_endpoint());
-    link_ = tcp_link(acceptor.accept(), kLimits);
+    link_ = tcp_link(acceptor.accept(), kTcpLimits);
     link_->start(user_);
   }
   ~TcpLinkTest() override { link_->close(); }
@@ -134,15 +134,15 @@ TEST_F(TcpLinkTest, DrainingEndsByTime) {
   link_->finish();
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_TRUE(closed_as(Why::Finished));
-  EXPECT_GE(std::chrono::steady_clock::now() - begin, kLimits.drain_time);
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, kTcpLimits.drain_time);
 }
 
 TEST_F(TcpLinkTest, DrainingEndsByBytes) {
   link_->finish();
   const auto begin = std::chrono::steady_clock::now();
-  say(std::string(kLimits.drain_bytes + 1, 'x'));
+  say(std::string(kTcpLimits.drain_bytes + 1, 'x'));
   EXPECT_TRUE(closed_as(Why::Finished));
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, kLimits.drain_time);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, kTcpLimits.drain_time);
 }
 
 TEST_F(TcpLinkTest, AResetIsALoss) {

@@ -17,7 +17,7 @@ using aucast::test::FakeLink;
 using test::RecordingUser;
 using Why = Ending::Why;
 
-constexpr Limits kLimits{10s, 2s, 65536, 65536, 30s, 10s, 3, 60s};
+constexpr Limits kTlsLimits{10s, 2s, 65536, 65536, 30s, 10s, 3, 60s};
 
 /// The server's and the client's link, with two fake ones below that the test joins.
 class TlsLinkTest : public ::testing::Test {
@@ -26,8 +26,8 @@ class TlsLinkTest : public ::testing::Test {
     const auto certificate = authority_.issue("server", "DNS:localhost");
     const auto serving = tls::Context::for_server({certificate.file, certificate.key, {}});
     const auto asking = tls::Context::for_client({{}, {}, authority_.file()});
-    server_ = tls_link(server_below_, tls::Channel(*serving), kLimits, "TLS only");
-    client_ = tls_link(client_below_, tls::Channel(*asking, host), kLimits);
+    server_ = tls_link(server_below_, tls::Channel(*serving), kTlsLimits, "TLS only");
+    client_ = tls_link(client_below_, tls::Channel(*asking, host), kTlsLimits);
     client_says_.when_open = [this] { client_->write("hello"); };
   }
   ~TlsLinkTest() override {
@@ -144,9 +144,9 @@ TEST_F(TlsLinkTest, TheUserMayLetGoWhileItIsTold) {
   start();
   settle();
   EXPECT_TRUE(client_below_->closed());
-  client_ =
-      tls_link(std::make_shared<FakeLink>(),
-               tls::Channel(*tls::Context::for_client({{}, {}, authority_.file()}), "x"), kLimits);
+  client_ = tls_link(std::make_shared<FakeLink>(),
+                     tls::Channel(*tls::Context::for_client({{}, {}, authority_.file()}), "x"),
+                     kTlsLimits);
 }
 
 class ForeignCertificate : public TlsLinkTest {

@@ -10,7 +10,7 @@
 namespace aucast::mesh {
 namespace {
 
-constexpr double kTolerance = 1e-6;
+constexpr double kFitTolerance = 1e-6;
 
 /// The typical face turned in camera space (x right, y down, z away): first tilted about z, then
 /// nodded about x, then turned about y, and 100 times as large.
@@ -33,15 +33,15 @@ Landmarks typical_face(double turn_left, double up, double tilt_left) {
 
 TEST(HeadFit, FindsEachTurnByTheSubjectsOwnLeft) {
   const HeadTurn left = fit_head(typical_face(0.4, 0, 0), kTypicalStillPoints).turn;
-  EXPECT_NEAR(left.left_rad, 0.4, kTolerance);
-  EXPECT_NEAR(left.up_rad, 0, kTolerance);
-  EXPECT_NEAR(left.tilt_left_rad, 0, kTolerance);
+  EXPECT_NEAR(left.left_rad, 0.4, kFitTolerance);
+  EXPECT_NEAR(left.up_rad, 0, kFitTolerance);
+  EXPECT_NEAR(left.tilt_left_rad, 0, kFitTolerance);
   const HeadTurn up = fit_head(typical_face(0, 0.3, 0), kTypicalStillPoints).turn;
-  EXPECT_NEAR(up.up_rad, 0.3, kTolerance);
-  EXPECT_NEAR(up.left_rad, 0, kTolerance);
+  EXPECT_NEAR(up.up_rad, 0.3, kFitTolerance);
+  EXPECT_NEAR(up.left_rad, 0, kFitTolerance);
   const HeadTurn tilted = fit_head(typical_face(0, 0, 0.2), kTypicalStillPoints).turn;
-  EXPECT_NEAR(tilted.tilt_left_rad, 0.2, kTolerance);
-  EXPECT_NEAR(tilted.left_rad, 0, kTolerance);
+  EXPECT_NEAR(tilted.tilt_left_rad, 0.2, kFitTolerance);
+  EXPECT_NEAR(tilted.left_rad, 0, kFitTolerance);
 }
 
 TEST(HeadFit, TakesTurnPlaceAndSizeBack) {
@@ -49,9 +49,9 @@ TEST(HeadFit, TakesTurnPlaceAndSizeBack) {
   EXPECT_NEAR(head.scale, 100, 1e-4);
   for (std::size_t i = 0; i < kStillLandmarks.size(); ++i) {
     const Point& p = head.points[kStillLandmarks[i]];
-    EXPECT_NEAR(p.x, kTypicalStillPoints[i].x, kTolerance);
-    EXPECT_NEAR(p.y, kTypicalStillPoints[i].y, kTolerance);
-    EXPECT_NEAR(p.z, kTypicalStillPoints[i].z, kTolerance);
+    EXPECT_NEAR(p.x, kTypicalStillPoints[i].x, kFitTolerance);
+    EXPECT_NEAR(p.y, kTypicalStillPoints[i].y, kFitTolerance);
+    EXPECT_NEAR(p.z, kTypicalStillPoints[i].z, kFitTolerance);
   }
 }
 
@@ -70,14 +70,14 @@ TEST(Measures, TellTheSidesApart) {
   head.points[61] = {-0.25, 0.8, 0};
   for (const std::size_t lid : {374U, 380U, 373U}) head.points[lid].y = 0.1;
   const Measures measures = measure(head);
-  EXPECT_NEAR(measures.left_of(SideMeasure::CornerUp), -0.7, kTolerance);
-  EXPECT_NEAR(measures.left_of(SideMeasure::CornerOut), 0.3, kTolerance);
-  EXPECT_NEAR(measures.right_of(SideMeasure::CornerUp), -0.8, kTolerance);
-  EXPECT_NEAR(measures.right_of(SideMeasure::CornerOut), 0.25, kTolerance);
+  EXPECT_NEAR(measures.left_of(SideMeasure::CornerUp), -0.7, kFitTolerance);
+  EXPECT_NEAR(measures.left_of(SideMeasure::CornerOut), 0.3, kFitTolerance);
+  EXPECT_NEAR(measures.right_of(SideMeasure::CornerUp), -0.8, kFitTolerance);
+  EXPECT_NEAR(measures.right_of(SideMeasure::CornerOut), 0.25, kFitTolerance);
   EXPECT_GT(measures.left_of(SideMeasure::Aperture), 0.3);
-  EXPECT_NEAR(measures.right_of(SideMeasure::Aperture), 0, kTolerance);
+  EXPECT_NEAR(measures.right_of(SideMeasure::Aperture), 0, kFitTolerance);
   EXPECT_NEAR(measures.middle[static_cast<std::size_t>(MiddleMeasure::MouthWidth)], 0.55,
-              kTolerance);
+              kFitTolerance);
 }
 
 TEST(Picture, ASquareIsSampledTurnedAndBlackOutside) {

@@ -10,7 +10,7 @@
 namespace aucast::mesh {
 namespace {
 
-constexpr double kTolerance = 2e-5;
+constexpr double kFloatTolerance = 2e-5;
 
 std::vector<float> some_numbers(std::size_t count, unsigned seed) {
   std::vector<float> numbers(count);
@@ -25,7 +25,7 @@ std::vector<float> some_numbers(std::size_t count, unsigned seed) {
 void expect_near(std::span<const float> got, const std::vector<double>& expected) {
   ASSERT_EQ(got.size(), expected.size());
   for (std::size_t index = 0; index < got.size(); ++index) {
-    ASSERT_NEAR(double{got[index]}, expected[index], kTolerance) << "number " << index;
+    ASSERT_NEAR(double{got[index]}, expected[index], kFloatTolerance) << "number " << index;
   }
 }
 
@@ -198,16 +198,16 @@ TEST(Operators, ARegionIsLevelWithItsTwoLandmarksAndAroundTheOthers) {
                      double{m[4]} * u + double{m[5]} * v + double{m[7]});
   };
   const auto [middle_x, middle_y] = through(8, 4);
-  EXPECT_NEAR(middle_x, 10, kTolerance);
-  EXPECT_NEAR(middle_y, 12, kTolerance);
+  EXPECT_NEAR(middle_x, 10, kFloatTolerance);
+  EXPECT_NEAR(middle_y, 12, kFloatTolerance);
   // The small map's right end is 3 (4 * 1.5 / 2) along the slope, which goes down.
   const auto [right_x, right_y] = through(16, 4);
-  EXPECT_NEAR(right_x, 10, kTolerance);
-  EXPECT_NEAR(right_y, 15, kTolerance);
+  EXPECT_NEAR(right_x, 10, kFloatTolerance);
+  EXPECT_NEAR(right_y, 15, kFloatTolerance);
   // Its lower end is 2 (2 * 2 / 2) across, which is to the left.
   const auto [below_x, below_y] = through(8, 8);
-  EXPECT_NEAR(below_x, 8, kTolerance);
-  EXPECT_NEAR(below_y, 12, kTolerance);
+  EXPECT_NEAR(below_x, 8, kFloatTolerance);
+  EXPECT_NEAR(below_y, 12, kFloatTolerance);
 }
 
 TEST(Operators, AMapIsSampledBetweenItsPlaces) {

@@ -15,7 +15,7 @@ class LocalPlaybackTest : public testing::Test {
   void play() { playback_.play(clock_.now()); }
   void seek(Milliseconds to) { playback_.seek(to, clock_.now()); }
 
-  test::ManualClock clock_;
+  aucast::test::ManualClock clock_;
   LocalPlayback playback_{{Milliseconds(100), Milliseconds(200), Milliseconds(300)}};
 };
 
@@ -249,7 +249,7 @@ TEST_F(LocalPlaybackTest, RoundsOfALoopCount) {
 }
 
 TEST(LocalPlaybackJumps, KeyframesOfNoTimeArePassedOver) {
-  test::ManualClock clock;
+  aucast::test::ManualClock clock;
   LocalPlayback playback({Milliseconds(0), Milliseconds(100), Milliseconds(0)});
   EXPECT_EQ(playback.place(Milliseconds(0)), (StreamPlace{0, 1}));
   EXPECT_EQ(playback.place(Milliseconds(100)), (StreamPlace{2, 1}));
@@ -260,7 +260,7 @@ TEST(LocalPlaybackJumps, KeyframesOfNoTimeArePassedOver) {
 }
 
 TEST(LocalPlaybackJumps, AStreamOfNoTimeIsItsLastFace) {
-  test::ManualClock clock;
+  aucast::test::ManualClock clock;
   LocalPlayback playback({Milliseconds(0), Milliseconds(0)});
   playback.play(clock.now());
   EXPECT_TRUE(playback.over(clock.now()));

@@ -20,7 +20,7 @@ class SeekablePlaybackTest : public ::testing::Test {
     return {{frame_from_terms({&term, 1}), Milliseconds(100)}, {AuFrame{}, std::nullopt}};
   }
 
-  test::ManualClock clock_;
+  aucast::test::ManualClock clock_;
   SeekablePlayback playback_{two(), Milliseconds(250)};
 };
 

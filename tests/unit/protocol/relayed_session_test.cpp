@@ -22,7 +22,7 @@ namespace {
 using std::chrono::milliseconds;
 
 /// What comes out: bytes, "|" for the end of sending, "!WHY" for the close.
-std::string text_of(const std::vector<ServerEvent>& events) {
+std::string sent_of(const std::vector<ServerEvent>& events) {
   std::string text;
   for (const ServerEvent& event : events) {
     if (const auto* bytes = std::get_if<SendBytes>(&event)) text += bytes->bytes;
@@ -54,12 +54,12 @@ class RelayedSession : public testing::Test {
 
   std::string hear(std::string_view bytes) {
     if (!session_) session_.emplace(catalogue_, Duration{}, clock_.now());
-    return text_of(session_->on_bytes(bytes, clock_.now()));
+    return sent_of(session_->on_bytes(bytes, clock_.now()));
   }
-  std::string wake() { return text_of(session_->on_moment(clock_.now())); }
+  std::string wake() { return sent_of(session_->on_moment(clock_.now())); }
   std::string wait(milliseconds time) {
     clock_.advance(time);
-    return text_of(session_->on_time(clock_.now()));
+    return sent_of(session_->on_time(clock_.now()));
   }
   std::shared_ptr<EncodedStream> grow() {
     auto stream = std::make_shared<EncodedStream>();

@@ -18,7 +18,7 @@ namespace {
 
 using test::FakeLink;
 
-constexpr const char* kLive = "{hello v=2 window=50 delta=1 stream=talk live=1}";
+constexpr const char* kPushedLive = "{hello v=2 window=50 delta=1 stream=talk live=1}";
 
 protocol::HelloAsked brings(const std::string& name, const std::string& id = "") {
   protocol::HelloAsked hello;
@@ -68,7 +68,7 @@ TEST_F(PushedStreamsTest, AsksAsARelayDoesAndSaysThatItTakes) {
             "{hello v=2 window=256 stream=talk delta=1 voice=opus text=1 relay=me takes=1}");
   EXPECT_EQ(names(), Names{"talk"});
   EXPECT_EQ(changes_, 1);
-  link->say(std::string(kLive) + "{12C;40}");
+  link->say(std::string(kPushedLive) + "{12C;40}");
   EXPECT_EQ(link->heard(), "1");
   ASSERT_NE(only()->live, nullptr);
   EXPECT_EQ(only()->live->newest()->full, "{12C;40}");
@@ -76,13 +76,13 @@ TEST_F(PushedStreamsTest, AsksAsARelayDoesAndSaysThatItTakes) {
 
 TEST_F(PushedStreamsTest, ANameHasOnePublisherAndItMayComeAgain) {
   const auto first = bring("talk", "a");
-  first->say(std::string(kLive) + "{1}");
+  first->say(std::string(kPushedLive) + "{1}");
   EXPECT_EQ(refusal_of("talk"), 409);
   EXPECT_EQ(refusal_of("talk", "b"), 409);
   EXPECT_EQ(refusal_of("other", "b"), 0);
   const auto second = bring("talk", "a");
   EXPECT_TRUE(first->closed()) << "it was dead and had not been found out";
-  second->say(std::string(kLive) + "{2}");
+  second->say(std::string(kPushedLive) + "{2}");
   EXPECT_EQ(only()->live->newest()->full, "{2}");
   EXPECT_EQ(only()->live->newest()->number, 1U) << "the same stream goes on";
   second->end({link::Ending::Why::Lost, "reset"});
@@ -91,7 +91,7 @@ TEST_F(PushedStreamsTest, ANameHasOnePublisherAndItMayComeAgain) {
 
 TEST_F(PushedStreamsTest, ALiveStreamThatNobodySendsIsForgotten) {
   const auto link = bring("talk");
-  link->say(std::string(kLive) + "{1}");
+  link->say(std::string(kPushedLive) + "{1}");
   const auto live = only()->live;
   link->end({link::Ending::Why::Lost, "reset"});
   EXPECT_FALSE(live->ended());
@@ -141,7 +141,7 @@ TEST_F(PushedStreamsTest, ThereIsRoomForSoManyAtATime) {
 
 TEST_F(PushedStreamsTest, GivesWayToAStreamOfTheServerItself) {
   const auto link = bring("talk");
-  link->say(std::string(kLive) + "{1}");
+  link->say(std::string(kPushedLive) + "{1}");
   const auto live = only()->live;
   streams_.give_way("talk");
   EXPECT_TRUE(link->closed());

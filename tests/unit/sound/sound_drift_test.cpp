@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 using playback::KeyframeBuffers;
 using playback::TimedAus;
 
-constexpr Milliseconds kTick{10};
+constexpr Milliseconds kDriftTick{10};
 constexpr Milliseconds kKeyframe{40};
 /// Sample i of the track is i modulo this.
 constexpr std::int64_t kRound = std::int64_t{10} * kRate;
@@ -100,8 +100,8 @@ TEST_P(SoundDrift, OfAnHourIsTakenOutOfPausesAndTheFaceStaysWithTheSound) {
   Milliseconds buffered_least{1h};
   Milliseconds buffered_most{0};
   for (int tick = 0; tick < 3600 * 100; ++tick) {
-    steady += kTick;
-    if (tick % (kKeyframe / kTick) == 0) {
+    steady += kDriftTick;
+    if (tick % (kKeyframe / kDriftTick) == 0) {
       TimedAus keyframe;
       keyframe.duration = kKeyframe;
       keyframe.span = kKeyframe;
@@ -111,7 +111,7 @@ TEST_P(SoundDrift, OfAnHourIsTakenOutOfPausesAndTheFaceStaysWithTheSound) {
       keyframe.spoken = place % 10s < 9s;
       ASSERT_EQ(buffers.store(keyframe), KeyframeBuffers::Stored::Yes);
     }
-    device.turn(seconds(kTick) * kRate * rate);
+    device.turn(seconds(kDriftTick) * kRate * rate);
     const Instant now = player.now(steady);
     while (playback.advance(now)) {
     }

@@ -14,13 +14,13 @@ using test::CountingTrack;
 using test::largest_step;
 using test::ToneTrack;
 
-constexpr std::size_t kTick = 10 * kSamplesPerMs;
+constexpr std::size_t kTickSamples = 10 * kSamplesPerMs;
 /// Of the tone at half volume, from sample to sample, and a little for the glides.
 constexpr float kSmooth = 0.5F * 2 * 3.1416F / 240 + 0.006F;
 
 /// What is heard of a tick that ends at `place`.
 std::vector<float> tick(SoundMixer& mixer, std::optional<Passing> at_end) {
-  std::vector<float> samples(kTick);
+  std::vector<float> samples(kTickSamples);
   mixer.mix(at_end, samples);
   return samples;
 }
@@ -35,7 +35,7 @@ TEST(SoundMixer, CopiesSampleBySample) {
   (void)tick(mixer, Passing{Milliseconds(1010), 1});
   for (int i = 2; i < 100; ++i) {
     const auto samples = tick(mixer, Passing{Milliseconds(1000 + 10 * i), 1});
-    for (std::size_t k = 0; k < kTick; ++k) {
+    for (std::size_t k = 0; k < kTickSamples; ++k) {
       const auto sample = static_cast<float>(48 * (990 + 10 * i) + static_cast<int>(k));
       ASSERT_EQ(samples[k], sample / CountingTrack::kWhole) << i << " " << k;
     }
@@ -133,14 +133,14 @@ TEST(SoundMixer, VolumeAndMuteComeWithoutAClick) {
   play();
   mixer.set_volume(50);
   play();
-  EXPECT_NEAR(*std::max_element(heard.end() - kTick, heard.end()), 0.5F / 8, 0.001F);
+  EXPECT_NEAR(*std::max_element(heard.end() - kTickSamples, heard.end()), 0.5F / 8, 0.001F);
   mixer.set_muted(true);
   play();
   EXPECT_EQ(heard.back(), 0);
   EXPECT_NEAR(mixer.level(), 0.5F, 0.05F) << "the level is that of what comes";
   mixer.set_muted(false);
   play();
-  EXPECT_NEAR(*std::max_element(heard.end() - kTick, heard.end()), 0.5F / 8, 0.001F);
+  EXPECT_NEAR(*std::max_element(heard.end() - kTickSamples, heard.end()), 0.5F / 8, 0.001F);
   EXPECT_LT(largest_step(heard), kSmooth);
 }
 

@@ -14,7 +14,7 @@ Profile parsed(std::string_view text) {
   return *profile;
 }
 
-std::string error_of(std::string_view text) {
+std::string profile_error(std::string_view text) {
   const auto profile = parse_profile(text, "p.toml");
   if (profile) return "accepted";
   EXPECT_EQ(profile.error().kind, ErrorKind::BadData);
@@ -72,25 +72,26 @@ TEST(Profile, GoesThereAndBack) {
 }
 
 TEST(Profile, ErrorsNameThePlace) {
-  EXPECT_TRUE(error_of("[neutral\n").starts_with("p.toml:1:"));
-  EXPECT_EQ(error_of("[gian]\n1 = 2\n"),
+  EXPECT_TRUE(profile_error("[neutral\n").starts_with("p.toml:1:"));
+  EXPECT_EQ(profile_error("[gian]\n1 = 2\n"),
             "p.toml:1:2: 'gian' is none of a profile's tables; did you mean 'gain'?");
-  EXPECT_EQ(error_of("gain = 2\n"), "p.toml:1:8: gain is not a table");
-  EXPECT_EQ(error_of("[gain]\n12 = '2'\n"), "p.toml:2:6: 12 is not a number");
-  EXPECT_EQ(error_of("[gain]\n12 = 11\n"), "p.toml:2:6: 12 is not from 0 to 10");
-  EXPECT_EQ(error_of("[gain]\n12 = nan\n"), "p.toml:2:6: 12 is not from 0 to 10");
-  EXPECT_EQ(error_of("[gain]\nal = 1\n"),
+  EXPECT_EQ(profile_error("gain = 2\n"), "p.toml:1:8: gain is not a table");
+  EXPECT_EQ(profile_error("[gain]\n12 = '2'\n"), "p.toml:2:6: 12 is not a number");
+  EXPECT_EQ(profile_error("[gain]\n12 = 11\n"), "p.toml:2:6: 12 is not from 0 to 10");
+  EXPECT_EQ(profile_error("[gain]\n12 = nan\n"), "p.toml:2:6: 12 is not from 0 to 10");
+  EXPECT_EQ(profile_error("[gain]\nal = 1\n"),
             "p.toml:2:1: 'al' is no AU, such as 12 or L12; did you mean 'all'?");
-  EXPECT_EQ(error_of("[dead-band]\n12 = 1.5\n"), "p.toml:2:6: is not whole percent");
-  EXPECT_EQ(error_of("[neutral]\n0 = 1\n"), "p.toml:2:1: '0' is no AU, such as 12 or L12");
-  EXPECT_EQ(error_of("[neutral]\n12 = -1\n"), "p.toml:2:6: 12 is not from 0 to 1000");
-  EXPECT_EQ(error_of("[neutral]\n51 = 1\n52 = 1\n"),
+  EXPECT_EQ(profile_error("[dead-band]\n12 = 1.5\n"), "p.toml:2:6: is not whole percent");
+  EXPECT_EQ(profile_error("[neutral]\n0 = 1\n"), "p.toml:2:1: '0' is no AU, such as 12 or L12");
+  EXPECT_EQ(profile_error("[neutral]\n12 = -1\n"), "p.toml:2:6: 12 is not from 0 to 1000");
+  EXPECT_EQ(profile_error("[neutral]\n51 = 1\n52 = 1\n"),
             "p.toml:3:1: AU 51 or its opposite is there already");
-  EXPECT_EQ(error_of("[neutral]\nR12 = 1\n12 = 1\n"), "p.toml:3:1: AU 12 is there already");
-  EXPECT_EQ(error_of("[neutral]\n58 = 1\n"), "p.toml:2:1: the distance is said as distance-mm");
-  EXPECT_EQ(error_of("[filter]\nmin-cutoff = 0\n"), "p.toml:2:14: min-cutoff is 0");
-  EXPECT_EQ(error_of("[filter]\nbeta = 0\n"), "accepted");
-  EXPECT_EQ(error_of("[filter]\nmincutoff = 1\n"),
+  EXPECT_EQ(profile_error("[neutral]\nR12 = 1\n12 = 1\n"), "p.toml:3:1: AU 12 is there already");
+  EXPECT_EQ(profile_error("[neutral]\n58 = 1\n"),
+            "p.toml:2:1: the distance is said as distance-mm");
+  EXPECT_EQ(profile_error("[filter]\nmin-cutoff = 0\n"), "p.toml:2:14: min-cutoff is 0");
+  EXPECT_EQ(profile_error("[filter]\nbeta = 0\n"), "accepted");
+  EXPECT_EQ(profile_error("[filter]\nmincutoff = 1\n"),
             "p.toml:2:1: 'mincutoff' is none of the filter's; did you mean 'min-cutoff'?");
 }
 
