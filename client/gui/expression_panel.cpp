@@ -104,10 +104,10 @@ void expressions(const Look& look, const GuiModel& model, ExpressionForm& form,
 void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   heading(look, "On the way there");
   TransitionSettings settings = model.transition;
-  label(look, "In between");
-  int kind = settings.cosine ? 1 : 0;
-  bool changed = choice("way", kWays, kind);
-  settings.cosine = kind == 1;
+  using playback::Interpolation;
+  auto way = settings.cosine ? Interpolation::Cosine : Interpolation::Linear;
+  bool changed = in_between(look, "way", way);
+  settings.cosine = way == Interpolation::Cosine;
   label(look, "Frames");
   if (ImGui::InputInt("##frames", &settings.frames, 1, 10)) {
     settings.frames = std::clamp(settings.frames, 1, 500);

@@ -194,13 +194,7 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
     settings.mixer = mixer == 1 ? face::Mixer::Average : face::Mixer::Maximum;
     changed = true;
   }
-  label(look, "In between");
-  int kind = settings.interpolation == playback::Interpolation::Cosine ? 1 : 0;
-  if (choice("interpolation", kWays, kind)) {
-    settings.interpolation =
-        kind == 1 ? playback::Interpolation::Cosine : playback::Interpolation::Linear;
-    changed = true;
-  }
+  changed |= in_between(look, "interpolation", settings.interpolation);
   label(look, "Rules");
   const auto found = std::find(kRules.begin(), kRules.end(), settings.rules);
   int rules = found == kRules.end() ? -1 : static_cast<int>(found - kRules.begin());

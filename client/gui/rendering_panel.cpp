@@ -100,13 +100,7 @@ bool blinking(const Look& look, RenderingSettings& settings) {
   playback::BlinkOptions& blink = settings.blink;
   changed |= number(look, "Every ms", "##interval", blink.interval_ms, 500, 60'000, 100);
   changed |= number(look, "Closing ms", "##closing", blink.closing_ms, 25, 500, 25);
-  label(look, "In between");
-  int kind = blink.interpolation == playback::Interpolation::Cosine ? 1 : 0;
-  if (choice("lids", kWays, kind)) {
-    blink.interpolation =
-        kind == 1 ? playback::Interpolation::Cosine : playback::Interpolation::Linear;
-    changed = true;
-  }
+  changed |= in_between(look, "lids", blink.interpolation);
   int seed = static_cast<int>(std::min<std::uint64_t>(blink.seed, 999'999));
   if (number(look, "Seed", "##seed", seed, 0, 999'999, 1)) {
     blink.seed = static_cast<std::uint64_t>(seed);

@@ -254,4 +254,13 @@ bool choice_of(const char* id, const char* const* words, int count, int& chosen)
   return changed;
 }
 
+bool in_between(const Look& look, const char* id, playback::Interpolation& way) {
+  constexpr std::array kWays = {"Linear", "Cosine"};
+  label(look, "In between");
+  int chosen = way == playback::Interpolation::Cosine ? 1 : 0;
+  if (!choice(id, kWays, chosen)) return false;
+  way = chosen == 1 ? playback::Interpolation::Cosine : playback::Interpolation::Linear;
+  return true;
+}
+
 }  // namespace aucast::gui

@@ -14,9 +14,6 @@ namespace aucast::gui {
 
 // Small things that several panels draw. All of them inside an open ImGui window.
 
-/// From keyframe to keyframe, as the lists of the panels call it.
-inline constexpr std::array kWays = {"Linear", "Cosine"};
-
 /// What panels need to know beside the model.
 struct Look {
   float scale = 1;  ///< of the screen: 1 is 96 dots an inch
@@ -81,5 +78,8 @@ template <std::size_t N>
 bool choice(const char* id, const std::array<const char*, N>& words, int& chosen) {
   return choice_of(id, words.data(), static_cast<int>(N), chosen);
 }
+
+/// The line "In between": how values go from one to the next; true when it changed `way`.
+[[nodiscard]] bool in_between(const Look& look, const char* id, playback::Interpolation& way);
 
 }  // namespace aucast::gui
