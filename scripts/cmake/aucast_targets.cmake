@@ -31,6 +31,8 @@ function(aucast_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 60)
   endif()
+  # The longest begin first, so that none runs alone at the end.
+  set(cost ${ARG_TIMEOUT})
   if(AUCAST_SANITIZER STREQUAL "address")
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 4")
   elseif(AUCAST_SANITIZER STREQUAL "thread")
@@ -39,9 +41,8 @@ function(aucast_test name)
   aucast_program(${name} SOURCES ${ARG_SOURCES} LINK ${ARG_LINK} aucast_test_support
                  GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
-  # The longest begin first, so that none runs alone at the end.
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
-                                          COST ${ARG_TIMEOUT})
+                                          COST ${cost})
 endfunction()
 
 # aucast_embed(TARGET NAME FILE...)
