@@ -6,6 +6,7 @@
 namespace aucast::sound {
 namespace {
 
+/// What a stop still writes: the sound fades in it.
 constexpr std::int64_t kPortion = std::int64_t{10} * kSamplesPerMs;
 
 Duration time_of(std::int64_t samples) {

@@ -6,6 +6,7 @@
 #include "server/live/steady_seconds.h"
 
 namespace aucast::server {
+
 ServedReplay::ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
                            Instant begin, std::shared_ptr<const protocol::Soundtrack> sound,
                            const ReplayLimits& limits)
