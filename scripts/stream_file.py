@@ -1,0 +1,29 @@
+"""Reads stream files, for the scripts that look at faces."""
+
+import re
+
+
+def read_stream(path):
+    """[(seconds, {'L12': percent, ...})]: when each set of a stream file is reached. Intensities are
+    those in percent, as au-transmitter writes them; one without is 100."""
+    keyframes, at = [], 0.0
+    for line in path.read_text(encoding="utf-8").splitlines():
+        match = re.fullmatch(r"([LR0-9:.,+]+);(\d+)", line.split("#")[0].strip())
+        if match is None:
+            continue
+        at += int(match[2]) / 1000
+        terms = [term.partition(":") for term in re.split("[,+]", match[1]) if term != "0"]
+        keyframes.append((at, {name: float(percent or 100) for name, _, percent in terms}))
+    return keyframes
+
+
+def face_at(keyframes, seconds):
+    """The AUs on the way from one keyframe to the next, in percent."""
+    before, shown = 0.0, {}
+    for at, aus in keyframes:
+        if at >= seconds:
+            way = (seconds - before) / (at - before) if at > before else 1
+            return {name: (1 - way) * shown.get(name, 0) + way * aus.get(name, 0)
+                    for name in shown.keys() | aus.keys()}
+        before, shown = at, aus
+    return shown
