@@ -28,6 +28,9 @@ struct Limits {
   Milliseconds unanswered_time{0};
 
   std::size_t frame_bytes = 0;  ///< of one frame of a WebSocket; longer ones are refused
+  /// A WebSocket whose peer has said nothing for so long is sent a Ping; 0: never.
+  Milliseconds ping_idle{0};
+  Milliseconds pong_time{0};  ///< in which the peer must say something then
 };
 
 /// How connections are accepted.

@@ -88,8 +88,10 @@ inline constexpr std::size_t kHttpHeadBytesMax = 4096;        ///< ours need a h
 inline constexpr std::chrono::milliseconds kHttpTimeMax{5000};
 
 inline constexpr std::size_t kWebFrameBytesMax = 65536;  ///< payload of a client's WebSocket frame
-inline constexpr std::size_t kWebConnectionsMax = 256;   ///< that are no WebSocket, at a time
-inline constexpr std::size_t kWebHeadBytesMax = 8192;    ///< browsers send cookies of others, too
+inline constexpr std::chrono::milliseconds kWebPingIdle{25'000};  ///< proxies wait for 60 s
+inline constexpr std::chrono::milliseconds kWebPongTimeMax{30'000};
+inline constexpr std::size_t kWebConnectionsMax = 256;  ///< that are no WebSocket, at a time
+inline constexpr std::size_t kWebHeadBytesMax = 8192;   ///< browsers send cookies of others, too
 /// Longest time in which nothing of a file is taken by who asked for it.
 inline constexpr std::chrono::milliseconds kWebStallTimeMax{20'000};
 

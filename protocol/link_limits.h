@@ -7,8 +7,9 @@ namespace aucast::protocol {
 
 /// The limits of every connection of both programs.
 inline constexpr link::Limits kLinkLimits{
-    kTlsHandshakeTimeMax, kDrainTimeMax,    kDrainBytesMax,     kOutputBytesMax,  kKeepAliveIdle,
-    kKeepAliveInterval,   kKeepAliveProbes, kUnansweredTimeMax, kWebFrameBytesMax};
+    kTlsHandshakeTimeMax, kDrainTimeMax,      kDrainBytesMax,   kOutputBytesMax,
+    kKeepAliveIdle,       kKeepAliveInterval, kKeepAliveProbes, kUnansweredTimeMax,
+    kWebFrameBytesMax,    kWebPingIdle,       kWebPongTimeMax};
 
 inline constexpr link::AcceptLimits kAcceptLimits{kAcceptsInARow, kAcceptPause};
 

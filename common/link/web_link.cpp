@@ -15,16 +15,21 @@ class WebLink final : public ChannelLink<web::Channel> {
  public:
   WebLink(std::shared_ptr<Link> below, std::string answer, const Limits& limits)
       : ChannelLink(std::move(below), web::Channel(limits.frame_bytes)),
-        answer_(std::move(answer)) {}
+        answer_(std::move(answer)),
+        limits_(limits) {}
 
   void start(LinkUser& user) override {
     user_ = &user;
     below_->hand_over(*this);
     below_->wake_at(std::nullopt);
     below_->write(answer_);
+    hear();
     user_->on_open();
   }
-  void wake_at(std::optional<Instant> when) override { below_->wake_at(when); }
+  void wake_at(std::optional<Instant> when) override {
+    wake_at_ = when;
+    arm_timer();
+  }
 
   // === What the link below tells.
 
@@ -32,6 +37,7 @@ class WebLink final : public ChannelLink<web::Channel> {
 
   void on_bytes(std::string_view wire) override {
     const auto alive = shared_from_this();
+    hear();
     std::string text;
     const bool good = channel_.received(wire, text);
     if (!text.empty() && listening()) user_->on_bytes(text);
@@ -54,7 +60,13 @@ class WebLink final : public ChannelLink<web::Channel> {
 
   void on_time() override {
     const auto alive = shared_from_this();
-    if (listening()) user_->on_time();
+    const Instant now = below_->now();
+    if (look_at_ && now >= *look_at_) look_for_peer(now);
+    if (listening() && wake_at_ && now >= *wake_at_) {
+      wake_at_.reset();
+      user_->on_time();
+    }
+    arm_timer();
   }
 
   void on_failure(const Ending& failure) override {
@@ -64,6 +76,39 @@ class WebLink final : public ChannelLink<web::Channel> {
   }
 
  private:
+  void arm_timer() {
+    const bool sooner = wake_at_ && (!look_at_ || *wake_at_ < *look_at_);
+    below_->wake_at(sooner ? wake_at_ : look_at_);
+  }
+
+  /// The time to look stays while the peer speaks: setting a timer for every answer would cost more
+  /// than the answer.
+  void hear() {
+    heard_at_ = below_->now();
+    if (limits_.ping_idle.count() == 0 || (look_at_ && !asked_)) return;
+    asked_ = false;
+    look_at_ = heard_at_ + limits_.ping_idle;
+    arm_timer();
+  }
+
+  void look_for_peer(Instant now) {
+    if (!listening()) {
+      look_at_.reset();
+    } else if (asked_) {
+      look_at_.reset();
+      end({Why::Lost, "the client does not answer a Ping"});
+    } else if (const Instant due = heard_at_ + limits_.ping_idle; now < due) {
+      look_at_ = due;
+    } else if (below_->blocked()) {
+      look_at_ = now + limits_.ping_idle;  // a Ping would wait too, and TCP itself looks there
+    } else {
+      asked_ = true;
+      channel_.ping();
+      flush();
+      look_at_ = now + limits_.pong_time;
+    }
+  }
+
   /// The WebSocket is over; what waits is drained, then it is told.
   void end(Ending ending) {
     ending_ = std::move(ending);
@@ -71,6 +116,11 @@ class WebLink final : public ChannelLink<web::Channel> {
   }
 
   const std::string answer_;
+  const Limits limits_;
+  std::optional<Instant> wake_at_;  ///< for the user
+  std::optional<Instant> look_at_;  ///< for the peer
+  Instant heard_at_;
+  bool asked_ = false;  ///< by a Ping, and not heard since
 };
 
 }  // namespace

@@ -86,6 +86,10 @@ void Channel::send(std::string_view text) {
   if (!closed_) append_frame(output_, kText, text);
 }
 
+void Channel::ping() {
+  if (!closed_) append_frame(output_, kPing, {});
+}
+
 void Channel::end() {
   close(kNormal);
 }

@@ -23,6 +23,8 @@ class Channel {
   bool received(std::string_view wire, std::string& text);
   /// One text message of ASCII.
   void send(std::string_view text);
+  /// Asks the peer, which must answer with a Pong, whether it is there.
+  void ping();
   /// Our last word: Close 1000.
   void end();
   /// Bytes for the wire.

@@ -36,7 +36,8 @@ class WebLinkTest : public ::testing::Test {
   RecordingUser before_;
   RecordingUser says_;
   std::shared_ptr<Link> web_ =
-      web_link(below_, "HTTP/1.1 101 \r\n\r\n", Limits{.frame_bytes = 1000});
+      web_link(below_, "HTTP/1.1 101 \r\n\r\n",
+               Limits{.frame_bytes = 1000, .ping_idle = 25s, .pong_time = 30s});
 };
 
 TEST_F(WebLinkTest, AnswersTheRequestAndTakesTheLinkOver) {
@@ -57,6 +58,57 @@ TEST_F(WebLinkTest, AnswersPingsByItself) {
   below_->say(client_frame(0x89, "?"));
   EXPECT_EQ(says_.heard, "");
   EXPECT_EQ(below_->heard(), server_frame(0x8a, "?"));
+}
+
+TEST_F(WebLinkTest, ASilentPeerIsAskedWhetherItIsThere) {
+  static_cast<void>(below_->heard());
+  web_->wake_at(web_->now() + 40s);
+  below_->advance(24999ms);
+  EXPECT_EQ(below_->heard(), "");
+  below_->advance(1ms);
+  EXPECT_EQ(below_->heard(), server_frame(0x89, ""));
+  below_->advance(20s);
+  EXPECT_EQ(says_.times, 1) << "the user's own time";
+  below_->say(client_frame(0x8a, ""));
+  EXPECT_EQ(says_.heard, "");
+  below_->advance(24999ms);
+  EXPECT_EQ(below_->heard(), "");
+  below_->advance(1ms);
+  EXPECT_EQ(below_->heard(), server_frame(0x89, "")) << "25 s after the Pong";
+  below_->say(client_frame(0x8a, ""));
+  below_->advance(25s);
+  EXPECT_EQ(below_->heard(), server_frame(0x89, "")) << "also after a quick one";
+  below_->advance(29999ms);
+  EXPECT_FALSE(below_->finished());
+  below_->advance(1ms);
+  EXPECT_TRUE(below_->finished());
+  below_->end({});
+  EXPECT_TRUE(says_.closed_as(Why::Lost));
+  EXPECT_EQ(says_.ending->reason, "the client does not answer a Ping");
+  EXPECT_EQ(below_->heard(), "");
+}
+
+TEST_F(WebLinkTest, WhoSpeaksIsNotAsked) {
+  static_cast<void>(below_->heard());
+  for (int code = 0; code < 10; ++code) {
+    below_->say(client_text("1"));
+    below_->advance(24s);
+  }
+  EXPECT_EQ(below_->heard(), "");
+  below_->advance(1s);
+  EXPECT_EQ(below_->heard(), server_frame(0x89, "")) << "25 s after its last word";
+}
+
+TEST_F(WebLinkTest, APingDoesNotStandInAQueue) {
+  below_->take(0);
+  web_->write("{1}");
+  below_->advance(100s);
+  EXPECT_EQ(web_->unsent_bytes(), 5U);
+  EXPECT_FALSE(below_->finished()) << "TCP says when that peer is gone";
+  static_cast<void>(below_->heard());
+  below_->take(100);
+  below_->advance(25s);
+  EXPECT_EQ(below_->heard(), server_text("{1}") + server_frame(0x89, ""));
 }
 
 TEST_F(WebLinkTest, FinishClosesInOrder) {

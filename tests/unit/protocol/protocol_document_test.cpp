@@ -185,6 +185,8 @@ const std::map<std::string, std::int64_t>& all_limits() {
       {"kHttpHeadBytesMax", kHttpHeadBytesMax},
       {"kHttpTimeMax", kHttpTimeMax.count()},
       {"kWebFrameBytesMax", kWebFrameBytesMax},
+      {"kWebPingIdle", kWebPingIdle.count()},
+      {"kWebPongTimeMax", kWebPongTimeMax.count()},
       {"kWebConnectionsMax", kWebConnectionsMax},
       {"kWebHeadBytesMax", kWebHeadBytesMax},
       {"kWebStallTimeMax", kWebStallTimeMax.count()},

@@ -72,6 +72,15 @@ TEST(WebChannel, WritesTextInTheShortestFrame) {
   EXPECT_EQ(channel.take_output().substr(0, 10), std::string("\x81\x7f\0\0\0\0\0\x01\0\0", 10));
 }
 
+TEST(WebChannel, PingsAsItIsTold) {
+  Channel channel(kFrameBytesMax);
+  channel.ping();
+  EXPECT_EQ(channel.take_output(), server_frame(0x89, ""));
+  channel.end();
+  channel.ping();
+  EXPECT_EQ(channel.take_output(), server_close(1000));
+}
+
 TEST(WebChannel, OursIsTheFirstCloseOrAnswersThePeers) {
   Channel ours(kFrameBytesMax);
   ours.end();
