@@ -55,6 +55,12 @@ void tell_arrivals(int socket) {
   ::setsockopt(socket, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
 }
 
+/// All of it: so little always has room.
+bool say(int socket, std::string_view bytes) {
+  return ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL) ==
+         static_cast<ssize_t>(bytes.size());
+}
+
 }  // namespace
 
 Crowd::Crowd(std::uint16_t port, const Dialect& dialect)
@@ -68,12 +74,11 @@ Crowd::~Crowd() {
 }
 
 bool Crowd::join(int count) {
+  const std::string first = dialect_.web ? WebSide::upgrade() : dialect_.greeting;
   for (int joined = 0; joined < count; ++joined) {
     const auto index = subscribers_.size();
     const int socket = connect_to(port_, static_cast<int>(index));
-    const auto size = static_cast<ssize_t>(dialect_.greeting.size());
-    if (socket < 0 ||
-        ::send(socket, dialect_.greeting.data(), dialect_.greeting.size(), MSG_NOSIGNAL) != size) {
+    if (socket < 0 || !say(socket, first)) {
       failure_ = "subscriber " + std::to_string(index) + ": " + std::strerror(errno);
       return false;
     }
@@ -123,6 +128,11 @@ void Crowd::receive(Subscriber& subscriber, std::vector<Delivery>* deliveries) {
   }
   const auto now = Clock::now();
   std::string_view bytes(input_.data(), static_cast<std::size_t>(got));
+  std::string text;
+  if (dialect_.web) {
+    if (!take_frames(subscriber, bytes, text)) return;
+    bytes = text;
+  }
   std::string joined;
   if (!subscriber.held.empty()) {
     joined = subscriber.held + std::string(bytes);
@@ -146,6 +156,15 @@ void Crowd::receive(Subscriber& subscriber, std::vector<Delivery>* deliveries) {
     bytes.remove_prefix(end + 1);
   }
   subscriber.held = bytes;
+}
+
+/// What a WebSocket brings; false when it has ended.
+bool Crowd::take_frames(Subscriber& subscriber, std::string_view wire, std::string& text) {
+  std::string answer;
+  const bool good = subscriber.web.received(wire, dialect_.greeting, text, answer) &&
+                    (answer.empty() || say(subscriber.socket, answer));
+  if (!good) disturb(subscriber, "the WebSocket ended: " + std::string(wire.substr(0, 60)));
+  return good;
 }
 
 /// As recv(), with the time at which the last of the bytes arrived.

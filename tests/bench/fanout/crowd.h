@@ -9,6 +9,7 @@
 
 #include "tests/bench/fanout/plan.h"
 #include "tests/bench/fanout/server_under_test.h"
+#include "tests/bench/fanout/web_side.h"
 
 namespace aucast::bench {
 
@@ -47,10 +48,12 @@ class Crowd {
     bool welcomed = false;
     std::int64_t expected = -1;
     std::string held;  ///< an incomplete message
+    WebSide web;       ///< if the dialect is of WebSocket
   };
 
   void receive(Subscriber& subscriber, std::vector<Delivery>* deliveries);
   [[nodiscard]] ssize_t read(int socket, Clock::time_point& arrived);
+  [[nodiscard]] bool take_frames(Subscriber& subscriber, std::string_view wire, std::string& text);
   [[nodiscard]] std::size_t take_welcome(Subscriber& subscriber, std::string_view bytes);
   void take_message(Subscriber& subscriber, std::int64_t number);
   void disturb(Subscriber& subscriber, const std::string& how);

@@ -22,7 +22,8 @@ using aucast::bench::Plan;
 using aucast::bench::usable_processors;
 
 constexpr const char* kOurs = "au-transmitter";
-constexpr const char* kFlooded = "flooded";  ///< the same
+constexpr const char* kFlooded = "flooded";   ///< the same
+constexpr const char* kWeb = "by WebSocket";  ///< the same
 
 aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
   Plan plan;
@@ -42,6 +43,7 @@ aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
   app.add_flag("--from-said", plan.from_said,
                "latency of the others from when their publisher said a message, not from its time");
   app.add_flag("--pin", pin, "the server on one processor, everything else on another");
+  app.add_flag("--web", plan.web, "ours once more, with a crowd that comes by WebSocket (--web)");
   app.add_option("--flood", plan.flood,
                  "ours once more, with so many hostile connections at a time, and at --http (0)")
       ->check(CLI::Range(0, 1000));
@@ -82,8 +84,14 @@ struct Contender {
 std::vector<Contender> contenders(const Plan& plan) {
   Plan in_peace = plan;
   in_peace.flood = 0;
+  in_peace.web = false;
+  Plan flooded = plan;
+  flooded.web = false;
+  Plan by_web_socket = in_peace;
+  by_web_socket.web = true;
   std::vector<Contender> all{{kOurs, kOurs, in_peace}};
-  if (plan.flood > 0) all.push_back({kFlooded, kOurs, plan});
+  if (plan.flood > 0) all.push_back({kFlooded, kOurs, flooded});
+  if (plan.web) all.push_back({kWeb, kOurs, by_web_socket});
   for (const std::string& server : plan.against) all.push_back({server, server, in_peace});
   return all;
 }
@@ -141,6 +149,7 @@ int run(const Plan& plan) {
     }
   }
   if (plan.flood > 0) print_ratios(kFlooded, measured[kFlooded], kOurs, measured[kOurs]);
+  if (plan.web) print_ratios(kWeb, measured[kWeb], kOurs, measured[kOurs]);
   for (const std::string& server : plan.against) {
     print_ratios(kOurs, measured[kOurs], server, measured[server]);
   }

@@ -19,6 +19,7 @@ struct Plan {
   int seconds = 5;
   int rounds = 5;
   bool from_said = false;  ///< latency of the others from being said, not from being due
+  bool web = false;        ///< by WebSocket; au-transmitter only
   int flood = 0;  ///< connections at a time that say rubbish meanwhile; au-transmitter only
   std::optional<std::size_t> server_processor{};  ///< that alone; nothing: any
   std::optional<std::size_t> crowd_processor{};   ///< of this program

@@ -108,14 +108,17 @@ void ServerUnderTest::start_transmitter(const Plan& plan) {
     http_port_ = free_port();
     command.insert(command.end(), {"--http", "127.0.0.1:" + std::to_string(http_port_)});
   }
+  if (plan.web) command.insert(command.end(), {"--web", "127.0.0.1:0"});
   process_ = std::make_unique<test::Process>(std::move(command));
-  const auto line = process_->read_line(20s);
+  auto line = process_->read_line(20s);
+  if (line && plan.web) line = process_->read_line(20s);  // "web on" follows "listening on"
   if (!line) {
     failure_ = "au-transmitter did not start: " + process_->err();
     return;
   }
   port_ = static_cast<std::uint16_t>(std::stoi(line->substr(line->rfind(':') + 1)));
   dialect_.greeting = "{hello v=2 window=0}";
+  dialect_.web = plan.web;
 }
 
 void ServerUnderTest::start_redis() {
@@ -125,7 +128,7 @@ void ServerUnderTest::start_redis() {
       "--appendonly", "no", "--protected-mode", "no", "--maxclients", "19900",
       "--client-output-buffer-limit", "pubsub 0 0 0", "--logfile", folder_.path() / "log", "--dir",
       folder_.path()});
-  dialect_ = {kRedisSubscribe, kRedisSubscribedBytes, "", 0, &redis_publish};
+  dialect_ = {kRedisSubscribe, kRedisSubscribedBytes, "", 0, &redis_publish, false};
   wait_until_it_listens();
 }
 
@@ -139,8 +142,12 @@ void ServerUnderTest::start_mosquitto() {
   process_ = std::make_unique<test::Process>(
       std::vector<std::string>{"mosquitto", "-c", configuration},
       std::vector<std::string>{"PATH=/usr/sbin:/usr/bin:/sbin:/bin"});
-  dialect_ = {kMqttConnect + kMqttSubscribe, kMqttConnectedBytes + kMqttSubscribedBytes,
-              kMqttConnect, kMqttConnectedBytes, &mqtt_publish};
+  dialect_ = {kMqttConnect + kMqttSubscribe,
+              kMqttConnectedBytes + kMqttSubscribedBytes,
+              kMqttConnect,
+              kMqttConnectedBytes,
+              &mqtt_publish,
+              false};
   wait_until_it_listens();
 }
 

@@ -21,6 +21,7 @@ struct Dialect {
   std::size_t announced_bytes = 0;
   /// A message as the publisher says it; nothing: the server publishes by itself.
   std::string (*wrap)(const std::string& message) = nullptr;
+  bool web = false;  ///< all that is by WebSocket
 };
 
 /// One of the servers that are compared, running as a child process on a free port of the loopback.
