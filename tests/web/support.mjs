@@ -1,5 +1,7 @@
 // The real programs and browsers, for page.test.mjs.
 import { spawn, execFileSync } from 'node:child_process';
+import { readFile } from 'node:fs';
+import { createServer } from 'node:http';
 import { createInterface } from 'node:readline';
 import path from 'node:path';
 import puppeteer from 'puppeteer-core';
@@ -9,10 +11,11 @@ export const bin = process.env.AUCAST_BIN ?? path.join(root, 'build/release/bin'
 const PATIENCE_MS = 120_000;  // software draws, on a busy machine
 
 /// au-transmitter --web, ready. `ports`: those of one that was there before.
-export async function serve(streams, { ports = [0, 0], options = [] } = {}) {
+/// `data`: the folder in place of its own, with web/ in it.
+export async function serve(streams, { ports = [0, 0], options = [], data } = {}) {
   const child = spawn(path.join(bin, 'au-transmitter'),
       ['--port', String(ports[0]), '--web', `127.0.0.1:${ports[1]}`, ...options, ...streams],
-      { stdio: ['ignore', 'pipe', 'pipe'] });
+      { stdio: ['ignore', 'pipe', 'pipe'], env: data ? { ...process.env, AUCAST_DATA: data } : process.env });
   let complaints = '';
   child.stderr.on('data', text => { complaints += text; });
   const gone = new Promise(resolve => child.on('exit', resolve));
@@ -30,6 +33,30 @@ export async function serve(streams, { ports = [0, 0], options = [] } = {}) {
     async kill(signal = 'SIGKILL') {
       child.kill(signal);
       await gone;
+    },
+  };
+}
+
+/// Some file server that knows nothing of AUcast. A page of its own has a clock of 5 us, for it lets
+/// none of others in.
+export async function serveFiles(folder) {
+  const kinds = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css',
+                  '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.json': 'application/json' };
+  const server = createServer((request, reply) => {
+    const file = path.join(folder, path.normalize(new URL(request.url, 'http://a').pathname));
+    readFile(file, (error, bytes) => {
+      reply.writeHead(error ? 404 : 200, {
+        'Content-Type': kinds[path.extname(file)] ?? 'application/octet-stream',
+        'Cross-Origin-Opener-Policy': 'same-origin', 'Cross-Origin-Embedder-Policy': 'require-corp' });
+      reply.end(error ? '' : bytes);
+    });
+  });
+  await new Promise(resolve => server.listen(0, '127.0.0.1', resolve));
+  return {
+    at: rest => `http://localhost:${server.address().port}/${rest}`,
+    close() {
+      server.close();
+      server.closeAllConnections();
     },
   };
 }
@@ -68,9 +95,10 @@ export function launch(name) {
 }
 
 /// A tab that keeps what goes wrong in it in `faults`.
-/// Nobody has touched it, if `untouched`: puppeteer's own calls count as touches.
-export async function openTab(browser, url,
-                              { width = 800, height = 600, untouched = false, ...device } = {}) {
+/// Nobody has touched it, if `untouched`: puppeteer's own calls count as touches. `prepare(tab)` comes
+/// before the page.
+export async function openTab(browser, url, { width = 800, height = 600, untouched = false,
+                                              prepare = () => {}, ...device } = {}) {
   const tab = await browser.newPage();
   if (untouched) {
     await tab.evaluateOnNewDocument(() => {
@@ -84,6 +112,7 @@ export async function openTab(browser, url,
     if (['error', 'warn'].includes(line.type())) tab.faults.push(line.text());
   });
   tab.on('pageerror', error => tab.faults.push(error.message));
+  await prepare(tab);
   await tab.goto(url);
   await tab.evaluate(() => {
     const player = document.querySelector('aucast-player');
@@ -116,4 +145,27 @@ export function differing(tab, png, width, height) {
     }
     return count / (w * h);
   }, png.toString('base64'), width, height);
+}
+
+/// What the page's own thread did from the mark `from` to the mark `to` of a trace: the longest task, in
+/// ms of the processor's time. So waiting does not count: for others on a busy machine, or for the
+/// graphics driver, which draws in another process. `between(a, b)`: the time between two marks.
+export function ownTime(trace) {
+  const { traceEvents } = JSON.parse(Buffer.from(trace).toString());
+  const mark = name => {
+    const found = traceEvents.find(e => e.name === name && e.cat.includes('blink.user_timing'));
+    if (!found) throw new Error(`the trace has no mark '${name}'`);
+    return found;
+  };
+  return {
+    between: (from, to) => (mark(to).tts - mark(from).tts) / 1000,
+    longestTask(from, to) {
+      const [begin, end] = [mark(from), mark(to)];
+      const tasks = traceEvents.filter(e => e.ph === 'X' && e.pid === begin.pid && e.tid === begin.tid &&
+                                            e.tdur && e.ts + e.dur > begin.ts && e.ts + e.dur < end.ts);
+      // Of the task that made the first mark its rest.
+      const times = tasks.map(e => Math.min(e.tdur, e.tts + e.tdur - begin.tts) / 1000);
+      return { count: times.length, ms: times.reduce((longest, ms) => Math.max(longest, ms), 0) };
+    },
+  };
 }
