@@ -6,10 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <span>
 
-#include "common/command_line.h"
 #include "common/files.h"
+#include "common/manual.h"
+#include "common/options.h"
 #include "common/result.h"
 #include "common/text.h"
 #include "common/voice/sound_file.h"
@@ -26,19 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDescription =
-    "Makes a face speak: turns a text into speech, a stream file for the face, and captions.\n\n"
-    "  au-speaker lecture.txt -o lecture           lecture/lecture.txt, .wav and .vtt\n"
-    "  au-speaker lecture.txt --voice talk.wav     the face for a recorded voice\n"
-    "  au-transmitter lecture                      serves it\n\n"
-    "In the text an empty line ends a paragraph, '# title: ...' names the lecture, other lines "
-    "that\n"
-    "begin with # are not spoken, and a word in brackets sets the expression until the next "
-    "bracket\n"
-    "or the end of the paragraph: [smile], [surprise 60] (percent), or AUs, [1,2:40]. Names are "
-    "those\n"
-    "of expressions.toml.";
-
 struct Options {
   fs::path text;
   fs::path output;
@@ -50,33 +40,78 @@ struct Options {
   int gesture_percent = 100;
   fs::path labels;
   bool list_voices = false;
-  bool version = false;
 };
 
-void bind(CLI::App& app, Options& options) {
-  app.add_option("TEXT", options.text, "the text, UTF-8; - reads standard input");
-  app.add_option(
-      "-o,--output", options.output,
-      "folder for the files, made if need be; default: the text's name without its extension");
-  app.add_option("--name", options.name, "name of the files; default: the text's, or \"speech\"");
-  app.add_option("--voice", options.recording,
-                 "a recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3)");
-  app.add_option("--language", options.voice.language,
-                 "language or voice of espeak-ng, also that of a recorded voice; default en");
-  app.add_option("--speed", options.voice.words_per_minute, "words a minute; default 150")
-      ->check(CLI::Range(80, 450));
-  app.add_option("--pitch", options.voice.pitch, "of the voice, 0 to 99; default 50")
-      ->check(CLI::Range(0, 99));
-  app.add_option("--gestures", options.gesture_percent,
-                 "how much brows and head move, 0 to 200 %; default 100")
-      ->check(CLI::Range(0, 200));
-  app.add_option("--seed", options.gestures.seed, "seed for the gestures; default 1");
-  app.add_option("--labels", options.labels,
-                 "writes when each sound is heard, in IPA, as labels for Audacity");
-  app.add_option("--data", options.data,
-                 "folder with expressions.toml; default: the installed one");
-  app.add_flag("--list-voices", options.list_voices, "prints languages and voices");
-  app.add_flag("--version", options.version, "prints the version and licence");
+std::vector<OptionRow> rows_of(Options& options) {
+  using Where = OptionRow::Where;
+  std::vector<OptionRow> rows{
+      {"text", "TEXT", "", "the text, UTF-8; - for stdin", "", word(options.text), "Files",
+       Where::Positional},
+      {"output", "DIR", "", "folder for the files, made if need be (TEXT's name)",
+       "The folder for the files, which is made if need be. Default: the name of TEXT without its "
+       "extension.",
+       word(options.output), "", Where::Anywhere, 'o'},
+      {"name", "NAME", "", "name of the files (TEXT's, or speech)", "", word(options.name)},
+      {"voice", "FILE", "", "a recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3)", "",
+       word(options.recording)},
+      {"labels", "FILE", "", "when each sound is heard, in IPA, as labels for Audacity", "",
+       word(options.labels)},
+      {"data", "DIR", "", "folder with expressions.toml (the installed one)", "",
+       word(options.data)},
+      {"language", "NAME", "en", "language or voice of espeak-ng (en)",
+       "A language or a voice of espeak-ng, also that of a recorded voice.",
+       word(options.voice.language), "Speech"},
+      {"speed", "N", "150", "words a minute, 80 to 450 (150)", "",
+       whole(options.voice.words_per_minute, 80, 450)},
+      {"pitch", "N", "50", "of the voice, 0 to 99 (50)", "", whole(options.voice.pitch, 0, 99)},
+      {"list-voices", "", "", "prints languages and voices", "", flag(options.list_voices)},
+      {"gestures", "N", "100", "how much brows and head move, 0 to 200 % (100)", "",
+       whole(options.gesture_percent, 0, 200), "Face"},
+      {"seed", "N", "1", "seed for the gestures (1)", "",
+       whole(options.gestures.seed, 0, std::numeric_limits<std::int64_t>::max())}};
+  auto help = help_rows();
+  help.front().heading = "Other";
+  append(rows, std::move(help));
+  return rows;
+}
+
+CommandPage speaker_page() {
+  static Options unused;
+  return {.program = "au-speaker",
+          .usage = {"au-speaker [OPTIONS] TEXT"},
+          .about =
+              "Makes a face speak: turns a text into speech, a stream file for the face, and "
+              "captions.\n\n",
+          .rows = rows_of(unused),
+          .notes =
+              "In TEXT an empty line ends a paragraph, '# title: ...' names the lecture, other "
+              "lines\nthat begin with # are not spoken, and a word in brackets sets the "
+              "expression until\nthe next bracket or the end of the paragraph: [smile], "
+              "[surprise 60] (percent), or\nAUs, [1,2:40]. Names are those of "
+              "expressions.toml.\n",
+          .examples = {"au-speaker lecture.txt -o lecture        # lecture/lecture.txt, .wav, .vtt",
+                       "au-speaker lecture.txt --voice talk.wav  # the face for a recorded voice",
+                       "au-transmitter lecture                   # serves it"}};
+}
+
+std::string manual_page() {
+  ManualPage page("au-speaker", AUCAST_VERSION, "makes a face speak a text");
+  page.section("DESCRIPTION");
+  page.command(speaker_page());
+  page.section("SEE ALSO");
+  page.paragraph("au-transmitter(1), face-player(1)");
+  return page.text();
+}
+
+/// The text that the arguments ask for instead of speech.
+std::optional<std::string> asked_text(const std::vector<std::string>& arguments) {
+  // For the build, which installs both.
+  if (arguments == std::vector<std::string>{"--help-man"}) return manual_page();
+  if (auto script = asked_completion(arguments, {speaker_page()})) return script;
+  for (const std::string& argument : arguments) {
+    if (argument == "--help" || argument == "-h") return help_text(speaker_page());
+  }
+  return std::nullopt;
 }
 
 Result<std::string> read_text(const fs::path& file) {
@@ -208,40 +243,41 @@ Result<void> run(const Options& options) {
   return {};
 }
 
+Result<void> print_voices() {
+  const auto names = voices();
+  if (!names) return names.error();
+  for (const std::string& name : *names) std::printf("%s\n", name.c_str());
+  return {};
+}
+
+Result<void> obey(std::vector<std::string> arguments, Options& options) {
+  const auto rows = rows_of(options);
+  const auto typed = sort_arguments(rows, std::move(arguments));
+  if (!typed) return typed.error();
+  if (auto good = read_words(rows, *typed); !good) return good;
+  if (typed->contains("version")) {
+    std::printf("au-speaker %s (GPL-3.0-or-later, for it speaks with espeak-ng)\n", AUCAST_VERSION);
+    return {};
+  }
+  if (options.list_voices) return print_voices();
+  if (options.text.empty()) return Error{ErrorKind::Usage, "a TEXT is missing; try --help"};
+  options.gestures.amount = static_cast<float>(options.gesture_percent) / 100;
+  return run(options);
+}
+
 }  // namespace
 
 int run_speaker(std::vector<std::string> arguments) {
   ignore_file_size_signal();
-  CLI::App app{kDescription, "au-speaker"};
+  if (const auto text = asked_text(arguments)) {
+    std::fputs(text->c_str(), stdout);
+    return std::fflush(stdout) == 0 ? 0 : 1;
+  }
   Options options;
-  bind(app, options);
-  for (const std::string& argument : arguments) {
-    if (argument == "--help" || argument == "-h") {
-      std::fputs(app.help().c_str(), stdout);
-      return 0;
-    }
-  }
-  Result<void> result = parse_command_line(app, std::move(arguments));
-  if (result && options.version) {
-    std::printf("au-speaker %s (GPL-3.0-or-later, for it speaks with espeak-ng)\n", AUCAST_VERSION);
-    return 0;
-  }
-  if (result && options.list_voices) {
-    const auto names = voices();
-    if (names) {
-      for (const std::string& name : *names) std::printf("%s\n", name.c_str());
-      return 0;
-    }
-    result = names.error();
-  } else if (result && options.text.empty()) {
-    result = Error{ErrorKind::Usage, "a TEXT is missing; try --help"};
-  } else if (result) {
-    options.gestures.amount = static_cast<float>(options.gesture_percent) / 100;
-    result = run(options);
-  }
-  if (result) return 0;
-  std::fprintf(stderr, "au-speaker: %s\n", result.error().message.c_str());
-  return exit_code(result.error());
+  const auto done = obey(std::move(arguments), options);
+  if (done) return 0;
+  std::fprintf(stderr, "au-speaker: %s\n", done.error().message.c_str());
+  return exit_code(done.error());
 }
 
 }  // namespace aucast::speaker

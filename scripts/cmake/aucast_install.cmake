@@ -1,4 +1,5 @@
 # What `cmake --install` puts where: programs, data, manual pages, completion, units of systemd.
+# A component is the package that has it (aucast_package.cmake); `licences` is in none of them.
 
 include(GNUInstallDirs)
 
@@ -19,34 +20,41 @@ function(aucast_install_program name)
     DEPENDS ${name}
     COMMENT "Writing the manual page of ${name}")
   add_custom_target(${name}_manual ALL DEPENDS ${page} ${completion})
-  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${name})
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${name})
   install(FILES ${completion}
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-  install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT ${name})
+  install(FILES ${zsh}
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT ${name})
   install(FILES ${completion}.fish
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT ${name})
 endfunction()
 
+# The models that read faces are Google's: a package has the script that fetches them instead.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast
-        PATTERN CMakeLists.txt EXCLUDE PATTERN pictures EXCLUDE)
-install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE
-              ${PROJECT_SOURCE_DIR}/protocol/PROTOCOL.md
-        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+        COMPONENT aucast-data
+        PATTERN CMakeLists.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN models EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/models DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast
+        COMPONENT models OPTIONAL)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/protocol/PROTOCOL.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT aucast-data)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licences)
 
 # What scripts/build_web.sh has made, if it was run.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/build/web/page/
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast/web OPTIONAL)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast/web COMPONENT aucast-web OPTIONAL)
 
 if(TARGET face-player)
   aucast_install_program(face-player)
   install(FILES ${PROJECT_SOURCE_DIR}/client/view/fonts/LICENSE
-          DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.Inter)
+          DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licences RENAME LICENSE.Inter)
   if(AUCAST_BUILD_RENDER)
     install(FILES ${PROJECT_SOURCE_DIR}/data/icons/aucast.png
-            DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps)
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps
+            COMPONENT face-player)
     install(FILES ${PROJECT_SOURCE_DIR}/data/icons/face-player.desktop
-            DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT face-player)
   endif()
 endif()
 if(TARGET au-transmitter)
@@ -56,9 +64,16 @@ if(TARGET au-transmitter)
   install(CODE "set(bindir ${CMAKE_INSTALL_BINDIR})
 cmake_path(ABSOLUTE_PATH bindir BASE_DIRECTORY \"\${CMAKE_INSTALL_PREFIX}\")
 configure_file(${systemd}/au-transmitter.service.in
-               ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service @ONLY)")
+               ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service @ONLY)"
+          COMPONENT au-transmitter)
   install(FILES ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service
                 ${systemd}/au-transmitter.socket
-          DESTINATION lib/systemd/system)
-  install(FILES ${systemd}/au-transmitter.toml DESTINATION ${CMAKE_INSTALL_DOCDIR})
+          DESTINATION lib/systemd/system COMPONENT au-transmitter)
+  install(FILES ${systemd}/au-transmitter.toml
+          DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT au-transmitter)
+  install(PROGRAMS ${PROJECT_SOURCE_DIR}/scripts/install_models.sh
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast/scripts COMPONENT au-transmitter)
+endif()
+if(TARGET au-speaker)
+  aucast_install_program(au-speaker)
 endif()
