@@ -19,11 +19,14 @@ Result<std::string> read_model_file(const std::filesystem::path& data,
                                     const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) {
-    return Error{
-        ErrorKind::Unreadable,
-        at_place(file.string(),
-                 "the models that read faces are not installed; 'scripts/install_models.sh " +
-                     printable(data.string()) + "' fetches them")};
+    // An installation has the script in its data folder.
+    const std::filesystem::path script = std::filesystem::path("scripts") / "install_models.sh";
+    const auto installed = data / script;
+    const bool there = std::filesystem::exists(installed, ignored);
+    return Error{ErrorKind::Unreadable,
+                 at_place(file.string(), "the models that read faces are not installed; '" +
+                                             printable((there ? installed : script).string()) +
+                                             " " + printable(data.string()) + "' fetches them")};
   }
   return read_file(file);
 }

@@ -122,7 +122,14 @@ TEST(FaceModels, SayWhatToDoWhenTheyAreNotThere) {
   const auto models = load_face_models(folder.path());
   ASSERT_FALSE(models.has_value());
   EXPECT_EQ(models.error().kind, ErrorKind::Unreadable);
-  EXPECT_NE(models.error().message.find("scripts/install_models.sh"), std::string::npos);
+  const std::string where = folder.path().string();
+  EXPECT_NE(models.error().message.find("'scripts/install_models.sh " + where), std::string::npos);
+  // Where it is installed, nobody has a checkout.
+  folder.write("scripts/install_models.sh", "");
+  EXPECT_NE(load_face_models(folder.path())
+                .error()
+                .message.find("'" + where + "/scripts/install_models.sh " + where),
+            std::string::npos);
 }
 
 TEST(FaceModels, ThatAreNoneAreBadData) {
