@@ -86,6 +86,20 @@ Measures medians(const std::vector<const Measures*>& quietest,
   return measures_of(found);
 }
 
+/// Lips at rest are shut, also those of somebody who keeps them parted (AU 25): shut lips have the
+/// same gap on everybody. What hangs is the lower lip.
+void shut_lips(Measures& quiet, const Measures& typical) {
+  const auto of = [](Measures& face, MiddleMeasure what) -> double& {
+    return face.middle[static_cast<std::size_t>(what)];
+  };
+  const double parted = of(quiet, MiddleMeasure::LipGap) -
+                        typical.middle[static_cast<std::size_t>(MiddleMeasure::LipGap)];
+  if (parted <= 0) return;
+  of(quiet, MiddleMeasure::LipGap) -= parted;
+  of(quiet, MiddleMeasure::LipsHeight) -= parted;
+  of(quiet, MiddleMeasure::LowerLipUp) += parted;
+}
+
 }  // namespace
 
 Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weights) {
@@ -108,6 +122,7 @@ Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weight
       quietest.push_back(ranked[index].second);
     }
     quiet = medians(quietest, all);
+    shut_lips(quiet, weights.typical);
   }
   return quiet;
 }

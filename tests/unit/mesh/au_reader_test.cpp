@@ -159,6 +159,19 @@ TEST(QuietFace, IsThatOfTheQuietestMomentsWithTheHeadWhereItMostlyIs) {
   EXPECT_NEAR(median_face(film, weights()).left_of(SideMeasure::CornerUp), 0.04, kTolerance);
 }
 
+TEST(QuietFace, HasShutLipsAlsoOfSomebodyWhoKeepsThemParted) {
+  std::vector<Measures> film(20);
+  for (Measures& seen : film) {
+    middle_of(seen, MiddleMeasure::LipGap) = 0.06;
+    middle_of(seen, MiddleMeasure::LipsHeight) = 0.3;
+    middle_of(seen, MiddleMeasure::LowerLipUp) = -0.9;
+  }
+  Measures quiet = find_quiet_face(film, weights());
+  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::LipGap), 0, kTolerance);
+  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::LipsHeight), 0.24, kTolerance);
+  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::LowerLipUp), -0.84, kTolerance);
+}
+
 TEST(QuietFace, OfNobodyIsTheTypicalOne) {
   AuWeights typical = weights();
   typical.typical.left[0] = 0.3;
