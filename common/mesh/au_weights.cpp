@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t kFeaturesMax = 1000;
 constexpr int kUnitMax = 99;
+/// Of an eye at rest, as in scripts/train_camera/fit.py; one that was shut all the while is no
+/// measure.
+constexpr double kLeastAperture = 0.15;
 constexpr std::array<std::string_view, 3> kTurnNames{"turn-left", "turn-up", "tilt-left"};
 
 using Words = std::vector<std::string_view>;
@@ -120,8 +123,12 @@ Inputs inputs_of(const Measures& seen, const Measures& quiet, bool left) {
   const double own = left ? 1 : -1;
   const auto add_side = [&](const auto& side, const auto& at_rest) {
     for (std::size_t index = 0; index < kSideMeasures; ++index) {
-      const bool sideways = index == static_cast<std::size_t>(SideMeasure::GazeLeft);
-      inputs[at++] = (sideways ? own : 1) * (side[index] - at_rest[index]);
+      const auto what = static_cast<SideMeasure>(index);
+      const double change = side[index] - at_rest[index];
+      inputs[at++] = what == SideMeasure::Aperture
+                         ? change / std::max(at_rest[index], kLeastAperture)
+                     : what == SideMeasure::GazeLeft ? own * change
+                                                     : change;
     }
   };
   add_side(left ? seen.left : seen.right, left ? quiet.left : quiet.right);

@@ -14,7 +14,8 @@ namespace aucast::mesh {
 
 /// What one side of a face sees of it, against the quiet face: its own side's measures, the other
 /// side's, those of the middle, and the head's turn. What goes to the left or right goes towards
-/// its own side here, so that both sides have the same weights.
+/// its own side here, so that both sides have the same weights. The aperture of the lids is in
+/// shares of what it is at rest: -1 is shut, also of narrow eyes.
 inline constexpr std::size_t kInputs = 2 * kSideMeasures + kMiddleMeasures + 3;
 using Inputs = std::array<double, kInputs>;
 [[nodiscard]] Inputs inputs_of(const Measures& seen, const Measures& quiet, bool left);

@@ -20,7 +20,8 @@ INPUTS = [f"own-{name}" for name in SIDE] + [f"other-{name}" for name in SIDE] +
 ABOVE = ["own-brow-inner-up", "own-brow-outer-up", "own-aperture", "own-upper-lid-up",
          "own-lower-lid-up", "own-corner-up", "own-corner-out", "lip-gap", "mouth-width",
          "upper-lip-up", "lower-lip-up", "chin-up", "lips-height", "own-nose-wing-up"]
-TIMES = [("lip-gap", "mouth-width"), ("lip-gap", "chin-up"), ("turn-left", "turn-left"),
+TIMES = [("lip-gap", "mouth-width"), ("lip-gap", "lower-lip-up"), ("lip-gap", "upper-lip-up"),
+         ("lip-gap", "chin-boss-up"), ("lip-gap", "chin-up"), ("turn-left", "turn-left"),
          ("turn-up", "turn-up"), ("own-aperture", "own-aperture"), ("lip-gap", "lip-gap"),
          ("turn-left", "own-corner-out"), ("turn-left", "own-corner-up"),
          ("turn-up", "own-aperture"), ("turn-up", "own-brow-inner-up"),
@@ -29,16 +30,52 @@ FEATURES = ([(name,) for name in INPUTS] + [(name, "above") for name in ABOVE]
             + [(a, "times", b) for a, b in TIMES])
 
 # How far a measure is off on a face that nobody has trained for: what it may not be trusted with.
-DOUBT = {"aperture": 0.03, "gaze-left": 0.06, "gaze-up": 0.06, "turn-left": 0.05, "turn-up": 0.08,
+DOUBT = {"aperture": 0.08, "gaze-left": 0.06, "gaze-up": 0.06, "turn-left": 0.05, "turn-up": 0.08,
          "tilt-left": 0.05, "corner-front": 0.06, "cheek-front": 0.06, "lips-front": 0.06}
 DOUBT_OTHERWISE = 0.008
+# An eye is shut when nothing is left of what it is open at rest, be that much or little.
+LEAST_APERTURE = 0.15
 ACTIVE_COUNTS = 3.0
+# How many times more than that they are trusted, most for the head's turn, which is seen alike on
+# everybody.
+TRUST = {51: 8.0, 53: 8.0, 55: 8.0}
+TRUST_OTHERWISE = 2.0
 
 # Not 14 and 24: on a head that nobody has trained for they are not seen.
 SIDED = [1, 2, 4, 5, 6, 7, 9, 10, 12, 15, 20, 45]
 WHOLE = [17, 18, 22, 23, 25, 26, 28]
 TURNING = {51: 52, 55: 56, 61: 62}  # left, and the other way
 SIGNED = {53: 54, 63: 64}           # up, and the other way
+
+# Which measures tell an AU, beside the turn of the head. What only happens to go along with it on
+# drawn heads is not among them: people who smile have brows at rest and chins that stay up.
+BROWS = "brow-inner-up brow-middle-up brow-outer-up brow-inner-out brow-gap".split()
+EYES = "aperture upper-lid-up lower-lid-up gaze-left gaze-up".split()
+CHEEKS = """cheek-up cheek-out cheek-front nasolabial-up nose-wing-up nose-wing-out
+nose-tip-up""".split()
+CORNERS = "corner-up corner-out corner-front mouth-width mouth-left".split()
+LIPS = """lip-gap upper-lip-height lower-lip-height lips-height upper-lip-up lower-lip-up
+lips-front""".split()
+CHIN = ["chin-up", "chin-boss-up"]
+MOUTH = CHEEKS + CORNERS + LIPS + CHIN
+TOLD_BY = {
+    **{number: BROWS + EYES + ["nose-wing-up", "nasolabial-up"] for number in (1, 2)},
+    # A smile draws the brows down a little too.
+    4: BROWS + EYES + CHEEKS + CORNERS + LIPS,
+    **{number: BROWS + EYES + CHEEKS for number in (5, 45)},
+    6: EYES + CHEEKS + CORNERS,
+    7: EYES + ["brow-inner-up", "brow-outer-up", "cheek-up"],
+    9: BROWS + EYES + CHEEKS + LIPS,
+    **{number: MOUTH for number in (10, 15, 17, 18, 20, 22, 23, 28)},
+    12: CHEEKS + CORNERS + LIPS,
+    # Where the chin is says nothing of lips that are shut.
+    25: LIPS + ["corner-out", "mouth-width"] + [("lip-gap", "times", name) for name in CHIN],
+    # Not the gap of the lips, which is wide in every smile that bares the teeth: a jaw that drops
+    # takes chin and lower lip along.
+    26: CHIN + ["lower-lip-up"],
+    61: EYES,
+    63: EYES + BROWS,
+}
 
 
 def quiet_of(rows):
@@ -54,6 +91,8 @@ def inputs_of(row, quiet, left):
     for side in (own, other):
         for name in SIDE:
             value = row[side + name] - quiet[side + name]
+            if name == "aperture":
+                value /= max(quiet[side + name], LEAST_APERTURE)
             values.append(sign * value if name in TOWARDS_LEFT else value)
     for name in MIDDLE + TURN:
         value = row[name] - quiet[name]
@@ -74,10 +113,20 @@ def features_of(inputs):
     return numpy.stack(columns, axis=1)
 
 
+def plain(name):
+    return name.split("-", 1)[1] if name.startswith(("own-", "other-")) else name
+
+
+def tells(feature, number):
+    """Whether a feature may tell an AU; of head turns everything may."""
+    names = {plain(name) for name in feature[::2]}
+    told = {*TOLD_BY.get(number, [*names]), *TURN}
+    return feature in told or names <= told
+
+
 def doubt_of(feature, scale):
     def doubt(name):
-        plain = name.split("-", 1)[1] if name.startswith(("own-", "other-")) else name
-        return DOUBT.get(plain, DOUBT_OTHERWISE)
+        return DOUBT.get(plain(name), DOUBT_OTHERWISE)
     if len(feature) == 3:
         return 0.5 * scale + doubt(feature[0]) * doubt(feature[2])
     return doubt(feature[0])
@@ -114,20 +163,22 @@ def table_of(people):
     return features_of(numpy.array(inputs)), numpy.array(targets)
 
 
-def fit(people, trust=4.0):
+def fit(people):
     """Weights: a row for each output, a bias before one number for each feature."""
     features, targets = table_of(people)
     scale = features.std(axis=0)
-    doubt = numpy.array([doubt_of(f, s) for f, s in zip(FEATURES, scale)]) / trust
+    doubt = numpy.array([1e-3] + [doubt_of(f, s) for f, s in zip(FEATURES, scale)])
     x = numpy.concatenate([numpy.ones((len(features), 1)), features], axis=1)
-    penalty = numpy.diag(numpy.concatenate([[1e-6], doubt ** 2]))
-    weights = []
-    for target in targets.T:
+    weights = numpy.zeros((len(OUTPUTS), x.shape[1]))
+    for row, number, target in zip(weights, OUTPUTS, targets.T):
+        used = numpy.array([True] + [tells(feature, number) for feature in FEATURES])
+        trust = TRUST.get(number, TRUST_OTHERWISE)
         # An AU is absent from most pictures; those that show it count more.
         count = numpy.where(target != 0, ACTIVE_COUNTS, 1.0)
-        squares = (x * count[:, None]).T @ x + penalty * count.sum()
-        weights.append(numpy.linalg.solve(squares, (x * count[:, None]).T @ target))
-    return numpy.array(weights)
+        seen = x[:, used]
+        squares = (seen * count[:, None]).T @ seen + numpy.diag((doubt[used] / trust) ** 2) * count.sum()
+        row[used] = numpy.linalg.solve(squares, (seen * count[:, None]).T @ target)
+    return weights
 
 
 def thresholds_of(weights, people):

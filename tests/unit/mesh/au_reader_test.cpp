@@ -69,15 +69,29 @@ TEST(AuReader, ComparesWithTheQuietFace) {
 }
 
 TEST(AuReader, LeavesNoiseOutAndStaysWithinFullIntensity) {
-  Measures seen;
-  left_of(seen, SideMeasure::Aperture) = -0.1;  // 0.2: the threshold
-  right_of(seen, SideMeasure::Aperture) = -0.3;
-  AuFrame frame = read_aus(weights(), seen, Measures{});
+  Measures quiet;
+  left_of(quiet, SideMeasure::Aperture) = right_of(quiet, SideMeasure::Aperture) = 0.5;
+  Measures seen = quiet;
+  left_of(seen, SideMeasure::Aperture) = 0.45;  // a tenth shut, 0.2: the threshold
+  right_of(seen, SideMeasure::Aperture) = 0.35;
+  AuFrame frame = read_aus(weights(), seen, quiet);
   EXPECT_NEAR(double{frame.left[45]}, 0, kTolerance);
   EXPECT_NEAR(double{frame.right[45]}, 0.5, kTolerance);
   right_of(seen, SideMeasure::Aperture) = -3;
-  frame = read_aus(weights(), seen, Measures{});
+  frame = read_aus(weights(), seen, quiet);
   EXPECT_EQ(frame.right[45], 1.0F);
+}
+
+TEST(AuReader, NarrowEyesAreShutAsWideOnesAre) {
+  Measures quiet;
+  left_of(quiet, SideMeasure::Aperture) = 0.4;
+  right_of(quiet, SideMeasure::Aperture) = 0.2;
+  Measures seen;
+  left_of(seen, SideMeasure::Aperture) = 0.28;
+  right_of(seen, SideMeasure::Aperture) = 0.14;
+  const AuFrame frame = read_aus(weights(), seen, quiet);
+  EXPECT_NEAR(double{frame.left[45]}, 0.5, kTolerance);
+  EXPECT_NEAR(double{frame.right[45]}, 0.5, kTolerance);
 }
 
 TEST(AuReader, ATurnIsOneOfTwoOppositesAndMayBeMoreThanFull) {
