@@ -30,10 +30,14 @@ bool is_elsewhere(const std::error_code& cause) {
          (cause.value() == EADDRNOTAVAIL || cause.value() == EAFNOSUPPORT);
 }
 
-std::string hint(const std::error_code& cause, const ListenOptions& names) {
-  const std::string address(names.address);
-  const std::string port(names.port);
+std::string hint(const std::error_code& cause, const ListenOptions& options) {
+  const std::string address(options.address);
+  const std::string port(options.port);
   if (cause == asio::error::address_in_use) {
+    if (options.shared) {
+      return "; another program has this port for itself, or is another user's: all that share it "
+             "need --reuse-port and one user";
+    }
     return "; another program has this port: stop it, or choose one with " + port +
            " (0 takes any free one)";
   }
@@ -48,12 +52,19 @@ std::string hint(const std::error_code& cause, const ListenOptions& names) {
 }
 
 Error cannot_listen(const std::string& bind, std::uint16_t port, const std::error_code& cause,
-                    const ListenOptions& names) {
+                    const ListenOptions& options) {
   return {ErrorKind::Network, "cannot listen on " + host_and_port(bind, port) + ": " +
-                                  cause.message() + hint(cause, names)};
+                                  cause.message() + hint(cause, options)};
 }
 
-std::error_code listen_at(tcp::acceptor& acceptor, const tcp::endpoint& endpoint) {
+std::error_code share_port(tcp::acceptor& acceptor) {
+  const int yes = 1;
+  if (::setsockopt(acceptor.native_handle(), SOL_SOCKET, SO_REUSEPORT, &yes, sizeof(yes)) == 0)
+    return {};
+  return {errno, asio::error::get_system_category()};
+}
+
+std::error_code listen_at(tcp::acceptor& acceptor, const tcp::endpoint& endpoint, bool shared) {
   std::error_code error;
   const auto ok = [&error] { return !error; };
   acceptor.open(endpoint.protocol(), error);
@@ -62,6 +73,7 @@ std::error_code listen_at(tcp::acceptor& acceptor, const tcp::endpoint& endpoint
     // --bind :: means all addresses, whatever the system's default is.
     acceptor.set_option(asio::ip::v6_only(false), error);
   }
+  if (ok() && shared) error = share_port(acceptor);
   if (ok()) acceptor.bind(endpoint, error);
   if (ok()) acceptor.listen(asio::socket_base::max_listen_connections, error);
   if (error) {
@@ -95,7 +107,7 @@ Listener::Listener(asio::io_context& io, const AcceptLimits& limits)
     : limits_(limits), acceptor_(io), pause_(io) {}
 
 Result<void> Listener::open(const std::string& bind, std::uint16_t port,
-                            const ListenOptions& names) {
+                            const ListenOptions& options) {
   std::error_code error;
   const std::string host = without_brackets(bind);
   Addresses addresses = known_addresses(host, port);
@@ -103,11 +115,11 @@ Result<void> Listener::open(const std::string& bind, std::uint16_t port,
     tcp::resolver resolver(acceptor_.get_executor());
     const auto found = resolver.resolve(
         host, std::to_string(port), tcp::resolver::passive | tcp::resolver::numeric_service, error);
-    if (error) return cannot_listen(bind, port, error, names);
+    if (error) return cannot_listen(bind, port, error, options);
     for (const auto& entry : found) addresses.push_back(entry.endpoint());
   }
   for (const tcp::endpoint& address : addresses) {
-    error = listen_at(acceptor_, address);
+    error = listen_at(acceptor_, address, options.shared);
     if (!error) {
       endpoint_ = acceptor_.local_endpoint(error);
       break;
@@ -115,7 +127,7 @@ Result<void> Listener::open(const std::string& bind, std::uint16_t port,
     // A port that is taken at the first address is taken: trying the next would hide it.
     if (!is_elsewhere(error)) break;
   }
-  if (error) return cannot_listen(bind, port, error, names);
+  if (error) return cannot_listen(bind, port, error, options);
   return {};
 }
 

@@ -23,10 +23,13 @@ void raise_descriptor_limit();
 /// ADDR:PORT, with brackets around an IPv6 address.
 [[nodiscard]] std::string endpoint_text(const asio::ip::tcp::endpoint& endpoint);
 
-/// The options that an address is from, for advice when it cannot be had.
+/// How to listen, and the options that an address is from, for advice when it cannot be had.
 struct ListenOptions {
   const char* address = "--bind";
   const char* port = "--port";
+  /// Other processes of the same user that say so too may listen on the same port: the system
+  /// spreads those who connect over them.
+  bool shared = false;
 };
 
 /// Accepts connections at one address and hands them out. When the system is out of descriptors or
@@ -44,7 +47,7 @@ class Listener {
   /// Network error naming both, the cause and what to do.
   /// The advice names the options that the address and the port are from.
   [[nodiscard]] Result<void> open(const std::string& bind, std::uint16_t port,
-                                  const ListenOptions& names = {});
+                                  const ListenOptions& options = {});
   /// Takes a socket that listens already and belongs to it from now on.
   [[nodiscard]] Result<void> open_passed(int descriptor);
 

@@ -63,10 +63,14 @@ if(TARGET au-transmitter)
   # Only the installation knows its prefix: `cmake --install --prefix` may change it.
   install(CODE "set(bindir ${CMAKE_INSTALL_BINDIR})
 cmake_path(ABSOLUTE_PATH bindir BASE_DIRECTORY \"\${CMAKE_INSTALL_PREFIX}\")
-configure_file(${systemd}/au-transmitter.service.in
-               ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service @ONLY)"
+set(units ${PROJECT_BINARY_DIR}/systemd)
+configure_file(${systemd}/au-transmitter.service.in \${units}/au-transmitter.service @ONLY)
+set(of_several \", %i of several\")
+set(options \" --reuse-port --http 127.0.0.1:946%i\")
+configure_file(${systemd}/au-transmitter.service.in \${units}/au-transmitter@.service @ONLY)"
           COMPONENT au-transmitter)
   install(FILES ${PROJECT_BINARY_DIR}/systemd/au-transmitter.service
+                ${PROJECT_BINARY_DIR}/systemd/au-transmitter@.service
                 ${systemd}/au-transmitter.socket
           DESTINATION lib/systemd/system COMPONENT au-transmitter)
   install(FILES ${systemd}/au-transmitter.toml

@@ -100,7 +100,8 @@ class Transmitter {
     const auto passed = passed_socket();
     if (!passed) return passed.error();
     if (auto opened = *passed ? listener_.open_passed(**passed)
-                              : listener_.open(options_.bind, options_.port);
+                              : listener_.open(options_.bind, options_.port,
+                                               {"--bind", "--port", options_.reuse_port});
         !opened) {
       return opened;
     }
@@ -118,7 +119,7 @@ class Transmitter {
                      [this](const tcp::endpoint& peer, const WebServer::OpenLink& open_link) {
                        welcome(peer, open_link, ClientRegistry::Way::WebSocket);
                      }});
-    auto opened = web_->open();
+    auto opened = web_->open(options_.reuse_port);
     if (!opened) return opened;
     const bool secure = reload_.web_tls().has_value();
     spdlog::info("browsers are served at {}://{}/", secure ? "https" : "http",
@@ -152,7 +153,7 @@ class Transmitter {
     http_.emplace(io_, [this](const std::string& path) {
       return routes_.answer(path, programme_.stopped(), std::chrono::steady_clock::now());
     });
-    auto opened = http_->open(options_.http->address, options_.http->port);
+    auto opened = http_->open(options_.http->address, options_.http->port, options_.reuse_port);
     if (!opened) return opened;
     spdlog::info("status at http://{}/", link::endpoint_text(http_->endpoint()));
     if (!http_->endpoint().address().is_loopback()) {

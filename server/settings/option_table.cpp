@@ -210,6 +210,12 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
       {"port", "N", "4650", "(4650; 0: any free one)",
        "The TCP port. With 0 the system chooses one; the line \"listening on\" tells which.",
        whole(options.port, 0, 65535)},
+      {"reuse-port", "", "", "others may listen there too",
+       "Several au-transmitters of one user, all with this option, listen on the same port (and "
+       "that of --web and --http), and the system spreads clients over them: one for each "
+       "processor core, or the next version beside this one. What they serve should be the same: "
+       "recordings, or streams that each relays. Each counts its own clients and limits.",
+       flag(options.reuse_port)},
       {"client-timeout", "S", "0", "close clients that are silent for S seconds (0: no)",
        "Seconds, up to 86400. Every byte from the client restarts the time; of a live "
        "stream, every byte that can be sent to it does. A paused client owes no answer. TCP "

@@ -74,9 +74,9 @@ HttpServer::HttpServer(asio::io_context& io, Answer answer)
 
 HttpServer::~HttpServer() = default;
 
-Result<void> HttpServer::open(const std::string& address, std::uint16_t port) {
+Result<void> HttpServer::open(const std::string& address, std::uint16_t port, bool shared) {
   bound_ = address;
-  return listener_.open(address, port, {"--http", "--http"});
+  return listener_.open(address, port, {"--http", "--http", shared});
 }
 
 void HttpServer::start() {

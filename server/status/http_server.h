@@ -28,8 +28,8 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// Network error naming address, cause and what to do.
-  [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port);
+  /// `shared`: with other processes. Network error naming address, cause and what to do.
+  [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port, bool shared);
   void start();
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return listener_.endpoint(); }
 

@@ -149,9 +149,10 @@ WebServer::WebServer(asio::io_context& io, const WebOptions& options, Hooks hook
 
 WebServer::~WebServer() = default;
 
-Result<void> WebServer::open() {
+Result<void> WebServer::open(bool shared) {
   if (auto read = read_page(); !read) return read;
-  return listener_.open(options_.address->address, options_.address->port, {"--web", "--web"});
+  return listener_.open(options_.address->address, options_.address->port,
+                        {"--web", "--web", shared});
 }
 
 Result<void> WebServer::read_page() {

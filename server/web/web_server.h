@@ -50,7 +50,7 @@ class WebServer {
 
   /// Reads the page and listens; a page that is missing is said in the log. Unreadable, or Network
   /// error naming address, cause and what to do.
-  [[nodiscard]] Result<void> open();
+  [[nodiscard]] Result<void> open(bool shared);
   void start();
   /// Nobody is accepted any more.
   void stop() { listener_.stop(); }

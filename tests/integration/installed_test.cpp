@@ -43,14 +43,19 @@ struct Pages {
   std::vector<std::vector<std::string>> help;
 };
 
-const Pages kPrograms[] = {{"au-transmitter", {{"--help"}, {"convert", "--help"}}},
-                           {"face-player",
-                            {{"--help"},
-                             {"play", "--help"},
-                             {"pose", "--help"},
-                             {"rules", "--help"},
-                             {"gallery", "--help"},
-                             {"export", "--help"}}}};
+const Pages kPrograms[] = {
+    {"au-transmitter", {{"--help"}, {"convert", "--help"}}},
+    {"face-player",
+     {{"--help"},
+      {"play", "--help"},
+      {"pose", "--help"},
+      {"rules", "--help"},
+      {"gallery", "--help"},
+      {"export", "--help"}}},
+#ifdef AUCAST_HAS_SPEAKER
+    {"au-speaker", {{"--help"}}},
+#endif
+};
 
 TEST(Manual, HasEveryOptionOfHelpAndSoHasTheCompletion) {
   for (const Pages& pages : kPrograms) {

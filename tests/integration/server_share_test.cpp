@@ -1,0 +1,65 @@
+// Several au-transmitters on one port, and one that leaves its clients to the next.
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "tests/integration/server_running.h"
+
+namespace aucast::test {
+namespace {
+
+constexpr int kExitNetwork = 5;
+
+/// Another au-transmitter on the port of `server`.
+class Neighbour {
+ public:
+  Neighbour(const RunningTransmitter& server, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {program("au-transmitter"), "--port", server.port()});
+    process_ = std::make_unique<Process>(std::move(arguments));
+    ready_ = process_->read_line(kPatience) == "listening on " + server.address();
+  }
+  [[nodiscard]] bool ready() const { return ready_; }
+  [[nodiscard]] Process& process() { return *process_; }
+
+ private:
+  std::unique_ptr<Process> process_;
+  bool ready_ = false;
+};
+
+TEST(ServerShare, ClientsOfOnePortComeToBothAndToWhoIsLeft) {
+  RunningTransmitter first({"-v", "--reuse-port", stream_file("talk.txt")});
+  Neighbour second(first, {"-v", "--reuse-port", stream_file("talk.txt")});
+  ASSERT_TRUE(second.ready()) << second.process().err();
+  // The system chooses by the ports of both ends: that all of 64 go one way will not happen.
+  std::vector<RawClient> clients;
+  for (int n = 0; n < 64; ++n) {
+    clients.push_back(first.connect());
+    EXPECT_FALSE(clients.back().receive_until("}").empty());
+  }
+  EXPECT_EQ(first.terminate(), 0);
+  int ended = 0;
+  for (RawClient& client : clients) {
+    client.send("1");
+    if (client.receive_until("}") == kEnd) ++ended;
+  }
+  EXPECT_GT(ended, 0) << "some were the first's";
+  EXPECT_LT(ended, 64) << "and some the second's, which play on";
+  for (int n = 0; n < 8; ++n) EXPECT_FALSE(first.connect().receive_until("}").empty());
+  second.process().signal(SIGTERM);
+  EXPECT_EQ(second.process().wait(kPatience), 0);
+}
+
+TEST(ServerShare, BothHaveToSaySo) {
+  RunningTransmitter alone({stream_file("talk.txt")});
+  Neighbour eager(alone, {"--reuse-port", stream_file("talk.txt")});
+  EXPECT_EQ(eager.process().wait(kPatience), kExitNetwork);
+  EXPECT_NE(eager.process().err().find("all that share it need --reuse-port and one user"),
+            std::string::npos)
+      << eager.process().err();
+  RunningTransmitter shared({"--reuse-port", stream_file("talk.txt")});
+  Neighbour other(shared, {stream_file("talk.txt")});
+  EXPECT_EQ(other.process().wait(kPatience), kExitNetwork);
+}
+
+}  // namespace
+}  // namespace aucast::test
