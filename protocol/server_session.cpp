@@ -39,6 +39,8 @@ std::string_view name(CloseConnection::Why why) {
       return "finished";
     case Why::Stopped:
       return "stopped";
+    case Why::SentAway:
+      return "sent away";
     case Why::PeerGone:
       return "peer gone";
     case Why::ProtocolError:
@@ -530,6 +532,14 @@ std::vector<ServerEvent> ServerSession::stop(Instant now) {
   state_->begin_call(now);
   if (state_->phase != State::Phase::Draining && state_->phase != State::Phase::Closed) {
     state_->say_last(encode(End{}), Why::Stopped, "the server stops");
+  }
+  return state_->take_events();
+}
+
+std::vector<ServerEvent> ServerSession::send_away(Instant now) {
+  state_->begin_call(now);
+  if (state_->phase == State::Phase::Streaming && level() == Level::Negotiated) {
+    state_->close(Why::SentAway, "the server stops, and another one goes on");
   }
   return state_->take_events();
 }

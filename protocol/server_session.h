@@ -49,6 +49,7 @@ struct CloseConnection {
     Finished,       ///< the stream, or the list asked for, was sent and the peer has ended, or
                     ///< the drain reached a limit
     Stopped,        ///< the client's -4, or stop() of the server
+    SentAway,       ///< send_away() of the server: the stream goes on elsewhere
     PeerGone,       ///< the peer closed or was lost before the end
     ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
     Refused,        ///< an {error ...} was sent, or there was no room for a classic client, which
@@ -114,6 +115,9 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of level 1.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
+  /// The server itself stops and another one goes on: who is sent a stream in level 2 is cut off
+  /// without {-2}, and may come again with `from=`. Without effect for all others.
+  [[nodiscard]] std::vector<ServerEvent> send_away(Instant now);
 
   /// When on_time() wants to be called next; nullopt: no timer is running.
   [[nodiscard]] std::optional<Instant> deadline() const;

@@ -101,6 +101,12 @@ void ClientRegistry::stop() {
   for_each([](Connection& connection) { connection.stop(); });
 }
 
+void ClientRegistry::send_away(std::size_t count) {
+  for_each([&count](Connection& connection) {
+    if (count > 0 && connection.send_away()) --count;
+  });
+}
+
 void ClientRegistry::abort() {
   for_each([](Connection& connection) { connection.abort(); });
 }

@@ -66,6 +66,8 @@ class ClientRegistry {
   void on_voice();
   /// {-2} to everybody.
   void stop();
+  /// Cuts off so many clients of level 2, the oldest first: another server goes on with them.
+  void send_away(std::size_t count);
   /// Closes all connections now.
   void abort();
 

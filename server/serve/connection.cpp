@@ -113,6 +113,14 @@ void Connection::stop() {
   go_on();
 }
 
+bool Connection::send_away() {
+  if (finishing_ || closed_ || !session_) return false;
+  auto events = session_->send_away(link_->now());
+  if (events.empty()) return false;
+  carry_out(std::move(events));
+  return true;
+}
+
 void Connection::abort() {
   if (closed_) return;
   if (output_bytes() != 0) {

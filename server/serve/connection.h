@@ -64,6 +64,8 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   void on_voice();
   /// The server stops: {-2}, then the link drains.
   void stop();
+  /// The server stops and another one goes on: true when that was told, by a close without {-2}.
+  bool send_away();
   /// Closes now, whatever is under way.
   void abort();
 

@@ -25,6 +25,7 @@
 #include "server/engine/publisher.h"
 #include "server/push/pusher.h"
 #include "server/serve/client_registry.h"
+#include "server/serve/departure.h"
 #include "server/serve/programme.h"
 #include "server/status/http_routes.h"
 #include "server/status/http_server.h"
@@ -64,6 +65,11 @@ class Transmitter {
             {[this] { on_moment(); }, [this] { on_over(); }, [this] { clients_.on_voice(); }}),
         reload_(io_, options.credentials, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
+        departure_(
+            io_, [this](std::size_t count) { clients_.send_away(count); },
+            [this] {
+              if (!programme_.stopped()) stop("--drain-time is over");
+            }),
         routes_([this](Instant now) { return status(now); }) {}
 
   Result<Ending> run(const OnReady& on_ready) {
@@ -151,7 +157,7 @@ class Transmitter {
   Result<void> open_http() {
     if (!options_.http) return {};
     http_.emplace(io_, [this](const std::string& path) {
-      return routes_.answer(path, programme_.stopped(), std::chrono::steady_clock::now());
+      return routes_.answer(path, stopping(), std::chrono::steady_clock::now());
     });
     auto opened = http_->open(options_.http->address, options_.http->port, options_.reuse_port);
     if (!opened) return opened;
@@ -223,7 +229,7 @@ class Transmitter {
   [[nodiscard]] Status status(Instant now) const {
     Status status;
     status.up_seconds = seconds(now - begin_);
-    status.stopping = programme_.stopped();
+    status.stopping = stopping();
     status.accept_failures = listener_.failures() + (web_ ? web_->accept_failures() : 0);
     status.reloads = reload_.successes();
     status.reload_failures = reload_.failures();
@@ -274,17 +280,38 @@ class Transmitter {
       clients_.abort();
       return;
     }
-    stop(name);
+    if (options_.drain_time.count() > 0 && !departure_.begun() && !clients_.empty()) {
+      leave(name);
+    } else {
+      stop(name);
+    }
     if (!clients_.empty()) await_end_signal();
+  }
+
+  [[nodiscard]] bool stopping() const { return programme_.stopped() || departure_.begun(); }
+
+  /// Nobody comes any more, and nothing of ours goes anywhere else.
+  void close_doors(Milliseconds at_most) {
+    manager_.stopping(at_most);
+    listener_.stop();
+    if (web_) web_->stop();
+    for (const auto& pusher : pushers_) pusher->stop();
+  }
+
+  void leave(const char* why) {
+    spdlog::info("{}: sending {} to other servers within {} s", why,
+                 counted(clients_.size(), "client"), seconds(options_.drain_time));
+    close_doors(options_.drain_time + kStopTimeMax);
+    // Who shares its port answers monitors from now on.
+    if (http_ && options_.reuse_port) http_->stop();
+    departure_.begin(clients_.size(), options_.drain_time);
   }
 
   void stop(const char* why) {
     spdlog::info("{}: ending the stream of {}", why, counted(clients_.size(), "client"));
-    manager_.stopping();
-    listener_.stop();
-    if (web_) web_->stop();
+    departure_.stop();
+    close_doors({});
     if (publisher_) publisher_->stop();
-    for (const auto& pusher : pushers_) pusher->stop();
     programme_.stop();
     clients_.stop();
     if (clients_.empty()) {
@@ -298,7 +325,11 @@ class Transmitter {
   }
 
   void on_empty() {
-    if (programme_.stopped()) end();
+    if (programme_.stopped()) {
+      end();
+    } else if (departure_.begun()) {
+      stop("all clients are gone");
+    }
   }
 
   /// io_.run() returns, whatever is still waited for. To cancel all of it would not do: what has
@@ -324,6 +355,7 @@ class Transmitter {
   Programme programme_;
   std::vector<std::unique_ptr<Pusher>> pushers_;
   Reload reload_;
+  Departure departure_;
   HttpRoutes routes_;
   std::optional<Publisher> publisher_;
   std::optional<WebServer> web_;

@@ -12,6 +12,7 @@ using Where = OptionRow::Where;
 
 /// A day: whoever waits longer means for ever.
 constexpr double kTimeoutMax = 86'400;
+constexpr double kDrainTimeMost = 3600;
 constexpr std::string_view kNoTimeout = "is not a number of seconds from 0 (never) to 86400";
 
 /// More than a process can have descriptors.
@@ -210,12 +211,19 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
       {"port", "N", "4650", "(4650; 0: any free one)",
        "The TCP port. With 0 the system chooses one; the line \"listening on\" tells which.",
        whole(options.port, 0, 65535)},
-      {"reuse-port", "", "", "others may listen there too",
+      {"reuse-port", "", "", "share the port",
        "Several au-transmitters of one user, all with this option, listen on the same port (and "
        "that of --web and --http), and the system spreads clients over them: one for each "
        "processor core, or the next version beside this one. What they serve should be the same: "
        "recordings, or streams that each relays. Each counts its own clients and limits.",
        flag(options.reuse_port)},
+      {"drain-time", "S", "0", "to send clients away in",
+       "At SIGTERM or SIGINT nobody is accepted any more, and within so many seconds, up to 3600, "
+       "one client of level 2 after the other is cut off, without the end of the stream: those "
+       "with --reconnect, relays and web pages go on with another au-transmitter at this address, "
+       "such as the next version with --reuse-port, a recorded stream where they were. Who is "
+       "left then gets {-2}, as everybody does at once by default or by a second signal.",
+       seconds(options.drain_time, 0, kDrainTimeMost, "is not a number of seconds from 0 to 3600")},
       {"client-timeout", "S", "0", "close clients that are silent for S seconds (0: no)",
        "Seconds, up to 86400. Every byte from the client restarts the time; of a live "
        "stream, every byte that can be sent to it does. A paused client owes no answer. TCP "

@@ -40,6 +40,7 @@ struct TransmitterOptions {
   std::vector<std::filesystem::path> sources;   ///< may be none where publishers bring streams
   std::string bind = "127.0.0.1";               ///< address or name of this host
   std::uint16_t port = protocol::kDefaultPort;  ///< 0: any free one
+  Milliseconds drain_time{0};                   ///< to send clients away in; 0: they get {-2}
   bool reuse_port = false;                      ///< other processes may listen there too
   std::uint32_t keyframe_ms = 250;              ///< 1 to kDurationMsMax; for untimed keyframes
   bool loop = false;                            ///< start again at the end instead of {-2}

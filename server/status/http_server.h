@@ -31,6 +31,8 @@ class HttpServer {
   /// `shared`: with other processes. Network error naming address, cause and what to do.
   [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port, bool shared);
   void start();
+  /// Nobody is answered any more who has not come yet.
+  void stop() { listener_.stop(); }
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return listener_.endpoint(); }
 
  private:

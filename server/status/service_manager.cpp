@@ -87,8 +87,13 @@ void ServiceManager::reloading() const {
   say("RELOADING=1\nMONOTONIC_USEC=" + monotonic_usec(), Need::Must);
 }
 
-void ServiceManager::stopping() const {
-  say("STOPPING=1", Need::Must);
+void ServiceManager::stopping(Milliseconds at_most) const {
+  std::string message = "STOPPING=1";
+  if (at_most.count() > 0) {
+    const auto time = std::chrono::microseconds(at_most).count();
+    message += "\nEXTEND_TIMEOUT_USEC=" + std::to_string(time);
+  }
+  say(message, Need::Must);
 }
 
 void ServiceManager::status(const std::string& status) const {

@@ -25,7 +25,8 @@ class ServiceManager {
   void ready(const std::string& status) const;
   /// Until the next ready().
   void reloading() const;
-  void stopping() const;
+  /// It will take no more than this; zero: than what is usual.
+  void stopping(Milliseconds at_most) const;
   void status(const std::string& status) const;
   void alive() const;
 

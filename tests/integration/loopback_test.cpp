@@ -159,6 +159,35 @@ TEST(Loopback, ALiveStreamIsPlayedFromNowToItsEnd) {
   EXPECT_EQ(run.stats["pauses_sent"], 0);
 }
 
+/// Not before it plays: however slow this machine is, it has met its server then.
+void wait_until_it_plays(Process& player) {
+  for (int tenth = 0; player.err().find("playing") == std::string::npos; ++tenth) {
+    ASSERT_FALSE(player.wait(100ms).has_value()) << player.err();
+    ASSERT_LT(tenth, 600) << player.err();
+  }
+}
+
+TEST(Loopback, NothingIsLostWhenAServerLeavesItsClientsToAnother) {
+  const TempFolder folder;
+  std::string text = "Beg_Stream\n";
+  for (int n = 1; n <= 200; ++n) text += "1:" + std::to_string(n % 100 + 1) + ",6,12;20\n";
+  const auto file = folder.write("count.txt", text + "End_Stream\n").string();
+  Served first({"--drain-time", "0.1", file});
+  Process player({program("face-player"), "--headless", "--reconnect", "-v", first.address(),
+                  "--stats", (folder.path() / "stats.json").string()});
+  wait_until_it_plays(player);
+  first.process().signal(SIGTERM);
+  EXPECT_EQ(first.process().wait(20s), 0);
+  Process second({program("au-transmitter"), "--port",
+                  first.address().substr(first.address().rfind(':') + 1), file});
+  ASSERT_TRUE(second.read_line(20s).has_value()) << second.err();
+  EXPECT_EQ(player.wait(40s), 0) << player.err();
+  const auto json = nlohmann::json::parse(folder.read("stats.json"));
+  EXPECT_EQ(json["end_reason"], "end_of_stream");
+  EXPECT_GE(json["reconnects"], 1);
+  EXPECT_EQ(json["keyframes_played"], 200) << "each once";
+}
+
 TEST(Loopback, ReconnectOutlivesAServer) {
   const TempFolder folder;
   auto first = std::make_unique<Served>(
@@ -166,11 +195,7 @@ TEST(Loopback, ReconnectOutlivesAServer) {
   const std::string address = first->address();
   Process player({program("face-player"), "--headless", "--reconnect", "-v", address, "--stats",
                   (folder.path() / "stats.json").string()});
-  // Not before it plays: however slow this machine is, it has met the first server then.
-  for (int tenth = 0; player.err().find("playing") == std::string::npos; ++tenth) {
-    ASSERT_FALSE(player.wait(100ms).has_value()) << player.err();
-    ASSERT_LT(tenth, 600) << player.err();
-  }
+  wait_until_it_plays(player);
   first->process().signal(SIGKILL);
   ASSERT_TRUE(first->process().wait(20s).has_value());
   Process second({program("au-transmitter"), "--port", address.substr(address.rfind(':') + 1),

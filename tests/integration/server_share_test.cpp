@@ -61,5 +61,48 @@ TEST(ServerShare, BothHaveToSaySo) {
   EXPECT_EQ(other.process().wait(kPatience), kExitNetwork);
 }
 
+TEST(ServerShare, WhoLeavesSendsItsClientsToTheOther) {
+  RunningTransmitter first({"--reuse-port", "--drain-time", "0.3", stream_file("talk.txt")});
+  const std::string hello = "{hello v=2 window=1}";
+  std::vector<RawClient> clients;
+  std::string reply;
+  for (int n = 0; n < 10; ++n) {
+    clients.push_back(say_hello(first, hello, reply));
+    EXPECT_FALSE(clients.back().receive_until("}").empty());
+  }
+  RawClient classic = first.connect();
+  EXPECT_FALSE(classic.receive_until("}").empty());
+  Neighbour second(first, {"--reuse-port", stream_file("talk.txt")});
+  ASSERT_TRUE(second.ready()) << second.process().err();
+  first.process().signal(SIGTERM);
+  EXPECT_TRUE(logs(first, "sending 11 clients to other servers within 0.3 s"));
+  for (RawClient& client : clients) {
+    EXPECT_EQ(client.receive_all(), "") << "no {-2}: the stream goes on";
+    EXPECT_FALSE(client.broken());
+  }
+  EXPECT_EQ(classic.receive_all(), kEnd) << "it could not come again where it was";
+  EXPECT_EQ(first.process().wait(kPatience), 0);
+  EXPECT_NE(first.log().find("closed: sent away"), std::string::npos);
+  for (int n = 0; n < 10; ++n) {
+    const RawClient again = say_hello(first, "{hello v=2 window=1 from=500}", reply);
+    EXPECT_TRUE(reply.starts_with("{hello ")) << reply;
+  }
+  second.process().signal(SIGTERM);
+  EXPECT_EQ(second.process().wait(kPatience), 0);
+}
+
+TEST(ServerShare, ASecondSignalEndsTheWaitForClients) {
+  RunningTransmitter server({"--drain-time", "3600", stream_file("talk.txt")});
+  std::string reply;
+  RawClient client = say_hello(server, "{hello v=2 window=1}", reply);
+  EXPECT_FALSE(client.receive_until("}").empty());
+  server.process().signal(SIGTERM);
+  EXPECT_TRUE(logs(server, "to other servers"));
+  EXPECT_TRUE(client.silent(std::chrono::milliseconds(100)));
+  server.process().signal(SIGTERM);
+  EXPECT_EQ(client.receive_all(), kEnd);
+  EXPECT_EQ(server.process().wait(kPatience), 0);
+}
+
 }  // namespace
 }  // namespace aucast::test

@@ -36,6 +36,7 @@ class Server : public ::testing::Test {
   std::string peer_end() { return text_of(session_->on_peer_end(now_)); }
   std::string lost() { return text_of(session_->on_lost(now_)); }
   std::string stop() { return text_of(session_->stop(now_)); }
+  std::string send_away() { return text_of(session_->send_away(now_)); }
   std::string pass(Duration time) {
     now_ += time;
     return text_of(session_->on_time(now_));
@@ -175,6 +176,18 @@ TEST_F(Server, TheServersStopSaysTheEndToEverybody) {
   start();
   EXPECT_EQ(get("-1"), "send {1}");
   EXPECT_EQ(stop(), kBye) << "paused";
+}
+
+TEST_F(Server, WhoCanComeAgainIsSentAwayWithoutTheEnd) {
+  EXPECT_EQ(send_away(), "") << "in the grace";
+  EXPECT_EQ(pass(100ms), "send {1}");
+  EXPECT_EQ(send_away(), "") << "classic";
+  start();
+  EXPECT_EQ(get("{hello v=2 wi"), "");
+  EXPECT_EQ(send_away(), "") << "within the hello";
+  EXPECT_NE(get("ndow=1}"), "");
+  EXPECT_EQ(send_away(), "close sent away");
+  EXPECT_EQ(send_away(), "") << "once";
 }
 
 TEST_F(Server, ALostConnectionIsClosedWithoutAWord) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include <asio/io_context.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "common/time.h"
+
+namespace aucast::server {
+
+/// How many of `clients` have to be gone after `passed` of `time`: evenly spread, all at its end.
+[[nodiscard]] std::size_t gone_by(std::size_t clients, Duration passed, Duration time);
+
+/// Sends the clients of a server away, spread over a time, so that they do not all come to the
+/// next one at once. Thread: that of the io_context, which must outlive it.
+class Departure {
+ public:
+  using SendAway = std::function<void(std::size_t count)>;
+  using OnOver = std::function<void()>;
+
+  /// `send_away` is told how many more to send; `on_over`: the time is over.
+  Departure(asio::io_context& io, SendAway send_away, OnOver on_over)
+      : timer_(io), send_away_(std::move(send_away)), on_over_(std::move(on_over)) {}
+
+  void begin(std::size_t clients, Duration time);
+  [[nodiscard]] bool begun() const { return begin_.has_value(); }
+  /// Nobody is sent away any more, and on_over is not called.
+  void stop() { timer_.cancel(); }
+
+ private:
+  void go_on();
+
+  asio::steady_timer timer_;
+  SendAway send_away_;
+  OnOver on_over_;
+  std::optional<Instant> begin_;
+  Duration time_{};
+  std::size_t clients_ = 0;
+  std::size_t gone_ = 0;
+};
+
+}  // namespace aucast::server
