@@ -87,22 +87,28 @@ def most_of(name):
     return 1 if name.startswith(("lid_", "crease_")) else 2
 
 
+def moved(drive):
+    """How much an AU moves: all but the lines that it draws."""
+    return sum(value for name, value in drive.items()
+               if not name.startswith(("crease_", "glabella_")))
+
+
 def varied_drives(text, rng):
-    """What each AU does, in a way of somebody's own, and how strongly: {number: factor}. `text`: that
-    of aus.toml."""
+    """What each AU does, in a way of somebody's own, and how much more it moves: {number: factor}.
+    `text`: that of aus.toml."""
     number, strengths, lines = 0, {}, []
 
     def vary(match):
-        drive = {name: float(value) for name, value in re.findall(r"(\w+) = ([0-9.]+)", match[1])}
+        shipped = {name: float(value) for name, value in re.findall(r"(\w+) = ([0-9.]+)", match[1])}
         strength = rng.uniform(*STRENGTH.get(number, STRENGTH_OTHERWISE))
-        if number < HEAD:
-            strengths[number] = strength
-            for name in drive:
-                drive[name] *= strength * math.exp(rng.gauss(0, MUSCLE_SPREAD))
+        drive = {name: value * strength * math.exp(rng.gauss(0, MUSCLE_SPREAD))
+                 for name, value in shipped.items()} if number < HEAD else dict(shipped)
         for name, most in MORE.get(number, {}).items():
             drive[name] = drive.get(name, 0) + most * rng.random()
-        return "drive = { " + ", ".join(f"{name} = {min(value, most_of(name)):.3f}"
-                                        for name, value in drive.items()) + " }"
+        drive = {name: min(value, most_of(name)) for name, value in drive.items()}
+        if number < HEAD:
+            strengths[number] = moved(drive) / moved(shipped)
+        return "drive = { " + ", ".join(f"{name} = {value:.3f}" for name, value in drive.items()) + " }"
 
     for line in text.splitlines(keepends=True):
         if line.startswith("number = "):
@@ -112,7 +118,7 @@ def varied_drives(text, rng):
 
 
 def drives_of(data, head, number):
-    """aus.toml of a person, and how strongly they do each AU. 0 is the shipped head."""
+    """aus.toml of a person, and how much more they do in each AU. 0 is the shipped head."""
     with open(os.path.join(data, "faces", "default", "aus.toml"), encoding="utf-8") as file:
         text = file.read()
     return varied_drives(text, random.Random(f"{head} {number}")) if number else (text, {})
