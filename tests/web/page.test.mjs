@@ -2,12 +2,12 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 
-import { auTransmitter, differing, facePlayer, launch, openTab, ownTime, root, serve,
+import { auTransmitter, differing, facePlayer, launch, openTab, ownTime, root, serve, serveFiles,
          touch, untilState } from './support.mjs';
 
 const DOWNLOAD_MAX = 1_100_000;
@@ -366,6 +366,51 @@ describe('page', { timeout: 900_000 }, () => {
       document.dispatchEvent(new Event('visibilitychange'));
     });
     await tab.waitForFunction(() => window.drawn > 0, { polling: 100 });
+    await tab.close();
+  });
+
+  test('a page of somebody else plays from the server that it names', async () => {
+    const site = path.join(folder, 'site');
+    mkdirSync(site);
+    symlinkSync(path.join(root, 'build/web/page'), path.join(site, 'aucast'));
+    writeFileSync(path.join(site, 'course.html'), `<!doctype html><html lang="en"><title>A course</title>
+      <link rel="icon" href="aucast/icon.svg">
+      <script type="module" src="aucast/aucast-player.js"></script>
+      <aucast-player server="${server.at('ws')}" stream="six_expressions"></aucast-player>`);
+    const files = await serveFiles(site);
+    for (const page of ['course.html', `aucast/index.html?stream=six_expressions&server=${server.at('ws')}`]) {
+      const tab = await openTab(browser, files.at(page), small);
+      await untilState(tab, 'ended');
+      assert.deepEqual(await tab.evaluate(() => window.keyframes), setsOf(expressions));
+      assert.deepEqual(tab.faults, []);
+      await tab.close();
+    }
+    files.close();
+  });
+
+  test('everything is reached by the keyboard, in the order in which it stands', async () => {
+    const tab = await openTab(browser, server.at('http', '?stream=lecture'), { untouched: true });
+    await tab.waitForSelector('aucast-player >>> .caption:not([hidden])');
+    const reached = [];
+    for (let key = 0; key < 9; ++key) {
+      await tab.keyboard.press('Tab');
+      reached.push(await tab.evaluate(() => {
+        const focused = document.activeElement.shadowRoot.activeElement;
+        const { outlineStyle, outlineWidth } = getComputedStyle(focused);
+        return [focused.ariaLabel ?? focused.textContent, `${outlineStyle} ${outlineWidth}`];
+      }));
+    }
+    assert.deepEqual(reached, ['A face', 'Who is speaking', 'Pause', 'Mute', 'Volume', 'Captions', 'AUs',
+                               'Picture', 'Full screen'].map(name => [name, 'solid 3px']));
+    for (let key = 0; key < 6; ++key) {
+      await tab.keyboard.down('Shift');
+      await tab.keyboard.press('Tab');
+      await tab.keyboard.up('Shift');
+    }
+    await tab.keyboard.press('Enter');
+    await untilState(tab, 'paused');
+    await tab.keyboard.press(' ');
+    await untilState(tab, 'playing');
     await tab.close();
   });
 

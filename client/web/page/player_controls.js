@@ -14,7 +14,7 @@ export class Controls {
     this.player = player;
     this.bar = document.createElement('div');
     this.bar.className = 'bar';
-    this.bar.setAttribute('role', 'toolbar');
+    this.bar.setAttribute('role', 'group');
     this.bar.setAttribute('aria-label', 'Player');
     this.choice = document.createElement('select');
     this.choice.setAttribute('aria-label', 'Who is speaking');

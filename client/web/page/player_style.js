@@ -28,6 +28,7 @@ canvas {
 }
 canvas:active { cursor: grabbing; }
 :focus-visible { outline: 3px solid var(--focus); outline-offset: -3px; }
+canvas:focus-visible { outline-color: #ffd166; }  /* seen on the grey behind the face, dark or light */
 button:focus-visible, select:focus-visible { outline-offset: 2px; }
 .message {
   position: absolute;
