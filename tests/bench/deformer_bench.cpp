@@ -1,11 +1,12 @@
 // What a frame of a face costs, as ratios to the plain things beside it: (a) the published loop,
-// each muscle over all vertices, and (b) a copy of the same bytes. Usage: bench_deformer
-// [FACE_FOLDER DATA_FOLDER]; without arguments the default face beside the programs. Every frame
-// differs from the one before in all channels that are not zero, as in an animation; a frame in
-// which nothing changes costs next to nothing, but "rest" shows what looking costs. The loop moves
-// every vertex; what the two ways must agree about is what is drawn, and the copy is of the whole
-// arrays, as they go to the renderer. Below them what a frame that moves everything is made of, and
-// what the least of it costs by itself.
+// each muscle over all vertices, and (b) a copy of the same bytes. Usage: bench_deformer [--frames]
+// [FACE_FOLDER DATA_FOLDER]; without folders the default face beside the programs; with --frames
+// only what the frames cost, which tests/web/deform.mjs compares with the same in a browser. Every
+// frame differs from the one before in all channels that are not zero, as in an animation; a frame
+// in which nothing changes costs next to nothing, but "rest" shows what looking costs. The loop
+// moves every vertex; what the two ways must agree about is what is drawn, and the copy is of the
+// whole arrays, as they go to the renderer. Below them what a frame that moves everything is made
+// of, and what the least of it costs by itself.
 
 #include <time.h>
 
@@ -16,6 +17,8 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -38,6 +41,7 @@ using aucast::face::map_at;
 using aucast::face::MeshPart;
 
 constexpr int kRounds = 100;
+constexpr double kRoundMin = 1'500;  ///< microseconds
 constexpr int kColdRounds = 51;
 constexpr std::size_t kFrames = 16;
 
@@ -45,26 +49,32 @@ constexpr std::size_t kFrames = 16;
 constexpr float kApartMax = 1e-4F;
 constexpr float kNormalsApartMax = 1e-3F;
 
-/// The time this thread has run: what others do on the machine does not count.
+/// The time this thread has run: what others do on the machine does not count. Browsers do not tell
+/// that; there it is the time that passes.
 double thread_microseconds() {
+#ifdef __EMSCRIPTEN__
+  constexpr clockid_t kClock = CLOCK_MONOTONIC;
+#else
+  constexpr clockid_t kClock = CLOCK_THREAD_CPUTIME_ID;
+#endif
   timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  ::clock_gettime(kClock, &now);
   return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) / 1e3;
 }
 
 /// Microseconds of one call: the best of many short rounds, since a busy machine disturbs long
-/// ones.
+/// ones. A round is long enough for a browser's clock.
 template <typename Call>
 double microseconds(Call call) {
-  int calls = 1;
-  double best = 1e30;
-  for (int round = 0; round < kRounds; ++round) {
+  const auto round = [&call](int calls) {
     const double begin = thread_microseconds();
     for (int i = 0; i < calls; ++i) call();
-    const double taken = thread_microseconds() - begin;
-    best = std::min(best, taken / calls);
-    calls = std::max(1, static_cast<int>(2'000 / std::max(best, 0.1)));
-  }
+    return thread_microseconds() - begin;
+  };
+  int calls = 1;
+  while (round(calls) < kRoundMin) calls *= 2;
+  double best = 1e30;
+  for (int i = 0; i < kRounds; ++i) best = std::min(best, round(calls) / calls);
   return best;
 }
 
@@ -311,8 +321,8 @@ Frames begins_and_ends(const std::vector<float>& activations) {
   return frames;
 }
 
-/// Times an animation. False when the two ways disagree.
-bool compare(const char* title, const Face& face, const Frames& frames) {
+/// Times an animation, its frames alone if `briefly`. False when the two ways disagree.
+bool compare(const char* title, const Face& face, const Frames& frames, bool briefly) {
   FaceDeformer deformer(face);
   const PlainFace plain(face);
   DeformedFace theirs;
@@ -327,6 +337,11 @@ bool compare(const char* title, const Face& face, const Frames& frames) {
   std::size_t number = 0;
   const auto next = [&]() -> const std::vector<float>& { return frames[number++ % kFrames]; };
   const double frame = microseconds([&] { deformer.deform(next()); });
+  const bool agree = apart < kApartMax && normals_apart < kNormalsApartMax;
+  if (briefly) {
+    std::printf("%-30s %8.2f us\n", title, frame);
+    return agree;
+  }
   const double loop = microseconds([&] { plain.deform(next(), theirs); });
   const DeformedFace& ours = deformer.deform(next());
   const auto copy_once = [&] { copy_frame(ours, theirs); };
@@ -338,7 +353,7 @@ bool compare(const char* title, const Face& face, const Frames& frames) {
       "cold %6.1f us, copy %5.1f us, %4.1fx  apart %.1e, normals %.1e\n",
       title, frame, loop, copy, loop / frame, frame / copy, cold_frame, cold_copy,
       cold_frame / cold_copy, static_cast<double>(apart), static_cast<double>(normals_apart));
-  return apart < kApartMax && normals_apart < kNormalsApartMax;
+  return agree;
 }
 
 /// The numbers of each vertex's neighbours, one list after the other.
@@ -410,6 +425,8 @@ void show_parts(const Face& face) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool briefly = argc > 1 && std::string_view(argv[1]) == "--frames";
+  if (briefly) --argc, ++argv;
   const auto data = aucast::find_data_folder(argc > 2 ? argv[2] : "");
   if (!data) return std::fprintf(stderr, "%s\n", data.error().message.c_str()), 4;
   const std::filesystem::path folder = argc > 1 ? argv[1] : (*data / "faces" / "default").string();
@@ -439,15 +456,19 @@ int main(int argc, char** argv) {
   for (const MeshPart& part : face->mesh.parts) {
     if (is_crease(part)) lined.at(*face->channel_index(part.name)) = 1;
   }
-  bool agree = compare("rest", *face, animation(nothing));
-  agree = compare("AU 12", *face, animation(smile)) && agree;
-  agree = compare("AU 12, a muscle begins or ends", *face, begins_and_ends(smile)) && agree;
-  agree = compare("all muscles", *face, animation(muscles)) && agree;
-  agree = compare("all muscles, jaw, lids", *face, animation(expression)) && agree;
-  agree = compare("  and all creases", *face, animation(lined)) && agree;
-  agree = compare("the head alone", *face, animation(turning)) && agree;
-  agree = compare("muscles, jaw, lids and head", *face, animation(everything)) && agree;
-  show_parts(*face);
+  const std::pair<const char*, Frames> rows[] = {
+      {"rest", animation(nothing)},
+      {"AU 12", animation(smile)},
+      {"AU 12, a muscle begins or ends", begins_and_ends(smile)},
+      {"all muscles", animation(muscles)},
+      {"all muscles, jaw, lids", animation(expression)},
+      {"  and all creases", animation(lined)},
+      {"the head alone", animation(turning)},
+      {"muscles, jaw, lids and head", animation(everything)},
+  };
+  bool agree = true;
+  for (const auto& [title, frames] : rows) agree = compare(title, *face, frames, briefly) && agree;
+  if (!briefly) show_parts(*face);
   if (!agree) std::fprintf(stderr, "the two ways disagree\n");
   return agree ? 0 : 1;
 }
