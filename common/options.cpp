@@ -71,9 +71,13 @@ Complaint read_word(const OptionRow& row, const std::string& word) {
   return row.value.read ? row.value.read(word) : std::nullopt;
 }
 
+Error usage_error(const std::string& message) {
+  return {ErrorKind::Usage, message + " (try --help)"};
+}
+
 Error wrong_word(const std::string& name, const std::string& word, const std::string& complaint) {
   const std::string said = word.empty() ? "" : " '" + escaped(word) + "'";
-  return {ErrorKind::Usage, name + said + " " + complaint + " (try --help)"};
+  return usage_error(name + said + " " + complaint);
 }
 
 Result<void> read_words(const std::vector<OptionRow>& rows, const TypedWords& words) {

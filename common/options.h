@@ -80,6 +80,9 @@ using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 /// `--stats "$UNSET"` leaves behind.
 [[nodiscard]] Complaint read_word(const OptionRow& row, const std::string& word);
 
+/// A usage error that says where help is: "`message` (try --help)".
+[[nodiscard]] Error usage_error(const std::string& message);
+
 /// A usage error about a word, such as "--port 'x' is not a whole number ... (try --help)".
 [[nodiscard]] Error wrong_word(const std::string& name, const std::string& word,
                                const std::string& complaint);

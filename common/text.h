@@ -13,6 +13,10 @@ namespace aucast {
 /// \xNN, cut to `length_max` with "..." when longer.
 [[nodiscard]] std::string escaped(std::string_view bytes, std::size_t length_max = 60);
 
+[[nodiscard]] constexpr std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
+  return static_cast<std::uint8_t>(bytes[at]);
+}
+
 /// The length of the UTF-8 character that `bytes` begins with; 0 when it begins with none.
 [[nodiscard]] std::size_t utf8_length(std::string_view bytes);
 

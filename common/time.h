@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 
 namespace aucast {
 
@@ -12,6 +14,10 @@ using Milliseconds = std::chrono::milliseconds;
 
 [[nodiscard]] constexpr double seconds(Duration time) {
   return std::chrono::duration<double>(time).count();
+}
+
+[[nodiscard]] inline std::int64_t whole_milliseconds(double seconds) {
+  return std::llround(seconds * 1000);
 }
 
 }  // namespace aucast

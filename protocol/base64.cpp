@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "common/text.h"
+
 namespace aucast::protocol {
 namespace {
 
@@ -21,10 +23,6 @@ constexpr std::array<std::uint8_t, 256> digit_values() {
 }
 
 constexpr std::array<std::uint8_t, 256> kDigitValue = digit_values();
-
-std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
-  return static_cast<std::uint8_t>(bytes[at]);
-}
 
 }  // namespace
 

@@ -10,19 +10,19 @@
 namespace aucast::protocol {
 namespace {
 
-using Why = SessionFailed::Why;
+using Failure = SessionFailed::Why;
 
 }  // namespace
 
-std::string_view name(SessionFailed::Why why) {
+std::string_view name(Failure why) {
   switch (why) {
-    case Why::Lost:
+    case Failure::Lost:
       return "lost";
-    case Why::ProtocolError:
+    case Failure::ProtocolError:
       return "protocol error";
-    case Why::Refused:
+    case Failure::Refused:
       return "refused";
-    case Why::Silent:
+    case Failure::Silent:
       return "silent";
   }
   return "unknown";
@@ -58,7 +58,7 @@ struct ClientSession::State {
 
   [[nodiscard]] std::vector<ClientEvent> take_events() { return std::exchange(events, {}); }
   void finish(ClientEvent last);
-  void fail(Why why, std::string reason, std::optional<int> code = std::nullopt);
+  void fail(Failure why, std::string reason, std::optional<int> code = std::nullopt);
   void handle(const Keyframe& keyframe);
   void handle(const End&);
   void handle(const HelloGranted& hello);
@@ -78,7 +78,7 @@ void ClientSession::State::finish(ClientEvent last) {
   events.push_back(std::move(last));
 }
 
-void ClientSession::State::fail(Why why, std::string reason, std::optional<int> code) {
+void ClientSession::State::fail(Failure why, std::string reason, std::optional<int> code) {
   if (stopped) {
     finish(StreamEnded{});
   } else {
@@ -93,8 +93,9 @@ void ClientSession::State::handle(const Keyframe& keyframe) {
   ++packets_received;
   payload_bytes += decoder.taken_bytes();
   if (keyframe.changes_only && (!granted.delta || first)) {
-    fail(Why::ProtocolError, granted.delta ? "the first packet of the server names only changes"
-                                           : "the server sent changes only, which was not agreed");
+    fail(Failure::ProtocolError, granted.delta
+                                     ? "the first packet of the server names only changes"
+                                     : "the server sent changes only, which was not agreed");
     return;
   }
   if (keyframe.changes_only) {
@@ -145,7 +146,7 @@ std::optional<std::string> ClientSession::State::objection(const HelloGranted& h
 
 void ClientSession::State::handle(const HelloGranted& hello) {
   if (const auto reason = objection(hello)) {
-    fail(Why::ProtocolError, *reason);
+    fail(Failure::ProtocolError, *reason);
     return;
   }
   phase = Phase::Streaming;
@@ -163,21 +164,21 @@ void ClientSession::State::handle(const HelloGranted& hello) {
 
 void ClientSession::State::handle(const ErrorReply& error) {
   // The decoder lets nothing but printable text through.
-  fail(Why::Refused, "the server refused: " + std::to_string(error.code) + ' ' + error.text,
+  fail(Failure::Refused, "the server refused: " + std::to_string(error.code) + ' ' + error.text,
        error.code);
 }
 
 void ClientSession::State::handle(const StreamList&) {
-  fail(Why::ProtocolError, "the server sent a list of streams that was not asked for");
+  fail(Failure::ProtocolError, "the server sent a list of streams that was not asked for");
 }
 
 void ClientSession::State::handle(const VoiceData& voice) {
   ++voice_packets;
   sound_bytes += decoder.taken_bytes();
   if (granted.voice.empty()) {
-    fail(Why::ProtocolError, "the server sent voice, which was not agreed");
+    fail(Failure::ProtocolError, "the server sent voice, which was not agreed");
   } else if (!voice.place_ms && !voice_to) {
-    fail(Why::ProtocolError, "the server's first voice packet has no place");
+    fail(Failure::ProtocolError, "the server's first voice packet has no place");
   } else if (!stopped) {
     const Milliseconds place = voice.place_ms ? Milliseconds(*voice.place_ms) : *voice_to;
     voice_to = place + opus_duration(voice.opus).value_or(Milliseconds{0});
@@ -188,7 +189,7 @@ void ClientSession::State::handle(const VoiceData& voice) {
 void ClientSession::State::handle(const Caption& caption) {
   sound_bytes += decoder.taken_bytes();
   if (!granted.text) {
-    fail(Why::ProtocolError, "the server sent captions, which were not agreed");
+    fail(Failure::ProtocolError, "the server sent captions, which were not agreed");
   } else if (!stopped) {
     events.emplace_back(DeliverCaption{caption});
   }
@@ -210,7 +211,7 @@ void ClientSession::State::lose(std::string_view broke) {
                           ? "the connection ended within a packet"
                           : "the connection ended before the end of the stream, {-2}";
     if (!broke.empty()) how.append(": ").append(broke);
-    fail(Why::Lost, std::move(how));
+    fail(Failure::Lost, std::move(how));
   }
 }
 
@@ -239,9 +240,9 @@ std::vector<ClientEvent> ClientSession::on_bytes(std::string_view& bytes, Instan
   } else if (const auto packet = state.decoder.next(bytes)) {
     std::visit([&state](const auto& kind) { state.handle(kind); }, *packet);
   } else if (const auto& error = state.decoder.error()) {
-    state.fail(Why::ProtocolError, "the server sent what is not the protocol: " + error->reason +
-                                       " (" + std::string(name(error->fault)) + " at byte " +
-                                       std::to_string(error->position) + ")");
+    state.fail(Failure::ProtocolError, "the server sent what is not the protocol: " +
+                                           error->reason + " (" + std::string(name(error->fault)) +
+                                           " at byte " + std::to_string(error->position) + ")");
   }
   return state.take_events();
 }
@@ -256,7 +257,7 @@ std::vector<ClientEvent> ClientSession::on_closed(Instant, std::string_view brok
 std::vector<ClientEvent> ClientSession::on_time(Instant now) {
   if (state_->deadline && now >= *state_->deadline) {
     const auto silence = std::chrono::duration_cast<Milliseconds>(state_->options.silence_max);
-    state_->fail(Why::Silent,
+    state_->fail(Failure::Silent,
                  "nothing came from the server within " + std::to_string(silence.count()) + " ms");
   }
   return state_->take_events();

@@ -5,15 +5,12 @@
 #include <cstdint>
 #include <utility>
 
+#include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/placed_data.h"
 
 namespace aucast::protocol {
 namespace {
-
-std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
-  return static_cast<std::uint8_t>(bytes[at]);
-}
 
 /// Microseconds of one frame, by the five bits of the configuration (RFC 6716 table 2).
 int frame_us(int configuration) {

@@ -83,9 +83,9 @@ Result<void> save_profile_of(const SignalOptions& options, const std::vector<Sou
   const auto measured = std::find_if(sources.begin(), sources.end(), is_measured);
   const auto count = std::count_if(sources.begin(), sources.end(), is_measured);
   if (count != 1) {
-    return Error{ErrorKind::Usage,
-                 "--save-profile with --neutral takes one source of a recogniser, and there are " +
-                     std::to_string(count) + " (try --help)"};
+    return usage_error(
+        "--save-profile with --neutral takes one source of a recogniser, and there are " +
+        std::to_string(count));
   }
   if (measured->live) return {};
   return save_profile(options, measured->found->neutral);

@@ -13,25 +13,21 @@
 namespace aucast::app {
 namespace {
 
-Error usage(std::string text) {
-  return {ErrorKind::Usage, std::move(text) + " (try --help)"};
-}
-
 Result<void> settle_buffers(const TypedWords& typed, playback::BufferOptions& buffers) {
   const bool delay_typed = typed.contains("live-delay");
   const bool buffer_typed = buffers.by_time && typed.at("buffer").front() != "auto";
   if (buffers.low_delay && delay_typed) {
-    return usage("--live takes the lowest delay and --live-delay another: give one of them");
+    return usage_error("--live takes the lowest delay and --live-delay another: give one of them");
   }
   if (buffers.low_delay && buffer_typed) {
-    return usage("--live takes the lowest delay and --buffer another: give one of them");
+    return usage_error("--live takes the lowest delay and --buffer another: give one of them");
   }
   if (delay_typed && buffer_typed) {
-    return usage("--live-delay and --buffer both set the delay: give one of them");
+    return usage_error("--live-delay and --buffer both set the delay: give one of them");
   }
   if (buffers.playout_capacity > buffers.receiver_capacity && typed.contains("playout")) {
-    return usage("--playout " + std::to_string(buffers.playout_capacity) +
-                 " is larger than --buffer " + std::to_string(buffers.receiver_capacity));
+    return usage_error("--playout " + std::to_string(buffers.playout_capacity) +
+                       " is larger than --buffer " + std::to_string(buffers.receiver_capacity));
   }
   buffers.playout_capacity = std::min(buffers.playout_capacity, buffers.receiver_capacity);
   return {};
@@ -43,7 +39,7 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
   auto address = protocol::parse_stream_address(playback.endpoint);
   if (!address) return address.error();
   if (!address->stream.empty()) {
-    if (typed.contains("stream")) return usage("--stream and the address both name a stream");
+    if (typed.contains("stream")) return usage_error("--stream and the address both name a stream");
     playback.stream = address->stream;
   }
   const protocol::Endpoint& first = address->hosts.front();
@@ -57,21 +53,22 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
 Result<void> check_background(const OutputOptions& output) {
   if (!output.transparent) return {};
   if (!output.record.empty())
-    return usage("--record makes a video, which has no --background none");
-  if (!output.sheet.empty()) return usage("--sheet makes a page, which has no --background none");
+    return usage_error("--record makes a video, which has no --background none");
+  if (!output.sheet.empty())
+    return usage_error("--sheet makes a page, which has no --background none");
   return {};
 }
 
 Result<void> settle_sound(const PlayerOptions& options) {
   const SoundOptions& sound = options.sound;
   if (sound.none && !sound.file.empty()) {
-    return usage("--no-sound leaves nothing for --sound to write: give one of them");
+    return usage_error("--no-sound leaves nothing for --sound to write: give one of them");
   }
   if (sound.none && sound.device) {
-    return usage("--no-sound leaves nothing for --sound-device to play: give one of them");
+    return usage_error("--no-sound leaves nothing for --sound-device to play: give one of them");
   }
   if (!sound.file.empty() && sound.file.extension() != ".wav") {
-    return usage("--sound writes a WAV file: let its name end in .wav");
+    return usage_error("--sound writes a WAV file: let its name end in .wav");
   }
   return {};
 }
@@ -95,10 +92,10 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
     if (options.output.pictures() || !options.sound.file.empty()) options.output.fast = true;
     if (options.output.fast) options.headless = true;
     if (options.headless && !options.output.onsets.empty()) {
-      return usage("--onsets tells when the window showed a face: there is none");
+      return usage_error("--onsets tells when the window showed a face: there is none");
     }
     if (options.output.fast && buffers.low_delay) {
-      return usage("--live is for watching; --fast and pictures run on the film clock");
+      return usage_error("--live is for watching; --fast and pictures run on the film clock");
     }
   }
   return {};
@@ -107,21 +104,21 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
 Result<void> check_security(const PlaybackOptions& options) {
   const net::SecurityOptions& security = options.security_options;
   if (security.files.certificate.empty() != security.files.key.empty()) {
-    return usage("--tls-cert and --tls-key go together");
+    return usage_error("--tls-cert and --tls-key go together");
   }
   if (options.classic && !security.token.empty()) {
-    return usage("--token-file needs a hello, which --protocol classic never sends");
+    return usage_error("--token-file needs a hello, which --protocol classic never sends");
   }
   return {};
 }
 
 Result<void> check_export(const ExportOptions& exported) {
   if (exported.files.empty() || exported.files.size() > 2) {
-    return usage("export needs FILE.glb, or a stream file and FILE.glb");
+    return usage_error("export needs FILE.glb, or a stream file and FILE.glb");
   }
   if (exported.glb().extension() != ".glb") {
-    return usage("export writes a GLB file: let the name of '" + escaped(exported.glb().string()) +
-                 "' end in .glb");
+    return usage_error("export writes a GLB file: let the name of '" +
+                       escaped(exported.glb().string()) + "' end in .glb");
   }
   return {};
 }
@@ -131,23 +128,24 @@ Result<void> check_required(const PlayerOptions& options) {
   switch (options.command) {
     case Command::Watch:
       if (options.headless && options.playback.endpoint.empty()) {
-        return usage("--headless needs HOST[:PORT], or play FILE");
+        return usage_error("--headless needs HOST[:PORT], or play FILE");
       }
       if (options.list && options.playback.endpoint.empty()) {
-        return usage("--list needs HOST[:PORT]");
+        return usage_error("--list needs HOST[:PORT]");
       }
       if (options.list && options.playback.classic) {
-        return usage("--list asks what --protocol classic cannot");
+        return usage_error("--list asks what --protocol classic cannot");
       }
       break;
     case Command::Play:
-      if (options.playback.file.empty()) return usage("play needs a stream FILE");
+      if (options.playback.file.empty()) return usage_error("play needs a stream FILE");
       break;
     case Command::Rules:
-      if (options.pose.aus.empty()) return usage("rules needs a set of AUs, such as 1,6,12");
+      if (options.pose.aus.empty()) return usage_error("rules needs a set of AUs, such as 1,6,12");
       break;
     case Command::Gallery:
-      if (options.gallery.folder.empty()) return usage("gallery needs a folder DIR to write to");
+      if (options.gallery.folder.empty())
+        return usage_error("gallery needs a folder DIR to write to");
       break;
     case Command::Export:
       return check_export(options.exported);

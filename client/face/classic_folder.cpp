@@ -48,7 +48,7 @@ Result<void> scan_file(const std::filesystem::path& path, Read read) {
   return problems.result();
 }
 
-glm::vec3 read_point(ClassicScanner& scanner, const std::string& of) {
+glm::vec3 scan_point(ClassicScanner& scanner, const std::string& of) {
   glm::vec3 point{0};
   point.x = scanner.number("x of " + of);
   point.y = scanner.number("y of " + of);
@@ -60,7 +60,7 @@ Result<void> read_points(const std::filesystem::path& path, HalfFace& half) {
   return scan_file(path, [&half](ClassicScanner& scanner, const Problems& problems) {
     const std::size_t count = scanner.count("the number of points", 3, kPointsMax);
     for (std::size_t i = 0; i < count && problems.none(); ++i) {
-      half.points.push_back(read_point(scanner, "point " + std::to_string(i + 1)));
+      half.points.push_back(scan_point(scanner, "point " + std::to_string(i + 1)));
     }
   });
 }
@@ -99,8 +99,8 @@ Result<void> read_muscles_dat(const std::filesystem::path& path, Face& face) {
         scanner.wrong("the muscle '" + muscle.name + "' is there twice");
       }
       LinearMuscle shape;
-      shape.insertion = read_point(scanner, "the insertion of " + muscle.name);
-      shape.attachment = read_point(scanner, "the attachment of " + muscle.name);
+      shape.insertion = scan_point(scanner, "the insertion of " + muscle.name);
+      shape.attachment = scan_point(scanner, "the attachment of " + muscle.name);
       if (shape.insertion == shape.attachment) {
         scanner.wrong("insertion and attachment of " + muscle.name + " are the same point");
       }

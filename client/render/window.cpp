@@ -16,7 +16,7 @@
 namespace aucast::render {
 namespace {
 
-constexpr int kSamples = 4;
+constexpr int kWindowSamples = 4;
 /// Of events that nobody takes so many are kept.
 constexpr std::size_t kInputMax = 4096;
 
@@ -57,7 +57,7 @@ GLFWwindow* open_window(int width, int height, const std::string& title) {
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "face-player");  // as the .desktop file has it
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "face-player");
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);  // the size is meant at 96 dots an inch
-  for (const int samples : {kSamples, 0}) {
+  for (const int samples : {kWindowSamples, 0}) {
     glfwWindowHint(GLFW_SAMPLES, samples);
     GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (window != nullptr) return window;

@@ -9,7 +9,7 @@
 namespace aucast::mesh {
 namespace {
 
-constexpr std::size_t kSide = 128;
+constexpr std::size_t kFinderSide = 128;
 /// The net looks from 16x16 places, twice from each, and from 8x8, six times from each.
 constexpr std::size_t kFinePlaces = 16;
 constexpr std::size_t kFineEach = 2;
@@ -19,7 +19,7 @@ constexpr std::size_t kFine = kFinePlaces * kFinePlaces * kFineEach;
 constexpr std::size_t kLooks = kFine + kCoarsePlaces * kCoarsePlaces * kCoarseEach;
 /// A box (x, y, width, height) and six points of the face: right eye, left eye, ...
 constexpr std::size_t kNumbers = 16;
-constexpr double kMargin = 1.5;  ///< the square's side, in boxes
+constexpr double kFinderMargin = 1.5;  ///< the square's side, in boxes
 
 struct Place {
   double x;
@@ -42,7 +42,7 @@ Place place_of(std::size_t look) {
 Result<FaceFinder> FaceFinder::make(std::span<const std::uint8_t> bytes, std::string_view file) {
   auto net = Net::make(bytes, file);
   if (!net) return net.error();
-  const Shape expected{1, kSide, kSide, 3};
+  const Shape expected{1, kFinderSide, kFinderSide, 3};
   if (net->input_shape() != expected || net->outputs() != 2 ||
       net->output(0).size() != kLooks * kNumbers || net->output(1).size() != kLooks) {
     return unusable_model(file, "it is not MediaPipe's face detector");
@@ -54,7 +54,7 @@ std::optional<Square> FaceFinder::find(const Picture& picture) {
   const double middle_x = static_cast<double>(picture.width) / 2;
   const double middle_y = static_cast<double>(picture.height) / 2;
   const double side = static_cast<double>(std::max(picture.width, picture.height));
-  sample_square(picture, {middle_x, middle_y, side, 0}, kSide, -1, 1, net_.input());
+  sample_square(picture, {middle_x, middle_y, side, 0}, kFinderSide, -1, 1, net_.input());
   net_.run();
   const auto scores = net_.output(1);
   const auto best = std::max_element(scores.begin(), scores.end());
@@ -62,10 +62,10 @@ std::optional<Square> FaceFinder::find(const Picture& picture) {
   const auto look = static_cast<std::size_t>(best - scores.begin());
   const Place from = place_of(look);
   const auto numbers = net_.output(0).subspan(look * kNumbers, kNumbers);
-  const auto part = [&](std::size_t index) { return double{numbers[index]} / kSide; };
+  const auto part = [&](std::size_t index) { return double{numbers[index]} / kFinderSide; };
   const auto x = [&](std::size_t index) { return (part(index) + from.x - 0.5) * side + middle_x; };
   const auto y = [&](std::size_t index) { return (part(index) + from.y - 0.5) * side + middle_y; };
-  const Square square{x(0), y(1), kMargin * std::max(part(2), part(3)) * side,
+  const Square square{x(0), y(1), kFinderMargin * std::max(part(2), part(3)) * side,
                       std::atan2(y(7) - y(5), x(6) - x(4))};
   return can_be_seen(square) ? std::optional(square) : std::nullopt;
 }

@@ -9,8 +9,8 @@
 namespace aucast::mesh {
 namespace {
 
-constexpr std::size_t kSide = 192;
-constexpr double kMargin = 1.5;  ///< the next square's side, in boxes around the landmarks
+constexpr std::size_t kMeshSide = 192;
+constexpr double kMeshMargin = 1.5;  ///< the next square's side, in boxes around the landmarks
 constexpr std::size_t kRightEyeOuter = 33;
 constexpr std::size_t kLeftEyeOuter = 263;
 
@@ -64,12 +64,12 @@ void add_iris(Landmarks& landmarks, std::size_t first, std::span<const float> nu
 
 /// From places in the square to places in the picture.
 void put_into_picture(Landmarks& landmarks, const Square& square) {
-  const double step = square.side / static_cast<double>(kSide);
+  const double step = square.side / static_cast<double>(kMeshSide);
   const double cosine = std::cos(square.turn_rad) * step;
   const double sine = std::sin(square.turn_rad) * step;
   for (Point& point : landmarks.points) {
-    const double u = point.x - kSide / 2.0;
-    const double v = point.y - kSide / 2.0;
+    const double u = point.x - kMeshSide / 2.0;
+    const double v = point.y - kMeshSide / 2.0;
     point = {square.x + cosine * u - sine * v, square.y + sine * u + cosine * v, point.z * step};
   }
 }
@@ -80,7 +80,7 @@ Result<LandmarkFinder> LandmarkFinder::make(std::span<const std::uint8_t> bytes,
                                             std::string_view file) {
   auto net = Net::make(bytes, file);
   if (!net) return net.error();
-  const Shape expected{1, kSide, kSide, 3};
+  const Shape expected{1, kMeshSide, kMeshSide, 3};
   constexpr std::array<std::size_t, 7> kSizes{3 * kFacePoints,
                                               2 * kLipPoints.size(),
                                               2 * kRightEyePoints.size(),
@@ -99,7 +99,7 @@ Result<LandmarkFinder> LandmarkFinder::make(std::span<const std::uint8_t> bytes,
 }
 
 Landmarks LandmarkFinder::find(const Picture& picture, const Square& square) {
-  sample_square(picture, square, kSide, 0, 1, net_.input());
+  sample_square(picture, square, kMeshSide, 0, 1, net_.input());
   net_.run();
   Landmarks landmarks;
   const auto mesh = net_.output(kMesh);
@@ -126,7 +126,7 @@ Square square_around(const Landmarks& landmarks) {
   const Point& a = landmarks.points[kRightEyeOuter];
   const Point& b = landmarks.points[kLeftEyeOuter];
   return {(left->x + right->x) / 2, (top->y + bottom->y) / 2,
-          kMargin * std::max(right->x - left->x, bottom->y - top->y),
+          kMeshMargin * std::max(right->x - left->x, bottom->y - top->y),
           std::atan2(b.y - a.y, b.x - a.x)};
 }
 

@@ -16,8 +16,8 @@ constexpr double kKeptEach = 0.2;
 constexpr double kEaseSeconds = 1;  ///< in which the quiet face follows what was found
 
 /// Everything that is measured, as numbers in a row.
-constexpr std::size_t kNumbers = 2 * kSideMeasures + kMiddleMeasures + 4;
-using Numbers = std::array<double, kNumbers>;
+constexpr std::size_t kQuietNumbers = 2 * kSideMeasures + kMiddleMeasures + 4;
+using Numbers = std::array<double, kQuietNumbers>;
 
 Numbers numbers_of(const Measures& measures) {
   Numbers numbers{};
@@ -76,7 +76,7 @@ Measures medians(const std::vector<const Measures*>& quietest,
   for (const Measures* one : all) of_all.push_back(numbers_of(*one));
   Numbers found{};
   std::vector<double> values;
-  for (std::size_t number = 0; number < kNumbers; ++number) {
+  for (std::size_t number = 0; number < kQuietNumbers; ++number) {
     values.clear();
     for (const Numbers& one : is_direction(number) ? of_all : of_quietest) {
       values.push_back(one[number]);
@@ -153,7 +153,7 @@ void RunningQuietFace::ease(double seconds) {
   const double part = 1 - std::exp(-past / kEaseSeconds);
   Numbers now = numbers_of(quiet_);
   const Numbers aim = numbers_of(*aim_);
-  for (std::size_t number = 0; number < kNumbers; ++number) {
+  for (std::size_t number = 0; number < kQuietNumbers; ++number) {
     now[number] += part * (aim[number] - now[number]);
   }
   quiet_ = measures_of(now);

@@ -1,8 +1,9 @@
 #include "common/sources/live_timeline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "common/time.h"
 
 namespace aucast::sources {
 namespace {
@@ -19,10 +20,6 @@ constexpr double kUsualSecondsMax = 0.1;
 
 /// A moment that comes this much of a step before the rate's next one is taken for it.
 constexpr double kEarlyShare = 0.3;
-
-std::int64_t milliseconds(double seconds) {
-  return std::llround(seconds * 1000);
-}
 
 }  // namespace
 
@@ -64,7 +61,7 @@ void LiveTimeline::change(const ConditioningSettings& settings) {
 }
 
 void LiveTimeline::emit(const AuFrame& frame, double seconds) {
-  const std::int64_t place = milliseconds(place_);
+  const std::int64_t place = whole_milliseconds(place_);
   if (place <= emitted_ms_) return;
   protocol::Keyframe keyframe;
   keyframe.terms = canonical_terms(verbatim_ ? frame : dead_band_.settle(frame));

@@ -23,10 +23,10 @@ constexpr double kFull = 5;
 /// From the camera to a head that leans neither forward nor back.
 constexpr double kUsualDistanceMm = 600;
 
-using Intensities = std::array<double, kAuCount>;
+using AuIntensities = std::array<double, kAuCount>;
 
-Intensities stronger_sides(const AuFrame& frame) {
-  Intensities stronger{};
+AuIntensities stronger_sides(const AuFrame& frame) {
+  AuIntensities stronger{};
   for (std::size_t number = 0; number < stronger.size(); ++number) {
     stronger[number] = std::max(frame.left[number], frame.right[number]);
   }
@@ -59,7 +59,7 @@ class Writer {
     table_.text += '\n';
   }
 
-  void row(double ms, const Intensities& face) {
+  void row(double ms, const AuIntensities& face) {
     append(table_.text, "%zu,0,%.3f,1.00,1", ++table_.rows, ms / 1000);
     write_turns(face);
     for (std::size_t number = 0; number < columns_.size(); ++number) {
@@ -73,7 +73,7 @@ class Writer {
 
  private:
   /// Signs as OpenFaceColumns reads them.
-  void write_turns(const Intensities& face) {
+  void write_turns(const AuIntensities& face) {
     const double left = (face[51] - face[52]) * kYawDegrees * kRadPerDegree;
     const double up = (face[53] - face[54]) * kPitchDegrees * kRadPerDegree;
     const double tilt = (face[55] - face[56]) * kTiltDegrees * kRadPerDegree;
@@ -95,12 +95,12 @@ class Writer {
 
 OpenFaceTable write_openface_table(const protocol::StreamFile& stream, std::uint32_t keyframe_ms) {
   Writer writer(stream);
-  Intensities from{};
+  AuIntensities from{};
   std::uint64_t begin_ms = 0;
   for (std::size_t index = 0; index < stream.keyframes.size(); ++index) {
     const protocol::Keyframe& keyframe = stream.keyframes[index];
     const AuFrame frame = frame_from_terms(keyframe.terms);
-    const Intensities to = stronger_sides(frame);
+    const AuIntensities to = stronger_sides(frame);
     const std::uint32_t duration_ms = keyframe.duration_ms.value_or(keyframe_ms);
     const bool last = index + 1 == stream.keyframes.size();
     const bool passed = !last && stream.keyframes[index + 1].duration_ms.value_or(keyframe_ms) == 0;
@@ -108,7 +108,7 @@ OpenFaceTable write_openface_table(const protocol::StreamFile& stream, std::uint
     for (std::uint32_t step = 1; step <= steps; ++step) {
       if (step == steps && passed) break;
       const double share = static_cast<double>(step) / steps;
-      Intensities face{};
+      AuIntensities face{};
       for (std::size_t number = 0; number < face.size(); ++number) {
         face[number] =
             step == steps ? to[number] : from[number] + (to[number] - from[number]) * share;

@@ -1,9 +1,9 @@
 #include "common/sources/record_timeline.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/check.h"
+#include "common/time.h"
 #include "protocol/limits.h"
 
 namespace aucast::sources {
@@ -23,7 +23,7 @@ std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& ke
     place_ms_ = 0;
   } else if (free) {
     std::int64_t pause_ms =
-        std::llround((now - *begin_) * 1000) - static_cast<std::int64_t>(place_ms_);
+        whole_milliseconds(now - *begin_) - static_cast<std::int64_t>(place_ms_);
     if (pause_ms < kPauseMs) pause_ms = 0;
     while (pause_ms > 0) {
       protocol::Keyframe held;

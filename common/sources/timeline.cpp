@@ -1,10 +1,10 @@
 #include "common/sources/timeline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "common/time.h"
 #include "protocol/limits.h"
 
 namespace aucast::sources {
@@ -12,10 +12,6 @@ namespace {
 
 /// Before a face comes back it is awaited for no longer than this.
 constexpr double kReturnSecondsMax = 0.1;
-
-std::int64_t milliseconds(double seconds) {
-  return std::llround(seconds * 1000);
-}
 
 }  // namespace
 
@@ -47,7 +43,7 @@ AuFrame Channels::at(double seconds) const {
 
 bool Timeline::add(double seconds, const AuFrame& update) {
   if (last_seconds_) {
-    if (milliseconds(seconds) <= last_ms_) return false;
+    if (whole_milliseconds(seconds) <= last_ms_) return false;
     bridge(seconds);
     usual_seconds_ = std::min(seconds - *last_seconds_, kReturnSecondsMax);
   }
@@ -70,7 +66,7 @@ void Timeline::bridge(double until) {
 void Timeline::store(double seconds) {
   constexpr double kStepMax = static_cast<double>(protocol::kDurationMsMax) / 1000;
   while (last_seconds_ && seconds - *last_seconds_ > kStepMax) store(*last_seconds_ + kStepMax);
-  const std::int64_t place = milliseconds(seconds);
+  const std::int64_t place = whole_milliseconds(seconds);
   if (last_seconds_ && place <= last_ms_) return;
   protocol::Keyframe keyframe;
   keyframe.terms = canonical_terms(channels_.at(seconds));

@@ -131,14 +131,14 @@ struct Across {
   double dark = 0;
   double light = 0;
 };
-constexpr std::array<Across, 8> kAcross{{{-2.1, 0, 0},
-                                         {-1.15, 0.03, 0.55},
-                                         {-0.65, 0.22, 0.25},
-                                         {-0.25, 0.70, 0},
-                                         {0, 1, 0},
-                                         {0.4, 0.62, 0},
-                                         {1.0, 0.24, 0},
-                                         {1.9, 0, 0}}};
+constexpr std::array<Across, 8> kCreaseAcross{{{-2.1, 0, 0},
+                                               {-1.15, 0.03, 0.55},
+                                               {-0.65, 0.22, 0.25},
+                                               {-0.25, 0.70, 0},
+                                               {0, 1, 0},
+                                               {0.4, 0.62, 0},
+                                               {1.0, 0.24, 0},
+                                               {1.9, 0, 0}}};
 /// Above the skin: the skin between its vertices is flat, a ribbon is finer.
 constexpr double kLift = 0.012;
 
@@ -233,7 +233,7 @@ void add_line(Part& part, const Line& drawn, const Hand& hand, const Draper& dra
     const double depth = line.depth * ends * hand.along(t);
     const double width = line.half_width * (0.55 + 0.45 * ends);
     std::vector<std::uint32_t> row;
-    for (const Across& across : kAcross) {
+    for (const Across& across : kCreaseAcross) {
       const OnSkin on = draper.drape(middle - to_bulge * (across.at * width));
       const Vec3 p = on.position + on.normal * kLift;
       // The light on a forehead ends the range of red: what loses red there looks green.

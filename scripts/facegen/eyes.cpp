@@ -6,7 +6,7 @@
 namespace aucast::facegen {
 namespace {
 
-constexpr int kSectors = 60;
+constexpr int kEyeSectors = 60;
 constexpr double kPupilRadius = 0.185;
 
 /// Colour at `radius` from the eye's axis and `angle` about it; the nose lies at `nasal` 1.
@@ -57,8 +57,8 @@ Part make_eye(const Identity& who, int side) {
   std::vector<std::uint32_t> inner;
   const auto add_ring = [&](double radius, double z) {
     std::vector<std::uint32_t> ring;
-    for (int i = 0; i < kSectors; ++i) {
-      const double angle = 2 * kPi * i / kSectors;
+    for (int i = 0; i < kEyeSectors; ++i) {
+      const double angle = 2 * kPi * i / kEyeSectors;
       const Vec3 offset{radius * std::cos(angle), radius * std::sin(angle), z};
       ring.push_back(
           eye.add(centre + offset, eye_colour(who, radius, i, angle, -side * std::cos(angle))));

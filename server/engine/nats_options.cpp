@@ -5,15 +5,12 @@
 
 #include "common/files.h"
 #include "common/log.h"
+#include "common/options.h"
 #include "common/text.h"
 #include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
 namespace {
-
-Error usage(std::string message) {
-  return {ErrorKind::Usage, std::move(message) + " (try --help)"};
-}
 
 /// Of files that the client library reads by itself: what it says of a missing one names no file.
 Result<void> check_readable(const EngineSettings& settings) {
@@ -34,13 +31,13 @@ Result<void> check_readable(const EngineSettings& settings) {
 
 Result<void> check_settings(const EngineSettings& settings) {
   if (settings.nkey.empty() != settings.seed.empty()) {
-    return usage("--nats-nkey and --nats-seed go together");
+    return usage_error("--nats-nkey and --nats-seed go together");
   }
   if (!settings.creds.empty() && !settings.nkey.empty()) {
-    return usage("--nats-creds or --nats-nkey, not both");
+    return usage_error("--nats-creds or --nats-nkey, not both");
   }
   if (settings.tls.certificate.empty() != settings.tls.key.empty()) {
-    return usage("--nats-tls-cert and --nats-tls-key go together");
+    return usage_error("--nats-tls-cert and --nats-tls-key go together");
   }
   return {};
 }

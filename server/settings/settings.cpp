@@ -140,8 +140,7 @@ Result<void> Settings::add_environment(const Environment& environment) {
     }
     if (row->name == "config") continue;  // it has been read to find the file
     if (!is_setting(*row)) {
-      return Error{ErrorKind::Usage,
-                   name + ": " + typed_name(*row) + " is for the command line only (try --help)"};
+      return usage_error(name + ": " + typed_name(*row) + " is for the command line only");
     }
     std::vector<std::string> words{value};
     if (row->value.kind == Kind::Words) {

@@ -19,10 +19,6 @@ namespace {
 constexpr const char* kUsualConfig = "/etc/aucast/au-transmitter.toml";
 constexpr std::string_view kConfigVariable = "AUCAST_TRANSMITTER_CONFIG";
 
-Error usage(std::string message) {
-  return {ErrorKind::Usage, std::move(message) + " (try --help)"};
-}
-
 /// The settings file that is asked for, or the usual one if it is there.
 Result<void> add_config(Settings& settings, const TypedWords& typed,
                         const Surroundings& surroundings) {
@@ -31,7 +27,7 @@ Result<void> add_config(Settings& settings, const TypedWords& typed,
     if (name == kConfigVariable) config = value;
   }
   if (const auto found = typed.find("config"); found != typed.end()) {
-    if (found->second.front().empty()) return usage("--config is empty");
+    if (found->second.front().empty()) return usage_error("--config is empty");
     config = found->second.front();
   }
   if (config.empty()) {
@@ -66,13 +62,14 @@ Result<CommandLine> printed_config(const Settings& settings, const TransmitterOp
 Result<void> validate_streams(const TransmitterOptions& options) {
   const bool any = !options.sources.empty();
   if (!any && options.credentials.publishers.empty()) {
-    return usage("no SOURCE: name at least one stream file, such as six_expressions.txt");
+    return usage_error("no SOURCE: name at least one stream file, such as six_expressions.txt");
   }
-  if (!any && !options.push.addresses.empty()) return usage("--push brings a SOURCE; name one");
-  if (!any && !options.voice.file.empty()) return usage("--voice is for a SOURCE; name one");
+  if (!any && !options.push.addresses.empty())
+    return usage_error("--push brings a SOURCE; name one");
+  if (!any && !options.voice.file.empty()) return usage_error("--voice is for a SOURCE; name one");
   if (options.push.addresses.empty()) return {};
   if (options.loop && !options.live) {
-    return usage("--push brings a recording once; with --loop add --live");
+    return usage_error("--push brings a recording once; with --loop add --live");
   }
   for (const std::string& address : options.push.addresses) {
     if (auto parsed = protocol::parse_stream_address(address); !parsed) return parsed.error();
@@ -103,7 +100,7 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
   if (typed->contains("help")) return CommandLine{help_text(transmitter_page()), {}};
   if (typed->contains("version")) return CommandLine{version_text(), {}};
   if (typed->contains("verbose") && typed->contains("quiet")) {
-    return usage("-v and -q exclude each other");
+    return usage_error("-v and -q exclude each other");
   }
   if (typed->contains("verbose")) typed->try_emplace("log-level", 1, "debug");
   if (typed->contains("quiet")) typed->try_emplace("log-level", 1, "error");
@@ -121,32 +118,32 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
 
 Result<void> validate(const TransmitterOptions& options) {
   if (auto can = validate_streams(options); !can) return can;
-  if (options.bind.empty()) return usage("--bind is empty");
+  if (options.bind.empty()) return usage_error("--bind is empty");
   if (options.keyframe_ms < 1 || options.keyframe_ms > protocol::kDurationMsMax) {
-    return usage("--keyframe is outside 1 to " + std::to_string(protocol::kDurationMsMax));
+    return usage_error("--keyframe is outside 1 to " + std::to_string(protocol::kDurationMsMax));
   }
   if (options.classic_min < 0 || options.classic_min > 100) {
-    return usage("--classic-min is outside 0 to 100");
+    return usage_error("--classic-min is outside 0 to 100");
   }
   if (options.credentials.tls.certificate.empty() != options.credentials.tls.key.empty()) {
-    return usage("--tls-cert and --tls-key go together");
+    return usage_error("--tls-cert and --tls-key go together");
   }
   if (!options.credentials.tls.authorities.empty() && options.credentials.tls.certificate.empty()) {
-    return usage("--tls-client-ca needs --tls-cert and --tls-key");
+    return usage_error("--tls-client-ca needs --tls-cert and --tls-key");
   }
   if (options.credentials.web.certificate.empty() != options.credentials.web.key.empty()) {
-    return usage("--web-cert and --web-key go together");
+    return usage_error("--web-cert and --web-key go together");
   }
   const bool any_web = !options.credentials.web.certificate.empty() || !options.web.hosts.empty() ||
                        !options.web.trusted_proxies.empty();
   if (any_web && !options.web.address) {
-    return usage("--web-cert, --web-host and --web-trusted-proxy need --web");
+    return usage_error("--web-cert, --web-host and --web-trusted-proxy need --web");
   }
   if (!options.engine.publish.empty()) {
     const auto address = protocol::parse_engine_address(options.engine.publish);
     if (!address) return address.error();
   }
-  if (options.client_timeout.count() < 0) return usage("--client-timeout is negative");
+  if (options.client_timeout.count() < 0) return usage_error("--client-timeout is negative");
   return {};
 }
 

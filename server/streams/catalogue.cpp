@@ -37,7 +37,7 @@ Result<void> check_name(const std::filesystem::path& path, const std::string& na
 }
 
 /// Keyframes between two looks at the memory that is left.
-constexpr std::size_t kLookEvery = 65536;
+constexpr std::size_t kMemoryLookEvery = 65536;
 
 /// What a keyframe may take at most while a whole stream is thinned, resampled or made of a table.
 constexpr std::uint64_t kWholeBytes = 400;
@@ -58,7 +58,7 @@ Result<void> encode_file(std::string_view text, const EncodingOptions& options, 
     if (options.summarise) source.summary.add(keyframe, options.keyframe_ms);
     encoder.add(keyframe);
     // As much again is taken for a moment when the buffers grow.
-    if (encoder.keyframes() % kLookEvery != 0) return {};
+    if (encoder.keyframes() % kMemoryLookEvery != 0) return {};
     return check_memory(source.path, encoder.bytes());
   };
   if (auto read = protocol::read_stream_file(text, sources::name_of(source.path), encode); !read) {

@@ -18,7 +18,7 @@
 namespace aucast::server {
 namespace {
 
-Error usage(std::string message) {
+Error convert_usage(std::string message) {
   return {ErrorKind::Usage, std::move(message) + " (try convert --help)"};
 }
 
@@ -63,12 +63,12 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
 
 Result<void> validate(const ConvertOptions& options) {
   if (options.in.empty() || (options.out.empty() && options.to.empty()))
-    return usage("convert needs two files, IN and OUT");
+    return convert_usage("convert needs two files, IN and OUT");
   if (options.to.empty() && !options.more.empty()) {
-    return usage("convert takes two files, IN and OUT, or more with --to DIR");
+    return convert_usage("convert takes two files, IN and OUT, or more with --to DIR");
   }
   if (options.source.recording.all_faces) {
-    return usage("convert writes one stream; --face-id all is for serving, name one face");
+    return convert_usage("convert writes one stream; --face-id all is for serving, name one face");
   }
   return {};
 }
@@ -133,7 +133,8 @@ Result<sources::SourceContent> read_any(const ConvertOptions& options,
 Result<Converted> convert(const ConvertOptions& options, const SayProgress& say) {
   std::error_code not_there;
   if (std::filesystem::equivalent(options.in, options.out, not_there)) {
-    return usage(at_place(options.in.string(), "would be replaced by what it is converted to"));
+    return convert_usage(
+        at_place(options.in.string(), "would be replaced by what it is converted to"));
   }
   const SignalOptions& signal = options.source.signal;
   const auto conditioning = conditioning_of(signal);
@@ -176,9 +177,9 @@ Result<Converted> convert_each(const ConvertOptions& options, const SayProgress&
   std::set<std::string> names;
   for (const std::filesystem::path& source : sources) {
     if (!names.insert(source.stem().string()).second) {
-      return usage(at_place(source.string(), "another source is called '" +
-                                                 printable(source.stem().string()) +
-                                                 "' too; convert one of them alone"));
+      return convert_usage(at_place(source.string(), "another source is called '" +
+                                                         printable(source.stem().string()) +
+                                                         "' too; convert one of them alone"));
     }
   }
   Converted all;

@@ -4,6 +4,7 @@
 
 #include "common/link/host.h"
 #include "common/log.h"
+#include "common/options.h"
 #include "common/text.h"
 #include "protocol/token_file.h"
 
@@ -17,9 +18,8 @@ Result<std::string> token_for(const protocol::StreamAddress& address,
   if (!token->warning.empty()) spdlog::warn("{}", token->warning);
   for (const protocol::Endpoint& host : address.hosts) {
     if (address.tls || link::is_own_host(host.host)) continue;
-    return Error{ErrorKind::Usage, "everybody on the way to " + escaped(host.host) +
-                                       " could read the token: use " + std::string(secure) +
-                                       " (try --help)"};
+    return usage_error("everybody on the way to " + escaped(host.host) +
+                       " could read the token: use " + std::string(secure));
   }
   return std::move(token->word);
 }

@@ -19,7 +19,7 @@ const char* kind_of(bool live) {
 }
 
 /// How many keyframes are kept between two looks at the memory that is left.
-constexpr std::size_t kLookEvery = 4096;
+constexpr std::size_t kKeptBetweenLooks = 4096;
 
 }  // namespace
 
@@ -143,7 +143,7 @@ std::optional<std::string> RelayedStream::no_room() {
   const std::uint64_t bytes =
       held_bytes(*recorded_) + (voice_ ? voice_->bytes() : 0) + caption_bytes_;
   if (bytes > kBytesMost) return "its recording has more than 1 GiB";
-  if (looks_++ % kLookEvery > 0) return std::nullopt;
+  if (looks_++ % kKeptBetweenLooks > 0) return std::nullopt;
   // As much again is taken for a moment when the buffers grow.
   const auto may = options_.may_hold(bytes);
   return may ? std::nullopt : std::optional(may.error().message);

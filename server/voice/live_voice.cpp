@@ -1,8 +1,9 @@
 #include "server/voice/live_voice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
+
+#include "common/time.h"
 
 namespace aucast::server {
 namespace {
@@ -74,7 +75,7 @@ std::vector<protocol::VoicePacket> LiveVoice::add(std::string_view bytes, double
   sound_.add(now, static_cast<double>(samples_) / voice::kEncoderRate);
   if (!face_.known()) return packets;
   const double place = sound_.begin() + made - face_.begin();
-  const Milliseconds target = Milliseconds(std::llround(place * 1000)) + delay_;
+  const Milliseconds target = Milliseconds(whole_milliseconds(place)) + delay_;
   const std::size_t left_out = steer(target, samples.size(), packets);
   encoder_.add(std::span(samples).subspan(left_out), packets);
   const Milliseconds length(samples.size() / voice::kEncoderSamplesPerMs);

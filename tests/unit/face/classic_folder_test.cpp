@@ -38,7 +38,7 @@ constexpr std::string_view kPoints = R"(6
 0.0  -2.0  8.5
 -2.0 -1.0  6.5
 )";
-constexpr std::string_view kRows = R"(3
+constexpr std::string_view kFolderRows = R"(3
 1 2 4 3
 1000 3 4 5
 4 6 1000 5
@@ -58,7 +58,7 @@ R_Zygomatic_Major
 
 struct Files {
   std::string faceline{kPoints};
-  std::string index{kRows};
+  std::string index{kFolderRows};
   std::string muscle{kMuscles};
   std::string jaw;
 };

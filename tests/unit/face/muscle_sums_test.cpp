@@ -12,7 +12,7 @@ namespace {
 
 using aucast::test::Seeded;
 
-constexpr float kTolerance = 2e-6F;
+constexpr float kSumTolerance = 2e-6F;
 
 /// About a third of the muscles, so that another few act each time.
 std::vector<float> some(Seeded& seeded, std::size_t muscles) {
@@ -50,7 +50,8 @@ TEST(MuscleSums, AddEachMusclesDisplacement) {
       const glm::vec3& rest = face.mesh.positions[i];
       const glm::vec3 expected = rest + map_at(reach, i, 1) * map_at(mask, i, 1) *
                                             displacement(muscle.shape, rest, activations[m]);
-      ASSERT_LT(glm::distance({place.x[lane], place.y[lane], place.z[lane]}, expected), kTolerance)
+      ASSERT_LT(glm::distance({place.x[lane], place.y[lane], place.z[lane]}, expected),
+                kSumTolerance)
           << muscle.name << ", vertex " << i;
     }
   }

@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const Instant kBegin = Instant{} + 1h;
+const Instant kReplayBegin = Instant{} + 1h;
 
 std::shared_ptr<const EncodedStream> stream_of(std::vector<KeyframeTime> times,
                                                PacketList changes = {}) {
@@ -27,12 +27,12 @@ std::vector<KeyframeTime> times(std::size_t count, std::uint32_t ms) {
 }
 
 TEST(LiveReplay, ShowsEachMomentInEveryFormWhenItsTimeComes) {
-  LiveReplay replay(stream_of(times(3, 100), {"{0:50}", "{~1}", "{~2}"}), false, kBegin);
+  LiveReplay replay(stream_of(times(3, 100), {"{0:50}", "{~1}", "{~2}"}), false, kReplayBegin);
   EXPECT_EQ(replay.newest(), nullptr);
-  EXPECT_TRUE(replay.advance(kBegin));
+  EXPECT_TRUE(replay.advance(kReplayBegin));
   ASSERT_NE(replay.newest(), nullptr);
-  EXPECT_FALSE(replay.advance(kBegin + 99ms));
-  EXPECT_TRUE(replay.advance(kBegin + 100ms));
+  EXPECT_FALSE(replay.advance(kReplayBegin + 99ms));
+  EXPECT_TRUE(replay.advance(kReplayBegin + 100ms));
   EXPECT_EQ(replay.newest()->number, 1U);
   EXPECT_EQ(replay.newest()->classic, "{1}");
   EXPECT_EQ(replay.newest()->full, "{1:50}");
@@ -42,8 +42,8 @@ TEST(LiveReplay, ShowsEachMomentInEveryFormWhenItsTimeComes) {
 }
 
 TEST(LiveReplay, ShowsAllThatBeganAtOnce) {
-  LiveReplay replay(stream_of(times(3, 100)), false, kBegin);
-  EXPECT_TRUE(replay.advance(kBegin + 250ms));
+  LiveReplay replay(stream_of(times(3, 100)), false, kReplayBegin);
+  EXPECT_TRUE(replay.advance(kReplayBegin + 250ms));
   ASSERT_EQ(replay.latest().size(), 3U);
   EXPECT_EQ(replay.latest()[0].number, 0U);
   EXPECT_EQ(replay.latest()[2].full, "{2:50}");
@@ -51,19 +51,19 @@ TEST(LiveReplay, ShowsAllThatBeganAtOnce) {
 }
 
 TEST(LiveReplay, EndsWithItsLastMomentHoweverLateItIsAsked) {
-  LiveReplay replay(stream_of(times(3, 100)), false, kBegin);
-  EXPECT_TRUE(replay.advance(kBegin));
-  EXPECT_TRUE(replay.advance(kBegin + 1h));
+  LiveReplay replay(stream_of(times(3, 100)), false, kReplayBegin);
+  EXPECT_TRUE(replay.advance(kReplayBegin));
+  EXPECT_TRUE(replay.advance(kReplayBegin + 1h));
   EXPECT_TRUE(replay.ended());
   EXPECT_EQ(replay.newest()->number, 2U);
   EXPECT_EQ(replay.newest()->full, "{2:50}");
-  EXPECT_FALSE(replay.advance(kBegin + 2h));
+  EXPECT_FALSE(replay.advance(kReplayBegin + 2h));
   EXPECT_FALSE(replay.next_at().has_value());
 }
 
 TEST(LiveReplay, ALoopGoesOnCountingAndHasNoLength) {
-  LiveReplay replay(stream_of(times(2, 100)), true, kBegin);
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(replay.advance(kBegin + i * 100ms));
+  LiveReplay replay(stream_of(times(2, 100)), true, kReplayBegin);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(replay.advance(kReplayBegin + i * 100ms));
   EXPECT_EQ(replay.newest()->number, 2U);
   EXPECT_EQ(replay.newest()->full, "{0:50}");
   EXPECT_FALSE(replay.duration_ms().has_value());
@@ -71,7 +71,7 @@ TEST(LiveReplay, ALoopGoesOnCountingAndHasNoLength) {
 
 TEST(LiveReplay, AWindowIsNeverWorthMoreThanTwoSecondsButTwoMoments) {
   const auto window = [](std::vector<KeyframeTime> of) {
-    return LiveReplay(stream_of(std::move(of)), false, kBegin).window_max();
+    return LiveReplay(stream_of(std::move(of)), false, kReplayBegin).window_max();
   };
   EXPECT_EQ(window(times(1, 250)), 8U);
   EXPECT_EQ(window(times(1, 999)), 2U) << "three would be 2,997 ms";
