@@ -25,6 +25,10 @@ target_compile_options(aucast_warnings INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 sees overlaps in std::string's operator+ that are not there (its bug 105651).
   target_compile_options(aucast_warnings INTERFACE -Wno-restrict)
+  if(CMAKE_UNITY_BUILD)
+    # Sources included into one look like headers to it, where an unnamed namespace would be a fault.
+    target_compile_options(aucast_warnings INTERFACE -Wno-subobject-linkage)
+  endif()
 endif()
 if(EMSCRIPTEN)
   # size_t has 32 bits there, for what never was larger.
