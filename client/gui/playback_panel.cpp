@@ -5,12 +5,12 @@
 #include <cstdio>
 
 #include "client/gui/panels.h"
+#include "client/playback/local_playback.h"
 #include "common/text.h"
 
 namespace aucast::gui {
 namespace {
 
-constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
 constexpr float kSpeedWidth = 78;
 constexpr float kLoopWidth = 76;
 constexpr float kRepeatWidth = 66;
@@ -171,7 +171,7 @@ void speed_choice(const Look& look, const LocalView& local, GuiCommands& command
   ImGui::SetNextItemWidth(kSpeedWidth * look.scale);
   if (ImGui::BeginCombo("##speed", speed_text(local.speed_percent).c_str(),
                         ImGuiComboFlags_HeightLarge)) {
-    for (const int percent : kSpeeds) {
+    for (const int percent : playback::LocalPlayback::kSpeeds) {
       if (ImGui::Selectable(speed_text(percent).c_str(), percent == local.speed_percent)) {
         commands.push_back(LocalCommand(SetSpeed{percent}));
       }

@@ -1,18 +1,12 @@
 #include "client/playback/local_playback.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "client/playback/playback_controller.h"
 #include "common/check.h"
 
 namespace aucast::playback {
-namespace {
-
-constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
-
-}  // namespace
 
 LocalPlayback::LocalPlayback(const std::vector<Milliseconds>& times) {
   AUCAST_CHECK(!times.empty());

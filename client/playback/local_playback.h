@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,6 +24,8 @@ class LocalPlayback {
  public:
   static constexpr int kSpeedMin = 10;  ///< percent
   static constexpr int kSpeedMax = 1000;
+  /// Percent, ascending: what is offered, and what one step faster or slower goes to.
+  static constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
 
   /// The time of each keyframe, none negative; at least one. Stands at the beginning, paused.
   explicit LocalPlayback(const std::vector<Milliseconds>& times);
