@@ -63,8 +63,8 @@ bool say(int socket, std::string_view bytes) {
 
 }  // namespace
 
-Crowd::Crowd(std::uint16_t port, const Dialect& dialect)
-    : port_(port), dialect_(dialect), epoll_(::epoll_create1(EPOLL_CLOEXEC)), input_(65536) {}
+Crowd::Crowd(const Dialect& dialect)
+    : dialect_(dialect), epoll_(::epoll_create1(EPOLL_CLOEXEC)), input_(65536) {}
 
 Crowd::~Crowd() {
   for (const Subscriber& subscriber : subscribers_) {
@@ -73,17 +73,18 @@ Crowd::~Crowd() {
   ::close(epoll_);
 }
 
-bool Crowd::join(int count) {
+bool Crowd::join(int count, std::uint16_t port) {
   const std::string first = dialect_.web ? WebSide::upgrade() : dialect_.greeting;
   for (int joined = 0; joined < count; ++joined) {
     const auto index = subscribers_.size();
-    const int socket = connect_to(port_, static_cast<int>(index));
+    const int socket = connect_to(port, static_cast<int>(index));
     if (socket < 0 || !say(socket, first)) {
       failure_ = "subscriber " + std::to_string(index) + ": " + std::strerror(errno);
       return false;
     }
     tell_arrivals(socket);
     Subscriber subscriber;
+    subscriber.index = index;
     subscriber.socket = socket;
     subscribers_.push_back(std::move(subscriber));
     epoll_event event{};
@@ -152,7 +153,7 @@ void Crowd::receive(Subscriber& subscriber, std::vector<Delivery>* deliveries) {
     }
     const std::int64_t number = number_in(inside);
     take_message(subscriber, number);
-    if (deliveries != nullptr) deliveries->push_back({number, arrived, now});
+    if (deliveries != nullptr) deliveries->push_back({subscriber.index, number, arrived, now});
     bytes.remove_prefix(end + 1);
   }
   subscriber.held = bytes;
@@ -191,11 +192,15 @@ ssize_t Crowd::read(int socket, Clock::time_point& arrived) {
 /// How many bytes of the answer to the greeting are over.
 std::size_t Crowd::take_welcome(Subscriber& subscriber, std::string_view bytes) {
   std::size_t size = dialect_.welcome_bytes;
-  if (size == 0) size = bytes.find('}') + 1;
-  if (size == 0 || bytes.size() < size) return 0;
+  if (size == 0) {
+    const std::size_t end = bytes.find(dialect_.welcome_end);
+    if (end == std::string_view::npos) return 0;
+    size = end + dialect_.welcome_end.size();
+  }
+  if (bytes.size() < size) return 0;
   subscriber.welcomed = true;
   ++welcomed_;
-  if (dialect_.welcome_bytes == 0 && !bytes.starts_with("{hello ")) {
+  if (dialect_.welcome_bytes == 0 && !bytes.starts_with(dialect_.welcome_begin)) {
     disturb(subscriber, "the hello was answered by " + std::string(bytes.substr(0, size)));
   }
   return size;

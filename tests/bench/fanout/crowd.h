@@ -15,6 +15,7 @@ namespace aucast::bench {
 
 /// A message that arrived at one subscriber.
 struct Delivery {
+  std::size_t subscriber = 0;
   std::int64_t number = 0;
   Clock::time_point arrived;  ///< when the system had it for the subscriber
   Clock::time_point read;     ///< when the subscriber had read it
@@ -24,13 +25,14 @@ struct Delivery {
 /// order; what it does not get is counted.
 class Crowd {
  public:
-  Crowd(std::uint16_t port, const Dialect& dialect);
+  explicit Crowd(const Dialect& dialect);
   ~Crowd();
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
-  /// Connects `count` more and says their greetings; false, with failure(), when that fails.
-  bool join(int count);
+  /// Connects `count` more to a port and says their greetings; false, with failure(), when that
+  /// fails.
+  bool join(int count, std::uint16_t port);
   /// Receives until `until`. Appends what comes to `deliveries` unless that is null.
   void listen(Clock::time_point until, std::vector<Delivery>* deliveries);
   /// Receives until all have been welcomed; false when that takes more than `patience`.
@@ -44,6 +46,7 @@ class Crowd {
 
  private:
   struct Subscriber {
+    std::size_t index = 0;
     int socket = -1;
     bool welcomed = false;
     std::int64_t expected = -1;
@@ -58,7 +61,6 @@ class Crowd {
   void take_message(Subscriber& subscriber, std::int64_t number);
   void disturb(Subscriber& subscriber, const std::string& how);
 
-  std::uint16_t port_;
   Dialect dialect_;
   int epoll_ = -1;
   std::vector<Subscriber> subscribers_;

@@ -16,13 +16,14 @@
 
 namespace {
 
+using aucast::bench::kOurs;
 using aucast::bench::Measurement;
 using aucast::bench::OnProcessor;
 using aucast::bench::Plan;
 using aucast::bench::usable_processors;
 
-constexpr const char* kOurs = "au-transmitter";
-constexpr const char* kFlooded = "flooded";   ///< the same
+constexpr const char* kFlooded = "flooded";  ///< the same
+constexpr const char* kNats = "nats";
 constexpr const char* kWeb = "by WebSocket";  ///< the same
 
 aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
@@ -38,12 +39,19 @@ aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
       ->check(CLI::Range(1, 3600));
   app.add_option("--rounds", plan.rounds, "of which the median counts (5)")
       ->check(CLI::Range(1, 100));
-  app.add_option("--against", plan.against, "servers to compare with (redis mosquitto)");
+  app.add_option("--against", plan.against,
+                 "servers to compare with: redis mosquitto nats (the first two)");
   app.add_flag("--alone", alone, "compare with none");
   app.add_flag("--from-said", plan.from_said,
                "latency of the others from when their publisher said a message, not from its time");
   app.add_flag("--pin", pin, "the server on one processor, everything else on another");
   app.add_flag("--web", plan.web, "ours once more, with a crowd that comes by WebSocket (--web)");
+  app.add_option(
+         "--trees", plan.trees,
+         "ours once more with so many edges behind it, which the crowd is spread over, such as "
+         "1,2,4,8; and NATS likewise if it is compared with")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 64));
   app.add_option("--flood", plan.flood,
                  "ours once more, with so many hostile connections at a time, and at --http (0)")
       ->check(CLI::Range(0, 1000));
@@ -81,6 +89,14 @@ struct Contender {
   Plan plan;
 };
 
+std::string tree_name(const std::string& server, int edges) {
+  return server + " +" + std::to_string(edges);
+}
+
+bool compares_with_nats(const Plan& plan) {
+  return std::find(plan.against.begin(), plan.against.end(), kNats) != plan.against.end();
+}
+
 std::vector<Contender> contenders(const Plan& plan) {
   Plan in_peace = plan;
   in_peace.flood = 0;
@@ -93,6 +109,12 @@ std::vector<Contender> contenders(const Plan& plan) {
   if (plan.flood > 0) all.push_back({kFlooded, kOurs, flooded});
   if (plan.web) all.push_back({kWeb, kOurs, by_web_socket});
   for (const std::string& server : plan.against) all.push_back({server, server, in_peace});
+  for (const int edges : plan.trees) {
+    Plan tree = in_peace;
+    tree.edges = edges;
+    all.push_back({tree_name(kOurs, edges), kOurs, tree});
+    if (compares_with_nats(plan)) all.push_back({tree_name(kNats, edges), kNats, tree});
+  }
   return all;
 }
 
@@ -101,6 +123,13 @@ void print(int round, const std::string& name, const Measurement& m, int seconds
               name.c_str(), m.deliveries, m.per_processor_second(), m.p50_ms, m.p99_ms,
               m.arrived_p99_ms, m.bytes_per_client / 1024, static_cast<long long>(m.missed),
               m.disturbed, load_average());
+  if (m.root_seconds > 0) {
+    std::printf(
+        "       added by the edges: p50 %.2f ms, p99 %.2f ms; the root took %.1f %% of the\n"
+        "       processor time; an edge has %.1f MiB without clients\n",
+        m.added_p50_ms, m.added_p99_ms, 100 * m.root_seconds / m.processor_seconds,
+        m.bytes_per_edge / (1024 * 1024));
+  }
   if (m.flood_peers > 0) {
     std::printf(
         "       meanwhile, a second: %lld hostile peers, and %lld at --http, said %lld bytes\n",
@@ -152,6 +181,13 @@ int run(const Plan& plan) {
   if (plan.web) print_ratios(kWeb, measured[kWeb], kOurs, measured[kOurs]);
   for (const std::string& server : plan.against) {
     print_ratios(kOurs, measured[kOurs], server, measured[server]);
+  }
+  for (const int edges : plan.trees) {
+    const std::string tree = tree_name(kOurs, edges);
+    print_ratios(tree, measured[tree], kOurs, measured[kOurs]);
+    if (!compares_with_nats(plan)) continue;
+    const std::string other = tree_name(kNats, edges);
+    print_ratios(tree, measured[tree], other, measured[other]);
   }
   if (disturbed > 0) std::printf("%d subscribers of %s were disturbed\n", disturbed, kOurs);
   return disturbed == 0 ? 0 : 1;

@@ -15,8 +15,12 @@ struct Measurement {
   double p99_ms = 0;
   double arrived_p99_ms = 0;    ///< to being there for the subscriber to read
   double bytes_per_client = 0;  ///< memory of the server's own
-  std::int64_t missed = 0;      ///< messages left out, doubled or out of order
-  int disturbed = 0;            ///< subscribers who lost their connection
+  double added_p50_ms = 0;      ///< of a tree: at a subscriber of an edge after one of the root
+  double added_p99_ms = 0;
+  double root_seconds = 0;    ///< of a tree: the root's part of processor_seconds
+  double bytes_per_edge = 0;  ///< of a tree: memory of an edge without a crowd
+  std::int64_t missed = 0;    ///< messages left out, doubled or out of order
+  int disturbed = 0;          ///< subscribers who lost their connection
   std::int64_t flood_peers = 0;
   std::int64_t http_flood_peers = 0;
   std::int64_t flood_bytes = 0;

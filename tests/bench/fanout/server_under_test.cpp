@@ -42,7 +42,11 @@ constexpr std::size_t kMqttConnectedBytes = 4;
 const std::string kMqttSubscribe("\x82\6\0\1\0\1c\0", 8);
 constexpr std::size_t kMqttSubscribedBytes = 5;
 
-/// A port that was free a moment ago: redis and mosquitto cannot be asked for any.
+std::string nats_publish(const std::string& message) {
+  return "PUB c " + std::to_string(message.size()) + "\r\n" + message + "\r\n";
+}
+
+/// A port that was free a moment ago: not every server can be asked for any.
 std::uint16_t free_port() {
   const int probe = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
@@ -68,17 +72,20 @@ bool can_connect(std::uint16_t port) {
 
 }  // namespace
 
-ServerUnderTest::ServerUnderTest(const std::string& name, const Plan& plan) {
+ServerUnderTest::ServerUnderTest(const std::string& name, const Plan& plan,
+                                 const ServerUnderTest* parent) {
   // A child has the processors of who starts it.
   const OnProcessor placed(plan.server_processor);
-  if (name == "au-transmitter") {
-    start_transmitter(plan);
+  if (name == kOurs) {
+    start_transmitter(plan, parent);
   } else if (name == "redis") {
     start_redis();
   } else if (name == "mosquitto") {
     start_mosquitto();
+  } else if (name == "nats") {
+    start_nats(parent);
   } else {
-    failure_ = "'" + name + "' is no server this program knows: redis, mosquitto";
+    failure_ = "'" + name + "' is no server this program knows: redis, mosquitto, nats";
   }
 }
 
@@ -88,12 +95,13 @@ ServerUnderTest::~ServerUnderTest() {
   static_cast<void>(process_->wait(10s));
 }
 
-/// The stream is its own publisher: of a burst all but the last keyframe take no time.
-void ServerUnderTest::start_transmitter(const Plan& plan) {
+/// A stream is its own publisher: of a burst all but the last keyframe take no time. Empty, with
+/// failure(), when it would be too long.
+std::string ServerUnderTest::numbered_stream(const Plan& plan) {
   const std::int64_t bursts = (kGatheringSeconds + plan.seconds) * 1000LL / plan.period_ms() + 2;
   if (bursts * plan.burst > kNumbers) {
     failure_ = "so many messages cannot be told apart: choose a smaller rate, burst or time";
-    return;
+    return {};
   }
   std::string stream = "Beg_Stream\n";
   for (std::int64_t number = 0; number < bursts * plan.burst; ++number) {
@@ -101,9 +109,18 @@ void ServerUnderTest::start_transmitter(const Plan& plan) {
     std::string line = message(number, last ? plan.period_ms() : 0);
     stream += line.substr(1, line.size() - 2) + '\n';
   }
-  const std::string file = folder_.write("numbered.txt", stream + "End_Stream\n");
-  std::vector<std::string> command = {
-      test::program("au-transmitter"), "--live", "--port", "0", "--log-level", "error", file};
+  return folder_.write("numbered.txt", stream + "End_Stream\n");
+}
+
+void ServerUnderTest::start_transmitter(const Plan& plan, const ServerUnderTest* parent) {
+  std::vector<std::string> command = {test::program("au-transmitter"), "--port", "0", "--log-level",
+                                      "error"};
+  if (parent != nullptr) {
+    command.push_back("aucast://127.0.0.1:" + std::to_string(parent->port()) + "/numbered");
+  } else {
+    command.insert(command.end(), {"--live", numbered_stream(plan)});
+    if (!failure_.empty()) return;
+  }
   if (plan.flood > 0) {
     http_port_ = free_port();
     command.insert(command.end(), {"--http", "127.0.0.1:" + std::to_string(http_port_)});
@@ -118,6 +135,8 @@ void ServerUnderTest::start_transmitter(const Plan& plan) {
   }
   port_ = static_cast<std::uint16_t>(std::stoi(line->substr(line->rfind(':') + 1)));
   dialect_.greeting = "{hello v=2 window=0}";
+  dialect_.welcome_begin = "{hello ";
+  dialect_.welcome_end = "}";
   dialect_.web = plan.web;
 }
 
@@ -128,7 +147,9 @@ void ServerUnderTest::start_redis() {
       "--appendonly", "no", "--protected-mode", "no", "--maxclients", "19900",
       "--client-output-buffer-limit", "pubsub 0 0 0", "--logfile", folder_.path() / "log", "--dir",
       folder_.path()});
-  dialect_ = {kRedisSubscribe, kRedisSubscribedBytes, "", 0, &redis_publish, false};
+  dialect_.greeting = kRedisSubscribe;
+  dialect_.welcome_bytes = kRedisSubscribedBytes;
+  dialect_.wrap = &redis_publish;
   wait_until_it_listens();
 }
 
@@ -142,12 +163,33 @@ void ServerUnderTest::start_mosquitto() {
   process_ = std::make_unique<test::Process>(
       std::vector<std::string>{"mosquitto", "-c", configuration},
       std::vector<std::string>{"PATH=/usr/sbin:/usr/bin:/sbin:/bin"});
-  dialect_ = {kMqttConnect + kMqttSubscribe,
-              kMqttConnectedBytes + kMqttSubscribedBytes,
-              kMqttConnect,
-              kMqttConnectedBytes,
-              &mqtt_publish,
-              false};
+  dialect_.greeting = kMqttConnect + kMqttSubscribe;
+  dialect_.welcome_bytes = kMqttConnectedBytes + kMqttSubscribedBytes;
+  dialect_.announce = kMqttConnect;
+  dialect_.announced_bytes = kMqttConnectedBytes;
+  dialect_.wrap = &mqtt_publish;
+  wait_until_it_listens();
+}
+
+void ServerUnderTest::start_nats(const ServerUnderTest* parent) {
+  port_ = free_port();
+  leaf_port_ = free_port();
+  const std::string leaf_nodes =
+      parent == nullptr
+          ? "listen: 127.0.0.1:" + std::to_string(leaf_port_)
+          : "remotes: [{url: \"nats-leaf://127.0.0.1:" + std::to_string(parent->leaf_port_) +
+                "\"}]";
+  const std::string configuration = folder_.write(
+      "nats.conf", "listen: 127.0.0.1:" + std::to_string(port_) + "\nleafnodes { " + leaf_nodes +
+                       " }\nlog_file: \"" + std::string(folder_.path() / "log") + "\"\n");
+  process_ = std::make_unique<test::Process>(
+      std::vector<std::string>{"nats-server", "-c", configuration},
+      std::vector<std::string>{"PATH=/usr/sbin:/usr/bin:/sbin:/bin"});
+  dialect_.greeting = "CONNECT {\"verbose\":true}\r\nSUB c 1\r\n";
+  dialect_.welcome_begin = "INFO ";
+  dialect_.welcome_end = "+OK\r\n+OK\r\n";
+  dialect_.announce = "CONNECT {\"verbose\":false}\r\n";
+  dialect_.wrap = &nats_publish;
   wait_until_it_listens();
 }
 
@@ -156,8 +198,9 @@ void ServerUnderTest::wait_until_it_listens() {
     if (process_->wait(50ms)) break;
     if (can_connect(port_)) return;
   }
-  failure_ = "it did not start (scripts/install_deps.sh scripts/packages_bench.txt installs it): " +
-             process_->out() + process_->err();
+  failure_ =
+      "it did not start (scripts/install_deps.sh scripts/packages_bench.txt installs them): " +
+      process_->out() + process_->err();
 }
 
 std::chrono::nanoseconds ServerUnderTest::processor_time() const {

@@ -16,8 +16,10 @@ namespace aucast::bench {
 /// What a subscriber says to a server and how it knows that it has been heard.
 struct Dialect {
   std::string greeting;           ///< said once after connecting
-  std::size_t welcome_bytes = 0;  ///< length of the answer; 0: a packet in braces
-  std::string announce;           ///< said by the publisher first
+  std::size_t welcome_bytes = 0;  ///< length of the answer; 0: it is known by its begin and end
+  std::string welcome_begin;
+  std::string welcome_end;
+  std::string announce;  ///< said by the publisher first
   std::size_t announced_bytes = 0;
   /// A message as the publisher says it; nothing: the server publishes by itself.
   std::string (*wrap)(const std::string& message) = nullptr;
@@ -27,8 +29,10 @@ struct Dialect {
 /// One of the servers that are compared, running as a child process on a free port of the loopback.
 class ServerUnderTest {
  public:
-  /// `name`: au-transmitter, redis or mosquitto.
-  ServerUnderTest(const std::string& name, const Plan& plan);
+  /// `name`: au-transmitter, redis, mosquitto or nats. With a `parent` it is an edge: what it has,
+  /// it has from there (au-transmitter's relay, NATS' leaf node).
+  ServerUnderTest(const std::string& name, const Plan& plan,
+                  const ServerUnderTest* parent = nullptr);
   ~ServerUnderTest();
   ServerUnderTest(const ServerUnderTest&) = delete;
   ServerUnderTest& operator=(const ServerUnderTest&) = delete;
@@ -46,9 +50,11 @@ class ServerUnderTest {
   [[nodiscard]] std::size_t descriptors() const;
 
  private:
-  void start_transmitter(const Plan& plan);
+  void start_transmitter(const Plan& plan, const ServerUnderTest* parent);
+  [[nodiscard]] std::string numbered_stream(const Plan& plan);
   void start_redis();
   void start_mosquitto();
+  void start_nats(const ServerUnderTest* parent);
   void wait_until_it_listens();
 
   test::TempFolder folder_;
@@ -56,6 +62,7 @@ class ServerUnderTest {
   std::string failure_;
   std::uint16_t port_ = 0;
   std::uint16_t http_port_ = 0;
+  std::uint16_t leaf_port_ = 0;  ///< for leaf nodes of NATS
   Dialect dialect_;
 };
 
