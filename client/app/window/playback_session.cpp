@@ -29,8 +29,7 @@ constexpr std::size_t kKeyframesKept = 90'000;
 /// Buffers and bytes change without anything moving: so often they are looked at.
 constexpr Milliseconds kLookEvery{50};
 constexpr Milliseconds kIdle{250};
-constexpr Milliseconds kFrameMax{20};
-constexpr Milliseconds kSoundEvery{10};
+constexpr Milliseconds kSoundStep{10};
 constexpr Milliseconds kJustInTime{2};
 
 bool went_wrong(playback::EndReason end) {
@@ -411,7 +410,7 @@ bool PlaybackSession::stands() const {
 Duration PlaybackSession::idle_time(Instant now) const {
   if (playback_ == nullptr) return kIdle;
   // The device wants silence too.
-  if (sound_.sounds()) return kSoundEvery;
+  if (sound_.sounds()) return kSoundStep;
   if (const auto next = playback_->next_position_at()) {
     return std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
   }

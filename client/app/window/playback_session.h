@@ -20,6 +20,9 @@
 
 namespace aucast::app {
 
+/// The window waits no longer than this while something moves.
+inline constexpr Milliseconds kFrameMax{20};
+
 /// What plays in the window, a server's stream or one loaded in full, and what the panels show of
 /// it. What the constructor takes must outlive it. Thread: the player's.
 class PlaybackSession {

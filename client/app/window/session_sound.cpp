@@ -12,7 +12,7 @@ namespace {
 
 constexpr Duration kSecond = std::chrono::seconds(1);
 /// Of silence, written at once.
-constexpr std::int64_t kPortion = sound::kRate;
+constexpr std::int64_t kSilentPortion = sound::kRate;
 
 std::int64_t samples_in(Duration time) {
   return time / kSecond * sound::kRate + time % kSecond * sound::kRate / kSecond;
@@ -33,9 +33,9 @@ void SessionSound::add(Instant heard_at, std::span<const float> samples) {
   std::int64_t missing = samples_in(heard_at - begin_) - written;
   if (written > 0 && missing > -kSlackSamples && missing < kSlackSamples) missing = 0;
   const std::vector<float> silence(
-      static_cast<std::size_t>(std::clamp<std::int64_t>(missing, 0, kPortion)));
-  for (std::int64_t left = missing; left > 0; left -= kPortion) {
-    wav_->add(std::span(silence).first(static_cast<std::size_t>(std::min(left, kPortion))));
+      static_cast<std::size_t>(std::clamp<std::int64_t>(missing, 0, kSilentPortion)));
+  for (std::int64_t left = missing; left > 0; left -= kSilentPortion) {
+    wav_->add(std::span(silence).first(static_cast<std::size_t>(std::min(left, kSilentPortion))));
   }
   // What was heard before the video began, or twice.
   const auto past = static_cast<std::size_t>(std::max<std::int64_t>(-missing, 0));

@@ -18,7 +18,6 @@ namespace {
 
 constexpr const char* kComposedName = "composed.txt";
 constexpr const char* kExportedName = "exported.txt";
-constexpr Milliseconds kFrameMax{20};
 
 std::string whole_path(const std::filesystem::path& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
