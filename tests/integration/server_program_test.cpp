@@ -21,10 +21,6 @@ Finished transmit(std::vector<std::string> arguments) {
   return run(std::move(arguments));
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(ServerProgram, SaysWhereItListensAndNothingElseOnStdout) {
   RunningTransmitter server({stream_file("happiness.txt")});
   RawClient client = server.connect();

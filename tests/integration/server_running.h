@@ -16,6 +16,10 @@
 
 namespace aucast::test {
 
+[[nodiscard]] inline bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
 /// What six_expressions.txt is on the wire of level 1.
 inline const std::vector<std::string> kSixPackets = {"{1,2,5,15,16,20,26}", "{1,2,4,5,15,20,26}",
                                                      "{2,4,9,15,17}",       "{2,4,7,9,10,20,26}",

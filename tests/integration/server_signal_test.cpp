@@ -37,10 +37,6 @@ std::string converted(const std::vector<std::string>& options, const std::string
   return done.out;
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(ServerSignal, ANeutralFaceIsMeasuredSavedAndUsedNextTime) {
   const TempFolder folder;
   const auto csv = folder.write("face.csv", recording()).string();

@@ -13,7 +13,7 @@ namespace aucast::test {
 namespace {
 
 /// One direction: what was read and not yet handed on.
-struct Direction {
+struct RelayedWay {
   int from = -1;
   int to = -1;
   std::string held;
@@ -21,7 +21,7 @@ struct Direction {
   bool closed = false;  ///< and the writing side was told
 };
 
-void read_some(Direction& direction) {
+void read_some(RelayedWay& direction) {
   std::array<char, 4096> chunk{};
   const ssize_t got = ::recv(direction.from, chunk.data(), chunk.size(), 0);
   if (got > 0) direction.held.append(chunk.data(), static_cast<std::size_t>(got));
@@ -29,7 +29,7 @@ void read_some(Direction& direction) {
 }
 
 /// Hands on a random portion, often a single byte, sometimes everything.
-void write_some(Direction& direction, Seeded& seeded) {
+void write_some(RelayedWay& direction, Seeded& seeded) {
   if (!direction.held.empty() && seeded.chance(0.6)) {
     const int all = static_cast<int>(direction.held.size());
     const int portion = seeded.chance(0.3) ? all : seeded.integer(1, all);
@@ -44,7 +44,7 @@ void write_some(Direction& direction, Seeded& seeded) {
 }
 
 void relay(int client, int server, Seeded& seeded, const std::atomic<bool>& stop) {
-  std::array<Direction, 2> directions{{{client, server, {}}, {server, client, {}}}};
+  std::array<RelayedWay, 2> directions{{{client, server, {}}, {server, client, {}}}};
   while (!stop && !(directions[0].closed && directions[1].closed)) {
     std::array<pollfd, 2> polled{};
     for (std::size_t i = 0; i < 2; ++i) {

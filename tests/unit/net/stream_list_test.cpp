@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-RemoteOptions options_for(const ScriptedServer& server) {
+RemoteOptions options_to(const ScriptedServer& server) {
   RemoteOptions options;
   options.host = "127.0.0.1";
   options.port = server.port();
@@ -18,7 +18,7 @@ RemoteOptions options_for(const ScriptedServer& server) {
 
 std::string failure(std::vector<Step> steps, Duration patience = std::chrono::seconds(20)) {
   ScriptedServer server(std::move(steps));
-  RemoteOptions options = options_for(server);
+  RemoteOptions options = options_to(server);
   options.connect_timeout = patience;
   const auto names = list_streams(options);
   if (names) return "";
@@ -34,7 +34,7 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST(StreamList, NamesComeInTheServersOrder) {
   ScriptedServer server({Accept{}, Expect{"{streams}"}, Send{"{streams talk b-2 A.1}", 1}});
-  const auto names = list_streams(options_for(server));
+  const auto names = list_streams(options_to(server));
   ASSERT_TRUE(names) << names.error().message;
   EXPECT_EQ(*names, (std::vector<std::string>{"talk", "b-2", "A.1"}));
   EXPECT_EQ(server.finish(), "");
@@ -42,7 +42,7 @@ TEST(StreamList, NamesComeInTheServersOrder) {
 
 TEST(StreamList, TokenIsShown) {
   ScriptedServer server({Accept{}, Expect{"{streams token=secret}"}, Send{"{streams talk}"}});
-  RemoteOptions options = options_for(server);
+  RemoteOptions options = options_to(server);
   options.security.token = "secret";
   EXPECT_TRUE(list_streams(options));
   EXPECT_EQ(server.finish(), "");

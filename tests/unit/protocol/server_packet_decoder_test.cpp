@@ -25,7 +25,7 @@ std::vector<ServerPacket> take_all(ServerPacketDecoder& decoder, std::string_vie
 }
 
 /// The canonical packets joined, then "!" and the fault, if there was one.
-std::string decoded(std::string_view bytes) {
+std::string decoded_server(std::string_view bytes) {
   ServerPacketDecoder decoder;
   std::string text;
   for (const ServerPacket& packet : take_all(decoder, bytes)) text += text_of(packet);
@@ -33,28 +33,28 @@ std::string decoded(std::string_view bytes) {
   return text;
 }
 
-DecodeError error_of(std::string_view bytes) {
+DecodeError server_error_of(std::string_view bytes) {
   ServerPacketDecoder decoder;
   static_cast<void>(take_all(decoder, bytes));
   return decoder.error().value_or(DecodeError{DecodeFault::IllegalByte, 9999, "no error"});
 }
 
 TEST(ServerPacketDecoder, ReadsEveryKindOfPacket) {
-  EXPECT_EQ(decoded("{1,6,12,14}{0}{-2}"), "{1,6,12,14}{0}{-2}");
-  EXPECT_EQ(decoded("{1:30,R12:80;40@73400}{~;33}"), "{1:30,R12:80;40@73400}{~;33}");
-  EXPECT_EQ(decoded("{hello v=2 window=64 stream=talk keyframe=40}"),
+  EXPECT_EQ(decoded_server("{1,6,12,14}{0}{-2}"), "{1,6,12,14}{0}{-2}");
+  EXPECT_EQ(decoded_server("{1:30,R12:80;40@73400}{~;33}"), "{1:30,R12:80;40@73400}{~;33}");
+  EXPECT_EQ(decoded_server("{hello v=2 window=64 stream=talk keyframe=40}"),
             "{hello v=2 window=64 stream=talk keyframe=40}");
-  EXPECT_EQ(decoded("{hello}"), "{hello v=2 window=1 keyframe=250}");
-  EXPECT_EQ(decoded("{hello  v=2 future=x window=3 window=4}"),
+  EXPECT_EQ(decoded_server("{hello}"), "{hello v=2 window=1 keyframe=250}");
+  EXPECT_EQ(decoded_server("{hello  v=2 future=x window=3 window=4}"),
             "{hello v=2 window=4 keyframe=250}");
-  EXPECT_EQ(decoded("{error 404 no such stream}"), "{error 404 no such stream}");
-  EXPECT_EQ(decoded("{error 503}"), "{error 503 }");
-  EXPECT_EQ(decoded("{streams a b}{streams}"), "{streams a b}{streams}");
+  EXPECT_EQ(decoded_server("{error 404 no such stream}"), "{error 404 no such stream}");
+  EXPECT_EQ(decoded_server("{error 503}"), "{error 503 }");
+  EXPECT_EQ(decoded_server("{streams a b}{streams}"), "{streams a b}{streams}");
 }
 
 TEST(ServerPacketDecoder, AcceptsBlanksBetweenPacketsAndAroundNumbers) {
-  EXPECT_EQ(decoded(" \r\n{ 1 ,\r\n6 }\n{ -2 }\n"), "{1,6}{-2}");
-  EXPECT_EQ(decoded("{ L 12 C ; 40 @ 0 }"), "{L12:50;40@0}");
+  EXPECT_EQ(decoded_server(" \r\n{ 1 ,\r\n6 }\n{ -2 }\n"), "{1,6}{-2}");
+  EXPECT_EQ(decoded_server("{ L 12 C ; 40 @ 0 }"), "{L12:50;40@0}");
 }
 
 TEST(ServerPacketDecoder, NamesEachFaultAndItsPlace) {
@@ -107,19 +107,20 @@ TEST(ServerPacketDecoder, NamesEachFaultAndItsPlace) {
       {"{streams a/b}", DecodeFault::BadField, 9},
   };
   for (const Row& row : rows) {
-    const DecodeError error = error_of(row.bytes);
+    const DecodeError error = server_error_of(row.bytes);
     EXPECT_EQ(name(error.fault), name(row.fault)) << row.bytes << ": " << error.reason;
     EXPECT_EQ(error.position, row.position) << row.bytes << ": " << error.reason;
   }
 }
 
 TEST(ServerPacketDecoder, SaysWhyInASentenceWithPeerBytesEscaped) {
-  EXPECT_EQ(error_of("\x1b").reason, "expected '{', found '\\x1b'");
-  EXPECT_EQ(error_of("{-3}").reason, "of the negative packets only {-2} exists");
-  EXPECT_EQ(error_of("{hi").reason, "the word beginning 'hi' is none of the protocol's");
-  EXPECT_EQ(error_of("{hello window=300}").reason, "window is a number of 0-256, found '300'");
-  EXPECT_EQ(error_of("{error no}").reason, "an error has a code of 100-999, found 'no'");
-  EXPECT_EQ(error_of("{streams a/b}").reason, "'a/b' is no stream's name");
+  EXPECT_EQ(server_error_of("\x1b").reason, "expected '{', found '\\x1b'");
+  EXPECT_EQ(server_error_of("{-3}").reason, "of the negative packets only {-2} exists");
+  EXPECT_EQ(server_error_of("{hi").reason, "the word beginning 'hi' is none of the protocol's");
+  EXPECT_EQ(server_error_of("{hello window=300}").reason,
+            "window is a number of 0-256, found '300'");
+  EXPECT_EQ(server_error_of("{error no}").reason, "an error has a code of 100-999, found 'no'");
+  EXPECT_EQ(server_error_of("{streams a/b}").reason, "'a/b' is no stream's name");
 }
 
 TEST(ServerPacketDecoder, FindsTheFaultBeforeAnyClosingBrace) {
@@ -134,24 +135,24 @@ TEST(ServerPacketDecoder, FindsTheFaultBeforeAnyClosingBrace) {
 TEST(ServerPacketDecoder, HoldsAPacketToItsLimit) {
   std::string longest = "{1";
   longest.append(kPacketBytesMax - longest.size() - 1, ' ');
-  EXPECT_EQ(decoded(longest + "}"), "{1}");
-  const DecodeError error = error_of(longest + " }");
+  EXPECT_EQ(decoded_server(longest + "}"), "{1}");
+  const DecodeError error = server_error_of(longest + " }");
   EXPECT_EQ(error.fault, DecodeFault::PacketTooLong);
   EXPECT_EQ(error.position, kPacketBytesMax - 0U);
   EXPECT_EQ(error.reason, "no closing brace within 4096 bytes");
 
   std::string hello = "{hello ";
   hello.append(kHelloBytesMax - hello.size() - 1, ' ');
-  EXPECT_EQ(decoded(hello + "}"), "{hello v=2 window=1 keyframe=250}");
-  EXPECT_EQ(error_of(hello + " }").fault, DecodeFault::PacketTooLong);
-  EXPECT_EQ(error_of(hello + " }").position, kHelloBytesMax - 0U);
+  EXPECT_EQ(decoded_server(hello + "}"), "{hello v=2 window=1 keyframe=250}");
+  EXPECT_EQ(server_error_of(hello + " }").fault, DecodeFault::PacketTooLong);
+  EXPECT_EQ(server_error_of(hello + " }").position, kHelloBytesMax - 0U);
 }
 
 TEST(ServerPacketDecoder, HoldsBlanksToTheirLimitPerGap) {
   const std::string blanks(kBlankBytesMax, '\n');
-  EXPECT_EQ(decoded(blanks + "{1}" + blanks + "{2}" + blanks), "{1}{2}");
-  EXPECT_EQ(error_of(blanks + " {1}").fault, DecodeFault::TooManyBlanks);
-  EXPECT_EQ(error_of(blanks + " {1}").position, kBlankBytesMax);
+  EXPECT_EQ(decoded_server(blanks + "{1}" + blanks + "{2}" + blanks), "{1}{2}");
+  EXPECT_EQ(server_error_of(blanks + " {1}").fault, DecodeFault::TooManyBlanks);
+  EXPECT_EQ(server_error_of(blanks + " {1}").position, kBlankBytesMax);
 }
 
 TEST(ServerPacketDecoder, TenMegabytesWithoutABraceStopAtTheLimit) {
@@ -250,7 +251,7 @@ TEST(ServerPacketDecoder, AFlippedBitIsAnErrorOrALegalPacket) {
     bytes[place] = static_cast<char>(bytes[place] ^ (1 << seeded.integer(0, 7)));
     ServerPacketDecoder whole;
     for (const ServerPacket& packet : take_all(whole, bytes)) {
-      EXPECT_EQ(decoded(text_of(packet)), text_of(packet)) << "what was accepted is legal";
+      EXPECT_EQ(decoded_server(text_of(packet)), text_of(packet)) << "what was accepted is legal";
     }
     ServerPacketDecoder bytewise;
     for (const char byte : bytes) take_all(bytewise, std::string_view(&byte, 1));

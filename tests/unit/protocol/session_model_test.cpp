@@ -71,7 +71,7 @@ Setting random_setting(Seeded& seeded) {
 }
 
 /// Every keyframe differs from all others: AU n at n + 10 percent, and one that comes and goes.
-std::vector<Keyframe> numbered(int length) {
+std::vector<Keyframe> countable(int length) {
   std::vector<Keyframe> keyframes;
   for (int n = 1; n <= length; ++n) {
     Keyframe keyframe;
@@ -93,7 +93,7 @@ int number_of(const AuFrame& aus, Level level, int length) {
     if (aus.right[at] > 0 && whole) number = number == 0 ? au : -1;
   }
   if (number <= 0) return 0;
-  Keyframe expected = numbered(number).back();
+  Keyframe expected = countable(number).back();
   if (level == Level::Classic) {
     for (AuTerm& term : expected.terms) {
       term.side = Side::Both;
@@ -110,7 +110,7 @@ class Model {
         setting_(setting),
         to_client_(seeded, Milliseconds(seeded.integer(0, 300))),
         to_server_(seeded, Milliseconds(seeded.integer(0, 300))) {
-    catalogue_.streams = {test::served("numbered", test::encoded(numbered(setting.length), 0))};
+    catalogue_.streams = {test::served("numbered", test::encoded(countable(setting.length), 0))};
     if (setting.live) {
       ServedStream& stream = catalogue_.streams.front();
       live_ = std::make_shared<LiveReplay>(stream.recorded, false, now_);

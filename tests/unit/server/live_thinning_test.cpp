@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using protocol::Keyframe;
 
 /// A keyframe of twelve AUs of which each changes from `n` to `n` + 1.
-Keyframe full_of(int n, std::optional<std::uint32_t> duration_ms) {
+Keyframe busy(int n, std::optional<std::uint32_t> duration_ms) {
   Keyframe keyframe;
   for (int au = 1; au <= 12; ++au) {
     keyframe.terms.push_back(
@@ -32,8 +32,8 @@ TEST(LiveThinning, LetsThroughAtOnceWhatFits) {
   for (const std::uint32_t kbits : {0U, 1000U}) {
     LiveThinning thinning(250, {kbits, 0ms});
     for (int i = 0; i < 100; ++i) {
-      thinning.push(full_of(i, 40));
-      EXPECT_EQ(thinning.pop(i * 0.04), full_of(i, 40));
+      thinning.push(busy(i, 40));
+      EXPECT_EQ(thinning.pop(i * 0.04), busy(i, 40));
       EXPECT_FALSE(thinning.due());
     }
   }
@@ -42,17 +42,17 @@ TEST(LiveThinning, LetsThroughAtOnceWhatFits) {
 TEST(LiveThinning, TheNewestTakesPlaceAndTimeOfTheOneThatWaits) {
   LiveThinning thinning(250, {8, 0ms});
   for (int i = 0; i < 100; ++i) {
-    thinning.push(full_of(0, 40));
+    thinning.push(busy(0, 40));
     if (!thinning.pop(0)) break;
   }
   (void)thinning.take_last();
-  thinning.push(full_of(1, std::nullopt));
-  thinning.push(full_of(2, 30));
+  thinning.push(busy(1, std::nullopt));
+  thinning.push(busy(2, 30));
   ASSERT_TRUE(thinning.due());
   const double due = *thinning.due();
   EXPECT_GT(due, 0);
   EXPECT_EQ(thinning.pop(due * 0.99), std::nullopt);
-  EXPECT_EQ(thinning.pop(due), full_of(2, 250 + 30));
+  EXPECT_EQ(thinning.pop(due), busy(2, 250 + 30));
   EXPECT_EQ(thinning.take_last(), std::nullopt);
 }
 
@@ -62,7 +62,7 @@ TEST(LiveThinning, TheFaceGoesWithoutWhatTheVoiceTakes) {
     int sent = 0;
     for (int ms = 0; ms < 10'000; ms += 20) {
       if (ms % 60 == 0 && voice_bytes > 0) thinning.spend(voice_bytes, ms / 1000.0);
-      if (ms % 40 == 0) thinning.push(full_of(ms / 40, 40));
+      if (ms % 40 == 0) thinning.push(busy(ms / 40, 40));
       sent += thinning.pop(ms / 1000.0) ? 1 : 0;
     }
     return sent;
@@ -109,7 +109,7 @@ TEST(LiveThinning, NoSecondHoldsMoreThanTheLimit) {
         write(static_cast<double>(bytes), ms);
       }
       if (ms % 40 == 0) {
-        thinning.push(full_of(seeded.integer(0, 80), 40));
+        thinning.push(busy(seeded.integer(0, 80), 40));
         given_ms += 40;
       }
       auto keyframe = thinning.pop(now);

@@ -5,7 +5,7 @@
 namespace aucast::sources {
 namespace {
 
-Signals smile(float value) {
+Signals smiling(float value) {
   Signals signals = no_signals();
   signals[12] = value;
   return signals;
@@ -17,11 +17,11 @@ TEST(Neutral, IsTheMedianOfTheFirstSeconds) {
   const float values[] = {0.3F, 0.1F, 1, 0.2F, 0.25F};
   double seconds = 3;
   for (const float value : values) {
-    EXPECT_TRUE(meter.add(seconds, smile(value)));
+    EXPECT_TRUE(meter.add(seconds, smiling(value)));
     seconds += 0.1;
   }
   EXPECT_FALSE(meter.done());
-  EXPECT_FALSE(meter.add(3.5, smile(1))) << "the first row after the seconds is none of them";
+  EXPECT_FALSE(meter.add(3.5, smiling(1))) << "the first row after the seconds is none of them";
   EXPECT_TRUE(meter.done());
   const MeasuredNeutral measured = meter.measured();
   EXPECT_EQ(measured.rows, 5U);
@@ -32,8 +32,8 @@ TEST(Neutral, IsTheMedianOfTheFirstSeconds) {
 
 TEST(Neutral, OfAnEvenNumberOfRowsIsBetweenTheMiddleTwo) {
   NeutralMeter meter(1);
-  static_cast<void>(meter.add(0, smile(0.5F)));
-  static_cast<void>(meter.add(0.1, smile(0.25F)));
+  static_cast<void>(meter.add(0, smiling(0.5F)));
+  static_cast<void>(meter.add(0.1, smiling(0.25F)));
   EXPECT_EQ(meter.measured().signals[12], 0.375F);
 }
 
@@ -42,16 +42,16 @@ TEST(Neutral, ItsSecondsBeginWhenAFaceIsSeen) {
   for (int row = 0; row < 100; ++row) EXPECT_TRUE(meter.add(row, no_signals()));
   EXPECT_EQ(meter.measured().rows, 0U);
   EXPECT_FALSE(is_signal(meter.measured().signals[12]));
-  EXPECT_TRUE(meter.add(100, smile(0.5F)));
-  EXPECT_TRUE(meter.add(100.5, smile(0.5F)));
-  EXPECT_FALSE(meter.add(101, smile(0.5F)));
+  EXPECT_TRUE(meter.add(100, smiling(0.5F)));
+  EXPECT_TRUE(meter.add(100.5, smiling(0.5F)));
+  EXPECT_FALSE(meter.add(101, smiling(0.5F)));
   EXPECT_EQ(meter.measured().rows, 2U);
 }
 
 TEST(Neutral, AFastSourceFillsNoMemory) {
   NeutralMeter meter(10);
   for (int row = 0; row < 100'000; ++row) {
-    static_cast<void>(meter.add(row * 0.0001, smile(row < 60'000 ? 0.25F : 0.5F)));
+    static_cast<void>(meter.add(row * 0.0001, smiling(row < 60'000 ? 0.25F : 0.5F)));
   }
   EXPECT_LE(meter.measured().rows, 2000U);
   EXPECT_GE(meter.measured().rows, 1900U);
@@ -59,13 +59,13 @@ TEST(Neutral, AFastSourceFillsNoMemory) {
 }
 
 TEST(Neutral, WhatItDoesNotKnowIsNotTouched) {
-  Signals signals = smile(0.75F);
+  Signals signals = smiling(0.75F);
   signals[1] = 0.5F;
-  take_off(signals, smile(0.25F));
+  take_off(signals, smiling(0.25F));
   EXPECT_EQ(signals[12], 0.5F);
   EXPECT_EQ(signals[1], 0.5F);
   Signals none = no_signals();
-  take_off(none, smile(0.25F));
+  take_off(none, smiling(0.25F));
   EXPECT_FALSE(is_signal(none[12])) << "no data stays no data";
 }
 

@@ -19,7 +19,7 @@ std::string row(int frame, const std::string& seconds, const std::string& aus = 
   return openface2_row(frame, seconds, aus);
 }
 
-Recording read(const std::string& rows, const RecordingOptions& options = {}) {
+Recording read_rows(const std::string& rows, const RecordingOptions& options = {}) {
   auto recording = read_recording(kOpenFace2Header + rows, "f.csv", options);
   if (!recording) {
     ADD_FAILURE() << recording.error().message;
@@ -35,7 +35,7 @@ Error error_of(const std::string& text, const RecordingOptions& options = {}) {
   return {};
 }
 
-std::string packet(const Recording& recording, std::size_t index) {
+std::string packet_of(const Recording& recording, std::size_t index) {
   if (index >= recording.stream.keyframes.size()) return "no such keyframe";
   return protocol::encode(recording.stream.keyframes[index]);
 }
@@ -47,7 +47,7 @@ TEST(Recording, TheSourcesClockIsTheClock) {
     const std::string fraction = std::to_string(1000 + ms % 1000).substr(1);
     rows += row(frame + 1, std::to_string(ms / 1000) + "." + fraction);
   }
-  const auto recording = read(rows);
+  const auto recording = read_rows(rows);
   EXPECT_EQ(recording.stream.keyframes.size(), 301U);
   EXPECT_EQ(protocol::media_ms(recording.stream, 250), 10'033U) << "10 s and the first keyframe";
 }
@@ -55,18 +55,18 @@ TEST(Recording, TheSourcesClockIsTheClock) {
 TEST(Recording, ScaleCanBeAsked) {
   RecordingOptions options;
   options.au_scale = 100;
-  const auto recording = read(row(1, "0", "50,0,0,0,0,0,0") + row(2, "0.1"), options);
-  EXPECT_EQ(packet(recording, 0), "{1:50;100}");
+  const auto recording = read_rows(row(1, "0", "50,0,0,0,0,0,0") + row(2, "0.1"), options);
+  EXPECT_EQ(packet_of(recording, 0), "{1:50;100}");
   EXPECT_TRUE(recording.found.scale_asked);
   EXPECT_NE(found_sentence(recording.found).find("AU scale 0-100 as asked, largest 50.00"),
             std::string::npos);
 }
 
 TEST(Recording, PercentIsFoundAndValuesBeyondTheScaleAreFull) {
-  EXPECT_EQ(read(row(1, "0", "60,0,0,0,0,0,0") + row(2, "0.1")).found.scale, 100);
-  const auto recording = read(row(1, "0", "5.5,-1,0,0,0,0,0") + row(2, "0.1"));
+  EXPECT_EQ(read_rows(row(1, "0", "60,0,0,0,0,0,0") + row(2, "0.1")).found.scale, 100);
+  const auto recording = read_rows(row(1, "0", "5.5,-1,0,0,0,0,0") + row(2, "0.1"));
   EXPECT_EQ(recording.found.scale, 5);
-  EXPECT_EQ(packet(recording, 0), "{1;100}") << "clamped at both ends";
+  EXPECT_EQ(packet_of(recording, 0), "{1;100}") << "clamped at both ends";
 }
 
 TEST(Recording, UnsureRowsHoldThenEase) {
@@ -75,23 +75,23 @@ TEST(Recording, UnsureRowsHoldThenEase) {
     rows += openface2_row(frame + 1, std::to_string(frame / 10.0), "3,3,3,1,1,1,1", "0",
                           frame % 2 == 0 ? "0.98,0" : "0.2,1");
   }
-  const auto recording = read(rows);
+  const auto recording = read_rows(rows);
   EXPECT_EQ(recording.found.lost, 20U);
   EXPECT_EQ(recording.found.gaps, 1U);
   EXPECT_NEAR(recording.found.gap_seconds_max, 2, 1e-9);
-  EXPECT_EQ(packet(recording, 4), "{12;100}");
-  EXPECT_EQ(packet(recording, 10), "{12:50;100}");
-  EXPECT_EQ(packet(recording, 16), "{0;100}");
+  EXPECT_EQ(packet_of(recording, 4), "{12;100}");
+  EXPECT_EQ(packet_of(recording, 10), "{12:50;100}");
+  EXPECT_EQ(packet_of(recording, 16), "{0;100}");
   RecordingOptions options;
   options.confidence_min = 0.1;
-  EXPECT_EQ(read(rows, options).found.lost, 10U);
+  EXPECT_EQ(read_rows(rows, options).found.lost, 10U);
 }
 
 TEST(Recording, EmptyCellsAndNanAreNoDataAndNotZero) {
-  const auto recording =
-      read(row(1, "0.0") + row(2, "0.1", kNoData) + row(3, "0.2", "nan,NaN,-nan,nan,nan,nan,nan"));
-  EXPECT_EQ(packet(recording, 1), "{12;100}");
-  EXPECT_EQ(packet(recording, 2), "{12;100}");
+  const auto recording = read_rows(row(1, "0.0") + row(2, "0.1", kNoData) +
+                                   row(3, "0.2", "nan,NaN,-nan,nan,nan,nan,nan"));
+  EXPECT_EQ(packet_of(recording, 1), "{12;100}");
+  EXPECT_EQ(packet_of(recording, 2), "{12;100}");
   EXPECT_EQ(recording.found.lost, 0U) << "the head is still known";
 }
 
@@ -100,13 +100,13 @@ TEST(Recording, MostFrequentFaceIsTakenUnlessAsked) {
       openface2_row(1, "0", "5,0,0,0,0,0,0", "7") + openface2_row(1, "0", kSmile, "3") +
       openface2_row(2, "0.1", kSmile, "3") + openface2_row(3, "0.2", "5,0,0,0,0,0,0", "7") +
       openface2_row(3, "0.2", kSmile, "3");
-  const auto recording = read(rows);
+  const auto recording = read_rows(rows);
   ASSERT_EQ(recording.found.faces.size(), 2U);
   EXPECT_EQ(recording.found.face, 3);
-  EXPECT_EQ(packet(recording, 0), "{12;100}");
+  EXPECT_EQ(packet_of(recording, 0), "{12;100}");
   RecordingOptions options;
   options.face = 7;
-  EXPECT_EQ(packet(read(rows, options), 0), "{1;200}");
+  EXPECT_EQ(packet_of(read_rows(rows, options), 0), "{1;200}");
   options.face = 4;
   const Error error = error_of(kOpenFace2Header + rows, options);
   EXPECT_EQ(error.kind, ErrorKind::Usage);
@@ -199,11 +199,11 @@ TEST(Recording, FacesWithoutNamesAreCountedWithinThePicture) {
   options.face = 1;
   const auto second = read_recording(text, "f.csv", options);
   ASSERT_TRUE(second);
-  EXPECT_EQ(packet(*second, 0), "{12:50;200}");
+  EXPECT_EQ(packet_of(*second, 0), "{12:50;200}");
 }
 
 TEST(Recording, TruncatedLastLineIsLeftOutAndSaid) {
-  const auto recording = read(row(1, "0") + row(2, "0.1") + "3,0,0.2,0.9");
+  const auto recording = read_rows(row(1, "0") + row(2, "0.1") + "3,0,0.2,0.9");
   EXPECT_EQ(recording.stream.keyframes.size(), 2U);
   EXPECT_TRUE(recording.found.truncated);
   EXPECT_NE(found_sentence(recording.found).find("the truncated last line left out"),
@@ -212,7 +212,7 @@ TEST(Recording, TruncatedLastLineIsLeftOutAndSaid) {
 
 TEST(Recording, AppendedRecordingFollowsTheFirst) {
   const auto recording =
-      read(row(1, "0") + row(2, "0.1") + kOpenFace2Header + row(1, "0") + row(2, "0.2"));
+      read_rows(row(1, "0") + row(2, "0.1") + kOpenFace2Header + row(1, "0") + row(2, "0.2"));
   EXPECT_EQ(recording.found.headers, 1U);
   EXPECT_EQ(recording.found.left_out, 0U);
   ASSERT_EQ(recording.stream.keyframes.size(), 4U);
@@ -221,13 +221,13 @@ TEST(Recording, AppendedRecordingFollowsTheFirst) {
 }
 
 TEST(Recording, RepeatedHeaderWithinOneClockChangesNothing) {
-  const auto recording = read(row(1, "0") + kOpenFace2Header + row(2, "0.1"));
+  const auto recording = read_rows(row(1, "0") + kOpenFace2Header + row(2, "0.1"));
   EXPECT_EQ(recording.stream.keyframes[1].duration_ms, 100U);
 }
 
 TEST(Recording, RowsThatAreNotLaterAreLeftOut) {
-  const auto recording = read(row(1, "0") + row(2, "0.1") + row(3, "0.05") + row(4, "0.1") +
-                              row(5, "") + row(6, "0.2"));
+  const auto recording = read_rows(row(1, "0") + row(2, "0.1") + row(3, "0.05") + row(4, "0.1") +
+                                   row(5, "") + row(6, "0.2"));
   EXPECT_EQ(recording.found.left_out, 3U);
   EXPECT_EQ(protocol::media_ms(recording.stream, 250), 300U);
 }
@@ -251,7 +251,7 @@ TEST(Recording, DecimalCommas) {
   const auto recording =
       read_recording("timestamp;success;AU01_r\n0,0;1;2,5\n0,04;1;5,0\n", "f.csv", {});
   ASSERT_TRUE(recording);
-  EXPECT_EQ(packet(*recording, 0), "{1:50;40}");
+  EXPECT_EQ(packet_of(*recording, 0), "{1:50;40}");
   const Error error = error_of("timestamp,success,AU01_r\n0,0,1,2,5\n");
   EXPECT_NE(error.message.find("the row has 5 cells, the header names 3; numbers with commas"),
             std::string::npos)
@@ -286,7 +286,7 @@ TEST(Recording, WhatIsNoRecordingIsRefused) {
 
 TEST(Recording, ReportSaysWhatWasFound) {
   const auto recording =
-      read(row(1, "0.5") + row(2, "0.6") + kOpenFace2Header + row(3, "3.0") + "4,0");
+      read_rows(row(1, "0.5") + row(2, "0.6") + kOpenFace2Header + row(3, "3.0") + "4,0");
   EXPECT_EQ(found_lines(recording.found),
             "  format      OpenFace 2\n"
             "  scale       0-5, largest 5.00\n"
@@ -324,13 +324,13 @@ TEST(Recording, AnyTextCutAnywhereIsAnErrorOrALegalStream) {
 
 TEST(Recording, AClockThatNoCameraHasIsSaid) {
   const std::string rows = row(1, "0.001") + row(2, "0.002") + row(3, "0.003");
-  const Recording hasty = read(rows);
+  const Recording hasty = read_rows(rows);
   const std::string said = "1000 rows a second are no camera's: --fps says how many";
   EXPECT_NE(found_sentence(hasty.found).find(said), std::string::npos);
   EXPECT_NE(found_lines(hasty.found).find("clock       " + said), std::string::npos);
   RecordingOptions thirty;
   thirty.fps = 30;
-  EXPECT_EQ(found_sentence(read(rows, thirty).found).find("no camera"), std::string::npos);
+  EXPECT_EQ(found_sentence(read_rows(rows, thirty).found).find("no camera"), std::string::npos);
 }
 
 TEST(Recording, AClockThatStoodStillIsToldWithTheRateThatReadsEveryRow) {
@@ -340,7 +340,7 @@ TEST(Recording, AClockThatStoodStillIsToldWithTheRateThatReadsEveryRow) {
     const int shown = frame < 200 ? frame : std::max(200, frame - 100);
     rows += row(frame + 1, std::to_string(shown / 60.0));
   }
-  const auto recording = read(rows);
+  const auto recording = read_rows(rows);
   EXPECT_EQ(recording.found.left_out, 100U);
   EXPECT_NE(found_lines(recording.found)
                 .find("610, 0 of them no data, 100 left out (no later time); --fps 60 reads them "
@@ -349,7 +349,7 @@ TEST(Recording, AClockThatStoodStillIsToldWithTheRateThatReadsEveryRow) {
       << found_lines(recording.found);
   RecordingOptions options;
   options.fps = 60;
-  EXPECT_EQ(read(rows, options).found.left_out, 0U);
+  EXPECT_EQ(read_rows(rows, options).found.left_out, 0U);
 }
 
 }  // namespace

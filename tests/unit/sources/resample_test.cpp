@@ -7,7 +7,7 @@
 namespace aucast::sources {
 namespace {
 
-protocol::Keyframe smile(std::uint8_t percent, std::optional<std::uint32_t> duration_ms) {
+protocol::Keyframe smile_for(std::uint8_t percent, std::optional<std::uint32_t> duration_ms) {
   return {{{12, Side::Both, percent}}, false, duration_ms, std::nullopt};
 }
 
@@ -16,7 +16,7 @@ int percent_of(const protocol::Keyframe& keyframe) {
 }
 
 TEST(Resample, GoesInStraightLinesFromNeutralOn) {
-  const auto stream = resample({{smile(80, 100), smile(40, 100)}}, 20, 250);
+  const auto stream = resample({{smile_for(80, 100), smile_for(40, 100)}}, 20, 250);
   ASSERT_EQ(stream.keyframes.size(), 4U);
   EXPECT_EQ(percent_of(stream.keyframes[0]), 40);
   EXPECT_EQ(percent_of(stream.keyframes[1]), 80);
@@ -26,14 +26,14 @@ TEST(Resample, GoesInStraightLinesFromNeutralOn) {
 }
 
 TEST(Resample, LastKeyframeIsTheStreamsOwnEnd) {
-  const auto stream = resample({{smile(80, 110)}}, 20, 250);
+  const auto stream = resample({{smile_for(80, 110)}}, 20, 250);
   ASSERT_EQ(stream.keyframes.size(), 3U);
   EXPECT_EQ(stream.keyframes[2].duration_ms, 10U);
   EXPECT_EQ(percent_of(stream.keyframes[2]), 80);
 }
 
 TEST(Resample, UntimedKeyframesTakeTheGivenTime) {
-  const auto stream = resample({{smile(80, std::nullopt)}}, 1, 250);
+  const auto stream = resample({{smile_for(80, std::nullopt)}}, 1, 250);
   ASSERT_EQ(stream.keyframes.size(), 1U);
   EXPECT_EQ(stream.keyframes[0].duration_ms, 250U);
 }
@@ -44,8 +44,8 @@ TEST(Resample, TimesNeverDriftAtAnyRate) {
   for (int round = 0; round < 30; ++round) {
     protocol::StreamFile stream;
     for (int index = 0; index < 50; ++index) {
-      stream.keyframes.push_back(smile(static_cast<std::uint8_t>(seeded.integer(1, 100)),
-                                       static_cast<std::uint32_t>(seeded.integer(1, 300))));
+      stream.keyframes.push_back(smile_for(static_cast<std::uint8_t>(seeded.integer(1, 100)),
+                                           static_cast<std::uint32_t>(seeded.integer(1, 300))));
     }
     const double rate = seeded.real(0.1, 1000);
     const auto resampled = resample(stream, rate, 250);

@@ -7,7 +7,7 @@
 namespace aucast::sources {
 namespace {
 
-AuFrame smile(float intensity) {
+AuFrame smile_of(float intensity) {
   AuFrame frame = no_data();
   frame.left[12] = frame.right[12] = intensity;
   return frame;
@@ -28,7 +28,7 @@ std::uint64_t place_of(const protocol::StreamFile& stream, std::size_t index) {
 
 TEST(Timeline, DurationsAreDifferencesOfRoundedPlaces) {
   Timeline timeline;
-  for (int row = 0; row < 4; ++row) EXPECT_TRUE(timeline.add(row / 30.0, smile(0.5F)));
+  for (int row = 0; row < 4; ++row) EXPECT_TRUE(timeline.add(row / 30.0, smile_of(0.5F)));
   const auto stream = timeline.finish();
   ASSERT_EQ(stream.keyframes.size(), 4U);
   EXPECT_EQ(stream.keyframes[0].duration_ms, 33U) << "the usual time";
@@ -46,7 +46,7 @@ TEST(Timeline, TimesNeverDrift) {
     std::vector<double> moments;
     double seconds = 0;
     for (int row = 0; row < 2000; ++row) {
-      if (timeline.add(seconds, smile(0.5F))) moments.push_back(seconds);
+      if (timeline.add(seconds, smile_of(0.5F))) moments.push_back(seconds);
       seconds += step * seeded.real(0.5, 1.5);
     }
     const auto stream = timeline.finish();
@@ -61,15 +61,15 @@ TEST(Timeline, TimesNeverDrift) {
 
 TEST(Timeline, RowsOfTheSameMillisecondAreLeftOut) {
   Timeline timeline;
-  EXPECT_TRUE(timeline.add(0, smile(0.1F)));
-  EXPECT_FALSE(timeline.add(0.0003, smile(0.2F)));
-  EXPECT_TRUE(timeline.add(0.002, smile(0.3F)));
+  EXPECT_TRUE(timeline.add(0, smile_of(0.1F)));
+  EXPECT_FALSE(timeline.add(0.0003, smile_of(0.2F)));
+  EXPECT_TRUE(timeline.add(0.002, smile_of(0.3F)));
   EXPECT_EQ(timeline.finish().keyframes.size(), 2U);
 }
 
 TEST(Timeline, OneRowAloneIsUntimed) {
   Timeline timeline;
-  EXPECT_TRUE(timeline.add(0, smile(1)));
+  EXPECT_TRUE(timeline.add(0, smile_of(1)));
   const auto stream = timeline.finish();
   ASSERT_EQ(stream.keyframes.size(), 1U);
   EXPECT_FALSE(stream.keyframes[0].duration_ms);
@@ -85,7 +85,7 @@ TEST(Timeline, RemainingHoldsThenEasesThenIsGone) {
 
 TEST(Timeline, RowsWithoutDataHoldThenEaseToNeutral) {
   Timeline timeline;
-  timeline.add(0, smile(0.8F));
+  timeline.add(0, smile_of(0.8F));
   for (int row = 1; row <= 20; ++row) timeline.add(row / 10.0, no_data());
   const auto stream = timeline.finish();
   EXPECT_EQ(percent_of_12(stream.keyframes[5]), 80) << "held for half a second";
@@ -96,10 +96,10 @@ TEST(Timeline, RowsWithoutDataHoldThenEaseToNeutral) {
 
 TEST(Timeline, AnAuWithoutDataHoldsWhileOthersGoOn) {
   Timeline timeline;
-  AuFrame both = smile(0.8F);
+  AuFrame both = smile_of(0.8F);
   both.left[1] = both.right[1] = 0.5F;
   timeline.add(0, both);
-  timeline.add(0.1, smile(0.6F));
+  timeline.add(0.1, smile_of(0.6F));
   const auto stream = timeline.finish();
   EXPECT_EQ(frame_from_terms(stream.keyframes[1].terms).left[1], 0.5F);
   EXPECT_EQ(percent_of_12(stream.keyframes[1]), 60);
@@ -107,9 +107,9 @@ TEST(Timeline, AnAuWithoutDataHoldsWhileOthersGoOn) {
 
 TEST(Timeline, MissingRowsAreBridgedToNeutralAndBack) {
   Timeline timeline;
-  timeline.add(0, smile(0.8F));
-  timeline.add(0.1, smile(0.8F));
-  timeline.add(10, smile(0.6F));
+  timeline.add(0, smile_of(0.8F));
+  timeline.add(0.1, smile_of(0.8F));
+  timeline.add(10, smile_of(0.6F));
   const auto stream = timeline.finish();
   ASSERT_EQ(stream.keyframes.size(), 6U);
   EXPECT_EQ(place_of(stream, 2), 600U);
@@ -124,8 +124,8 @@ TEST(Timeline, MissingRowsAreBridgedToNeutralAndBack) {
 
 TEST(Timeline, PausesOfHoursKeepToTheLongestKeyframe) {
   Timeline timeline;
-  timeline.add(0, smile(0.8F));
-  timeline.add(10'000, smile(0.6F));
+  timeline.add(0, smile_of(0.8F));
+  timeline.add(10'000, smile_of(0.6F));
   const auto stream = timeline.finish();
   for (const auto& keyframe : stream.keyframes) EXPECT_LE(*keyframe.duration_ms, 3'600'000U);
   EXPECT_EQ(place_of(stream, stream.keyframes.size() - 1), 10'000'000U);
