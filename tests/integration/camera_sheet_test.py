@@ -13,11 +13,12 @@ import unittest
 PATIENCE = 60.0  # seconds until a test gives up waiting
 SCRIPT = pathlib.Path()
 
-# A stream of two seconds, of which the second one smiles.
+# A stream of two seconds, of which the second one smiles; what the film's pictures show is reached when
+# they end, after 40 ms.
 TRANSMITTER = """#!/bin/sh
 [ "$1" = convert ] || exit 2
 case $2 in *bad.mp4) echo "au-transmitter: bad.mp4: no face is seen in it" >&2; exit 3;; esac
-printf 'Beg_Stream\\n0;1000\\n12:80,6:40,L4:20,26:3;1\\n12:80,6:40,L4:20,26:3;999\\nEnd_Stream\\n' >"$3"
+printf 'Beg_Stream\\n0;40\\n0;959\\n12:80,6:40,L4:20,26:3;1\\n12:80,6:40,L4:20,26:3;1000\\nEnd_Stream\\n' >"$3"
 """
 # Draws red, then blue; keeps what it was asked for.
 PLAYER = """#!/bin/sh
@@ -101,6 +102,10 @@ class CameraSheetTest(unittest.TestCase):
         self.assertGreater(neutral[0], 20, "the time")
         self.assertGreater(smile[0], 2 * neutral[0], "time and three AUs; 26 is too weak")
         self.assertEqual([neutral[1], smile[1]], [0, 0], "the second line is for more than four")
+
+    def test_what_is_drawn_of_a_picture_is_what_it_shows_when_it_ends(self):
+        sheet = self.sheet("--from", 0.95, "--to", 0.96)
+        self.assertEqual(sheet.cell(0, 0)[:2], ("yellow", "blue"))
 
     def test_only_the_part_that_is_asked_for(self):
         sheet = self.sheet("--from", 1.2, "--to", 1.8, "--every", 0.2, "--face", "marek")
