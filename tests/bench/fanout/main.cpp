@@ -52,6 +52,8 @@ aucast::Result<Plan> plan_from(int argc, char** argv, bool& help) {
          "1,2,4,8; and NATS likewise if it is compared with")
       ->delimiter(',')
       ->check(CLI::Range(1, 64));
+  app.add_flag("--one-port", plan.one_port,
+               "the edges of --trees have one port together (--reuse-port), not one each");
   app.add_option("--flood", plan.flood,
                  "ours once more, with so many hostile connections at a time, and at --http (0)")
       ->check(CLI::Range(0, 1000));

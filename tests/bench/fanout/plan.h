@@ -24,6 +24,8 @@ struct Plan {
   bool web = false;        ///< by WebSocket; au-transmitter only
   int flood = 0;  ///< connections at a time that say rubbish meanwhile; au-transmitter only
   int edges = 0;  ///< servers behind the first, which the crowd is spread over; 0: the first alone
+  bool one_port = false;   ///< the edges have one together (--reuse-port); au-transmitter only
+  std::uint16_t port = 0;  ///< of the server; 0: any free one
   std::optional<std::size_t> server_processor{};  ///< that alone; nothing: any
   std::optional<std::size_t> crowd_processor{};   ///< of this program
   std::vector<int> trees{};                       ///< also measured: each a number of edges

@@ -4,7 +4,9 @@ namespace aucast::bench {
 
 ServerTree::ServerTree(const std::string& name, const Plan& plan) : root_(name, plan) {
   for (int edge = 0; edge < plan.edges && failure().empty(); ++edge) {
-    edges_.push_back(std::make_unique<ServerUnderTest>(name, plan, &root_));
+    Plan its_own = plan;
+    if (plan.one_port && !edges_.empty()) its_own.port = edges_.front()->port();
+    edges_.push_back(std::make_unique<ServerUnderTest>(name, its_own, &root_));
   }
 }
 

@@ -113,9 +113,10 @@ std::string ServerUnderTest::numbered_stream(const Plan& plan) {
 }
 
 void ServerUnderTest::start_transmitter(const Plan& plan, const ServerUnderTest* parent) {
-  std::vector<std::string> command = {test::program("au-transmitter"), "--port", "0", "--log-level",
-                                      "error"};
+  std::vector<std::string> command = {test::program("au-transmitter"), "--port",
+                                      std::to_string(plan.port), "--log-level", "error"};
   if (parent != nullptr) {
+    if (plan.one_port) command.push_back("--reuse-port");
     command.push_back("aucast://127.0.0.1:" + std::to_string(parent->port()) + "/numbered");
   } else {
     command.insert(command.end(), {"--live", numbered_stream(plan)});
