@@ -51,10 +51,15 @@ int spawn(const std::vector<std::string>& arguments, Child::Flow flow, int their
   set_attributes(attributes);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
-  const bool fed = flow == Child::Flow::Fed;
-  ::posix_spawn_file_actions_adddup2(&actions, theirs, fed ? STDIN_FILENO : STDOUT_FILENO);
-  ::posix_spawn_file_actions_addopen(&actions, fed ? STDOUT_FILENO : STDIN_FILENO, "/dev/null",
-                                     fed ? O_WRONLY : O_RDONLY, 0);
+  const auto connect = [&](int descriptor, Child::Flow without, int mode) {
+    if (flow == without) {
+      ::posix_spawn_file_actions_addopen(&actions, descriptor, "/dev/null", mode, 0);
+    } else {
+      ::posix_spawn_file_actions_adddup2(&actions, theirs, descriptor);
+    }
+  };
+  connect(STDIN_FILENO, Child::Flow::Read, O_RDONLY);
+  connect(STDOUT_FILENO, Child::Flow::Fed, O_WRONLY);
   ::posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
   const int error_number =
       ::posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
@@ -153,6 +158,15 @@ std::size_t Child::read(std::span<std::uint8_t> bytes) {
   return 0;
 }
 
+bool Child::tell(std::string_view bytes) const {
+  const ssize_t sent = ::send(flow_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  return sent == static_cast<ssize_t>(bytes.size());
+}
+
+void Child::end_input() const {
+  ::shutdown(flow_, SHUT_WR);
+}
+
 void Child::stop() const {
   ::kill(pid_, SIGKILL);
 }
@@ -178,6 +192,13 @@ std::string Child::last_words() const {
   if (words.size() > kLastWordsShown) words.erase(0, words.size() - kLastWordsShown);
   std::replace(words.begin(), words.end(), '\n', ' ');
   return escaped(words, 4 * kLastWordsShown);
+}
+
+std::string Child::last_line() const {
+  std::string_view words = last_words_;
+  while (words.ends_with('\n')) words.remove_suffix(1);
+  words = words.substr(words.rfind('\n') + 1);
+  return escaped(words, kLastWordsShown);
 }
 
 }  // namespace aucast

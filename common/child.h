@@ -7,20 +7,20 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/result.h"
 
 namespace aucast {
 
-/// A program that is fed through its standard input, or read from its standard output, while its
-/// last words on stderr are kept. It runs in a process group of its own, so that Ctrl-C in a
-/// terminal does not end it before it has finished its file. Never raises SIGPIPE and leaves no
-/// zombie.
-/// Thread: one at a time, but for stop().
+/// A program that is fed through its standard input, or read from its standard output, or both,
+/// while its last words on stderr are kept. It runs in a process group of its own, so that Ctrl-C
+/// in a terminal does not end it before it has finished its file. Never raises SIGPIPE and leaves
+/// no zombie. Thread: one at a time, but for stop(), tell() and end_input().
 class Child {
  public:
-  enum class Flow : std::uint8_t { Fed, Read };
+  enum class Flow : std::uint8_t { Fed, Read, Both };
 
   /// `arguments[0]` is looked up in $PATH. Failed with the system's reason when it cannot start;
   /// the caller is told by `missing` when there is no such program. What does not flow is
@@ -35,6 +35,11 @@ class Child {
   [[nodiscard]] bool feed(std::span<const std::uint8_t> bytes);
   /// Waits for what it writes next; how many bytes of it there are now, 0 at its end.
   [[nodiscard]] std::size_t read(std::span<std::uint8_t> bytes);
+  /// Sends a few bytes, of a child that flows both ways, without waiting; false when it takes none.
+  /// From any thread, before wait() or destruction.
+  [[nodiscard]] bool tell(std::string_view bytes) const;
+  /// Such a child finds the end of its input. Likewise.
+  void end_input() const;
   /// Kills it. From any thread, before wait() or destruction: read() finds the end.
   void stop() const;
   /// Ends the flow and waits for the end: the exit code, or 128 + the signal that killed it. The
@@ -42,6 +47,8 @@ class Child {
   [[nodiscard]] int wait();
   /// The end of what it wrote to stderr, at most 300 bytes of it, in one line, safe to print.
   [[nodiscard]] std::string last_words() const;
+  /// Of that the last line.
+  [[nodiscard]] std::string last_line() const;
 
  private:
   Child(pid_t pid, int flow, int errors) : pid_(pid), flow_(flow), errors_(errors) {}

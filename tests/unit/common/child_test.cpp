@@ -31,6 +31,30 @@ TEST(Child, TakesAllBytesAndTellsItsCode) {
   EXPECT_EQ(std::filesystem::file_size(file), bytes.size());
 }
 
+TEST(Child, FlowsBothWaysUntilItsInputEnds) {
+  bool missing = false;
+  auto started = Child::start(
+      {"sh", "-c", "while read word; do echo \"got $word\"; done; echo first >&2; echo last >&2"},
+      missing, Child::Flow::Both);
+  ASSERT_TRUE(started.has_value());
+  const auto child = *std::move(started);
+  std::string text;
+  std::vector<std::uint8_t> chunk(100);
+  const auto read = [&] {
+    const std::size_t got = child->read(chunk);
+    text.append(chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(got));
+    return got > 0;
+  };
+  EXPECT_TRUE(child->tell("this\n"));
+  while (text != "got this\n") ASSERT_TRUE(read());
+  child->end_input();
+  while (read()) {
+  }
+  EXPECT_EQ(child->wait(), 0);
+  EXPECT_EQ(child->last_words(), "first last");
+  EXPECT_EQ(child->last_line(), "last");
+}
+
 TEST(Child, SaysThatThereIsNoSuchProgram) {
   bool missing = false;
   const auto child = Child::start({"aucast-no-such-program"}, missing);
