@@ -247,6 +247,13 @@ Result<void> replace_file(const fs::path& temporary, const fs::path& path) {
   return unwritable(path, system_reason(error_number));
 }
 
+std::optional<fs::path> program_folder() {
+  std::error_code error;
+  const auto program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return std::nullopt;
+  return program.parent_path();
+}
+
 Result<fs::path> find_data_folder(const fs::path& chosen) {
   std::vector<fs::path> places;
   if (!chosen.empty()) {
@@ -254,11 +261,9 @@ Result<fs::path> find_data_folder(const fs::path& chosen) {
   } else if (const char* named = std::getenv("AUCAST_DATA"); named != nullptr && *named != '\0') {
     places.emplace_back(named);
   } else {
-    std::error_code error;
-    const auto program = fs::read_symlink("/proc/self/exe", error);
-    if (!error) {
-      places.push_back(program.parent_path() / "data");
-      places.push_back(program.parent_path().parent_path() / "share" / "aucast");
+    if (const auto programs = program_folder()) {
+      places.push_back(*programs / "data");
+      places.push_back(programs->parent_path() / "share" / "aucast");
     }
   }
   std::string tried;

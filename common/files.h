@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -57,6 +58,9 @@ void ignore_file_size_signal();
 /// it when that fails.
 [[nodiscard]] Result<void> replace_file(const std::filesystem::path& temporary,
                                         const std::filesystem::path& path);
+
+/// The folder that this program lies in; nothing when the system does not tell.
+[[nodiscard]] std::optional<std::filesystem::path> program_folder();
 
 /// The folder data/ of the project: `chosen` (from --data) if not empty, else $AUCAST_DATA, else
 /// data/ beside the executable, else ../share/aucast beside it. Never the current folder.
