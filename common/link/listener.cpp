@@ -158,7 +158,8 @@ void Listener::stop() {
 
 void Listener::accept() {
   acceptor_.async_accept(peer_, [this](const std::error_code& error, tcp::socket socket) {
-    if (!acceptor_.is_open()) return;
+    // It may have been opened again since this one was stopped.
+    if (error == asio::error::operation_aborted || !acceptor_.is_open()) return;
     if (error == asio::error::connection_aborted) {
       // The peer left between its knock and our opening the door.
       spdlog::debug("a connection was gone before it was accepted");

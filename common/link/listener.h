@@ -55,6 +55,7 @@ class Listener {
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return endpoint_; }
 
   void start(OnSocket on_socket);
+  /// It may be opened again.
   void stop();
 
   /// How often accepting had to pause.
