@@ -17,11 +17,11 @@ LINE_MAX = 100
 FUNCTION_MAX = 70
 FILE_MAX = 600
 
-SERVER = {"common", "common/camera", "common/mesh", "common/sources", "common/tls", "common/web", "common/voice",
+SERVER = {"common", "common/camera", "common/mesh", "common/preview", "common/sources", "common/tls", "common/web", "common/voice",
           "common/link",
           "protocol"}
 APP = SERVER | {"client/" + room for room in
-                ("playback", "face", "pipeline", "net", "sound", "view", "render", "gui", "glb")}
+                ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "gui", "glb")}
 
 # What the files of a folder may include of the project, besides their own folder. A file belongs to
 # the longest folder named here that it lies in; what lies in none of them may not be included.
@@ -30,6 +30,7 @@ MAY_INCLUDE = {
     "common/link": {"common", "common/tls", "common/web"},
     "common/camera": {"common", "common/mesh"},
     "common/mesh": {"common"},
+    "common/preview": {"common"},
     "common/sources": {"common", "protocol"},
     "common/tls": {"common"},
     "common/voice": {"common", "protocol"},
@@ -41,12 +42,13 @@ MAY_INCLUDE = {
     "server/live": SERVER | {"server/streams", "server/voice"},
     "server/upstream": SERVER | {"server/settings", "server/streams", "server/status"},
     "server/engine": SERVER | {"server/settings", "server/status", "server/upstream"},
+    "server/preview": SERVER,
     "server/push": SERVER | {"server/settings", "server/status", "server/upstream"},
     "server/status": SERVER | {"server/settings"},
     "server/web": SERVER | {"server/settings", "server/status"},
     "server/serve": SERVER | {"server/settings", "server/voice", "server/streams", "server/live",
-                              "server/status", "server/upstream", "server/engine", "server/push",
-                              "server/web"},
+                              "server/status", "server/upstream", "server/engine",
+                              "server/preview", "server/push", "server/web"},
     "server": SERVER | {"server/settings", "server/voice", "server/streams", "server/live",
                         "server/status", "server/serve", "server/upstream", "server/engine",
                         "server/push",
@@ -59,13 +61,14 @@ MAY_INCLUDE = {
     "client/view": {"common"},
     "client/glb": {"common", "common/sources", "client/playback", "client/face", "client/pipeline", "client/view"},
     "client/render": {"common", "client/view"},
-    "client/gui": {"common", "protocol", "client/playback", "client/face", "client/view"},
+    "client/mirror": {"common", "common/preview"},
+    "client/gui": {"common", "common/preview", "protocol", "client/playback", "client/face", "client/view"},
     "client/app": APP,
     "client/app/film": APP | {"client/app"},
     "client/app/gallery": APP | {"client/app", "client/app/film"},
     "client/app/window": APP | {"client/app", "client/app/film"},
     "client/app/commands": APP | {"client/app", "client/app/film", "client/app/window"},
-    "client/web": APP - {"client/gui", "client/glb"} | {"client/app/film"},
+    "client/web": APP - {"client/gui", "client/glb", "client/mirror"} | {"client/app/film"},
     "client": APP | {"client/app", "client/app/film", "client/app/gallery", "client/app/window",
                      "client/app/commands"},
     "speaker": {"common", "common/voice", "protocol"},
@@ -74,7 +77,7 @@ MAY_INCLUDE = {
 }
 
 # Folders whose code knows no socket, clock, OpenGL or log.
-PURE = {"protocol", "common/mesh", "common/tls", "common/sources", "common/voice", "common/web",
+PURE = {"protocol", "common/mesh", "common/preview", "common/tls", "common/sources", "common/voice", "common/web",
         "client/playback", "client/face", "client/pipeline", "client/sound", "client/glb"}
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|\bf?printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL"

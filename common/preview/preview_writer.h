@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "common/preview/seen.h"
+
+namespace aucast::preview {
+
+/// The picture, each pixel the mean of a square of `rgb`, so that no side is longer than kSideMax;
+/// width, height and rgb of what is returned. `rgb` has 3 * width * height bytes, none of them 0.
+[[nodiscard]] Seen small_picture(std::size_t width, std::size_t height,
+                                 std::span<const std::uint8_t> rgb);
+
+/// The record of a picture that is small. Points outside of it are put onto its edge.
+[[nodiscard]] std::string seen_record(const Seen& seen);
+/// "live ADDR:PORT"
+[[nodiscard]] std::string live_record(std::string_view address);
+[[nodiscard]] std::string private_record();
+[[nodiscard]] std::string watching_record(std::size_t count);
+/// The sentence in one line.
+[[nodiscard]] std::string refused_record(std::string_view sentence);
+
+}  // namespace aucast::preview
