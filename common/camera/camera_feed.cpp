@@ -34,7 +34,7 @@ void block_pipe_signal() {
 }  // namespace
 
 Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& options,
-                                                      const QuietOptions& quiet) {
+                                                      const QuietOptions& quiet, OnSight on_sight) {
   auto models = load_face_models();
   if (!models) return models.error();
   auto pictures = PictureSource::open_camera(options);
@@ -44,8 +44,8 @@ Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& optio
     return Error{ErrorKind::Failed,
                  at_place(options.device, "cannot be read: " + system_reason(errno))};
   }
-  std::unique_ptr<CameraFeed> feed(
-      new CameraFeed(std::move(*pictures), std::move(*models), quiet, ends[0], ends[1]));
+  std::unique_ptr<CameraFeed> feed(new CameraFeed(std::move(*pictures), std::move(*models), quiet,
+                                                  std::move(on_sight), ends[0], ends[1]));
   // Thrown when the system has no thread left; what began then ends with the feed.
   try {
     feed->taking_ = std::jthread([&feed = *feed] { feed.take_pictures(); });
@@ -57,10 +57,11 @@ Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& optio
 }
 
 CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const QuietOptions& quiet,
-                       int rows, int write)
+                       OnSight on_sight, int rows, int write)
     : pictures_(std::move(pictures)),
       models_(std::move(models)),
       quiet_(quiet),
+      on_sight_(std::move(on_sight)),
       rows_(rows),
       write_(write) {}
 
@@ -137,6 +138,11 @@ void CameraFeed::read_faces() {
           typical ? models_.weights.typical : running.watch(picture.seconds, measures));
     }
     going = write(table.row(picture.seconds, seen ? seen->presence : 0, face));
+    if (on_sight_) {
+      on_sight_({{width, height, picture.rgb},
+                 seen ? &*seen : nullptr,
+                 face ? table.terms(*face) : std::vector<AuTerm>()});
+    }
   }
   ::close(write_);  // the reader of the rows sees their end
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -8,12 +9,24 @@
 #include <thread>
 #include <vector>
 
+#include "common/action_unit.h"
 #include "common/camera/face_models.h"
 #include "common/camera/film_reader.h"
 #include "common/camera/picture_source.h"
+#include "common/mesh/landmarks.h"
+#include "common/mesh/picture.h"
 #include "common/result.h"
 
 namespace aucast::camera {
+
+/// What a camera sees at one moment; of whoever is told of it no longer than that takes.
+struct Sight {
+  mesh::Picture picture;
+  const mesh::Landmarks* landmarks = nullptr;  ///< null: no face
+  std::vector<AuTerm> aus;                     ///< as FaceTable::terms(); none without a face
+};
+/// Called on a thread of its own.
+using OnSight = std::function<void(const Sight&)>;
 
 /// A camera as a stream of rows (FaceTable), which come through a pipe as a recogniser's would. One
 /// thread takes pictures from ffmpeg, another reads the face of the newest: what comes while it is
@@ -23,9 +36,11 @@ namespace aucast::camera {
 class CameraFeed {
  public:
   /// Errors are those of PictureSource and load_face_models(). `quiet`: without seconds, or with 0,
-  /// as for a film, but of what was seen so far.
+  /// as for a film, but of what was seen so far. `on_sight` is told of every picture whose face was
+  /// read, until the feed is destroyed.
   [[nodiscard]] static Result<std::unique_ptr<CameraFeed>> start(const CameraOptions& options,
-                                                                 const QuietOptions& quiet);
+                                                                 const QuietOptions& quiet,
+                                                                 OnSight on_sight = {});
   ~CameraFeed();
   CameraFeed(const CameraFeed&) = delete;
   CameraFeed& operator=(const CameraFeed&) = delete;
@@ -41,8 +56,8 @@ class CameraFeed {
     std::vector<std::uint8_t> rgb;
   };
 
-  CameraFeed(PictureSource pictures, FaceModels models, const QuietOptions& quiet, int rows,
-             int write);
+  CameraFeed(PictureSource pictures, FaceModels models, const QuietOptions& quiet, OnSight on_sight,
+             int rows, int write);
   void take_pictures();
   void read_faces();
   [[nodiscard]] bool write(const std::string& text) const;
@@ -50,6 +65,7 @@ class CameraFeed {
   PictureSource pictures_;
   FaceModels models_;
   QuietOptions quiet_;
+  OnSight on_sight_;
   int rows_;   ///< our end to read from, until it was taken
   int write_;  ///< the other one, which the reading thread closes
   std::mutex mutex_;

@@ -13,22 +13,28 @@ void append_number(std::string& text, double value, int digits) {
   text.append(buffer.data(), end.ptr);
 }
 
+/// Of both sides, that of either: they are the same.
+float intensity_of(const AuFrame& face, std::uint8_t number, Side side) {
+  return (side == Side::Right ? face.right : face.left)[number];
+}
+
 }  // namespace
 
 FaceTable::FaceTable(const mesh::AuWeights& weights) {
   using Kind = mesh::AuWeights::Kind;
-  const auto add = [this](std::size_t number, bool right, const char* side) {
-    columns_.push_back({number, right});
-    header_ += std::string(",") + side + std::to_string(number);
+  const auto add = [this](int number, Side side) {
+    columns_.push_back({static_cast<std::uint8_t>(number), side});
+    header_ += side == Side::Both ? "," : side == Side::Left ? ",L" : ",R";
+    header_ += std::to_string(number);
   };
   for (const mesh::AuWeights::Unit& unit : weights.units) {
     if (unit.kind == Kind::Sided) {
-      add(unit.number, false, "L");
-      add(unit.number, true, "R");
+      add(unit.number, Side::Left);
+      add(unit.number, Side::Right);
       continue;
     }
-    add(unit.number, false, "");
-    if (unit.kind != Kind::Whole) add(std::size_t{unit.number} + 1, false, "");
+    add(unit.number, Side::Both);
+    if (unit.kind != Kind::Whole) add(unit.number + 1, Side::Both);
   }
   header_ += "\n";
 }
@@ -43,10 +49,19 @@ std::string FaceTable::row(double seconds, double confidence,
   for (const Column& column : columns_) {
     text += ',';
     if (!face) continue;
-    append_number(text, 100 * double{(column.right ? face->right : face->left)[column.number]}, 1);
+    append_number(text, 100 * double{intensity_of(*face, column.number, column.side)}, 1);
   }
   text += '\n';
   return text;
+}
+
+std::vector<AuTerm> FaceTable::terms(const AuFrame& face) const {
+  std::vector<AuTerm> terms;
+  for (const Column& column : columns_) {
+    const float intensity = intensity_of(face, column.number, column.side);
+    terms.push_back({column.number, column.side, percent_of(intensity)});
+  }
+  return terms;
 }
 
 }  // namespace aucast::camera

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,11 +22,13 @@ class FaceTable {
   /// A line; without a face it has no success and empty cells.
   [[nodiscard]] std::string row(double seconds, double confidence,
                                 const std::optional<AuFrame>& face) const;
+  /// What a row says of a face in whole percent, a term for each column of an AU.
+  [[nodiscard]] std::vector<AuTerm> terms(const AuFrame& face) const;
 
  private:
   struct Column {
-    std::size_t number;
-    bool right;
+    std::uint8_t number;
+    Side side;
   };
   std::vector<Column> columns_;
   std::string header_ = "aucast_seconds,confidence,success";

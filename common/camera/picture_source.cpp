@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <system_error>
 #include <utility>
 
 #include "common/files.h"
@@ -70,11 +71,19 @@ Result<PictureSource> PictureSource::open_film(const std::filesystem::path& path
 
 Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
   const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+  std::vector<std::string> input{
+      "-fflags",     "nobuffer",    "-f",         "v4l2",
+      "-video_size", size,          "-framerate", std::to_string(options.fps),
+      "-i",          options.device};
+  std::error_code ignored;
+  const auto status = std::filesystem::status(options.device, ignored);
+  if (std::filesystem::is_regular_file(status)) {
+    input = {"-re", "-i", file_url(options.device)};
+  } else if (std::filesystem::is_fifo(status)) {
+    input = {"-fflags", "nobuffer", "-i", file_url(options.device)};
+  }
   // Nothing is buffered that can be shown: a late face is worth nothing.
-  return open(arguments_of({"-fflags", "nobuffer", "-f", "v4l2", "-video_size", size, "-framerate",
-                            std::to_string(options.fps), "-i", options.device},
-                           kFilters),
-              options.device, ErrorKind::Failed);
+  return open(arguments_of(std::move(input), kFilters), options.device, ErrorKind::Failed);
 }
 
 std::string PictureSource::complaint() {

@@ -30,7 +30,8 @@ class PictureSource {
   /// Failed with what to install when ffmpeg is missing; Unreadable for a file that cannot be read;
   /// BadData when ffmpeg finds no pictures in it.
   [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path);
-  /// Failed, with ffmpeg's own words, when the device gives no pictures.
+  /// A film or a FIFO may stand in for the device; a film goes by its own clock then. Failed, with
+  /// ffmpeg's own words, when the device gives no pictures.
   [[nodiscard]] static Result<PictureSource> open_camera(const CameraOptions& options);
 
   [[nodiscard]] const Y4mReader& format() const { return *pictures_; }

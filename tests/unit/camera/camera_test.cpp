@@ -117,6 +117,19 @@ TEST(FaceTable, IsReadBackWithSidesTurnsAndLostFaces) {
   EXPECT_EQ(recording->stream.keyframes[0].terms, expected);
 }
 
+TEST(FaceTable, HasATermForEachColumnAlsoOfAbsentAus) {
+  const FaceTable table(some_weights());
+  AuFrame face;
+  face.left[12] = 0.25F;
+  face.left[52] = face.right[52] = 1.5F;
+  const std::vector<AuTerm> expected{{12, Side::Left, 25},
+                                     {12, Side::Right, 0},
+                                     {26, Side::Both, 0},
+                                     {51, Side::Both, 0},
+                                     {52, Side::Both, 100}};
+  EXPECT_EQ(table.terms(face), expected);
+}
+
 TEST(FaceModels, SayWhatToDoWhenTheyAreNotThere) {
   const TempFolder folder;
   const auto models = load_face_models(folder.path());
@@ -205,6 +218,21 @@ TEST(PictureSource, AsksACameraForSizeAndRate) {
       << camera.error().message;
 }
 
+TEST(PictureSource, AFilmOrAFifoStandsInForACamera) {
+  OtherFfmpeg ffmpeg("echo \"$@\" >&2; exit 1");
+  const std::string film = ffmpeg.file("film.mp4", "x");
+  auto camera = PictureSource::open_camera({.device = film});
+  ASSERT_FALSE(camera.has_value());
+  EXPECT_NE(camera.error().message.find("-re -i file:" + film), std::string::npos)
+      << camera.error().message;
+  const std::string fifo = film + ".fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  camera = PictureSource::open_camera({.device = fifo});
+  ASSERT_FALSE(camera.has_value());
+  EXPECT_NE(camera.error().message.find("buffer -i file:" + fifo), std::string::npos)
+      << camera.error().message;
+}
+
 /// Whether the models are installed beside the programs.
 bool models_are_there() {
   return load_face_models().has_value();
@@ -214,7 +242,12 @@ TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
   if (!models_are_there()) GTEST_SKIP() << "NOT RUN: the models are not installed";
   OtherFfmpeg ffmpeg(
       "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; printf 'FRAME\\n'; head -c 768 /dev/zero");
-  auto feed = CameraFeed::start({}, {});
+  std::vector<std::size_t> widths;  // by the other thread, until the rows have ended
+  auto feed = CameraFeed::start({}, {}, [&widths](const Sight& sight) {
+    EXPECT_EQ(sight.landmarks, nullptr);
+    EXPECT_TRUE(sight.aus.empty());
+    widths.push_back(sight.picture.width);
+  });
   ASSERT_TRUE(feed.has_value()) << feed.error().message;
   const int rows = (*feed)->take_rows();
   std::string text;
@@ -231,6 +264,7 @@ TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
   EXPECT_NE(text.find(",0.000,0,"), std::string::npos);
   EXPECT_EQ((*feed)->complaint(), "");
+  EXPECT_EQ(widths, std::vector<std::size_t>{16});
 }
 
 TEST(CameraFeed, EndsAtOnceWhileItsCameraGoesOn) {
