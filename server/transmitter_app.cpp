@@ -182,6 +182,14 @@ Result<void> check_record(const TransmitterOptions& options) {
                "no SOURCE is; 'au-transmitter convert' writes a recording as a stream file"};
 }
 
+/// What --preview cannot show.
+Result<void> check_preview(const TransmitterOptions& options) {
+  if (!options.preview) return {};
+  if (options.sources.size() == 1 && camera_device(options.sources.front())) return {};
+  return Error{ErrorKind::Usage,
+               "--preview shows what a camera sees: let that be the only SOURCE (try --help)"};
+}
+
 /// What cannot be a voice of these sources.
 Result<void> check_voice(const TransmitterOptions& options) {
   const VoiceOptions& voice = options.voice;
@@ -291,6 +299,7 @@ int run_transmitter(std::vector<std::string> arguments) {
   if (auto log = set_up_log("au-transmitter", options.log_level, format); !log)
     return report(log.error());
 
+  if (auto can = check_preview(options); !can) return report(can.error());
   if (auto can = check_voice(options); !can) return report(can.error());
   if (options.check || options.estimate) return check(options);
   if (auto can = check_record(options); !can) return report(can.error());

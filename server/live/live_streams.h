@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/camera/camera_feed.h"
 #include "common/camera/film_reader.h"
 #include "common/camera/picture_source.h"
 #include "common/result.h"
@@ -40,6 +41,7 @@ struct LiveSourceOptions {
   std::function<void(const sources::MeasuredNeutral&)> on_neutral;
   camera::CameraOptions camera;  ///< if the path is one
   camera::QuietOptions quiet;    ///< of a camera
+  camera::OnSight on_sight{};    ///< likewise
 };
 
 /// What becomes of a source that is still being written: reader -> queue -> thinning -> feed. What

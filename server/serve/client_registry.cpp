@@ -25,7 +25,8 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
       Connection::Settings{
           number, link::endpoint_text(peer), &log_, options_.client_timeout, admission,
           options_.batch, protocol::TokenCount{&wrong_tokens_, address},
-          way == Way::Tcp ? protocol::Silence::Classic : protocol::Silence::Refused, on_publisher_},
+          way == Way::WebSocket ? protocol::Silence::Refused : protocol::Silence::Classic,
+          on_publisher_},
       [this](const ClientRecord& record, const std::string&) { farewell(record); });
   if (refused) {
     ++refused_;
@@ -82,11 +83,18 @@ void ClientRegistry::farewell(const ClientRecord& record) {
 }
 
 /// A client may leave when it is told something; it takes nobody with it.
-void ClientRegistry::for_each(const std::function<void(Connection&)>& visit) {
+void ClientRegistry::for_each(const std::function<void(Connection&)>& visit,
+                              std::optional<Way> way) {
   for (auto next = clients_.begin(); next != clients_.end();) {
-    const std::shared_ptr<Connection> connection = (next++)->second.connection;
-    visit(*connection);
+    const Client client = (next++)->second;
+    if (!way || client.way == *way) visit(*client.connection);
   }
+}
+
+std::size_t ClientRegistry::count(Way way) const {
+  return static_cast<std::size_t>(std::count_if(
+      clients_.begin(), clients_.end(),
+      [way](const auto& client) { return client.second.way == way && !client.second.refused; }));
 }
 
 void ClientRegistry::on_voice() {
@@ -105,6 +113,10 @@ void ClientRegistry::send_away(std::size_t count) {
   for_each([&count](Connection& connection) {
     if (count > 0 && connection.send_away()) --count;
   });
+}
+
+void ClientRegistry::stop(Way way) {
+  for_each([](Connection& connection) { connection.stop(); }, way);
 }
 
 void ClientRegistry::abort() {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,6 +48,7 @@ class ClientRegistry {
     Tcp,
     WebSocket,
     Dialled,  ///< by us: --push
+    Live,     ///< over TCP, where --preview was told to go live
   };
 
   /// Somebody knocks. While as many as possible are being refused the link is not even opened.
@@ -64,8 +66,9 @@ class ClientRegistry {
   void on_moment();
   /// More of a voice is there.
   void on_voice();
-  /// {-2} to everybody.
+  /// {-2} to everybody, or to those that have come this way.
   void stop();
+  void stop(Way way);
   /// Cuts off so many clients of level 2, the oldest first: another server goes on with them.
   void send_away(std::size_t count);
   /// Closes all connections now.
@@ -73,6 +76,7 @@ class ClientRegistry {
 
   [[nodiscard]] std::size_t size() const { return clients_.size(); }
   [[nodiscard]] bool empty() const { return clients_.empty(); }
+  [[nodiscard]] std::size_t count(Way way) const;
   /// Fills in all that `status` says of clients.
   void describe(Status& status, Instant now) const;
   /// How many lines about clients the log left out, if any.
@@ -88,7 +92,7 @@ class ClientRegistry {
 
   [[nodiscard]] protocol::Admission admission_of(AddressKey address) const;
   void farewell(const ClientRecord& record);
-  void for_each(const std::function<void(Connection&)>& visit);
+  void for_each(const std::function<void(Connection&)>& visit, std::optional<Way> way = {});
 
   const TransmitterOptions& options_;
   Stats& stats_;

@@ -190,6 +190,7 @@ Result<void> Programme::open(const std::filesystem::path& path,
   }
   source_options.camera = options_.source.camera;
   source_options.quiet = quiet_of(options_.source.signal);
+  source_options.on_sight = events_.on_sight;
   source_options.on_neutral = [this](const auto& neutral) { on_neutral(neutral); };
   auto source = std::make_unique<LiveSource>(
       io_, std::move(source_options),

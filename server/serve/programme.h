@@ -8,6 +8,7 @@
 
 #include <asio/io_context.hpp>
 
+#include "common/camera/camera_feed.h"
 #include "common/result.h"
 #include "common/sources/conditioning.h"
 #include "protocol/server_session.h"
@@ -33,6 +34,7 @@ class Programme {
     std::function<void()> on_moment;         ///< a live stream has moved on
     std::function<void()> on_over;           ///< nothing is served any more and nothing can come
     std::function<void()> on_voice = [] {};  ///< more of a voice is there
+    camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
   };
 
   Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,

@@ -23,6 +23,7 @@
 #include "server/engine/nats_bus.h"
 #include "server/engine/nats_options.h"
 #include "server/engine/publisher.h"
+#include "server/preview/preview.h"
 #include "server/push/pusher.h"
 #include "server/serve/client_registry.h"
 #include "server/serve/departure.h"
@@ -56,13 +57,15 @@ class Transmitter {
         stop_timer_(io_),
         tick_timer_(io_),
         listener_(io_, protocol::kAcceptLimits),
+        live_listener_(io_, protocol::kAcceptLimits),
         clients_(
             options, stats, [this] { on_empty(); },
             [this](std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello,
                    std::string peer) { programme_.take(std::move(link), hello, std::move(peer)); }),
-        programme_(
-            io_, options, std::move(repertoire),
-            {[this] { on_moment(); }, [this] { on_over(); }, [this] { clients_.on_voice(); }}),
+        programme_(io_, options, std::move(repertoire),
+                   {[this] { on_moment(); }, [this] { on_over(); }, [this] { clients_.on_voice(); },
+                    options.preview ? [this](const camera::Sight& sight) { preview_->offer(sight); }
+                                    : camera::OnSight()}),
         reload_(io_, options.credentials, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
         departure_(
@@ -75,6 +78,7 @@ class Transmitter {
   Result<Ending> run(const OnReady& on_ready) {
     if (auto read = reload_.read_credentials(); !read) return read.error();
     if (auto opened = open_listeners(); !opened) return opened.error();
+    if (auto opened = open_preview(); !opened) return opened.error();
     if (auto opened = programme_.open_sources(); !opened) return opened.error();
     if (auto opened = open_publisher(); !opened) return opened.error();
     if (auto opened = open_pushers(); !opened) return opened.error();
@@ -87,10 +91,7 @@ class Transmitter {
     await_other_signal();
     programme_.begin();
     if (publisher_) publisher_->on_moment();
-    listener_.start([this](tcp::socket socket, const tcp::endpoint& peer) {
-      welcome(
-          peer, [&] { return link_of(std::move(socket)); }, ClientRegistry::Way::Tcp);
-    });
+    accept_from(listener_, ClientRegistry::Way::Tcp);
     if (web_) web_->start();
     if (http_) http_->start();
     for (const auto& pusher : pushers_) pusher->start();
@@ -154,6 +155,32 @@ class Transmitter {
     return {};
   }
 
+  /// What the camera of --preview sees is told; who started us may let others in, and out.
+  Result<void> open_preview() {
+    if (!options_.preview) return {};
+    preview_.emplace(
+        io_,
+        Preview::Hooks{
+            [this](const std::string& bind, std::uint16_t port) { return go_live(bind, port); },
+            [this] { go_private(); }, [this] { return clients_.count(ClientRegistry::Way::Live); },
+            [this] {
+              if (!programme_.stopped()) stop("the preview's reader has gone");
+            }});
+    return preview_->start();
+  }
+
+  Result<std::string> go_live(const std::string& bind, std::uint16_t port) {
+    go_private();
+    if (auto opened = live_listener_.open(bind, port); !opened) return opened.error();
+    accept_from(live_listener_, ClientRegistry::Way::Live);
+    return link::endpoint_text(live_listener_.endpoint());
+  }
+
+  void go_private() {
+    live_listener_.stop();
+    clients_.stop(ClientRegistry::Way::Live);
+  }
+
   Result<void> open_http() {
     if (!options_.http) return {};
     http_.emplace(io_, [this](const std::string& path) {
@@ -181,6 +208,13 @@ class Transmitter {
   void on_moment() {
     clients_.on_moment();
     if (publisher_) publisher_->on_moment();
+  }
+
+  void accept_from(link::Listener& listener, ClientRegistry::Way way) {
+    listener.start([this, way](tcp::socket socket, const tcp::endpoint& peer) {
+      welcome(
+          peer, [&] { return link_of(std::move(socket)); }, way);
+    });
   }
 
   void say_who_can_connect() const {
@@ -294,6 +328,7 @@ class Transmitter {
   void close_doors(Milliseconds at_most) {
     manager_.stopping(at_most);
     listener_.stop();
+    live_listener_.stop();
     if (web_) web_->stop();
     for (const auto& pusher : pushers_) pusher->stop();
   }
@@ -311,6 +346,7 @@ class Transmitter {
     spdlog::info("{}: ending the stream of {}", why, counted(clients_.size(), "client"));
     departure_.stop();
     close_doors({});
+    if (preview_) preview_->stop();
     if (publisher_) publisher_->stop();
     programme_.stop();
     clients_.stop();
@@ -351,6 +387,8 @@ class Transmitter {
   asio::steady_timer tick_timer_;
   ServiceManager manager_;
   link::Listener listener_;
+  link::Listener live_listener_;  ///< for others, while --preview is live
+  std::optional<Preview> preview_;
   ClientRegistry clients_;
   Programme programme_;
   std::vector<std::unique_ptr<Pusher>> pushers_;

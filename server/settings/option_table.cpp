@@ -52,7 +52,8 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "over NATS; natss:// over TLS. "
        "A film (.mp4, .mov, .mkv, .webm, .avi and others, "
        "through ffmpeg) is read for the face in it; camera is the camera /dev/video0 and "
-       "camera:DEVICE another one, live. Both need the models that "
+       "camera:DEVICE another one, live; a film or a FIFO may stand in for DEVICE. Both need the "
+       "models that "
        "scripts/install_models.sh fetches.",
        words(options.sources), "Sources", Where::Positional},
       {"follow", "", "", "send what is appended",
@@ -167,6 +168,21 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        "publisher is away its clients hold for --upstream-wait. SIGHUP reads FILE again.",
        word(credentials.publishers)},
   };
+}
+
+OptionRow preview_row(TransmitterOptions& options) {
+  return {
+      "preview",
+      "",
+      "",
+      "tell what a camera sees (face-player --mirror)",
+      "For a program that starts this one: standard output tells "
+      "what the camera sees, as small pictures with landmarks and AUs, and standard input takes "
+      "orders to let others in, and out; its end ends the program. Both must be pipes or "
+      "sockets. The only SOURCE is a camera. The format is in common/preview/README.md.",
+      flag(options.preview),
+      "",
+      Where::Typed};
 }
 
 std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
@@ -346,6 +362,7 @@ std::vector<OptionRow> option_rows(TransmitterOptions& options) {
   append(rows, signal_rows(options.source.signal));
   append(rows, voice_rows(options.voice));
   append(rows, camera_rows(options.source.camera));
+  rows.push_back(preview_row(options));
   append(rows, sending_rows(options));
   append(rows, connection_rows(options));
   append(rows, credential_rows(options.credentials));

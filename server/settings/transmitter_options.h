@@ -58,6 +58,7 @@ struct TransmitterOptions {
   SourceOptions source;                         ///< how recordings are read
   VoiceOptions voice;                           ///< the sound beside the faces
   bool skip_bad = false;                        ///< broken sources are left out
+  bool preview = false;                         ///< stdout tells what the camera sees
   std::optional<HttpAddress> http;              ///< nothing: no status by HTTP
   WebOptions web;                               ///< the page for browsers
   std::filesystem::path record;                 ///< file or folder for live streams; empty: none

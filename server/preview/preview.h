@@ -1,0 +1,67 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <asio/io_context.hpp>
+#include <asio/posix/stream_descriptor.hpp>
+
+#include "common/camera/camera_feed.h"
+#include "common/result.h"
+
+namespace aucast::server {
+
+/// --preview: what the camera sees, on standard output, and orders, on standard input
+/// (common/preview). A picture that comes while the one before is still being written is dropped.
+/// Thread: that of the io_context, which must outlive it; offer() from any.
+class Preview {
+ public:
+  struct Hooks {
+    /// Others are let in; where.
+    std::function<Result<std::string>(const std::string& bind, std::uint16_t port)> open;
+    std::function<void()> close;
+    /// How many of them are here.
+    std::function<std::size_t()> watching;
+    /// Whom it is for has gone. Called once.
+    std::function<void()> on_gone;
+  };
+
+  Preview(asio::io_context& io, Hooks hooks);
+  Preview(const Preview&) = delete;
+  Preview& operator=(const Preview&) = delete;
+
+  /// Takes orders from `in` and writes to `out`, of which copies are made. Failed when one of them
+  /// is not a pipe or a socket.
+  [[nodiscard]] Result<void> start(int in = STDIN_FILENO, int out = STDOUT_FILENO);
+  void stop();
+  /// The camera sees this.
+  void offer(const camera::Sight& sight);
+
+ private:
+  void read();
+  void take_orders();
+  void carry_out(std::string_view line);
+  void write(std::string record);
+  void write_on();
+  void end();
+
+  asio::io_context& io_;
+  Hooks hooks_;
+  asio::posix::stream_descriptor in_;
+  asio::posix::stream_descriptor out_;
+  std::string chunk_;
+  std::string orders_;   ///< as far as they have come
+  std::string waiting_;  ///< to be written
+  std::string written_;  ///< being written now
+  std::size_t said_watching_ = 0;
+  bool picture_in_waiting_ = false;
+  std::atomic<bool> picture_taken_ = false;  ///< until it was written
+  bool gone_ = false;
+};
+
+}  // namespace aucast::server
