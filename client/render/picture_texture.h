@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "client/render/gl_objects.h"
+
+namespace aucast::render {
+
+/// A picture that is drawn as it is, and is another one from time to time. The context must be
+/// current whenever it is used.
+class PictureTexture {
+ public:
+  /// `rgb`: 3 * width * height bytes, rows from the top, none of them 0.
+  void show(std::size_t width, std::size_t height, std::span<const std::uint8_t> rgb);
+  [[nodiscard]] GLuint id() const { return texture_.id(); }
+
+ private:
+  Texture texture_;
+};
+
+}  // namespace aucast::render
