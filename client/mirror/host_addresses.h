@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace aucast::mirror {
+
+/// The IPv4 addresses under which others may reach this host, those of the loopback left out.
+[[nodiscard]] std::vector<std::string> host_addresses();
+
+}  // namespace aucast::mirror

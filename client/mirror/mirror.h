@@ -1,0 +1,67 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "client/mirror/mirror_options.h"
+#include "common/child.h"
+#include "common/preview/orders.h"
+#include "common/preview/preview_reader.h"
+#include "common/result.h"
+
+namespace aucast::mirror {
+
+/// What came of the camera so far.
+struct MirrorState {
+  std::string address;  ///< ADDR:PORT where this host can play the stream; empty: not yet
+  std::shared_ptr<const preview::Seen> seen;  ///< the newest; null: nothing yet
+  std::string live;                           ///< ADDR:PORT for others; empty: they are not let in
+  std::size_t watching = 0;                   ///< how many of them do
+  std::string refused;                        ///< why the last order was not carried out
+  bool over = false;                          ///< the child is gone
+  std::string ended;                          ///< why, a sentence; empty when it was asked to
+};
+
+/// A camera whose face is seen here before anybody else does: au-transmitter as a child. Thread:
+/// one of its own; everything here from one thread.
+class Mirror {
+ public:
+  /// Failed when au-transmitter cannot be started, with the remedy.
+  [[nodiscard]] static Result<std::unique_ptr<Mirror>> start(const MirrorOptions& options);
+  /// end(), and at most kPatience later it is killed.
+  ~Mirror();
+  Mirror(const Mirror&) = delete;
+  Mirror& operator=(const Mirror&) = delete;
+
+  static constexpr std::chrono::milliseconds kPatience{2'500};
+
+  /// What state() says then tells what became of it.
+  void order(const preview::Order& order);
+  /// Lets it end: everybody who watches is told.
+  void end();
+  [[nodiscard]] MirrorState state() const;
+
+ private:
+  explicit Mirror(std::unique_ptr<Child> child);
+  void read();
+  void take(preview::Record record);
+  [[nodiscard]] std::optional<std::string> take_all(preview::PreviewReader& reader);
+
+  std::unique_ptr<Child> child_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  // Guarded by mutex_:
+  MirrorState state_;
+  bool asked_to_end_ = false;
+  bool reading_ = true;  ///< the child may be told something, and be killed
+  // Comes last: it uses all of the above.
+  std::jthread thread_;
+};
+
+}  // namespace aucast::mirror
