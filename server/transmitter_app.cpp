@@ -186,8 +186,7 @@ Result<void> check_record(const TransmitterOptions& options) {
 Result<void> check_preview(const TransmitterOptions& options) {
   if (!options.preview) return {};
   if (options.sources.size() == 1 && camera_device(options.sources.front())) return {};
-  return Error{ErrorKind::Usage,
-               "--preview shows what a camera sees: let that be the only SOURCE (try --help)"};
+  return usage_error("--preview shows what a camera sees: let that be the only SOURCE");
 }
 
 /// What cannot be a voice of these sources.

@@ -432,13 +432,20 @@ void describe_export(CommandPage& page) {
 std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
   std::vector<OptionRow> rows;
   if (command == Command::Watch) {
-    rows = {{"host", "HOST", "", "",
-             "The server: HOST or HOST:PORT; the port is 4650 by default. Or a stream's address: "
-             "aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. When one of several "
-             "hosts is lost the next is taken, as with --reconnect, and when one is full or does "
-             "not have the stream yet, until all have said so.",
-             word(options.playback.endpoint), "", Where::Positional},
-            {"list", "", "", "", "Prints the names of the server's streams.", flag(options.list)}};
+    rows = {
+        {"host", "HOST", "", "",
+         "The server: HOST or HOST:PORT; the port is 4650 by default. Or a stream's address: "
+         "aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. When one of several "
+         "hosts is lost the next is taken, as with --reconnect, and when one is full or does "
+         "not have the stream yet, until all have said so.",
+         word(options.playback.endpoint), "", Where::Positional},
+        {"list", "", "", "", "Prints the names of the server's streams.", flag(options.list)},
+        {"mirror", "", "", "",
+         "Begins with the window's Camera tab: your own face as others will see it, beside what "
+         "the camera sees, with \"Go live\" there. In place of HOST stands the camera: camera "
+         "(the default), camera:DEVICE, or a film to try it with. au-transmitter is started for "
+         "it, and scripts/install_models.sh must have fetched the models that read faces.",
+         flag(options.mirrors)}};
   } else if (command == Command::Play) {
     rows = {{"file", "FILE", "", "a stream file", "", word(options.playback.file), "",
              Where::Positional}};
@@ -485,6 +492,7 @@ CommandPage command_page(Command command) {
       page.usage = {"face-player [OPTIONS] HOST[:PORT]              in a window (port 4650)",
                     "face-player --headless [OPTIONS] HOST[:PORT]   without a display",
                     "face-player --list HOST[:PORT]                 names of the streams",
+                    "face-player --mirror [camera:DEVICE|FILM]      your own face, to go live",
                     "face-player play FILE                          a stream file or a table",
                     "face-player pose|rules|gallery|export --help   pictures, rules, GLB"};
       page.about = "Receives a face as FACS Action Units and draws it.\n";
@@ -493,8 +501,7 @@ CommandPage command_page(Command command) {
 eye-tags. In the window: ? lists keys and mouse, f is full screen, q leaves.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 )";
-      page.examples = {"face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json",
-                       "face-player play six_expressions.txt --headless --frames pictures"};
+      page.examples = {"face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json"};
       break;
     case Command::Play: {
       page.command = "play";

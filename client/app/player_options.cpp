@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "client/app/option_rows.h"
 #include "common/link/host.h"
@@ -50,6 +51,18 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
   return {};
 }
 
+/// --mirror [SOURCE]: the word that names a server elsewhere names a camera.
+Result<void> settle_mirror(PlayerOptions& options) {
+  if (!options.mirrors) return {};
+  if (options.list || options.headless || options.output.fast || options.output.pictures()) {
+    return usage_error(
+        "--mirror shows your own camera in the window: leave out what does without one");
+  }
+  std::string& source = options.playback.endpoint;
+  if (!source.empty()) options.mirror.source = std::exchange(source, {});
+  return {};
+}
+
 Result<void> check_background(const OutputOptions& output) {
   if (!output.transparent) return {};
   if (!output.record.empty())
@@ -75,6 +88,7 @@ Result<void> settle_sound(const PlayerOptions& options) {
 
 /// What one option alone cannot tell.
 Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
+  if (auto settled = settle_mirror(options); !settled) return settled;
   if (auto settled = settle_address(typed, options.playback); !settled) return settled;
   if (options.quiet) options.log_level = "error";
   if (const auto verbose = typed.find("verbose"); verbose != typed.end()) {

@@ -10,6 +10,7 @@
 
 #include "client/face/muscle_mixer.h"
 #include "client/glb/basis.h"
+#include "client/mirror/mirror_options.h"
 #include "client/net/security.h"
 #include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
@@ -131,6 +132,8 @@ struct PlayerOptions {
   PoseOptions pose;
   GalleryOptions gallery;
   ExportOptions exported;
+  bool mirrors = false;          ///< --mirror: the window begins with one's own camera
+  mirror::MirrorOptions mirror;  ///< which
   bool headless = false;
   /// Voice is asked for: it is heard or written.
   [[nodiscard]] bool wants_voice() const;

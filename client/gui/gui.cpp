@@ -18,6 +18,8 @@ constexpr float kFontSize = 15;
 constexpr float kPanelWidth = 380;
 /// Half of the panel's margin, which is what ImGui lets things use of it.
 constexpr float kScrollBar = 8;
+constexpr float kTabPadding = 5;
+constexpr float kTabGap = 3;
 
 struct FontFiles {
   const char* regular;
@@ -215,6 +217,32 @@ void leave_question(const Look& look, GuiCommands& commands) {
   ImGui::EndPopup();
 }
 
+/// Tabs narrow enough to stand side by side, as long as it lives.
+class TabStyle {
+ public:
+  explicit TabStyle(const Look& look) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(kTabPadding * look.scale, style.FramePadding.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
+                        ImVec2(kTabGap * look.scale, style.ItemInnerSpacing.y));
+  }
+  ~TabStyle() { ImGui::PopStyleVar(2); }
+  TabStyle(const TabStyle&) = delete;
+  TabStyle& operator=(const TabStyle&) = delete;
+};
+
+bool begin_tabs(const Look& look) {
+  const TabStyle narrow(look);
+  return ImGui::BeginTabBar("tabs");
+}
+
+bool begin_tab(const Look& look, const char* name, bool chosen) {
+  const TabStyle narrow(look);
+  const auto flags = chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None;
+  return ImGui::BeginTabItem(name, nullptr, flags);
+}
+
 }  // namespace
 
 struct Gui::State {
@@ -225,11 +253,13 @@ struct Gui::State {
   FileForm file;
   NoticeForm notice;
   ComposerForm composer;
+  MirrorForm mirror;
   bool panel = true;
   bool bare = false;         ///< the user wants the face alone
   bool hidden = false;       ///< panel and bar, until the mouse moves
   bool full_screen = false;  ///< panel and bar lie over the face
   bool keys = false;
+  bool drawn = false;  ///< once at least
 
   [[nodiscard]] bool shows_bar() const { return !bare && !hidden; }
   [[nodiscard]] bool shows_panel() const { return panel && shows_bar(); }
@@ -253,9 +283,9 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
     if (ImGui::SmallButton("?")) keys = !keys;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("the keys");
     ImGui::Spacing();
-    if (ImGui::BeginTabBar("tabs")) {
-      const auto tab = [this](const char* name, const auto& contents) {
-        if (!ImGui::BeginTabItem(name)) return;
+    if (begin_tabs(look)) {
+      const auto tab = [this](const char* name, const auto& contents, bool chosen = false) {
+        if (!begin_tab(look, name, chosen)) return;
         // As wide whether it scrolls or not: the scroll bar has its place in the margin.
         const float room = ImGui::GetContentRegionAvail().x;
         ImGui::SetNextWindowContentSize(ImVec2(room - kScrollBar / 2 * look.scale, 0));
@@ -272,6 +302,10 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
       tab("Editor", [&] { editor_panel(look, model, editor, commands); });
       tab("Compose", [&] { composer_panel(look, model, composer, commands); });
       tab("View", [&] { rendering_panel(look, model, commands); });
+      // Who begins with the camera sees its tab.
+      const bool begins = !std::exchange(drawn, true) && model.mirror.wanted;
+      tab(
+          "Camera", [&] { mirror_panel(look, model, mirror, commands); }, begins);
       ImGui::EndTabBar();
     }
   }
@@ -325,6 +359,10 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   if (state_->keys) key_list(state_->look, free, state_->keys);
   if (model.asks_to_leave) leave_question(state_->look, commands);
   ImGui::Render();
+}
+
+void Gui::set_camera_texture(std::uintptr_t texture) {
+  state_->mirror.texture = texture;
 }
 
 void Gui::toggle_panel() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -23,6 +24,10 @@ class Gui {
   /// One frame, after the backends have begun theirs; what is to be drawn is then ImGui's draw
   /// data. What the user asked for goes to the end of `commands`.
   void draw(const GuiModel& model, GuiCommands& commands);
+
+  /// The texture that has the picture of `mirror.seen`, by the name that ImGui's backend takes; 0:
+  /// none.
+  void set_camera_texture(std::uintptr_t texture);
 
   void toggle_panel();
   /// Nothing but the face, or panel and bar again.

@@ -122,10 +122,11 @@ using EditorCommand =
     std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
                  SaveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
-using GuiCommand = std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand,
-                                ChangeAnimation, ChangeRendering, AskStreams, LookFrom, Leave,
-                                Browse, EnterFolder, ChooseFile, ChangeTable, BeginWithFace,
-                                CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
+using GuiCommand =
+    std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand, MirrorCommand,
+                 ChangeAnimation, ChangeRendering, AskStreams, LookFrom, Leave, Browse, EnterFolder,
+                 ChooseFile, ChangeTable, BeginWithFace, CloseBrowser, OpenStream, CloseNotice,
+                 TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

@@ -9,6 +9,7 @@
 #include "client/face/muscle_mixer.h"
 #include "client/gui/composer_view.h"
 #include "client/gui/file_browser.h"
+#include "client/gui/mirror_view.h"
 #include "client/gui/remote_settings.h"
 #include "client/gui/stream_view.h"
 #include "client/playback/blinking.h"
@@ -242,6 +243,7 @@ struct GuiModel {
   StreamsView streams;
   RemoteView remote;
   LocalView local;
+  MirrorView mirror;
   SoundView sound;
   SpokenView spoken;
   TableSettings table;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <string>
 
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
@@ -90,6 +92,20 @@ struct FileForm {
 
 /// The file dialog, while the model has one open.
 void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCommands& commands);
+
+/// What is being typed on the Camera tab.
+struct MirrorForm {
+  std::array<char, 256> source{};
+  std::string bind = "127.0.0.1";
+  int port = 4650;
+  bool as_mirror = true;
+  bool landmarks = true;
+  std::uintptr_t texture = 0;  ///< of the picture that is seen; 0: none
+  bool filled = false;
+};
+
+/// The Camera tab: one's own face, and who else may see it.
+void mirror_panel(const Look& look, const GuiModel& model, MirrorForm& form, GuiCommands& commands);
 
 void rendering_panel(const Look& look, const GuiModel& model, GuiCommands& commands);
 

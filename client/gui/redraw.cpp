@@ -15,9 +15,11 @@ int frames_due(const GuiModel& shown, GuiModel now) {
   const bool plays = shown.local.playing && now.local.playing;
   if (plays) now.local.position = shown.local.position;
   const bool plotted = now.remote.receiver_history != shown.remote.receiver_history ||
-                       now.remote.au_history != shown.remote.au_history;
+                       now.remote.au_history != shown.remote.au_history ||
+                       now.mirror.seen != shown.mirror.seen;
   now.remote.receiver_history = shown.remote.receiver_history;
   now.remote.au_history = shown.remote.au_history;
+  now.mirror.seen = shown.mirror.seen;
   if (now != shown) return kFramesAfterChange;
   return moved >= kClockStep || plotted ? 1 : 0;
 }

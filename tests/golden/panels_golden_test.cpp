@@ -216,7 +216,7 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
 TEST_F(Replay, TheViewIsSetByMouse) {
   open(1, nullptr);
   // The tab, then the boxes for wireframe and muscles, then a white ground.
-  replay("click 731 54\nclick 638 211\nclick 638 273\nclick 729 373\n");
+  replay("click 693 54\nclick 638 211\nclick 638 273\nclick 729 373\n");
   const gui::RenderingSettings rendering = session_->rendering();
   EXPECT_TRUE(rendering.layers.wireframe);
   EXPECT_TRUE(rendering.layers.muscles);
@@ -226,7 +226,7 @@ TEST_F(Replay, TheViewIsSetByMouse) {
 
 TEST_F(Replay, AtTwiceTheScaleAllIsTwiceAsFine) {
   open(2, small_stream());
-  replay("at 0\nat 250\nclick 731 54\n");
+  replay("at 0\nat 250\nclick 693 54\n");
   const view::Image fine = panel();
   EXPECT_EQ(fine.width, 2 * 380);
   test::expect_as_baseline(fine, "panel_view_twice", kTolerance, kShareMax);
@@ -266,7 +266,7 @@ class Making : public Replay {
 TEST_F(Making, AnExpressionIsShownAndAusArePutTogether) {
   open(1, nullptr);
   // The tab, Happiness, then two AUs that the rules change.
-  replay("click 525 54\nclick 590 154\nat 300\n");
+  replay("click 516 54\nclick 590 154\nat 300\n");
   EXPECT_GT(shown("left_zygomaticus_major"), 0.5F);
   replay("click 550 516\ntype 51,52:40\nclick 744 516\nat 300\n");
   EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
@@ -277,7 +277,7 @@ TEST_F(Making, AnExpressionIsShownAndAusArePutTogether) {
 TEST_F(Making, AnAuIsEditedAndSaved) {
   open(1, nullptr);
   // The tab, then AU 12 from the list: what it drives is opened.
-  replay("click 600 54\nclick 655 123\nclick 655 368\n");
+  replay("click 577 54\nclick 655 123\nclick 655 368\n");
   EXPECT_EQ(session_->model().editor.au, 12);
   const float before = shown("left_cheek_raiser");
   // The cheeks by drag, one step more by button, which is taken back.
@@ -303,7 +303,7 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
 TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   open(1, nullptr);
   // The tab; AUs 12 and 6, of which 6 is drawn down; added. Then a face from the pad, added.
-  replay("click 665 54\nclick 475 596\nclick 607 571\ndrag 773 781 650 781\nclick 475 368\n");
+  replay("click 637 54\nclick 475 596\nclick 607 571\ndrag 773 781 650 781\nclick 475 368\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 1U);
   replay("click 639 434\nclick 766 399\nclick 475 368\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 2U);
@@ -326,7 +326,7 @@ TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
 
 TEST_F(Making, TheComposerAtTwiceTheScale) {
   open(2, nullptr);
-  replay("click 665 54\nclick 475 596\nclick 607 571\nclick 475 368\nclick 639 434\n");
+  replay("click 637 54\nclick 475 596\nclick 607 571\nclick 475 368\nclick 639 434\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 1U);
   test::expect_as_baseline(panel(), "panel_compose_twice", kTolerance, kShareMax);
 }

@@ -114,6 +114,21 @@ void PlaybackSession::open(std::vector<playback::TimedAus> keyframes, std::strin
        now);
 }
 
+void PlaybackSession::watch_own(const net::Endpoint& endpoint, Instant now) {
+  net::RemoteOptions remote = remote_options(options_.playback, endpoint);
+  remote.others.clear();
+  remote.stream.clear();
+  remote.security = {};
+  remote.reconnect = remote.voice = false;
+  remote.buffers.low_delay = true;
+  buffers_ = remote.buffers;
+  const playback::SourcePlayback::Options how{remote.speed, options_.playback.hold, false};
+  open(std::make_unique<playback::SourcePlayback>(
+           std::make_unique<net::RemoteSource>(std::move(remote)), how),
+       {}, now);
+  answered_ = true;  // or it would be remembered
+}
+
 Result<net::RemoteOptions> PlaybackSession::server_of(const gui::RemoteSettings& settings) const {
   const PlaybackOptions& options = options_.playback;
   net::SecurityOptions protection = options.security_options;
@@ -415,7 +430,7 @@ Duration PlaybackSession::idle_time(Instant now) const {
     return std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
   }
   if (!running() || playback_->seekable() != nullptr) return kIdle;
-  if (!options_.playback.buffers.low_delay) return kLookEvery;
+  if (!buffers_.low_delay) return kLookEvery;
   // Keyframes that come just in time are waited for between two positions.
   return playback_->state() == PlaybackState::Playing ? kJustInTime : kFrameMax;
 }

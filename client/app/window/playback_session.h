@@ -35,6 +35,9 @@ class PlaybackSession {
   /// Plays this from now on; null: nothing. `name`: of a stream loaded in full.
   void open(std::unique_ptr<playback::Playback> playback, std::string name, Instant now);
   void open(std::vector<playback::TimedAus> keyframes, std::string name, Instant now);
+  /// Plays the stream of one's own camera, with the lowest delay and without its voice. Its address
+  /// is not remembered.
+  void watch_own(const net::Endpoint& endpoint, Instant now);
   /// The sound of what plays goes there; null: nowhere.
   void set_sound(std::unique_ptr<sound::SoundOut> out);
   /// What plays was read from this file: the sound file and the captions beside it, if there are

@@ -8,6 +8,7 @@
 #include "client/app/window/input_pacer.h"
 #include "client/gui/curtain.h"
 #include "client/gui/gui.h"
+#include "client/render/picture_texture.h"
 #include "client/render/window.h"
 
 namespace aucast::app {
@@ -47,6 +48,7 @@ class WindowOverlay {
   void feed();
   void take(const render::InputEvent& event);
   void move_to(float x, float y);
+  void take_picture(const gui::MirrorView& mirror);
 
   render::Window& window_;
   InputPacer pacer_;
@@ -56,6 +58,8 @@ class WindowOverlay {
   float pointer_x_ = kNowhere;
   float pointer_y_ = kNowhere;
   std::array<bool, 3> buttons_{};
+  render::PictureTexture texture_;
+  std::shared_ptr<const preview::Seen> in_texture_;
   gui::Gui gui_;
 };
 

@@ -22,6 +22,7 @@ WindowOverlay::~WindowOverlay() {
 }
 
 void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands) {
+  take_picture(model.mirror);
   // What only input needs is not put on the screen: there it would take the time of a picture each.
   do {
     ImGui_ImplOpenGL3_NewFrame();
@@ -30,6 +31,15 @@ void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands)
     gui_.draw(model, commands);
   } while (input_waits() && commands.empty() && keys_.empty());
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+/// What the camera sees goes to the graphics card, where it is not yet.
+void WindowOverlay::take_picture(const gui::MirrorView& mirror) {
+  if (mirror.seen == in_texture_) return;
+  in_texture_ = mirror.seen;
+  if (in_texture_ == nullptr) return gui_.set_camera_texture(0);
+  texture_.show(in_texture_->width, in_texture_->height, in_texture_->rgb);
+  gui_.set_camera_texture(texture_.id());
 }
 
 void WindowOverlay::feed() {

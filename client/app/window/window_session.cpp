@@ -45,6 +45,7 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
       playback_(mapping_, options, stats, notices_, face_),
       editor_(assets, mapping_, notices_, face_),
       composer_(assets, mapping_),
+      mirror_(options.mirror),
       lister_(net::list_streams),
       idle_(assets.face),
       last_folder_(assets.data_folder / "streams") {
@@ -58,6 +59,7 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
   if (std::filesystem::exists(sample, ignored)) sample_ = sample.string();
   list_faces();
   if (playback != nullptr) playback_.open(std::move(playback), file.filename().string(), {});
+  if (options.mirrors) mirror_.apply(gui::StartMirror{options.mirror.source});
 }
 
 void WindowSession::begin_with(const gui::KeptSettings& settings, const std::string& complaint,
@@ -93,6 +95,10 @@ void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now)
 
 void WindowSession::advance(Instant now) {
   notices_.expire(now);
+  if (const auto own = mirror_.advance()) {
+    playback_.watch_own(*own, now);
+    shown_ = Shown::Playback;
+  }
   playback_.advance(now);
   lister_.advance();
 }
@@ -144,7 +150,7 @@ Duration WindowSession::idle_time(Instant now) const {
   const auto at_most = [&](Instant next, Duration least) {
     time = std::min(time, std::max(next - now, least));
   };
-  if (lister_.view().asking) at_most(now, kFrameMax);
+  if (lister_.view().asking || mirror_.running()) at_most(now, kFrameMax);
   if (!notices_.view().text.empty()) at_most(notices_.until(), kFrameMax);
   if (const auto next = editor_.next_frame_at(now)) at_most(*next, Duration::zero());
   if (rendering_.blinking || options_.playback.idle_seed)
@@ -169,6 +175,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
         }
       },
       [&](const gui::ComposerCommand& one) { apply_composer(one, now); },
+      [&](const gui::MirrorCommand& one) { mirror_.apply(one); },
       [&](const gui::ChangeAnimation& one) { change_animation(one.settings, now); },
       [&](const gui::ChangeRendering& one) { rendering_ = one.settings; },
       [&](const gui::Leave& one) {
@@ -354,6 +361,8 @@ gui::GuiModel WindowSession::model() const {
   model.remote.stale = model.remote.stale && shown_ == Shown::Playback;
   model.remote.eased = model.remote.eased && shown_ == Shown::Playback;
   model.local = playback_.local_view();
+  model.mirror = mirror_.view();
+  model.mirror.wanted = options_.mirrors;
   model.sound = playback_.sound_view();
   model.spoken = playback_.spoken_view();
   model.table = table_;

@@ -12,6 +12,7 @@
 #include "client/app/player_stats.h"
 #include "client/app/window/composer_session.h"
 #include "client/app/window/editor_session.h"
+#include "client/app/window/mirror_session.h"
 #include "client/app/window/notices.h"
 #include "client/app/window/playback_session.h"
 #include "client/app/window/stream_lister.h"
@@ -120,6 +121,7 @@ class WindowSession {
   PlaybackSession playback_;
   EditorSession editor_;
   ComposerSession composer_;
+  MirrorSession mirror_;
   StreamLister lister_;
   Shown shown_ = Shown::Playback;
   pipeline::IdleFace idle_;

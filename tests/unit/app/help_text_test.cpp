@@ -44,7 +44,7 @@ TEST(OptionRows, OnlyTheManualPageNamesWhatPlayIgnoresAndWhatUsageShows) {
   }
   EXPECT_TRUE(hidden.contains("--buffer") && hidden.contains("--token-file"));
   for (const OptionRow& row : command_page(Command::Watch).rows) {
-    const bool in_usage = row.name == "host" || row.name == "list";
+    const bool in_usage = row.name == "host" || row.name == "list" || row.name == "mirror";
     EXPECT_EQ(row.text.empty(), in_usage) << row.name;
   }
 }

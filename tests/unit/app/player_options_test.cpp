@@ -257,6 +257,20 @@ TEST(PlayerOptions, HelpAndVersionAreTexts) {
   }
 }
 
+TEST(PlayerOptions, TheMirrorsCameraStandsWhereAServerWould) {
+  const auto plain = parse_player_options({"--mirror"});
+  ASSERT_TRUE(plain);
+  EXPECT_TRUE(plain->mirrors);
+  EXPECT_EQ(plain->mirror.source, "camera");
+  const auto film = parse_player_options({"--mirror", "camera:/dev/video2", "--face", "marek"});
+  ASSERT_TRUE(film);
+  EXPECT_EQ(film->mirror.source, "camera:/dev/video2");
+  EXPECT_EQ(film->playback.endpoint, "");
+  EXPECT_NE(refused({"--mirror", "--headless"}).find("--mirror"), std::string::npos);
+  EXPECT_NE(refused({"--mirror", "--record", "a.mp4"}).find("--mirror"), std::string::npos);
+  EXPECT_NE(refused({"--mirror", "--list"}).find("--mirror"), std::string::npos);
+}
+
 TEST(PlayerOptions, RefuseWithOneLine) {
   EXPECT_NE(refused({"h", "--sped", "1"}).find("did you mean --speed?"), std::string::npos);
   EXPECT_NE(refused({"h", "--speed", "0"}).find("--speed"), std::string::npos);

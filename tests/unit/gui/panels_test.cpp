@@ -266,7 +266,7 @@ TEST_F(Panels, AnEmptyViewIsMadeUsualAgain) {
   model_.rendering.settings.layers.textured = false;
   model_.rendering.settings.light_percent = 10;
   model_.rendering.settings.blinking = true;
-  static_cast<void>(click(731, 54));  // the tab
+  static_cast<void>(click(693, 54));  // the tab
   const auto change = find_by_clicking<ChangeRendering>(600, 500, 540);
   ASSERT_TRUE(change.has_value());
   RenderingSettings usual;
@@ -291,14 +291,14 @@ TEST_F(Panels, NothingIsAskedForByLooking) {
 }
 
 TEST_F(Panels, ExpressionsAreButtonsOfTheirTab) {
-  static_cast<void>(click(530, 54));  // the tab
+  static_cast<void>(click(516, 54));  // the tab
   const auto show = find_by_clicking<ShowExpression>(450, 80, 200);
   ASSERT_TRUE(show.has_value());
   EXPECT_EQ(show->index, 0U);
 }
 
 TEST_F(Panels, TheAusOfTheChosenExpressionCanBeChanged) {
-  static_cast<void>(click(530, 54));  // the tab
+  static_cast<void>(click(516, 54));  // the tab
   model_.expressions.chosen = 0;
   model_.expressions.aus = "6:40,12:40";
   const auto show = find_by_clicking<ShowAus>(760, 300, 500);
@@ -326,6 +326,35 @@ TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {
   EXPECT_TRUE(plays);
 }
 
+TEST_F(Panels, TheCameraIsStartedAndLetLiveOnItsTab) {
+  static_cast<void>(click(745, 54));  // the tab
+  const auto start = find_by_clicking<StartMirror>(480, 140, 170);
+  ASSERT_TRUE(start.has_value());
+  EXPECT_EQ(start->source, "camera");
+  EXPECT_FALSE(find_by_clicking<GoLive>(480, 500, 600).has_value()) << "it is off";
+  model_.mirror.phase = MirrorView::Phase::Private;
+  model_.mirror.seen = std::make_shared<const preview::Seen>(
+      preview::Seen{1, 1, {1, 2, 3}, {{0.5F, 0.5F}}, {{12, Side::Left, 40}}});
+  const auto live = find_by_clicking<GoLive>(480, 500, 600);
+  ASSERT_TRUE(live.has_value());
+  EXPECT_EQ(live->bind, "127.0.0.1") << "nobody else unless it was asked for";
+  EXPECT_FALSE(find_by_clicking<GoPrivate>(700, 500, 600).has_value());
+  model_.mirror.phase = MirrorView::Phase::Live;
+  EXPECT_TRUE(find_by_clicking<GoPrivate>(700, 500, 600).has_value());
+  EXPECT_FALSE(find_by_clicking<GoLive>(480, 500, 600).has_value());
+  EXPECT_TRUE(find_by_clicking<StopMirror>(700, 140, 170).has_value());
+}
+
+TEST_F(Panels, WhoBeginsWithTheCameraSeesItsTab) {
+  end();
+  model_.mirror.wanted = true;
+  start();
+  const view::Image begun = picture();
+  static_cast<void>(click(745, 54));
+  ImGui::GetIO().MousePos = ImVec2(10, 10);
+  EXPECT_EQ(picture().rgba, begun.rgba);
+}
+
 TEST_F(Panels, AFaceIsComposedByClickingAndPutInARow) {
   model_.composer.rows = std::make_shared<const std::vector<TimelineRow>>();
   model_.composer.pad = std::make_shared<const std::vector<PadPoint>>();
@@ -337,7 +366,7 @@ TEST_F(Panels, AFaceIsComposedByClickingAndPutInARow) {
     }
     return found;
   };
-  static_cast<void>(click(665, 54));  // the tab
+  static_cast<void>(click(637, 54));  // the tab
   std::optional<ComposeMood> mood;
   std::optional<ComposeAu> au;
   bool added = false;

@@ -59,9 +59,9 @@ class SlowFrames : public testing::Test {
 TEST_F(SlowFrames, NoClickIsLost) {
   constexpr int kRounds = 50;
   for (int i = 0; i < kRounds; ++i) {
-    click(530, 54);   // the tab of expressions
+    click(516, 54);   // the tab of expressions
     click(470, 123);  // Happiness
-    click(731, 54);   // the tab of the view
+    click(693, 54);   // the tab of the view
     click(470, 123);  // Front
     while (!input_.empty()) frame();
     frame();

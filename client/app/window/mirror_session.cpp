@@ -1,0 +1,79 @@
+#include "client/app/window/mirror_session.h"
+
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include "client/mirror/host_addresses.h"
+#include "common/overloaded.h"
+
+namespace aucast::app {
+
+using Phase = gui::MirrorView::Phase;
+
+MirrorSession::MirrorSession(mirror::MirrorOptions options) : options_(std::move(options)) {
+  view_.source = options_.source;
+  view_.addresses = mirror::host_addresses();
+}
+
+void MirrorSession::start(const std::string& source) {
+  if (mirror_ != nullptr) return;
+  options_.source = source;
+  view_ = {};
+  view_.source = source;
+  view_.addresses = mirror::host_addresses();
+  played_ = ending_ = false;
+  auto started = mirror::Mirror::start(options_);
+  if (!started) {
+    view_.trouble = started.error().message;
+    return;
+  }
+  mirror_ = *std::move(started);
+  view_.phase = Phase::Starting;
+}
+
+void MirrorSession::apply(const gui::MirrorCommand& command) {
+  const Overloaded carry_out{
+      [this](const gui::StartMirror& one) { start(one.source); },
+      [this](const gui::StopMirror&) {
+        if (mirror_ == nullptr) return;
+        ending_ = true;
+        mirror_->end();
+      },
+      [this](const gui::GoLive& one) {
+        if (mirror_ == nullptr) return;
+        mirror_->order(preview::GoLive{one.bind, static_cast<std::uint16_t>(one.port)});
+      },
+      [this](const gui::GoPrivate&) {
+        if (mirror_ != nullptr) mirror_->order(preview::GoPrivate{});
+      }};
+  std::visit(carry_out, command);
+}
+
+Phase MirrorSession::phase(const mirror::MirrorState& state) const {
+  if (state.over) return Phase::Off;
+  if (ending_) return Phase::Ending;
+  if (!state.live.empty()) return Phase::Live;
+  return state.seen == nullptr ? Phase::Starting : Phase::Private;
+}
+
+std::optional<protocol::Endpoint> MirrorSession::advance() {
+  if (mirror_ == nullptr) return std::nullopt;
+  mirror::MirrorState state = mirror_->state();
+  view_.phase = phase(state);
+  view_.trouble = state.over ? state.ended : state.refused;
+  view_.live = std::move(state.live);
+  view_.watching = state.watching;
+  view_.seen = std::move(state.seen);
+  if (state.over) {
+    mirror_.reset();
+    view_.seen.reset();
+    return std::nullopt;
+  }
+  if (state.address.empty() || std::exchange(played_, true)) return std::nullopt;
+  auto endpoint = protocol::parse_endpoint(state.address);
+  if (!endpoint) return std::nullopt;
+  return *std::move(endpoint);
+}
+
+}  // namespace aucast::app

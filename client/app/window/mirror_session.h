@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/gui/mirror_view.h"
+#include "client/mirror/mirror.h"
+#include "protocol/endpoint.h"
+
+namespace aucast::app {
+
+/// The camera of the window, and what the panels show of it. Thread: the player's.
+class MirrorSession {
+ public:
+  /// `options`: what the window begins with; it opens no camera yet.
+  explicit MirrorSession(mirror::MirrorOptions options);
+
+  void apply(const gui::MirrorCommand& command);
+  /// Takes over what came. Where its stream can be played, once when that is known.
+  [[nodiscard]] std::optional<protocol::Endpoint> advance();
+  [[nodiscard]] const gui::MirrorView& view() const { return view_; }
+  [[nodiscard]] bool running() const { return mirror_ != nullptr; }
+
+ private:
+  void start(const std::string& source);
+  [[nodiscard]] gui::MirrorView::Phase phase(const mirror::MirrorState& state) const;
+
+  mirror::MirrorOptions options_;
+  std::unique_ptr<mirror::Mirror> mirror_;
+  gui::MirrorView view_;
+  bool played_ = false;  ///< advance() has said where
+  bool ending_ = false;
+};
+
+}  // namespace aucast::app

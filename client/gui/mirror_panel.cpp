@@ -1,0 +1,221 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+using Phase = MirrorView::Phase;
+
+constexpr const char* kOnlyHere = "127.0.0.1";
+constexpr const char* kEverywhere = "0.0.0.0";
+/// The picture before there is one; and no picture is higher than the share of its width.
+constexpr float kUsualShape = 0.75F;
+constexpr float kBarHeight = 4;
+
+void fill_mirror_form(const MirrorView& mirror, MirrorForm& form) {
+  const std::string source = mirror.source.empty() ? "camera" : mirror.source;
+  std::strncpy(form.source.data(), source.c_str(), form.source.size() - 1);
+  form.filled = true;
+}
+
+void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form,
+                    GuiCommands& commands) {
+  heading(look, "Your camera");
+  label(look, "Camera");
+  const bool off = mirror.phase == Phase::Off;
+  ImGui::BeginDisabled(!off);
+  ImGui::InputTextWithHint("##source", "camera, camera:/dev/video2", form.source.data(),
+                           form.source.size());
+  ImGui::EndDisabled();
+  if (wide_button("Start", 0, 2, off, off)) {
+    commands.push_back(MirrorCommand(StartMirror{form.source.data()}));
+  }
+  if (wide_button("Stop", 1, 2, !off && mirror.phase != Phase::Ending)) {
+    commands.push_back(MirrorCommand(StopMirror{}));
+  }
+}
+
+/// Over the picture from `at`, as it is drawn.
+void draw_landmarks(const Look& look, const preview::Seen& seen, ImVec2 at, ImVec2 size,
+                    bool as_mirror) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float half = 0.8F * look.scale;
+  ImVec4 colour = ImGui::GetStyleColorVec4(ImGuiCol_PlotLinesHovered);
+  colour.w = 0.85F;
+  const unsigned packed = ImGui::GetColorU32(colour);
+  for (const preview::Point& point : seen.points) {
+    const float x = at.x + size.x * (as_mirror ? 1 - point.x : point.x);
+    const float y = at.y + size.y * point.y;
+    list.AddRectFilled(ImVec2(x - half, y - half), ImVec2(x + half, y + half), packed);
+  }
+}
+
+void say_in_the_middle(const char* text, ImVec2 at, ImVec2 size) {
+  const ImVec2 room = ImGui::CalcTextSize(text);
+  ImGui::GetWindowDrawList()->AddText(
+      ImVec2(at.x + (size.x - room.x) / 2, at.y + (size.y - room.y) / 2), colour_of(Tone::Quiet),
+      text);
+}
+
+/// In place of a picture: why there is none. Nothing below moves when there is more to say.
+void no_picture(const Look& look, const MirrorView& mirror, ImVec2 at, ImVec2 size) {
+  if (mirror.trouble.empty()) {
+    say_in_the_middle(mirror.phase == Phase::Starting ? "opening the camera ..." : "no picture", at,
+                      size);
+    return;
+  }
+  const float margin = 12 * look.scale;
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
+                                      ImVec2(at.x + margin, at.y + margin), colour_of(Tone::Bad),
+                                      mirror.trouble.c_str(), nullptr, size.x - 2 * margin);
+}
+
+void picture(const Look& look, const MirrorView& mirror, MirrorForm& form) {
+  const preview::Seen* seen = mirror.seen.get();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 frame(width, width * kUsualShape);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = 6 * look.scale;
+  list.AddRectFilled(at, ImVec2(at.x + frame.x, at.y + frame.y),
+                     ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+  ImGui::Dummy(frame);
+  if (seen == nullptr || form.texture == 0) {
+    no_picture(look, mirror, at, frame);
+  } else {
+    const float fit = std::min(frame.x / static_cast<float>(seen->width),
+                               frame.y / static_cast<float>(seen->height));
+    const ImVec2 size(static_cast<float>(seen->width) * fit,
+                      static_cast<float>(seen->height) * fit);
+    const ImVec2 from(at.x + (frame.x - size.x) / 2, at.y + (frame.y - size.y) / 2);
+    const float left = form.as_mirror ? 1 : 0;
+    list.AddImageRounded(reinterpret_cast<ImTextureID>(form.texture), from,
+                         ImVec2(from.x + size.x, from.y + size.y), ImVec2(left, 0),
+                         ImVec2(1 - left, 1), IM_COL32_WHITE, rounding);
+    if (form.landmarks) draw_landmarks(look, *seen, from, size, form.as_mirror);
+  }
+  ImGui::Checkbox("as a mirror", &form.as_mirror);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("left is left; otherwise as others see you");
+  ImGui::SameLine();
+  ImGui::Checkbox("landmarks", &form.landmarks);
+  if (seen != nullptr && seen->points.empty()) {
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    toned_line(Tone::Waiting, "no face is seen");
+  }
+}
+
+std::string name_of_bind(const std::string& bind) {
+  if (bind == kOnlyHere) return "this computer only";
+  if (bind == kEverywhere) return "all of this computer's";
+  return bind;
+}
+
+void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& form) {
+  label(look, "Address");
+  const float port_width = 64 * look.scale;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - port_width -
+                          ImGui::GetStyle().ItemInnerSpacing.x);
+  if (ImGui::BeginCombo("##bind", name_of_bind(form.bind).c_str())) {
+    std::vector<std::string> choices{kOnlyHere};
+    choices.insert(choices.end(), mirror.addresses.begin(), mirror.addresses.end());
+    choices.emplace_back(kEverywhere);
+    for (const std::string& choice : choices) {
+      if (ImGui::Selectable(name_of_bind(choice).c_str(), choice == form.bind)) form.bind = choice;
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SetNextItemWidth(port_width);
+  ImGui::InputInt("##liveport", &form.port, 0);
+  form.port = std::clamp(form.port, 0, 65535);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("the TCP port; 0: any free one");
+}
+
+void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiCommands& commands) {
+  heading(look, "Others");
+  const bool live = mirror.phase == Phase::Live;
+  const bool can = mirror.phase == Phase::Private;
+  ImGui::BeginDisabled(live);
+  address_and_port(look, mirror, form);
+  ImGui::EndDisabled();
+  if (wide_button("Go live", 0, 2, can, can)) {
+    commands.push_back(MirrorCommand(GoLive{form.bind, form.port}));
+  }
+  if (wide_button("End", 1, 2, live, live)) commands.push_back(MirrorCommand(GoPrivate{}));
+  if (mirror.seen != nullptr && !mirror.trouble.empty()) {
+    toned_text(Tone::Bad, mirror.trouble);
+  } else if (live) {
+    toned_text(Tone::Good, audience_text(mirror));
+  } else {
+    quiet_text(audience_text(mirror));
+  }
+  quiet_text("Pictures stay on this computer: what others get are Action Units.");
+}
+
+/// From the middle to both sides; the subject's left is where it is in the picture.
+void bar(const Look& look, const AuBar& one, float width, bool as_mirror) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float text_height = ImGui::GetTextLineHeight();
+  const float height = kBarHeight * look.scale;
+  const bool absent = one.left_percent + one.right_percent == 0;
+  ImGui::PushClipRect(at, ImVec2(at.x + width, at.y + text_height), true);
+  list.AddText(at, absent ? colour_of(Tone::Quiet) : ImGui::GetColorU32(ImGuiCol_Text),
+               one.label.c_str());
+  ImGui::PopClipRect();
+  ImGui::Dummy(ImVec2(width, text_height + height + 2 * look.scale));
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("%s\nleft %d %%, right %d %%", one.label.c_str(), one.left_percent,
+                      one.right_percent);
+  }
+  const float top = at.y + text_height + look.scale;
+  const float middle = at.x + width / 2;
+  list.AddRectFilled(ImVec2(at.x, top), ImVec2(at.x + width, top + height),
+                     ImGui::GetColorU32(ImGuiCol_FrameBg), height / 2);
+  const auto reach = [&](int percent) {
+    return width / 2 * static_cast<float>(std::clamp(percent, 0, 100)) / 100;
+  };
+  const float to_left = reach(as_mirror ? one.left_percent : one.right_percent);
+  const float to_right = reach(as_mirror ? one.right_percent : one.left_percent);
+  if (absent) return;
+  list.AddRectFilled(ImVec2(middle - to_left, top), ImVec2(middle + to_right, top + height),
+                     ImGui::GetColorU32(ImGuiCol_PlotLines), height / 2);
+}
+
+void face_bars(const Look& look, const MirrorView& mirror, bool as_mirror) {
+  heading(look, "Action Units");
+  if (mirror.seen == nullptr || mirror.seen->aus.empty()) {
+    quiet_text(mirror.seen == nullptr ? "None yet." : "Without a face there are none.");
+    return;
+  }
+  const std::vector<AuBar> bars = au_bars(mirror.seen->aus);
+  const float gap = 16 * look.scale;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const float left = ImGui::GetCursorPosX();
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    if (i % 2 == 1) ImGui::SameLine(left + width + gap);
+    bar(look, bars[i], width, as_mirror);
+  }
+}
+
+}  // namespace
+
+void mirror_panel(const Look& look, const GuiModel& model, MirrorForm& form,
+                  GuiCommands& commands) {
+  const MirrorView& mirror = model.mirror;
+  if (!form.filled) fill_mirror_form(mirror, form);
+  camera_buttons(look, mirror, form, commands);
+  picture(look, mirror, form);
+  audience(look, mirror, form, commands);
+  face_bars(look, mirror, form.as_mirror);
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,86 @@
+// The camera of the window, with a script in the place of au-transmitter.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "common/preview/preview_writer.h"
+#include "tests/support/temp_folder.h"
+#include "tests/unit/gui/window_session_fixture.h"
+
+namespace aucast::app {
+namespace {
+
+using Phase = gui::MirrorView::Phase;
+
+class WindowMirror : public SessionOnDefaultFace {
+ protected:
+  void begin(const std::string& script) {
+    folder_.write("record", preview::seen_record({1, 1, {1, 2, 3}, {}, {}}));
+    options_.mirror.program = folder_.write(
+        "au-transmitter", "#!/bin/sh\ncd '" + folder_.path().string() + "'\n" + script);
+    std::filesystem::permissions(options_.mirror.program, std::filesystem::perms::owner_all);
+    options_.mirrors = true;
+    session_.emplace(*assets_, options_, nullptr, stats_);
+  }
+  bool becomes(const std::function<bool(const gui::MirrorView&)>& wanted) {
+    for (int i = 0; i < 4000; ++i) {
+      session_->advance(clock_.now());
+      if (wanted(model().mirror)) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+  bool reaches(Phase phase) {
+    return becomes([phase](const gui::MirrorView& view) { return view.phase == phase; });
+  }
+  void ask(const gui::MirrorCommand& command) { session_->apply(command, clock_.now()); }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(WindowMirror, IsPrivateUntilItIsToldToGoLiveAndEnds) {
+  begin(
+      "echo 'listening on 127.0.0.1:1'; cat record\n"
+      "read order port bind; echo live $bind:$port; read order; echo private; read order");
+  EXPECT_TRUE(model().mirror.wanted);
+  ASSERT_TRUE(reaches(Phase::Private));
+  EXPECT_NE(model().mirror.seen, nullptr);
+  EXPECT_NE(model().remote.state, "no connection") << "its own stream is played";
+  EXPECT_TRUE(session_->recent().empty()) << "and not remembered";
+  ask(gui::GoLive{"127.0.0.1", 4650});
+  ASSERT_TRUE(reaches(Phase::Live));
+  EXPECT_EQ(model().mirror.live, "127.0.0.1:4650");
+  ask(gui::GoPrivate{});
+  ASSERT_TRUE(reaches(Phase::Private));
+  ask(gui::StopMirror{});
+  ASSERT_TRUE(reaches(Phase::Off));
+  EXPECT_EQ(model().mirror.trouble, "");
+  EXPECT_EQ(model().mirror.seen, nullptr);
+}
+
+TEST_F(WindowMirror, SaysWhatItsChildDiedOfAndStartsAgain) {
+  begin(
+      "if [ -e second ]; then echo 'listening on 127.0.0.1:1'; cat record; read order; fi\n"
+      "touch second; echo 'au-transmitter: /dev/video0: there are no pictures in it' >&2; exit 1");
+  ASSERT_TRUE(becomes([](const gui::MirrorView& view) { return !view.trouble.empty(); }));
+  EXPECT_EQ(model().mirror.trouble, "/dev/video0: there are no pictures in it");
+  EXPECT_EQ(model().mirror.phase, Phase::Off);
+  ask(gui::StartMirror{"camera"});
+  ASSERT_TRUE(reaches(Phase::Private));
+  EXPECT_EQ(model().mirror.trouble, "");
+}
+
+TEST_F(WindowMirror, WithoutAuTransmitterIsASentence) {
+  options_.mirror.program = "aucast-no-such-program";
+  options_.mirrors = true;
+  session_.emplace(*assets_, options_, nullptr, stats_);
+  session_->advance(clock_.now());
+  EXPECT_NE(model().mirror.trouble.find("is not installed"), std::string::npos);
+  EXPECT_EQ(model().mirror.phase, Phase::Off);
+}
+
+}  // namespace
+}  // namespace aucast::app
