@@ -151,30 +151,33 @@ void Listener::start(OnSocket on_socket) {
 }
 
 void Listener::stop() {
+  ++stops_;
   std::error_code ignored;
   acceptor_.close(ignored);
   pause_.cancel();
 }
 
 void Listener::accept() {
-  acceptor_.async_accept(peer_, [this](const std::error_code& error, tcp::socket socket) {
-    // It may have been opened again since this one was stopped.
-    if (error == asio::error::operation_aborted || !acceptor_.is_open()) return;
-    if (error == asio::error::connection_aborted) {
-      // The peer left between its knock and our opening the door.
-      spdlog::debug("a connection was gone before it was accepted");
-      accept();
-      return;
-    }
-    if (error) {
-      accept_later(error);
-      return;
-    }
-    if (std::exchange(failing_, false)) spdlog::info("accepting connections again");
-    on_socket_(std::move(socket), peer_);
-    accept_waiting();
-    accept();
-  });
+  acceptor_.async_accept(peer_,
+                         [this, stops = stops_](const std::error_code& error, tcp::socket socket) {
+                           // It may have been opened again meanwhile.
+                           if (stops != stops_) return;
+                           if (error == asio::error::connection_aborted) {
+                             // The peer left between its knock and our opening the door.
+                             spdlog::debug("a connection was gone before it was accepted");
+                             accept();
+                             return;
+                           }
+                           if (error) {
+                             accept_later(error);
+                             return;
+                           }
+                           if (std::exchange(failing_, false))
+                             spdlog::info("accepting connections again");
+                           on_socket_(std::move(socket), peer_);
+                           accept_waiting();
+                           accept();
+                         });
 }
 
 /// Whoever is waiting already. An error is left for accept() to meet.
@@ -194,8 +197,8 @@ void Listener::accept_later(const std::error_code& cause) {
                  cause.message());
   }
   pause_.expires_after(limits_.pause);
-  pause_.async_wait([this](const std::error_code& error) {
-    if (!error && acceptor_.is_open()) accept();
+  pause_.async_wait([this, stops = stops_](const std::error_code& error) {
+    if (!error && stops == stops_) accept();
   });
 }
 

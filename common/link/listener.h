@@ -23,7 +23,7 @@ void raise_descriptor_limit();
 /// ADDR:PORT, with brackets around an IPv6 address.
 [[nodiscard]] std::string endpoint_text(const asio::ip::tcp::endpoint& endpoint);
 
-/// How to listen, and the options that an address is from, for advice when it cannot be had.
+/// How to listen. `address` and `port` name the options that error messages point to.
 struct ListenOptions {
   const char* address = "--bind";
   const char* port = "--port";
@@ -55,7 +55,7 @@ class Listener {
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return endpoint_; }
 
   void start(OnSocket on_socket);
-  /// It may be opened again.
+  /// No socket is handed out any more. It may be opened again.
   void stop();
 
   /// How often accepting had to pause.
@@ -73,7 +73,8 @@ class Listener {
   asio::ip::tcp::endpoint peer_;  ///< of the connection being accepted
   OnSocket on_socket_;
   std::uint64_t failures_ = 0;
-  bool failing_ = false;  ///< the last accept failed and was reported
+  std::uint64_t stops_ = 0;  ///< what began before the last of them is over
+  bool failing_ = false;     ///< the last accept failed and was reported
 };
 
 }  // namespace aucast::link
