@@ -30,7 +30,7 @@
 #include "server/streams/check_report.h"
 #include "server/streams/convert_command.h"
 #include "server/streams/estimate.h"
-#include "server/streams/source_path.h"
+#include "server/streams/source_checks.h"
 #include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
@@ -169,49 +169,6 @@ Result<Repertoire> load_repertoire(const TransmitterOptions& options) {
   return repertoire;
 }
 
-/// What cannot be asked of these sources.
-Result<void> check_record(const TransmitterOptions& options) {
-  if (options.record.empty()) return {};
-  const bool any_live = std::any_of(options.sources.begin(), options.sources.end(),
-                                    [&options](const std::filesystem::path& path) {
-                                      return is_live(path, options.live_source.follow);
-                                    });
-  if (any_live) return {};
-  return Error{ErrorKind::Usage,
-               "--record keeps what is still being written (-, a FIFO, a file with --follow), and "
-               "no SOURCE is; 'au-transmitter convert' writes a recording as a stream file"};
-}
-
-/// What --preview cannot show.
-Result<void> check_preview(const TransmitterOptions& options) {
-  if (!options.preview) return {};
-  if (options.sources.size() == 1 && camera_device(options.sources.front())) return {};
-  return usage_error("--preview shows what a camera sees: let that be the only SOURCE");
-}
-
-/// What cannot be a voice of these sources.
-Result<void> check_voice(const TransmitterOptions& options) {
-  const VoiceOptions& voice = options.voice;
-  if (voice.none || voice.file.empty()) return {};
-  const bool serving = !options.check && !options.estimate;
-  const bool live_face = serving && is_live(options.sources.front(), options.live_source.follow);
-  const bool live_sound = is_live(voice.file, false);
-  const std::string name = "--voice " + escaped(voice.file.string());
-  if (voice.file == "-" && std::count(options.sources.begin(), options.sources.end(), "-") > 0) {
-    return Error{ErrorKind::Usage, "--voice - and SOURCE - would both read stdin; use a FIFO"};
-  }
-  if (live_sound && !live_face) {
-    return Error{ErrorKind::Usage,
-                 name +
-                     " is still being written, and so must be the face: the first SOURCE is not "
-                     "-, a FIFO or, with --follow, a file"};
-  }
-  if (live_face && !live_sound) {
-    return Error{ErrorKind::Usage, name + " beside a live SOURCE must be - or a FIFO"};
-  }
-  return {};
-}
-
 /// Until the process is gone no signal that it knows does what the system would do, which is to end
 /// it before its numbers are written. Asio gives a signal back to the system with the last set that
 /// has it: this one stays.
@@ -298,10 +255,8 @@ int run_transmitter(std::vector<std::string> arguments) {
   if (auto log = set_up_log("au-transmitter", options.log_level, format); !log)
     return report(log.error());
 
-  if (auto can = check_preview(options); !can) return report(can.error());
-  if (auto can = check_voice(options); !can) return report(can.error());
+  if (auto can = check_sources(options); !can) return report(can.error());
   if (options.check || options.estimate) return check(options);
-  if (auto can = check_record(options); !can) return report(can.error());
   auto repertoire = load_repertoire(options);
   if (!repertoire) return report(repertoire.error());
   return serve_until_signal(options, std::move(*repertoire));
