@@ -25,6 +25,8 @@ namespace {
 constexpr std::size_t kReadBytes = 512;
 /// No order is longer.
 constexpr std::size_t kOrderBytesMax = 512;
+/// A picture and the answers to many orders.
+constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 20;
 
 /// Takes a copy, for closing ours must not close it.
 Result<void> take_stream(int descriptor, const char* name, asio::posix::stream_descriptor& stream) {
@@ -72,7 +74,7 @@ void Preview::stop() {
 }
 
 void Preview::offer(const camera::Sight& sight) {
-  if (picture_taken_.exchange(true)) return;
+  if (picture_pending_.exchange(true)) return;
   asio::post(io_, [this, record = preview::seen_record(seen_of(sight))]() mutable {
     const std::size_t watching = hooks_.watching();
     if (std::exchange(said_watching_, watching) != watching) {
@@ -94,12 +96,12 @@ void Preview::read() {
 }
 
 void Preview::take_orders() {
-  for (std::size_t end = 0; (end = orders_.find('\n')) != std::string::npos;) {
+  for (std::size_t end = 0; !gone_ && (end = orders_.find('\n')) != std::string::npos;) {
     const std::string line = orders_.substr(0, end);
     orders_.erase(0, end + 1);
     carry_out(line);
   }
-  if (orders_.size() > kOrderBytesMax) end();
+  if (!gone_ && orders_.size() > kOrderBytesMax) end();
 }
 
 void Preview::carry_out(std::string_view line) {
@@ -116,7 +118,10 @@ void Preview::carry_out(std::string_view line) {
 }
 
 void Preview::write(std::string record) {
+  if (gone_) return;
   waiting_ += record;
+  // Whoever gives orders and reads no answers has gone.
+  if (waiting_.size() > kWaitingBytesMax) return end();
   write_on();
 }
 
@@ -129,7 +134,7 @@ void Preview::write_on() {
                       if (gone_) return;
                       if (error) return end();
                       written_.clear();
-                      if (picture) picture_taken_ = false;
+                      if (picture) picture_pending_ = false;
                       write_on();
                     });
 }

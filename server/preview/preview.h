@@ -60,7 +60,7 @@ class Preview {
   std::string written_;  ///< being written now
   std::size_t said_watching_ = 0;
   bool picture_in_waiting_ = false;
-  std::atomic<bool> picture_taken_ = false;  ///< until it was written
+  std::atomic<bool> picture_pending_ = false;  ///< from offer() until it was written
   bool gone_ = false;
 };
 

@@ -111,6 +111,15 @@ TEST_F(PreviewTest, DropsPicturesWhileNobodyReads) {
   EXPECT_LT(read, std::size_t{10} << 20);
 }
 
+TEST_F(PreviewTest, EndsWhenOrdersAreGivenAndNoAnswerIsRead) {
+  for (int i = 0; i < 40'000 && gone_ == 0; ++i) {
+    order(std::string(40, 'x') + "\n");
+    io_.poll();
+  }
+  EXPECT_EQ(gone_, 1);
+  EXPECT_TRUE(asked_.empty());
+}
+
 TEST_F(PreviewTest, CarriesOutOrders) {
   order("live 4650 0.0.0.0\nlive 1 nowhere\nprivate\nhello\n");
   auto record = next();
