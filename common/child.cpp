@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 
 #include "common/check.h"
@@ -141,6 +142,20 @@ bool Child::feed(std::span<const std::uint8_t> bytes) {
     } else if (errno != EINTR && errno != EAGAIN) {
       return false;
     }
+  }
+  return true;
+}
+
+bool Child::await(Milliseconds patience) {
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (flow_ >= 0) {
+    const auto left = std::chrono::ceil<Milliseconds>(until - std::chrono::steady_clock::now());
+    if (left <= Milliseconds::zero()) return false;
+    std::array<pollfd, 2> waits{{{flow_, POLLIN, 0}, {errors_, POLLIN, 0}}};
+    const int ready = ::poll(waits.data(), waits.size(), static_cast<int>(left.count()));
+    if (ready < 0 && errno != EINTR) return true;
+    if (errors_ >= 0 && waits[1].revents != 0) read_errors();
+    if (ready > 0 && waits[0].revents != 0) return true;
   }
   return true;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/result.h"
+#include "common/time.h"
 
 namespace aucast {
 
@@ -33,10 +34,12 @@ class Child {
 
   /// Blocks until the child took all bytes; false when it reads no more.
   [[nodiscard]] bool feed(std::span<const std::uint8_t> bytes);
+  /// Whether it writes something, or ends, before `patience` is over; takes none of it.
+  [[nodiscard]] bool await(Milliseconds patience);
   /// Waits for what it writes next; how many bytes of it there are now, 0 at its end.
   [[nodiscard]] std::size_t read(std::span<std::uint8_t> bytes);
-  /// Sends a few bytes, of a child that flows both ways, without waiting; false when it takes none.
-  /// From any thread, before wait() or destruction.
+  /// Sends a few bytes, of a child that flows both ways, without waiting; false when it does not
+  /// take all. From any thread, before wait() or destruction.
   [[nodiscard]] bool tell(std::string_view bytes) const;
   /// Such a child finds the end of its input. Likewise.
   void end_input() const;

@@ -19,7 +19,7 @@
 
 namespace aucast::camera {
 
-/// What a camera sees at one moment; of whoever is told of it no longer than that takes.
+/// What a camera sees at one moment. Valid only during the OnSight call.
 struct Sight {
   mesh::Picture picture;
   const mesh::Landmarks* landmarks = nullptr;  ///< null: no face
@@ -35,8 +35,8 @@ using OnSight = std::function<void(const Sight&)>;
 /// Thread: its owner's; two of its own, which end with it.
 class CameraFeed {
  public:
-  /// Errors are those of PictureSource and load_face_models(). `quiet`: without seconds, or with 0,
-  /// as for a film, but of what was seen so far. `on_sight` is told of every picture whose face was
+  /// Errors are those of PictureSource and load_face_models(). `quiet`: unset, it is found from
+  /// what was seen so far; 0: the typical face. `on_sight` is told of every picture whose face was
   /// read, until the feed is destroyed.
   [[nodiscard]] static Result<std::unique_ptr<CameraFeed>> start(const CameraOptions& options,
                                                                  const QuietOptions& quiet,

@@ -39,7 +39,8 @@ std::string file_url(const std::filesystem::path& path) {
 }  // namespace
 
 Result<PictureSource> PictureSource::open(const std::vector<std::string>& arguments,
-                                          const std::string& name, ErrorKind kind) {
+                                          const std::string& name, ErrorKind kind,
+                                          std::optional<Milliseconds> patience) {
   bool missing = false;
   auto child = Child::start(arguments, missing, Child::Flow::Read);
   if (!child) {
@@ -50,6 +51,11 @@ Result<PictureSource> PictureSource::open(const std::vector<std::string>& argume
   PictureSource source;
   source.ffmpeg_ = std::move(*child);
   Child* ffmpeg = source.ffmpeg_.get();
+  if (patience && !ffmpeg->await(*patience)) {
+    ffmpeg->stop();
+    return Error{kind, at_place(name, "no picture came for " +
+                                          std::to_string(patience->count() / 1000) + " s")};
+  }
   auto pictures =
       Y4mReader::open([ffmpeg](std::span<std::uint8_t> bytes) { return ffmpeg->read(bytes); });
   if (!pictures) return Error{kind, at_place(name, pictures.error().message)};
@@ -83,7 +89,8 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
     input = {"-fflags", "nobuffer", "-i", file_url(options.device)};
   }
   // Nothing is buffered that can be shown: a late face is worth nothing.
-  return open(arguments_of(std::move(input), kFilters), options.device, ErrorKind::Failed);
+  return open(arguments_of(std::move(input), kFilters), options.device, ErrorKind::Failed,
+              options.patience);
 }
 
 std::string PictureSource::complaint() {

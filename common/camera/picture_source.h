@@ -10,6 +10,7 @@
 #include "common/camera/y4m.h"
 #include "common/child.h"
 #include "common/result.h"
+#include "common/time.h"
 
 namespace aucast::camera {
 
@@ -19,6 +20,7 @@ struct CameraOptions {
   int width = 640;
   int height = 480;
   int fps = 30;
+  Milliseconds patience{10'000};  ///< for its first picture
   friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };
 
@@ -31,7 +33,7 @@ class PictureSource {
   /// BadData when ffmpeg finds no pictures in it.
   [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path);
   /// A film or a FIFO may stand in for the device; a film goes by its own clock then. Failed, with
-  /// ffmpeg's own words, when the device gives no pictures.
+  /// ffmpeg's own words, when the device gives no pictures, or none in time.
   [[nodiscard]] static Result<PictureSource> open_camera(const CameraOptions& options);
 
   [[nodiscard]] const Y4mReader& format() const { return *pictures_; }
@@ -44,7 +46,8 @@ class PictureSource {
  private:
   PictureSource() = default;
   [[nodiscard]] static Result<PictureSource> open(const std::vector<std::string>& arguments,
-                                                  const std::string& name, ErrorKind kind);
+                                                  const std::string& name, ErrorKind kind,
+                                                  std::optional<Milliseconds> patience = {});
   std::unique_ptr<Child> ffmpeg_;
   std::optional<Y4mReader> pictures_;
 };

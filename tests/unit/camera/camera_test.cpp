@@ -218,6 +218,16 @@ TEST(PictureSource, AsksACameraForSizeAndRate) {
       << camera.error().message;
 }
 
+TEST(PictureSource, ACameraThatShowsNothingIsNotAwaitedForEver) {
+  OtherFfmpeg ffmpeg("exec sleep 60");
+  const auto camera =
+      PictureSource::open_camera({.device = "/dev/video7", .patience = Milliseconds{50}});
+  ASSERT_FALSE(camera.has_value());
+  EXPECT_EQ(camera.error().kind, ErrorKind::Failed);
+  EXPECT_NE(camera.error().message.find("/dev/video7: no picture came for"), std::string::npos)
+      << camera.error().message;
+}
+
 TEST(PictureSource, AFilmOrAFifoStandsInForACamera) {
   OtherFfmpeg ffmpeg("echo \"$@\" >&2; exit 1");
   const std::string film = ffmpeg.file("film.mp4", "x");

@@ -1,5 +1,6 @@
 #include "common/child.h"
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
@@ -29,6 +30,22 @@ TEST(Child, TakesAllBytesAndTellsItsCode) {
   EXPECT_EQ(child->wait(), 7);
   EXPECT_EQ(child->last_words(), "done");
   EXPECT_EQ(std::filesystem::file_size(file), bytes.size());
+}
+
+TEST(Child, IsAwaitedUntilItWritesOrEnds) {
+  using namespace std::chrono_literals;
+  const auto begin = [](const char* script) {
+    bool missing = false;
+    return *Child::start({"sh", "-c", script}, missing, Child::Flow::Read);
+  };
+  const auto silent = begin("echo trouble >&2; exec sleep 60");
+  EXPECT_FALSE(silent->await(50ms));
+  silent->stop();
+  EXPECT_TRUE(silent->await(20s));
+  const auto writer = begin("echo it");
+  EXPECT_TRUE(writer->await(20s));
+  std::vector<std::uint8_t> bytes(8);
+  EXPECT_EQ(writer->read(bytes), 3U);
 }
 
 TEST(Child, FlowsBothWaysUntilItsInputEnds) {
