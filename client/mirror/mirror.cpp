@@ -1,6 +1,6 @@
 #include "client/mirror/mirror.h"
 
-#include <array>
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
@@ -40,6 +40,17 @@ std::string without_head(const std::string& line) {
   const std::string head = std::string(kProgram) + ": ";
   const std::size_t at = line.find(head);
   return at == std::string::npos ? line : line.substr(at + head.size());
+}
+
+/// A sentence. A program that was killed had no time for last words.
+std::string why_ended(int exit_code, const std::string& last_line) {
+  constexpr int kSignalled = 128;
+  // Our own, as it had ended its output.
+  if (exit_code > kSignalled && exit_code != kSignalled + SIGKILL) {
+    return std::string(kProgram) + " was ended by signal " + std::to_string(exit_code - kSignalled);
+  }
+  std::string why = without_head(last_line);
+  return why.empty() ? std::string(kProgram) + " has ended" : why;
 }
 
 }  // namespace
@@ -136,9 +147,8 @@ void Mirror::read() {
   }
   // It has no more to say; what has ended already keeps its exit code.
   child_->stop();
-  static_cast<void>(child_->wait());
-  std::string why = wrong ? *wrong : without_head(child_->last_line());
-  if (why.empty()) why = std::string(kProgram) + " has ended";
+  const int code = child_->wait();
+  const std::string why = wrong ? *wrong : why_ended(code, child_->last_line());
   const std::lock_guard lock(mutex_);
   if (!asked_to_end_) state_.ended = why;
   state_.live.clear();

@@ -72,7 +72,11 @@ std::optional<protocol::Endpoint> MirrorSession::advance() {
   }
   if (state.address.empty() || std::exchange(played_, true)) return std::nullopt;
   auto endpoint = protocol::parse_endpoint(state.address);
-  if (!endpoint) return std::nullopt;
+  if (!endpoint) {
+    view_.trouble = endpoint.error().message;
+    mirror_->end();
+    return std::nullopt;
+  }
   return *std::move(endpoint);
 }
 
