@@ -19,6 +19,10 @@ void add_settings(ManualPage& page) {
       "The variable of an option is AUCAST_TRANSMITTER_ and its name in capitals, with _ for -: "
       "AUCAST_TRANSMITTER_CLIENT_TIMEOUT=30. Commas separate several sources. "
       "AUCAST_TRANSMITTER_CONFIG names the settings file, as --config does.");
+  page.paragraph(
+      "In the texts above, {-2} is the packet that ends a stream. A client of level 2 begins with "
+      "a hello; a classic client, of level 1, sends none and gets AUs without intensities, sides "
+      "and times. protocol/PROTOCOL.md has both.");
 }
 
 void add_the_rest(ManualPage& page) {
@@ -26,7 +30,8 @@ void add_the_rest(ManualPage& page) {
   page.item(
       "SIGTERM, SIGINT",
       "Stops accepting clients, sends {-2} to all of them and exits within 2 seconds. A second "
-      "signal ends it at once.");
+      "signal ends it at once. With --drain-time the first signal starts the drain, the second "
+      "does this, and a third ends it at once.");
   page.item("SIGHUP",
             "Reads certificates, token and sources again, from the same places; not the settings "
             "file, the environment or other options. Connected clients keep their streams. If "

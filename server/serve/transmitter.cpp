@@ -264,7 +264,8 @@ class Transmitter {
     Status status;
     status.up_seconds = seconds(now - begin_);
     status.stopping = stopping();
-    status.accept_failures = listener_.failures() + (web_ ? web_->accept_failures() : 0);
+    status.accept_failures =
+        listener_.failures() + live_listener_.failures() + (web_ ? web_->accept_failures() : 0);
     status.reloads = reload_.successes();
     status.reload_failures = reload_.failures();
     programme_.describe(status);

@@ -39,33 +39,30 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
       {"source", "SOURCE", "", "files, films; -, FIFOs, camera (live); aucast://HOST",
-       "A stream file, or a recording of an AU recogniser, told by its content, or a folder: "
-       "its .txt and .csv files become sources, in order of their names. A stream has the name "
-       "of its file without the extension; a client that asks for no name, and every classic "
-       "one, gets the first. - (named live) and FIFOs are sent as they are written, each "
-       "keyframe to all clients at once. aucast://HOST[:PORT][,HOST...][/NAME] is a stream "
-       "of another au-transmitter, which this one relays: one connection there, however many "
-       "clients here; aucasts:// over TLS. Of several hosts the next is taken when one is "
-       "lost. What is live there is live here; a recorded stream is kept and served from its "
-       "beginning while it still comes, which one in a loop cannot be. SIGHUP leaves relayed "
-       "streams as they are. nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends "
-       "over NATS; natss:// over TLS. "
-       "A film (.mp4, .mov, .mkv, .webm, .avi and others, "
-       "through ffmpeg) is read for the face in it; camera is the camera /dev/video0 and "
-       "camera:DEVICE another one, live; a film or a FIFO may stand in for DEVICE. Both need the "
-       "models that "
+       "A stream file, or a recording of an AU recogniser, told by its content, or a folder: its "
+       ".txt and .csv files become sources, in order of their names. A stream has the name of its "
+       "file without the extension; a client that asks for no name, and every classic one, gets "
+       "the first. - (named live) and FIFOs are sent as they are written, each keyframe to all "
+       "clients at once. aucast://HOST[:PORT][,HOST...][/NAME] is a stream of another "
+       "au-transmitter, which this one relays: one connection there, however many clients here; "
+       "aucasts:// over TLS. Of several hosts the next is taken when one is lost. What is live "
+       "there is live here; a recorded stream is kept and served from its beginning while it still "
+       "comes, which one in a loop cannot be. SIGHUP leaves relayed streams as they are. "
+       "nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends over NATS; natss:// "
+       "over TLS. A film (.mp4, .mov, .mkv, .webm, .avi and others, through ffmpeg) is read for "
+       "the face in it; camera is the camera /dev/video0 and camera:DEVICE another one, live; a "
+       "film or a FIFO may stand in for DEVICE. Both need the models that "
        "scripts/install_models.sh fetches.",
        words(options.sources), "Sources", Where::Positional},
       {"follow", "", "", "send what is appended",
        "Files are live sources too. What a file already holds is past; the face starts from its "
-       "last keyframe. A file "
-       "that is rewritten, replaced or truncated is read from its beginning.",
+       "last keyframe. A file that is rewritten, replaced or truncated is read from its beginning.",
        flag(options.live_source.follow)},
       {"source-timeout", "S", "10", "end if silent (10)",
        "Seconds, up to 86400; 0: never. The face holds for 0.5 s and returns to neutral within 1 "
-       "s. "
-       "After S seconds the connected clients get {-2}; when the source comes back, the "
-       "stream goes on. With stream files on stdin or FIFOs only the end of input counts.",
+       "s. After S seconds the connected clients get the end of the stream, {-2}; when the source "
+       "comes back, the stream goes on. With stream files on stdin or FIFOs only the end of input "
+       "counts.",
        seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
       {"record", "FILE", "", "keep a live source",
        "Records what is served, with its times. The file is complete at any moment and is "
@@ -91,18 +88,17 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
   return {
-      {"upstream-token-file", "FILE", "", "to show",
+      {"upstream-token-file", "FILE", "", "its token",
        "The token that the server of an aucast:// source wants, one word in a file. It is sent "
        "only over TLS or to this host.",
        word(upstream.token)},
       {"upstream-wait", "S", "10", "hold when lost (10)",
        "Seconds, up to 86400. While nobody sends a stream of an aucast:// source or of "
-       "--accept-push, its clients hold "
-       "for so long; then those of a live stream get {-2}, and those of a recorded one that "
-       "is not whole are cut off. The servers are tried on. A client that comes before the "
-       "stream does waits as long, at most 8 s, and is refused then.",
+       "--accept-push, its clients hold for so long; then those of a live stream get {-2}, and "
+       "those of a recorded one that is not whole are cut off. The servers are tried on. A client "
+       "that comes before the stream does waits as long, at most 8 s, and is refused then.",
        seconds(upstream.wait, 0, kTimeoutMax, "is not a number of seconds from 0 to 86400")},
-      {"upstream-tls-ca", "FILE", "", "whom to trust",
+      {"upstream-tls-ca", "FILE", "", "CAs to trust",
        "The certificates of the authorities that the server of an aucasts:// source must have "
        "its certificate from (PEM); without it those of the system.",
        word(upstream.tls.authorities)},
@@ -117,24 +113,23 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
        "several servers, which are tried in their order; natss:// is over TLS. Implies --live. "
        "What comes within --batch goes together.",
        word(engine.publish)},
-      {"nats-token-file", "FILE", "", "to show",
+      {"nats-token-file", "FILE", "", "token to send",
        "The token that the servers of NATS want, one word in a file. It is sent only over TLS or "
-       "to "
-       "this host.",
+       "to this host.",
        word(engine.token)},
-      {"nats-creds", "FILE", "", "of a user",
+      {"nats-creds", "FILE", "", "a NATS user's",
        "The credentials of a user of NATS: a .creds file with its JWT and its seed.",
        word(engine.creds)},
-      {"nats-nkey", "KEY", "", "public",
+      {"nats-nkey", "KEY", "", "public key",
        "The public NKey of a user of NATS (U...), whose seed is in --nats-seed.",
        word(engine.nkey)},
-      {"nats-seed", "FILE", "", "its seed", "The seed of --nats-nkey (SU...).", word(engine.seed)},
+      {"nats-seed", "FILE", "", "the NKey's seed", "The seed of --nats-nkey (SU...).",
+       word(engine.seed)},
       {"nats-tls-ca", "FILE", "", "for natss://",
        "The certificates of the authorities that the servers of a natss:// address must have "
-       "theirs "
-       "from (PEM); without it those of the system.",
+       "theirs from (PEM); without it those of the system.",
        word(engine.tls.authorities)},
-      {"nats-tls-cert", "FILE", "", "to show",
+      {"nats-tls-cert", "FILE", "", "our certificate",
        "A certificate to show to servers of NATS that want one (PEM).",
        word(engine.tls.certificate)},
       {"nats-tls-key", "FILE", "", "its key", "The private key of --nats-tls-cert (PEM).",
@@ -147,12 +142,12 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
       {"push", "URL", "", "bring a stream there",
        "Brings a stream to another au-transmitter, which is dialled from here, as from behind a "
        "home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. It must run "
-       "with --accept-push. There the stream is called NAME; here it is the one of that name, or "
-       "else the first, whose name is also the default. Of several hosts the next is taken when "
-       "one is lost, and all are tried again for ever. May be repeated, for several servers or "
-       "streams.",
+       "with --accept-push. NAME is the stream's name there. The stream sent is the one called "
+       "NAME here, or else the first; without NAME it is the first, under its own name. Of several "
+       "hosts the next is taken when one is lost, and all are tried again for ever. May be "
+       "repeated, for several servers or streams.",
        words(push.addresses)},
-      {"push-token-file", "FILE", "", "to show",
+      {"push-token-file", "FILE", "", "token to send",
        "The publisher's token that the servers of --push want, one word in a file. It is sent "
        "only over TLS or to this host.",
        word(push.token)},
@@ -161,11 +156,11 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        "their certificates from (PEM); without it those of the system.",
        word(push.tls.authorities)},
       {"accept-push", "FILE", "", "take streams",
-       "Streams that others bring by --push are served here too; a SOURCE is not needed then. "
-       "FILE has a publisher a line: a token of at most 256 bytes, and after it, if it is not for "
-       "any, the names of the streams that it may bring. These tokens are not those of viewers. A "
-       "name has one publisher at a time, and is none of this server's own streams. While a "
-       "publisher is away its clients hold for --upstream-wait. SIGHUP reads FILE again.",
+       "Streams that others bring by --push are served here too; a SOURCE is not needed then. FILE "
+       "has a publisher a line: a token of at most 256 bytes, and after it, if it is not for any, "
+       "the names of the streams that it may bring. These tokens are not those of viewers. A name "
+       "has one publisher at a time, and cannot be that of one of this server's own streams. While "
+       "a publisher is away its clients hold for --upstream-wait. SIGHUP reads FILE again.",
        word(credentials.publishers)},
   };
 }
@@ -193,8 +188,7 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        whole(options.keyframe_ms, 1, protocol::kDurationMsMax), "Sending"},
       {"classic-min", "PERCENT", "20", "weakest AU (20)",
        "For classic clients. Level 1 has no intensities: weaker AUs are left out, the others are "
-       "sent as fully "
-       "active.",
+       "sent as fully active.",
        whole(options.classic_min, 0, 100)},
       {"loop", "", "", "restart at the end", "The first keyframe follows the last, endlessly.",
        flag(options.loop)},
@@ -233,12 +227,12 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "processor core, or the next version beside this one. What they serve should be the same: "
        "recordings, or streams that each relays. Each counts its own clients and limits.",
        flag(options.reuse_port)},
-      {"drain-time", "S", "0", "to send clients away in",
-       "At SIGTERM or SIGINT nobody is accepted any more, and within so many seconds, up to 3600, "
-       "one client of level 2 after the other is cut off, without the end of the stream: those "
-       "with --reconnect, relays and web pages go on with another au-transmitter at this address, "
-       "such as the next version with --reuse-port, a recorded stream where they were. Who is "
-       "left then gets {-2}, as everybody does at once by default or by a second signal.",
+      {"drain-time", "S", "0", "move clients away",
+       "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, clients of "
+       "level 2 are cut off one by one, without {-2}, so that those with --reconnect, relays and "
+       "web pages go on with another au-transmitter at this address, such as the next version "
+       "with --reuse-port; a recorded stream resumes where it was. Whoever is left then gets "
+       "{-2}. A second signal, or S = 0, sends {-2} to all at once.",
        seconds(options.drain_time, 0, kDrainTimeMost, "is not a number of seconds from 0 to 3600")},
       {"client-timeout", "S", "0", "close clients that are silent for S seconds (0: no)",
        "Seconds, up to 86400. Every byte from the client restarts the time; of a live "
@@ -297,9 +291,8 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
        "label. May be repeated.",
        words(web.hosts)},
       {"web-trusted-proxy", "ADDR", "", "believe its X-Forwarded-For",
-       "The IP address of a reverse proxy: of its requests the client is the one that it names "
-       "last in X-Forwarded-For, as --max-clients-per-address and the log have it. May be "
-       "repeated.",
+       "The IP address of a reverse proxy. For its requests, the last address in X-Forwarded-For "
+       "is taken as the client's, in --max-clients-per-address and in the log. May be repeated.",
        parsed(Kind::Words, read_proxy, web.trusted_proxies)},
   };
 }
@@ -308,8 +301,7 @@ std::vector<OptionRow> status_rows(TransmitterOptions& options) {
   return {
       {"stats", "FILE.json", "", "statistics at exit",
        "Statistics of every client, written completely or not at all. The totals cover every "
-       "client; the latest 1000 "
-       "are listed.",
+       "client; the latest 1000 are listed.",
        word(options.stats), "Status, settings, log"},
       {"http", "ADDR:PORT", "", "status for monitors",
        "HTTP for monitoring: /healthz is 200 while clients are accepted and 503 while the "
@@ -327,8 +319,8 @@ std::vector<OptionRow> program_rows(TransmitterOptions& options) {
        "",
        "settings as TOML",
        "These options as name = value, one a line. Read before the environment and the command "
-       "line. Without it "
-       "/etc/aucast/au-transmitter.toml is read if it exists; --config /dev/null reads none.",
+       "line. Without it /etc/aucast/au-transmitter.toml is read if it exists; --config /dev/null "
+       "reads none.",
        {},
        "",
        Where::Typed},

@@ -25,7 +25,7 @@ class ServiceManager {
   void ready(const std::string& status) const;
   /// Until the next ready().
   void reloading() const;
-  /// It will take no more than this; zero: than what is usual.
+  /// `at_most`: how long stopping may take; zero: what the service manager is set to.
   void stopping(Milliseconds at_most) const;
   void status(const std::string& status) const;
   void alive() const;
