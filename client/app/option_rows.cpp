@@ -255,8 +255,8 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
        "Plays no sound, and asks the server for none. Videos of --record are silent.",
        flag(sound.none)},
       {"sound-device", "NAME", "", "device to play on",
-       "The device to play on, or default. A name that there is not is answered with those that "
-       "there are. With --headless sound is played only if this is given.",
+       "The device to play on, or default. For an unknown name the available devices are "
+       "listed. With --headless, sound is played only if this is given.",
        word(sound.device)},
   };
 }
@@ -281,7 +281,8 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        "if there is any; a .gif has none.",
        word(output.record)},
       {"sheet", "FILE.png", "", "up to 60 poses on one page",
-       "Writes the poses of the keyframes to one page: of more than 60, every second, fourth, ...",
+       "Writes the poses of the keyframes to one page; if there are more than 60, only every "
+       "second, fourth, ...",
        word(output.sheet)},
       fps_row(output),
       {"fast", "", "", "as fast as possible",
@@ -374,8 +375,8 @@ std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
 std::vector<OptionRow> export_rows(PlayerOptions& options) {
   OptionRow fps = fps_row(options.output);
   fps.fallback = "30";
-  fps.text = "moments of the animation a second, 1 to 240 (30)";
-  fps.more = "Moments of the animation a second, 1 to 240.";
+  fps.text = "animation samples a second, 1 to 240 (30)";
+  fps.more = "Animation samples a second, 1 to 240.";
   std::vector<OptionRow> rows{
       {"files", "[STREAM] FILE.glb", "", "",
        "A stream file or the table of a recogniser, which becomes the animation, and the file to "
@@ -383,8 +384,7 @@ std::vector<OptionRow> export_rows(PlayerOptions& options) {
        words(options.exported.files), "", Where::Positional},
       {"basis", "BASIS", "muscles", "muscles, or aus (muscles)",
        "What there is a morph target for: muscles, one for each muscle and lid, true to the face; "
-       "or "
-       "aus, one for each Action Unit and side, to be driven by hand.",
+       "or aus, one for each Action Unit and side, to be driven by hand.",
        one_of<glb::Basis>(options.exported.basis,
                           {{"muscles", glb::Basis::Muscles}, {"aus", glb::Basis::Aus}}),
        "File"},
@@ -435,9 +435,9 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
     rows = {
         {"host", "HOST", "", "",
          "The server: HOST or HOST:PORT; the port is 4650 by default. Or a stream's address: "
-         "aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. When one of several "
-         "hosts is lost the next is taken, as with --reconnect, and when one is full or does "
-         "not have the stream yet, until all have said so.",
+         "aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. The next of several "
+         "hosts is tried when one is lost (as with --reconnect), is full or does not have the "
+         "stream yet; it gives up when all have refused.",
          word(options.playback.endpoint), "", Where::Positional},
         {"list", "", "", "", "Prints the names of the server's streams.", flag(options.list)},
         {"mirror", "", "", "",

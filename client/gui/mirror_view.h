@@ -47,7 +47,7 @@ using MirrorCommand = std::variant<StartMirror, StopMirror, GoLive, GoPrivate>;
 
 /// One AU of a face, or two that exclude each other, as a bar from the middle to both sides.
 struct AuBar {
-  std::string label;     ///< "12 Lip Corner Puller", "51 52 Head turn"
+  std::string label;     ///< "12 Lip Corner Puller", "51 52 Head Left, Right"
   int left_percent = 0;  ///< on the subject's own left, or of the AU that goes there
   int right_percent = 0;
   friend bool operator==(const AuBar&, const AuBar&) = default;
@@ -57,7 +57,7 @@ struct AuBar {
 /// and up before down.
 [[nodiscard]] std::vector<AuBar> au_bars(const std::vector<AuTerm>& aus);
 
-/// Who sees the face, in a sentence: "Only you see it.", "Live at 10.0.0.7:4650, 2 watch."
+/// Who sees the face, in a sentence: "Only you see this face.", "Live at 10.0.0.7:4650, 2 watch."
 [[nodiscard]] std::string audience_text(const MirrorView& view);
 
 }  // namespace aucast::gui

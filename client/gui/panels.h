@@ -93,7 +93,7 @@ struct FileForm {
 /// The file dialog, while the model has one open.
 void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCommands& commands);
 
-/// What is being typed on the Camera tab.
+/// What is being typed on the Camera tab, and the picture there.
 struct MirrorForm {
   std::array<char, 256> source{};
   std::string bind = "127.0.0.1";

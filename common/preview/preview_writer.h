@@ -10,8 +10,8 @@
 
 namespace aucast::preview {
 
-/// The picture, each pixel the mean of a square of `rgb`, so that no side is longer than kSideMax;
-/// width, height and rgb of what is returned. `rgb` has 3 * width * height bytes, none of them 0.
+/// Shrinks the picture by whole factors until no side exceeds kSideMax; fills width, height and rgb
+/// only. `rgb` has 3 * width * height bytes; neither side is 0.
 [[nodiscard]] Seen small_picture(std::size_t width, std::size_t height,
                                  std::span<const std::uint8_t> rgb);
 
