@@ -75,13 +75,13 @@ void Preview::stop() {
 
 void Preview::offer(const camera::Sight& sight) {
   if (picture_pending_.exchange(true)) return;
-  asio::post(io_, [this, record = preview::seen_record(seen_of(sight))]() mutable {
+  asio::post(io_, [this, record = preview::seen_record(seen_of(sight))] {
     const std::size_t watching = hooks_.watching();
     if (std::exchange(said_watching_, watching) != watching) {
       write(preview::watching_record(watching));
     }
     picture_in_waiting_ = true;
-    write(std::move(record));
+    write(record);
   });
 }
 
@@ -117,7 +117,7 @@ void Preview::carry_out(std::string_view line) {
   }
 }
 
-void Preview::write(std::string record) {
+void Preview::write(const std::string& record) {
   if (gone_) return;
   waiting_ += record;
   // Whoever gives orders and reads no answers has gone.

@@ -46,7 +46,7 @@ class Preview {
   void read();
   void take_orders();
   void carry_out(std::string_view line);
-  void write(std::string record);
+  void write(const std::string& record);
   void write_on();
   void end();
 

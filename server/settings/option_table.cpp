@@ -170,7 +170,7 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "tell what a camera sees (face-player --mirror)",
+      "tell face-player what a camera sees",
       "For a program that starts this one: standard output tells "
       "what the camera sees, as small pictures with landmarks and AUs, and standard input takes "
       "orders to let others in, and out; its end ends the program. Both must be pipes or "
