@@ -57,6 +57,12 @@ Phase MirrorSession::phase(const mirror::MirrorState& state) const {
   return state.seen == nullptr ? Phase::Starting : Phase::Private;
 }
 
+void MirrorSession::finish() {
+  mirror_.reset();
+  view_.seen.reset();
+  view_.phase = Phase::Off;
+}
+
 std::optional<protocol::Endpoint> MirrorSession::advance() {
   if (mirror_ == nullptr) return std::nullopt;
   mirror::MirrorState state = mirror_->state();
@@ -66,15 +72,14 @@ std::optional<protocol::Endpoint> MirrorSession::advance() {
   view_.watching = state.watching;
   view_.seen = std::move(state.seen);
   if (state.over) {
-    mirror_.reset();
-    view_.seen.reset();
+    finish();
     return std::nullopt;
   }
   if (state.address.empty() || std::exchange(played_, true)) return std::nullopt;
   auto endpoint = protocol::parse_endpoint(state.address);
   if (!endpoint) {
     view_.trouble = endpoint.error().message;
-    mirror_->end();
+    finish();
     return std::nullopt;
   }
   return *std::move(endpoint);

@@ -24,6 +24,8 @@ class MirrorSession {
 
  private:
   void start(const std::string& source);
+  /// The camera is off; what the trouble was stays to be read.
+  void finish();
   [[nodiscard]] gui::MirrorView::Phase phase(const mirror::MirrorState& state) const;
 
   mirror::MirrorOptions options_;

@@ -73,6 +73,16 @@ TEST_F(WindowMirror, SaysWhatItsChildDiedOfAndStartsAgain) {
   EXPECT_EQ(model().mirror.trouble, "");
 }
 
+TEST_F(WindowMirror, AnAddressThatIsNoneIsASentenceThatStays) {
+  begin("echo 'listening on 127.0.0.1:99999'; cat record; read order");
+  ASSERT_TRUE(becomes([](const gui::MirrorView& view) { return !view.trouble.empty(); }));
+  const std::string trouble = model().mirror.trouble;
+  session_->advance(clock_.now());
+  EXPECT_EQ(model().mirror.trouble, trouble);
+  EXPECT_EQ(model().mirror.phase, Phase::Off);
+  EXPECT_EQ(model().mirror.seen, nullptr);
+}
+
 TEST_F(WindowMirror, WithoutAuTransmitterIsASentence) {
   options_.mirror.program = "aucast-no-such-program";
   options_.mirrors = true;
