@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Checks form and habits of the C++ sources; silent when there is nothing to say.
 #   scripts/lint.sh format [FILE...]      clang-format (.clang-format), default: all that git tracks
-#   scripts/lint.sh tidy [FILE...]        clang-tidy (.clang-tidy), default: all of the programs;
-#                                         a FILE needs a configured release build
+#   scripts/lint.sh tidy [FILE...]        clang-tidy (.clang-tidy), default: all of the programs
 set -eu
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -19,11 +18,13 @@ format)
     fi
     ;;
 tidy)
-    database=build/release
+    # Of a file its own command; of all several at a time, as headers take most of it. Tests are
+    # left out then.
+    preset=dev
+    [ $# -gt 0 ] || preset=lint
+    database=build/$preset
+    cmake --preset $preset -DCMAKE_MESSAGE_LOG_LEVEL=WARNING >/dev/null
     if [ $# -eq 0 ]; then
-        # Several sources at a time, as headers take most of it. Tests are left out.
-        database=build/lint
-        cmake --preset lint -DCMAKE_MESSAGE_LOG_LEVEL=WARNING >/dev/null
         mapfile -t files < <(python3 -c '
 import json, sys
 for entry in json.load(open(sys.argv[1] + "/compile_commands.json")):
@@ -36,7 +37,7 @@ for entry in json.load(open(sys.argv[1] + "/compile_commands.json")):
     printf '%s\0' "$@" | xargs -0 -n 1 -P "$(nproc)" clang-tidy -p $database --quiet 2>/dev/null
     ;;
 *)
-    sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    sed -n '2,4s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
     exit 2
     ;;
 esac
