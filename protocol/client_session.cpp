@@ -141,6 +141,9 @@ std::optional<std::string> ClientSession::State::objection(const HelloGranted& h
   if (hello.text && !options.hello.text) {
     return "the server granted captions, which were not asked for";
   }
+  if (hello.loop && !options.hello.loop) {
+    return "the server granted one turn of a loop, which was not asked for";
+  }
   return std::nullopt;
 }
 

@@ -22,9 +22,11 @@ HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms)
   granted.delta = delta_;
   granted.live = live;
   granted.stream = stream_.name;
+  granted.loop = asked.loop && !live && loops();
+  one_turn_ = granted.loop;
   // A stream that starts again has no length.
   if (live) granted.duration_ms = stream_.live->duration_ms();
-  if (!live && !loop_) granted.duration_ms = recorded().duration_ms;
+  if (!live && !loops()) granted.duration_ms = recorded().duration_ms;
   granted.keyframe_ms = keyframe_ms;
   granted.from_ms = begin_at(asked.from_ms);
   if (voice_) granted.voice = kVoiceCodec;
@@ -38,10 +40,7 @@ HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms)
 std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
   if (from_ms == 0 || stream_.live) return 0;
   const auto& times = recorded().times;
-  if (loop_) {
-    const auto whole = static_cast<std::uint64_t>(length_of(recorded()).count());
-    from_ms = whole == 0 ? 0 : from_ms % whole;
-  }
+  if (loops()) from_ms = place_in_turn(recorded(), from_ms);
   std::uint64_t begin = 0;
   for (next_packet_ = 0; from_ms > 0 && next_packet_ < times.size(); ++next_packet_) {
     const std::uint64_t time = times[next_packet_].count();
@@ -108,7 +107,7 @@ bool Delivery::may_send() const {
 
 /// A keyframe of a recorded stream is there to be sent.
 bool Delivery::has_next() const {
-  const bool again = loop_ && recorded().extent == Extent::Whole;
+  const bool again = loops() && recorded().extent == Extent::Whole;
   return next_packet_ < packets().size() || (again && !packets().empty());
 }
 
@@ -131,8 +130,8 @@ bool Delivery::complete() const {
 
 void Delivery::send_keyframe(std::string_view packet, std::string& out) {
   out += packet;
-  ++packets_sent_;
-  payload_bytes_ += packet.size();
+  ++sent_.packets;
+  sent_.payload_bytes += packet.size();
   if (window_ == 0) return;
   ++in_flight_;
   if (banked_ > 0) {
@@ -165,16 +164,17 @@ void Delivery::send_recorded(std::string& out) {
     if (sounds()) {
       const Milliseconds end = sent_to_ + recorded().times[next_packet_];
       if (!sound_may_reach(end)) return;
-      send_sound(end, out);
+      const bool turns = loop_ && next_packet_ + 1 == packets().size();
+      send_sound(end, turns ? end : Milliseconds::max(), out);
       sent_to_ = end;
     }
     // The first one names the whole face, wherever the stream begins.
-    const bool full = delta_ && packets_sent_ == 0;
+    const bool full = delta_ && sent_.packets == 0;
     const PacketList& encoded = full ? recorded().negotiated : packets();
     send_keyframe(encoded[next_packet_++], out);
   }
   // What sounds on after the last keyframe, while the face holds.
-  if (sounds() && complete()) send_sound(Milliseconds::max(), out);
+  if (sounds() && complete()) send_sound(Milliseconds::max(), Milliseconds::max(), out);
 }
 
 void Delivery::begin_turn() {
@@ -191,8 +191,9 @@ bool Delivery::sound_may_reach(Milliseconds end) const {
   return in_flight_ == 0 || end <= answered_to_ + kVoiceAheadMax;
 }
 
-/// The sound that begins before `end`.
-void Delivery::send_sound(Milliseconds end, std::string& out) {
+/// The sound that begins before `end`. Of the voice, what is over by `turn_end`: in a loop what
+/// would reach into the next turn would cost the beginning of that.
+void Delivery::send_sound(Milliseconds end, Milliseconds turn_end, std::string& out) {
   if (text_) {
     const auto& captions = stream_.sound->captions;
     for (; next_caption_ < captions.size(); ++next_caption_) {
@@ -204,6 +205,7 @@ void Delivery::send_sound(Milliseconds end, std::string& out) {
   const auto voice = stream_.sound->voice->packets();
   for (; next_voice_ < voice.size(); ++next_voice_) {
     if (voice[next_voice_].begin + turn_begin_ >= end) break;
+    if (voice[next_voice_].end + turn_begin_ > turn_end) break;
     send_voice(voice[next_voice_], turn_begin_, out);
   }
 }
@@ -215,7 +217,7 @@ void Delivery::send_moment(const LiveMoment& moment, std::string& out) {
   const std::uint64_t merged = last_moment_ ? moment.number - *last_moment_ - 1 : 0;
   const bool full = std::exchange(full_next_, false) || merged > 0;
   const bool cut = !last_moment_ || merged > 0;
-  packets_merged_ += merged;
+  sent_.packets_merged += merged;
   last_moment_ = moment.number;
   offset_ = sent_to_ - moment.begin;
   if (cut) skip_sound_before(moment.begin);
@@ -257,15 +259,15 @@ void Delivery::send_live_sound(std::string& out) {
 void Delivery::send_voice(const EncodedVoice& voice, Milliseconds offset, std::string& out) {
   const std::size_t before = out.size();
   if (!voice_cursor_.send(voice, offset, out)) return;
-  ++voice_packets_;
-  sound_bytes_ += out.size() - before;
+  ++sent_.voice_packets;
+  sent_.sound_bytes += out.size() - before;
 }
 
 void Delivery::send_caption(const Caption& caption, Milliseconds offset, std::string& out) {
   const auto place = std::max(Milliseconds(caption.place_ms) + offset, Milliseconds{0});
   const std::string packet =
       encode(Caption{static_cast<std::uint64_t>(place.count()), caption.text});
-  sound_bytes_ += packet.size();
+  sent_.sound_bytes += packet.size();
   out += packet;
 }
 

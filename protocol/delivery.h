@@ -40,6 +40,17 @@ struct ServedStream {
   [[nodiscard]] const std::string& known_name() const {
     return name.empty() && upstream ? upstream->name : name;
   }
+  /// Where it comes from it starts again at its end.
+  [[nodiscard]] bool loops_there() const { return upstream && upstream->loop; }
+};
+
+/// What one client was handed out.
+struct SentCounts {
+  std::uint64_t packets = 0;         ///< keyframes
+  std::uint64_t payload_bytes = 0;   ///< of those, without hello and {-2}
+  std::uint64_t packets_merged = 0;  ///< live keyframes left out: it could not take them in time
+  std::uint64_t voice_packets = 0;
+  std::uint64_t sound_bytes = 0;  ///< of voice packets and captions
 };
 
 /// What one client has been sent of a stream, and what it may be sent now: the window of section 6
@@ -48,7 +59,7 @@ struct ServedStream {
 /// Thread: none of its own.
 class Delivery {
  public:
-  /// `loop`: a recorded stream starts again at its end.
+  /// `loop`: a recorded stream starts again at its end, whatever it does where it comes from.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
   /// Another stream, before anything was sent; what was answered or paused beforehand counts.
@@ -85,15 +96,11 @@ class Delivery {
   [[nodiscard]] bool held() const { return held_; }
   [[nodiscard]] std::size_t in_flight() const { return in_flight_; }
   [[nodiscard]] std::size_t banked() const { return banked_; }
-  [[nodiscard]] std::uint64_t packets_sent() const { return packets_sent_; }
-  [[nodiscard]] std::uint64_t packets_merged() const { return packets_merged_; }
-  [[nodiscard]] std::uint64_t payload_bytes() const { return payload_bytes_; }
-  [[nodiscard]] std::uint64_t voice_packets() const { return voice_packets_; }
-  /// Of voice packets and captions.
-  [[nodiscard]] std::uint64_t sound_bytes() const { return sound_bytes_; }
+  [[nodiscard]] const SentCounts& sent() const { return sent_; }
 
  private:
   [[nodiscard]] const EncodedStream& recorded() const;
+  [[nodiscard]] bool loops() const { return !one_turn_ && (loop_ || stream_.loops_there()); }
   [[nodiscard]] const PacketList& packets() const;
   [[nodiscard]] std::string_view packet_of(const LiveMoment& moment, bool full) const;
   [[nodiscard]] std::size_t window_for(int asked) const;
@@ -106,7 +113,7 @@ class Delivery {
   void send_recorded(std::string& out);
   void begin_turn();
   [[nodiscard]] bool sound_may_reach(Milliseconds end) const;
-  void send_sound(Milliseconds end, std::string& out);
+  void send_sound(Milliseconds end, Milliseconds turn_end, std::string& out);
   void send_moment(const LiveMoment& moment, std::string& out);
   void skip_sound_before(Milliseconds place);
   void send_live_sound(std::string& out);
@@ -115,6 +122,7 @@ class Delivery {
 
   ServedStream stream_;
   bool loop_;
+  bool one_turn_ = false;  ///< the client makes the others itself
   Level level_ = Level::Classic;
   std::size_t window_ = 1;
   bool delta_ = false;  ///< the changes-only form was granted
@@ -125,10 +133,7 @@ class Delivery {
   std::size_t banked_ = 0;     ///< answers that came while there was nothing to answer
   bool paused_ = false;
   bool held_ = false;
-  std::uint64_t packets_sent_ = 0;
-  std::uint64_t payload_bytes_ = 0;
-  std::uint64_t voice_packets_ = 0;
-  std::uint64_t sound_bytes_ = 0;
+  SentCounts sent_;
 
   /// The sum of the times of what was sent, from where the stream began: the client's clock.
   Milliseconds sent_to_{0};
@@ -145,8 +150,7 @@ class Delivery {
   // Live only.
   bool full_next_ = true;                     ///< the next packet must not be changes only
   std::optional<std::uint64_t> last_moment_;  ///< the number of the last one sent
-  std::uint64_t packets_merged_ = 0;
-  Milliseconds offset_{0};  ///< from the channel's clock to the client's
+  Milliseconds offset_{0};                    ///< from the channel's clock to the client's
 };
 
 }  // namespace aucast::protocol

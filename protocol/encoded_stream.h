@@ -46,6 +46,9 @@ struct EncodedStream {
 /// Memory that its packets and times take.
 [[nodiscard]] std::size_t held_bytes(const EncodedStream& stream);
 
+/// Where in one turn of a stream in a loop that place is, which counts on from turn to turn.
+[[nodiscard]] std::uint64_t place_in_turn(const EncodedStream& stream, std::uint64_t place_ms);
+
 /// Whether the keyframe is there that a client begins with which asks for `from_ms`; a stream that
 /// grows may not have it yet.
 [[nodiscard]] bool reaches(const EncodedStream& stream, std::uint64_t from_ms, bool loop);

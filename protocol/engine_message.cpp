@@ -21,7 +21,7 @@ constexpr std::array<std::pair<std::string_view, EngineMessage::Kind>, 3> kKinds
 }};
 
 /// Numbers of batches and places stay exact in every language that reads them.
-constexpr std::uint64_t kNumberMost = (std::uint64_t{1} << 53U) - 1;
+constexpr std::uint64_t kNumberMax = (std::uint64_t{1} << 53U) - 1;
 
 Error broken(std::string what) {
   return {ErrorKind::BadData, std::move(what)};
@@ -47,7 +47,7 @@ class Line {
     const auto found = values_.find(key);
     if (found == values_.end()) return broken("its line has no " + std::string(key) + "=");
     const auto number = number_of<std::uint64_t>(found->second);
-    if (!number || *number > kNumberMost) {
+    if (!number || *number > kNumberMax) {
       return broken("its " + std::string(key) + "= is no number from 0 to 2^53-1");
     }
     return *number;

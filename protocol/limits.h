@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Every number that bounds what a peer may say, hold or take, in one place: of the protocol, and
-/// of our programs. PROTOCOL.md carries the same tables.
+/// The numbers that bound what a peer of the protocol may say, hold or take. What our relays bear
+/// from a server, and what waits between our threads, stands with the classes that hold it.
+/// PROTOCOL.md carries the same tables.
 namespace aucast::protocol {
 
 inline constexpr int kProtocolVersion = 2;

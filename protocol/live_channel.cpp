@@ -27,8 +27,8 @@ void LiveChannel::keep(Caption caption) {
     return second == nullptr || Milliseconds(second->place_ms) > now;
   };
   // Who writes captions far ahead of the face costs himself the oldest.
-  constexpr std::size_t kCaptionsMost = 64;
-  while (!stands() || captions_.size() > kCaptionsMost) captions_.pop_front();
+  constexpr std::size_t kCaptionsMax = 64;
+  while (!stands() || captions_.size() > kCaptionsMax) captions_.pop_front();
 }
 
 }  // namespace aucast::protocol

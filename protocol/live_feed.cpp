@@ -18,10 +18,9 @@ void LiveFeed::add(const Keyframe& keyframe) {
 
 void LiveFeed::add(EncodedKeyframe encoded, Milliseconds time) {
   const std::uint64_t number = newest() == nullptr ? 0 : newest()->number + 1;
-  moments_.resize(1);
-  moments_.front() = {
-      number, std::move(encoded.classic), std::move(encoded.full), std::move(encoded.changes), end_,
-      time};
+  if (std::exchange(moments_told_, false) || !together_) moments_.clear();
+  moments_.push_back({number, std::move(encoded.classic), std::move(encoded.full),
+                      std::move(encoded.changes), end_, time});
   end_ += time;
   ended_ = false;
   // The average of about the last ten.

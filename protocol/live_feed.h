@@ -19,6 +19,12 @@ class LiveFeed final : public LiveChannel {
   LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice = false, bool captions = false,
            std::optional<std::uint64_t> duration_ms = std::nullopt);
 
+  /// What is added from here to the next call came together: latest() has all of it. Without any
+  /// call each comes alone.
+  void begin_moments() {
+    together_ = true;
+    moments_told_ = true;
+  }
   /// The next moment, a full keyframe. A stream that had ended goes on.
   void add(const Keyframe& keyframe);
   /// The same, encoded elsewhere: for who passes packets on.
@@ -37,8 +43,10 @@ class LiveFeed final : public LiveChannel {
  private:
   std::uint32_t keyframe_ms_;
   KeyframeEncoder encoder_;
-  Milliseconds end_{0};   ///< of the newest moment
-  double usual_ms_ = 33;  ///< between two moments, lately
+  bool together_ = false;
+  bool moments_told_ = false;  ///< those that are there, before what comes together now
+  Milliseconds end_{0};        ///< of the newest moment
+  double usual_ms_ = 33;       ///< between two moments, lately
 };
 
 }  // namespace aucast::protocol

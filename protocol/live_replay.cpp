@@ -19,6 +19,7 @@ LiveReplay::LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, I
       sound_(std::move(sound)),
       clock_(stream_->times, loop, begin) {
   limit_window(mean_ms(*stream_));
+  if (loop) turn_time_ = length_of(*stream_);
 }
 
 bool LiveReplay::advance(Instant now) {
@@ -60,7 +61,8 @@ void LiveReplay::go_to(std::uint64_t number) {
 }
 
 /// Hands out the sound of this turn that begins before `end`. A voice that was encoded too late, so
-/// that it would have been over before `begin`, is left out: nobody could hear it in its place.
+/// that it would have been over before `begin`, is left out: nobody could hear it in its place. So
+/// is what reaches into the next turn of a loop, for it would cost the beginning of that.
 void LiveReplay::play_sound(Milliseconds begin, Milliseconds end) {
   if (!sound_) return;
   for (; next_caption_ < sound_->captions.size(); ++next_caption_) {
@@ -73,6 +75,7 @@ void LiveReplay::play_sound(Milliseconds begin, Milliseconds end) {
   const auto voice = sound_->voice->packets();
   for (; next_voice_ < voice.size(); ++next_voice_) {
     if (voice[next_voice_].begin + turn_begin_ >= end) break;
+    if (voice[next_voice_].end > turn_time_) break;
     if (voice[next_voice_].end + turn_begin_ <= begin) continue;
     EncodedVoice packet = voice[next_voice_];
     packet.begin += turn_begin_;

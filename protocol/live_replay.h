@@ -39,7 +39,8 @@ class LiveReplay final : public LiveChannel {
   LiveClock clock_;
   std::uint64_t next_number_ = 0;  ///< of the moment that begins at `next_begin_`
   Milliseconds next_begin_{0};
-  Milliseconds turn_begin_{0};  ///< where the sound started again
+  Milliseconds turn_begin_{0};                   ///< where the sound started again
+  Milliseconds turn_time_{Milliseconds::max()};  ///< of a turn, in a loop
   std::size_t next_voice_ = 0;
   std::size_t next_caption_ = 0;
 };

@@ -56,6 +56,7 @@ struct HelloAsked {
   std::uint64_t from_ms = 0;  ///< recorded: where to begin, as a sum of keyframe times
   std::string voice{};        ///< the codec it plays: kVoiceCodec; empty: it wants no voice
   bool text = false;          ///< it wants captions
+  bool loop = false;          ///< of a recording in a loop it wants one turn, and makes the others
   std::string relay{};        ///< the ID of a relay that asks or of a publisher; empty: it is none
   std::string publish{};      ///< the stream that it brings, in place of asking for one
   bool takes = false;         ///< the answer to that: bring it; the rest says how
@@ -74,6 +75,7 @@ struct HelloGranted {
   std::uint64_t from_ms = 0;                 ///< recorded: where the first keyframe begins
   std::string voice{};                       ///< kVoiceCodec: there will be voice packets
   bool text = false;                         ///< there will be captions
+  bool loop = false;                         ///< this is one turn of a recording in a loop
   std::string title{};                       ///< of the stream, for people; UTF-8
   std::string servers{};  ///< that the stream comes through (server_chain.h); only for relays
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;

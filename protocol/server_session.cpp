@@ -398,9 +398,9 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
 /// Sends what may be sent now, and the end when everything has been answered.
 void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
   std::string bytes;
-  const std::uint64_t before = delivery.packets_sent();
+  const std::uint64_t before = delivery.sent().packets;
   (delivery.*pump)(bytes);
-  spare_codes.earn(delivery.packets_sent() - before);
+  spare_codes.earn(delivery.sent().packets - before);
   if (!bytes.empty()) send(bytes);
   if (delivery.complete()) say_last(encode(End{}), Why::Finished, "the stream was sent whole");
   if (delivery.broken_off())
@@ -538,10 +538,13 @@ std::vector<ServerEvent> ServerSession::stop(Instant now) {
 
 std::vector<ServerEvent> ServerSession::send_away(Instant now) {
   state_->begin_call(now);
-  if (state_->phase == State::Phase::Streaming && level() == Level::Negotiated) {
-    state_->close(Why::SentAway, "the server stops, and another one goes on");
-  }
+  if (movable()) state_->close(Why::SentAway, "the server stops, and another one goes on");
   return state_->take_events();
+}
+
+bool ServerSession::movable() const {
+  return state_->asked && (state_->phase == State::Phase::Streaming ||
+                           state_->phase == State::Phase::AwaitingStream);
 }
 
 std::optional<Instant> ServerSession::deadline() const {
@@ -576,24 +579,8 @@ const EncodedStream* ServerSession::recorded() const {
   return state_->delivery.stream().recorded.get();
 }
 
-std::uint64_t ServerSession::packets_sent() const {
-  return state_->delivery.packets_sent();
-}
-
-std::uint64_t ServerSession::payload_bytes() const {
-  return state_->delivery.payload_bytes();
-}
-
-std::uint64_t ServerSession::voice_packets() const {
-  return state_->delivery.voice_packets();
-}
-
-std::uint64_t ServerSession::sound_bytes() const {
-  return state_->delivery.sound_bytes();
-}
-
-std::uint64_t ServerSession::packets_merged() const {
-  return state_->delivery.packets_merged();
+const SentCounts& ServerSession::sent() const {
+  return state_->delivery.sent();
 }
 
 }  // namespace aucast::protocol

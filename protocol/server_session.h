@@ -115,9 +115,11 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of level 1.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
-  /// The server itself stops and another one goes on: who is sent a stream in level 2 is cut off
-  /// without {-2}, and may come again with `from=`. Without effect for all others.
+  /// The server itself stops and another one goes on: who is sent a stream in level 2, or waits for
+  /// one, is cut off without {-2}, and may come again with `from=`. Without effect for all others.
   [[nodiscard]] std::vector<ServerEvent> send_away(Instant now);
+  /// send_away() would have an effect.
+  [[nodiscard]] bool movable() const;
 
   /// When on_time() wants to be called next; nullopt: no timer is running.
   [[nodiscard]] std::optional<Instant> deadline() const;
@@ -133,12 +135,7 @@ class ServerSession {
   [[nodiscard]] const std::optional<HelloAsked>& hello() const;
   /// Null when the stream is live.
   [[nodiscard]] const EncodedStream* recorded() const;
-  [[nodiscard]] std::uint64_t packets_sent() const;   ///< keyframes handed out
-  [[nodiscard]] std::uint64_t payload_bytes() const;  ///< their bytes, without hello and {-2}
-  [[nodiscard]] std::uint64_t voice_packets() const;  ///< handed out
-  [[nodiscard]] std::uint64_t sound_bytes() const;    ///< of voice packets and captions
-  /// Live keyframes that were left out because the client could not take them in time.
-  [[nodiscard]] std::uint64_t packets_merged() const;
+  [[nodiscard]] const SentCounts& sent() const;
 
  private:
   struct State;

@@ -72,9 +72,9 @@ StreamChoice choose_stream(const ServerCatalogue& catalogue,
       return choice;
     }
   }
-  const bool ready =
-      stream.live ||
-      (stream.recorded && reaches(*stream.recorded, asked ? asked->from_ms : 0, catalogue.loop));
+  const bool loops = (catalogue.loop || stream.loops_there()) && !(asked && asked->loop);
+  const bool ready = stream.live || (stream.recorded &&
+                                     reaches(*stream.recorded, asked ? asked->from_ms : 0, loops));
   if (!ready) choice.state = State::NotYet;
   return choice;
 }

@@ -21,6 +21,7 @@ struct UpstreamStream {
   std::shared_ptr<const EncodedStream> recorded;
   std::shared_ptr<const LiveChannel> live;
   std::shared_ptr<const Soundtrack> sound;  ///< of the recorded one; null: it has none
+  bool loop = false;                        ///< the recorded one starts again at its end
   std::string title;                        ///< for people; empty: none
   std::uint32_t keyframe_ms = 250;          ///< time of a keyframe without its own
   std::string servers;       ///< that it comes through, as server_chain.h has them; without our own

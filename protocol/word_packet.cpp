@@ -74,6 +74,7 @@ constexpr Key<Asked> kAskedKeys[] = {
     {.key = "from", .member = &Asked::from_ms, .max = kPlaceMsMax},
     {.key = "voice", .member = &Asked::voice, .kind = Kind::Name},
     {.key = "text", .member = &Asked::text},
+    {.key = "loop", .member = &Asked::loop},
     {.key = "relay", .member = &Asked::relay, .kind = Kind::ServerId},
     {.key = "publish", .member = &Asked::publish, .kind = Kind::Name},
     {.key = "takes", .member = &Asked::takes},
@@ -95,6 +96,7 @@ constexpr Key<Granted> kGrantedKeys[] = {
     {.key = "from", .member = &Granted::from_ms, .max = kPlaceMsMax},
     {.key = "voice", .member = &Granted::voice, .kind = Kind::Name},
     {.key = "text", .member = &Granted::text},
+    {.key = "loop", .member = &Granted::loop},
     {.key = "title", .member = &Granted::title, .kind = Kind::Text},
     {.key = "origin", .member = &Granted::servers, .kind = Kind::Servers},
 };

@@ -88,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Watch watch;
   while (!script.empty()) {
     const std::string_view line = script.line();
-    const std::uint64_t sent_before = session.packets_sent();
+    const std::uint64_t sent_before = session.sent().packets;
     switch (line.empty() ? '\n' : line.front()) {
       case 't':
         now += Milliseconds(10 * line.size());
@@ -114,7 +114,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         watch.take(session.on_bytes(line, now));
         break;
     }
-    AUCAST_CHECK(session.packets_sent() - sent_before <= kEarlyAnswersMax + kWindowMax);
+    AUCAST_CHECK(session.sent().packets - sent_before <= kEarlyAnswersMax + kWindowMax);
     if (watch.closed()) AUCAST_CHECK(!session.deadline());
     if (watch.shut()) AUCAST_CHECK(!session.awaiting_answer());
   }

@@ -21,14 +21,19 @@ struct Heard {
   friend bool operator==(const Heard&, const Heard&) = default;
 };
 
-Heard hear(std::string_view wire, std::size_t piece) {
+/// Whether our side asks the peer before each piece if it is there.
+enum class Asks : std::uint8_t { Once, BeforeEachPiece };
+
+Heard hear(std::string_view wire, std::size_t piece, Asks asks = Asks::Once) {
   Channel channel(kFrameBytesMax);
   Heard heard;
   while (!wire.empty()) {
+    if (asks == Asks::BeforeEachPiece) channel.ping();
     const bool good = channel.received(wire.substr(0, piece), heard.text);
     AUCAST_CHECK(good != channel.failed());
     wire.remove_prefix(std::min(piece, wire.size()));
   }
+  channel.ping();
   channel.send("{1}");
   heard.answer = channel.take_output();
   heard.failed = channel.failed();
@@ -43,7 +48,7 @@ void check_frames(std::string_view wire, bool closes) {
     AUCAST_CHECK(!closed && wire.size() >= 2);
     const auto first = static_cast<unsigned char>(wire[0]);
     const auto size = static_cast<unsigned char>(wire[1]);
-    AUCAST_CHECK(first == 0x81 || first == 0x88 || first == 0x8a);
+    AUCAST_CHECK(first == 0x81 || first == 0x88 || first == 0x89 || first == 0x8a);
     AUCAST_CHECK(size <= 125 && wire.size() >= 2U + size);
     closed = first == 0x88;
     wire.remove_prefix(2U + size);
@@ -63,5 +68,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   AUCAST_CHECK(whole.text.size() <= wire.size());
   for (const char c : whole.text) AUCAST_CHECK(static_cast<unsigned char>(c) < 0x80);
   check_frames(whole.answer, whole.failed || whole.ended);
+  const Heard asked = hear(wire, piece, Asks::BeforeEachPiece);
+  AUCAST_CHECK(asked.text == whole.text);
+  AUCAST_CHECK(asked.failed == whole.failed && asked.ended == whole.ended);
+  check_frames(asked.answer, asked.failed || asked.ended);
   return 0;
 }

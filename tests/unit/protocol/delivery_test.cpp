@@ -23,9 +23,13 @@ class VoiceInTheMaking : public ::testing::Test {
       keyframe.terms = {AuTerm{1}};
       keyframe.duration_ms = 100;
     }
-    ServedStream stream = served("talk", encode_stream(keyframes, 250, 20));
-    stream.sound = std::make_shared<const Soundtrack>(Soundtrack{track_, {}});
-    delivery_.emplace(stream, false);
+    stream_ = served("talk", encode_stream(keyframes, 250, 20));
+    stream_.sound = std::make_shared<const Soundtrack>(Soundtrack{track_, {}});
+    deliver(false);
+  }
+
+  void deliver(bool loop) {
+    delivery_.emplace(stream_, loop);
     HelloAsked asked;
     asked.window = 8;
     asked.voice = kVoiceCodec;
@@ -39,6 +43,7 @@ class VoiceInTheMaking : public ::testing::Test {
   }
 
   std::shared_ptr<VoiceTrack> track_ = std::make_shared<VoiceTrack>();
+  ServedStream stream_;
   std::optional<Delivery> delivery_;
 };
 
@@ -62,6 +67,15 @@ TEST_F(VoiceInTheMaking, TheEndWaitsForTheTail) {
   track_->finish();
   EXPECT_EQ(pump(), "{a@320 WAE}");
   EXPECT_TRUE(delivery_->complete());
+}
+
+TEST_F(VoiceInTheMaking, InALoopTheEndOfATurnCostsNothingOfTheNext) {
+  deliver(true);
+  track_->add({0ms, kOpus60});
+  track_->add({270ms, kOpus60});
+  track_->finish();
+  const std::string turn = "{1;100}{1;100}{1;100}";
+  EXPECT_EQ(pump(), "{a@0 WAE}" + turn + "{a@300 WAE}" + turn + "{a@600 WAE}{1;100}{1;100}");
 }
 
 TEST_F(VoiceInTheMaking, NothingSoundsDuringAPause) {

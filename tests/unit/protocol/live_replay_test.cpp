@@ -69,6 +69,20 @@ TEST(LiveReplay, ALoopGoesOnCountingAndHasNoLength) {
   EXPECT_FALSE(replay.duration_ms().has_value());
 }
 
+TEST(LiveReplay, InALoopEachTurnsVoiceBeginsAtItsBeginning) {
+  auto voice = std::make_shared<VoiceTrack>();
+  for (const int place : {0, 60, 180}) voice->add({Milliseconds(place), "\x58\x01"});
+  voice->finish();
+  LiveReplay replay(stream_of(times(2, 100)), true, kReplayBegin,
+                    std::make_shared<const Soundtrack>(Soundtrack{voice, {}}));
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(replay.advance(kReplayBegin + i * 100ms));
+  std::vector<Milliseconds> places;
+  for (std::uint64_t i = replay.voice().first_number(); replay.voice().find(i) != nullptr; ++i) {
+    places.push_back(replay.voice().find(i)->begin);
+  }
+  EXPECT_EQ(places, (std::vector<Milliseconds>{0ms, 60ms, 200ms, 260ms}));
+}
+
 TEST(LiveReplay, AWindowIsNeverWorthMoreThanTwoSecondsButTwoMoments) {
   const auto window = [](std::vector<KeyframeTime> of) {
     return LiveReplay(stream_of(std::move(of)), false, kReplayBegin).window_max();

@@ -108,6 +108,12 @@ TEST_F(RelayedSession, StopWhileWaitingIsTheEnd) {
   EXPECT_EQ(hear("{hello v=2}-4"), "{-2}|");
 }
 
+TEST_F(RelayedSession, WhoWaitsIsSentAwayToo) {
+  EXPECT_EQ(hear("{hello v=2}"), "");
+  EXPECT_TRUE(session_->movable());
+  EXPECT_EQ(sent_of(session_->send_away(clock_.now())), "!sent away");
+}
+
 TEST_F(RelayedSession, WhatAClassicClientAnsweredWhileItWaitedCounts) {
   EXPECT_EQ(hear("11"), "");
   auto stream = grow();
@@ -149,6 +155,36 @@ TEST_F(RelayedSession, ALoopBeginsAgainOnlyWhenTheStreamIsWhole) {
   EXPECT_EQ(hear("1"), "");
   stream->extent = Extent::Whole;
   EXPECT_EQ(wake(), "{1;40}{1;40}");
+}
+
+TEST_F(RelayedSession, ALoopOfTheParentIsOneHere) {
+  upstream_->loop = true;
+  auto stream = grow();
+  stream->duration_ms = 40;
+  stream->extent = Extent::Whole;
+  EXPECT_EQ(hear("{hello v=2 window=2}"),
+            "{hello v=2 window=2 stream=talk keyframe=250}{1;40}{1;40}");
+  EXPECT_EQ(hear("1"), "{1;40}");
+}
+
+TEST_F(RelayedSession, ARelayOfARelayGetsOneTurnOfALoop) {
+  upstream_->loop = true;
+  auto stream = grow();
+  EXPECT_EQ(hear("{hello v=2 window=8 loop=1 relay=b}"),
+            "{hello v=2 window=8 stream=talk duration=120 keyframe=250 loop=1 origin=me}{1;40}");
+  append(*stream, "{2;40}", 40);
+  append(*stream, "{0;40}", 40);
+  stream->extent = Extent::Whole;
+  EXPECT_EQ(wake(), "{2;40}{0;40}");
+  EXPECT_EQ(hear("111"), "{-2}|");
+}
+
+TEST_F(RelayedSession, FromInALoopWaitsForItsPlaceInTheTurn) {
+  upstream_->loop = true;
+  auto stream = grow();
+  EXPECT_EQ(hear("{hello v=2 window=1 from=280}"), "") << "40 ms into the third turn";
+  append(*stream, "{2;40}", 40);
+  EXPECT_EQ(wake(), "{hello v=2 window=1 stream=talk keyframe=250 from=40}{2;40}");
 }
 
 TEST_F(RelayedSession, AStreamWithoutANameYetMayBeTheOneThatIsAskedFor) {

@@ -72,8 +72,8 @@ TEST_F(Server, SendsOnePacketPerAnswerAndDrainsToThePeersEnd) {
   EXPECT_EQ(pass(100ms), "send {1}");
   EXPECT_EQ(get("1"), "send {2}");
   EXPECT_EQ(get("\r\n1\n"), "send {3}");
-  EXPECT_EQ(session_->packets_sent(), 3U);
-  EXPECT_EQ(session_->payload_bytes(), 9U);
+  EXPECT_EQ(session_->sent().packets, 3U);
+  EXPECT_EQ(session_->sent().payload_bytes, 9U);
   EXPECT_EQ(get("1"), kBye);
   EXPECT_FALSE(session_->awaiting_answer());
   EXPECT_EQ(get("last words"), "");
@@ -234,7 +234,7 @@ TEST_F(Server, LoopsWithoutAnEnd) {
   catalogue_.loop = true;
   start();
   EXPECT_EQ(get("1111"), "send {1}{2}{3}{1}{2}");
-  EXPECT_EQ(session_->packets_sent(), 5U);
+  EXPECT_EQ(session_->sent().packets, 5U);
 }
 
 TEST_F(Server, GrantsAHelloAndFillsTheWindow) {

@@ -221,8 +221,8 @@ TEST(Sessions, LoseDoubleAndReorderNothingAndBothEnd) {
     EXPECT_EQ(pair.server_end, "finished: the stream was sent whole");
     EXPECT_EQ(level, pair.server().level());
     EXPECT_EQ(sets_of(pair.stored), sent_by(stream, level, stream.recorded->classic.size()));
-    EXPECT_EQ(pair.client().packets_received(), pair.server().packets_sent());
-    EXPECT_EQ(pair.client().payload_bytes(), pair.server().payload_bytes());
+    EXPECT_EQ(pair.client().packets_received(), pair.server().sent().packets);
+    EXPECT_EQ(pair.client().payload_bytes(), pair.server().sent().payload_bytes);
   }
   EXPECT_GT(negotiated, 500) << "both levels must have been met";
   EXPECT_LT(negotiated, 2500);
@@ -245,7 +245,7 @@ TEST(Sessions, EndProperlyWhenEitherSideStops) {
     EXPECT_EQ(sets_of(pair.stored),
               sent_by(catalogue.streams.front(), pair.client().level(), pair.stored.size()));
     if (!pair.client_stopped) {
-      EXPECT_EQ(pair.stored.size(), pair.server().packets_sent()) << "last words are never lost";
+      EXPECT_EQ(pair.stored.size(), pair.server().sent().packets) << "last words are never lost";
     }
   }
 }

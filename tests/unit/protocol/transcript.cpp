@@ -265,6 +265,7 @@ ClientSessionOptions options_of(const std::vector<Line>& lines) {
       if (word == "delta") options.hello.delta = true;
       if (word == "voice") options.hello.voice = kVoiceCodec;
       if (word == "text") options.hello.text = true;
+      if (word == "loop") options.hello.loop = true;
       if (word == "takes") options.hello.takes = true;
       if (word.starts_with("window=")) {
         options.hello.window = number_of(std::string_view(word).substr(7));
