@@ -151,21 +151,23 @@ bool Child::await(Milliseconds patience) {
   while (flow_ >= 0) {
     const auto left = std::chrono::ceil<Milliseconds>(until - std::chrono::steady_clock::now());
     if (left <= Milliseconds::zero()) return false;
-    std::array<pollfd, 2> waits{{{flow_, POLLIN, 0}, {errors_, POLLIN, 0}}};
-    const int ready = ::poll(waits.data(), waits.size(), static_cast<int>(left.count()));
-    if (ready < 0 && errno != EINTR) return true;
-    if (errors_ >= 0 && waits[1].revents != 0) read_errors();
-    if (ready > 0 && waits[0].revents != 0) return true;
+    if (await_flow(static_cast<int>(left.count()))) return true;
   }
   return true;
 }
 
+/// Its errors are read meanwhile. True: there is something to be read, or it cannot be awaited.
+bool Child::await_flow(int milliseconds) {
+  std::array<pollfd, 2> waits{{{flow_, POLLIN, 0}, {errors_, POLLIN, 0}}};
+  const int ready = ::poll(waits.data(), waits.size(), milliseconds);
+  if (ready < 0) return errno != EINTR;
+  if (errors_ >= 0 && waits[1].revents != 0) read_errors();
+  return waits[0].revents != 0;
+}
+
 std::size_t Child::read(std::span<std::uint8_t> bytes) {
   while (flow_ >= 0) {
-    std::array<pollfd, 2> waits{{{flow_, POLLIN, 0}, {errors_, POLLIN, 0}}};
-    if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) return 0;
-    if (errors_ >= 0 && waits[1].revents != 0) read_errors();
-    if (waits[0].revents == 0) continue;
+    if (!await_flow(-1)) continue;
     const ssize_t got = ::recv(flow_, bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (got > 0) return static_cast<std::size_t>(got);
     if (got == 0 || (errno != EINTR && errno != EAGAIN)) return 0;

@@ -55,6 +55,7 @@ class Child {
 
  private:
   Child(pid_t pid, int flow, int errors) : pid_(pid), flow_(flow), errors_(errors) {}
+  [[nodiscard]] bool await_flow(int milliseconds);
   bool read_errors();
 
   pid_t pid_;

@@ -11,7 +11,7 @@
 namespace aucast {
 
 /// Why something did not work, as far as the caller's next step goes. The values are the exit
-/// codes of both programs.
+/// codes of all programs.
 enum class ErrorKind : std::uint8_t {
   Failed = 1,      ///< failed while running: graphics, unwritable output, ffmpeg missing
   Usage = 2,       ///< the command line asks for something that does not exist

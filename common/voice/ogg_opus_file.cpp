@@ -2,6 +2,7 @@
 
 #include <ogg/ogg.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -14,9 +15,12 @@ namespace {
 /// Granule positions count samples at 48 kHz whatever was encoded (RFC 7845 section 4).
 constexpr std::int64_t kGranulesPerMs = 48;
 constexpr std::int64_t kPageGranules = 1000 * kGranulesPerMs;
-/// A SILK wideband frame of 20 ms that has no bits says nothing: the decoder conceals into silence.
+/// SILK wideband frames of 20 and 10 ms that have no bits say nothing: the decoder conceals into
+/// silence.
 constexpr std::string_view kSilence{"\x48", 1};
 constexpr Milliseconds kSilenceTime{20};
+constexpr std::string_view kShortSilence{"\x40", 1};
+constexpr Milliseconds kShortSilenceTime{10};
 
 std::string head() {
   constexpr char kVersion = 1;
@@ -67,8 +71,8 @@ struct OggOpusWriter::State {
     AUCAST_CHECK(ogg_stream_packetin(&stream, &packet) == 0);
   }
 
-  void put_sound(std::string_view bytes, Milliseconds time, bool last = false) {
-    end += time;
+  void put_sound(std::string_view bytes, Milliseconds until, bool last = false) {
+    end = until;
     const std::int64_t granules = (end - begin).count() * kGranulesPerMs;
     put(bytes, granules, last);
     const bool second_full = granules - page_begin >= kPageGranules;
@@ -77,7 +81,8 @@ struct OggOpusWriter::State {
   }
 
   void fill(Milliseconds until) {
-    while (end + kSilenceTime <= until) put_sound(kSilence, kSilenceTime);
+    while (end + kSilenceTime <= until) put_sound(kSilence, end + kSilenceTime);
+    if (end + kShortSilenceTime <= until) put_sound(kShortSilence, end + kShortSilenceTime);
   }
 
   void move_pages(bool flush) {
@@ -111,7 +116,7 @@ bool OggOpusWriter::add(const protocol::VoicePacket& packet) {
   const auto time = protocol::opus_duration(packet.opus);
   if (!time || packet.place < state_->end) return false;
   state_->fill(packet.place);
-  state_->put_sound(packet.opus, *time);
+  state_->put_sound(packet.opus, state_->end + *time);
   return true;
 }
 
@@ -120,8 +125,11 @@ bool OggOpusWriter::any() const {
 }
 
 std::string OggOpusWriter::finish(Milliseconds end) {
-  state_->fill(end - kSilenceTime);
-  state_->put_sound(kSilence, kSilenceTime, true);
+  while (state_->end + kSilenceTime < end) {
+    state_->put_sound(kSilence, state_->end + kSilenceTime);
+  }
+  // Players leave out what a last packet holds beyond its granule position (section 4.4).
+  state_->put_sound(kSilence, std::max(end, state_->end), true);
   return take();
 }
 

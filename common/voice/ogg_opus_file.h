@@ -28,7 +28,8 @@ class OggOpusWriter {
   bool add(const protocol::VoicePacket& packet);
   /// Whether any packet was added.
   [[nodiscard]] bool any() const;
-  /// Silence up to `end`, on the stream's clock; then the last page.
+  /// Silence up to `end`, on the stream's clock; then the last page. The sound ends there to the
+  /// sample, or with the last packet that was added if that ends later.
   [[nodiscard]] std::string finish(Milliseconds end);
 
  private:

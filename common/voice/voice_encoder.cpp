@@ -60,7 +60,8 @@ VoiceEncoder::VoiceEncoder(const VoiceSettings& settings, Milliseconds begin)
   opus_encoder_ctl(encoder, OPUS_SET_DTX(0));
   opus_int32 lookahead = 0;
   opus_encoder_ctl(encoder, OPUS_GET_LOOKAHEAD(&lookahead));
-  lookahead_ = static_cast<std::size_t>(lookahead);
+  // A decoder to 48 kHz gives its samples two thirds of ours sooner than one to our rate.
+  lookahead_ = static_cast<std::size_t>(lookahead) - 1;
 }
 
 void VoiceEncoder::add(std::span<const float> samples,
@@ -78,6 +79,8 @@ void VoiceEncoder::finish(std::vector<protocol::VoicePacket>& packets) {
   if (rest == 0) return;
   const std::size_t frame = samples_in(frame_);
   pending_.resize((rest + frame - 1) / frame * frame, 0.0F);
+  // Silent or not: who hears it knows by the last packet how long the sound is.
+  silent_ = Milliseconds::zero();
   encode_frames(packets);
   skipped_ = 0;
 }

@@ -23,7 +23,8 @@ struct VoiceSettings {
 };
 
 /// Speech to Opus packets. The packet at a place decodes to the sound from that very place on: the
-/// codec's delay is taken off here. Silence makes no packets (-52 dBFS or less for 240 ms).
+/// codec's delay is taken off here. Silence makes no packets (-52 dBFS or less for 240 ms), but the
+/// end of the sound does.
 /// The same samples and settings give the same packets, however they are cut.
 /// Thread: none of its own.
 class VoiceEncoder {
@@ -36,7 +37,8 @@ class VoiceEncoder {
 
   /// Takes mono samples at kEncoderRate, in [-1,1], and appends the packets that they complete.
   void add(std::span<const float> samples, std::vector<protocol::VoicePacket>& packets);
-  /// No more samples: appends the packets of the rest, filled up with silence.
+  /// No more samples: appends the packets of the rest, filled up with silence, so that what decodes
+  /// ends where the sound did or less than a packet later.
   void finish(std::vector<protocol::VoicePacket>& packets);
   /// What comes next does not follow what came: it lies at `place`, later than all before. What was
   /// not yet a whole packet is dropped.

@@ -115,11 +115,13 @@ TEST_F(MirrorTest, EndsAChildThatTalksNonsense) {
 }
 
 TEST_F(MirrorTest, TellsWhatWasRefused) {
-  begin("cat record; read order; echo refused this port is taken; read order");
+  begin(
+      "cat record; echo live 127.0.0.1:1; read order; echo refused this port is taken; read order");
   ASSERT_TRUE(becomes([](const MirrorState& state) { return state.seen != nullptr; }));
   mirror_->order(preview::GoLive{"0.0.0.0", 1});
   ASSERT_TRUE(becomes([](const MirrorState& state) { return !state.refused.empty(); }));
   EXPECT_EQ(mirror_->state().refused, "this port is taken");
+  EXPECT_EQ(mirror_->state().live, "127.0.0.1:1") << "only 'private' says that it is not live";
 }
 
 TEST(Mirror, WithoutAuTransmitterSaysWhereItBelongs) {

@@ -47,16 +47,43 @@ TEST(OggOpusWriter, WhatIsWrittenIsReadBackInPlace) {
 TEST(OggOpusWriter, AGapIsSilenceOfItsLength) {
   const TempFolder folder;
   OggOpusWriter writer(Milliseconds(0), 7);
-  const auto source = speech_like(0.6);
+  // Who falls silent is sent for 0.24 s more: the decoder knows then what the silence is like.
+  auto source = speech_like(0.6);
+  source.resize(kEncoderRate);
   for (const auto& packet : packets_of(source, Milliseconds(0))) (void)writer.add(packet);
   for (const auto& packet : packets_of(source, Milliseconds(4000))) (void)writer.add(packet);
-  const auto samples = read_back(folder, writer.take() + writer.finish(Milliseconds(4700)));
-  ASSERT_NEAR(static_cast<double>(samples.size()), 4.7 * kEncoderRate, 400);
+  const auto samples = read_back(folder, writer.take() + writer.finish(Milliseconds(5200)));
+  ASSERT_EQ(samples.size(), std::size_t{52} * kEncoderRate / 10);
   float loudest = 0;
   for (int i = 2 * kEncoderRate; i < 3 * kEncoderRate; ++i) {
     loudest = std::max(loudest, std::abs(samples[static_cast<std::size_t>(i)]));
   }
   EXPECT_LT(loudest, 0.01F);
+}
+
+TEST(OggOpusWriter, EndsToTheSampleWhereItIsTold) {
+  const TempFolder folder;
+  for (const int end_ms : {600, 605, 610, 619, 620, 1007}) {
+    OggOpusWriter writer(Milliseconds(0), 7);
+    for (const auto& packet : packets_of(speech_like(0.6), Milliseconds(0))) {
+      (void)writer.add(packet);
+    }
+    const auto samples = read_back(folder, writer.take() + writer.finish(Milliseconds(end_ms)));
+    EXPECT_EQ(samples.size(), static_cast<std::size_t>(end_ms) * kEncoderSamplesPerMs) << end_ms;
+  }
+}
+
+TEST(OggOpusWriter, WhatFollowsAGapOfAnyLengthIsLessThanTenMillisecondsEarly) {
+  for (int gap_ms = 300; gap_ms < 340; ++gap_ms) {
+    OggOpusWriter writer(Milliseconds(0), 7);
+    const auto packets = packets_of(speech_like(0.06), Milliseconds(0));
+    const Milliseconds place(60 + gap_ms);
+    EXPECT_TRUE(writer.add(packets[0]));
+    EXPECT_TRUE(writer.add({place, packets[0].opus}));
+    // What begins before the end of what is there is refused.
+    EXPECT_FALSE(writer.add({place + Milliseconds(50), packets[0].opus}));
+    EXPECT_TRUE(writer.add({place + Milliseconds(60), packets[0].opus}));
+  }
 }
 
 TEST(OggOpusWriter, PlaysWhereverItIsCutAtASecond) {
