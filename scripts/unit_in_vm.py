@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Installs the project in a virtual machine and tries its service under a real systemd.
+"""Installs the Debian packages in a virtual machine and tries them under a real systemd.
 
     scripts/unit_in_vm.py [--build FOLDER] [--folder FOLDER] [--only NAME[,NAME...]]
 
-Takes what `cmake --install` installs from a build (--build, default build/release) to a small
-Debian of this host's release, made by debootstrap, and boots it in qemu, which emulates the
-processor: no /dev/kvm is needed, and nothing of the guest touches this host. unit_in_vm_checks.py
-runs inside and says what held; at its end a face-player of this host plays what the guest serves.
+Installs the packages aucast-data and au-transmitter of a build (--build, default build/release;
+`cpack -G DEB --config build/release/CPackConfig.cmake` makes them) in a small Debian of this host's
+release, made by debootstrap, and boots it in qemu, which emulates the processor: no /dev/kvm is
+needed, and nothing of the guest touches this host. unit_in_vm_checks.py runs inside and says what
+held; at its end a face-player of this host plays what the guest serves.
 Needs root (for debootstrap), what packages_vm.txt lists, and up to ten minutes; with --folder the
 Debian is kept there for the next run, which takes two minutes less.
 
@@ -27,17 +28,18 @@ import tempfile
 import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PREFIX = "/usr/local"
-PACKAGES = ("curl", "dbus", "linux-image-cloud-amd64", "openssl", "python3", "systemd",
+OURS = ("aucast-data", "au-transmitter")
+PACKAGES = ("curl", "dbus", "init-system-helpers", "linux-image-cloud-amd64", "openssl", "python3", "systemd",
             "systemd-sysv")
 SECONDS_MAX = 1200  # for the guest, from its start to its end
 DISK_BYTES = 2 << 30
 
 # What README.md, "As a service", has an operator type, before the first boot.
-AS_THE_README_SAYS = f"""set -e
-install -D {PREFIX}/share/doc/aucast/au-transmitter.toml /etc/aucast/au-transmitter.toml
+AS_THE_README_SAYS = """set -e
+dpkg -i /opt/packages/*.deb
+install -D /usr/share/doc/aucast/au-transmitter.toml /etc/aucast/au-transmitter.toml
 mkdir -p /var/lib/aucast/streams
-cp {PREFIX}/share/aucast/streams/happiness.txt /var/lib/aucast/streams
+cp /usr/share/aucast/streams/happiness.txt /var/lib/aucast/streams
 systemctl -q enable au-transmitter systemd-networkd aucast-checks
 """
 
@@ -71,35 +73,47 @@ def run(*command, **more):
     return done.stdout
 
 
-def libraries_of(program):
-    """The packages of the libraries that a program is linked with."""
-    paths = re.findall(r"=> (/\S+)", run("ldd", program))
-    # The loader names them as they were before /lib became a link into /usr.
-    names = {f"*/{pathlib.Path(path).resolve().name}" for path in paths}
-    return {line.split(":")[0] for line in run("dpkg-query", "-S", *names).splitlines()}
+def ours(build):
+    """Our packages in a build."""
+    found = [sorted((build / "packages").glob(f"{name}_*.deb")) for name in OURS]
+    if not all(found):
+        sys.exit(f"not in {build}/packages: {', '.join(OURS)}; "
+                 f"cpack -G DEB --config {build}/CPackConfig.cmake")
+    return [files[-1] for files in found]
 
 
-def make_debian(folder, packages):
-    """A Debian of this host's release, unless the folder has one with these packages."""
+def needed_by(packages):
+    """What of Debian's own these depend on, as they say it."""
+    said = ",".join(run("dpkg-deb", "-f", package, "Depends") for package in packages)
+    needed = {need.strip() for need in said.split(",") if need.strip()}
+    return ", ".join(sorted(need for need in needed if need.split()[0] not in OURS))
+
+
+def make_debian(folder, needed):
+    """A Debian of this host's release with what is needed, unless the folder has one."""
     done = folder / "packages"
-    wanted = ",".join(sorted(packages))
+    wanted = f"{','.join(PACKAGES)}; {needed}"
     if done.exists() and done.read_text(encoding="ascii") == wanted:
         return
     print("making a Debian", flush=True)
     shutil.rmtree(folder, ignore_errors=True)
     release = dict(line.rstrip().split("=", 1) for line in open("/etc/os-release", encoding="utf-8")
                    if "=" in line)["VERSION_CODENAME"]
-    run("debootstrap", "--variant=minbase", f"--include={wanted}", release, folder)
+    run("debootstrap", "--variant=minbase", f"--include={','.join(PACKAGES)}", release, folder)
+    run("chroot", folder, "apt-get", "-qq", "update")
+    run("chroot", folder, "apt-get", "-qq", "-y", "--no-install-recommends", "satisfy", needed,
+        env=dict(os.environ, DEBIAN_FRONTEND="noninteractive"))
     done.write_text(wanted, encoding="ascii")
 
 
 def make_disk(options, debian, folder):
-    """The Debian with the project installed as a disk."""
-    print("installing the project", flush=True)
+    """The Debian with our packages installed as a disk."""
+    print("installing the packages", flush=True)
     root = folder / "root"
     run("cp", "-a", "--reflink=auto", debian, root)
-    run("cmake", "--install", options.build, "--prefix", PREFIX,
-        env=dict(os.environ, DESTDIR=str(root)))
+    (root / "opt/packages").mkdir()
+    for package in ours(options.build):
+        shutil.copy(package, root / "opt/packages")
     checks = root / "opt/checks"
     checks.mkdir()
     for path in ("scripts/unit_in_vm_checks.py", "tests/integration/independent_peer.py"):
@@ -184,11 +198,11 @@ def main():
         sys.exit(f"not here: {', '.join(missing)}; scripts/install_deps.sh scripts/packages_vm.txt")
     if os.geteuid() != 0:
         sys.exit("debootstrap needs root")
-    packages = {*PACKAGES, *libraries_of(options.build / "bin/au-transmitter")}
+    needed = needed_by(ours(options.build))
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         debian = (options.folder or folder) / "debian"
-        make_debian(debian, packages)
+        make_debian(debian, needed)
         lines = boot(options, debian, make_disk(options, debian, folder), folder)
     passed = sum(line.startswith("ok ") for line in lines)
     failed = sum(line.startswith("FAILED ") for line in lines)

@@ -3,7 +3,7 @@
 
     unit_in_vm_checks.py [NAME[,NAME...]]
 
-The machine has been booted with the project installed as README.md says and the service enabled.
+The machine has been booted with the packages installed as README.md says and the service enabled.
 Prints "ok NAME: words" or "FAILED NAME: words" for each check, PLAY when a player outside may
 connect, END at the end. Ends with 0 whatever was found.
 """
@@ -30,7 +30,9 @@ PORT = 4650
 ETC, STATE = pathlib.Path("/etc/aucast"), pathlib.Path("/var/lib/aucast")
 SETTINGS, STREAMS = ETC / "au-transmitter.toml", STATE / "streams"
 DROP_INS = pathlib.Path("/run/systemd/system")
-INSTALLED = pathlib.Path("/usr/local")
+INSTALLED = pathlib.Path("/usr")
+PACKAGES = pathlib.Path("/opt/packages")
+INSTANCES = [f"au-transmitter@{number}.service" for number in (1, 2)]
 TALK = INSTALLED / "share/aucast/streams/talk.txt"
 PATIENCE = 60  # seconds: an emulated processor is slow
 WATCHDOG = 30
@@ -122,7 +124,7 @@ def as_booted():
     for unit in (SERVICE, SOCKET):
         shutil.rmtree(DROP_INS / f"{unit}.d", ignore_errors=True)
     systemctl("daemon-reload")
-    systemctl("stop", SOCKET, SERVICE)
+    systemctl("stop", SOCKET, SERVICE, *INSTANCES)
     systemctl("reset-failed")
     for path in STREAMS.iterdir():
         if path.name != "happiness.txt":
@@ -188,14 +190,14 @@ def boot():
 @check
 def verify():
     """systemd has nothing to complain of, and what the unit names is there."""
-    said = run("systemd-analyze", "verify", "--man=no", SERVICE, SOCKET)
+    said = run("systemd-analyze", "verify", "--man=no", SERVICE, SOCKET, *INSTANCES)
     expect(said == "", said)
     program = re.search(r"path=(\S+)", show("ExecStart"))[1]
     expect(program == str(INSTALLED / "bin/au-transmitter"), program)
-    places = ["share/man/man1/au-transmitter.1", "share/man/man1/face-player.1"]
-    places += [f"share/{place}" for name in ("au-transmitter", "face-player") for place in
-               (f"bash-completion/completions/{name}", f"zsh/site-functions/_{name}",
-                f"fish/vendor_completions.d/{name}.fish")]
+    name = "au-transmitter"
+    places = [f"share/{place}" for place in
+              (f"man/man1/{name}.1.gz", f"bash-completion/completions/{name}",
+               f"zsh/site-functions/_{name}", f"fish/vendor_completions.d/{name}.fish")]
     missing = [place for place in places if not (INSTALLED / place).is_file()]
     expect(not missing, f"not installed: {missing}")
     security = run("systemd-analyze", "security", "--no-pager", "--threshold=20", SERVICE)
@@ -249,7 +251,7 @@ def http():
 @check
 def sandbox():
     """What the program could do there, tried by a shell in its place."""
-    probe = ("for f in / /etc /usr/local/bin /root /home /srv /var /run /proc/sys/kernel; do "
+    probe = ("for f in / /etc /usr/bin /root /home /srv /var /run /proc/sys/kernel; do "
              "(: >$f/probe) 2>&- && echo could write to $f; done; "
              "(: >/var/lib/aucast/probe) && echo has its folder; "
              "cat /etc/shadow >&- 2>&- && echo could read secrets; "
@@ -568,6 +570,63 @@ def recording():
                         kept), kept)
     fifo.unlink()
     return " ".join(kept.split())
+
+
+def active(unit):
+    return show("ActiveState", unit=unit) == "active"
+
+
+def clients_of(number):
+    """How many clients an instance has, by its own status."""
+    metrics = run("curl", "-sf", f"http://127.0.0.1:946{number}/metrics")
+    return int(float(re.search(r"(?m)^aucast_clients (\S+)$", metrics)[1]))
+
+
+@check
+def instances():
+    """Two instances share the port; one is restarted, and its clients come again to the other."""
+    systemctl("stop", SERVICE)
+    settings(drain_time=3, loop=True)
+    systemctl("start", *INSTANCES)
+    with contextlib.ExitStack() as playing:
+        peers = [playing.enter_context(Client(PORT, "{hello v=2}")) for _ in range(40)]
+        for peer in peers:
+            peer.packets(2)
+        spread = [clients_of(number) for number in (1, 2)]
+        expect(min(spread) > 0 and sum(spread) == 40, spread)
+        first = show("MainPID", unit=INSTANCES[0])
+        systemctl("restart", INSTANCES[0])
+        expect(show("MainPID", unit=INSTANCES[0]) != first, "the same process")
+        gone = [peer for peer in peers if not peer.is_quiet()]
+        for peer in gone:
+            expect(peer.packet(PATIENCE) is None, "a client was told that the stream ends")
+        cut_off = len(gone)
+        expect(cut_off == spread[0], f"{cut_off} were cut off, and it had {spread[0]}")
+    told = show("Result", "NRestarts", unit=INSTANCES[0])
+    expect(told == {"Result": "success", "NRestarts": "0"}, told)
+    return f"{spread} clients, {cut_off} cut off by the restart, none ended"
+
+
+def install():
+    return run("dpkg", "-i", *map(str, sorted(PACKAGES.glob("*.deb"))))
+
+
+@check
+def upgrade():
+    """What runs takes the new program, what does not run is not started."""
+    first = show("MainPID")
+    install()
+    wait_for(lambda: active(SERVICE) and show("MainPID") != first, "it was restarted")
+    expect(played() == ["{1,6,12,14}"], "not served")
+    expect(not any(map(active, (SOCKET, *INSTANCES))), "what did not run was started")
+    systemctl("stop", SERVICE)
+    systemctl("start", *INSTANCES)
+    before = [show("MainPID", unit=unit) for unit in INSTANCES]
+    install()
+    after = [show("MainPID", unit=unit) for unit in INSTANCES]
+    expect(all(map(active, INSTANCES)) and not set(before) & set(after), f"{before} {after}")
+    expect(not active(SERVICE), "what did not run was started")
+    return "the service, then two instances"
 
 
 @check

@@ -142,7 +142,7 @@ void Follower::drain() {
 void Follower::keep(Message message) {
   waiting_bytes_ += message.packets.size();
   waiting_.push_back(std::move(message));
-  while (waiting_.size() > kWaitingMost || waiting_bytes_ > kWaitingBytesMost) {
+  while (waiting_.size() > kWaitingMax || waiting_bytes_ > kWaitingBytesMax) {
     waiting_bytes_ -= waiting_.front().packets.size();
     waiting_.pop_front();
   }
@@ -171,8 +171,8 @@ void Follower::want(Instant now) {
   }
   events_.emplace_back(Ask{encode(join)});
   asked_at_ = now;
-  constexpr unsigned kDoublingsMost = 4;
-  ask_at_ = now + std::min(kAskFirst * (1U << std::min(asked_++, kDoublingsMost)), kAskMost);
+  constexpr unsigned kDoublingsMax = 4;
+  ask_at_ = now + std::min(kAskFirst * (1U << std::min(asked_++, kDoublingsMax)), kAskMax);
 }
 
 /// What still waits and does not follow may be of nobody: the next batch tells.

@@ -22,11 +22,11 @@ class Follower {
  public:
   static constexpr Milliseconds kSilence{2'000};  ///< after which an origin is taken for lost
   static constexpr Milliseconds kAskFirst{250};   ///< until the question is asked again, ...
-  static constexpr Milliseconds kAskMost{4'000};  ///< ... twice as long each time, up to this
+  static constexpr Milliseconds kAskMax{4'000};   ///< ... twice as long each time, up to this
   static constexpr Milliseconds kSayEvery{60'000};
   /// Batches that wait for an answer; older ones are dropped.
-  static constexpr std::size_t kWaitingMost = 128;
-  static constexpr std::size_t kWaitingBytesMost = std::size_t{1} << 20U;
+  static constexpr std::size_t kWaitingMax = 128;
+  static constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 20U;
 
   struct Ask {
     std::string request;

@@ -8,7 +8,7 @@ namespace aucast::server {
 
 void LoopGate::post(Work work, std::size_t bytes) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (io_ == nullptr || waiting_bytes_ + bytes > kBytesMost) return;
+  if (io_ == nullptr || waiting_bytes_ + bytes > kBytesMax) return;
   waiting_bytes_ += bytes;
   asio::post(*io_, [self = shared_from_this(), work = std::move(work), bytes] {
     if (self->take(bytes)) work(self->events_);

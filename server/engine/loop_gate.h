@@ -25,7 +25,7 @@ class LoopGate : public std::enable_shared_from_this<LoopGate> {
  public:
   using Work = std::function<void(const LibraryEvents&)>;
   /// What waits for the loop; more is dropped, and is seen as a hole by its receiver.
-  static constexpr std::size_t kBytesMost = std::size_t{4} << 20U;
+  static constexpr std::size_t kBytesMax = std::size_t{4} << 20U;
 
   LoopGate(asio::io_context& io, LibraryEvents events) : io_(&io), events_(std::move(events)) {}
 

@@ -2,9 +2,11 @@
 
 #include <nats/nats.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -19,8 +21,8 @@
 namespace aucast::server {
 namespace {
 
-/// What is held open for a server that does not answer: the loop waits meanwhile, at the start
-/// only.
+/// What is held open for a server that does not answer: the loop waits meanwhile, at the start and
+/// with each question after a refusal.
 constexpr int kConnectMs = 1'000;
 constexpr int kReconnectMs = 250;  ///< between two rounds of all servers
 constexpr int kReconnectJitterMs = 100;
@@ -178,12 +180,20 @@ void NatsBus::connect_anew() {
   for (const std::string& subject : subjects_) add_subscription(subject);
 }
 
-/// What the library says of its last failure, after the name of the status.
+/// What the library says of its last failure, without the place in its sources; else the status.
 std::string reason_of(natsStatus status) {
   natsStatus last = status;
-  const char* const text = nats_GetLastError(&last);
-  const std::string name = natsStatus_GetText(status);
-  return text == nullptr || *text == '\0' ? name : name + ": " + escaped(text, 200);
+  const char* const said = nats_GetLastError(&last);
+  std::string_view text = said == nullptr ? "" : said;
+  if (text.starts_with('(')) text.remove_prefix(std::min(text.find(": "), text.size()));
+  if (text.starts_with(": ")) text.remove_prefix(2);
+  return text.empty() ? natsStatus_GetText(status) : escaped(text, 200);
+}
+
+/// Nobody was there to refuse us.
+bool may_come_yet(natsStatus status) {
+  return status == NATS_NO_SERVER || status == NATS_TIMEOUT || status == NATS_IO_ERROR ||
+         status == NATS_NOT_YET_CONNECTED;
 }
 
 natsStatus NatsBus::set_up(natsOptions* options) const {
@@ -216,6 +226,9 @@ natsStatus NatsBus::set_up_secrets(natsOptions* options) const {
   const EngineSettings& settings = options_.settings;
   natsStatus status = NATS_OK;
   if (!options_.token.empty()) status = natsOptions_SetToken(options, options_.token.c_str());
+  if (status == NATS_OK && !options_.user.empty()) {
+    status = natsOptions_SetUserInfo(options, options_.user.c_str(), options_.password.c_str());
+  }
   if (status == NATS_OK && !settings.creds.empty()) {
     status = natsOptions_SetUserCredentialsFromFiles(options, settings.creds.c_str(), nullptr);
   }
@@ -235,8 +248,7 @@ natsStatus NatsBus::set_up_secrets(natsOptions* options) const {
 }
 
 natsStatus NatsBus::set_up_callbacks(natsOptions* options, Held* held) {
-  natsStatus status = natsOptions_SetRetryOnFailedConnect(options, true, on_connected, held);
-  if (status == NATS_OK) status = natsOptions_SetReconnectedCB(options, on_connected, held);
+  natsStatus status = natsOptions_SetReconnectedCB(options, on_connected, held);
   if (status == NATS_OK) status = natsOptions_SetDisconnectedCB(options, on_disconnected, held);
   if (status == NATS_OK) status = natsOptions_SetErrorHandler(options, on_error, held);
   if (status == NATS_OK) status = natsOptions_SetClosedCB(options, on_closed, held);
@@ -250,32 +262,46 @@ Result<void> NatsBus::open() {
   }
   own_subject_ = inbox;
   natsInbox_Destroy(inbox);
-  return connect();
+  auto connected = connect();
+  if (!connected && connected.error().kind == ErrorKind::Network) {
+    on_given_up(connected.error().message);
+    return {};
+  }
+  return connected;
 }
 
+/// Network: it was refused, and why. Where nobody answers it goes on by itself.
 Result<void> NatsBus::connect() {
-  natsOptions* created = nullptr;
-  natsStatus status = natsOptions_Create(&created);
-  const OptionsPtr options(created);
-  if (status == NATS_OK) status = set_up(options.get());
-  if (status == NATS_OK) status = set_up_secrets(options.get());
-  auto held = std::make_unique<Held>(gate_);
-  if (status == NATS_OK) status = set_up_callbacks(options.get(), held.get());
-  if (status != NATS_OK) {
-    return Error{ErrorKind::Usage, "NATS does not take these options: " + reason_of(status)};
+  natsStatus status = NATS_OK;
+  // Why it is refused the library tells only of attempts after which it does not go on by itself.
+  for (const bool goes_on : {false, true}) {
+    natsOptions* created = nullptr;
+    status = natsOptions_Create(&created);
+    const OptionsPtr options(created);
+    if (status == NATS_OK) status = set_up(options.get());
+    if (status == NATS_OK) status = set_up_secrets(options.get());
+    auto held = std::make_unique<Held>(gate_);
+    if (status == NATS_OK) status = set_up_callbacks(options.get(), held.get());
+    if (status == NATS_OK && goes_on) {
+      status = natsOptions_SetRetryOnFailedConnect(options.get(), true, on_connected, held.get());
+    }
+    if (status != NATS_OK) {
+      return Error{ErrorKind::Usage, "NATS does not take these options: " + reason_of(status)};
+    }
+    status = natsConnection_Connect(&connection_, options.get());
+    if (connection_ != nullptr) {
+      // From here on on_closed() has it.
+      Held* const given = held.release();
+      if (status == NATS_OK) {
+        on_connected(connection_, given);
+      } else {
+        spdlog::warn("no server of NATS answers yet; they are tried on");
+      }
+      return {};
+    }
+    if (!may_come_yet(status)) break;
   }
-  status = natsConnection_Connect(&connection_, options.get());
-  if (connection_ == nullptr) {
-    return Error{ErrorKind::Network, "NATS cannot be reached: " + reason_of(status)};
-  }
-  // From here on on_closed() has it.
-  Held* const given = held.release();
-  if (status == NATS_OK) {
-    on_connected(connection_, given);
-  } else {
-    spdlog::warn("no server of NATS answers yet; they are tried on");
-  }
-  return {};
+  return Error{ErrorKind::Network, reason_of(status)};
 }
 
 void NatsBus::subscribe(const std::string& subject) {
@@ -292,9 +318,10 @@ void NatsBus::add_subscription(const std::string& subject) {
     subscriptions_.push_back(subscription);
     status = natsSubscription_SetOnCompleteCB(subscription, let_go, held.get());
   }
-  if (status != NATS_OK) spdlog::debug("no subscription to {}: {}", subject, reason_of(status));
   // From here on let_go() has it, or the library may still use it.
   if (subscription != nullptr) static_cast<void>(held.release());
+  // Who hears nothing is as good as refused.
+  if (status != NATS_OK) on_given_up("no subscription to " + subject + ": " + reason_of(status));
 }
 
 void NatsBus::publish(const Message& message) {

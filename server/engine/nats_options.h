@@ -12,11 +12,13 @@ namespace aucast::server {
 struct NatsOptions {
   protocol::StreamAddress address;
   std::string token;  ///< empty: none
+  std::string user;   ///< empty: none
+  std::string password;
   EngineSettings settings;
 };
 
-/// Reads the address and the token's file, and looks whether the others can be read. Usage,
-/// unreadable or bad data.
+/// Reads the address, the token's file and that of the login, and looks whether the others can be
+/// read. Usage, unreadable or bad data.
 [[nodiscard]] Result<NatsOptions> nats_options(const std::string& address,
                                                const EngineSettings& settings);
 

@@ -72,8 +72,8 @@ void Publication::keep(Kept batch) {
   kept_bytes_ += batch.packets.size();
   kept_.push_back(std::move(batch));
   const auto past = [this] {
-    return kept_.front().place < end_ - kKept || kept_bytes_ > kKeptBytesMost ||
-           kept_.size() > kKeptMost;
+    return kept_.front().place < end_ - kKept || kept_bytes_ > kKeptBytesMax ||
+           kept_.size() > kKeptMax;
   };
   while (!kept_.empty() && past()) {
     kept_bytes_ -= kept_.front().packets.size();

@@ -21,8 +21,8 @@ class Publication {
   /// What was published is kept so long for who has missed it.
   static constexpr Milliseconds kKept{2'000};
   /// One answer holds it with its line.
-  static constexpr std::size_t kKeptBytesMost = std::size_t{48} * 1024;
-  static constexpr std::size_t kKeptMost = 256;  ///< batches, of which many may be empty
+  static constexpr std::size_t kKeptBytesMax = std::size_t{48} * 1024;
+  static constexpr std::size_t kKeptMax = 256;  ///< batches, of which many may be empty
 
   explicit Publication(std::string origin) : origin_(std::move(origin)) {}
 

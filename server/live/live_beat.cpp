@@ -53,30 +53,32 @@ void LiveBeat::catch_up() {
 }
 
 void LiveBeat::beat() {
-  const Instant moment = now();
+  const Instant begin = now();
   bool moved = false;
   std::uint64_t left_out = 0;
-  Duration latest{0};
+  Duration worst{0};
   for (const Playing& playing : playing_) {
     const auto replay = playing.replay.lock();
     if (!replay) continue;
-    const Duration late = moment - replay->next_at().value_or(moment);
+    const Duration late = begin - replay->next_at().value_or(begin);
     const std::uint64_t before = begun(replay->replay());
-    if (!replay->advance(moment)) continue;
+    if (!replay->advance(begin)) continue;
     moved = true;
-    lag_ = late;
-    latest = std::max(latest, late);
+    worst = std::max(worst, late);
     const std::uint64_t now_begun = begun(replay->replay());
     if (now_begun > before) left_out += now_begun - before - replay->replay().latest().size();
   }
   // Once a second at most: less late than that nothing is left out.
   if (left_out > 0) {
-    spdlog::warn("late by {:.1f} s: {} moments of live streams were left out", seconds(latest),
+    spdlog::warn("late by {:.1f} s: {} moments of live streams were left out", seconds(worst),
                  left_out);
   }
-  if (moved) on_moment_();
+  if (moved) {
+    lag_ = worst;
+    on_moment_();
+  }
   const Instant done = now();
-  wait(done + (done - moment) / kBreath);
+  wait(done + (done - begin) / kBreath);
 }
 
 void LiveBeat::wait(Instant earliest) {

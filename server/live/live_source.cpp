@@ -26,13 +26,17 @@ LiveSource::LiveSource(asio::io_context& io, const LiveSourceOptions& options,
              opener(options)),
       timer_(io) {
   if (options.voice.empty()) return;
-  voice_.emplace(
-      io, options.voice, false,
-      LiveInput::Events{[this](std::string_view bytes) {
-                          streams_.feed_voice(bytes, clock_());
-                          go_on();
-                        },
-                        [] {}, [this] { streams_.end_voice(); }, [](const std::string&) {}});
+  voice_.emplace(io, options.voice, false,
+                 LiveInput::Events{[this](std::string_view bytes) {
+                                     streams_.feed_voice(bytes, clock_());
+                                     go_on();
+                                   },
+                                   [] {},
+                                   [this] {
+                                     streams_.end_voice(clock_());
+                                     go_on();
+                                   },
+                                   [](const std::string&) {}});
 }
 
 /// A camera's rows come through a pipe; everything else is opened by its path.

@@ -17,7 +17,7 @@ namespace aucast::server {
 namespace {
 
 /// A recording that is poured in waits in its pipe, not in our memory.
-constexpr std::size_t kQueueMost = 256;
+constexpr std::size_t kQueueMax = 256;
 
 }  // namespace
 
@@ -85,7 +85,8 @@ Result<void> LiveStreams::record(Stream& stream, bool first) {
 Result<void> LiveStreams::finish_record() {
   for (const auto& stream : streams_) {
     if (!stream->recorder) continue;
-    if (auto recorded = stream->recorder->finish(); !recorded) not_recorded_ = recorded.error();
+    auto recorded = stream->recorder->finish();
+    if (!recorded && !not_recorded_) not_recorded_ = recorded.error();
   }
   if (not_recorded_) return *not_recorded_;
   return {};
@@ -137,10 +138,10 @@ void LiveStreams::read_line_by_line(std::string_view bytes, double now) {
 void LiveStreams::add_faces(std::string_view line, double now) {
   sources::LiveReader& first = streams_.front()->reader;
   for (const std::int64_t face : first.take_new_faces()) {
-    if (streams_.size() > kFacesMost) {
+    if (streams_.size() > kFacesMax) {
       if (std::exchange(more_faces_said_, true)) return;
       spdlog::warn("{}: face {} and what others come get no stream: there are {}",
-                   sources::name_of(options_.path), face, kFacesMost);
+                   sources::name_of(options_.path), face, kFacesMax);
       return;
     }
     sources::LiveOptions reading = options_.reader;
@@ -162,8 +163,11 @@ void LiveStreams::add_faces(std::string_view line, double now) {
 
 void LiveStreams::feed_voice(std::string_view bytes, Instant at) {
   const double now = steady_seconds(at);
+  send_voice(streams_.front()->voice->add(bytes, now), now);
+}
+
+void LiveStreams::send_voice(std::vector<protocol::VoicePacket> packets, double now) {
   Stream& stream = *streams_.front();
-  std::vector<protocol::VoicePacket> packets = stream.voice->add(bytes, now);
   if (packets.empty() || stream.feed->ended()) return;
   stream.voice_at = now;
   for (protocol::VoicePacket& packet : packets) {
@@ -176,9 +180,9 @@ void LiveStreams::feed_voice(std::string_view bytes, Instant at) {
   events_.on_moment();
 }
 
-void LiveStreams::end_voice() {
+void LiveStreams::end_voice(Instant at) {
   spdlog::info("{}: the voice has ended", streams_.front()->name);
-  streams_.front()->voice->end_sound();
+  send_voice(streams_.front()->voice->end_sound(), steady_seconds(at));
 }
 
 void LiveStreams::caught_up(Instant now) {
@@ -246,7 +250,7 @@ void LiveStreams::go_on(double now) {
 
 bool LiveStreams::full() const {
   return std::any_of(streams_.begin(), streams_.end(),
-                     [](const auto& stream) { return stream->queue.size() >= kQueueMost; });
+                     [](const auto& stream) { return stream->queue.size() >= kQueueMax; });
 }
 
 void LiveStreams::send_due(Stream& stream, double now) {

@@ -61,7 +61,7 @@ struct LiveSourceOptions {
 class LiveStreams {
  public:
   /// More faces than this are not told apart.
-  static constexpr std::size_t kFacesMost = 16;
+  static constexpr std::size_t kFacesMax = 16;
 
   struct Events {
     std::function<void()> on_moment;  ///< a stream has something new
@@ -87,7 +87,7 @@ class LiveStreams {
   /// Raw sound, as LiveVoice takes it.
   void feed_voice(std::string_view bytes, Instant now);
   /// Whoever wrote the sound has gone.
-  void end_voice();
+  void end_voice(Instant now);
   /// Sends what is due, or what silence brings.
   void advance(Instant now);
   /// When advance() has something to do; nothing: not before something is fed.
@@ -113,6 +113,7 @@ class LiveStreams {
   void add_faces(std::string_view line, double now);
   [[nodiscard]] Result<void> record(Stream& stream, bool first);
   void go_on(double now);
+  void send_voice(std::vector<protocol::VoicePacket> packets, double now);
   void pass(Stream& stream, const protocol::Keyframe& keyframe, bool free, double now);
   void fill_pause(Stream& stream, double now);
   void send(Stream& stream, const sources::LiveKeyframe& keyframe, bool free, double now);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::chrono::seconds kSyncEvery{1};
 
 /// A disk that takes nothing for so much, some ten minutes of a face, is none to record to.
-constexpr std::size_t kWaitingBytesMost = std::size_t{1} << 20U;
+constexpr std::size_t kUnwrittenBytesMax = std::size_t{1} << 20U;
 
 }  // namespace
 
@@ -48,9 +48,11 @@ void RecordWriter::add(std::vector<std::string> pieces) {
   for (const std::string& piece : pieces) bytes += piece.size();
   const std::lock_guard lock(mutex_);
   if (error_) return;
-  if (waiting_bytes_ + bytes > kWaitingBytesMost) {
+  if (waiting_bytes_ + bytes > kUnwrittenBytesMax) {
+    // What was accepted is still written.
     end_with(
         {ErrorKind::Failed, at_place(path_.string(), "cannot be written: the disk takes nothing")});
+    changed_.notify_one();
     return;
   }
   waiting_bytes_ += bytes;
@@ -91,13 +93,13 @@ void RecordWriter::write_until_finished() {
   auto sync_at = std::chrono::steady_clock::time_point::max();
   std::unique_lock lock(mutex_);
   for (;;) {
-    const auto something = [this] { return finished_ || !waiting_.empty(); };
+    const auto something = [this] { return finished_ || error_ || !waiting_.empty(); };
     if (sync_at == std::chrono::steady_clock::time_point::max()) {
       changed_.wait(lock, something);
     } else {
       changed_.wait_until(lock, sync_at, something);
     }
-    const bool last = finished_;
+    const bool last = finished_ || error_;
     const std::vector<std::string> pieces = std::exchange(waiting_, {});
     waiting_bytes_ = 0;
     lock.unlock();
@@ -113,7 +115,7 @@ void RecordWriter::write_until_finished() {
     }
     lock.lock();
     if (!done) end_with(done.error());
-    if (last || error_) return;
+    if (last || !done) return;
   }
 }
 

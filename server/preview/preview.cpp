@@ -110,7 +110,9 @@ void Preview::carry_out(std::string_view line) {
     write(preview::refused_record("'" + escaped(line) + "' is no order"));
   } else if (const auto* live = std::get_if<preview::GoLive>(&*order)) {
     const auto opened = hooks_.open(live->bind, live->port);
-    write(opened ? preview::live_record(*opened) : preview::refused_record(opened.error().message));
+    // Where it cannot be opened anew nobody is let in.
+    write(opened ? preview::live_record(*opened)
+                 : preview::private_record() + preview::refused_record(opened.error().message));
   } else {
     hooks_.close();
     write(preview::private_record());

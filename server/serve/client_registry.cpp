@@ -79,7 +79,7 @@ void ClientRegistry::farewell(const ClientRecord& record) {
     of_address_.remove(client->second.address);
   }
   clients_.erase(client);
-  if (clients_.empty()) on_empty_();
+  if (came() == 0) on_empty_();
 }
 
 /// A client may leave when it is told something; it takes nobody with it.
@@ -97,6 +97,13 @@ std::size_t ClientRegistry::count(Way way) const {
       [way](const auto& client) { return client.second.way == way && !client.second.refused; }));
 }
 
+std::size_t ClientRegistry::count_movable() const {
+  return static_cast<std::size_t>(
+      std::count_if(clients_.begin(), clients_.end(), [](const auto& client) {
+        return client.second.way != Way::Dialled && client.second.connection->movable();
+      }));
+}
+
 void ClientRegistry::on_voice() {
   for_each([](Connection& connection) { connection.on_voice(); });
 }
@@ -110,9 +117,10 @@ void ClientRegistry::stop() {
 }
 
 void ClientRegistry::send_away(std::size_t count) {
-  for_each([&count](Connection& connection) {
-    if (count > 0 && connection.send_away()) --count;
-  });
+  for (auto next = clients_.begin(); next != clients_.end() && count > 0;) {
+    const Client client = (next++)->second;
+    if (client.way != Way::Dialled && client.connection->send_away()) --count;
+  }
 }
 
 void ClientRegistry::stop(Way way) {

@@ -24,15 +24,16 @@
 
 namespace aucast::server {
 
-/// Who is connected, from accept to close, those among them that are only heard to be refused; who
-/// may come in, and what they all were sent. Thread: that of the links.
+/// All connections from accept to close, those among them that are only heard to be refused:
+/// decides who may come in, and counts what was sent. Thread: that of the links.
 class ClientRegistry {
  public:
   using OpenLink = std::function<std::shared_ptr<link::Link>()>;
   using OnEmpty = std::function<void()>;
 
-  /// Of the options the limits and times of clients count. `options` and `stats`, which gets the
-  /// record of each client that leaves, outlive it. `on_empty`: the last one has left.
+  /// Of `options` only the limits and times of clients are used. They and `stats`, which gets the
+  /// record of each client that leaves, outlive it. `on_empty`: nobody is here any more
+  /// but servers that were dialled from here; told again when these leave.
   /// `on_publisher`: one brings a stream, and is no client any more.
   ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty,
                  Connection::OnPublisher on_publisher = {})
@@ -48,7 +49,7 @@ class ClientRegistry {
     Tcp,
     WebSocket,
     Dialled,  ///< by us: --push
-    Live,     ///< over TCP, where --preview was told to go live
+    Guest,    ///< over TCP, where --preview was told to let others in
   };
 
   /// Somebody knocks. While as many as possible are being refused the link is not even opened.
@@ -69,14 +70,19 @@ class ClientRegistry {
   /// {-2} to everybody, or to those that have come this way.
   void stop();
   void stop(Way way);
-  /// Cuts off so many clients of level 2, the oldest first: another server goes on with them.
+  /// Cuts off so many clients of level 2, the oldest first: another server goes on with them. None
+  /// that was dialled from here, for it could not come again.
   void send_away(std::size_t count);
   /// Closes all connections now.
   void abort();
 
   [[nodiscard]] std::size_t size() const { return clients_.size(); }
   [[nodiscard]] bool empty() const { return clients_.empty(); }
+  /// Those that have come: all but the servers that were dialled from here.
+  [[nodiscard]] std::size_t came() const { return clients_.size() - dialled_; }
   [[nodiscard]] std::size_t count(Way way) const;
+  /// How many send_away() could cut off.
+  [[nodiscard]] std::size_t count_movable() const;
   /// Fills in all that `status` says of clients.
   void describe(Status& status, Instant now) const;
   /// How many lines about clients the log left out, if any.

@@ -114,10 +114,8 @@ void Connection::stop() {
 }
 
 bool Connection::send_away() {
-  if (finishing_ || closed_ || !session_) return false;
-  auto events = session_->send_away(link_->now());
-  if (events.empty()) return false;
-  carry_out(std::move(events));
+  if (!movable()) return false;
+  carry_out(session_->send_away(link_->now()));
   return true;
 }
 
@@ -176,7 +174,7 @@ void Connection::note_pace() {
 }
 
 void Connection::send(std::string_view bytes) {
-  if (!sending_since_ && session_->packets_sent() > 0) {
+  if (!sending_since_ && session_->sent().packets > 0) {
     sending_since_ = link_->now();
     note_pace();
   }
@@ -197,7 +195,7 @@ void Connection::flush() {
 /// and the last words do not.
 bool Connection::gathers() {
   const bool may =
-      !finishing_ && session_->packets_sent() > 1 && gathered_.size() < protocol::kBatchBytesMax;
+      !finishing_ && session_->sent().packets > 1 && gathered_.size() < protocol::kBatchBytesMax;
   if (!may) {
     gathered_until_.reset();
     return false;
@@ -249,11 +247,12 @@ ClientRecord Connection::so_far() const {
   if (!session_) return record;
   record.level = static_cast<int>(session_->level());
   record.stream = std::string(session_->stream_name());
-  record.packets = session_->packets_sent();
-  record.bytes = session_->payload_bytes();
-  record.packets_merged = session_->packets_merged();
-  record.voice_packets = session_->voice_packets();
-  record.sound_bytes = session_->sound_bytes();
+  const protocol::SentCounts& sent = session_->sent();
+  record.packets = sent.packets;
+  record.bytes = sent.payload_bytes;
+  record.packets_merged = sent.packets_merged;
+  record.voice_packets = sent.voice_packets;
+  record.sound_bytes = sent.sound_bytes;
   return record;
 }
 

@@ -64,6 +64,10 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   void on_voice();
   /// The server stops: {-2}, then the link drains.
   void stop();
+  /// Another server could go on with it.
+  [[nodiscard]] bool movable() const {
+    return !finishing_ && !closed_ && session_ && session_->movable();
+  }
   /// The server stops and another one goes on: true when that was told, by a close without {-2}.
   bool send_away();
   /// Closes now, whatever is under way.

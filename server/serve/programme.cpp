@@ -23,7 +23,7 @@ namespace {
 /// Of a live stream, what the system may hold back unsent for one client: some time's worth, but
 /// not so little that every packet has to wait for the one before.
 constexpr std::size_t kUnsentBytesLeast = 512;
-constexpr std::size_t kUnsentBytesMost = 65536;
+constexpr std::size_t kUnsentBytesMax = 65536;
 constexpr std::size_t kUnsentBytesOfSources = 2048;  ///< what they will send is not known
 
 int unsent_bytes_for(const protocol::ServerCatalogue& catalogue, const VoiceOptions& voice) {
@@ -38,7 +38,7 @@ int unsent_bytes_for(const protocol::ServerCatalogue& catalogue, const VoiceOpti
   const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
                                    [](const auto& stream) { return !stream.recorded; });
   const std::size_t least = unknown ? kUnsentBytesOfSources : kUnsentBytesLeast;
-  return static_cast<int>(std::clamp(bytes, least, kUnsentBytesMost));
+  return static_cast<int>(std::clamp(bytes, least, kUnsentBytesMax));
 }
 
 bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCatalogue& b) {
@@ -384,16 +384,18 @@ void Programme::describe(Status& status) const {
 }
 
 Result<void> Programme::finish() {
-  Result<void> finished;
+  std::optional<Error> first;
   for (const auto& source : sources_) {
     LiveStreams& streams = source->streams();
-    if (auto recorded = streams.finish_record(); !recorded) finished = recorded.error();
-    if (streams.over() && streams.nothing_came()) {
-      finished = Error{ErrorKind::BadData,
-                       streams.served().front().name + ": the source ended before a keyframe came"};
+    // Every record is finished, whatever has become of another.
+    if (auto recorded = streams.finish_record(); !recorded && !first) first = recorded.error();
+    if (streams.over() && streams.nothing_came() && !first) {
+      first = Error{ErrorKind::BadData,
+                    streams.served().front().name + ": the source ended before a keyframe came"};
     }
   }
-  return finished;
+  if (first) return *first;
+  return {};
 }
 
 }  // namespace aucast::server

@@ -50,8 +50,8 @@ class Programme {
   void stop();
   [[nodiscard]] bool stopped() const { return stopped_; }
 
-  /// Serves these to who comes from now on, and says so if they are others than before; the live
-  /// sources stay the same. Whether they are others.
+  /// Serves `loaded` to clients that connect from now on, and logs it if the streams differ from
+  /// before; live sources stay. Whether they differ.
   bool take_over(Repertoire loaded);
   /// The viewers' token, if one is needed, and who may bring streams.
   void set_tokens(std::string token, std::shared_ptr<const protocol::Publishers> publishers);
@@ -59,8 +59,8 @@ class Programme {
   void take(std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello, std::string peer) {
     pushed_.take(std::move(link), hello, std::move(peer));
   }
-  /// For another server that is brought it: the stream of this name, or else the first, alone and
-  /// under this name; empty: its own.
+  /// For a server that we push to: only the stream `name`, or else the first one under that name;
+  /// without a name the first one under its own.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
   /// The profile of the signals may have changed: reads it for the live sources again.

@@ -30,8 +30,9 @@ Result<void> Reload::read_credentials() {
 }
 
 void Reload::start() {
-  if (const auto read = read_credentials(); !read) {
-    ++failures_;
+  const auto read = read_credentials();
+  failed_ = !read;
+  if (!read) {
     spdlog::error("{}; the certificates and token in use stay", read.error().message);
   } else {
     spdlog::info("certificates and token were read again");
@@ -74,11 +75,8 @@ void Reload::done(Result<Repertoire> loaded) {
 }
 
 bool Reload::take_over(Result<Repertoire> loaded) {
-  if (loaded) {
-    ++successes_;
-    return programme_.take_over(std::move(*loaded));
-  }
-  ++failures_;
+  ++(loaded && !failed_ ? successes_ : failures_);
+  if (loaded) return programme_.take_over(std::move(*loaded));
   std::istringstream lines(loaded.error().message);
   for (std::string line; std::getline(lines, line);) spdlog::error("{}", line);
   spdlog::error("the sources were not taken over; what was served before is served on");

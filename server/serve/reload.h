@@ -44,6 +44,7 @@ class Reload {
   [[nodiscard]] const std::optional<tls::Context>& web_tls() const { return web_tls_; }
   /// Sources are being read.
   [[nodiscard]] bool running() const { return running_; }
+  /// Those of which everything was taken over, and the others.
   [[nodiscard]] std::uint64_t successes() const { return successes_; }
   [[nodiscard]] std::uint64_t failures() const { return failures_; }
 
@@ -62,6 +63,7 @@ class Reload {
   std::optional<tls::Context> web_tls_;
   std::uint64_t successes_ = 0;
   std::uint64_t failures_ = 0;
+  bool failed_ = false;  ///< the certificates and token of the latest order could not be read
   bool running_ = false;
   bool again_ = false;
   std::jthread thread_;

@@ -14,25 +14,21 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/link/listener.h"
-#include "common/link/tcp_link.h"
-#include "common/link/tls_link.h"
 #include "common/log.h"
 #include "common/text.h"
-#include "protocol/codec.h"
-#include "protocol/link_limits.h"
 #include "server/engine/nats_bus.h"
 #include "server/engine/nats_options.h"
 #include "server/engine/publisher.h"
 #include "server/preview/preview.h"
 #include "server/push/pusher.h"
 #include "server/serve/client_registry.h"
-#include "server/serve/departure.h"
+#include "server/serve/listeners.h"
 #include "server/serve/programme.h"
+#include "server/serve/shutdown.h"
 #include "server/status/http_routes.h"
 #include "server/status/http_server.h"
 #include "server/status/service_manager.h"
 #include "server/status/status.h"
-#include "server/web/web_server.h"
 
 namespace aucast::server {
 namespace {
@@ -42,57 +38,51 @@ using asio::ip::tcp;
 /// How often the service manager hears of the status.
 constexpr std::chrono::seconds kStatusEvery{10};
 
-const char* name_of_signal(int number) {
-  return number == SIGINT ? "SIGINT" : "SIGTERM";
-}
-
-/// Brings listener, programme, clients, status and signals of one run together.
+/// Brings listeners, programme, clients, status and the end of one run together.
 class Transmitter {
  public:
   Transmitter(const TransmitterOptions& options, Repertoire repertoire, Stats& stats,
               Reload::Load load)
       : options_(options),
-        end_signals_(io_, SIGINT, SIGTERM),
         other_signals_(io_, SIGHUP, SIGUSR1),
-        stop_timer_(io_),
         tick_timer_(io_),
-        listener_(io_, protocol::kAcceptLimits),
-        live_listener_(io_, protocol::kAcceptLimits),
         clients_(
-            options, stats, [this] { on_empty(); },
+            options, stats, [this] { shutdown_.on_empty(); },
             [this](std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello,
                    std::string peer) { programme_.take(std::move(link), hello, std::move(peer)); }),
         programme_(io_, options, std::move(repertoire),
-                   {[this] { on_moment(); }, [this] { on_over(); }, [this] { clients_.on_voice(); },
+                   {[this] { on_moment(); }, [this] { shutdown_.stop("all sources have ended"); },
+                    [this] { clients_.on_voice(); },
                     options.preview ? [this](const camera::Sight& sight) { preview_->offer(sight); }
                                     : camera::OnSight()}),
         reload_(io_, options.credentials, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
-        departure_(
-            io_, [this](std::size_t count) { clients_.send_away(count); },
-            [this] {
-              if (!programme_.stopped()) stop("--drain-time is over");
-            }),
+        listeners_(io_, options, reload_,
+                   {[this] { return programme_.unsent_bytes_max(); },
+                    [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
+                           ClientRegistry::Way way) { welcome(peer, open_link, way); }}),
+        shutdown_(io_, options.drain_time, clients_,
+                  {[this](Milliseconds at_most) { on_leave(at_most); }, [this] { on_stop(); },
+                   [this] { end(); }}),
         routes_([this](Instant now) { return status(now); }) {}
 
   Result<Ending> run(const OnReady& on_ready) {
     if (auto read = reload_.read_credentials(); !read) return read.error();
-    if (auto opened = open_listeners(); !opened) return opened.error();
+    if (auto opened = listeners_.open(); !opened) return opened.error();
+    if (auto opened = open_http(); !opened) return opened.error();
     if (auto opened = open_preview(); !opened) return opened.error();
     if (auto opened = programme_.open_sources(); !opened) return opened.error();
     if (auto opened = open_publisher(); !opened) return opened.error();
     if (auto opened = open_pushers(); !opened) return opened.error();
-    const ReadyAt where{link::endpoint_text(listener_.endpoint()),
-                        web_ ? link::endpoint_text(web_->endpoint()) : ""};
+    const ReadyAt where{link::endpoint_text(listeners_.endpoint()), listeners_.web_endpoint_text()};
     if (auto ready = on_ready(where); !ready) return ready.error();
     say_who_can_connect();
     begin_ = std::chrono::steady_clock::now();
-    await_end_signal();
+    shutdown_.await_signal();
     await_other_signal();
     programme_.begin();
     if (publisher_) publisher_->on_moment();
-    accept_from(listener_, ClientRegistry::Way::Tcp);
-    if (web_) web_->start();
+    listeners_.start();
     if (http_) http_->start();
     for (const auto& pusher : pushers_) pusher->start();
     manager_.ready(summary());
@@ -103,41 +93,6 @@ class Transmitter {
   }
 
  private:
-  Result<void> open_listeners() {
-    const auto passed = passed_socket();
-    if (!passed) return passed.error();
-    if (auto opened = *passed ? listener_.open_passed(**passed)
-                              : listener_.open(options_.bind, options_.port,
-                                               {"--bind", "--port", options_.reuse_port});
-        !opened) {
-      return opened;
-    }
-    if (*passed) spdlog::info("the service manager passed the socket; --bind and --port are idle");
-    if (auto opened = open_web(); !opened) return opened;
-    return open_http();
-  }
-
-  Result<void> open_web() {
-    if (!options_.web.address) return {};
-    web_.emplace(io_, options_.web,
-                 WebServer::Hooks{
-                     [this]() -> const std::optional<tls::Context>& { return reload_.web_tls(); },
-                     [this] { return programme_.unsent_bytes_max(); },
-                     [this](const tcp::endpoint& peer, const WebServer::OpenLink& open_link) {
-                       welcome(peer, open_link, ClientRegistry::Way::WebSocket);
-                     }});
-    auto opened = web_->open(options_.reuse_port);
-    if (!opened) return opened;
-    const bool secure = reload_.web_tls().has_value();
-    spdlog::info("browsers are served at {}://{}/", secure ? "https" : "http",
-                 link::endpoint_text(web_->endpoint()));
-    if (!secure && !web_->endpoint().address().is_loopback()) {
-      spdlog::warn(
-          "without --web-cert everybody on the way can read and change what the page gets");
-    }
-    return {};
-  }
-
   Result<void> open_pushers() {
     const PushSettings& push = options_.push;
     for (const std::string& address : push.addresses) {
@@ -162,23 +117,19 @@ class Transmitter {
         io_,
         Preview::Hooks{
             [this](const std::string& bind, std::uint16_t port) { return go_live(bind, port); },
-            [this] { go_private(); }, [this] { return clients_.count(ClientRegistry::Way::Live); },
-            [this] {
-              if (!programme_.stopped()) stop("the preview's reader has gone");
-            }});
+            [this] { go_private(); }, [this] { return clients_.count(ClientRegistry::Way::Guest); },
+            [this] { shutdown_.stop("the preview's reader has gone"); }});
     return preview_->start();
   }
 
   Result<std::string> go_live(const std::string& bind, std::uint16_t port) {
     go_private();
-    if (auto opened = live_listener_.open(bind, port); !opened) return opened.error();
-    accept_from(live_listener_, ClientRegistry::Way::Live);
-    return link::endpoint_text(live_listener_.endpoint());
+    return listeners_.open_to_guests(bind, port);
   }
 
   void go_private() {
-    live_listener_.stop();
-    clients_.stop(ClientRegistry::Way::Live);
+    listeners_.close_to_guests();
+    clients_.stop(ClientRegistry::Way::Guest);
   }
 
   Result<void> open_http() {
@@ -210,15 +161,8 @@ class Transmitter {
     if (publisher_) publisher_->on_moment();
   }
 
-  void accept_from(link::Listener& listener, ClientRegistry::Way way) {
-    listener.start([this, way](tcp::socket socket, const tcp::endpoint& peer) {
-      welcome(
-          peer, [&] { return link_of(std::move(socket)); }, way);
-    });
-  }
-
   void say_who_can_connect() const {
-    if (listener_.endpoint().address().is_loopback()) {
+    if (listeners_.endpoint().address().is_loopback()) {
       spdlog::info("only programs on this host can connect; --bind 0.0.0.0 lets others in");
     } else if (!programme_.catalogue()->token.empty() && !reload_.tls()) {
       spdlog::warn("without --tls-cert everybody on the way can read the token");
@@ -230,15 +174,6 @@ class Transmitter {
     // However many knock at once, those who watch are not kept waiting for them.
     programme_.catch_up();
     clients_.welcome(peer, programme_.catalogue(), open_link, way);
-  }
-
-  [[nodiscard]] std::shared_ptr<link::Link> link_of(tcp::socket socket) const {
-    auto link =
-        link::tcp_link(std::move(socket), protocol::kLinkLimits, programme_.unsent_bytes_max());
-    if (!reload_.tls()) return link;
-    return link::tls_link(std::move(link), tls::Channel(*reload_.tls()), protocol::kLinkLimits,
-                          protocol::encode(protocol::ErrorReply{
-                              400, "this server speaks TLS only (face-player --tls)"}));
   }
 
   /// One line for the service manager.
@@ -264,20 +199,13 @@ class Transmitter {
     Status status;
     status.up_seconds = seconds(now - begin_);
     status.stopping = stopping();
-    status.accept_failures =
-        listener_.failures() + live_listener_.failures() + (web_ ? web_->accept_failures() : 0);
+    status.accept_failures = listeners_.accept_failures();
     status.reloads = reload_.successes();
     status.reload_failures = reload_.failures();
     programme_.describe(status);
     clients_.describe(status, now);
     for (const auto& pusher : pushers_) status.pushes.push_back(pusher->status());
     return status;
-  }
-
-  void await_end_signal() {
-    end_signals_.async_wait([this](const std::error_code& error, int number) {
-      if (!error) on_end_signal(number);
-    });
   }
 
   void await_other_signal() {
@@ -304,69 +232,26 @@ class Transmitter {
     manager_.ready(summary());
   }
 
-  void on_over() {
-    if (!programme_.stopped()) stop("all sources have ended");
-  }
-
-  void on_end_signal(int number) {
-    const char* name = name_of_signal(number);
-    if (programme_.stopped()) {
-      spdlog::info("{} again: ending at once", name);
-      clients_.abort();
-      return;
-    }
-    if (options_.drain_time.count() > 0 && !departure_.begun() && !clients_.empty()) {
-      leave(name);
-    } else {
-      stop(name);
-    }
-    if (!clients_.empty()) await_end_signal();
-  }
-
-  [[nodiscard]] bool stopping() const { return programme_.stopped() || departure_.begun(); }
+  [[nodiscard]] bool stopping() const { return shutdown_.phase() != Shutdown::Phase::Serving; }
 
   /// Nobody comes any more, and nothing of ours goes anywhere else.
   void close_doors(Milliseconds at_most) {
     manager_.stopping(at_most);
-    listener_.stop();
-    live_listener_.stop();
-    if (web_) web_->stop();
+    listeners_.close();
     for (const auto& pusher : pushers_) pusher->stop();
   }
 
-  void leave(const char* why) {
-    spdlog::info("{}: sending {} to other servers within {} s", why,
-                 counted(clients_.size(), "client"), seconds(options_.drain_time));
-    close_doors(options_.drain_time + kStopTimeMax);
+  void on_leave(Milliseconds at_most) {
+    close_doors(at_most);
     // Who shares its port answers monitors from now on.
     if (http_ && options_.reuse_port) http_->stop();
-    departure_.begin(clients_.size(), options_.drain_time);
   }
 
-  void stop(const char* why) {
-    spdlog::info("{}: ending the stream of {}", why, counted(clients_.size(), "client"));
-    departure_.stop();
+  void on_stop() {
     close_doors({});
     if (preview_) preview_->stop();
     if (publisher_) publisher_->stop();
     programme_.stop();
-    clients_.stop();
-    if (clients_.empty()) {
-      end();
-      return;
-    }
-    stop_timer_.expires_after(kStopTimeMax);
-    stop_timer_.async_wait([this](const std::error_code& error) {
-      if (!error) clients_.abort();
-    });
-  }
-
-  void on_empty() {
-    if (programme_.stopped()) {
-      end();
-    } else if (departure_.begun()) {
-      stop("all clients are gone");
-    }
   }
 
   /// io_.run() returns, whatever is still waited for. To cancel all of it would not do: what has
@@ -382,22 +267,18 @@ class Transmitter {
 
   const TransmitterOptions& options_;
   asio::io_context io_{1};
-  asio::signal_set end_signals_;
   asio::signal_set other_signals_;
-  asio::steady_timer stop_timer_;
   asio::steady_timer tick_timer_;
   ServiceManager manager_;
-  link::Listener listener_;
-  link::Listener live_listener_;  ///< for others, while --preview is live
   std::optional<Preview> preview_;
   ClientRegistry clients_;
   Programme programme_;
   std::vector<std::unique_ptr<Pusher>> pushers_;
   Reload reload_;
-  Departure departure_;
+  Listeners listeners_;
+  Shutdown shutdown_;
   HttpRoutes routes_;
   std::optional<Publisher> publisher_;
-  std::optional<WebServer> web_;
   std::optional<HttpServer> http_;
   Instant begin_{};
 };

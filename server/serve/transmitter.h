@@ -12,10 +12,6 @@
 
 namespace aucast::server {
 
-/// Longest time between the signal that ends the streams and the end: a client that is dead or does
-/// not read is cut off then. The whole exit takes less than the promised two seconds.
-inline constexpr Milliseconds kStopTimeMax{1700};
-
 /// Where connections can come to, as ADDR:PORT.
 struct ReadyAt {
   std::string address;
@@ -35,11 +31,10 @@ struct Ending {
 
 /// Serves the repertoire, recorded or live, to any number of clients until SIGTERM or SIGINT: then
 /// nobody is accepted any more, everybody gets {-2}, and it returns when the last is gone or
-/// kStopTimeMax is over; with a drain time clients are sent away first, until that is over or a
-/// second signal comes. The same when all streams are live and nothing can come of them any more,
-/// as after the end of stdin. One more signal ends it at once. SIGHUP calls `load` on another
-/// thread and serves what it returns to who comes then; those that are there keep what they have.
-/// SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
+/// kStopTimeMax is over (Shutdown). The same when all streams are live and nothing can come of them
+/// any more, as after the end of stdin. One more signal ends it at once. SIGHUP calls `load` on
+/// another thread and serves what it returns to who comes then; those that are there keep what they
+/// have. SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
 [[nodiscard]] Result<Ending> serve(const TransmitterOptions& options, Repertoire repertoire,
                                    Stats& stats, const OnReady& on_ready, Reload::Load load);
 

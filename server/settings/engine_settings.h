@@ -11,6 +11,7 @@ namespace aucast::server {
 struct EngineSettings {
   std::string publish;          ///< nats://HOST/NAME; empty: nothing is published
   std::filesystem::path token;  ///< a word; empty: none
+  std::filesystem::path login;  ///< USER:PASSWORD; empty: none
   std::filesystem::path creds;  ///< a user's JWT and seed; empty: none
   std::string nkey;             ///< a public key; empty: none
   std::filesystem::path seed;   ///< of that

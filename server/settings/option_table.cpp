@@ -12,11 +12,11 @@ using Where = OptionRow::Where;
 
 /// A day: whoever waits longer means for ever.
 constexpr double kTimeoutMax = 86'400;
-constexpr double kDrainTimeMost = 3600;
+constexpr double kDrainSecondsMax = 3600;
 constexpr std::string_view kNoTimeout = "is not a number of seconds from 0 (never) to 86400";
 
 /// More than a process can have descriptors.
-constexpr std::int64_t kMaxClientsMost = 1'000'000;
+constexpr std::int64_t kClientsMax = 1'000'000;
 
 Complaint read_address(const std::string& word, std::optional<HttpAddress>& address) {
   const std::size_t colon = word.rfind(':');
@@ -47,7 +47,7 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "au-transmitter, which this one relays: one connection there, however many clients here; "
        "aucasts:// over TLS. Of several hosts the next is taken when one is lost. What is live "
        "there is live here; a recorded stream is kept and served from its beginning while it still "
-       "comes, which one in a loop cannot be. SIGHUP leaves relayed streams as they are. "
+       "comes, in a loop if it is in one there. SIGHUP leaves relayed streams as they are. "
        "nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends over NATS; natss:// "
        "over TLS. A film (.mp4, .mov, .mkv, .webm, .avi and others, through ffmpeg) is read for "
        "the face in it; camera is the camera /dev/video0 and camera:DEVICE another one, live; a "
@@ -88,7 +88,7 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
   return {
-      {"upstream-token-file", "FILE", "", "its token",
+      {"upstream-token-file", "FILE", "", "our token",
        "The token that the server of an aucast:// source wants, one word in a file. It is sent "
        "only over TLS or to this host.",
        word(upstream.token)},
@@ -117,6 +117,10 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
        "The token that the servers of NATS want, one word in a file. It is sent only over TLS or "
        "to this host.",
        word(engine.token)},
+      {"nats-login", "FILE", "", "NAME:PASSWORD",
+       "A user of NATS and its password, NAME:PASSWORD, the only line of a file. It is sent only "
+       "over TLS or to this host.",
+       word(engine.login)},
       {"nats-creds", "FILE", "", "a NATS user's",
        "The credentials of a user of NATS: a .creds file with its JWT and its seed.",
        word(engine.creds)},
@@ -151,7 +155,7 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        "The publisher's token that the servers of --push want, one word in a file. It is sent "
        "only over TLS or to this host.",
        word(push.token)},
-      {"push-tls-ca", "FILE", "", "its CAs",
+      {"push-tls-ca", "FILE", "", "CAs to trust",
        "The certificates of the authorities that the servers of --push aucasts:// must have "
        "their certificates from (PEM); without it those of the system.",
        word(push.tls.authorities)},
@@ -170,7 +174,7 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "tell face-player what a camera sees",
+      "for a window",
       "For a program that starts this one: standard output tells "
       "what the camera sees, as small pictures with landmarks and AUs, and standard input takes "
       "orders to let others in, and out; its end ends the program. Both must be pipes or "
@@ -182,7 +186,7 @@ OptionRow preview_row(TransmitterOptions& options) {
 
 std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
   return {
-      {"keyframe", "MS", "250", "untimed ones (250)",
+      {"keyframe", "MS", "250", "untimed (250)",
        "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello tells "
        "it to clients, and --live uses it.",
        whole(options.keyframe_ms, 1, protocol::kDurationMsMax), "Sending"},
@@ -233,21 +237,22 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "web pages go on with another au-transmitter at this address, such as the next version "
        "with --reuse-port; a recorded stream resumes where it was. Whoever is left then gets "
        "{-2}. A second signal, or S = 0, sends {-2} to all at once.",
-       seconds(options.drain_time, 0, kDrainTimeMost, "is not a number of seconds from 0 to 3600")},
+       seconds(options.drain_time, 0, kDrainSecondsMax,
+               "is not a number of seconds from 0 to 3600")},
       {"client-timeout", "S", "0", "close clients that are silent for S seconds (0: no)",
        "Seconds, up to 86400. Every byte from the client restarts the time; of a live "
        "stream, every byte that can be sent to it does. A paused client owes no answer. TCP "
        "detects a vanished host, and a client that stops reading, within a minute anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"max-clients", "N", "0", "(0: any)",
+      {"max-clients", "N", "0", "(0: all)",
        "The number of clients at a time. One client too many is closed, with {error 503 "
        "...} if it sent a hello. Each client takes a file descriptor; the soft limit of "
        "these (ulimit -n) is raised to the hard limit at the start.",
-       whole(options.max_clients, 0, kMaxClientsMost)},
-      {"max-clients-per-address", "N", "0", "(0: any)",
+       whole(options.max_clients, 0, kClientsMax)},
+      {"max-clients-per-address", "N", "0", "(0: all)",
        "The number of clients at a time from one address; of an IPv6 address the first 64 "
        "bits count. Clients behind one router share an address.",
-       whole(options.max_clients_per_address, 0, kMaxClientsMost)},
+       whole(options.max_clients_per_address, 0, kClientsMax)},
   };
 }
 
@@ -263,7 +268,7 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
       {"tls-client-ca", "FILE", "", "CAs of clients",
        "Clients must show a certificate that one of these authorities has signed (PEM).",
        word(files.tls.authorities)},
-      {"token-file", "FILE", "", "require its token",
+      {"token-file", "FILE", "", "viewers' token",
        "One word of at most 256 bytes. A client without it is refused before it learns "
        "anything, and so is every classic client, which cannot send one. Without TLS anyone "
        "on the path can read it.",
@@ -284,13 +289,13 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
        "authorities (PEM): https and wss in place of http and ws. SIGHUP reads it again.",
        word(files.certificate)},
       {"web-key", "FILE", "", "and key", "The private key of --web-cert (PEM).", word(files.key)},
-      {"web-host", "NAME", "", "its other names",
+      {"web-host", "NAME", "", "another name",
        "A name that --web answers for, beside IP addresses, localhost and the names of "
        "--web-cert: its own, or that of a proxy before it. Pages of these names may watch by "
        "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "
        "label. May be repeated.",
        words(web.hosts)},
-      {"web-trusted-proxy", "ADDR", "", "believe its X-Forwarded-For",
+      {"web-trusted-proxy", "ADDR", "", "proxy to believe",
        "The IP address of a reverse proxy. For its requests, the last address in X-Forwarded-For "
        "is taken as the client's, in --max-clients-per-address and in the log. May be repeated.",
        parsed(Kind::Words, read_proxy, web.trusted_proxies)},
@@ -351,10 +356,10 @@ std::vector<OptionRow> option_rows(TransmitterOptions& options) {
   append(rows, engine_rows(options.engine));
   append(rows, push_rows(options.push, options.credentials));
   append(rows, recording_rows(options.source));
-  append(rows, signal_rows(options.source.signal));
-  append(rows, voice_rows(options.voice));
   append(rows, camera_rows(options.source.camera));
   rows.push_back(preview_row(options));
+  append(rows, signal_rows(options.source.signal));
+  append(rows, voice_rows(options.voice));
   append(rows, sending_rows(options));
   append(rows, connection_rows(options));
   append(rows, credential_rows(options.credentials));
@@ -380,7 +385,7 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 )",
       .examples = {"au-transmitter --bind 0.0.0.0 --live --loop talk.txt",
                    "au-transmitter aucast://origin.example.org/talk     (a relay of that stream)",
-                   "printf '1111111' | nc 127.0.0.1 4650     (prints the first eight "
+                   "printf '1111111-4' | nc 127.0.0.1 4650   (prints the first eight "
                    "packets)"}};
 }
 

@@ -76,10 +76,10 @@ Complaint read_filter(const std::string& word, std::optional<sources::OneEuroSet
   std::array<double, 3> values{0, sources::OneEuroSettings().beta,
                                sources::OneEuroSettings().derivative_cutoff_hz};
   if (parts.size() > values.size()) return kWrong;
-  constexpr std::array kMost{sources::kCutoffMax, sources::kBetaMax, sources::kCutoffMax};
+  constexpr std::array kLargest{sources::kCutoffMax, sources::kBetaMax, sources::kCutoffMax};
   for (std::size_t index = 0; index < parts.size(); ++index) {
     const auto value = number_of<double>(parts[index]);
-    if (!value || !(*value >= 0 && *value <= kMost[index])) return kWrong;
+    if (!value || !(*value >= 0 && *value <= kLargest[index])) return kWrong;
     values[index] = *value;
   }
   if (values[2] == 0) return kWrong;

@@ -56,10 +56,10 @@ Complaint read_size(const std::string& word, camera::CameraOptions& camera) {
 
 std::vector<OptionRow> camera_rows(camera::CameraOptions& options) {
   return {
-      {"camera-size", "WxH", "640x480", "of a camera (640x480)",
+      {"camera-size", "WxH", "640x480", "(640x480)",
        "The size that a camera is asked for. Faces are read from 640 pixels at most.",
        parsed(Kind::Word, read_size, options)},
-      {"camera-fps", "N", "30", "its rate (30)",
+      {"camera-fps", "N", "30", "(30)",
        "The pictures a second that a camera is asked for, 1 to 120. Those that come while "
        "the one before is read are dropped.",
        whole(options.fps, 1, 120)},
@@ -73,7 +73,7 @@ std::vector<OptionRow> recording_rows(SourceOptions& options) {
        "Resamples to this rate, 0.1 to 1000, by linear interpolation.",
        real(options.rate, kRateMin, sources::kRateMax,
             "is not a number of keyframes a second from 0.1 to 1000"),
-       "Recordings"},
+       "Recordings, cameras"},
       {"fps", "N", "", "frame rate of the table",
        "Pictures a second, for recordings without times (Py-Feat) or with wrong ones.",
        parsed(Kind::Number, read_fps, recording.fps)},

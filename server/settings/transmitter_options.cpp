@@ -67,10 +67,6 @@ Result<void> validate_streams(const TransmitterOptions& options) {
   if (!any && !options.push.addresses.empty())
     return usage_error("--push brings a SOURCE; name one");
   if (!any && !options.voice.file.empty()) return usage_error("--voice is for a SOURCE; name one");
-  if (options.push.addresses.empty()) return {};
-  if (options.loop && !options.live) {
-    return usage_error("--push brings a recording once; with --loop add --live");
-  }
   for (const std::string& address : options.push.addresses) {
     if (auto parsed = protocol::parse_stream_address(address); !parsed) return parsed.error();
   }

@@ -5,7 +5,7 @@ namespace {
 
 using Kind = OptionValue::Kind;
 
-constexpr std::int64_t kDelayMsMost = 10'000;
+constexpr std::int64_t kDelayMsMax = 10'000;
 
 Complaint read_rate(const std::string& word, int& bits_per_second) {
   const int kbits = number_of<int>(word).value_or(0);
@@ -40,7 +40,7 @@ std::vector<OptionRow> voice_rows(VoiceOptions& options) {
        "Milliseconds, -10000 to 10000: how much later the sound is heard with the face. A "
        "recogniser shows a picture this long after the microphone had its sound; a negative "
        "number makes the sound come earlier, for a microphone that is later than the recogniser.",
-       whole(options.delay, -kDelayMsMost, kDelayMsMost)},
+       whole(options.delay, -kDelayMsMax, kDelayMsMax)},
       {"voice-rate", "KBITS", "10", "8 to 24 (10)",
        "Kilobits of speech a second: 8, 10, 12, 16 or 24. On the wire it is a third more.",
        parsed(Kind::Number, read_rate, options.encoder.bits_per_second)},

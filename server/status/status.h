@@ -49,7 +49,7 @@ struct Status {
   double queue_seconds = 0;               ///< longest time that anything waits for one client
   double lag_seconds = 0;                 ///< how late the latest live moment was sent
   std::uint64_t reloads = 0;              ///< by SIGHUP, that worked
-  std::uint64_t reload_failures = 0;      ///< that left everything as it was
+  std::uint64_t reload_failures = 0;      ///< something was not taken over
   std::vector<UpstreamStatus> upstreams;  ///< one for each stream of another server
   std::vector<PushStatus> pushes;         ///< one for each --push
 };

@@ -83,15 +83,15 @@ double in_seconds(Milliseconds time) {
 }
 
 std::string silence_lines(const std::vector<Silence>& silences) {
-  constexpr std::size_t kShownMost = 5;
+  constexpr std::size_t kShownMax = 5;
   std::string text;
-  for (std::size_t i = 0; i < std::min(silences.size(), kShownMost); ++i) {
+  for (std::size_t i = 0; i < std::min(silences.size(), kShownMax); ++i) {
     text += formatted("  %-11s %.3f s to %.3f s\n", "silence", in_seconds(silences[i].begin),
                       in_seconds(silences[i].end));
   }
-  if (silences.size() > kShownMost) {
+  if (silences.size() > kShownMax) {
     text += formatted("  %-11s and %zu times more for 3 s and longer\n", "",
-                      silences.size() - kShownMost);
+                      silences.size() - kShownMax);
   }
   return text;
 }

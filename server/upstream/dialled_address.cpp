@@ -10,17 +10,23 @@
 
 namespace aucast::server {
 
+Result<void> check_hidden(const protocol::StreamAddress& address, std::string_view what,
+                          std::string_view secure) {
+  for (const protocol::Endpoint& host : address.hosts) {
+    if (address.tls || link::is_own_host(host.host)) continue;
+    return usage_error("everybody on the way to " + escaped(host.host) + " could read " +
+                       std::string(what) + ": use " + std::string(secure));
+  }
+  return {};
+}
+
 Result<std::string> token_for(const protocol::StreamAddress& address,
                               const std::filesystem::path& file, std::string_view secure) {
   if (file.empty()) return std::string();
   auto token = protocol::read_token_file(file);
   if (!token) return token.error();
   if (!token->warning.empty()) spdlog::warn("{}", token->warning);
-  for (const protocol::Endpoint& host : address.hosts) {
-    if (address.tls || link::is_own_host(host.host)) continue;
-    return usage_error("everybody on the way to " + escaped(host.host) +
-                       " could read the token: use " + std::string(secure));
-  }
+  if (auto hidden = check_hidden(address, "the token", secure); !hidden) return hidden.error();
   return std::move(token->word);
 }
 

@@ -24,6 +24,11 @@ struct DialSecrets {
   std::string tls_options;  ///< how the options that name its files begin: "--upstream-tls"
 };
 
+/// Usage error when `what`, such as "the token", would go over the network for everybody to read;
+/// `secure`: how an address over TLS begins.
+[[nodiscard]] Result<void> check_hidden(const protocol::StreamAddress& address,
+                                        std::string_view what, std::string_view secure);
+
 /// The token of the file, to be shown at that address; empty when no file is given. Warns in the
 /// log when others can read it. Usage error when it would go over the network for everybody to
 /// read; `secure`: how an address over TLS begins.

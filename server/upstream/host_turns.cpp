@@ -6,9 +6,9 @@ namespace aucast::server {
 
 Milliseconds HostTurns::next() {
   current_ = (current_ + 1) % hosts_;
-  if (++failures_ % hosts_ != 0) return shortened(kNextMost);
+  if (++failures_ % hosts_ != 0) return shortened(kNextMax);
   const Milliseconds wait = wait_;
-  wait_ = std::min(wait_ * 2, kMost);
+  wait_ = std::min(wait_ * 2, kWaitMax);
   return shortened(wait);
 }
 

@@ -15,8 +15,8 @@ namespace aucast::server {
 class HostTurns {
  public:
   static constexpr Milliseconds kFirst{1'000};
-  static constexpr Milliseconds kMost{5'000};
-  static constexpr Milliseconds kNextMost{100};  ///< before the next host of the same round
+  static constexpr Milliseconds kWaitMax{5'000};
+  static constexpr Milliseconds kNextMax{100};  ///< before the next host of the same round
 
   /// `hosts`: at least one.
   HostTurns(std::size_t hosts, std::uint32_t seed) : hosts_(hosts), random_(seed) {}

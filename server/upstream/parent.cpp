@@ -45,6 +45,7 @@ void Parent::on_open() {
 }
 
 void Parent::on_bytes(std::string_view bytes) {
+  stream_.begin_call();
   while (!bytes.empty() && !ending_) {
     const std::string_view before = bytes;
     const auto events = session_.on_bytes(bytes, link_->now());
@@ -139,8 +140,8 @@ bool Parent::floods(const std::string& what) {
     second_begin_ = now;
     in_second_ = 0;
   }
-  if (++in_second_ <= kLivePerSecondMost) return false;
-  leave("it sends more than " + std::to_string(kLivePerSecondMost) + " " + what + " a second");
+  if (++in_second_ <= kLivePerSecondMax) return false;
+  leave("it sends more than " + std::to_string(kLivePerSecondMax) + " " + what + " a second");
   return true;
 }
 

@@ -23,7 +23,7 @@ class Parent final : public link::LinkUser {
  public:
   /// Keyframes, voice packets and captions of a live stream within a second, beyond which it is a
   /// flood.
-  static constexpr std::uint32_t kLivePerSecondMost = 2'000;
+  static constexpr std::uint32_t kLivePerSecondMax = 2'000;
 
   struct Ending {
     bool in_order = false;  ///< {-2}: it has no more

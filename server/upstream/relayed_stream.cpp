@@ -18,6 +18,10 @@ const char* kind_of(bool live) {
   return live ? "live" : "recorded";
 }
 
+const char* end_of(bool loop) {
+  return loop ? "starts again at its end (--loop)" : "ends";
+}
+
 /// How many keyframes are kept between two looks at the memory that is left.
 constexpr std::size_t kKeptBetweenLooks = 4096;
 
@@ -37,6 +41,7 @@ protocol::HelloAsked RelayedStream::asked() const {
   asked.from_ms = place_ms_;
   asked.voice = protocol::kVoiceCodec;
   asked.text = true;
+  asked.loop = true;
   return asked;
 }
 
@@ -57,9 +62,13 @@ std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted
            ", and what is served here has " + ms_text(shared_->keyframe_ms);
   }
   if (hello.live) return std::nullopt;
-  if (!hello.duration_ms) {
-    return "its recording starts again and again (--loop), which cannot be kept; add --live there, "
-           "or --loop here alone";
+  if (!hello.duration_ms) return "it does not say how long its recording is";
+  if (hello.loop && *hello.duration_ms == 0) {
+    return "its recording takes no time at all, so it cannot start again and again";
+  }
+  if (recorded_ && hello.loop != shared_->loop) {
+    return std::string("its recording ") + end_of(hello.loop) + ", and what is served here " +
+           end_of(shared_->loop);
   }
   if (recorded_ && hello.duration_ms != recorded_->duration_ms) {
     return "its recording takes " + ms_text(*hello.duration_ms) + ", and what is served here " +
@@ -71,7 +80,19 @@ std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted
   return std::nullopt;
 }
 
+/// Nobody has been sent anything of a recording without keyframes: it may be another one.
+void RelayedStream::forget_announced() {
+  if (!recorded_ || shared_->recorded) return;
+  recorded_.reset();
+  sound_.reset();
+  voice_.reset();
+  shared_->sound.reset();
+  shared_->loop = false;
+  caption_bytes_ = 0;
+}
+
 std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& hello) {
+  forget_announced();
   if (auto wrong = objection(hello)) return wrong;
   shared_->servers = hello.servers;
   if (begun()) {
@@ -92,6 +113,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   recorded_ = std::make_shared<protocol::EncodedStream>();
   recorded_->duration_ms = hello.duration_ms;
   recorded_->extent = Extent::Growing;
+  shared_->loop = hello.loop;
   changes_ = hello.delta;
   if (voice) voice_ = std::make_shared<protocol::VoiceTrack>();
   if (voice || hello.text) {
@@ -101,6 +123,10 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
     shared_->sound = sound_;
   }
   return std::nullopt;
+}
+
+void RelayedStream::begin_call() {
+  if (feed_) feed_->begin_moments();
 }
 
 std::optional<std::string> RelayedStream::add(const protocol::DeliverKeyframe& keyframe,
@@ -142,7 +168,7 @@ std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& 
 std::optional<std::string> RelayedStream::no_room() {
   const std::uint64_t bytes =
       held_bytes(*recorded_) + (voice_ ? voice_->bytes() : 0) + caption_bytes_;
-  if (bytes > kBytesMost) return "its recording has more than 1 GiB";
+  if (bytes > kBytesMax) return "its recording has more than 1 GiB";
   if (looks_++ % kKeptBetweenLooks > 0) return std::nullopt;
   // As much again is taken for a moment when the buffers grow.
   const auto may = options_.may_hold(bytes);

@@ -34,12 +34,15 @@ class RelayedStream {
   };
 
   /// More of a recorded stream is not kept.
-  static constexpr std::size_t kBytesMost = std::size_t{1} << 30U;
+  static constexpr std::size_t kBytesMax = std::size_t{1} << 30U;
 
   explicit RelayedStream(Options options);
 
   /// What the next parent is asked for: of a recorded stream, what is still missing.
   [[nodiscard]] protocol::HelloAsked asked() const;
+
+  /// What comes until the next call came at once: clients get all of it that they can take.
+  void begin_call();
 
   // What a parent says. Each returns what is wrong with it, if anything: then nothing was changed,
   // and this parent is of no use.
@@ -66,6 +69,7 @@ class RelayedStream {
 
  private:
   [[nodiscard]] bool begun() const { return feed_ || recorded_; }
+  void forget_announced();
   [[nodiscard]] std::optional<std::string> objection(const protocol::HelloGranted& hello) const;
   [[nodiscard]] std::optional<std::string> keep(const protocol::EncodedKeyframe& keyframe,
                                                 std::uint32_t time_ms);

@@ -9,7 +9,7 @@ namespace aucast::server {
 namespace {
 
 /// By so much the sound may be off its place while somebody speaks, and in a pause.
-constexpr Milliseconds kOffMost{80};
+constexpr Milliseconds kOffMax{80};
 constexpr Milliseconds kOffInPause{5};
 constexpr Milliseconds kPause{120};
 /// A longer hole is left open, a shorter one is filled with silence.
@@ -24,11 +24,14 @@ void LiveVoice::add_keyframe(Milliseconds end, double now) {
   face_.add(now, static_cast<double>(end.count()) / 1000);
 }
 
-void LiveVoice::end_sound() {
+std::vector<protocol::VoicePacket> LiveVoice::end_sound() {
+  std::vector<protocol::VoicePacket> packets;
+  encoder_.finish(packets);
   sound_.forget();
   samples_ = 0;
   half_.clear();
   placed_ = false;
+  return packets;
 }
 
 std::vector<float> LiveVoice::samples_of(std::string_view bytes) {
@@ -49,7 +52,7 @@ std::vector<float> LiveVoice::samples_of(std::string_view bytes) {
 std::size_t LiveVoice::steer(Milliseconds target, std::size_t count,
                              std::vector<protocol::VoicePacket>& packets) {
   const Milliseconds off = target - encoder_.end();
-  const Milliseconds most = silent_ >= kPause ? kOffInPause : kOffMost;
+  const Milliseconds most = silent_ >= kPause ? kOffInPause : kOffMax;
   const auto samples = [](Milliseconds time) {
     return static_cast<std::size_t>(time.count()) * voice::kEncoderSamplesPerMs;
   };

@@ -29,8 +29,8 @@ class LiveVoice {
   /// 16-bit signed little-endian samples, mono at kEncoderRate. Before the first keyframe they have
   /// no place and are dropped.
   [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, double now);
-  /// Whoever wrote has gone: what comes next does not follow what came.
-  void end_sound();
+  /// Whoever wrote has gone: what comes next does not follow what came. The packets of the rest.
+  [[nodiscard]] std::vector<protocol::VoicePacket> end_sound();
 
  private:
   [[nodiscard]] std::vector<float> samples_of(std::string_view bytes);

@@ -60,6 +60,7 @@ bool VoiceReader::read(std::vector<protocol::VoicePacket>& packets) {
   const std::size_t skip = std::min(skipped_, count);
   skipped_ -= skip;
   encoder_.add(std::span(samples_).subspan(skip, count - skip), packets);
+  end_ = encoder_.end();
   if (count == samples_.size()) return true;
   encoder_.finish(packets);
   return false;

@@ -39,7 +39,7 @@ class VoiceReader {
   /// Appends the packets of the next second or two; false: that was the last one.
   [[nodiscard]] bool read(std::vector<protocol::VoicePacket>& packets);
   /// How far the sound has been read, on the stream's clock.
-  [[nodiscard]] Milliseconds end() const { return encoder_.end(); }
+  [[nodiscard]] Milliseconds end() const { return end_; }
 
  private:
   VoiceReader(voice::SoundFile sound, const voice::VoiceSettings& settings, Milliseconds begin);
@@ -48,6 +48,7 @@ class VoiceReader {
   voice::VoiceEncoder encoder_;
   std::vector<float> samples_;
   std::size_t skipped_;  ///< samples that are still to be left out
+  Milliseconds end_{0};
 };
 
 /// Kilobits a second that the voice takes on the wire, headers of TCP and IP left out, as far as

@@ -109,18 +109,20 @@ void VoiceTracks::deliver(const Job& job, std::vector<protocol::VoicePacket> pac
   const Milliseconds known =
       job.reader ? std::max(job.reader->end() - settings_.frame, Milliseconds::zero())
                  : Milliseconds::zero();
-  asio::post(io_, [held = job.track, on_grown = on_grown_, known, last,
-                   path = job.file.path.string(), packets = std::move(packets)] {
-    const auto track = held.lock();
-    if (!track) return;
-    for (const protocol::VoicePacket& packet : packets) track->add(packet);
-    track->encoded_to(known);
-    if (last) {
-      track->finish();
-      spdlog::info("{}: its voice is there, {} packets", path, track->packets().size());
-    }
-    on_grown();
-  });
+  asio::post(
+      io_, [held = job.track, on_grown = on_grown_, known, last, read = job.reader.has_value(),
+            path = job.file.path.string(), packets = std::move(packets)] {
+        const auto track = held.lock();
+        if (!track) return;
+        for (const protocol::VoicePacket& packet : packets) track->add(packet);
+        track->encoded_to(known);
+        if (last) {
+          track->finish();
+          if (read)
+            spdlog::info("{}: its voice is there, {} packets", path, track->packets().size());
+        }
+        on_grown();
+      });
 }
 
 bool same_sound(const std::shared_ptr<const protocol::Soundtrack>& one,

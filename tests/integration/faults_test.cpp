@@ -156,9 +156,10 @@ TEST_F(Faults, KilledServerWithoutReconnectIsALossToThePlayer) {
 TEST_F(Faults, KilledClientIsNobodyElsesBusiness) {
   RunningTransmitter server({"--live", folder_.write("lively.txt", lively(60))});
   auto other = player(server.address(), "other");
-  auto killed = player(server.address(), "killed");
+  FaultProxy link(server.address(), {}, 1);
+  auto killed = player(link.address(), "killed");
   wait_for_clients(server, 2);
-  std::this_thread::sleep_for(500ms);
+  wait_for_bytes(link, 500);
   killed->signal(SIGKILL);
   EXPECT_EQ(killed->wait(kPatience), 128 + SIGKILL);
   EXPECT_EQ(other->wait(patience()), 0) << other->err();
@@ -169,22 +170,25 @@ TEST_F(Faults, KilledClientIsNobodyElsesBusiness) {
 }
 
 TEST_F(Faults, StoppedServerIsWaitedFor) {
-  RunningTransmitter server({folder_.write("lively.txt", lively(60))});
-  auto playing = player(server.address(), "stopped", {"--buffer", "10", "--playout", "5"});
-  std::this_thread::sleep_for(700ms);
+  RunningTransmitter server({folder_.write("lively.txt", lively(75))});
+  FaultProxy link(server.address(), {}, 1);
+  auto playing = player(link.address(), "stopped", {"--buffer", "10", "--playout", "5"});
+  wait_for_bytes(link, 1000);
   server.process().signal(SIGSTOP);
   std::this_thread::sleep_for(fault_time());
   server.process().signal(SIGCONT);
-  expect_whole(*playing, "stopped", 60);
+  expect_whole(*playing, "stopped", 75);
+  EXPECT_GE(stats("stopped")["stalls"], 1) << stats("stopped");
 }
 
 TEST_F(Faults, StoppedClientPlaysOnAndDisturbsNobody) {
   const int count = 60 + 25 * static_cast<int>(fault_time().count());
   RunningTransmitter server({"--live", folder_.write("lively.txt", lively(count))});
   auto other = player(server.address(), "other");
-  auto stopped = player(server.address(), "stopped");
+  FaultProxy link(server.address(), {}, 1);
+  auto stopped = player(link.address(), "stopped");
   wait_for_clients(server, 2);
-  std::this_thread::sleep_for(500ms);
+  wait_for_bytes(link, 500);
   stopped->signal(SIGSTOP);
   std::this_thread::sleep_for(fault_time());
   stopped->signal(SIGCONT);

@@ -202,7 +202,7 @@ def changed(before, after, timing=""):
 
 NUMBER = re.compile(r"[0-9]{1,13}")
 ASKED = {"v": (0, 999999), "window": (0, 999999), "delta": (0, 1), "from": (0, 1000000000000),
-         "text": (0, 1)}
+         "text": (0, 1), "loop": (0, 1)}
 
 
 def refusal(word, fields, token="", names=(), full_up=False):

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/voice/voice_encoder.h"
@@ -137,6 +138,16 @@ TEST(PlayerSound, WithoutADeviceNoVoiceIsAskedForAndTheFacePlays) {
   EXPECT_EQ(server.received().find("voice"), std::string::npos);
   EXPECT_NE(run.finished.err.find("no such device"), std::string::npos) << run.finished.err;
   EXPECT_EQ(run.stats["keyframes_played"], 10 * kSeconds);
+}
+
+TEST(PlayerSound, AComputerWithoutSoundIsOneLineOfTheLog) {
+  TalkingServer server(true);
+  const PlayerRun run = run_player({"--headless", server.address(), "--sound-device", "default"},
+                                   {"ALSOFT_DRIVERS=alsa", "ALSA_CONFIG_PATH=/dev/null"});
+  EXPECT_EQ(run.finished.exit_code, 0);
+  EXPECT_NE(run.finished.err.find("without sound: "), std::string::npos) << run.finished.err;
+  EXPECT_EQ(std::count(run.finished.err.begin(), run.finished.err.end(), '\n'), 1)
+      << run.finished.err;
 }
 
 TEST(PlayerSound, ASoundFileBesideAStreamFileIsItsSound) {

@@ -113,6 +113,10 @@ TEST_F(ServerHostile, ResetInTheMiddleIsNoticed) {
 
 TEST_F(ServerHostile, ResetBeforeAnythingIsNoticed) {
   RawClient client = server_.connect();
+  // One that is gone before it is accepted has no address to be named by.
+  const std::string peer = "127.0.0.1:" + std::to_string(client.local_port());
+  EXPECT_TRUE(logs(server_, peer + ": connected")) << server_.log();
+  expect_closed(client, "peer gone");
   client.reset();
 }
 

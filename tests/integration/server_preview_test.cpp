@@ -107,9 +107,14 @@ TEST_F(ServerPreview, LetsOthersInAndShowsThemOutWhileTheCameraGoesOn) {
   EXPECT_TRUE(RawClient(live->address).ok());
 
   order(preview::GoLive{"192.0.2.1", 4650});
-  const auto refused = next<preview::Refused>();
+  EXPECT_TRUE(next<preview::Private>().has_value()) << "nobody is let in any more";
+  auto refused = next<preview::Refused>();
   ASSERT_TRUE(refused.has_value());
   EXPECT_NE(refused->sentence.find("192.0.2.1"), std::string::npos);
+  order(preview::GoLive{"a.name.example", 4650});
+  refused = next<preview::Refused>();
+  ASSERT_TRUE(refused.has_value());
+  EXPECT_NE(refused->sentence.find("no address in numbers"), std::string::npos);
 }
 
 TEST_F(ServerPreview, EndsWithWhoStartedIt) {

@@ -1,12 +1,15 @@
 // au-transmitter as a relay of other au-transmitters, over loopback.
 #include <csignal>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "tests/integration/growing_table.h"
 #include "tests/integration/server_running.h"
 #include "tests/support/fault_proxy.h"
+#include "tests/support/scripted_server.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::test {
@@ -87,6 +90,42 @@ TEST_F(ServerRelay, ARecordedStreamLosesAndDoublesNothingWhenItsParentIsKilledMi
   EXPECT_TRUE(whole(relay, hello) == direct) << "what it has kept";
 }
 
+TEST_F(ServerRelay, ALoopIsTheSameBytesBehindTwoRelaysWhoseOriginIsGone) {
+  RunningTransmitter origin({"--loop", stream_file("six_expressions.txt")});
+  RunningTransmitter first({address_of(origin, "six_expressions")});
+  RunningTransmitter second({address_of(first, "six_expressions")});
+  ASSERT_TRUE(logs(second, "six_expressions: it is here whole")) << second.log();
+  // Beyond the first turn, which takes 1500 ms.
+  for (const char* hello : {"{hello v=2 window=64 delta=1}", "{hello v=2 window=3 from=4000}"}) {
+    std::string direct;
+    std::string far;
+    RawClient near_client = say_hello(origin, hello, direct);
+    RawClient far_client = say_hello(second, hello, far);
+    EXPECT_EQ(far, direct) << "without a length";
+    for (RawClient* const client : {&near_client, &far_client}) client->send(std::string(40, '1'));
+    constexpr std::size_t kThreeTurns = 300;
+    EXPECT_EQ(far_client.receive(kThreeTurns), near_client.receive(kThreeTurns)) << hello;
+  }
+  std::string reply;
+  RawClient client = say_hello(second, "{hello v=2 window=64}", reply);
+  origin.process().signal(SIGKILL);
+  first.process().signal(SIGKILL);
+  client.send(std::string(4000, '1'));
+  EXPECT_EQ(client.receive(20'000).size(), 20'000U) << "goes on";
+}
+
+TEST_F(ServerRelay, ALiveLoopGoesOnFromTurnToTurn) {
+  const auto turn = folder_.write("turn.txt", "Beg_Stream\n1;10@10\n2;10@20\nEnd_Stream\n");
+  RunningTransmitter origin({"--live", "--loop", turn.string()});
+  RunningTransmitter relay({address_of(origin, "turn")});
+  std::string reply;
+  RawClient client = say_hello(relay, "{hello v=2 window=0}", reply);
+  for (int turns = 0; turns < 5; ++turns) {
+    EXPECT_NE(client.receive_until("{1;10@10}").find("{1;10@10}"), std::string::npos);
+    EXPECT_NE(client.receive_until("{2;10@20}").find("{2;10@20}"), std::string::npos);
+  }
+}
+
 TEST_F(ServerRelay, AClassicClientOfARelayGetsClassicPackets) {
   RunningTransmitter origin({stream_file("six_expressions.txt")});
   RunningTransmitter relay({address_of(origin, "")});
@@ -141,6 +180,38 @@ TEST_F(ServerRelay, WhenALiveParentIsKilledTheNextOneIsTaken) {
   const std::string seen = client.receive_until("{12:60;");
   EXPECT_NE(seen.find("{12:60;"), std::string::npos);
   EXPECT_EQ(seen.find(kEnd), std::string::npos);
+}
+
+TEST_F(ServerRelay, AParentThatLiesCostsALineInTheLog) {
+  RunningTransmitter good = origin();
+  const std::string live = "{hello v=2 window=50 delta=1 stream=webcam live=1}";
+  std::string flood;
+  for (int i = 0; i < 3000; ++i) flood += "{1}";
+  const std::pair<std::string, std::string> parents[] = {
+      {"SSH-2.0-OpenSSH_9.2\r\n", "what is not the protocol"},
+      {std::string(100'000, '\0'), "what is not the protocol"},
+      {live + "{1" + std::string(100'000, ' '), "no closing brace within 4096 bytes"},
+      {live + flood, "it sends more than 2000 keyframes a second"},
+      {"{hello v=2 window=50 stream=other live=1}{1}", "it sends the stream 'other'"},
+      {"{hello v=2 window=50 stream=webcam duration=40}{garbage}", "what is not the protocol"},
+  };
+  int frame = 2;
+  for (const auto& [bytes, reason] : parents) {
+    SCOPED_TRACE(reason);
+    ScriptedServer bad({Accept{}, ExpectHello{}, Send{bytes}});
+    const std::string first = "127.0.0.1:" + std::to_string(bad.port());
+    RunningTransmitter relay({"aucast://" + first + "," + good.address() + "/webcam"});
+    EXPECT_TRUE(logs(relay, "webcam: " + first + ": ")) << relay.log();
+    EXPECT_TRUE(logs(relay, reason)) << relay.log();
+    const bool has_sent = bytes.ends_with(flood);
+    EXPECT_TRUE(logs(relay, (has_sent ? "goes on with " : "live, from ") + good.address()))
+        << relay.log();
+    RawClient client = join(relay);
+    append(webcam_, row(frame, frame % 2 == 0 ? "3" : "4"));
+    const std::string sent = frame++ % 2 == 0 ? "{12:60;" : "{12:80;";
+    EXPECT_NE(client.receive_until(sent).find(sent), std::string::npos);
+    EXPECT_EQ(relay.terminate(), 0);
+  }
 }
 
 TEST_F(ServerRelay, ALiveStreamEndsForClientsWhenNoParentIsFoundInTime) {

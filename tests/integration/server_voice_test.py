@@ -78,6 +78,7 @@ class Listener:
         self.text = ""
         self.voice = []     # (place, opus)
         self.captions = []  # (place, text)
+        self.faces = []     # (end, packet)
         self.face_ms = 0    # end of the last keyframe
         self.end = 0        # where the voice goes on
         self.late = 0       # voice packets that came after the keyframe during which they are heard
@@ -113,6 +114,7 @@ class Listener:
             self.hello = dict(field.split("=", 1) for field in packet.split()[1:])
         else:
             self.face_ms += int(packet.split(";")[1].split("@")[0])
+            self.faces.append((self.face_ms, packet))
             self.socket.sendall(b"1")
 
     def play_to_the_end(self):
@@ -244,6 +246,61 @@ class VoiceTest(unittest.TestCase):
         self.assertTrue(pages.startswith(b"OggS"))
         for _, opus in listener.voice[5:-5]:
             self.assertIn(opus[:40], pages, "the packets as they were sent")
+
+    def write_turn(self):
+        """A turn of 1.8 s in which no keyframe is like another, with a voice and a caption."""
+        talk = self.folder / "talk.txt"
+        lines = "".join(f"1:{i + 1};40\n" for i in range(45))
+        talk.write_text(f"Beg_Stream\n{lines}End_Stream\n")
+        write_wav(self.folder / "talk.wav", speech_like(1.8))
+        (self.folder / "talk.vtt").write_text("WEBVTT\n\n00:00.500 --> 00:01.000\nGood day\n")
+        return talk
+
+    def test_a_recording_in_a_loop_is_the_same_behind_two_relays(self):
+        with Served("--loop", self.write_turn()) as origin, \
+                Served(f"aucast://127.0.0.1:{origin.port}/talk") as near, \
+                Served(f"aucast://127.0.0.1:{near.port}/talk") as far:
+            listeners = [Listener(port, "{hello v=2 window=8 voice=opus text=1 delta=1}")
+                         for port in (origin.port, far.port)]
+            for listener in listeners:
+                while len(listener.faces) < 130 or len(listener.captions) < 5:
+                    listener.step()
+        direct, relayed = listeners
+        self.assertEqual(relayed.hello, direct.hello)
+        self.assertEqual(relayed.faces[:130], direct.faces[:130])
+        self.assertEqual(relayed.captions[:5], direct.captions[:5])
+        self.assertEqual([place for place, _ in direct.captions[:5]], [500, 1000, 2300, 2800, 4100])
+        voices = min(len(direct.voice), len(relayed.voice))
+        self.assertGreater(voices, 80)
+        self.assertEqual(relayed.voice[:voices], direct.voice[:voices])
+        self.check_contiguous(relayed)
+        self.assertEqual(relayed.late, 0)
+
+    def test_a_live_loop_is_one_thing_behind_a_relay(self):
+        with Served("--live", "--loop", self.write_turn()) as origin, \
+                Served(f"aucast://127.0.0.1:{origin.port}/talk") as relay:
+            listeners = [Listener(port, "{hello v=2 window=0 voice=opus text=1}")
+                         for port in (origin.port, relay.port)]
+            for listener in listeners:
+                while len(listener.faces) < 130:
+                    listener.step()
+
+        def by_what(events, turn):
+            """The place of each, by what it is and in which turn of the origin's it came."""
+            return {(what, place // turn): place for place, what in events}
+
+        # Where the client's clock began, by the first keyframe that it got.
+        begins = [int(re.match(r"1:(\d+);", one.faces[0][1])[1]) * 40 - 40 for one in listeners]
+        # What is at 0 may have begun before.
+        lined_up = [[[(place + begin, what) for place, what in events if place > 0]
+                     for events in (one.faces, one.voice, one.captions)]
+                    for one, begin in zip(listeners, begins)]
+        for direct, relayed in zip(*lined_up):
+            there = by_what(direct, 1800)
+            shared = [(there[key], place) for key, place in by_what(relayed, 1800).items()
+                      if key in there]
+            self.assertGreater(len(shared), 2)
+            self.assertEqual({a - b for a, b in shared}, {0})
 
     def test_what_cannot_be_a_voice_is_refused(self):
         talk = self.write_talk([40], 1)

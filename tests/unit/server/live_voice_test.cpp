@@ -103,6 +103,15 @@ TEST_F(LiveVoiceTest, AnOddByteIsHalfASample) {
   EXPECT_EQ(packets, expected);
 }
 
+TEST_F(LiveVoiceTest, WhatIsNoWholePacketAtTheEndIsHeardToo) {
+  LiveVoice voice({}, 0ms);
+  voice.add_keyframe(0ms, 0);
+  Packets packets = voice.add(sound_.substr(0, 32'000), 1);
+  for (auto& packet : voice.end_sound()) packets.push_back(std::move(packet));
+  EXPECT_EQ(packets.size(), 17U) << "a second is 16 packets and two thirds of one";
+  EXPECT_TRUE(voice.end_sound().empty());
+}
+
 TEST(LiveVoiceDelay, APositiveOneMakesTheSoundLater) {
   const std::string bytes = raw(voice::test::speech_like(1));
   const auto first_place = [&bytes](Milliseconds delay) {

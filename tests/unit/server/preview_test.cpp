@@ -126,6 +126,8 @@ TEST_F(PreviewTest, CarriesOutOrders) {
   ASSERT_TRUE(record && std::holds_alternative<preview::Live>(*record));
   EXPECT_EQ(std::get<preview::Live>(*record).address, "0.0.0.0:4650");
   record = next();
+  EXPECT_TRUE(record && std::holds_alternative<preview::Private>(*record)) << "nobody is let in";
+  record = next();
   ASSERT_TRUE(record && std::holds_alternative<preview::Refused>(*record));
   EXPECT_EQ(std::get<preview::Refused>(*record).sentence, "cannot listen");
   record = next();

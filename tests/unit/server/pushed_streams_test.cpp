@@ -65,7 +65,7 @@ using Names = std::vector<std::string>;
 TEST_F(PushedStreamsTest, AsksAsARelayDoesAndSaysThatItTakes) {
   const auto link = bring("talk");
   EXPECT_EQ(link->heard(),
-            "{hello v=2 window=256 stream=talk delta=1 voice=opus text=1 relay=me takes=1}");
+            "{hello v=2 window=256 stream=talk delta=1 voice=opus text=1 loop=1 relay=me takes=1}");
   EXPECT_EQ(names(), Names{"talk"});
   EXPECT_EQ(changes_, 1);
   link->say(std::string(kPushedLive) + "{12C;40}");

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/stream_file.h"
+#include "server/live/record_writer.h"
 #include "server/live/recorder.h"
 #include "tests/support/temp_folder.h"
 
@@ -80,6 +81,18 @@ TEST_F(RecordFileTest, TheRecorderWritesAllThatItWasGiven) {
   }
   EXPECT_TRUE((*recorder)->finish());
   EXPECT_EQ(folder_.read("kept.txt"), protocol::format_stream_file(stream));
+}
+
+TEST_F(RecordFileTest, WhatComesTooFastEndsItAndWhatWasAcceptedIsKept) {
+  auto writer = RecordWriter::start(path_, kStreamFileForm);
+  ASSERT_TRUE(writer) << writer.error().message;
+  (*writer)->add({"12:20;40\n"});
+  (*writer)->add(std::vector<std::string>(std::size_t{1} << 18U, "12;33\n"));  // 1.5 MiB
+  (*writer)->add({"0;40\n"});
+  const auto finished = (*writer)->finish();
+  ASSERT_FALSE(finished);
+  EXPECT_NE(finished.error().message.find("the disk takes nothing"), std::string::npos);
+  EXPECT_EQ(folder_.read("kept.txt"), "Beg_Stream\n12:20;40\nEnd_Stream\n");
 }
 
 TEST_F(RecordFileTest, KeepsTheVoiceBesideTheFaceWhereItIsHeard) {

@@ -96,7 +96,7 @@ TEST_F(ReloadTest, WithoutItsFileTheTokenStaysAndTheSourcesAreReadNevertheless) 
   EXPECT_TRUE(reloaded());
   EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
   EXPECT_EQ(reload.failures(), 1U);
-  EXPECT_EQ(reload.successes(), 1U);
+  EXPECT_EQ(reload.successes(), 0U) << "one order counts once";
 }
 
 TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {

@@ -67,8 +67,9 @@ constexpr const char* kRecorded =
     "{hello v=2 window=256 delta=1 stream=talk duration=120 keyframe=40}";
 
 TEST_F(RelayOfTalk, SaysWhoAsksForWhat) {
-  EXPECT_EQ(connect(),
-            "{hello v=2 window=256 stream=talk token=secret delta=1 voice=opus text=1 relay=me}");
+  EXPECT_EQ(
+      connect(),
+      "{hello v=2 window=256 stream=talk token=secret delta=1 voice=opus text=1 loop=1 relay=me}");
 }
 
 TEST_F(RelayOfTalk, PassesPacketsOfALiveStreamOnAsTheyCame) {
@@ -94,6 +95,22 @@ TEST_F(RelayOfTalk, TakesPacketsThatAreCutAnywhere) {
   EXPECT_EQ(stream_.shared()->live->newest()->full, packet);
 }
 
+TEST_F(RelayOfTalk, LeavesOutNoneOfTheMomentsThatComeAtOnce) {
+  connect();
+  hear(std::string(kLive) + "{1;40}{~2;40}");
+  const auto live = stream_.shared()->live;
+  const auto latest = [&live] {
+    std::string packets;
+    for (const protocol::LiveMoment& moment : live->latest()) packets += moment.changes;
+    return packets;
+  };
+  hear("{~4;40}{~5;40}{~6;");
+  EXPECT_EQ(latest(), "{~4;40}{~5;40}");
+  hear("40}");
+  EXPECT_EQ(latest(), "{~6;40}");
+  EXPECT_EQ(live->newest()->number, 4U);
+}
+
 TEST_F(RelayOfTalk, KeepsARecordedStreamInEveryForm) {
   connect();
   hear(kRecorded);
@@ -106,6 +123,15 @@ TEST_F(RelayOfTalk, KeepsARecordedStreamInEveryForm) {
   hear("{0;40}{-2}");
   EXPECT_TRUE(stream_.whole());
   ASSERT_TRUE(ending_);
+  EXPECT_TRUE(ending_->in_order);
+}
+
+TEST_F(RelayOfTalk, KeepsOneTurnOfALoop) {
+  connect();
+  hear("{hello v=2 window=256 delta=1 stream=talk duration=80 keyframe=40 loop=1}{1}");
+  EXPECT_TRUE(stream_.shared()->loop);
+  hear("{2}{-2}");
+  EXPECT_TRUE(stream_.whole());
   EXPECT_TRUE(ending_->in_order);
 }
 
@@ -145,9 +171,9 @@ TEST_F(RelayOfTalk, ARecordedStreamGoesOnWithTheNextParentWhereItWasCutOff) {
   hear("{1;40}{2;4");
   link_->end({Ending::Why::Lost, "reset by peer"});
   EXPECT_EQ(why(), "reset by peer");
-  EXPECT_EQ(
-      connect(),
-      "{hello v=2 window=256 stream=talk token=secret delta=1 from=40 voice=opus text=1 relay=me}");
+  EXPECT_EQ(connect(),
+            "{hello v=2 window=256 stream=talk token=secret delta=1 from=40 voice=opus text=1 "
+            "loop=1 relay=me}");
   hear("{hello v=2 window=256 delta=1 stream=talk duration=120 keyframe=40 from=40}{2}{0}{-2}");
   EXPECT_EQ(packets(kept().negotiated), (std::vector<std::string>{"{1;40}", "{2}", "{0}"}));
   EXPECT_TRUE(stream_.whole());
@@ -199,7 +225,8 @@ TEST_F(RelayOfTalk, LeavesAParentThatIsNotWhatItShouldBe) {
   } parents[] = {
       {"HTTP/1.1 400 Bad Request", "not the protocol"},
       {"{hello v=2 window=50 stream=other live=1}", "sends the stream 'other', asked was 'talk'"},
-      {"{hello v=2 window=50 stream=talk}", "starts again and again"},
+      {"{hello v=2 window=50 stream=talk}", "does not say how long"},
+      {"{hello v=2 stream=talk duration=0 loop=1}", "takes no time at all"},
       {"{hello v=3}", "answered in version 3"},
       {"{1}", "it speaks classic only"},
       {"{error 404 there is no stream 'talk' here}", "the server refused: 404"},
@@ -233,6 +260,8 @@ TEST_F(RelayOfTalk, ANextParentMustHaveTheSameStream) {
   } parents[] = {
       {"{hello v=2 stream=talk live=1 keyframe=40}", "its stream is live"},
       {"{hello v=2 stream=talk duration=160 keyframe=40 from=40}", "its recording takes 160 ms"},
+      {"{hello v=2 stream=talk duration=120 keyframe=40 from=40 loop=1}",
+       "its recording starts again at its end (--loop), and what is served here ends"},
       {"{hello v=2 stream=talk duration=120 keyframe=33 from=40}", "without a time take 33 ms"},
       {"{hello v=2 stream=talk duration=120 keyframe=40 from=33}", "begins at 33 ms, asked was 40"},
   };
@@ -245,11 +274,22 @@ TEST_F(RelayOfTalk, ANextParentMustHaveTheSameStream) {
   }
 }
 
+TEST_F(RelayOfTalk, WhatAParentOnlyAnnouncedBindsNoOther) {
+  connect();
+  hear("{hello v=2 window=256 stream=talk duration=120 keyframe=33 voice=opus}{a@0 CP/+}");
+  link_->end({Ending::Why::Lost, "reset by peer"});
+  connect();
+  hear(kLive);
+  EXPECT_FALSE(ending_) << why();
+  EXPECT_TRUE(stream_.live());
+  EXPECT_EQ(stream_.shared()->sound, nullptr);
+}
+
 TEST_F(RelayOfTalk, AFloodOfLiveKeyframesIsLeft) {
   connect();
   hear(kLive);
   std::string many;
-  for (std::uint32_t count = 0; count < Parent::kLivePerSecondMost; ++count) many += "{1;0}";
+  for (std::uint32_t count = 0; count < Parent::kLivePerSecondMax; ++count) many += "{1;0}";
   hear(many);
   EXPECT_FALSE(ending_);
   hear("{1;0}");
@@ -260,7 +300,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveVoiceIsLeft) {
   connect();
   hear("{hello v=2 window=50 delta=1 stream=talk live=1 voice=opus}{1;0}{a@0 WAEC}");
   std::string many;
-  for (std::uint32_t count = 2; count < Parent::kLivePerSecondMost; ++count) many += "{a WAM}";
+  for (std::uint32_t count = 2; count < Parent::kLivePerSecondMax; ++count) many += "{a WAM}";
   hear(many);
   EXPECT_FALSE(ending_);
   hear("{a WAM}");
@@ -313,9 +353,9 @@ TEST_F(RelayOfTalk, TakesTheNameOfTheParentsFirstStream) {
 TEST(HostTurns, TakeTheNextAtOnceAndWaitWhenAllHaveFailed) {
   HostTurns turns(3, 1);
   EXPECT_EQ(turns.current(), 0U);
-  EXPECT_LE(turns.next(), HostTurns::kNextMost);
+  EXPECT_LE(turns.next(), HostTurns::kNextMax);
   EXPECT_EQ(turns.current(), 1U);
-  EXPECT_LE(turns.next(), HostTurns::kNextMost);
+  EXPECT_LE(turns.next(), HostTurns::kNextMax);
   EXPECT_GE(turns.next(), HostTurns::kFirst / 2);
   EXPECT_EQ(turns.current(), 0U);
 }
@@ -325,10 +365,10 @@ TEST(HostTurns, WaitLongerEachRoundUpToTheMost) {
   Milliseconds most{0};
   for (int round = 0; round < 20; ++round) {
     const Milliseconds wait = turns.next();
-    EXPECT_LE(wait, HostTurns::kMost);
+    EXPECT_LE(wait, HostTurns::kWaitMax);
     most = std::max(most, wait);
   }
-  EXPECT_GT(most, HostTurns::kMost / 2);
+  EXPECT_GT(most, HostTurns::kWaitMax / 2);
   turns.worked();
   EXPECT_LE(turns.next(), HostTurns::kFirst);
 }

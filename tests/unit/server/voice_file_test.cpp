@@ -172,7 +172,7 @@ TEST_F(VoiceFileTest, CheckTellsLengthsAndSilence) {
   EXPECT_NEAR(static_cast<double>(summary->silences[0].begin.count()), 3200, 100);
   EXPECT_NEAR(static_cast<double>(summary->silences[0].end.count()), 7000, 100);
   const std::string report = check_report(sources->front(), 250, &*summary);
-  EXPECT_NE(report.find("the voice ends at 8.0"), std::string::npos) << report;
+  EXPECT_NE(report.find("the voice ends at 8.000 s"), std::string::npos) << report;
   EXPECT_NE(report.find(", the face at 2.000 s"), std::string::npos) << report;
   EXPECT_NE(report.find("  silence     3."), std::string::npos) << report;
   EXPECT_NE(report.find("  title       A talk\n"), std::string::npos) << report;

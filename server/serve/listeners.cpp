@@ -1,0 +1,109 @@
+#include "server/serve/listeners.h"
+
+#include <utility>
+
+#include "common/link/tcp_link.h"
+#include "common/link/tls_link.h"
+#include "common/log.h"
+#include "common/text.h"
+#include "protocol/codec.h"
+#include "protocol/link_limits.h"
+#include "server/status/service_manager.h"
+
+namespace aucast::server {
+
+using asio::ip::tcp;
+
+Listeners::Listeners(asio::io_context& io, const TransmitterOptions& options,
+                     const Reload& certificates, Hooks hooks)
+    : io_(io),
+      options_(options),
+      certificates_(certificates),
+      hooks_(std::move(hooks)),
+      tcp_(io, protocol::kAcceptLimits),
+      guests_(io, protocol::kAcceptLimits) {}
+
+Result<void> Listeners::open() {
+  if (auto opened = open_tcp(); !opened) return opened;
+  return open_web();
+}
+
+Result<void> Listeners::open_tcp() {
+  const auto passed = passed_socket();
+  if (!passed) return passed.error();
+  if (!*passed) {
+    return tcp_.open(options_.bind, options_.port, {"--bind", "--port", options_.reuse_port});
+  }
+  if (auto opened = tcp_.open_passed(**passed); !opened) return opened;
+  spdlog::info("the service manager passed the socket; --bind and --port are idle");
+  return {};
+}
+
+Result<void> Listeners::open_web() {
+  if (!options_.web.address) return {};
+  web_.emplace(
+      io_, options_.web,
+      WebServer::Hooks{
+          [this]() -> const std::optional<tls::Context>& { return certificates_.web_tls(); },
+          hooks_.unsent_bytes_max,
+          [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link) {
+            hooks_.welcome(peer, open_link, ClientRegistry::Way::WebSocket);
+          }});
+  if (auto opened = web_->open(options_.reuse_port); !opened) return opened;
+  const bool secure = certificates_.web_tls().has_value();
+  spdlog::info("browsers are served at {}://{}/", secure ? "https" : "http", web_endpoint_text());
+  if (!secure && !web_->endpoint().address().is_loopback()) {
+    spdlog::warn("without --web-cert everybody on the way can read and change what the page gets");
+  }
+  return {};
+}
+
+void Listeners::start() {
+  accept_from(tcp_, ClientRegistry::Way::Tcp);
+  if (web_) web_->start();
+}
+
+Result<std::string> Listeners::open_to_guests(const std::string& bind, std::uint16_t port) {
+  guests_.stop();
+  // A name would be looked up here, while others are served.
+  std::error_code not_numbers;
+  asio::ip::make_address(bind, not_numbers);
+  if (not_numbers) {
+    return Error{ErrorKind::Usage, "'" + escaped(bind) + "' is no address in numbers"};
+  }
+  if (auto opened = guests_.open(bind, port); !opened) return opened.error();
+  accept_from(guests_, ClientRegistry::Way::Guest);
+  return link::endpoint_text(guests_.endpoint());
+}
+
+void Listeners::close() {
+  tcp_.stop();
+  guests_.stop();
+  if (web_) web_->stop();
+}
+
+std::string Listeners::web_endpoint_text() const {
+  return web_ ? link::endpoint_text(web_->endpoint()) : "";
+}
+
+std::uint64_t Listeners::accept_failures() const {
+  return tcp_.failures() + guests_.failures() + (web_ ? web_->accept_failures() : 0);
+}
+
+void Listeners::accept_from(link::Listener& listener, ClientRegistry::Way way) {
+  listener.start([this, way](tcp::socket socket, const tcp::endpoint& peer) {
+    hooks_.welcome(
+        peer, [&] { return link_of(std::move(socket)); }, way);
+  });
+}
+
+std::shared_ptr<link::Link> Listeners::link_of(tcp::socket socket) const {
+  auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, hooks_.unsent_bytes_max());
+  const auto& tls = certificates_.tls();
+  if (!tls) return link;
+  return link::tls_link(std::move(link), tls::Channel(*tls), protocol::kLinkLimits,
+                        protocol::encode(protocol::ErrorReply{
+                            400, "this server speaks TLS only (face-player --tls)"}));
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+
+#include "common/link/link.h"
+#include "common/link/listener.h"
+#include "common/result.h"
+#include "server/serve/client_registry.h"
+#include "server/serve/reload.h"
+#include "server/settings/transmitter_options.h"
+#include "server/web/web_server.h"
+
+namespace aucast::server {
+
+/// Where clients come in: --port, --web, and a port for guests while --preview is live.
+/// Thread: that of the io_context, which must outlive it together with the options, the
+/// certificates and what the hooks refer to.
+class Listeners {
+ public:
+  struct Hooks {
+    /// What the system may hold back unsent for one client; 0: as much as it likes.
+    std::function<int()> unsent_bytes_max;
+    /// Somebody knocks. Opens the link, unless there is no room even to say so.
+    std::function<void(const asio::ip::tcp::endpoint& peer,
+                       const ClientRegistry::OpenLink& open_link, ClientRegistry::Way way)>
+        welcome;
+  };
+
+  /// `certificates`: those of now, for TCP and for --web.
+  Listeners(asio::io_context& io, const TransmitterOptions& options, const Reload& certificates,
+            Hooks hooks);
+  Listeners(const Listeners&) = delete;
+  Listeners& operator=(const Listeners&) = delete;
+
+  /// Listens at --port, or on the socket that the service manager passed, and at --web. Network
+  /// error naming address, cause and what to do; Unreadable: the page.
+  [[nodiscard]] Result<void> open();
+  /// Somebody can come.
+  void start();
+  /// Lets guests in at this address, and nowhere else; where that is, with the real port.
+  [[nodiscard]] Result<std::string> open_to_guests(const std::string& bind, std::uint16_t port);
+  void close_to_guests() { guests_.stop(); }
+  /// Nobody comes any more.
+  void close();
+
+  /// Where --port listens; only after open().
+  [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return tcp_.endpoint(); }
+  /// Where --web does, as ADDR:PORT; empty: nowhere.
+  [[nodiscard]] std::string web_endpoint_text() const;
+  /// How often accepting had to pause.
+  [[nodiscard]] std::uint64_t accept_failures() const;
+
+ private:
+  [[nodiscard]] Result<void> open_tcp();
+  [[nodiscard]] Result<void> open_web();
+  void accept_from(link::Listener& listener, ClientRegistry::Way way);
+  [[nodiscard]] std::shared_ptr<link::Link> link_of(asio::ip::tcp::socket socket) const;
+
+  asio::io_context& io_;
+  const TransmitterOptions& options_;
+  const Reload& certificates_;
+  Hooks hooks_;
+  link::Listener tcp_;
+  link::Listener guests_;
+  std::optional<WebServer> web_;
+};
+
+}  // namespace aucast::server
