@@ -75,8 +75,8 @@ struct AuRecording {
 
 using AuRecordings = std::map<int, AuRecording>;  ///< by AU number
 
-/// A face as it was loaded. It is never copied and never changed: code that edits recordings keeps
-/// a copy of them.
+/// A face as it was loaded, never copied. Nobody changes a part of it, code that edits recordings
+/// keeps a copy of them; only a window replaces the whole of its face (app/window/face_session).
 /// Channel order: muscles as in the file, then jaw, left_lid_close, right_lid_close,
 /// left_lid_raise, right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left,
 /// head_turn_right, head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back,

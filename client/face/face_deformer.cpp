@@ -278,9 +278,9 @@ void FaceDeformer::State::move(std::span<const float> given) {
     write_points(points, block_of(result.positions, block));
   };
   if (head && head->turned()) {
+    VertexBlock place;
     shown.for_each([&](std::size_t block) {
-      VertexBlock place = now[block];
-      head->apply(block, place);
+      head->apply(block, now[block], place);
       show(block, place);
     });
   } else {

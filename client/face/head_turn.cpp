@@ -1,5 +1,7 @@
 #include "client/face/head_turn.h"
 
+#include <glm/mat3x3.hpp>
+
 #include "client/face/block_turns.h"
 
 namespace aucast::face {
@@ -9,17 +11,6 @@ constexpr Lanes kAllLanes{1, 1, 1, 1, 1, 1, 1, 1};
 
 glm::vec3 lane(const VertexBlock& block, std::size_t i) {
   return {block.x[i], block.y[i], block.z[i]};
-}
-
-void turn_rigidly(const glm::mat3& rotation, const glm::vec3& offset, VertexBlock& block) {
-  for (std::size_t i = 0; i < kLanes; i += 4) {
-    const Four x = four_at(block.x, i);
-    const Four y = four_at(block.y, i);
-    const Four z = four_at(block.z, i);
-    set_four(block.x, i, offset.x + rotation[0].x * x + rotation[1].x * y + rotation[2].x * z);
-    set_four(block.y, i, offset.y + rotation[0].y * x + rotation[1].y * y + rotation[2].y * z);
-    set_four(block.z, i, offset.z + rotation[0].z * x + rotation[1].z * y + rotation[2].z * z);
-  }
 }
 
 }  // namespace
@@ -54,9 +45,27 @@ void HeadTurn::take(const Pose& pose, BlockSet& moved) {
   set_lane(axes, 3, head_.pivot);
   turn_by_angles(kAllLanes, axes);
   const glm::vec3 centre = lane(axes, 3);
-  rotation_ = glm::mat3(lane(axes, 0) - centre, lane(axes, 1) - centre, lane(axes, 2) - centre);
-  offset_ = centre - rotation_ * head_.pivot;
+  const glm::mat3 rotation(lane(axes, 0) - centre, lane(axes, 1) - centre, lane(axes, 2) - centre);
+  const auto widened = [](const glm::vec3& v) {
+    return Motion::Point{in_all_lanes(v.x), in_all_lanes(v.y), in_all_lanes(v.z)};
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    motion_.axes[i] = widened(rotation[static_cast<glm::length_t>(i)]);
+  }
+  motion_.offset = widened(centre - rotation * head_.pivot);
   moved |= carried_;
+}
+
+void HeadTurn::turn_rigidly(const VertexBlock& from, VertexBlock& to) const {
+  const auto& [right, up, front] = motion_.axes;
+  for (std::size_t i = 0; i < kLanes; i += 4) {
+    const Four x = four_at(from.x, i);
+    const Four y = four_at(from.y, i);
+    const Four z = four_at(from.z, i);
+    set_four(to.x, i, motion_.offset.x + right.x * x + up.x * y + front.x * z);
+    set_four(to.y, i, motion_.offset.y + right.y * x + up.y * y + front.y * z);
+    set_four(to.z, i, motion_.offset.z + right.z * x + up.z * y + front.z * z);
+  }
 }
 
 void HeadTurn::turn_by_angles(const Lanes& weights, VertexBlock& block) const {
@@ -67,13 +76,13 @@ void HeadTurn::turn_by_angles(const Lanes& weights, VertexBlock& block) const {
   for (std::size_t i = 0; i < kLanes; ++i) block.z[i] += angles_.shift * weights[i];
 }
 
-void HeadTurn::apply(std::size_t block, VertexBlock& place) const {
-  if (kinds_[block] == Kind::Not) return;
+void HeadTurn::apply(std::size_t block, const VertexBlock& from, VertexBlock& to) const {
   if (kinds_[block] == Kind::Wholly) {
-    turn_rigidly(rotation_, offset_, place);
-  } else {
-    turn_by_angles(weights_[block], place);
+    turn_rigidly(from, to);
+    return;
   }
+  copy_block(from, to);
+  if (kinds_[block] == Kind::Bent) turn_by_angles(weights_[block], to);
 }
 
 void HeadTurn::carry(float share, glm::vec3& point, glm::vec3& direction) const {

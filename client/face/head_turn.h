@@ -1,9 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
-#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include "client/face/face.h"
@@ -33,8 +33,8 @@ class HeadTurn {
   /// Whether anything is elsewhere than without the head's turn.
   [[nodiscard]] bool turned() const { return pose_ != Pose{}; }
 
-  /// Brings a block where the head carries it.
-  void apply(std::size_t block, VertexBlock& place) const;
+  /// Where the head carries a block that is at `from` before.
+  void apply(std::size_t block, const VertexBlock& from, VertexBlock& to) const;
 
   /// A point and a direction that take the given part in the head's turn.
   void carry(float share, glm::vec3& point, glm::vec3& direction) const;
@@ -49,6 +49,18 @@ class HeadTurn {
     float shift = 0;
   };
 
+  /// A turn and a shift, each number in all lanes: axes[a] is where the a-th axis goes.
+  struct Motion {
+    struct Point {
+      Four x{};
+      Four y{};
+      Four z{};
+    };
+    std::array<Point, 3> axes;
+    Point offset;
+  };
+
+  void turn_rigidly(const VertexBlock& from, VertexBlock& to) const;
   void turn_by_angles(const Lanes& weights, VertexBlock& block) const;
 
   HeadPose head_;
@@ -57,8 +69,7 @@ class HeadTurn {
   BlockSet carried_;  ///< not of kind Not
   Pose pose_;
   Angles angles_;
-  glm::mat3 rotation_{1};  ///< of what turns wholly
-  glm::vec3 offset_{0};
+  Motion motion_;  ///< of what turns wholly
 };
 
 }  // namespace aucast::face

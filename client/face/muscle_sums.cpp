@@ -32,10 +32,6 @@ glm::vec3 common_way(std::span<const glm::vec3> pulls) {
   return all ? way : glm::vec3(0);
 }
 
-Four in_all_lanes(float value) {
-  return Four{value, value, value, value};
-}
-
 }  // namespace
 
 MuscleSums::MuscleSums(const Face& face) {

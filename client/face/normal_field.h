@@ -27,7 +27,10 @@ class NormalField {
   class Making;
 
   /// Puts the vertices of a block somewhere else. Normals follow with update().
-  void place(std::size_t block, const std::array<Four, kLanes>& at);
+  void place(std::size_t block, const std::array<Four, kLanes>& at) {
+    Four* const points = &points_[block * kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i) points[i] = at[i];
+  }
 
   /// `moved`: the blocks whose vertices are elsewhere since the last update. Writes those `normals`
   /// that this may change and leaves the others alone; unit length, and +z for a vertex without a

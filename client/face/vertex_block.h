@@ -36,6 +36,10 @@ template <typename Element>
   return *reinterpret_cast<const Element*>(reinterpret_cast<const std::byte*>(first) + bytes);
 }
 
+[[nodiscard]] inline Four in_all_lanes(float value) {
+  return Four{value, value, value, value};
+}
+
 /// Half of the lanes, from number 0 or 4 on.
 [[nodiscard]] inline Four four_at(const Lanes& lanes, std::size_t begin) {
   Four four;
@@ -77,17 +81,31 @@ template <typename Points>
   return points;
 }
 
+/// Calls `write` with room for all points of a block; those beyond the end of a mesh go nowhere.
+template <typename Write>
+void write_block(std::span<glm::vec3> out, Write write) {
+  std::array<glm::vec3, kLanes> last;
+  write(out.size() == kLanes ? out.data() : last.data());
+  if (out.size() < kLanes) std::copy_n(last.begin(), out.size(), out.begin());
+}
+
 /// Writes points one after the other without their fourth: of a block, or of less at the end.
 inline void write_points(const std::array<Four, kLanes>& points, std::span<glm::vec3> out) {
-  if (out.size() < kLanes) {
-    for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] = {points[i][0], points[i][1], points[i][2]};
-    return;
+  write_block(out, [&points](glm::vec3* block) {
+    // Whole registers: the next point overwrites what is too much.
+    float* to = &block->x;
+    for (std::size_t i = 0; i + 1 < kLanes; ++i, to += 3) std::memcpy(to, &points[i], sizeof(Four));
+    std::memcpy(to, &points[kLanes - 1], sizeof(glm::vec3));
+  });
+}
+
+/// Copies in registers; an assignment would be a call of memcpy in WebAssembly.
+inline void copy_block(const VertexBlock& from, VertexBlock& to) {
+  for (std::size_t i = 0; i < kLanes; i += 4) {
+    set_four(to.x, i, four_at(from.x, i));
+    set_four(to.y, i, four_at(from.y, i));
+    set_four(to.z, i, four_at(from.z, i));
   }
-  // Whole registers: the next point overwrites what is too much.
-  float* to = &out[0].x;
-  for (std::size_t i = 0; i + 1 < kLanes; ++i, to += 3) std::memcpy(to, &points[i], sizeof(Four));
-  std::memcpy(to, &points[kLanes - 1], sizeof(glm::vec3));
 }
 
 inline void set_lane(VertexBlock& block, std::size_t lane, const glm::vec3& point) {

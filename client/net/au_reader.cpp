@@ -270,7 +270,7 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
 void AuReader::handle(const protocol::DeliverVoice& event, Reaction& reaction) {
   reaction.changed = true;
   const std::string& opus = event.packet.opus;
-  if (voice_bytes_ + opus.size() > kVoiceBytesMax) return;
+  if (voice_bytes_ + opus.size() > kVoiceQueueBytesMax) return;
   const Milliseconds place = event.packet.place + clock_shift_;
   voice_end_ = place + protocol::opus_duration(opus).value_or(Milliseconds::zero());
   voice_bytes_ += opus.size();

@@ -94,7 +94,7 @@ class AuReader {
   /// KeyframeSource's.
   [[nodiscard]] std::optional<playback::Voice> take_voice();
   /// Bytes of voice that wait to be taken; what comes on top is left out. At 24 kbit/s an hour.
-  static constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
+  static constexpr std::size_t kVoiceQueueBytesMax = std::size_t{11} << 20U;
   [[nodiscard]] std::optional<playback::Caption> take_caption();
   /// Captions that wait to be taken; what comes on top is left out.
   static constexpr std::size_t kCaptionsMax = 10'000;

@@ -10,12 +10,12 @@ namespace aucast::net {
 class BackOff {
  public:
   static constexpr Milliseconds kFirst{1'000};
-  static constexpr Milliseconds kMost{30'000};
+  static constexpr Milliseconds kWaitMax{30'000};
 
   /// The wait before the next attempt; each is twice the one before.
   [[nodiscard]] Milliseconds next() {
     const Milliseconds wait = wait_;
-    wait_ = std::min(wait_ * 2, kMost);
+    wait_ = std::min(wait_ * 2, kWaitMax);
     return wait;
   }
   /// An attempt has led to something.

@@ -8,7 +8,7 @@ namespace {
 
 /// What is held ready beside the jitter itself, and what it may grow to.
 constexpr Milliseconds kDelayMargin{60};
-constexpr Milliseconds kDelayMost{4'000};
+constexpr Milliseconds kDelayMax{4'000};
 
 /// A lost packet comes again after a round trip, three packets behind it and some jitter.
 Milliseconds delay_for(Duration round_trip) {
@@ -19,7 +19,7 @@ Milliseconds delay_for(Duration round_trip) {
 
 void LiveTiming::connected(Duration round_trip) {
   first_delay_ = std::clamp(delay_for(round_trip), options_.live_delay,
-                            std::max(kDelayMost, options_.live_delay));
+                            std::max(kDelayMax, options_.live_delay));
 }
 
 void LiveTiming::begin_again() {
@@ -47,7 +47,7 @@ std::optional<Milliseconds> LiveTiming::measured(Instant now, Milliseconds time)
   jitter_.arrived(now, time);
   const auto spread =
       std::chrono::duration_cast<Milliseconds>(jitter_.spread().value_or(Duration{}));
-  const Milliseconds delay = std::min(spread + kDelayMargin, kDelayMost);
+  const Milliseconds delay = std::min(spread + kDelayMargin, kDelayMax);
   const bool enough = now - *measured_since_ >= playback::JitterMeter::kWindow;
   return enough ? delay : std::max(delay, first_delay_);
 }

@@ -22,6 +22,15 @@ void FacePipeline::remake() {
   end_.aus = mapping_.apply(received_, end_.activations, &fired_);
 }
 
+void FacePipeline::change_face() {
+  for (FaceState* frame : {&start_, &end_}) {
+    frame->activations.assign(mapping_.face.channels.size(), 0.0F);
+  }
+  face::mix(mapping_.face.channels, mapping_.recordings, start_.aus, mapping_.mixer,
+            start_.activations);
+  remake();
+}
+
 void FacePipeline::at(double mu, FaceState& state) const {
   const float weight = playback::ease(interpolation_, mu);
   playback::interpolate(start_.aus.left, end_.aus.left, weight, state.aus.left);

@@ -18,9 +18,8 @@ struct FaceState {
 /// interpolate between start and end frame. Deforming is the caller's, with a FaceDeformer, because
 /// not every position is drawn.
 /// The mapping must outlive it; a change of it takes effect at the next keyframe or remake().
-/// After construction only neutral() allocates, and begin_keyframe() and remake() if the mapping
-/// has been given more rules since.
-/// Thread: the player's.
+/// After construction only neutral() and change_face() allocate, and begin_keyframe() and remake()
+/// if the mapping has been given more rules since. Thread: the player's.
 class FacePipeline {
  public:
   FacePipeline(const AuMapping& mapping, playback::Interpolation interpolation);
@@ -29,6 +28,8 @@ class FacePipeline {
   void begin_keyframe(const AuFrame& aus, const FaceState& start);
   /// Makes the end frame again, because the mapping has changed.
   void remake();
+  /// The face of the mapping has become another one: makes both frames again, of their AUs.
+  void change_face();
   /// The face at fraction `mu` in [0,1] of the current keyframe: exactly `start` at 0 and the end
   /// frame at 1; neutral before the first. `state` must be as large as neutral().
   void at(double mu, FaceState& state) const;

@@ -51,6 +51,14 @@ void Player::remake() {
   move();
 }
 
+void Player::change_face() {
+  pipeline_.change_face();
+  const AuFrame aus = face_.aus;
+  face_ = pipeline_.neutral();
+  face_.aus = aus;
+  remake();
+}
+
 void Player::set_interpolation(playback::Interpolation kind) {
   pipeline_.set_interpolation(kind);
   move();

@@ -26,6 +26,8 @@ class Player {
   void advance(Instant now, const OnBegin& on_begin = {});
   /// The mapping has changed: the keyframe under way is made anew.
   void remake();
+  /// The face of the mapping has become another one, which goes on with the same AUs.
+  void change_face();
   /// Counts at once.
   void set_interpolation(playback::Interpolation kind);
 

@@ -5,15 +5,15 @@
 namespace aucast::playback {
 namespace {
 
-constexpr std::size_t kMsMost = 10'000;
+constexpr std::size_t kMsMax = 10'000;
 constexpr std::size_t kLately = 256;
 
 }  // namespace
 
 void DelayMeter::add(Duration delay) {
-  if (by_ms_.empty()) by_ms_.resize(kMsMost + 1);
+  if (by_ms_.empty()) by_ms_.resize(kMsMax + 1);
   const auto ms = std::chrono::round<Milliseconds>(delay).count();
-  ++by_ms_[std::min(static_cast<std::size_t>(std::max<Milliseconds::rep>(ms, 0)), kMsMost)];
+  ++by_ms_[std::min(static_cast<std::size_t>(std::max<Milliseconds::rep>(ms, 0)), kMsMax)];
   ++keyframes_;
   longest_ = std::max(longest_, delay);
   if (last_.size() < kLately) {

@@ -109,8 +109,6 @@ class KeyframeBuffers {
   [[nodiscard]] bool enough() const;
   void fill_playout();
   void pop_front();
-  /// How many sets the receiver must hold before the Playout buffer is filled for the first time or
-  /// after a stall; at least 1.
 
   BufferOptions options_;
   /// Both buffers, so that a keyframe passes from one to the other where it lies.

@@ -248,10 +248,6 @@ bool Window::should_close() const {
   return glfwWindowShouldClose(state_->window) == GLFW_TRUE;
 }
 
-void Window::close() {
-  glfwSetWindowShouldClose(state_->window, GLFW_TRUE);
-}
-
 void Window::keep_open() {
   glfwSetWindowShouldClose(state_->window, GLFW_FALSE);
 }

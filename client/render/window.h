@@ -73,7 +73,6 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   [[nodiscard]] bool should_close() const;
-  void close();
   /// Withdraws the user's request to close.
   void keep_open();
   /// Handles events that are there; waits at most `seconds_max` for one when it is above 0.

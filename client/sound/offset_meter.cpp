@@ -7,14 +7,14 @@ namespace aucast::sound {
 namespace {
 
 constexpr Duration kBin = std::chrono::microseconds(100);
-constexpr Duration kMost = std::chrono::seconds(1);
-constexpr std::size_t kBins = 2 * (kMost / kBin) + 1;
+constexpr Duration kOffsetMax = std::chrono::seconds(1);
+constexpr std::size_t kBins = 2 * (kOffsetMax / kBin) + 1;
 
 }  // namespace
 
 void OffsetMeter::add(Duration offset) {
   if (bins_.empty()) bins_.resize(kBins);
-  const Duration from_most = std::clamp(offset, -kMost, kMost) + kMost + kBin / 2;
+  const Duration from_most = std::clamp(offset, -kOffsetMax, kOffsetMax) + kOffsetMax + kBin / 2;
   ++bins_[static_cast<std::size_t>(from_most / kBin)];
   ++count_;
 }
@@ -25,10 +25,10 @@ Duration OffsetMeter::below(double part) const {
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
     sum += bins_[bin];
     if (static_cast<double>(sum) >= wanted) {
-      return kBin * static_cast<Duration::rep>(bin) - kMost;
+      return kBin * static_cast<Duration::rep>(bin) - kOffsetMax;
     }
   }
-  return kMost;
+  return kOffsetMax;
 }
 
 OffsetSummary OffsetMeter::summary() const {

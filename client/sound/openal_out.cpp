@@ -3,11 +3,13 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <utility>
@@ -31,6 +33,25 @@ struct DestroyContext {
 };
 using Device = std::unique_ptr<ALCdevice, CloseDevice>;
 using Context = std::unique_ptr<ALCcontext, DestroyContext>;
+
+/// ALSA's, which OpenAL loads by itself.
+using AlsaHandler = void (*)(const char* file, int line, const char* function, int error,
+                             const char* format, ...);
+void hear_no_alsa(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
+                  const char* /*format*/, ...) {}
+
+/// On a computer without sound both libraries would fill the terminal with what they tried. What
+/// came of it is told by who asked.
+void quieten_libraries() {
+  if (static bool done = false; std::exchange(done, true)) return;
+  constexpr int kKeep = 0;
+  ::setenv("ALSOFT_LOGLEVEL", "0", kKeep);
+  void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY);
+  if (alsa == nullptr) return;
+  using SetHandler = int (*)(AlsaHandler);
+  const auto set = reinterpret_cast<SetHandler>(::dlsym(alsa, "snd_lib_error_set_handler"));
+  if (set != nullptr) set(hear_no_alsa);
+}
 
 class OpenAlOut final : public SoundOut {
  public:
@@ -143,6 +164,7 @@ std::string named(const std::vector<std::string>& devices) {
 }  // namespace
 
 std::vector<std::string> sound_devices() {
+  quieten_libraries();
   std::vector<std::string> devices;
   const bool all = alcIsExtensionPresent(nullptr, "ALC_ENUMERATE_ALL_EXT") == ALC_TRUE;
   const ALCchar* name =
@@ -155,6 +177,7 @@ std::vector<std::string> sound_devices() {
 }
 
 Result<std::unique_ptr<SoundOut>> open_sound_device(const std::string& name) {
+  quieten_libraries();
   Device device(alcOpenDevice(name.empty() ? nullptr : name.c_str()));
   if (!device) {
     const std::string devices = named(sound_devices());

@@ -48,11 +48,11 @@ void SoundPlayer::open(playback::Playback* playback, SoundTrack* track) {
 }
 
 /// From the moment that playback has come to.
-void SoundPlayer::start() {
+void SoundPlayer::start(Instant steady) {
   sounds_ = true;
   begin_ = now_ - time_of(written_);
   sound_until_ = now_;
-  heard_at_ = steady_;
+  heard_at_ = steady;
   starved_ = written_ > 0;
   line_.begin_again();
 }
@@ -64,18 +64,23 @@ void SoundPlayer::stop() {
   if (out_ == nullptr) return;
   samples_.resize(static_cast<std::size_t>(kPortion));
   mixer_->mix(std::nullopt, samples_);
+  write();
+}
+
+void SoundPlayer::write() {
+  if (tap_) tap_(*steady_ + (moment_of(written_) - shown_), samples_);
   out_->write(samples_);
-  written_ += kPortion;
+  written_ += static_cast<std::int64_t>(samples_.size());
 }
 
 Instant SoundPlayer::now(Instant steady) {
-  if (!steady_) now_ = shown_ = steady;
-  steady_ = steady;
+  if (!steady_) steady_ = now_ = shown_ = steady;
   const bool plays = playback_ != nullptr && (!playback_->over() || rings_on());
   if (sounds_ && !plays) stop();
   const bool wanted = plays && (given_ != nullptr || playback_->status().voice);
-  if (!sounds_ && out_ != nullptr && wanted) start();
+  if (!sounds_ && out_ != nullptr && wanted) start(steady);
   if (sounds_) look_at_device(steady);
+  steady_ = steady;
   if (sounds_) {
     // What has run dry has been heard to its end; the line stands where it was looked at last.
     const Instant heard = starved_ ? moment_of(heard_) : begin_ + line_.at(steady);
@@ -124,9 +129,7 @@ void SoundPlayer::advanced() {
   }
   samples_.resize(static_cast<std::size_t>(due));
   mixer_->mix(passing, samples_);
-  if (tap_) tap_(*steady_ + (moment_of(written_) - shown_), samples_);
-  out_->write(samples_);
-  written_ += due;
+  write();
   starved_ = false;
 }
 

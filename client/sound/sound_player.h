@@ -74,15 +74,18 @@ class SoundPlayer {
 
   void set_volume(int percent);
   void set_muted(bool muted);
-  [[nodiscard]] float level() const { return mixer_ ? mixer_->level() : 0; }
+  /// Of what plays, as SoundMixer's; 0 while nothing does.
+  [[nodiscard]] float level() const { return sounds_ ? mixer_->level() : 0; }
 
   /// Of all that has been opened.
   [[nodiscard]] SoundCounts counts() const;
 
  private:
   void feed();
-  void start();
+  void start(Instant steady);
   void stop();
+  /// What is in samples_: to the device and the tap.
+  void write();
   void look_at_device(Instant steady);
   [[nodiscard]] Instant moment_of(std::int64_t sample) const;
 
@@ -106,9 +109,9 @@ class SoundPlayer {
   Duration lead_ = kLeadMin;
   Instant now_{};
   Instant shown_{};
-  Instant sound_until_{};  ///< what is written has sound in it up to here
-  std::optional<Instant> steady_;
-  std::optional<Instant> heard_at_;  ///< the device has last heard something then
+  Instant sound_until_{};            ///< what is written has sound in it up to here
+  std::optional<Instant> steady_;    ///< that shown_ is of
+  std::optional<Instant> heard_at_;  ///< when the device last said that more had been heard
   std::optional<Duration> ahead_;    ///< of the steady clock, while nothing sounds
   int volume_ = 100;
   bool muted_ = false;

@@ -174,6 +174,29 @@ TEST_F(PlayerTest, AnotherMappingIsSeenAtOnce) {
   }
 }
 
+TEST_F(PlayerTest, AnotherFaceStandsWhereTheOneBeforeDid) {
+  for (const bool whole : {false, true}) {
+    face_ = jaw_face();
+    mapping_.recordings = face_.recordings;
+    player_.change_face();
+    player_.set_face(std::vector<float>{0});
+    if (whole) {
+      play_whole({keyframe(26, 100), keyframe(27, 100)});
+    } else {
+      play_source({keyframe(26, 100), keyframe(27, 100)});
+    }
+    jaw_after(0);
+    jaw_after(100);
+    jaw_after(50);
+    face_.channels.insert(face_.channels.begin(), {"left_brow", Side::Left, 2});
+    face_.recordings[26] = {26, {0, 2}, ""};
+    face_.recordings[27] = {27, {1, 1}, ""};
+    mapping_.recordings = face_.recordings;
+    player_.change_face();
+    EXPECT_EQ(player_.face().activations, (std::vector<float>{0.5F, 1.5F})) << whole;
+  }
+}
+
 TEST_F(PlayerTest, AdvancingAllocatesNothing) {
   for (const bool whole : {false, true}) {
     std::vector<TimedAus> keyframes;

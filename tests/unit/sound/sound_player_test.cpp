@@ -271,6 +271,23 @@ TEST_F(SoundPlayerTest, SoundThatOutlastsTheFaceIsPlayedToItsEnd) {
   EXPECT_FALSE(player_.rings_on());
 }
 
+TEST_F(SoundPlayerTest, ThereIsNoLevelWhenNothingPlaysAnyMore) {
+  struct Second final : SoundTrack {
+    void read(std::int64_t /*begin*/, std::span<float> samples) override {
+      std::fill(samples.begin(), samples.end(), 0.5F);
+    }
+    [[nodiscard]] std::int64_t end() const override { return 1000 * kSamplesPerMs; }
+  } track;
+  player_.open(playback_.get(), &track);
+  keyframes(25);
+  source_->now.end = EndReason::EndOfStream;
+  ticks(50);
+  EXPECT_GT(player_.level(), 0.4F);
+  ticks(100);
+  EXPECT_FALSE(player_.sounds());
+  EXPECT_EQ(player_.level(), 0);
+}
+
 TEST_F(SoundPlayerTest, LiveKeyframesAreDueByTheClockOfTheSound) {
   player_.open(playback_.get(), &counting_);
   keyframes(50);
@@ -311,6 +328,28 @@ TEST_F(SoundPlayerTest, WhatIsWrittenGoesToTheTapWithWhenItIsHeard) {
     sample += static_cast<std::int64_t>(count);
   }
   EXPECT_LT(sample, static_cast<std::int64_t>(crank_.written.size()));
+}
+
+TEST_F(SoundPlayerTest, TheTapHasTheFadeOfAStopToo) {
+  std::vector<std::pair<Instant, std::size_t>> tapped;
+  std::size_t samples_tapped = 0;
+  player_.open(playback_.get(), &counting_);
+  keyframes(1000);
+  player_.set_tap([&](Instant heard_at, std::span<const float> samples) {
+    tapped.emplace_back(heard_at, samples.size());
+    samples_tapped += samples.size();
+  });
+  ticks(50);
+  player_.open(playback_.get(), &counting_);
+  EXPECT_EQ(samples_tapped, crank_.written.size());
+  ticks(50);
+  crank_.lost = true;
+  tick();
+  ASSERT_FALSE(player_.sounds());
+  ASSERT_EQ(samples_tapped, crank_.written.size());
+  const auto fade = static_cast<std::int64_t>(tapped.back().second);
+  const auto before = static_cast<std::int64_t>(samples_tapped) - fade - crank_.heard;
+  EXPECT_NEAR(seconds(tapped.back().first - steady_), static_cast<double>(before) / kRate, 0.002);
 }
 
 }  // namespace
