@@ -141,7 +141,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"playout", "N", "30", "Playout buffer (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, 10'000)},
-      {"threshold", "PERCENT", "40", "start at (40)",
+      {"threshold", "PERCENT", "40", "start at (40 %)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
       {"live", "", "", "lowest delay for live",
@@ -189,7 +189,7 @@ std::vector<OptionRow> face_rows(FaceOptions& face) {
   return {
       {"face", "NAME", "default", "name or folder",
        "The name of a face in data/faces, or its folder.", word(face.face), "Face"},
-      {"mixer", "MIXER", "maximum", "or average (maximum)",
+      {"mixer", "MIXER", "maximum", "maximum or average",
        "How contractions of one muscle by several AUs are combined: maximum or average.",
        one_of<face::Mixer>(face.mixer,
                            {{"maximum", face::Mixer::Maximum}, {"average", face::Mixer::Average}})},
@@ -209,7 +209,7 @@ std::vector<OptionRow> rules_rows(FaceOptions& face) {
 std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
   using playback::Interpolation;
   return {
-      {"speed", "MS", "", "time of untimed keyframes",
+      {"speed", "MS", "", "if untimed (250)",
        "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
        "the server says, or 250 ms.",
        whole(playback.speed, 1, 1000), "Animation"},
@@ -232,7 +232,7 @@ std::vector<OptionRow> picture_rows(OutputOptions& output) {
        "Size of the pictures in pixels, each side up to 8192: 800x600 by default, 300x375 in "
        "a gallery.",
        parsed(Kind::Word, read_size, output), "Pictures"},
-      {"background", "RRGGBB", "", "or none",
+      {"background", "RRGGBB", "", "colour, or none",
        "A plain background of this colour behind the face; with none, PNGs are transparent there.",
        parsed(Kind::Word, read_background, output)},
       {"show", "LAYER[,...]", "", "what is drawn; see below (textured)",
@@ -445,7 +445,7 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
          "the camera sees, with \"Go live\" there. In place of HOST stands the camera: camera "
          "(the default), camera:DEVICE, or a film to try it with. au-transmitter is started for "
          "it, and scripts/install_models.sh must have fetched the models that read faces.",
-         flag(options.mirrors)}};
+         flag(options.shows_mirror)}};
   } else if (command == Command::Play) {
     rows = {{"file", "FILE", "", "a stream file", "", word(options.playback.file), "",
              Where::Positional}};

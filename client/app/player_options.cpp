@@ -52,8 +52,16 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
 }
 
 /// --mirror [SOURCE]: the word that names a server elsewhere names a camera.
-Result<void> settle_mirror(PlayerOptions& options) {
-  if (!options.mirrors) return {};
+Result<void> settle_mirror(const TypedWords& typed, PlayerOptions& options) {
+  if (!options.shows_mirror) return {};
+  for (const char* name : {"stream", "tls", "tls-ca", "tls-cert", "tls-key", "token-file",
+                           "insecure-token", "reconnect", "protocol", "live", "live-delay"}) {
+    if (typed.contains(name)) {
+      return usage_error(
+          "--mirror shows your own camera, for which nothing is asked of a server: leave out --" +
+          std::string(name));
+    }
+  }
   if (options.list || options.headless || options.output.fast || options.output.pictures()) {
     return usage_error(
         "--mirror shows your own camera in the window: leave out what does without one");
@@ -88,7 +96,7 @@ Result<void> settle_sound(const PlayerOptions& options) {
 
 /// What one option alone cannot tell.
 Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
-  if (auto settled = settle_mirror(options); !settled) return settled;
+  if (auto settled = settle_mirror(typed, options); !settled) return settled;
   if (auto settled = settle_address(typed, options.playback); !settled) return settled;
   if (options.quiet) options.log_level = "error";
   if (const auto verbose = typed.find("verbose"); verbose != typed.end()) {

@@ -132,7 +132,7 @@ struct PlayerOptions {
   PoseOptions pose;
   GalleryOptions gallery;
   ExportOptions exported;
-  bool mirrors = false;          ///< --mirror: the window begins with one's own camera
+  bool shows_mirror = false;     ///< --mirror: the window begins with one's own camera
   mirror::MirrorOptions mirror;  ///< which
   bool headless = false;
   /// Voice is asked for: it is heard or written.

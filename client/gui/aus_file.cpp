@@ -74,13 +74,46 @@ const TomlValue* table_of(const TomlValue& document, int number) {
   return nullptr;
 }
 
-std::string with_new_au(std::string_view text, int number, const Drive& drive) {
+std::string with_new_au(std::string_view text, int number, const Drive& drive,
+                        const std::string& note) {
   std::string result(text);
   if (!result.empty() && result.back() != '\n') result += '\n';
-  result +=
-      "\n[[au]]\nnumber = " + std::to_string(number) + "\ndrive = " + drive_text(drive) + "\n";
-  if (const auto name = facs_name(number)) result += toml_line("note", toml_text(*name));
-  return result;
+  if (!result.empty()) result += '\n';
+  const auto name = facs_name(number);
+  return result + aus_text(number, drive, name ? std::string(*name) : note);
+}
+
+/// One past the quote that closes the one at `open`; nothing for a text over several lines.
+std::optional<std::size_t> end_of_quotes(std::string_view text, std::size_t open) {
+  const char quote = text[open];
+  for (std::size_t i = open + 1; i < text.size() && text[i] != '\n'; ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (text[i] == quote) {
+      return text.substr(i, 2) == std::string(2, quote) ? std::nullopt : std::optional(i + 1);
+    }
+  }
+  return std::nullopt;
+}
+
+/// `text` with another note, of the AU whose drive ends at `drive_end`.
+Result<std::string> with_note(std::string text, std::string_view file, const TomlValue& table,
+                              std::size_t drive_end, const std::string& note) {
+  const TomlValue* old = table.find("note");
+  if (old == nullptr) {
+    const std::size_t line_end = std::min(text.find('\n', drive_end), text.size());
+    std::string line = toml_line("note", toml_text(note));
+    line.pop_back();
+    return text.insert(line_end, "\n" + line);
+  }
+  if (old->text == note) return text;
+  const auto begin = byte_at(text, old->place);
+  const auto end = begin ? end_of_quotes(text, *begin) : std::nullopt;
+  if (!end) {
+    return Error{ErrorKind::BadData, at_place(file, old->place.line, old->place.column,
+                                              "this note is not a text on one line")};
+  }
+  return text.replace(*begin, *end - *begin, toml_text(note));
 }
 
 /// What the table names already stays in its order; what is new follows.
@@ -123,12 +156,19 @@ std::string drive_in_words(const Drive& drive) {
   return text;
 }
 
+std::string aus_text(int number, const Drive& drive, const std::string& note) {
+  std::string text =
+      "[[au]]\nnumber = " + std::to_string(number) + "\ndrive = " + drive_text(drive) + "\n";
+  if (!note.empty()) text += toml_line("note", toml_text(note));
+  return text;
+}
+
 Result<std::string> with_au(std::string_view text, std::string_view file, int number,
-                            const Drive& drive) {
+                            const Drive& drive, const std::string& note) {
   auto document = parse_toml(text, file);
   if (!document) return document.error();
   const TomlValue* table = table_of(*document, number);
-  if (table == nullptr) return with_new_au(text, number, drive);
+  if (table == nullptr) return with_new_au(text, number, drive, note);
   const auto old = std::find_if(table->entries.begin(), table->entries.end(),
                                 [](const TomlValue::Entry& entry) { return entry.key == "drive"; });
   if (old == table->entries.end()) {
@@ -147,8 +187,43 @@ Result<std::string> with_au(std::string_view text, std::string_view file, int nu
   }
   std::string result(text.substr(0, *begin));
   result += drive_text(in_order_of(old->value, drive));
+  const std::size_t drive_end = result.size();
   result += text.substr(*end);
-  return result;
+  if (note.empty()) return result;
+  // The places of what stands behind the drive on its line have moved.
+  if (drive_end != *end) {
+    auto again = parse_toml(result, file);
+    if (!again) return again.error();
+    return with_note(result, file, *table_of(*again, number), drive_end, note);
+  }
+  return with_note(result, file, *table, drive_end, note);
+}
+
+Result<std::string> without_au(std::string_view text, std::string_view file, int number) {
+  auto document = parse_toml(text, file);
+  if (!document) return document.error();
+  const TomlValue* table = table_of(*document, number);
+  if (table == nullptr) return std::string(text);
+  const auto begin = byte_at(text, {table->place.line, 1});
+  if (!begin || !text.substr(*begin).starts_with("[[au]]")) {
+    return Error{ErrorKind::BadData, at_place(file, table->place.line, table->place.column,
+                                              "AU" + std::to_string(number) +
+                                                  " does not begin with a line [[au]]; remove it "
+                                                  "with an editor")};
+  }
+  // Up to its last line that says something: comments below it belong to what follows.
+  std::size_t end = *begin;
+  for (std::size_t line = end; line < text.size();) {
+    const std::size_t next = std::min(text.find('\n', line), text.size() - 1) + 1;
+    const std::size_t first = text.find_first_not_of(" \t\r\n", line);
+    const char mark = first < next ? text[first] : '#';
+    if (mark == '[' && line != *begin) break;
+    if (mark != '#') end = next;
+    line = next;
+  }
+  std::string result(text.substr(0, *begin));
+  if (result.ends_with("\n\n")) result.pop_back();
+  return result += text.substr(end);
 }
 
 }  // namespace aucast::gui

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include "client/gui/panels.h"
 
@@ -176,37 +178,49 @@ void au_grid(const GuiModel& model, GuiCommands& commands) {
   ImGui::PopStyleVar(2);
 }
 
+/// Both sides in one slider, beside the name.
+void joined_slider(const Look& look, const ComposedAu& au, const std::string& name,
+                   GuiCommands& commands) {
+  ImGui::AlignTextToFramePadding();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float column = 176 * look.scale;
+  ImGui::PushClipRect(at, ImVec2(at.x + column - 8 * look.scale, at.y + 100 * look.scale), true);
+  ImGui::TextUnformatted(name.c_str());
+  ImGui::PopClipRect();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + column);
+  int both = au.left_percent;
+  if (!percent_slider("##both", ImGui::GetContentRegionAvail().x, both)) return;
+  ask(commands, ComposeAu{au.number, both, both, belongs_to_drag()});
+}
+
+/// Both sides below the name, each with half of the line.
+void split_sliders(const ComposedAu& au, const std::string& name, GuiCommands& commands) {
+  ImGui::TextUnformatted(name.c_str());
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  int left = au.left_percent;
+  int right = au.right_percent;
+  bool changed = percent_slider("##right", half, right);
+  bool continued = belongs_to_drag();
+  ImGui::SameLine(0, gap);
+  changed |= percent_slider("##left", half, left);
+  continued |= belongs_to_drag();
+  if (changed) ask(commands, ComposeAu{au.number, left, right, continued});
+}
+
 void au_sliders(const Look& look, const ComposerView& composer, bool linked,
                 GuiCommands& commands) {
+  bool headed = false;
   for (const ComposedAu& au : composer.aus) {
     ImGui::PushID(au.number);
-    ImGui::AlignTextToFramePadding();
-    const std::string text = std::to_string(au.number) + "  " + au.name;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float column = 176 * look.scale;
-    ImGui::PushClipRect(at, ImVec2(at.x + column - 8 * look.scale, at.y + 100), true);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopClipRect();
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + column);
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    int left = au.left_percent;
-    int right = au.right_percent;
-    bool continued = false;
-    bool changed = false;
-    if (linked && left == right) {
-      changed = percent_slider("##both", width, left);
-      continued = belongs_to_drag();
-      right = left;
+    const std::string name = std::to_string(au.number) + "  " + au.name;
+    if (linked && au.left_percent == au.right_percent) {
+      joined_slider(look, au, name, commands);
     } else {
-      // As one sees them: the subject's right is at the viewer's left.
-      changed = percent_slider("##right", (width - gap) / 2, right);
-      continued = belongs_to_drag();
-      ImGui::SameLine(0, gap);
-      changed |= percent_slider("##left", (width - gap) / 2, left);
-      continued |= belongs_to_drag();
+      if (!std::exchange(headed, true)) sides_heading();
+      split_sliders(au, name, commands);
     }
-    if (changed) ask(commands, ComposeAu{au.number, left, right, continued});
     ImGui::PopID();
   }
 }

@@ -13,7 +13,40 @@ namespace {
 constexpr float kStep = 0.05F;
 
 std::string title_of(const AuEntry& entry) {
-  return std::to_string(entry.number) + "  " + entry.name;
+  return std::to_string(entry.number) + "  " + entry.name + (entry.own ? "  (yours)" : "");
+}
+
+const AuEntry* entry_of(const GuiModel& model, int number) {
+  const auto& all = *model.known_aus;
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [number](const AuEntry& one) { return one.number == number; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// The field of a name, for numbers that FACS gives none.
+void name_field(const Look& look, const GuiModel& model, int number, EditorForm& form) {
+  if (std::exchange(form.named, number) != number) {
+    const AuEntry* entry = entry_of(model, number);
+    const std::string name = entry == nullptr ? "" : entry->name;
+    form.name = {};
+    name.copy(form.name.data(), form.name.size() - 1);
+  }
+  label(look, "Name");
+  ImGui::InputTextWithHint("##auname", "what it shows", form.name.data(), form.name.size());
+}
+
+/// What can be done with a saved AU.
+void au_file_buttons(const GuiModel& model, GuiCommands& commands) {
+  const AuEntry* entry = entry_of(model, model.editor.au);
+  const bool known = entry != nullptr;
+  if (wide_button("Export...", 0, 2, known)) commands.push_back(Browse{Purpose::ExportAu});
+  const char* remove = known && !entry->shipped ? "Delete" : "As it came";
+  if (wide_button(remove, 1, 2, known && entry->own)) commands.push_back(RemoveAu{entry->number});
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+    ImGui::SetTooltip("%s", known && !entry->shipped
+                                ? "takes this AU out of your copy of the face"
+                                : "gives your copy the AU that the player came with");
+  }
 }
 
 /// The list of all numbers; true when one was chosen.
@@ -68,10 +101,15 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   ImGui::SetNextItemWidth((width - gap) / 2);
   if (ImGui::InputInt("##as", &target, 1, 10)) form.save_as = std::clamp(target, 1, kAuNumberMax);
   target = form.save_as >= 0 ? form.save_as : editor.au;
+  const bool unnamed = target > 0 && !facs_name(target);
   ImGui::SameLine();
   ImGui::BeginDisabled(target < 1);
-  if (ImGui::Button("Save", ImVec2((width - gap) / 2, 0))) commands.push_back(SaveAu{target});
+  if (ImGui::Button("Save", ImVec2((width - gap) / 2, 0))) {
+    commands.push_back(SaveAu{target, unnamed ? form.name.data() : ""});
+  }
   ImGui::EndDisabled();
+  if (unnamed) name_field(look, model, target, form);
+  au_file_buttons(model, commands);
   // Always something, so that the muscles stay where they are.
   if (editor.saved_to.empty()) {
     quiet_text(
@@ -115,7 +153,24 @@ void channel_slider(const Look& look, const char* id, int channel, float value, 
   ImGui::PopID();
 }
 
-void channel_row(const Look& look, const ChannelRow& row, bool linked, GuiCommands& commands) {
+/// Each side has a slider of its own.
+bool is_split(const ChannelRow& row, bool linked) {
+  return row.right >= 0 && !(linked && row.left_value == row.right_value);
+}
+
+/// Both sides below their name, each with half of the line.
+void split_row(const Look& look, const ChannelRow& row, GuiCommands& commands) {
+  ImGui::PushID(row.left);
+  ImGui::TextUnformatted(row.name.c_str());
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  channel_slider(look, "right", row.right, row.right_value, row.maximum, half, commands);
+  ImGui::SameLine(0, gap);
+  channel_slider(look, "left", row.left, row.left_value, row.maximum, half, commands);
+  ImGui::PopID();
+}
+
+void channel_row(const Look& look, const ChannelRow& row, GuiCommands& commands) {
   ImGui::PushID(row.left);
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -125,18 +180,8 @@ void channel_row(const Look& look, const ChannelRow& row, bool linked, GuiComman
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.name.c_str());
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 150 * look.scale);
   const float width = ImGui::GetContentRegionAvail().x;
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  if (row.right < 0) {
-    channel_slider(look, "centre", row.left, row.left_value, row.maximum, width, commands);
-  } else if (linked && row.left_value == row.right_value) {
-    channel_slider(look, "both", row.left, row.left_value, row.maximum, width, commands);
-  } else {
-    // As one sees them: the subject's right is at the viewer's left.
-    const float half = (width - gap) / 2;
-    channel_slider(look, "right", row.right, row.right_value, row.maximum, half, commands);
-    ImGui::SameLine(0, gap);
-    channel_slider(look, "left", row.left, row.left_value, row.maximum, half, commands);
-  }
+  channel_slider(look, row.right < 0 ? "centre" : "both", row.left, row.left_value, row.maximum,
+                 width, commands);
   ImGui::PopID();
 }
 
@@ -160,7 +205,15 @@ void muscles(const Look& look, const GuiModel& model, EditorForm& form, GuiComma
     const bool open = ImGui::CollapsingHeader(name.c_str());
     ImGui::PopStyleColor();
     if (!open) continue;
-    for (const ChannelRow& row : group.rows) channel_row(look, row, linked, commands);
+    bool headed = false;
+    for (const ChannelRow& row : group.rows) {
+      if (!is_split(row, linked)) {
+        channel_row(look, row, commands);
+        continue;
+      }
+      if (!std::exchange(headed, true)) sides_heading();
+      split_row(look, row, commands);
+    }
   }
 }
 

@@ -64,6 +64,34 @@ void ExpressionEditor::revert() {
   history_.step(std::move(next));
 }
 
+void ExpressionEditor::recorded_anew(int au) {
+  load(au);
+  history_.change_others([&](State& state) {
+    if (state.au == au) state.stored = history_.now().stored;
+  });
+}
+
+void ExpressionEditor::change_face(const std::vector<std::string>& before) {
+  const auto carried = [&](const std::vector<float>& activations) {
+    std::vector<float> now(face_.channels.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const auto channel = face_.channel_index(before[i]);
+      if (!channel) continue;
+      now[*channel] = std::min(activations[i], face_.channels[*channel].activation_max);
+    }
+    return now;
+  };
+  const auto carry = [&](State& state) {
+    const bool changed = state.activations != state.stored;
+    const auto recorded = state.au ? recordings_.find(*state.au) : recordings_.end();
+    state.stored =
+        recorded == recordings_.end() ? carried(state.stored) : recorded->second.activation;
+    state.activations = changed ? carried(state.activations) : state.stored;
+  };
+  carry(history_.now());
+  history_.change_others(carry);
+}
+
 void ExpressionEditor::saved(int au) {
   State& now = history_.now();
   now.au = au;

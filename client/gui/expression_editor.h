@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "client/face/face.h"
@@ -42,6 +43,13 @@ class ExpressionEditor {
   void revert();
   /// What is shown has been saved as `au`.
   void saved(int au);
+  /// The recording of an AU has become another one, or has gone, and is what is shown now. A step
+  /// that is taken back brings what was there as a change that is not saved.
+  void recorded_anew(int au);
+  /// The face has become another one; `before` are the names of the channels that it had. What is
+  /// not saved goes along by the names of the channels, in every step; the rest is as the
+  /// recordings of this face have it.
+  void change_face(const std::vector<std::string>& before);
   void undo() { history_.undo(); }
   void redo() { history_.redo(); }
 

@@ -29,7 +29,12 @@ std::vector<FileEntry> entries_of(const fs::path& folder, std::error_code& error
 }  // namespace
 
 bool is_saving(Purpose purpose) {
-  return purpose == Purpose::SaveStream || purpose == Purpose::ExportKeyframes;
+  return purpose != Purpose::PlayStream && purpose != Purpose::ComposeStream && !is_folder(purpose);
+}
+
+bool is_folder(Purpose purpose) {
+  return purpose == Purpose::LookForFaces || purpose == Purpose::PictureFolder ||
+         purpose == Purpose::GalleryFolder;
 }
 
 void FileBrowser::open(Purpose purpose, const fs::path& folder, std::string name) {
@@ -64,6 +69,10 @@ void FileBrowser::enter(const fs::path& folder) {
 bool FileBrowser::choose(const fs::path& file, fs::path& chosen) {
   const fs::path wanted = (fs::path(view_.folder) / file).lexically_normal();
   std::error_code ignored;
+  if (is_folder(view_.purpose) && (file == "." || fs::is_regular_file(wanted, ignored))) {
+    chosen = file == "." ? fs::path(view_.folder) : wanted.parent_path();
+    return true;
+  }
   if (fs::is_directory(wanted, ignored)) {
     enter(wanted);
     return false;

@@ -13,6 +13,13 @@ enum class Purpose : std::uint8_t {
   ComposeStream,    ///< a stream file to be worked on
   SaveStream,       ///< where what was composed goes
   ExportKeyframes,  ///< where what was played goes
+  ExportTable,      ///< where the AUs of what was played go
+  ExportMesh,       ///< where the mesh of the face that is shown goes
+  ExportGlb,        ///< where face and movement go
+  ExportAu,         ///< where an AU goes
+  PictureFolder,    ///< where pictures and videos go
+  GalleryFolder,    ///< where a gallery goes
+  LookForFaces,     ///< a folder with faces, or one that is a face
 };
 
 struct FileEntry {
@@ -34,6 +41,8 @@ struct BrowserView {
 };
 
 [[nodiscard]] bool is_saving(Purpose purpose);
+/// It is asked for a folder.
+[[nodiscard]] bool is_folder(Purpose purpose);
 
 /// A file dialog without its widgets: walks through folders and says which file was meant.
 class FileBrowser {
@@ -44,7 +53,8 @@ class FileBrowser {
   /// Goes to a folder; a relative one is meant from the one shown. Stays, and says why, when it
   /// cannot be read.
   void enter(const std::filesystem::path& folder);
-  /// The file that is meant, when there is nothing to be asked; entering a folder is not. A new
+  /// The file that is meant, when there is nothing to be asked; entering a folder is not. Who is
+  /// asked for a folder means the one shown by "." and that of a file by its name. A new
   /// file that would replace one is asked about first: choosing it again is the answer.
   [[nodiscard]] bool choose(const std::filesystem::path& file, std::filesystem::path& chosen);
   /// The chosen file could not be used: the dialog stays and says so.

@@ -19,6 +19,20 @@ const char* title_of(Purpose purpose) {
       return "Save the composed stream";
     case Purpose::ExportKeyframes:
       return "Export the keyframes played";
+    case Purpose::ExportTable:
+      return "Export the AUs played as a table";
+    case Purpose::ExportMesh:
+      return "Export this face as a mesh";
+    case Purpose::ExportGlb:
+      return "Export face and movement as glTF";
+    case Purpose::ExportAu:
+      return "Export the Action Unit";
+    case Purpose::PictureFolder:
+      return "The folder for pictures and videos";
+    case Purpose::GalleryFolder:
+      return "The folder for the gallery";
+    case Purpose::LookForFaces:
+      return "Open a folder with faces";
   }
   return "File";
 }
@@ -123,11 +137,17 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
   }
   const std::string text = objection(view);
   if (!text.empty()) toned_text(view.problem.empty() ? Tone::Waiting : Tone::Bad, text);
-  const char* action = !saving ? "Open" : view.replaces.empty() ? "Save" : "Replace it";
-  const bool named = form.name[0] != 0;
+  const bool folder = is_folder(view.purpose);
+  const char* action = folder                  ? "This folder"
+                       : !saving               ? "Open"
+                       : view.replaces.empty() ? "Save"
+                                               : "Replace it";
+  const bool named = folder || form.name[0] != 0;
   if (wide_button("Cancel", 0, 2, true)) commands.push_back(CloseBrowser{});
   const bool pressed = wide_button(action, 1, 2, named, named);
-  if (named && (pressed || entered)) commands.push_back(ChooseFile{form.name.data()});
+  if (named && (pressed || entered)) {
+    commands.push_back(ChooseFile{folder ? "." : form.name.data()});
+  }
 }
 
 }  // namespace

@@ -254,6 +254,8 @@ struct Gui::State {
   NoticeForm notice;
   ComposerForm composer;
   MirrorForm mirror;
+  FaceForm face;
+  GalleryForm gallery;
   bool panel = true;
   bool bare = false;         ///< the user wants the face alone
   bool hidden = false;       ///< panel and bar, until the mouse moves
@@ -301,7 +303,7 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
       tab("Expression", [&] { expression_panel(look, model, expression, commands); });
       tab("Editor", [&] { editor_panel(look, model, editor, commands); });
       tab("Compose", [&] { composer_panel(look, model, composer, commands); });
-      tab("View", [&] { rendering_panel(look, model, commands); });
+      tab("View", [&] { rendering_panel(look, model, face, commands); });
       // Who begins with the camera sees its tab.
       const bool begins = !std::exchange(drawn, true) && model.mirror.wanted;
       tab(
@@ -344,6 +346,7 @@ Gui::~Gui() {
 
 void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   ImGui::NewFrame();
+  state_->face.wanted.clear();
   close_popup_by_escape();
   if (state_->hidden) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
   if (state_->shows_panel()) state_->side_panel(model, commands);
@@ -355,6 +358,7 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   }
   captions(state_->look, model, free);
   notices(state_->look, model, free, state_->notice, commands);
+  gallery_dialog(state_->look, model, free, state_->gallery, commands);
   file_dialog(state_->look, model, state_->file, commands);
   if (state_->keys) key_list(state_->look, free, state_->keys);
   if (model.asks_to_leave) leave_question(state_->look, commands);
@@ -363,6 +367,14 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
 
 void Gui::set_camera_texture(std::uintptr_t texture) {
   state_->mirror.texture = texture;
+}
+
+void Gui::set_face_texture(const std::string& folder, std::uintptr_t texture) {
+  state_->face.textures[folder] = texture;
+}
+
+const std::vector<std::string>& Gui::wanted_faces() const {
+  return state_->face.wanted;
 }
 
 void Gui::toggle_panel() {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
@@ -28,6 +29,11 @@ class Gui {
   /// The texture that has the picture of `mirror.seen`, by the name that ImGui's backend takes; 0:
   /// none.
   void set_camera_texture(std::uintptr_t texture);
+
+  /// The same of the picture of the face in this folder.
+  void set_face_texture(const std::string& folder, std::uintptr_t texture);
+  /// The folders of those faces that are seen and have no picture yet, as of the last draw().
+  [[nodiscard]] const std::vector<std::string>& wanted_faces() const;
 
   void toggle_panel();
   /// Nothing but the face, or panel and bar again.

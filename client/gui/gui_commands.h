@@ -49,8 +49,14 @@ struct SetLinked {
 struct LoadAu {
   int number = 0;
 };
-/// Saves the face shown as this AU.
+/// Saves the face shown as this AU; `name`, for one that FACS does not name, may be empty: as it
+/// is.
 struct SaveAu {
+  int number = 0;
+  std::string name{};
+};
+/// One's own AU goes; one that came with the player is as it came again.
+struct RemoveAu {
   int number = 0;
 };
 /// A set of AUs as a packet has it, taken into the editor as mixer and rules make it.
@@ -92,11 +98,15 @@ struct OpenStream {
 struct ChangeTable {
   TableSettings settings;
 };
-/// The window begins with this face next time; empty: with the usual one.
-struct BeginWithFace {
+/// The face becomes the one of this folder, with which the window begins next time too.
+struct ShowFace {
   std::string folder;
 };
 struct CloseNotice {};
+/// Where pictures and videos go from now on.
+struct ChangePictures {
+  PictureSettings settings;
+};
 struct TakePicture {};
 /// Begins a video of what is shown, or ends it.
 struct ToggleVideo {};
@@ -120,13 +130,13 @@ using PlaybackCommand = std::variant<Connect, Pause, Resume, Stop, LocalCommand>
 /// About the face of the expression panel.
 using EditorCommand =
     std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
-                 SaveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
+                 SaveAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
 using GuiCommand =
     std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand, MirrorCommand,
-                 ChangeAnimation, ChangeRendering, AskStreams, LookFrom, Leave, Browse, EnterFolder,
-                 ChooseFile, ChangeTable, BeginWithFace, CloseBrowser, OpenStream, CloseNotice,
-                 TakePicture, ToggleVideo>;
+                 GalleryCommand, ChangePictures, ChangeAnimation, ChangeRendering, AskStreams,
+                 LookFrom, Leave, Browse, EnterFolder, ChooseFile, ChangeTable, ShowFace,
+                 CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

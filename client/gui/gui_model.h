@@ -9,7 +9,9 @@
 #include "client/face/muscle_mixer.h"
 #include "client/gui/composer_view.h"
 #include "client/gui/file_browser.h"
+#include "client/gui/gallery_view.h"
 #include "client/gui/mirror_view.h"
+#include "client/gui/picture_settings.h"
 #include "client/gui/remote_settings.h"
 #include "client/gui/stream_view.h"
 #include "client/playback/blinking.h"
@@ -123,6 +125,8 @@ struct AuEntry {
   std::string name;     ///< FACS name
   std::string muscles;  ///< what it drives: "zygomaticus major 0.8, lip corner 1"
   std::string looks;    ///< what a face with it looks like; empty: nothing is known
+  bool own = false;     ///< one's own: the player came without it, or with another one
+  bool shipped = true;  ///< the player came with one
   friend bool operator==(const AuEntry&, const AuEntry&) = default;
 };
 
@@ -230,11 +234,25 @@ struct TableSettings {
   friend bool operator==(const TableSettings&, const TableSettings&) = default;
 };
 
-/// A face that the window may begin with.
+enum class FaceKind : std::uint8_t {
+  Shipped,
+  Own,  ///< in the user's own data folder
+  Elsewhere,
+};
+
+/// A face to choose.
 struct FaceEntry {
   std::string name;
   std::string folder;
+  FaceKind kind = FaceKind::Shipped;
   friend bool operator==(const FaceEntry&, const FaceEntry&) = default;
+};
+
+struct FacesView {
+  std::shared_ptr<const std::vector<FaceEntry>> entries;  ///< by kind, then by name; null: none
+  std::string shown;                                      ///< the folder of the face in the window
+  std::string elsewhere;  ///< the folder that those of that kind are in; empty: there is none
+  friend bool operator==(const FacesView&, const FacesView&) = default;
 };
 
 struct GuiModel {
@@ -249,8 +267,9 @@ struct GuiModel {
   TableSettings table;
   std::string sample;                     ///< a stream file that shows what there is; empty: none
   std::vector<std::string> recent_files;  ///< the last one first
-  std::shared_ptr<const std::vector<FaceEntry>> faces;  ///< null: none
-  std::string next_face;  ///< the folder that the window begins with next time; empty: as usual
+  FacesView faces;
+  GalleryView gallery;
+  PictureSettings pictures;
   BrowserView browser;
   Notice notice;
   AnimationSettings animation;

@@ -47,6 +47,13 @@ void read_remote(Fields fields, KeptSettings& settings) {
   fields.take("stream", remote.stream);
   fields.take("tls", remote.tls);
   fields.take("token_file", remote.token_file);
+  for (const std::string& other : fields.texts("others")) {
+    if (auto endpoint = protocol::parse_endpoint(other)) {
+      remote.others.push_back(*std::move(endpoint));
+    } else {
+      fields.wrong("others", endpoint.error().message);
+    }
+  }
   settings.recent = fields.texts("recent");
   if (settings.recent.size() > kRecentMax) settings.recent.resize(kRecentMax);
   if (const auto wrong = problem(remote)) fields.wrong("address", *wrong);
@@ -99,6 +106,17 @@ void read_rendering(Fields fields, RenderingSettings& rendering) {
   fields.finish();
 }
 
+void read_pictures(Fields fields, PictureSettings& pictures) {
+  fields.take("folder", pictures.folder);
+  fields.take("name", pictures.pattern);
+  fields.take("width", pictures.width, 0, kPictureSideMax);
+  fields.take("height", pictures.height, 0, kPictureSideMax);
+  if (const auto name = picture_name(pictures.pattern, {}, 1); !name) {
+    fields.wrong("name", name.error().message);
+  }
+  fields.finish();
+}
+
 std::string line(std::string_view key, int value) {
   return toml_line(key, std::to_string(value));
 }
@@ -143,6 +161,9 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
   if (const auto* table = reader.table_if("rendering")) {
     read_rendering({*table, problems}, settings.rendering);
   }
+  if (const auto* table = reader.table_if("pictures")) {
+    read_pictures({*table, problems}, settings.pictures);
+  }
   reader.finish();
   if (auto good = problems.result(); !good) return good.error();
   return settings;
@@ -150,11 +171,18 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
 
 std::string format_settings(const KeptSettings& settings) {
   const RemoteSettings& remote = settings.remote;
+  std::vector<std::string> others;
+  for (const protocol::Endpoint& other : remote.others) {
+    others.push_back(other.host.find(':') == std::string::npos ? other.host
+                                                               : "[" + other.host + "]");
+    others.back() += ":" + std::to_string(other.port);
+  }
   std::string text =
       "# What face-player's window remembers. It is written when the window closes; options of "
       "the\n"
       "# command line come first, --no-config leaves it alone.\n\n[remote]\n";
   text += line("address", remote.address) + line("port", remote.port) +
+          toml_line("others", toml_texts(others)) +
           toml_line("recent", toml_texts(settings.recent)) + line("buffer", remote.buffer) +
           line("playout", remote.playout) + line("threshold_percent", remote.threshold_percent) +
           line("speed_ms", remote.speed_ms) + line("reconnect", remote.reconnect) +
@@ -181,6 +209,9 @@ std::string format_settings(const KeptSettings& settings) {
       line("blink_closing_ms", rendering.blink.closing_ms) +
       line("blink_interpolation", rendering.blink.interpolation, kInterpolations) +
       line("blink_seed", static_cast<int>(std::min<std::uint64_t>(rendering.blink.seed, 999'999)));
+  const PictureSettings& pictures = settings.pictures;
+  text += "\n[pictures]\n" + line("folder", pictures.folder) + line("name", pictures.pattern) +
+          line("width", pictures.width) + line("height", pictures.height);
   return text;
 }
 

@@ -19,6 +19,7 @@ struct KeptSettings {
   AnimationSettings animation;
   TransitionSettings transition;
   RenderingSettings rendering;
+  PictureSettings pictures;
   friend bool operator==(const KeptSettings&, const KeptSettings&) = default;
 };
 

@@ -18,28 +18,17 @@ constexpr std::array<Pair, 5> kPairs = {{{51, "51 52 Head Left, Right"},
                                          {61, "61 62 Eyes Left, Right"},
                                          {63, "63 64 Eyes Up, Down"}}};
 
-/// The bar that the number belongs to, made when it is the first of it.
-AuBar& bar_of(int number, int& last, std::vector<AuBar>& bars) {
-  const auto pair = std::find_if(kPairs.begin(), kPairs.end(), [number](const Pair& one) {
+/// The pair that the number is of; null: it stands alone.
+const Pair* pair_of(int number) {
+  const auto* const pair = std::find_if(kPairs.begin(), kPairs.end(), [number](const Pair& one) {
     return number == one.first || number == one.first + 1;
   });
-  const int first = pair == kPairs.end() ? number : pair->first;
-  if (first != last || bars.empty()) {
-    const std::string name = std::string(facs_name(number).value_or(""));
-    bars.push_back({pair == kPairs.end() ? std::to_string(number) + " " + name : pair->label});
-    last = first;
-  }
-  return bars.back();
+  return pair == kPairs.end() ? nullptr : pair;
 }
 
-bool is_second(int number) {
-  return std::any_of(kPairs.begin(), kPairs.end(),
-                     [number](const Pair& one) { return number == one.first + 1; });
-}
-
-bool is_first(int number) {
-  return std::any_of(kPairs.begin(), kPairs.end(),
-                     [number](const Pair& one) { return number == one.first; });
+std::string label_of(int number, const Pair* pair) {
+  if (pair != nullptr) return pair->label;
+  return std::to_string(number) + " " + std::string(facs_name(number).value_or(""));
 }
 
 }  // namespace
@@ -51,11 +40,14 @@ std::vector<AuBar> au_bars(const std::vector<AuTerm>& aus) {
   std::vector<AuBar> bars;
   int last = 0;
   for (const AuTerm& term : ordered) {
-    AuBar& bar = bar_of(term.number, last, bars);
-    const bool left = term.side != Side::Right && !is_second(term.number);
-    const bool right = term.side != Side::Left && !is_first(term.number);
-    if (left) bar.left_percent = term.percent;
-    if (right) bar.right_percent = term.percent;
+    const Pair* const pair = pair_of(term.number);
+    const int first = pair == nullptr ? term.number : pair->first;
+    if (first != last || bars.empty()) bars.push_back({label_of(term.number, pair)});
+    last = first;
+    const bool left = pair == nullptr ? term.side != Side::Right : term.number == first;
+    const bool right = pair == nullptr ? term.side != Side::Left : term.number != first;
+    if (left) bars.back().left_percent = term.percent;
+    if (right) bars.back().right_percent = term.percent;
   }
   return bars;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/preview/seen.h"
+#include "protocol/limits.h"
 
 namespace aucast::gui {
 
@@ -39,7 +40,7 @@ struct StopMirror {};
 /// Others may connect at this address of this host.
 struct GoLive {
   std::string bind;
-  int port = 4650;
+  int port = protocol::kDefaultPort;
 };
 /// They may not any more.
 struct GoPrivate {};

@@ -2,17 +2,39 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
 #include "client/gui/widgets.h"
+#include "protocol/limits.h"
 
 namespace aucast::gui {
 
 // Each panel is a function from the model to commands, inside an open ImGui window. What belongs to
 // its widgets alone (half-typed text, a list's selection) is handed in.
+
+/// What is drawn of the curves.
+struct CurvesForm {
+  std::shared_ptr<const AuCurves> of;
+  std::size_t columns = 0;
+  std::vector<std::vector<float>> outlines;  ///< one per curve
+};
+/// How strong each AU is over the stream file that plays; nothing for other streams.
+void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiCommands& commands);
+
+/// What is being typed about pictures and videos.
+struct RecordForm {
+  std::array<char, 512> folder{};
+  std::array<char, 128> name{};
+  PictureSettings taken;  ///< of the model
+  bool filled = false;
+  std::string complaint;  ///< about the name
+};
 
 /// What is being typed into the remote player's form.
 struct RemoteForm {
@@ -21,6 +43,9 @@ struct RemoteForm {
   std::array<char, 512> token_file{};
   std::optional<std::string> wrong;  ///< with the text of the address
   bool filled = false;               ///< taken over from the model
+  RecordForm record;
+  bool large_chart = false;
+  CurvesForm curves;
 };
 
 void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands);
@@ -38,8 +63,10 @@ void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& f
 
 /// What is chosen in the expression editor.
 struct EditorForm {
-  int save_as = -1;     ///< number for "save as"; -1: the AU being edited
-  int opened_for = -1;  ///< the AU whose muscles were opened
+  int save_as = -1;             ///< number for "save as"; -1: the AU being edited
+  std::array<char, 64> name{};  ///< for an AU that FACS does not name
+  int named = -1;               ///< the AU whose name was put there
+  int opened_for = -1;          ///< the AU whose muscles were opened
 };
 
 /// The expression editor: one AU and its muscles.
@@ -64,8 +91,19 @@ inline constexpr float kTransportHeight = 76;
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
 /// What the remote player's panel says about stream files.
 void file_part(const GuiModel& model, GuiCommands& commands);
-/// Pictures, video and stream files of what is played.
-void record_part(const GuiModel& model, GuiCommands& commands);
+/// Pictures, video, gallery and stream files of what is played, and where they go.
+void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiCommands& commands);
+
+/// What is being typed in the gallery's dialog.
+struct GalleryForm {
+  std::array<char, 512> folder{};
+  std::array<char, 256> sweeps{};
+  std::string folder_taken;  ///< of the model
+  std::string sweeps_taken;
+};
+/// The gallery's dialog, while the model has it open.
+void gallery_dialog(const Look& look, const GuiModel& model, float width, GalleryForm& form,
+                    GuiCommands& commands);
 
 /// What the remote player's panel says about sound: volume, level, device; nothing where there is
 /// no device.
@@ -97,7 +135,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
 struct MirrorForm {
   std::array<char, 256> source{};
   std::string bind = "127.0.0.1";
-  int port = 4650;
+  int port = protocol::kDefaultPort;
   bool as_mirror = true;
   bool landmarks = true;
   std::uintptr_t texture = 0;  ///< of the picture that is seen; 0: none
@@ -107,6 +145,20 @@ struct MirrorForm {
 /// The Camera tab: one's own face, and who else may see it.
 void mirror_panel(const Look& look, const GuiModel& model, MirrorForm& form, GuiCommands& commands);
 
-void rendering_panel(const Look& look, const GuiModel& model, GuiCommands& commands);
+/// Of a face, in pixels at scale 1; drawn at twice that.
+inline constexpr int kThumbnailWidth = 112;
+inline constexpr int kThumbnailHeight = 128;
+
+/// The pictures of faces to choose from.
+struct FaceForm {
+  std::map<std::string, std::uintptr_t> textures;  ///< by folder
+  std::vector<std::string> wanted;                 ///< folders of those that are seen and have none
+};
+
+/// The faces to choose from.
+void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
+
+void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
+                     GuiCommands& commands);
 
 }  // namespace aucast::gui

@@ -251,19 +251,104 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
   ImGui::PopStyleVar();
 }
 
-void record_part(const GuiModel& model, GuiCommands& commands) {
+namespace {
+
+template <std::size_t N>
+void put(const std::string& text, std::array<char, N>& field) {
+  field = {};
+  text.copy(field.data(), N - 1);
+}
+
+/// Closed until somebody looks for it.
+void where_they_go(const Look& look, const PictureSettings& now, RecordForm& form,
+                   GuiCommands& commands) {
+  if (!ImGui::TreeNodeEx("Where pictures and videos go",
+                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+    return;
+  }
+  if (!form.filled || form.taken != now) {
+    if (!form.filled || form.taken.folder != now.folder) put(now.folder, form.folder);
+    if (!form.filled || form.taken.pattern != now.pattern) put(now.pattern, form.name);
+    form.taken = now;
+    form.filled = true;
+  }
+  PictureSettings wanted = now;
+  label(look, "Folder");
+  const float button = 66 * look.scale;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
+                          ImGui::GetStyle().ItemSpacing.x);
+  ImGui::InputTextWithHint("##picturefolder", "the current one", form.folder.data(),
+                           form.folder.size());
+  if (ImGui::IsItemDeactivatedAfterEdit()) wanted.folder = form.folder.data();
+  ImGui::SameLine();
+  if (ImGui::Button("Choose", ImVec2(button, 0))) {
+    commands.push_back(Browse{Purpose::PictureFolder});
+  }
+  label(look, "Name");
+  if (ImGui::InputText("##picturename", form.name.data(), form.name.size())) {
+    const auto name = picture_name(form.name.data(), {}, 1);
+    form.complaint = name ? std::string() : name.error().message;
+    if (name) wanted.pattern = form.name.data();
+  }
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("{number} {face} {stream} {keyframe} {aus} {date}");
+  }
+  if (!form.complaint.empty()) toned_text(Tone::Bad, form.complaint);
+  label(look, "Size");
+  int kind = now.width == 0 ? 0 : now.width == 1920 && now.height == 1080 ? 1 : 2;
+  constexpr std::array kSizes = {"Window", "1920 x 1080", "Other"};
+  if (choice("size", kSizes, kind)) {
+    wanted.width = kind == 0 ? 0 : kind == 1 ? 1920 : 800;
+    wanted.height = kind == 0 ? 0 : kind == 1 ? 1080 : 1000;
+  }
+  if (kind == 2) {
+    label(look, "Width");
+    if (ImGui::InputInt("##picturewidth", &wanted.width, 10, 100)) {
+      wanted.width = std::clamp(wanted.width, kPictureSideMin, kPictureSideMax);
+    }
+    label(look, "Height");
+    if (ImGui::InputInt("##pictureheight", &wanted.height, 10, 100)) {
+      wanted.height = std::clamp(wanted.height, kPictureSideMin, kPictureSideMax);
+    }
+  }
+  if (wanted == now) return;
+  form.taken = wanted;
+  commands.push_back(ChangePictures{wanted});
+}
+
+/// What other programs can read.
+void export_menu(bool played, GuiCommands& commands) {
+  if (!ImGui::BeginPopup("export")) return;
+  const auto item = [&](const char* text, Purpose purpose, bool enabled) {
+    if (ImGui::MenuItem(text, nullptr, false, enabled)) commands.push_back(Browse{purpose});
+  };
+  item("What was played, as a stream file (TXT)", Purpose::ExportKeyframes, played);
+  item("Its AUs, as a table (CSV)", Purpose::ExportTable, played);
+  item("Face and movement, as glTF (GLB)", Purpose::ExportGlb, true);
+  item("The face of this moment, as a mesh (OBJ)", Purpose::ExportMesh, true);
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiCommands& commands) {
   const bool recording = !model.recording.empty();
-  if (wide_button("Picture", 0, 3, true)) commands.push_back(TakePicture{});
+  if (wide_button("Picture", 0, 4, true)) commands.push_back(TakePicture{});
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("a PNG of the face (s)");
-  if (wide_button(recording ? "End video" : "Video", 1, 3, true, recording)) {
+  if (wide_button(recording ? "End video" : "Video", 1, 4, true, recording)) {
     commands.push_back(ToggleVideo{});
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("an MP4 of what is shown from now on (v)");
-  if (wide_button("Export...", 2, 3, !model.remote.keyframe.empty())) {
-    commands.push_back(Browse{Purpose::ExportKeyframes});
+  if (wide_button("Gallery...", 2, 4, true, model.gallery.running)) {
+    commands.push_back(GalleryCommand(OpenGallery{}));
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("what was played, as a stream file");
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("pictures of many AUs and expressions of this face, and sweeps");
+  }
+  if (wide_button("Export...", 3, 4, true)) ImGui::OpenPopup("export");
+  export_menu(!model.remote.keyframe.empty(), commands);
   if (recording) quiet_text("recording " + model.recording);
+  where_they_go(look, model.pictures, form, commands);
 }
 
 void file_part(const GuiModel& model, GuiCommands& commands) {

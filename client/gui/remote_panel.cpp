@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/gui/panels.h"
+#include "common/action_unit.h"
 
 namespace aucast::gui {
 namespace {
@@ -133,8 +134,8 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
   if (!remote.receiver_history.empty()) {
     label(look, "Last 30 s");
     const PlotLine line{&remote.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
-    plot(look, {&line, 1}, 34 * look.scale,
-         static_cast<float>(remote.receiver.threshold_percent) / 100);
+    static_cast<void>(plot(look, {&line, 1}, 34 * look.scale,
+                           static_cast<float>(remote.receiver.threshold_percent) / 100));
   }
   if (!remote.in.empty()) {
     said(look, "Received", remote.in);
@@ -166,21 +167,29 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
   }
 }
 
-/// The strongest AUs over the last half minute, each with its colour.
-void intensities(const Look& look, const RemoteView& remote) {
+/// The strongest AUs over the last half minute, each with its colour and its number beside it; a
+/// click makes it larger, with their names.
+void intensities(const Look& look, const RemoteView& remote, bool& large) {
   if (remote.au_history.empty()) return;
+  constexpr float kSmall = 96;
+  constexpr float kLarge = 260;
   std::vector<PlotLine> lines;
-  label(look, "Last 30 s");
-  const float left = ImGui::GetCursorPosX();
   for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
-    lines.push_back({&remote.au_history[i].values, colour_of_line(i)});
+    const AuTrace& trace = remote.au_history[i];
+    lines.push_back({&trace.values, colour_of_line(i), std::to_string(trace.number)});
   }
-  plot(look, lines, 48 * look.scale, 0);
-  ImGui::SetCursorPosX(left);
+  quiet_text("The strongest, last 30 s");
+  if (plot(look, lines, (large ? kLarge : kSmall) * look.scale, 0)) large = !large;
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip(large ? "a click makes it smaller" : "a click makes it larger");
+  if (!large) return;
   for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, 10 * look.scale);
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour_of_line(i)), "%d",
-                       remote.au_history[i].number);
+    const int number = remote.au_history[i].number;
+    const auto name = facs_name(number);
+    const std::string text = std::to_string(number) + "  " + (name ? std::string(*name) : "");
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of_line(i));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
   }
 }
 
@@ -206,9 +215,9 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
   if (changed) commands.push_back(ChangeAnimation{settings});
 }
 
-void action_units(const Look& look, const GuiModel& model) {
+void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
   heading(look, "Action Units");
-  intensities(look, model.remote);
+  intensities(look, model.remote, form.large_chart);
   if (model.remote.aus.empty()) {
     quiet_text(model.remote.keyframe.empty() ? "None yet." : "The neutral face.");
     return;
@@ -223,11 +232,12 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
   if (!form.filled) fill_form(model.remote_settings, form);
   server(look, model, form, commands);
   file_part(model, commands);
-  record_part(model, commands);
+  record_part(look, model, form.record, commands);
   sound_part(look, model, commands);
   if (!model.remote.local) buffers(look, model, form);
   animation(look, model, commands);
-  action_units(look, model);
+  action_units(look, model, form);
+  curves_part(look, model, form.curves, commands);
 }
 
 }  // namespace aucast::gui

@@ -2,8 +2,6 @@
 
 #include <string_view>
 
-#include "protocol/endpoint.h"
-
 namespace aucast::gui {
 namespace {
 
@@ -17,15 +15,28 @@ std::optional<std::string> outside(std::string_view what, int value, int low, in
   return std::string(what) + " must be " + std::to_string(low) + " to " + std::to_string(high);
 }
 
+std::optional<std::string> problem_of_host(const std::string& host, int port) {
+  if (host.empty()) return "enter the address of an au-transmitter";
+  if (host.size() > kAddressMax) return "this address is too long";
+  for (const char c : host) {
+    if (c <= ' ' || c > '~') return "an address has no blanks and only plain letters";
+  }
+  return outside("the port", port, 1, kPortMax);
+}
+
+std::string host_text(const std::string& host, int port) {
+  const bool v6 = host.find(':') != std::string::npos;
+  const std::string text = v6 ? "[" + host + "]" : host;
+  return port == protocol::kDefaultPort ? text : text + ":" + std::to_string(port);
+}
+
 }  // namespace
 
 std::optional<std::string> problem(const RemoteSettings& settings) {
-  if (settings.address.empty()) return "enter the address of an au-transmitter";
-  if (settings.address.size() > kAddressMax) return "this address is too long";
-  for (const char c : settings.address) {
-    if (c <= ' ' || c > '~') return "an address has no blanks and only plain letters";
+  if (auto wrong = problem_of_host(settings.address, settings.port)) return wrong;
+  for (const protocol::Endpoint& other : settings.others) {
+    if (auto wrong = problem_of_host(other.host, other.port)) return wrong;
   }
-  if (auto wrong = outside("the port", settings.port, 1, kPortMax)) return wrong;
   if (auto wrong = outside("the buffer", settings.buffer, 1, kSetsMax)) return wrong;
   if (auto wrong = outside("the playout buffer", settings.playout, 1, kSetsMax)) return wrong;
   if (settings.playout > settings.buffer) {
@@ -36,10 +47,11 @@ std::optional<std::string> problem(const RemoteSettings& settings) {
 }
 
 std::string address_text(const RemoteSettings& settings) {
-  const bool v6 = settings.address.find(':') != std::string::npos;
-  std::string text = v6 ? "[" + settings.address + "]" : settings.address;
-  if (settings.port != protocol::kDefaultPort) text += ":" + std::to_string(settings.port);
-  if (settings.stream.empty() && !settings.tls) return text;
+  std::string text = host_text(settings.address, settings.port);
+  for (const protocol::Endpoint& other : settings.others) {
+    text += "," + host_text(other.host, other.port);
+  }
+  if (settings.stream.empty() && !settings.tls && settings.others.empty()) return text;
   text = (settings.tls ? "aucasts://" : "aucast://") + text;
   return settings.stream.empty() ? text : text + "/" + settings.stream;
 }
@@ -55,9 +67,9 @@ std::optional<std::string> take_address(std::string_view text, RemoteSettings& s
     if (protocol::is_stream_address(text)) return address.error().message;
     return "this is no address: use HOST, HOST:PORT or aucast://HOST/STREAM";
   }
-  if (address->hosts.size() > 1) return "the window takes one server: leave out the others";
   settings.address = address->hosts.front().host;
   settings.port = address->hosts.front().port;
+  settings.others.assign(address->hosts.begin() + 1, address->hosts.end());
   settings.stream = address->stream;
   settings.tls = address->tls;
   return std::nullopt;

@@ -3,13 +3,18 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "protocol/endpoint.h"
+
+#include "protocol/limits.h"
 
 namespace aucast::gui {
 
 /// The form of the remote player, as people fill it in.
 struct RemoteSettings {
   std::string address = "127.0.0.1";  ///< a host
-  int port = 4650;
+  int port = protocol::kDefaultPort;
   int buffer = 100;
   int playout = 30;
   int threshold_percent = 40;
@@ -17,7 +22,8 @@ struct RemoteSettings {
   bool reconnect = false;  ///< try again when the server is lost
   std::string stream{};    ///< empty: the server's first
   bool tls = false;
-  std::string token_file{};  ///< empty: as the command line says
+  std::string token_file{};                  ///< empty: as the command line says
+  std::vector<protocol::Endpoint> others{};  ///< where the stream is too, tried in turn
   friend bool operator==(const RemoteSettings&, const RemoteSettings&) = default;
 };
 
@@ -25,11 +31,12 @@ struct RemoteSettings {
 /// limits are those of the command line.
 [[nodiscard]] std::optional<std::string> problem(const RemoteSettings& settings);
 
-/// HOST or HOST:PORT, the port left out when it is the usual one; aucast://HOST[:PORT]/STREAM when
-/// a stream is named, aucasts:// for TLS.
+/// HOST or HOST:PORT, the port left out when it is the usual one;
+/// aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM] when a stream or other hosts are named,
+/// aucasts:// for TLS.
 [[nodiscard]] std::string address_text(const RemoteSettings& settings);
-/// The other way round, also HOST[:PORT]/STREAM; into address, port, stream and tls. What is wrong
-/// with the text, as a sentence; nothing then is changed.
+/// The other way round, also HOST[:PORT]/STREAM; into address, port, others, stream and tls. What
+/// is wrong with the text, as a sentence; nothing then is changed.
 [[nodiscard]] std::optional<std::string> take_address(std::string_view text,
                                                       RemoteSettings& settings);
 

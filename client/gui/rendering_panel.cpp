@@ -109,31 +109,6 @@ bool blinking(const Look& look, RenderingSettings& settings) {
   return changed;
 }
 
-/// Which face the window begins with: another head needs a start.
-void next_face(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  heading(look, "Face from the next start on");
-  const std::vector<FaceEntry> none;
-  const std::vector<FaceEntry>& faces = model.faces == nullptr ? none : *model.faces;
-  std::string shown = model.next_face.empty() ? "the usual one" : model.next_face;
-  for (const FaceEntry& face : faces) {
-    if (face.folder == model.next_face) shown = face.name;
-  }
-  ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##face", shown.c_str())) return;
-  if (ImGui::Selectable("the usual one", model.next_face.empty())) {
-    commands.push_back(BeginWithFace{});
-  }
-  for (const FaceEntry& face : faces) {
-    ImGui::PushID(face.folder.c_str());
-    if (ImGui::Selectable(face.name.c_str(), face.folder == model.next_face)) {
-      commands.push_back(BeginWithFace{face.folder});
-    }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", face.folder.c_str());
-    ImGui::PopID();
-  }
-  ImGui::EndCombo();
-}
-
 void pace(const Look& look, const RenderingView& rendering) {
   heading(look, "Pace");
   if (rendering.pace.empty()) quiet_text("Nothing has moved yet.");
@@ -145,15 +120,16 @@ void pace(const Look& look, const RenderingView& rendering) {
 
 }  // namespace
 
-void rendering_panel(const Look& look, const GuiModel& model, GuiCommands& commands) {
+void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
+                     GuiCommands& commands) {
   RenderingSettings settings = model.rendering.settings;
+  face_part(look, model, form, commands);
   camera(look, commands);
   bool changed = layers(look, settings.layers);
   changed |= light(look, settings);
   changed |= usual_view(settings);
   changed |= blinking(look, settings);
   if (changed) commands.push_back(ChangeRendering{settings});
-  next_face(look, model, commands);
   pace(look, model.rendering);
 }
 

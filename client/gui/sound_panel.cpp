@@ -63,16 +63,21 @@ void device_choice(const Look& look, const SoundView& sound, GuiCommands& comman
 /// Text over the face, its middle at `x`; `anchor`: 0, `y` is its upper edge, 1, its lower.
 void written(const Look& look, const char* id, const std::string& text, float x, float y,
              float anchor, float room) {
+  const ImVec2 padding(12 * look.scale, 7 * look.scale);
+  const float wrap = std::min(room, kCaptionWidthMax * look.scale) - padding.x;
+  // Told and not found by ImGui, which would be a picture late and cut what is longer than before.
+  const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+  ImGui::SetNextWindowSize(ImVec2(text_size.x + 2 * padding.x, text_size.y + 2 * padding.y));
   ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, ImVec2(0.5F, anchor));
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize |
-      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus;
+      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
+      ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::SetNextWindowBgAlpha(0.72F);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * look.scale, 7 * look.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * look.scale);
   if (ImGui::Begin(id, nullptr, kFlags)) {
-    ImGui::PushTextWrapPos(std::min(room, kCaptionWidthMax * look.scale));
+    ImGui::PushTextWrapPos(padding.x + wrap);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
   }

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "client/gui/au_curves.h"
 #include "common/time.h"
 
 namespace aucast::gui {
@@ -23,7 +24,8 @@ struct LocalView {
   int speed_percent = 100;
   std::optional<Duration> loop_begin;
   std::optional<Duration> loop_end;
-  bool repeats = false;  ///< the whole of it
+  bool repeats = false;                      ///< the whole of it
+  std::shared_ptr<const AuCurves> curves{};  ///< of each AU; null: none are known
   friend bool operator==(const LocalView&, const LocalView&) = default;
 };
 

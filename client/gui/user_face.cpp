@@ -39,6 +39,22 @@ Result<fs::path> aus_file_of(const fs::path& face_folder) {
   return Error{ErrorKind::BadData, at_place(description.string(), "names no file of AUs")};
 }
 
+/// Writes what `change` makes of the face's file of AUs.
+template <typename Change>
+Result<fs::path> change_aus(const fs::path& face_folder, const Change& change) {
+  auto file = aus_file_of(face_folder);
+  if (!file) return file.error();
+  auto before = read_file(*file);
+  if (!before) return before.error();
+  Result<std::string> after = change(*before, file->string());
+  if (!after) return after.error();
+  if (*after == *before) return file;
+  const fs::path previous = file->string() + "~";
+  if (auto kept = write_file_atomically(previous, *before); !kept) return kept.error();
+  if (auto written = write_file_atomically(*file, *after); !written) return written.error();
+  return file;
+}
+
 }  // namespace
 
 Result<fs::path> user_faces_folder(const char* xdg_data_home, const char* home) {
@@ -54,13 +70,17 @@ Result<fs::path> user_faces_folder(const char* xdg_data_home, const char* home) 
   return base / "aucast" / "faces";
 }
 
+bool is_face(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / "face.toml", ignored) || fs::exists(folder / "faceline.dat", ignored);
+}
+
 std::vector<FaceEntry> faces_in(const fs::path& folder) {
   std::vector<FaceEntry> faces;
   std::error_code failed;
   for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-    std::error_code ignored;
-    if (!fs::exists(at->path() / "face.toml", ignored)) continue;
-    faces.push_back({at->path().filename().string(), at->path().string()});
+    if (!is_face(at->path())) continue;
+    faces.push_back({at->path().filename().string(), at->path().string(), {}});
   }
   std::sort(faces.begin(), faces.end(),
             [](const FaceEntry& a, const FaceEntry& b) { return a.name < b.name; });
@@ -92,18 +112,25 @@ Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user
   }
 }
 
-Result<fs::path> save_au(const fs::path& face_folder, int number, const Drive& drive) {
-  auto file = aus_file_of(face_folder);
-  if (!file) return file.error();
-  auto before = read_file(*file);
-  if (!before) return before.error();
-  auto after = with_au(*before, file->string(), number, drive);
-  if (!after) return after.error();
-  if (*after == *before) return file;
-  const fs::path previous = file->string() + "~";
-  if (auto kept = write_file_atomically(previous, *before); !kept) return kept.error();
-  if (auto written = write_file_atomically(*file, *after); !written) return written.error();
-  return file;
+bool is_own_face(const fs::path& face_folder, const fs::path& user_faces) {
+  try {
+    return lies_in(face_folder, user_faces);
+  } catch (const fs::filesystem_error&) {
+    return false;  // a folder that cannot be looked into
+  }
+}
+
+Result<fs::path> save_au(const fs::path& face_folder, int number, const Drive& drive,
+                         const std::string& name) {
+  return change_aus(face_folder, [&](const std::string& text, const std::string& file) {
+    return with_au(text, file, number, drive, name);
+  });
+}
+
+Result<fs::path> remove_au(const fs::path& face_folder, int number) {
+  return change_aus(face_folder, [&](const std::string& text, const std::string& file) {
+    return without_au(text, file, number);
+  });
 }
 
 }  // namespace aucast::gui

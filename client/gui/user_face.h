@@ -23,12 +23,25 @@ namespace aucast::gui {
 [[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
                                                           const std::filesystem::path& user_faces);
 
-/// The faces in a folder of faces, by name; none when there is no such folder.
+/// Whether this folder is a face, in our format or the classic one.
+[[nodiscard]] bool is_face(const std::filesystem::path& folder);
+
+/// The faces in a folder of faces, by name, in our format or the classic one; the kind is left to
+/// the caller. None when there is no such folder.
 [[nodiscard]] std::vector<FaceEntry> faces_in(const std::filesystem::path& folder);
 
-/// Saves one AU in the AU file of a face of our own format and returns that file. The version
-/// before stays beside it with a ~ at its end. What was there is untouched when this fails.
+/// Whether a face lies in the folder of the user's own ones.
+[[nodiscard]] bool is_own_face(const std::filesystem::path& face_folder,
+                               const std::filesystem::path& user_faces);
+
+/// Saves one AU in the AU file of a face of our own format and returns that file; `name`: its note,
+/// empty: as it is. The version before stays beside it with a ~ at its end. What was there is
+/// untouched when this fails.
 [[nodiscard]] Result<std::filesystem::path> save_au(const std::filesystem::path& face_folder,
-                                                    int number, const Drive& drive);
+                                                    int number, const Drive& drive,
+                                                    const std::string& name = {});
+/// Takes one AU out of that file, in the same way.
+[[nodiscard]] Result<std::filesystem::path> remove_au(const std::filesystem::path& face_folder,
+                                                      int number);
 
 }  // namespace aucast::gui

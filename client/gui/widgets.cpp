@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "client/gui/label_places.h"
+
 namespace aucast::gui {
 namespace {
 
@@ -131,6 +133,19 @@ bool belongs_to_drag() {
          ImGui::GetIO().MouseDownDuration[0] > 0;
 }
 
+void sides_heading() {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const float left = ImGui::GetCursorPosX();
+  const auto centred = [&](const char* text, float column) {
+    ImGui::SetCursorPosX(column + (half - ImGui::CalcTextSize(text).x) / 2);
+    quiet_text(text);
+  };
+  centred("right, the subject's", left);
+  ImGui::SameLine();
+  centred("left, the subject's", left + half + gap);
+}
+
 bool percent_slider(const char* id, float width, int& value) {
   ImGui::SetNextItemWidth(width);
   return ImGui::SliderInt(id, &value, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);
@@ -166,15 +181,43 @@ void buffer_bar(const Look& look, const char* name, const BufferLevel& level) {
   ImGui::Dummy(size);
 }
 
-void plot(const Look& look, std::span<const PlotLine> lines, float height, float mark) {
+namespace {
+
+/// Beside the ends of the lines, in their colours, apart from each other.
+void line_labels(std::span<const PlotLine> lines, float x, float top, float bottom) {
+  const float row = ImGui::GetTextLineHeight();
+  std::vector<float> wanted;
+  for (const PlotLine& line : lines) {
+    const float last = line.values->empty() ? 0.0F : std::clamp(line.values->back(), 0.0F, 1.0F);
+    wanted.push_back(bottom - last * (bottom - top) - row / 2);
+  }
+  const std::vector<float> places = label_places(wanted, row, top, bottom - row);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    ImGui::GetWindowDrawList()->AddText(ImVec2(x, places[i]), lines[i].colour,
+                                        lines[i].label.c_str());
+  }
+}
+
+}  // namespace
+
+bool plot(const Look& look, std::span<const PlotLine> lines, float height, float mark) {
   constexpr float kSamplesWide = 121;  // half a minute, four a second
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
   const ImVec2 to(from.x + size.x, from.y + size.y);
+  ImGui::PushID(static_cast<int>(from.y));
+  const bool clicked = ImGui::InvisibleButton("##plot", size);
+  ImGui::PopID();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg),
                       ImGui::GetStyle().FrameRounding);
+  float labels = 0;
+  for (const PlotLine& line : lines) {
+    labels = std::max(labels, ImGui::CalcTextSize(line.label.c_str()).x);
+  }
   const float inset = 3 * look.scale;
+  if (labels > 0) labels += 2 * inset;
+  const float end = to.x - inset - labels;
   const float bottom = to.y - inset;
   const float reach = size.y - 2 * inset;
   if (mark > 0) {
@@ -188,14 +231,15 @@ void plot(const Look& look, std::span<const PlotLine> lines, float height, float
     const std::size_t count = line.values->size();
     for (std::size_t i = 0; i < count; ++i) {
       const float age = static_cast<float>(count - 1 - i);
-      const float x = to.x - inset - age / (kSamplesWide - 1) * (size.x - 2 * inset);
+      const float x = end - age / (kSamplesWide - 1) * (end - from.x - inset);
       points.emplace_back(x, bottom - std::clamp((*line.values)[i], 0.0F, 1.0F) * reach);
     }
     list->AddPolyline(points.data(), static_cast<int>(points.size()), line.colour, 0,
                       1.5F * look.scale);
   }
+  if (labels > 0) line_labels(lines, end + inset, from.y + inset, bottom);
   list->PopClipRect();
-  ImGui::Dummy(size);
+  return clicked;
 }
 
 unsigned colour_of_line(std::size_t index) {

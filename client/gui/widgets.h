@@ -51,6 +51,9 @@ void quiet_text(const std::string& text);
 /// Whether a change of the item before belongs to the press of the mouse that began it: the press
 /// is the beginning of a step, and what follows while it is held belongs to that step.
 [[nodiscard]] bool belongs_to_drag();
+/// The headings of two columns that share the line, as one sees a face: the subject's right is at
+/// the viewer's left.
+void sides_heading();
 /// A slider of 0 to 100 %; true when it changed `value`.
 [[nodiscard]] bool percent_slider(const char* id, float width, int& value);
 /// A buffer as a bar with its fill and the mark of its threshold.
@@ -59,10 +62,11 @@ void buffer_bar(const Look& look, const char* name, const BufferLevel& level);
 struct PlotLine {
   const std::vector<float>* values = nullptr;
   unsigned colour = 0;
+  std::string label{};  ///< beside its end; empty: none
 };
 /// Lines over the last half minute, the newest at the right; `mark` in [0,1] is a level to reach, 0
-/// for none. As wide as there is room.
-void plot(const Look& look, std::span<const PlotLine> lines, float height, float mark);
+/// for none. As wide as there is room. True when it was clicked.
+bool plot(const Look& look, std::span<const PlotLine> lines, float height, float mark);
 /// A colour for each of a few lines that stand together.
 [[nodiscard]] unsigned colour_of_line(std::size_t index);
 

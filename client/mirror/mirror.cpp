@@ -113,10 +113,7 @@ void Mirror::take(preview::Record record) {
       [this](preview::Live& one) { state_.live = std::move(one.address); },
       [this](preview::Private&) { state_.live.clear(); },
       [this](preview::Watching& one) { state_.watching = one.count; },
-      [this](preview::Refused& one) {
-        state_.live.clear();
-        state_.refused = printable(one.sentence);
-      }};
+      [this](preview::Refused& one) { state_.refused = printable(one.sentence); }};
   const std::lock_guard lock(mutex_);
   std::visit(note, record);
 }

@@ -216,7 +216,7 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
 TEST_F(Replay, TheViewIsSetByMouse) {
   open(1, nullptr);
   // The tab, then the boxes for wireframe and muscles, then a white ground.
-  replay("click 693 54\nclick 638 211\nclick 638 273\nclick 729 373\n");
+  replay("click 693 54\nclick 638 454\nclick 638 516\nclick 729 616\n");
   const gui::RenderingSettings rendering = session_->rendering();
   EXPECT_TRUE(rendering.layers.wireframe);
   EXPECT_TRUE(rendering.layers.muscles);
@@ -281,11 +281,11 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
   EXPECT_EQ(session_->model().editor.au, 12);
   const float before = shown("left_cheek_raiser");
   // The cheeks by drag, one step more by button, which is taken back.
-  replay("drag 672 516 700 516\n");
+  replay("drag 672 547 700 547\n");
   const float dragged = shown("left_cheek_raiser");
   EXPECT_GT(dragged, before + 0.2F);
   EXPECT_EQ(shown("right_cheek_raiser"), dragged) << "left and right together";
-  replay("click 770 516\n");
+  replay("click 770 547\n");
   EXPECT_NEAR(shown("left_cheek_raiser"), dragged + 0.05F, 0.006F);
   replay("click 475 256\n");
   EXPECT_EQ(shown("left_cheek_raiser"), dragged);

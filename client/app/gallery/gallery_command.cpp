@@ -66,11 +66,13 @@ bool ffmpeg_is_there() {
 class GalleryWriter {
  public:
   GalleryWriter(const Assets& assets, const PlayerOptions& options, const GalleryPlan& plan,
-                const std::function<bool()>& stop)
+                const std::function<bool()>& stop,
+                const std::function<void(std::size_t, std::size_t)>& on_drawn)
       : assets_(assets),
         options_(options),
         plan_(plan),
         stop_(stop),
+        on_drawn_(on_drawn),
         progress_(!options.quiet),
         activations_(assets.face.channels.size()) {}
 
@@ -133,6 +135,7 @@ class GalleryWriter {
       if (auto added = video->add(image); !added) return added;
     }
     ++drawn_;
+    if (on_drawn_) on_drawn_(drawn_, plan_.pictures.size());
     progress_.show([&] { return count_text(drawn_) + time_left(); },
                    drawn_ == plan_.pictures.size());
     return {};
@@ -191,6 +194,7 @@ class GalleryWriter {
   const PlayerOptions& options_;
   const GalleryPlan& plan_;
   const std::function<bool()>& stop_;
+  const std::function<void(std::size_t, std::size_t)>& on_drawn_;
   ProgressLine progress_;
   Instant begin_ = steady_now();
   std::size_t drawn_ = 0;
@@ -200,7 +204,7 @@ class GalleryWriter {
 };
 
 /// What there is now, and which AUs the face lacks or cannot show well.
-void print_summary(const std::filesystem::path& folder, const GalleryPlan& plan) {
+std::string summary(const std::filesystem::path& folder, const GalleryPlan& plan) {
   std::size_t recorded = 0;
   std::string missing;
   std::string limited;
@@ -212,15 +216,19 @@ void print_summary(const std::filesystem::path& folder, const GalleryPlan& plan)
     if (!row.recorded) list(missing, row.number);
     if (is_limited(row)) list(limited, row.number);
   }
-  std::printf("%s: %zu pictures; %zu of %zu Action Units are recorded%s%s%s%s\n",
-              (folder / "index.html").c_str(), plan.pictures.size(), recorded, plan.coverage.size(),
-              missing.empty() ? "" : ", not ", missing.c_str(),
-              limited.empty() ? "" : "; in their best form only: ", limited.c_str());
+  std::string text = (folder / "index.html").string() + ": " +
+                     std::to_string(plan.pictures.size()) + " pictures; " +
+                     std::to_string(recorded) + " of " + std::to_string(plan.coverage.size()) +
+                     " Action Units are recorded";
+  if (!missing.empty()) text += ", not " + missing;
+  if (!limited.empty()) text += "; in their best form only: " + limited;
+  return text;
 }
 
 }  // namespace
 
-Result<void> run_gallery(const PlayerOptions& options, const std::function<bool()>& stop) {
+Result<std::string> make_gallery(const PlayerOptions& options, const std::function<bool()>& stop,
+                                 const std::function<void(std::size_t, std::size_t)>& on_drawn) {
   auto assets = load_assets(options.face);
   if (!assets) return assets.error();
   auto rules = load_rules(**assets);
@@ -233,10 +241,16 @@ Result<void> run_gallery(const PlayerOptions& options, const std::function<bool(
                            options.gallery.sweeps};
   auto plan = plan_gallery(input);
   if (!plan) return plan.error();
-  if (auto made = make_folders(options.gallery.folder, *plan); !made) return made;
-  auto written = GalleryWriter(**assets, options, *plan, stop).write();
-  if (!written) return written;
-  print_summary(options.gallery.folder, *plan);
+  if (auto made = make_folders(options.gallery.folder, *plan); !made) return made.error();
+  auto written = GalleryWriter(**assets, options, *plan, stop, on_drawn).write();
+  if (!written) return written.error();
+  return summary(options.gallery.folder, *plan);
+}
+
+Result<void> run_gallery(const PlayerOptions& options, const std::function<bool()>& stop) {
+  const auto made = make_gallery(options, stop);
+  if (!made) return made.error();
+  std::printf("%s\n", made->c_str());
   return {};
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <string>
 
 #include "client/app/player_options.h"
 #include "common/result.h"
@@ -13,5 +15,11 @@ namespace aucast::app {
 /// is a failure, since the pictures are not all there, and nothing half written is left.
 [[nodiscard]] Result<void> run_gallery(const PlayerOptions& options,
                                        const std::function<bool()>& stop);
+
+/// The same without printing: the sentence about what there is now is returned. `on_drawn` is told
+/// after each picture how many there are, and of how many.
+[[nodiscard]] Result<std::string> make_gallery(
+    const PlayerOptions& options, const std::function<bool()>& stop,
+    const std::function<void(std::size_t drawn, std::size_t total)>& on_drawn = {});
 
 }  // namespace aucast::app

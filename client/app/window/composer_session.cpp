@@ -45,7 +45,7 @@ ComposerSession::ComposerSession(const Assets& assets, const pipeline::AuMapping
   list_keyframes();
 }
 
-bool ComposerSession::apply(const gui::ComposerCommand& command, Instant) {
+bool ComposerSession::apply(const gui::ComposerCommand& command) {
   if (std::holds_alternative<gui::ComposeShown>(command) ||
       std::holds_alternative<gui::PlayComposition>(command) ||
       std::holds_alternative<gui::SaveComposition>(command)) {
@@ -94,6 +94,7 @@ void ComposerSession::take(const AuFrame& aus) {
 }
 
 void ComposerSession::remake() {
+  activations_.resize(mapping_.face.channels.size());
   mapping_.apply(composer_.current().aus, activations_);
 }
 

@@ -13,7 +13,6 @@
 #include "client/pipeline/au_mapping.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
-#include "common/time.h"
 
 namespace aucast::app {
 
@@ -25,17 +24,17 @@ class ComposerSession {
 
   /// True when the composer's face is to be shown. ComposeShown, PlayComposition and
   /// SaveComposition are not carried out here: they need another face, a player and a file.
-  bool apply(const gui::ComposerCommand& command, Instant now);
+  bool apply(const gui::ComposerCommand& command);
   /// These are the AUs of the keyframe from now on.
   void take(const AuFrame& aus);
-  /// The mapping has changed.
+  /// The mapping has changed, or its face.
   void remake();
   /// Reads a stream file in place of what is there, which undo brings back.
   [[nodiscard]] Result<void> load(const std::filesystem::path& file);
   /// Returns a sentence about where it went.
   [[nodiscard]] Result<std::string> save(const std::filesystem::path& file);
 
-  [[nodiscard]] const std::vector<float>& activations(Instant) const { return activations_; }
+  [[nodiscard]] const std::vector<float>& activations() const { return activations_; }
   /// Of the keyframe being composed.
   [[nodiscard]] const AuFrame& aus() const { return composer_.current().aus; }
   [[nodiscard]] bool unsaved() const { return composer_.unsaved(); }

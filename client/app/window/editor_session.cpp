@@ -1,12 +1,10 @@
 #include "client/app/window/editor_session.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 #include <variant>
 
 #include "client/gui/channel_groups.h"
-#include "client/gui/user_face.h"
 #include "client/gui/view_text.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
@@ -42,6 +40,7 @@ EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping,
       mapping_(mapping),
       notices_(notices),
       shown_(shown),
+      own_(assets, mapping),
       editor_(mapping.face, mapping.recordings) {
   expressions_.buttons = buttons_of(assets.expressions);
   list_aus();
@@ -76,9 +75,10 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
       },
       [&](const gui::LoadAu& one) { return edit([&] { editor_.load(one.number); }); },
       [&](const gui::SaveAu& one) {
-        save_au(one.number);
+        save_au(one);
         return false;
       },
+      [&](const gui::RemoveAu& one) { return remove_au(one.number, now); },
       [&](const gui::RevertAu&) { return edit([&] { editor_.revert(); }); },
       [&](const gui::NeutralFace&) { return edit([&] { editor_.neutral(); }); },
       [&](const gui::Undo&) { return edit([&] { editor_.undo(); }); },
@@ -147,29 +147,56 @@ void EditorSession::go_to(std::vector<float> target, bool continued, Instant now
   transition_.emplace(shown_, std::move(target), transition_settings_, now);
 }
 
-void EditorSession::save_au(int number) {
-  const Result<std::string> saved = save_recording(number);
+void EditorSession::change_face(const std::vector<std::string>& before) {
+  transition_.reset();
+  own_.change_face();
+  editor_.change_face(before);
+  list_aus();
+  if (!aus_) return;
+  // What is made of AUs is made of the same ones.
+  std::vector<float> target(mapping_.face.channels.size());
+  face::mix(mapping_.face.channels, mapping_.recordings, *aus_, mapping_.mixer, target);
+  editor_.take(target, true);
+}
+
+void EditorSession::save_au(const gui::SaveAu& wanted) {
+  const Result<std::string> saved = save_recording(wanted);
   save_failed_ = !saved;
   saved_to_ = saved ? *saved : saved.error().message;
 }
 
 /// Returns a sentence about where it went.
-Result<std::string> EditorSession::save_recording(int number) {
-  auto faces = gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"));
-  if (!faces) return faces.error();
-  auto folder = gui::writable_face(assets_.face_folder, *faces);
-  if (!folder) return folder.error();
-  const std::vector<float>& activations = editor_.activations();
-  auto file = gui::save_au(*folder, number, gui::drive_of(mapping_.face, activations));
+Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
+  const auto file = own_.save(wanted.number, editor_.activations(), wanted.name);
   if (!file) return file.error();
-  face::AuRecording& recording = mapping_.recordings[number];
-  recording.number = number;
-  recording.activation = activations;
-  editor_.saved(number);
+  editor_.saved(wanted.number);
   list_aus();
-  saved_face_ = std::filesystem::absolute(*folder).lexically_normal().string();
-  return "AU" + std::to_string(number) + " saved in " + file->string() +
+  saved_face_ = std::filesystem::absolute(file->parent_path()).lexically_normal().string();
+  return "AU" + std::to_string(wanted.number) + " saved in " + file->string() +
          ", in your copy of the face, with which the window begins from now on";
+}
+
+bool EditorSession::remove_au(int number, Instant now) {
+  if (!own_.has(number)) return false;
+  const bool shipped = own_.shipped(number);
+  if (const auto removed = own_.remove(number); !removed) {
+    notices_.say(removed.error().message, true, now);
+    return false;
+  }
+  transition_.reset();
+  show_none_of_them();
+  editor_.recorded_anew(number);
+  list_aus();
+  save_failed_ = false;
+  saved_to_ = "AU" + std::to_string(number) +
+              (shipped ? " is as it came with the player; Undo and Save bring yours back"
+                       : " is deleted; Undo and Save bring it back");
+  return true;
+}
+
+Result<std::string> EditorSession::export_au(const std::filesystem::path& file) const {
+  if (!editor_.au()) return Error{ErrorKind::Usage, "no AU is being edited"};
+  return own_.export_to(*editor_.au(), file);
 }
 
 void EditorSession::list_aus() {
@@ -183,6 +210,8 @@ void EditorSession::list_aus() {
     entry.muscles = gui::drive_in_words(gui::drive_of(mapping_.face, recording.activation));
     const auto looks = assets_.au_looks.find(number);
     if (looks != assets_.au_looks.end()) entry.looks = looks->second;
+    entry.own = own_.has(number);
+    entry.shipped = own_.shipped(number);
     entries.push_back(std::move(entry));
   }
   known_aus_ = std::make_shared<const std::vector<gui::AuEntry>>(std::move(entries));

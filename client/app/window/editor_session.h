@@ -7,6 +7,7 @@
 
 #include "client/app/assets.h"
 #include "client/app/window/notices.h"
+#include "client/app/window/own_aus.h"
 #include "client/gui/expression_editor.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/transition.h"
@@ -28,6 +29,12 @@ class EditorSession {
   bool apply(const gui::EditorCommand& command, Instant now);
   void set_transition(const gui::TransitionSettings& settings) { transition_settings_ = settings; }
   [[nodiscard]] const gui::TransitionSettings& transition() const { return transition_settings_; }
+
+  /// The face of the mapping has become another one; `before`: the names of the channels it had.
+  void change_face(const std::vector<std::string>& before);
+
+  /// Writes the AU that is being edited to a file, as it is saved. Returns a sentence about it.
+  [[nodiscard]] Result<std::string> export_au(const std::filesystem::path& file) const;
 
   /// The expression on its way, or what is being edited.
   [[nodiscard]] std::vector<float> activations(Instant now) const;
@@ -55,15 +62,17 @@ class EditorSession {
   /// The face of these AUs, with what became of each of them.
   [[nodiscard]] std::vector<float> put_together(const AuFrame& aus);
   void show_none_of_them();
-  void save_au(int number);
+  void save_au(const gui::SaveAu& wanted);
+  bool remove_au(int number, Instant now);
   void go_to(std::vector<float> target, bool continued, Instant now);
-  [[nodiscard]] Result<std::string> save_recording(int number);
+  [[nodiscard]] Result<std::string> save_recording(const gui::SaveAu& wanted);
   void list_aus();
 
   const Assets& assets_;
   pipeline::AuMapping& mapping_;
   Notices& notices_;
   const std::vector<float>& shown_;
+  OwnAus own_;
   gui::ExpressionEditor editor_;
   std::optional<gui::Transition> transition_;
   gui::TransitionSettings transition_settings_;

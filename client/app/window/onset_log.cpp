@@ -7,20 +7,26 @@
 #include <utility>
 
 #include "common/files.h"
+#include "common/log.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
 
-Result<OnsetLog> OnsetLog::create(const std::filesystem::path& path) {
+Result<std::unique_ptr<OnsetLog>> OnsetLog::create(const std::filesystem::path& path) {
   auto temporary = create_temporary_beside(path);
   if (!temporary) return temporary.error();
-  return OnsetLog(path, *std::move(temporary));
+  return std::unique_ptr<OnsetLog>(new OnsetLog(path, *std::move(temporary)));
 }
 
 OnsetLog::OnsetLog(std::filesystem::path path, std::filesystem::path temporary)
     : path_(std::move(path)), temporary_(std::move(temporary)), rows_(temporary_) {
   rows_ << "monotonic_s,keyframe,aus\n";
+}
+
+OnsetLog::~OnsetLog() {
+  if (finished_) return;
+  if (const auto finished = finish(); !finished) spdlog::warn("{}", finished.error().message);
 }
 
 void OnsetLog::add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus) {
@@ -31,6 +37,7 @@ void OnsetLog::add(Instant shown, std::uint64_t keyframe, const std::optional<Au
 }
 
 Result<void> OnsetLog::finish() {
+  finished_ = true;
   rows_.close();
   if (rows_.fail()) {
     std::error_code ignored;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <optional>
 
 #include "common/action_unit.h"
@@ -18,10 +19,14 @@ namespace aucast::app {
 /// The file is there when finish() has been called; until then its rows are in one beside it.
 class OnsetLog {
  public:
-  [[nodiscard]] static Result<OnsetLog> create(const std::filesystem::path& path);
+  [[nodiscard]] static Result<std::unique_ptr<OnsetLog>> create(const std::filesystem::path& path);
+  /// Finishes it, when nobody has: what was shown of a run that failed is kept.
+  ~OnsetLog();
+  OnsetLog(const OnsetLog&) = delete;
+  OnsetLog& operator=(const OnsetLog&) = delete;
 
   void add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus);
-  /// Failed when a row could not be written.
+  /// Once. Failed when a row could not be written.
   [[nodiscard]] Result<void> finish();
 
  private:
@@ -30,6 +35,7 @@ class OnsetLog {
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   std::ofstream rows_;
+  bool finished_ = false;
 };
 
 }  // namespace aucast::app

@@ -1,19 +1,16 @@
 #include "client/app/window/playback_session.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <variant>
 
 #include "client/app/remote_options.h"
-#include "client/app/sound_device.h"
 #include "client/app/steady.h"
 #include "client/app/window/composition_file.h"
 #include "client/app/window/live_text.h"
 #include "client/gui/kept_settings.h"
 #include "client/gui/view_text.h"
 #include "client/net/remote_source.h"
-#include "client/sound/openal_out.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 #include "common/text.h"
@@ -42,6 +39,7 @@ gui::RemoteSettings settings_of(const PlaybackOptions& options) {
   if (const auto endpoint = net::parse_endpoint(options.endpoint)) {
     settings.address = endpoint->host;
     settings.port = endpoint->port;
+    settings.others = options.others;
   }
   settings.stream = options.stream;
   settings.tls = options.security_options.tls;
@@ -67,13 +65,7 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
       buffers_(options.playback.buffers),
       player_(mapping, options.playback.interpolation),
       meter_(stats),
-      device_(options.sound.device.value_or("default")),
-      volume_(options.sound.volume),
-      muted_(options.sound.mute) {
-  if (device_ == "default") device_.clear();
-  sound_.set_volume(volume_);
-  sound_.set_muted(muted_);
-}
+      sound_(options.sound, notices) {}
 
 void PlaybackSession::set_remote(const gui::RemoteSettings& settings,
                                  std::vector<std::string> recent) {
@@ -92,11 +84,12 @@ void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::st
   if (running()) playback_->stop(sound_.now(now));
   retired_ = std::exchange(playback_, std::move(playback));
   sound_.open(playback_.get());
-  track_.reset();
-  spoken_.begin_again();
-  file_.clear();
   delay_.clear();
   name_ = std::move(name);
+  curves_.reset();
+  if (const auto* whole = seekable()) {
+    curves_ = std::make_shared<const gui::AuCurves>(gui::curves_of(whole->keyframes()));
+  }
   player_.set_face(shown_);
   player_.open(playback_.get());
   meter_.begin_again();
@@ -138,15 +131,13 @@ Result<net::RemoteOptions> PlaybackSession::server_of(const gui::RemoteSettings&
   if (!security) return security.error();
   const net::Endpoint asked{settings.address, static_cast<std::uint16_t>(settings.port)};
   net::RemoteOptions remote = remote_options(options, asked);
-  // Those beside the command line's server have what that one has.
-  const auto first = net::parse_endpoint(options.endpoint);
-  if (!first || *first != asked) remote.others.clear();
+  remote.others = settings.others;
   remote.speed.reset();
   if (settings.speed_ms > 0) remote.speed = Milliseconds(settings.speed_ms);
   remote.reconnect = settings.reconnect || !remote.others.empty();
   remote.stream = settings.stream;
   // A device may have been plugged in, or chosen, since.
-  remote.voice = options.voice || heard_;
+  remote.voice = options.voice || sound_.has_device();
   remote.captions = true;
   remote.security = *std::move(security);
   remote.buffers.receiver_capacity = static_cast<std::size_t>(settings.buffer);
@@ -176,16 +167,8 @@ void PlaybackSession::advance(Instant now) {
   const Instant at = sound_.now(now);
   const bool first =
       meter_.advance(player_, at, [this](const playback::KeyframeBegun& one) { begun(one); });
-  sound_.advanced();
-  if (const auto passing = playback_->passing()) {
-    const double ahead = seconds(sound_.lead()) * passing->speed;
-    spoken_.move_to(*playback_, passing->place - Duration(std::llround(ahead * 1e9)));
-  }
-  if (sound_.sounds()) delay_.add(at, player_.face().activations);
-  if (sound_.take_loss()) {
-    notices_.say("the sound device plays no more", true, now);
-    spdlog::warn("the sound device plays no more; going on without it");
-  }
+  sound_.advanced(now);
+  if (sound_.player().sounds()) delay_.add(at, player_.face().activations);
   if (first && seekable() == nullptr) {
     const std::string objection = live_objection(options_.playback, playback_->status());
     if (!objection.empty()) {
@@ -200,99 +183,13 @@ void PlaybackSession::advance(Instant now) {
   }
 }
 
-// === The sound.
-
-void PlaybackSession::set_sound(std::unique_ptr<sound::SoundOut> out) {
-  heard_ = out != nullptr;
-  sound_.set_out(std::move(out));
-}
-
 void PlaybackSession::play_beside(const std::filesystem::path& file, Instant now) {
-  if (file.empty() || seekable() == nullptr) return;
-  file_ = file;
-  if (const auto read = spoken_.read_beside(file); !read) {
-    notices_.say(read.error().message, true, now);
-  }
-  play_sound_beside(now);
+  if (!file.empty() && seekable() != nullptr) sound_.play_beside(file, now);
 }
 
-void PlaybackSession::play_sound_beside(Instant now) {
-  if (!heard_ || file_.empty() || track_ != nullptr) return;
-  auto track = open_sound_beside(file_);
-  if (!track) {
-    notices_.say(track.error().message, true, now);
-    return;
-  }
-  if (*track == nullptr) return;
-  sound_.open(playback_.get(), track->get());
-  track_ = std::move(*track);
-}
-
-void PlaybackSession::apply(const gui::SoundCommand& command, Instant now) {
-  const Overloaded carry_out{
-      [&](const gui::SetVolume& one) { change_volume(one.percent - volume_, now); },
-      [&](const gui::ToggleMute&) { toggle_mute(now); },
-      [&](const gui::ListDevices&) { devices_ = sound::sound_devices(); },
-      [&](const gui::ChooseDevice& one) { choose_device(one.name, now); },
-      [&](const gui::ToggleCaptions&) {
-        shows_spoken_ = !shows_spoken_;
-        notices_.say(shows_spoken_ ? "with captions" : "without captions", false, now);
-      }};
-  std::visit(carry_out, command);
-}
-
-/// There is one device at a time: the one before is closed first.
-void PlaybackSession::choose_device(const std::string& name, Instant now) {
-  set_sound(nullptr);
-  auto out = sound::open_sound_device(name);
-  if (!out) {
-    notices_.say(out.error().message, true, now);
-    out = sound::open_sound_device(device_);
-    if (!out) return;
-  } else {
-    device_ = name;
-  }
-  set_sound(std::move(*out));
-  play_sound_beside(now);
-}
-
-gui::SoundView PlaybackSession::sound_view() const {
-  /// Of the meter, in decibels.
-  constexpr double kRange = 48;
-  gui::SoundView view;
-  view.there = heard_;
-  view.volume = volume_;
-  view.muted = muted_;
-  if (const float level = sound_.level(); level > 0) {
-    const double part = 1 + 20 * std::log10(static_cast<double>(level)) / kRange;
-    view.level_percent = static_cast<int>(std::lround(100 * std::clamp(part, 0.0, 1.0)));
-  }
-  view.device = device_;
-  view.devices = devices_;
-  return view;
-}
-
-gui::SpokenView PlaybackSession::spoken_view() const {
-  return {spoken_.title(), spoken_.caption(), shows_spoken_};
-}
-
-void PlaybackSession::toggle_mute(Instant now) {
-  muted_ = !muted_;
-  sound_.set_muted(muted_);
-  notices_.say(muted_ ? "muted" : "volume " + std::to_string(volume_) + " %", false, now);
-}
-
-void PlaybackSession::change_volume(int by, Instant now) {
-  volume_ = std::clamp(volume_ + by, 0, 100);
-  muted_ = false;
-  sound_.set_volume(volume_);
-  sound_.set_muted(muted_);
-  notices_.say("volume " + std::to_string(volume_) + " %", false, now);
-}
-
-const std::vector<float>& PlaybackSession::activations(Instant) {
-  if (!sound_.sounds() || delay_.empty()) return player_.face().activations;
-  return delay_.at(sound_.shown());
+const std::vector<float>& PlaybackSession::activations() {
+  if (!sound_.player().sounds() || delay_.empty()) return player_.face().activations;
+  return delay_.at(sound_.player().shown());
 }
 
 void PlaybackSession::begun(const playback::KeyframeBegun& keyframe) {
@@ -322,10 +219,16 @@ void PlaybackSession::remake(playback::Interpolation interpolation) {
   explain();
 }
 
+void PlaybackSession::change_face() {
+  player_.change_face();
+  delay_.clear();
+  explain();
+}
+
 std::unique_ptr<playback::Playback> PlaybackSession::finish(Instant now) {
   if (running()) playback_->stop(sound_.now(now));
   if (playback_ != nullptr) stats_.take(*playback_);
-  stats_.sound = sound_.counts();
+  stats_.sound = sound_.player().counts();
   sound_.open(nullptr);
   player_.open(nullptr);
   return std::move(playback_);
@@ -344,6 +247,16 @@ Result<std::string> PlaybackSession::export_to(const std::filesystem::path& file
   auto saved = save_stream(keyframes, file);
   if (!saved) return saved;
   return counted(keyframes.size(), "keyframe") + " " + *saved;
+}
+
+std::vector<playback::TimedAus> PlaybackSession::played() const {
+  if (const auto* whole = seekable()) return {whole->keyframes().begin(), whole->keyframes().end()};
+  std::vector<playback::TimedAus> keyframes;
+  for (const auto& one : received_) {
+    keyframes.push_back({one->aus, std::nullopt});
+    if (one->ms) keyframes.back().duration = Milliseconds(*one->ms);
+  }
+  return keyframes;
 }
 
 // === What the panels ask for.
@@ -425,7 +338,7 @@ bool PlaybackSession::stands() const {
 Duration PlaybackSession::idle_time(Instant now) const {
   if (playback_ == nullptr) return kIdle;
   // The device wants silence too.
-  if (sound_.sounds()) return kSoundStep;
+  if (sound_.player().sounds()) return kSoundStep;
   if (const auto next = playback_->next_position_at()) {
     return std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
   }
@@ -515,6 +428,7 @@ gui::LocalView PlaybackSession::local_view() const {
   view.loop_begin = playhead.loop_begin();
   view.loop_end = playhead.loop_end();
   view.repeats = playhead.repeats();
+  view.curves = curves_;
   return view;
 }
 

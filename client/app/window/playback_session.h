@@ -9,14 +9,13 @@
 #include "client/app/player_options.h"
 #include "client/app/window/notices.h"
 #include "client/app/window/playback_history.h"
-#include "client/app/window/spoken_text.h"
+#include "client/app/window/sound_session.h"
 #include "client/gui/composer.h"
 #include "client/gui/gui_commands.h"
 #include "client/net/remote_source.h"
 #include "client/pipeline/face_delay.h"
 #include "client/pipeline/player.h"
 #include "client/playback/seekable_playback.h"
-#include "client/sound/sound_player.h"
 
 namespace aucast::app {
 
@@ -38,33 +37,27 @@ class PlaybackSession {
   /// Plays the stream of one's own camera, with the lowest delay and without its voice. Its address
   /// is not remembered.
   void watch_own(const net::Endpoint& endpoint, Instant now);
-  /// The sound of what plays goes there; null: nowhere.
-  void set_sound(std::unique_ptr<sound::SoundOut> out);
   /// What plays was read from this file: the sound file and the captions beside it, if there are
   /// any, belong to it.
   void play_beside(const std::filesystem::path& file, Instant now);
-  /// What it makes of a sound command, and what the panels show of sound and captions.
-  void apply(const gui::SoundCommand& command, Instant now);
-  [[nodiscard]] gui::SoundView sound_view() const;
-  [[nodiscard]] gui::SpokenView spoken_view() const;
-  /// SoundPlayer's.
-  void set_sound_tap(sound::SoundPlayer::Tap tap) { sound_.set_tap(std::move(tap)); }
-  void toggle_mute(Instant now);
-  /// By so many percent.
-  void change_volume(int by, Instant now);
-  /// The face of activations() is on the display.
-  void face_shown() { sound_.face_shown(); }
+  /// What is heard and read beside it.
+  [[nodiscard]] SoundSession& sound() { return sound_; }
+  [[nodiscard]] const SoundSession& sound() const { return sound_; }
   /// True when the face that plays is to be shown.
   bool apply(const gui::PlaybackCommand& command, Instant now);
   void advance(Instant now);
   /// Mapping or interpolation have changed.
   void remake(playback::Interpolation interpolation);
+  /// The face of the mapping has become another one.
+  void change_face();
   /// Stops what plays, completes the statistics and hands out what played last; may be null.
   [[nodiscard]] std::unique_ptr<playback::Playback> finish(Instant now);
   /// Saves what is played, from its beginning: all of a stream loaded in full, of a server's stream
   /// the keyframes that have begun so far (at most an hour at 25 a second). Returns a sentence for
   /// the user that says how many there are and where.
   [[nodiscard]] Result<std::string> export_to(const std::filesystem::path& file) const;
+  /// The same keyframes, with the times that they have.
+  [[nodiscard]] std::vector<playback::TimedAus> played() const;
 
   void set_remote(const gui::RemoteSettings& settings, std::vector<std::string> recent);
   /// The server that a form names and how to reach it. Error when a file of certificate or token
@@ -74,7 +67,7 @@ class PlaybackSession {
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
 
   /// With sound, the face that belongs to what is heard.
-  [[nodiscard]] const std::vector<float>& activations(Instant);
+  [[nodiscard]] const std::vector<float>& activations();
   /// The keyframe under way, from 1; 0: none has begun.
   [[nodiscard]] std::uint64_t keyframe() const {
     return playback_ == nullptr ? 0 : playback_->progress().keyframe;
@@ -83,7 +76,7 @@ class PlaybackSession {
   [[nodiscard]] const AuFrame& aus() const { return player_.face().aus; }
   /// Playing has come to its end; false while nothing was ever opened.
   [[nodiscard]] bool over() const {
-    return playback_ != nullptr && playback_->over() && !sound_.rings_on();
+    return playback_ != nullptr && playback_->over() && !sound_.player().rings_on();
   }
   /// The face stands, and Resume would move it.
   [[nodiscard]] bool stands() const;
@@ -103,8 +96,6 @@ class PlaybackSession {
   void begun(const playback::KeyframeBegun& keyframe);
   void explain();
   void remember(Instant now);
-  void play_sound_beside(Instant now);
-  void choose_device(const std::string& name, Instant now);
   void describe_traffic(const playback::SourceStatus& status, gui::RemoteView& view) const;
   [[nodiscard]] std::vector<gui::AuRow> au_rows() const;
 
@@ -120,19 +111,11 @@ class PlaybackSession {
   pipeline::Player player_;
   PlaybackMeter meter_;
   std::unique_ptr<playback::Playback> playback_;
-  bool heard_ = false;                        ///< there is a device
-  std::unique_ptr<sound::SoundTrack> track_;  ///< what is played brings it; null: its voice
-  sound::SoundPlayer sound_{nullptr};
+  SoundSession sound_;
   pipeline::FaceDelay delay_;
-  std::string device_;                ///< that was chosen; empty: the usual one
-  std::vector<std::string> devices_;  ///< to choose from
-  std::filesystem::path file_;        ///< that what plays was read from; empty: none
-  SpokenText spoken_;
-  bool shows_spoken_ = true;
-  int volume_;
-  bool muted_;
   std::unique_ptr<playback::Playback> retired_;  ///< saying its last words
   std::string name_;                             ///< of a stream loaded in full
+  std::shared_ptr<const gui::AuCurves> curves_;  ///< of the same
   std::vector<face::RuleExplained> explained_;   ///< the rules that fired in this keyframe
   gui::Composer::Keyframes received_;            ///< of a server's stream: those begun so far
   PlaybackHistory history_;

@@ -1,18 +1,6 @@
 #include "client/app/window/session_video.h"
 
-#include <system_error>
-
 namespace aucast::app {
-
-std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& ending) {
-  std::filesystem::path file;
-  std::error_code ignored;
-  int number = 0;
-  do {
-    file = folder / ("face-player-" + std::to_string(++number) + ending);
-  } while (std::filesystem::exists(file, ignored));
-  return file;
-}
 
 std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written) {
   if (elapsed < Duration::zero()) return 0;
@@ -24,7 +12,7 @@ Result<std::unique_ptr<SessionVideo>> SessionVideo::open(const std::filesystem::
                                                          int width, int height, Instant begin) {
   auto encoder = view::VideoEncoder::open(file, width, height, kFps);
   if (!encoder) return encoder.error();
-  auto sound = SessionSound::open(file, begin);
+  auto sound = VideoSound::open(file, begin);
   if (!sound) return sound.error();
   std::unique_ptr<SessionVideo> video(new SessionVideo);
   video->file_ = file;

@@ -7,17 +7,13 @@
 #include <span>
 #include <string>
 
-#include "client/app/window/session_sound.h"
+#include "client/app/window/video_sound.h"
 #include "client/view/image.h"
 #include "client/view/video_encoder.h"
 #include "common/result.h"
 #include "common/time.h"
 
 namespace aucast::app {
-
-/// "face-player-1.png" or the first number that is free: what is there is never overwritten.
-[[nodiscard]] std::filesystem::path free_name(const std::filesystem::path& folder,
-                                              const std::string& ending);
 
 /// How many pictures are missing in a video that began `elapsed` ago and has `written` pictures. A
 /// window is drawn irregularly; the pictures of a video are equally spaced in time.
@@ -39,7 +35,7 @@ class SessionVideo {
   [[nodiscard]] bool due(Instant now) const;
   /// Adds the picture as many times as pictures are missing at `now`; not at all unless due().
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
-  /// SessionSound's.
+  /// VideoSound's.
   void hear(Instant heard_at, std::span<const float> samples) { sound_->add(heard_at, samples); }
   /// Completes the file. Returns a sentence for the user that says where it is.
   [[nodiscard]] Result<std::string> finish();
@@ -53,7 +49,7 @@ class SessionVideo {
   Instant begin_{};
   std::uint64_t written_ = 0;
   std::unique_ptr<view::VideoEncoder> encoder_;
-  std::unique_ptr<SessionSound> sound_;
+  std::unique_ptr<VideoSound> sound_;
 };
 
 }  // namespace aucast::app

@@ -48,7 +48,7 @@ class WindowOverlay {
   void feed();
   void take(const render::InputEvent& event);
   void move_to(float x, float y);
-  void take_picture(const gui::MirrorView& mirror);
+  void upload_picture(const gui::MirrorView& mirror);
 
   render::Window& window_;
   InputPacer pacer_;

@@ -22,7 +22,7 @@ WindowOverlay::~WindowOverlay() {
 }
 
 void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands) {
-  take_picture(model.mirror);
+  upload_picture(model.mirror);
   // What only input needs is not put on the screen: there it would take the time of a picture each.
   do {
     ImGui_ImplOpenGL3_NewFrame();
@@ -34,7 +34,7 @@ void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands)
 }
 
 /// What the camera sees goes to the graphics card, where it is not yet.
-void WindowOverlay::take_picture(const gui::MirrorView& mirror) {
+void WindowOverlay::upload_picture(const gui::MirrorView& mirror) {
   if (mirror.seen == in_texture_) return;
   in_texture_ = mirror.seen;
   if (in_texture_ == nullptr) return gui_.set_camera_texture(0);

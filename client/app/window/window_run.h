@@ -16,7 +16,7 @@ namespace aucast::app {
 /// `playback` may be null: the neutral face; afterwards it is what was played last, because the
 /// user may connect elsewhere. `out` plays the sound, and may be null. `settings` are in force at
 /// the start, and kept at the end. In a build without OpenGL it fails and says so.
-[[nodiscard]] Result<void> run_window(const Assets& assets, const PlayerOptions& options,
+[[nodiscard]] Result<void> run_window(Assets& assets, const PlayerOptions& options,
                                       std::unique_ptr<playback::Playback>& playback,
                                       std::unique_ptr<sound::SoundOut> out,
                                       WindowSettings& settings, const std::function<bool()>& stop,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -15,11 +16,13 @@
 #include "client/app/film/shot.h"
 #include "client/app/start_times.h"
 #include "client/app/steady.h"
+#include "client/app/window/face_thumbnails.h"
 #include "client/app/window/onset_log.h"
 #include "client/app/window/session_video.h"
 #include "client/app/window/window_overlay.h"
 #include "client/app/window/window_session.h"
 #include "client/app/window/window_style.h"
+#include "client/gui/panels.h"
 #include "client/gui/redraw.h"
 #include "client/render/window.h"
 #include "common/log.h"
@@ -59,7 +62,7 @@ struct FrameTimes {
 /// The window with everything that a frame of it needs. tick() is the table of contents.
 class WindowRun {
  public:
-  WindowRun(const Assets& assets, const PlayerOptions& options,
+  WindowRun(Assets& assets, const PlayerOptions& options,
             std::unique_ptr<playback::Playback> playback, std::unique_ptr<sound::SoundOut> out,
             WindowSettings& settings, PlayerStats& stats)
       : assets_(assets),
@@ -90,6 +93,11 @@ class WindowRun {
     view_ = std::move(*view);
     start_times_.passed("face in OpenGL");
     overlay_ = std::make_unique<WindowOverlay>(*window_);
+    const auto larger = [this](int size) {
+      return static_cast<int>(static_cast<float>(2 * size) * window_->scale());
+    };
+    thumbnails_ = std::make_unique<FaceThumbnails>(
+        assets_.data_folder, larger(gui::kThumbnailWidth), larger(gui::kThumbnailHeight));
     if (auto icon = view::read_png(assets_.data_folder / "icons" / "aucast.png")) {
       window_->set_icon(std::move(*icon));
     }
@@ -108,12 +116,15 @@ class WindowRun {
     }
     if (video_)
       idle = std::min<Duration>(idle, std::chrono::milliseconds(1000 / SessionVideo::kFps));
+    if (thumbnails_->busy()) idle = std::min<Duration>(idle, kFrameMax);
     window_->poll(waits_for_frames() ? 0 : seconds(idle));
     handle_closing(stopped_from_outside);
     handle_drops();
+    if (failed_) return;
     session_.advance(steady_now());
     keep_addresses();
     show_title();
+    make_thumbnails();
     draw();
     record();
     handle_keys();
@@ -122,11 +133,12 @@ class WindowRun {
   }
 
   [[nodiscard]] bool done() const {
-    return leaving_ || session_.leaving() || (options_.exit_at_end && session_.over());
+    return failed_ || leaving_ || session_.leaving() || (options_.exit_at_end && session_.over());
   }
 
-  /// Of the table of onsets.
-  [[nodiscard]] Result<void> finish_onsets() {
+  /// Why it cannot go on, or what became of the table of onsets, which is kept either way.
+  [[nodiscard]] Result<void> outcome() {
+    if (failed_) return *failed_;
     return onsets_ ? onsets_->finish() : Result<void>();
   }
 
@@ -182,6 +194,7 @@ class WindowRun {
   void close_what_is_open() {
     if (overlay_->gui().close_keys()) return;
     if (!shown_model_.notice.text.empty()) return carry_out(gui::CloseNotice{});
+    if (shown_model_.gallery.open) return carry_out(gui::GalleryCommand(gui::CloseGallery{}));
     if (window_->full_screen()) toggle_full_screen();
   }
 
@@ -256,11 +269,42 @@ class WindowRun {
   }
 
   void carry_out(const gui::GuiCommand& command) {
+    if (failed_) return;
     frames_due_ = gui::kFramesAfterChange;
     if (const auto* look = std::get_if<gui::LookFrom>(&command)) look_from(look->view);
     if (std::holds_alternative<gui::TakePicture>(command)) save_picture();
     if (std::holds_alternative<gui::ToggleVideo>(command)) toggle_video();
+    const view::Camera usual = camera_preset(name_of(gui::View::Front), assets_.face);
+    const std::uint64_t faces = session_.face_changes();
     session_.apply(command, steady_now());
+    if (session_.face_changes() != faces) show_new_face(usual);
+  }
+
+  /// The face of the assets is another one; it is looked at as the one before was, whose usual
+  /// camera is `usual`.
+  void show_new_face(const view::Camera& usual) {
+    auto view = FaceView::create(assets_.face);
+    if (!view) {
+      failed_ = view.error();
+      return;
+    }
+    view_ = std::move(*view);
+    shown_activations_.clear();
+    view::Camera& camera = window_->camera();
+    const view::Camera now = camera_preset(name_of(gui::View::Front), assets_.face);
+    camera.target += now.target - usual.target;
+    camera.half_height *= now.half_height / usual.half_height;
+  }
+
+  void make_thumbnails() {
+    gui::Gui& gui = overlay_->gui();
+    const std::vector<std::string> wanted = gui.wanted_faces();
+    if (!thumbnails_->advance(wanted)) return;
+    for (const std::string& folder : wanted) {
+      if (const auto texture = thumbnails_->texture(folder)) gui.set_face_texture(folder, texture);
+    }
+    window_->bind_framebuffer();
+    frames_due_ = gui::kFramesAfterChange;
   }
 
   /// An address is worth remembering even if the machine goes down.
@@ -291,19 +335,24 @@ class WindowRun {
     return image;
   }
 
-  /// The part of the window that the panel leaves free.
-  void free_size(int& width, int& height) {
+  /// Of pictures and videos: as it is set, else the part of the window that the panel leaves free.
+  void picture_size(int& width, int& height) {
     window_->framebuffer_size(width, height);
     width = overlay_->free_width(width);
+    const gui::PictureSettings& wanted = session_.pictures();
+    if (wanted.width <= 0 || wanted.height <= 0) return;
+    width = wanted.width;
+    height = wanted.height;
   }
 
   void save_picture() {
     int width = 0;
     int height = 0;
-    free_size(width, height);
+    picture_size(width, height);
     const auto image = picture(width, height, Sharpness::Still);
     if (!image) return complain(image.error());
-    const std::filesystem::path file = free_name(".", ".png");
+    const auto file = session_.picture_file(".png");
+    if (!file) return complain(file.error());
     const gui::AnimationSettings& animation = shown_model_.animation;
     const auto texts = texts_of({assets_.face,
                                  session_.aus_shown(),
@@ -312,18 +361,20 @@ class WindowRun {
                                  style().layers,
                                  {},
                                  shown_activations_});
-    if (const auto written = view::write_png(*image, file, texts); !written) {
+    if (const auto written = view::write_png(*image, *file, texts); !written) {
       return complain(written.error());
     }
-    tell("picture saved: " + std::filesystem::absolute(file).lexically_normal().string());
+    tell("picture saved: " + std::filesystem::absolute(*file).lexically_normal().string());
   }
 
   void toggle_video() {
     if (video_) return end_video();
     int width = 0;
     int height = 0;
-    free_size(width, height);
-    auto video = SessionVideo::open(free_name(".", ".mp4"), width, height, steady_now());
+    picture_size(width, height);
+    const auto file = session_.picture_file(".mp4");
+    if (!file) return complain(file.error());
+    auto video = SessionVideo::open(*file, width, height, steady_now());
     if (!video) return complain(video.error());
     video_ = std::move(*video);
     session_.set_recording(video_->file().filename().string());
@@ -446,13 +497,14 @@ class WindowRun {
   }
 
   StartTimes start_times_;
-  const Assets& assets_;
+  Assets& assets_;
   const PlayerOptions& options_;
   WindowSettings& settings_;
   PlayerStats& stats_;
   WindowSession session_;
   std::unique_ptr<render::Window> window_;
   std::unique_ptr<FaceView> view_;
+  std::unique_ptr<FaceThumbnails> thumbnails_;
   std::unique_ptr<WindowOverlay> overlay_;
   std::vector<float> shown_activations_;
   gui::GuiModel shown_model_;
@@ -461,8 +513,9 @@ class WindowRun {
   std::vector<std::string> kept_addresses_;
   int frames_due_ = gui::kFramesAfterChange;
   std::unique_ptr<SessionVideo> video_;
-  std::optional<OnsetLog> onsets_;
+  std::unique_ptr<OnsetLog> onsets_;
   bool leaving_ = false;
+  std::optional<Error> failed_;  ///< it cannot go on
   int pace_frames_ = 0;
   Instant pace_begin_{steady_now()};
   FrameTimes pace_;
@@ -470,7 +523,7 @@ class WindowRun {
 
 }  // namespace
 
-Result<void> run_window(const Assets& assets, const PlayerOptions& options,
+Result<void> run_window(Assets& assets, const PlayerOptions& options,
                         std::unique_ptr<playback::Playback>& playback,
                         std::unique_ptr<sound::SoundOut> out, WindowSettings& settings,
                         const std::function<bool()>& stop, PlayerStats& stats) {
@@ -481,7 +534,7 @@ Result<void> run_window(const Assets& assets, const PlayerOptions& options,
   }
   while (!run.done()) run.tick(stop());
   playback = run.finish();
-  return run.finish_onsets();
+  return run.outcome();
 }
 
 }  // namespace aucast::app

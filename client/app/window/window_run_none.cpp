@@ -2,7 +2,7 @@
 
 namespace aucast::app {
 
-Result<void> run_window(const Assets&, const PlayerOptions&, std::unique_ptr<playback::Playback>&,
+Result<void> run_window(Assets&, const PlayerOptions&, std::unique_ptr<playback::Playback>&,
                         std::unique_ptr<sound::SoundOut>, WindowSettings&,
                         const std::function<bool()>&, PlayerStats&) {
   return Error{ErrorKind::Failed,

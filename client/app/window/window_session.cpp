@@ -1,13 +1,19 @@
 #include "client/app/window/window_session.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <ctime>
 #include <system_error>
 #include <utility>
 #include <variant>
 
+#include "client/app/film/glb_export.h"
+#include "client/app/gallery/gallery_command.h"
+#include "client/app/gallery/gallery_plan.h"
 #include "client/app/steady.h"
 #include "client/app/window/composition_file.h"
+#include "client/app/window/window_style.h"
 #include "client/gui/user_face.h"
 #include "client/net/stream_list.h"
 #include "common/log.h"
@@ -32,11 +38,38 @@ bool shows_something(const view::Layers& layers) {
                      [&](const view::LayerName& layer) { return layers.*layer.member; });
 }
 
+Result<std::string> gallery_of(const PlayerOptions& options, BackgroundWork::Course& course) {
+  return make_gallery(
+      options, [&course] { return course.cancelled(); },
+      [&course](std::size_t drawn, std::size_t total) { course.reached(drawn, total); });
+}
+
+/// With a face of its own, because the window's may become another one meanwhile.
+Result<std::string> glb_of(const PlayerOptions& options,
+                           const std::vector<playback::TimedAus>& keyframes,
+                           const std::string& name) {
+  const auto assets = load_assets(options.face);
+  if (!assets) return assets.error();
+  if (auto fits = check_length(keyframes, options, name); !fits) return fits.error();
+  return export_glb(**assets, options, {keyframes, name, {}});
+}
+
+/// As part of a file's name.
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::localtime_r(&now, &parts);
+  std::array<char, 16> text{};
+  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts);
+  return {text.data(), length};
+}
+
 }  // namespace
 
-WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
+WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
                              std::unique_ptr<playback::Playback> playback, PlayerStats& stats)
     : assets_(assets),
+      faces_(assets),
       options_(options),
       mapping_(au_mapping(assets, options.face.mixer)),
       animation_{options.face.mixer, options.face.rules, options.playback.interpolation},
@@ -48,6 +81,8 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
       mirror_(options.mirror),
       lister_(net::list_streams),
       idle_(assets.face),
+      gallery_(gallery_of),
+      export_(glb_of),
       last_folder_(assets.data_folder / "streams") {
   rendering_.blinking = options.playback.blink.has_value();
   rendering_.blink = options.playback.blink.value_or(playback::BlinkOptions{});
@@ -57,9 +92,9 @@ WindowSession::WindowSession(const Assets& assets, const PlayerOptions& options,
   std::error_code ignored;
   const std::filesystem::path sample = assets.data_folder / "streams" / "talk.txt";
   if (std::filesystem::exists(sample, ignored)) sample_ = sample.string();
-  list_faces();
   if (playback != nullptr) playback_.open(std::move(playback), file.filename().string(), {});
-  if (options.mirrors) mirror_.apply(gui::StartMirror{options.mirror.source});
+  gallery_.set_folder(whole_path("gallery"));
+  if (options.shows_mirror) mirror_.apply(gui::StartMirror{options.mirror.source});
 }
 
 void WindowSession::begin_with(const gui::KeptSettings& settings, const std::string& complaint,
@@ -67,27 +102,23 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   if (!complaint.empty()) say(complaint, true, now);
   playback_.set_remote(settings.remote, settings.recent);
   editor_.set_transition(settings.transition);
-  face_to_begin_with_ = settings.face;
+  faces_.remember(settings.face);
   recent_files_ = settings.recent_files;
   const std::filesystem::path& file = options_.playback.file;
   if (!file.empty()) gui::remember_file(recent_files_, whole_path(file));
   rendering_ = settings.rendering;
+  pictures_ = settings.pictures;
   // Nobody wants to begin with an empty view.
   if (!shows_something(rendering_.layers)) rendering_.layers = {};
 }
 
 gui::KeptSettings WindowSession::kept() const {
-  return {playback_.remote_settings(),
-          playback_.recent(),
-          face_to_begin_with_,
-          recent_files_,
-          animation_,
-          editor_.transition(),
-          rendering_};
+  return {playback_.remote_settings(), playback_.recent(), faces_.next(), recent_files_, animation_,
+          editor_.transition(),        rendering_,         pictures_};
 }
 
 void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now) {
-  playback_.set_sound(std::move(out));
+  playback_.sound().set_out(std::move(out));
   playback_.play_beside(options_.playback.file, now);
 }
 
@@ -101,19 +132,23 @@ void WindowSession::advance(Instant now) {
   }
   playback_.advance(now);
   lister_.advance();
+  gallery_.advance();
+  if (const auto exported = export_.advance()) {
+    say(*exported ? **exported : exported->error().message, !*exported, now);
+  }
 }
 
 /// Brings face_ to `now`.
 void WindowSession::look(Instant now) {
   switch (shown_) {
     case Shown::Playback:
-      face_ = playback_.activations(now);
+      face_ = playback_.activations();
       break;
     case Shown::Editor:
       face_ = editor_.activations(now);
       break;
     case Shown::Composer:
-      face_ = composer_.activations(now);
+      face_ = composer_.activations();
       break;
   }
 }
@@ -123,7 +158,7 @@ const std::vector<float>& WindowSession::activations(Instant now) {
   activations_ = face_;
   pipeline::IdleOptions idle{options_.playback.idle_seed, std::nullopt};
   if (rendering_.blinking) idle.blink = rendering_.blink;
-  idle_.apply(idle, seconds(now.time_since_epoch()), activations_);
+  idle_->apply(idle, seconds(now.time_since_epoch()), activations_);
   return activations_;
 }
 
@@ -150,7 +185,8 @@ Duration WindowSession::idle_time(Instant now) const {
   const auto at_most = [&](Instant next, Duration least) {
     time = std::min(time, std::max(next - now, least));
   };
-  if (lister_.view().asking || mirror_.running()) at_most(now, kFrameMax);
+  if (lister_.view().asking || mirror_.running() || gallery_.view().running || export_.running())
+    at_most(now, kFrameMax);
   if (!notices_.view().text.empty()) at_most(notices_.until(), kFrameMax);
   if (const auto next = editor_.next_frame_at(now)) at_most(*next, Duration::zero());
   if (rendering_.blinking || options_.playback.idle_seed)
@@ -166,16 +202,17 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::PlaybackCommand& one) {
         if (playback_.apply(one, now)) shown_ = Shown::Playback;
       },
-      [&](const gui::SoundCommand& one) { playback_.apply(one, now); },
+      [&](const gui::SoundCommand& one) { playback_.sound().apply(one, now); },
       [&](const gui::EditorCommand& one) {
         if (editor_.apply(one, now)) show_edited(Shown::Editor, now);
         if (gui::command_if<gui::SaveAu>(one) && !editor_.view().save_failed) {
-          face_to_begin_with_ = editor_.saved_face();
-          list_faces();
+          show_saved_face(now);
         }
       },
       [&](const gui::ComposerCommand& one) { apply_composer(one, now); },
       [&](const gui::MirrorCommand& one) { mirror_.apply(one); },
+      [&](const gui::GalleryCommand& one) { gallery_.apply(one, options_as_shown()); },
+      [&](const gui::ChangePictures& one) { pictures_ = one.settings; },
       [&](const gui::ChangeAnimation& one) { change_animation(one.settings, now); },
       [&](const gui::ChangeRendering& one) { rendering_ = one.settings; },
       [&](const gui::Leave& one) {
@@ -189,8 +226,8 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::OpenStream& one) {
         const std::filesystem::path file = one.file;
         if (file.filename() == "face.toml") {
-          face_to_begin_with_ = whole_path(folder_of(file));
-          return say("from the next start on the face is " + face_to_begin_with_, false, now);
+          const auto face = show_face(folder_of(file), now);
+          return face ? void() : say(face.error().message, true, now);
         }
         const auto played = play(one.file, now);
         if (played) return browser_.close();
@@ -198,7 +235,10 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
         say(played.error().message, true, now);
       },
       [&](const gui::ChangeTable& one) { table_ = one.settings; },
-      [&](const gui::BeginWithFace& one) { face_to_begin_with_ = one.folder; },
+      [&](const gui::ShowFace& one) {
+        const auto face = show_face(one.folder, now);
+        if (!face) say(face.error().message, true, now);
+      },
       [&](const gui::CloseNotice&) { notices_.clear(); },
       [&](const gui::AskStreams& one) { ask_streams(one.settings, now); },
       [](const gui::LookFrom&) {},
@@ -221,7 +261,7 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
     composer_.take(*aus);
     show_edited(Shown::Composer, now);
   }
-  if (composer_.apply(command, now)) show_edited(Shown::Composer, now);
+  if (composer_.apply(command)) show_edited(Shown::Composer, now);
   if (std::holds_alternative<gui::PlayComposition>(command)) {
     auto keyframes = composer_.keyframes();
     if (keyframes.empty()) return;
@@ -251,6 +291,28 @@ void WindowSession::change_animation(const gui::AnimationSettings& settings, Ins
   mapping_.mixer = settings.mixer;
   playback_.remake(settings.interpolation);
   composer_.remake();
+}
+
+/// What was saved is what is shown, and what the next start shows. A copy that was there may have
+/// more changes than the one that was just made.
+void WindowSession::show_saved_face(Instant now) {
+  const std::string& saved = editor_.saved_face();
+  if (saved == faces_.view().shown) return;
+  if (const auto shown = show_face(saved, now); !shown) say(shown.error().message, true, now);
+}
+
+/// What plays goes on, and what is edited or composed stays.
+Result<void> WindowSession::show_face(const std::filesystem::path& folder, Instant now) {
+  const auto before = faces_.show(folder);
+  if (!before) return before.error();
+  mapping_.recordings = assets_.face.recordings;
+  face_.assign(assets_.face.channels.size(), 0.0F);
+  idle_.emplace(assets_.face);
+  playback_.change_face();
+  editor_.change_face(*before);
+  composer_.remake();
+  look(now);
+  return {};
 }
 
 void WindowSession::toggle_pause(Instant now) {
@@ -301,22 +363,40 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   return {};
 }
 
-void WindowSession::list_faces() {
-  std::vector<gui::FaceEntry> faces = gui::faces_in(assets_.data_folder / "faces");
-  if (const auto own = gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"))) {
-    for (gui::FaceEntry& face : gui::faces_in(*own)) {
-      face.name += " (yours)";
-      faces.push_back(std::move(face));
-    }
+/// What a new file is called at first.
+std::string WindowSession::new_name(gui::Purpose purpose) const {
+  const std::string stream = name_of_stream();
+  const std::string played = stream.empty() ? "exported" : stream;
+  switch (purpose) {
+    case gui::Purpose::ExportKeyframes:
+      return kExportedName;
+    case gui::Purpose::ExportTable:
+      return played + ".csv";
+    case gui::Purpose::ExportMesh:
+      return assets_.face.name + ".obj";
+    case gui::Purpose::ExportGlb:
+      return stream.empty() ? assets_.face.name + ".glb" : stream + ".glb";
+    case gui::Purpose::ExportAu:
+      return "au" + std::to_string(editor_.au().value_or(0)) + ".toml";
+    default:
+      return composer_.file().filename().string();
   }
-  faces_ = std::make_shared<const std::vector<gui::FaceEntry>>(std::move(faces));
+}
+
+/// What plays, without an ending; empty: it has no name.
+std::string WindowSession::name_of_stream() const {
+  const gui::LocalView local = playback_.local_view();
+  if (local.open) return std::filesystem::path(local.name).stem().string();
+  return keyframe_shown() > 0 ? playback_.remote_settings().stream : std::string();
 }
 
 void WindowSession::browse(gui::Purpose purpose) {
+  if (purpose == gui::Purpose::LookForFaces) {
+    return browser_.open(purpose, assets_.face_folder.parent_path());
+  }
+  if (gui::is_folder(purpose)) return browser_.open(purpose, own_folder_);
   if (!gui::is_saving(purpose)) return browser_.open(purpose, last_folder_);
-  const bool exports = purpose == gui::Purpose::ExportKeyframes;
-  browser_.open(purpose, own_folder_,
-                exports ? std::string(kExportedName) : composer_.file().filename().string());
+  browser_.open(purpose, own_folder_, new_name(purpose));
 }
 
 void WindowSession::choose_file(const std::string& name, Instant now) {
@@ -325,7 +405,12 @@ void WindowSession::choose_file(const std::string& name, Instant now) {
   const bool saving = gui::is_saving(browser_.view().purpose);
   const Result<std::string> used = use_file(file, now);
   if (!used) return browser_.refuse(used.error().message);
+  const gui::Purpose purpose = browser_.view().purpose;
   browser_.close();
+  if (gui::is_folder(purpose)) {
+    if (purpose != gui::Purpose::LookForFaces) own_folder_ = file;
+    return;
+  }
   (saving ? own_folder_ : last_folder_) = folder_of(file);
   if (saving) say(*used, false, now);
 }
@@ -346,8 +431,59 @@ Result<std::string> WindowSession::use_file(const std::filesystem::path& file, I
       return composer_.save(file);
     case gui::Purpose::ExportKeyframes:
       return playback_.export_to(file);
+    case gui::Purpose::ExportTable:
+      return ExportSession::table(playback_.played(), file);
+    case gui::Purpose::ExportMesh:
+      return ExportSession::mesh(assets_.face, activations_, file);
+    case gui::Purpose::ExportGlb:
+      return export_.glb(options_as_shown(), playback_.played(), name_of_stream(), file);
+    case gui::Purpose::ExportAu:
+      return editor_.export_au(file);
+    case gui::Purpose::PictureFolder:
+      pictures_.folder = file.string();
+      return std::string();
+    case gui::Purpose::GalleryFolder:
+      gallery_.set_folder(file);
+      return std::string();
+    case gui::Purpose::LookForFaces:
+      return look_for_faces(file, now);
   }
   return std::string();
+}
+
+/// A folder that is a face is shown, else the faces in it are listed.
+Result<std::string> WindowSession::look_for_faces(const std::filesystem::path& folder,
+                                                  Instant now) {
+  if (gui::is_face(folder)) {
+    if (auto shown = show_face(folder, now); !shown) return shown.error();
+    return std::string();
+  }
+  if (gui::faces_in(folder).empty()) {
+    return Error{ErrorKind::BadData, "no face in this folder: a face is a folder with face.toml"};
+  }
+  faces_.look_in(folder);
+  return std::string();
+}
+
+/// What the command line would have to say for pictures as the window's.
+PlayerOptions WindowSession::options_as_shown() const {
+  PlayerOptions options = options_;
+  options.face = {assets_.data_folder, faces_.view().shown, animation_.rules, animation_.mixer};
+  options.output.transparent |= rendering_.ground == gui::Ground::None;
+  options.output.background = plain_ground(rendering_.ground, options_.output.background);
+  options.output.layers = rendering_.layers;
+  options.pose = {};
+  return options;
+}
+
+Result<std::filesystem::path> WindowSession::picture_file(const std::string& ending) const {
+  gui::PictureWords words;
+  words.face = assets_.face.name;
+  words.date = today();
+  words.stream = name_of_stream();
+  if (const std::uint64_t keyframe = keyframe_shown()) words.keyframe = std::to_string(keyframe);
+  if (const auto aus = aus_shown()) words.aus = file_stem(*aus);
+  return gui::picture_file(pictures_, words, ending);
 }
 
 // === What the panels show.
@@ -362,14 +498,15 @@ gui::GuiModel WindowSession::model() const {
   model.remote.eased = model.remote.eased && shown_ == Shown::Playback;
   model.local = playback_.local_view();
   model.mirror = mirror_.view();
-  model.mirror.wanted = options_.mirrors;
-  model.sound = playback_.sound_view();
-  model.spoken = playback_.spoken_view();
+  model.mirror.wanted = options_.shows_mirror;
+  model.sound = playback_.sound().sound_view();
+  model.spoken = playback_.sound().spoken_view();
   model.table = table_;
   model.sample = sample_;
   model.recent_files = recent_files_;
-  model.faces = faces_;
-  model.next_face = face_to_begin_with_;
+  model.faces = faces_.view();
+  model.gallery = gallery_.view();
+  model.pictures = pictures_;
   model.browser = browser_.view();
   model.notice = notices_.view();
   model.animation = animation_;

@@ -12,6 +12,9 @@
 #include "client/app/player_stats.h"
 #include "client/app/window/composer_session.h"
 #include "client/app/window/editor_session.h"
+#include "client/app/window/export_session.h"
+#include "client/app/window/face_session.h"
+#include "client/app/window/gallery_session.h"
 #include "client/app/window/mirror_session.h"
 #include "client/app/window/notices.h"
 #include "client/app/window/playback_session.h"
@@ -27,11 +30,12 @@ namespace aucast::app {
 /// What happens in the window, without the window. Hands each command to the session that it is
 /// about, decides whose face is shown, and owns what the sessions have in common: how AUs become a
 /// face, notices, the file dialog, settings, leaving. Time is handed in.
-/// Assets, options and stats must outlive it. Thread: the player's.
+/// Assets, options and stats must outlive it; the assets' face becomes another one when the user
+/// wants it. Thread: the player's.
 class WindowSession {
  public:
   /// `playback` may be null: the neutral face.
-  WindowSession(const Assets& assets, const PlayerOptions& options,
+  WindowSession(Assets& assets, const PlayerOptions& options,
                 std::unique_ptr<playback::Playback> playback, PlayerStats& stats);
   /// Begins with the settings that the window remembered; call it first. `complaint`, about reading
   /// them, is shown; empty: none.
@@ -43,12 +47,12 @@ class WindowSession {
 
   /// What plays is heard there from now on; null: nowhere.
   void set_sound(std::unique_ptr<sound::SoundOut> out, Instant now);
-  void toggle_mute(Instant now) { playback_.toggle_mute(now); }
-  void set_sound_tap(sound::SoundPlayer::Tap tap) { playback_.set_sound_tap(std::move(tap)); }
+  void toggle_mute(Instant now) { playback_.sound().toggle_mute(now); }
+  void set_sound_tap(sound::SoundPlayer::Tap tap) { playback_.sound().set_tap(std::move(tap)); }
   /// By so many percent.
-  void change_volume(int by, Instant now) { playback_.change_volume(by, now); }
+  void change_volume(int by, Instant now) { playback_.sound().change_volume(by, now); }
   /// The face of activations() is on the display.
-  void face_shown() { playback_.face_shown(); }
+  void face_shown() { playback_.sound().face_shown(); }
 
   /// Moves playback to `now`.
   void advance(Instant now);
@@ -71,6 +75,9 @@ class WindowSession {
   [[nodiscard]] std::uint64_t keyframe_shown() const {
     return shown_ == Shown::Playback ? playback_.keyframe() : 0;
   }
+  /// How often the face of the assets has become another one: what was made of it is to be made
+  /// anew then.
+  [[nodiscard]] std::uint64_t face_changes() const { return faces_.changes(); }
   [[nodiscard]] gui::GuiModel model() const;
   /// "AUcast - playing", for the title of the window.
   [[nodiscard]] std::string title() const { return playback_.title(); }
@@ -86,6 +93,9 @@ class WindowSession {
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return rendering_; }
+  [[nodiscard]] const gui::PictureSettings& pictures() const { return pictures_; }
+  /// A new file for a picture or a video of what is shown.
+  [[nodiscard]] Result<std::filesystem::path> picture_file(const std::string& ending) const;
   /// A sentence for the user, for a while.
   void say(std::string text, bool bad, Instant now) { notices_.say(std::move(text), bad, now); }
   /// The file of the video being recorded, for the panel; empty: none.
@@ -102,16 +112,23 @@ class WindowSession {
 
   void look(Instant now);
   void show_edited(Shown shown, Instant now);
+  [[nodiscard]] PlayerOptions options_as_shown() const;
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
   void change_animation(const gui::AnimationSettings& settings, Instant now);
-  void list_faces();
+  void show_saved_face(Instant now);
+  [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
+  [[nodiscard]] std::string name_of_stream() const;
+  [[nodiscard]] std::string new_name(gui::Purpose purpose) const;
   void browse(gui::Purpose purpose);
+  [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
+                                                   Instant now);
   void choose_file(const std::string& name, Instant now);
   [[nodiscard]] Result<void> play(const std::filesystem::path& file, Instant now);
   [[nodiscard]] Result<std::string> use_file(const std::filesystem::path& file, Instant now);
 
-  const Assets& assets_;
+  Assets& assets_;
+  FaceSession faces_;
   const PlayerOptions& options_;
   pipeline::AuMapping mapping_;
   gui::AnimationSettings animation_;
@@ -124,14 +141,15 @@ class WindowSession {
   MirrorSession mirror_;
   StreamLister lister_;
   Shown shown_ = Shown::Playback;
-  pipeline::IdleFace idle_;
+  std::optional<pipeline::IdleFace> idle_;
+  GallerySession gallery_;
+  ExportSession export_;
   gui::RenderingSettings rendering_;
+  gui::PictureSettings pictures_;
   gui::FileBrowser browser_;
   std::filesystem::path own_folder_ = ".";  ///< where the user saved last
   std::filesystem::path last_folder_;       ///< where a stream was opened last
   std::string recording_;
-  std::string face_to_begin_with_;  ///< next time; empty: as usual
-  std::shared_ptr<const std::vector<gui::FaceEntry>> faces_;
   gui::TableSettings table_;
   std::string sample_;
   std::vector<std::string> recent_files_;

@@ -100,6 +100,7 @@ WindowSettings::WindowSettings(const PlayerOptions& options, std::filesystem::pa
   if (const auto endpoint = net::parse_endpoint(options.playback.endpoint)) {
     in_force_.remote.address = endpoint->host;
     in_force_.remote.port = endpoint->port;
+    in_force_.remote.others = options.playback.others;
     // The last ones were another server's.
     in_force_.remote.stream = options.playback.stream;
     in_force_.remote.tls = options.playback.security_options.tls;

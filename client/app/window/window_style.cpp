@@ -3,9 +3,8 @@
 #include "client/app/film/shot.h"
 
 namespace aucast::app {
-namespace {
 
-std::optional<std::uint32_t> colour_of(gui::Ground ground, std::optional<std::uint32_t> studio) {
+std::optional<std::uint32_t> plain_ground(gui::Ground ground, std::optional<std::uint32_t> studio) {
   switch (ground) {
     case gui::Ground::Studio:
     case gui::Ground::None:
@@ -20,11 +19,9 @@ std::optional<std::uint32_t> colour_of(gui::Ground ground, std::optional<std::ui
   return studio;
 }
 
-}  // namespace
-
 view::Style window_style(const gui::RenderingSettings& settings,
                          std::optional<std::uint32_t> background, float scale) {
-  return {.background = backdrop(colour_of(settings.ground, background),
+  return {.background = backdrop(plain_ground(settings.ground, background),
                                  settings.ground == gui::Ground::None),
           .layers = settings.layers,
           .light = view::key_light(static_cast<float>(settings.light_yaw_deg),

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -19,16 +20,28 @@ TEST(OnsetLog, HasARowForEachPictureOnceItIsFinished) {
   AuFrame smile;
   set_intensity(smile, 6, Side::Both, 0.4F);
   set_intensity(smile, 12, Side::Left, 1);
-  log->add(Instant(std::chrono::microseconds(1'500'000)), 1, smile);
-  log->add(Instant(std::chrono::microseconds(1'516'667)), 2, AuFrame{});
-  log->add(Instant(std::chrono::microseconds(20'000'000)), 0, std::nullopt);
+  (*log)->add(Instant(std::chrono::microseconds(1'500'000)), 1, smile);
+  (*log)->add(Instant(std::chrono::microseconds(1'516'667)), 2, AuFrame{});
+  (*log)->add(Instant(std::chrono::microseconds(20'000'000)), 0, std::nullopt);
   EXPECT_FALSE(std::filesystem::exists(file));
-  ASSERT_TRUE(log->finish());
+  ASSERT_TRUE((*log)->finish());
   EXPECT_EQ(folder.read("onsets.csv"),
             "monotonic_s,keyframe,aus\n"
             "1.500000,1,\"6:40,L12\"\n"
             "1.516667,2,\"0\"\n"
             "20.000000,0,\"\"\n");
+}
+
+TEST(OnsetLog, OfARunThatFailsIsKeptAsFarAsItCame) {
+  const test::TempFolder folder;
+  {
+    auto log = OnsetLog::create(folder.path() / "onsets.csv");
+    ASSERT_TRUE(log) << log.error().message;
+    (*log)->add(Instant(std::chrono::microseconds(1'500'000)), 1, AuFrame{});
+  }
+  EXPECT_EQ(folder.read("onsets.csv"), "monotonic_s,keyframe,aus\n1.500000,1,\"0\"\n");
+  const std::filesystem::directory_iterator files(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "and nothing lies beside it";
 }
 
 TEST(OnsetLog, SaysAtTheStartThatItsPlaceCannotBeWritten) {

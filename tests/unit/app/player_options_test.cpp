@@ -260,7 +260,7 @@ TEST(PlayerOptions, HelpAndVersionAreTexts) {
 TEST(PlayerOptions, TheMirrorsCameraStandsWhereAServerWould) {
   const auto plain = parse_player_options({"--mirror"});
   ASSERT_TRUE(plain);
-  EXPECT_TRUE(plain->mirrors);
+  EXPECT_TRUE(plain->shows_mirror);
   EXPECT_EQ(plain->mirror.source, "camera");
   const auto film = parse_player_options({"--mirror", "camera:/dev/video2", "--face", "marek"});
   ASSERT_TRUE(film);
@@ -269,6 +269,8 @@ TEST(PlayerOptions, TheMirrorsCameraStandsWhereAServerWould) {
   EXPECT_NE(refused({"--mirror", "--headless"}).find("--mirror"), std::string::npos);
   EXPECT_NE(refused({"--mirror", "--record", "a.mp4"}).find("--mirror"), std::string::npos);
   EXPECT_NE(refused({"--mirror", "--list"}).find("--mirror"), std::string::npos);
+  EXPECT_NE(refused({"--mirror", "--token-file", "t"}).find("--token-file"), std::string::npos);
+  EXPECT_NE(refused({"--mirror", "--live"}).find("leave out --live"), std::string::npos);
 }
 
 TEST(PlayerOptions, RefuseWithOneLine) {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/temp_folder.h"
-
 namespace aucast::app {
 namespace {
 
@@ -14,15 +12,6 @@ TEST(SessionVideo, HasItsPicturesAtEqualDistancesHoweverTheScreenDraws) {
   EXPECT_EQ(pictures_due(Milliseconds(1000), 25, 2), 24U);
   EXPECT_EQ(pictures_due(Milliseconds(1000), 25, 26), 0U);
   EXPECT_EQ(pictures_due(Milliseconds(-5), 25, 0), 0U);
-}
-
-TEST(SessionVideo, NamesThatAreThereAreLeftAlone) {
-  const test::TempFolder folder;
-  EXPECT_EQ(free_name(folder.path(), ".png"), folder.path() / "face-player-1.png");
-  folder.write("face-player-1.png", "");
-  folder.write("face-player-2.png", "");
-  EXPECT_EQ(free_name(folder.path(), ".png"), folder.path() / "face-player-3.png");
-  EXPECT_EQ(free_name(folder.path(), ".mp4"), folder.path() / "face-player-1.mp4");
 }
 
 }  // namespace

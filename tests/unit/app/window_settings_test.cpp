@@ -53,6 +53,9 @@ TEST_F(WindowSettingsTest, AnotherServerOfTheCommandLineHasNoStreamOfTheLastOne)
   const WindowSettings settings(parsed({"new.example"}), file_);
   EXPECT_EQ(settings.in_force().remote.stream, "");
   EXPECT_FALSE(settings.in_force().remote.tls);
+  const WindowSettings several(parsed({"aucast://new.example,other.example:7/talk"}), file_);
+  EXPECT_EQ(gui::address_text(several.in_force().remote),
+            "aucast://new.example,other.example:7/talk");
 }
 
 TEST_F(WindowSettingsTest, ATokenOfTheLastServerGoesToNoOther) {

@@ -50,6 +50,43 @@ TEST(AusFile, TheOrderInADriveStays) {
                                  "{ frontalis_inner = 0.2, inner_brow = 1.6, brow = 1.0 }"));
 }
 
+TEST(AusFile, AnAuGetsAnotherName) {
+  const auto named = [](int number, const Drive& drive, const std::string& note) {
+    const auto text = with_au(kFile, "aus.toml", number, drive, note);
+    EXPECT_TRUE(text) << text.error().message;
+    return text ? *text : "";
+  };
+  const Drive drive{{"zygomaticus_major", 1.05F}, {"a}b", 0.5F}};
+  EXPECT_EQ(named(12, drive, "mein \"Lächeln\""),
+            face::test::replaced(
+                face::test::replaced(std::string(kFile), "{zygomaticus_major=1.05,\"a}b\"=0.5}",
+                                     "{ zygomaticus_major = 1.05, \"a}b\" = 0.5 }"),
+                "\"lip corner puller\"", R"("mein \"Lächeln\"")"));
+  EXPECT_EQ(named(77, {{"jaw", 1}}, "mine"),
+            std::string(kFile) + "\n[[au]]\nnumber = 77\ndrive = { jaw = 1.0 }\nnote = \"mine\"\n");
+  const std::string bare = "[[au]]\nnumber = 77\ndrive = { jaw = 1.0 } # so far\n";
+  EXPECT_EQ(*with_au(bare, "aus.toml", 77, {{"jaw", 1}}, "mine"), bare + "note = \"mine\"\n");
+}
+
+TEST(AusFile, AnAuIsTakenOutAndNothingElse) {
+  const auto without = [](std::string_view text, int number) {
+    const auto left = without_au(text, "aus.toml", number);
+    EXPECT_TRUE(left) << left.error().message;
+    return left ? *left : "";
+  };
+  EXPECT_EQ(without(kFile, 77), kFile);
+  EXPECT_EQ(without(kFile, 1),
+            "# Grüße: a comment at the top\n\n# Lower face\n[[au]]\nnumber = 12\n"
+            "drive={zygomaticus_major=1.05,\"a}b\"=0.5}\nnote = \"lip corner puller\"\n");
+  EXPECT_EQ(without(changed(kFile, 77, {{"jaw", 1}}), 77), kFile)
+      << "as it was before it was saved";
+  const std::string short_file = "[[au]]\nnumber = 3\ndrive = {}";
+  EXPECT_EQ(without(short_file, 3), "");
+  const auto refused = without_au("au = [ { number = 4, drive = {} } ]\n", "aus.toml", 4);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("does not begin with a line [[au]]"), std::string::npos);
+}
+
 TEST(AusFile, TextBeforeTheDriveMayBeOfAnyLanguage) {
   const std::string text = "[[au]]\n\"number\" = 3\n";
   const std::string line = "au = [ { note = \"größer\", number = 4, drive = { jaw = 1.0 } } ]\n";
@@ -62,7 +99,7 @@ TEST(AusFile, ANewAuGoesToTheEnd) {
   EXPECT_EQ(changed(kFile, 77, {{"jaw", 1.5F}}),
             std::string(kFile) + "\n[[au]]\nnumber = 77\ndrive = { jaw = 1.5 }\n");
   EXPECT_EQ(changed("", 26, {{"jaw", 1}}),
-            "\n[[au]]\nnumber = 26\ndrive = { jaw = 1.0 }\nnote = \"Jaw Drop\"\n");
+            "[[au]]\nnumber = 26\ndrive = { jaw = 1.0 }\nnote = \"Jaw Drop\"\n");
   EXPECT_EQ(changed("# no end of line", 77, {}),
             "# no end of line\n\n[[au]]\nnumber = 77\ndrive = {}\n");
 }

@@ -96,6 +96,28 @@ TEST_F(ExpressionEditorTest, UndoneAfterSavingIsUnsavedAgain) {
   EXPECT_FALSE(editor_.unsaved());
 }
 
+TEST_F(ExpressionEditorTest, OnAnotherFaceWhatIsUnsavedGoesAlongAndTheRestIsThatFaces) {
+  editor_.load(26);
+  editor_.set(channel("jaw"), 3, false);
+  std::vector<std::string> before;
+  for (const face::Channel& one : face_.channels) before.push_back(one.name);
+  face_.channels.erase(face_.channels.begin());
+  face_.channels[channel("jaw")].activation_max = 2;
+  for (auto& [number, recording] : face_.recordings) {
+    recording.activation.erase(recording.activation.begin());
+  }
+  face_.recordings[26].activation[channel("jaw")] = 1;
+  editor_.change_face(before);
+  EXPECT_EQ(editor_.activations().size(), face_.channels.size());
+  EXPECT_TRUE(editor_.unsaved());
+  EXPECT_EQ(value("jaw"), 2) << "as far as this face can";
+  editor_.undo();
+  EXPECT_FALSE(editor_.unsaved());
+  EXPECT_EQ(value("jaw"), 1) << "its own recording";
+  editor_.undo();
+  EXPECT_EQ(editor_.activations(), std::vector<float>(face_.channels.size()));
+}
+
 TEST_F(ExpressionEditorTest, LoadingAnotherAuLosesNothing) {
   editor_.load(77);
   editor_.set(channel("jaw"), 1, false);

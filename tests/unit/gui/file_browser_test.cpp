@@ -68,6 +68,15 @@ TEST_F(FileBrowserTest, ChoosesAFileByNameOrByItsWholePath) {
   EXPECT_EQ(browser_.view().folder, (folder_.path() / "zoo").string());
 }
 
+TEST_F(FileBrowserTest, WhoIsAskedForAFolderMeansTheOneShownOrThatOfAFile) {
+  browser_.open(Purpose::LookForFaces, folder_.path());
+  ASSERT_TRUE(browser_.choose(".", chosen_));
+  EXPECT_EQ(chosen_, folder_.path());
+  EXPECT_FALSE(browser_.choose("zoo", chosen_)) << "it is entered";
+  ASSERT_TRUE(browser_.choose(folder_.path() / "a.txt", chosen_));
+  EXPECT_EQ(chosen_, folder_.path());
+}
+
 TEST_F(FileBrowserTest, ReplacingIsAskedAbout) {
   browser_.open(Purpose::SaveStream, folder_.path(), "new.txt");
   EXPECT_TRUE(browser_.choose("new.txt", chosen_));

@@ -14,6 +14,7 @@ namespace {
 KeptSettings unusual() {
   KeptSettings settings;
   settings.remote = {"lecture.example.org", 4777, 200, 60, 55, 500, true};
+  settings.remote.others = {{"other.example.org", 4650}, {"::1", 9}};
   settings.recent = {"lecture.example.org:4777", "[::1]", "od\"d\\name"};
   settings.animation = {face::Mixer::Average, "kumar2010", playback::Interpolation::Cosine};
   settings.transition = {80, 10, true};
@@ -24,6 +25,7 @@ KeptSettings unusual() {
   settings.rendering.light_pitch_deg = 10;
   settings.rendering.light_percent = 150;
   settings.rendering.blinking = true;
+  settings.pictures = {"/pictures", "{face}-{number}", 1920, 1080};
   settings.rendering.blink = {77, 2500, 75, playback::Interpolation::Cosine};
   return settings;
 }
@@ -55,6 +57,8 @@ TEST(KeptSettings, ComplaintsSayWhere) {
   for (const auto& [text, where] : std::vector<std::pair<std::string, std::string>>{
            {"[remote]\nport = 70000\n", "s.toml:2:"},
            {"[remote]\nport = \"x\"\n", "s.toml:2:"},
+           {"[pictures]\nname = \"{x}\"\n", "stands for nothing"},
+           {"[remote]\nothers = [\"a:b\"]\n", "s.toml:2:"},
            {"[remote\n", "s.toml:1:"},
            {"[remote]\nprot = 1\n", "s.toml:2:1: "},
            {"[animation]\nmixer = \"middle\"\n", "maximum, average"},

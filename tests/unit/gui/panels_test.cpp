@@ -174,6 +174,16 @@ TEST_F(Panels, InFullScreenThePanelLiesOverTheFaceAndGoesAway) {
   EXPECT_GT(bright_pixels(picture(), 0, kWidth), 2000U);
 }
 
+TEST_F(Panels, ACaptionIsWholeInItsFirstPicture) {
+  model_.spoken.shown = true;
+  model_.spoken.caption = "Yes.";
+  static_cast<void>(picture());
+  model_.spoken.caption = "It is a face, sent as a short list of movements, which come as text.";
+  static_cast<void>(frame(true));
+  const view::Image first = target_->read();
+  EXPECT_EQ(first.rgba, picture().rgba);
+}
+
 TEST_F(Panels, TheFaceAloneIsWithoutPanelAndBar) {
   model_.local = three_keyframes();
   gui_->toggle_bare();
@@ -267,7 +277,7 @@ TEST_F(Panels, AnEmptyViewIsMadeUsualAgain) {
   model_.rendering.settings.light_percent = 10;
   model_.rendering.settings.blinking = true;
   static_cast<void>(click(693, 54));  // the tab
-  const auto change = find_by_clicking<ChangeRendering>(600, 500, 540);
+  const auto change = find_by_clicking<ChangeRendering>(600, 532, 572);
   ASSERT_TRUE(change.has_value());
   RenderingSettings usual;
   usual.blinking = true;
@@ -281,7 +291,7 @@ TEST_F(Panels, AFormThatIsWrongConnectsNowhere) {
 }
 
 TEST_F(Panels, TheMixerIsChanged) {
-  const auto change = find_by_clicking<ChangeAnimation>(720, 300, kHeight);
+  const auto change = find_by_clicking<ChangeAnimation>(720, 530, kHeight);
   ASSERT_TRUE(change.has_value());
   EXPECT_EQ(change->settings.mixer, face::Mixer::Average);
 }

@@ -16,8 +16,8 @@ TEST(RemoteSettings, TheDefaultsCanBeUsed) {
 }
 
 TEST(RemoteSettings, TheLimitsCanBeUsed) {
-  EXPECT_EQ(problem({"h", 1, 1, 1, 1, 0}), std::nullopt);
-  EXPECT_EQ(problem({"2001:db8::1", 65535, 10'000, 10'000, 100, 1000}), std::nullopt);
+  EXPECT_EQ(problem(RemoteSettings{"h", 1, 1, 1, 1, 0}), std::nullopt);
+  EXPECT_EQ(problem(RemoteSettings{"2001:db8::1", 65535, 10'000, 10'000, 100, 1000}), std::nullopt);
 }
 
 TEST(RemoteSettings, SayWhatIsWrongAndWhatIsRight) {
@@ -47,7 +47,8 @@ TEST(RemoteSettings, SayWhatIsWrongAndWhatIsRight) {
 TEST(RemoteSettings, AnAddressIsWrittenAndReadAlike) {
   for (const char* text :
        {"example.org", "example.org:4651", "[::1]", "[fe80::1]:9", "10.0.0.7",
-        "aucast://example.org/lecture", "aucasts://[::1]:9/a.b", "aucasts://example.org"}) {
+        "aucast://example.org/lecture", "aucasts://[::1]:9/a.b", "aucasts://example.org",
+        "aucast://one.example,[::1]:9/talk", "aucasts://a,b,c:4651"}) {
     RemoteSettings settings;
     ASSERT_EQ(take_address(text, settings), std::nullopt) << text;
     EXPECT_EQ(address_text(settings), text);
@@ -67,12 +68,18 @@ TEST(RemoteSettings, AnAddressIsReadAsPeopleWriteIt) {
   EXPECT_TRUE(settings.tls);
   ASSERT_EQ(take_address("example.org", settings), std::nullopt);
   EXPECT_FALSE(settings.tls);
+  ASSERT_EQ(take_address("a,b:7/talk", settings), std::nullopt);
+  EXPECT_EQ(settings.address, "a");
+  EXPECT_EQ(settings.others, (std::vector<protocol::Endpoint>{{"b", 7}}));
+  EXPECT_EQ(settings.stream, "talk");
+  ASSERT_EQ(take_address("a", settings), std::nullopt);
+  EXPECT_TRUE(settings.others.empty()) << "those belonged to the address before";
 }
 
 TEST(RemoteSettings, WhatIsNoAddressChangesNothingAndIsSaid) {
   RemoteSettings settings;
   for (const char* text : {"", " ", ":1", "a:", "a:b", "[::1", "[::1]x", "[::1]:", "a:99999999999",
-                           "http://a", "a b", "aucast://", "aucast://a/b/c", "aucast://a,b/s"}) {
+                           "http://a", "a b", "aucast://", "aucast://a/b/c", "aucast://a,/s"}) {
     EXPECT_NE(take_address(text, settings), std::nullopt) << text;
   }
   EXPECT_EQ(settings, RemoteSettings{});

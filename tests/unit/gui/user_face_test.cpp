@@ -78,6 +78,17 @@ TEST_F(UserFace, SavingKeepsThePreviousVersionAndNothingElse) {
   EXPECT_EQ(files, 5);
 }
 
+TEST_F(UserFace, AnAuIsNamedAndRemoved) {
+  const std::string before = folder_.read("shipped/plain/aus.toml");
+  ASSERT_TRUE(save_au(shipped_, 77, {{"jaw", 1.5F}}, "yawn"));
+  const auto face = face::load_face(shipped_, folder_.path());
+  ASSERT_TRUE(face) << face.error().message;
+  EXPECT_EQ(face->recordings.at(77).note, "yawn");
+  ASSERT_TRUE(remove_au(shipped_, 77));
+  EXPECT_EQ(folder_.read("shipped/plain/aus.toml"), before);
+  EXPECT_NE(folder_.read("shipped/plain/aus.toml~").find("yawn"), std::string::npos);
+}
+
 TEST_F(UserFace, SavingTheSameAgainKeepsTheOlderVersion) {
   const std::string before = folder_.read("shipped/plain/aus.toml");
   ASSERT_TRUE(save_au(shipped_, 77, {{"jaw", 1.5F}}));

@@ -22,7 +22,7 @@ class WindowMirror : public SessionOnDefaultFace {
     options_.mirror.program = folder_.write(
         "au-transmitter", "#!/bin/sh\ncd '" + folder_.path().string() + "'\n" + script);
     std::filesystem::permissions(options_.mirror.program, std::filesystem::perms::owner_all);
-    options_.mirrors = true;
+    options_.shows_mirror = true;
     session_.emplace(*assets_, options_, nullptr, stats_);
   }
   bool becomes(const std::function<bool(const gui::MirrorView&)>& wanted) {
@@ -85,7 +85,7 @@ TEST_F(WindowMirror, AnAddressThatIsNoneIsASentenceThatStays) {
 
 TEST_F(WindowMirror, WithoutAuTransmitterIsASentence) {
   options_.mirror.program = "aucast-no-such-program";
-  options_.mirrors = true;
+  options_.shows_mirror = true;
   session_.emplace(*assets_, options_, nullptr, stats_);
   session_->advance(clock_.now());
   EXPECT_NE(model().mirror.trouble.find("is not installed"), std::string::npos);

@@ -178,15 +178,6 @@ TEST_F(StreamSessionTest, ATableOfARecogniserPlaysAsItIsSetToBeRead) {
   EXPECT_EQ(model().recent_files, std::vector<std::string>{table.string()});
 }
 
-TEST_F(StreamSessionTest, AFaceThatIsDroppedIsTheNextStarts) {
-  open();
-  const auto face = folder_.write("anna/face.toml", "");
-  ask(gui::OpenStream{face.string()});
-  EXPECT_EQ(session_->kept().face, face.parent_path().string());
-  EXPECT_FALSE(model().notice.bad);
-  EXPECT_EQ(model().local.name, "three.txt") << "what plays stays";
-}
-
 TEST_F(StreamSessionTest, TheDialogOpensAFileAndKeepsOpenForOneThatIsWrong) {
   folder_.write("wrong.txt", "");
   ask(gui::Browse{gui::Purpose::PlayStream});

@@ -391,8 +391,6 @@ TEST_F(WindowSessionTest, AnEditedAuIsSavedInTheUsersFolderAndPlayed) {
   const std::filesystem::path copy = home.path() / "aucast" / "faces" / "default";
   EXPECT_NE(model().editor.saved_to.find(copy.string()), std::string::npos);
   EXPECT_EQ(session_->kept().face, copy.string()) << "the next start shows it";
-  ask(gui::BeginWithFace{});
-  EXPECT_EQ(session_->kept().face, "");
   const auto face = face::load_face(copy, assets_->data_folder);
   ASSERT_TRUE(face) << face.error().message;
   EXPECT_EQ(face->recordings.at(12).activation[*face->channel_index("jaw")], 3.5F);
@@ -401,6 +399,8 @@ TEST_F(WindowSessionTest, AnEditedAuIsSavedInTheUsersFolderAndPlayed) {
   go_on(Milliseconds(100));
   EXPECT_FLOAT_EQ(shown("jaw"), 3.5F);
   ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0);
+  session_.reset();
+  SetUpTestSuite();  // the face of the assets is the copy now
 }
 
 TEST_F(WindowSessionTest, ASavingThatFailsIsSaidAndLosesNothing) {
@@ -521,20 +521,24 @@ TEST_F(WindowSessionTest, OnlyAnAddressThatAnsweredIsAmongTheRecentOnes) {
   EXPECT_EQ(session_->recent(), std::vector<std::string>{"lecture.example.org"});
 }
 
-TEST_F(WindowSessionTest, OnlyTheServerOfTheCommandLineHasItsOtherHosts) {
+TEST_F(WindowSessionTest, TheOtherHostsOfAnAddressAreTriedTooWhoeverNamedThem) {
   options_.playback.endpoint = "one.example";
   options_.playback.others = {{"other.example", 4650}};
   Notices notices;
   const std::vector<float> shown(assets_->face.channels.size());
   const pipeline::AuMapping mapping = au_mapping(*assets_, options_.face.mixer);
   const PlaybackSession playback(mapping, options_, stats_, notices, shown);
-  gui::RemoteSettings form;
-  form.address = "one.example";
+  gui::RemoteSettings form = playback.remote_settings();
   const auto same = playback.server_of(form);
   ASSERT_TRUE(same) << same.error().message;
   EXPECT_EQ(same->others, options_.playback.others);
   EXPECT_TRUE(same->reconnect) << "else the other is never tried";
-  form.address = "third.example";
+  ASSERT_EQ(gui::take_address("aucast://third.example,fourth.example:7/talk", form), std::nullopt);
+  const auto named = playback.server_of(form);
+  ASSERT_TRUE(named) << named.error().message;
+  EXPECT_EQ(named->others, (std::vector<protocol::Endpoint>{{"fourth.example", 7}}));
+  EXPECT_TRUE(named->reconnect);
+  ASSERT_EQ(gui::take_address("third.example", form), std::nullopt);
   const auto third = playback.server_of(form);
   ASSERT_TRUE(third) << third.error().message;
   EXPECT_TRUE(third->others.empty());

@@ -1,4 +1,4 @@
-#include "client/app/window/session_sound.h"
+#include "client/app/window/video_sound.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -20,14 +20,14 @@ std::int64_t samples_in(Duration time) {
 
 }  // namespace
 
-Result<std::unique_ptr<SessionSound>> SessionSound::open(const std::filesystem::path& video,
-                                                         Instant begin) {
+Result<std::unique_ptr<VideoSound>> VideoSound::open(const std::filesystem::path& video,
+                                                     Instant begin) {
   auto wav = sound::WavFile::open(video);
   if (!wav) return wav.error();
-  return std::unique_ptr<SessionSound>(new SessionSound(std::move(*wav), begin));
+  return std::unique_ptr<VideoSound>(new VideoSound(std::move(*wav), begin));
 }
 
-void SessionSound::add(Instant heard_at, std::span<const float> samples) {
+void VideoSound::add(Instant heard_at, std::span<const float> samples) {
   constexpr std::int64_t kSlackSamples = kSlack.count() * sound::kSamplesPerMs;
   const auto written = static_cast<std::int64_t>(wav_->samples());
   std::int64_t missing = samples_in(heard_at - begin_) - written;
@@ -42,7 +42,7 @@ void SessionSound::add(Instant heard_at, std::span<const float> samples) {
   wav_->add(samples.subspan(std::min(past, samples.size())));
 }
 
-Result<std::filesystem::path> SessionSound::file() {
+Result<std::filesystem::path> VideoSound::file() {
   if (wav_->samples() == 0) return std::filesystem::path();
   if (auto flushed = wav_->flush(); !flushed) return flushed.error();
   return wav_->temporary();

@@ -1,4 +1,4 @@
-#include "client/app/window/session_sound.h"
+#include "client/app/window/video_sound.h"
 
 #include <gtest/gtest.h>
 
@@ -31,10 +31,10 @@ std::vector<std::int64_t> sounding(const std::filesystem::path& wav) {
   return marks;
 }
 
-class SessionSoundTest : public testing::Test {
+class VideoSoundTest : public testing::Test {
  protected:
   void SetUp() override {
-    auto sound = SessionSound::open(folder_.path() / "video.mp4", kBegin);
+    auto sound = VideoSound::open(folder_.path() / "video.mp4", kBegin);
     ASSERT_TRUE(sound);
     sound_ = std::move(*sound);
   }
@@ -45,25 +45,25 @@ class SessionSoundTest : public testing::Test {
   std::vector<std::int64_t> written() { return sounding(*sound_->file()); }
 
   test::TempFolder folder_;
-  std::unique_ptr<SessionSound> sound_;
+  std::unique_ptr<VideoSound> sound_;
 };
 
-TEST_F(SessionSoundTest, NothingThatSoundsIsNoFile) {
+TEST_F(VideoSoundTest, NothingThatSoundsIsNoFile) {
   EXPECT_EQ(*sound_->file(), std::filesystem::path());
 }
 
-TEST_F(SessionSoundTest, SoundGoesToWhereItIsHeard) {
+TEST_F(VideoSoundTest, SoundGoesToWhereItIsHeard) {
   hear(1500ms, 100);
   hear(1600ms, 100);
   EXPECT_EQ(written(), (std::vector<std::int64_t>{1500, 1700, 1700}));
 }
 
-TEST_F(SessionSoundTest, AClockThatLeapsALittleTearsNothing) {
+TEST_F(VideoSoundTest, AClockThatLeapsALittleTearsNothing) {
   for (int i = 0; i < 50; ++i) hear(i * 10ms + (i % 2 == 0 ? 15ms : -15ms), 10);
   EXPECT_EQ(written(), (std::vector<std::int64_t>{15, 515, 515}));
 }
 
-TEST_F(SessionSoundTest, APauseStaysAPauseAndWhatIsPastIsLeftOut) {
+TEST_F(VideoSoundTest, APauseStaysAPauseAndWhatIsPastIsLeftOut) {
   hear(-50ms, 100);
   EXPECT_EQ(written()[1], 50) << "half of it was heard before the video began";
   hear(3000ms, 100);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/app/assets.h"
+#include "client/app/player_options.h"
+#include "client/playback/keyframe_source.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// An animation to be exported with a face.
+struct ExportedStream {
+  std::vector<playback::TimedAus> keyframes;  ///< none: the face alone
+  std::string name;
+  std::string sound;  ///< the file that belongs to it; empty: none
+};
+
+/// BadData when a stream has more moments than are exported; `place` is what it was read from.
+[[nodiscard]] Result<void> check_length(const std::vector<playback::TimedAus>& keyframes,
+                                        const PlayerOptions& options, const std::string& place);
+
+/// Writes the face, and the animation that a stream gives it, as the GLB file of the options.
+/// Returns what is in it and how far it is from the face that face-player draws, in two lines.
+[[nodiscard]] Result<std::string> export_glb(const Assets& assets, const PlayerOptions& options,
+                                             const ExportedStream& stream);
+
+}  // namespace aucast::app

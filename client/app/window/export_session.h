@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "client/app/player_options.h"
+#include "client/app/window/background_work.h"
+#include "client/face/face.h"
+#include "client/playback/keyframe_source.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// Files of what the window shows and plays, for other programs. Each sentence says where one went.
+/// Thread: the player's.
+class ExportSession {
+ public:
+  /// Writes a GLB file (film/glb_export.h), on another thread.
+  using MakeGlb = std::function<Result<std::string>(const PlayerOptions& options,
+                                                    std::vector<playback::TimedAus> keyframes,
+                                                    const std::string& name)>;
+  explicit ExportSession(MakeGlb make) : make_(std::move(make)) {}
+
+  /// The AUs of the keyframes as a table (au_table.h). Failed without a keyframe.
+  [[nodiscard]] static Result<std::string> table(std::span<const playback::TimedAus> keyframes,
+                                                 const std::filesystem::path& file);
+  /// The skin of a face with these activations, as Wavefront OBJ.
+  [[nodiscard]] static Result<std::string> mesh(const face::Face& face,
+                                                std::span<const float> activations,
+                                                const std::filesystem::path& file);
+  /// The face of the options and the keyframes as its animation, if there are any, begins to be
+  /// written. Failed while another one is.
+  [[nodiscard]] Result<std::string> glb(PlayerOptions options,
+                                        std::vector<playback::TimedAus> keyframes,
+                                        const std::string& name, const std::filesystem::path& file);
+  /// What became of the GLB file, once.
+  [[nodiscard]] std::optional<Result<std::string>> advance() { return work_.take_outcome(); }
+  [[nodiscard]] bool running() const { return work_.running(); }
+
+ private:
+  MakeGlb make_;
+  BackgroundWork work_;
+};
+
+}  // namespace aucast::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/face/face.h"
+#include "client/render/picture_texture.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// Small pictures of faces at rest, each drawn off screen once and kept as a texture. The context
+/// must be current whenever it is used. Thread: the player's; a face is read on one of its own, so
+/// that the window goes on meanwhile, and the destructor waits for it.
+class FaceThumbnails {
+ public:
+  /// `width` and `height` of the pictures, in pixels.
+  FaceThumbnails(std::filesystem::path data_folder, int width, int height);
+  ~FaceThumbnails();
+  FaceThumbnails(const FaceThumbnails&) = delete;
+  FaceThumbnails& operator=(const FaceThumbnails&) = delete;
+
+  /// Goes on towards pictures of the faces in these folders, one after the other. True when there
+  /// is a new one; another framebuffer is bound then.
+  [[nodiscard]] bool advance(const std::vector<std::string>& wanted);
+  /// A face is being read.
+  [[nodiscard]] bool busy() const { return reading_.valid(); }
+  /// The texture of a face by its folder; 0: there is none, or none yet.
+  [[nodiscard]] std::uintptr_t texture(const std::string& folder) const;
+
+ private:
+  void draw(const face::Face& face);
+
+  std::filesystem::path data_folder_;
+  int width_;
+  int height_;
+  /// A face that cannot be read has none, and is not tried again.
+  std::map<std::string, std::unique_ptr<render::PictureTexture>> textures_;
+  std::string folder_;  ///< that is being read
+  std::future<Result<face::Face>> reading_;
+};
+
+}  // namespace aucast::app

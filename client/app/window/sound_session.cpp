@@ -1,0 +1,132 @@
+#include "client/app/window/sound_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "client/app/sound_device.h"
+#include "client/sound/openal_out.h"
+#include "common/log.h"
+#include "common/overloaded.h"
+
+namespace aucast::app {
+
+SoundSession::SoundSession(const SoundOptions& options, Notices& notices)
+    : notices_(notices),
+      device_(options.device.value_or("default")),
+      volume_(options.volume),
+      muted_(options.mute) {
+  if (device_ == "default") device_.clear();
+  player_.set_volume(volume_);
+  player_.set_muted(muted_);
+}
+
+void SoundSession::open(playback::Playback* playback) {
+  playback_ = playback;
+  player_.open(playback);
+  track_.reset();
+  spoken_.begin_again();
+  file_.clear();
+}
+
+void SoundSession::play_beside(const std::filesystem::path& file, Instant now) {
+  file_ = file;
+  if (const auto read = spoken_.read_beside(file); !read) {
+    notices_.say(read.error().message, true, now);
+  }
+  play_sound_file(now);
+}
+
+void SoundSession::play_sound_file(Instant now) {
+  if (!has_device_ || file_.empty() || track_ != nullptr) return;
+  auto track = open_sound_beside(file_);
+  if (!track) {
+    notices_.say(track.error().message, true, now);
+    return;
+  }
+  if (*track == nullptr) return;
+  player_.open(playback_, track->get());
+  track_ = std::move(*track);
+}
+
+void SoundSession::advanced(Instant now) {
+  player_.advanced();
+  if (const auto passing = playback_->passing()) {
+    const double ahead = seconds(player_.lead()) * passing->speed;
+    spoken_.move_to(*playback_, passing->place - Duration(std::llround(ahead * 1e9)));
+  }
+  if (player_.take_loss()) {
+    has_device_ = false;
+    notices_.say("the sound device plays no more", true, now);
+    spdlog::warn("the sound device plays no more; going on without it");
+  }
+}
+
+void SoundSession::set_out(std::unique_ptr<sound::SoundOut> out) {
+  has_device_ = out != nullptr;
+  player_.set_out(std::move(out));
+}
+
+void SoundSession::apply(const gui::SoundCommand& command, Instant now) {
+  const Overloaded carry_out{
+      [&](const gui::SetVolume& one) { change_volume(one.percent - volume_, now); },
+      [&](const gui::ToggleMute&) { toggle_mute(now); },
+      [&](const gui::ListDevices&) { devices_ = sound::sound_devices(); },
+      [&](const gui::ChooseDevice& one) { choose_device(one.name, now); },
+      [&](const gui::ToggleCaptions&) {
+        shows_spoken_ = !shows_spoken_;
+        notices_.say(shows_spoken_ ? "with captions" : "without captions", false, now);
+      }};
+  std::visit(carry_out, command);
+}
+
+/// There is one device at a time: the one before is closed first.
+void SoundSession::choose_device(const std::string& name, Instant now) {
+  set_out(nullptr);
+  auto out = sound::open_sound_device(name);
+  if (!out) {
+    notices_.say(out.error().message, true, now);
+    out = sound::open_sound_device(device_);
+    if (!out) return;
+  } else {
+    device_ = name;
+  }
+  set_out(std::move(*out));
+  play_sound_file(now);
+}
+
+void SoundSession::toggle_mute(Instant now) {
+  muted_ = !muted_;
+  player_.set_muted(muted_);
+  notices_.say(muted_ ? "muted" : "volume " + std::to_string(volume_) + " %", false, now);
+}
+
+void SoundSession::change_volume(int by, Instant now) {
+  volume_ = std::clamp(volume_ + by, 0, 100);
+  muted_ = false;
+  player_.set_volume(volume_);
+  player_.set_muted(muted_);
+  notices_.say("volume " + std::to_string(volume_) + " %", false, now);
+}
+
+gui::SoundView SoundSession::sound_view() const {
+  /// Of the meter, in decibels.
+  constexpr double kRange = 48;
+  gui::SoundView view;
+  view.there = has_device_;
+  view.volume = volume_;
+  view.muted = muted_;
+  if (const float level = player_.level(); level > 0) {
+    const double part = 1 + 20 * std::log10(static_cast<double>(level)) / kRange;
+    view.level_percent = static_cast<int>(std::lround(100 * std::clamp(part, 0.0, 1.0)));
+  }
+  view.device = device_;
+  view.devices = devices_;
+  return view;
+}
+
+gui::SpokenView SoundSession::spoken_view() const {
+  return {spoken_.title(), spoken_.caption(), shows_spoken_};
+}
+
+}  // namespace aucast::app

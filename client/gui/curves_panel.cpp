@@ -1,0 +1,96 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client/gui/panels.h"
+#include "common/action_unit.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr float kRow = 24;
+constexpr float kNumberWidth = 28;
+constexpr float kValueWidth = 34;
+
+/// What is drawn of the curves stays the same until another stream is opened.
+void make_outlines(const LocalView& local, std::size_t columns, CurvesForm& form) {
+  if (form.of == local.curves && form.columns == columns) return;
+  form.of = local.curves;
+  form.columns = columns;
+  form.outlines.clear();
+  for (const AuCurve& curve : *local.curves) {
+    form.outlines.push_back(outline_of(curve, *local.ends, columns));
+  }
+}
+
+void line_of(const Look& look, const std::vector<float>& outline, ImVec2 from, ImVec2 to) {
+  std::vector<ImVec2> points;
+  points.reserve(outline.size());
+  const float inset = 3 * look.scale;
+  const float bottom = to.y - inset;
+  const float step = (to.x - from.x) / static_cast<float>(outline.size() - 1);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    points.emplace_back(from.x + step * static_cast<float>(i),
+                        bottom - outline[i] * (bottom - from.y - inset));
+  }
+  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()),
+                                          ImGui::GetColorU32(ImGuiCol_PlotLines), 0,
+                                          1.5F * look.scale);
+}
+
+}  // namespace
+
+void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiCommands& commands) {
+  const LocalView& local = model.local;
+  if (!local.open || local.curves == nullptr || local.curves->empty()) return;
+  heading(look, "Curves");
+  quiet_text("Percent where it plays, or at the pointer; a click seeks.");
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float left = corner.x + kNumberWidth * look.scale;
+  const float right = corner.x + width - kValueWidth * look.scale;
+  const float height = kRow * look.scale;
+  const auto rows = static_cast<float>(local.curves->size());
+  make_outlines(local, static_cast<std::size_t>(std::max(2.0F, right - left)), form);
+  const bool pressed = ImGui::InvisibleButton("##curves", ImVec2(width, rows * height));
+  const bool hovered = ImGui::IsItemHovered();
+  const float mouse = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
+  const Duration pointed(
+      std::llround(static_cast<double>(mouse) * static_cast<double>(local.total.count())));
+  const Duration place = hovered ? pointed : local.position;
+  if (pressed) commands.push_back(LocalCommand(Seek{pointed}));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float y = corner.y;
+  const float text = (height - ImGui::GetTextLineHeight()) / 2;
+  int below = -1;
+  for (std::size_t i = 0; i < local.curves->size(); ++i, y += height) {
+    const AuCurve& curve = (*local.curves)[i];
+    const ImVec2 from(left, y + look.scale);
+    const ImVec2 to(right, y + height - look.scale);
+    if (!ImGui::IsRectVisible(from, to)) continue;
+    if (hovered && ImGui::GetIO().MousePos.y >= y && ImGui::GetIO().MousePos.y < y + height) {
+      below = curve.number;
+    }
+    list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    line_of(look, form.outlines[i], from, to);
+    list.AddText(ImVec2(corner.x, y + text), ImGui::GetColorU32(ImGuiCol_Text),
+                 std::to_string(curve.number).c_str());
+    const std::string value =
+        std::to_string(std::lround(100 * value_at(curve, *local.ends, place)));
+    list.AddText(ImVec2(corner.x + width - ImGui::CalcTextSize(value.c_str()).x, y + text),
+                 ImGui::GetColorU32(ImGuiCol_Text), value.c_str());
+  }
+  const auto line_at = [&](Duration at, unsigned colour) {
+    const float x = left + (right - left) * static_cast<float>(
+                                                seconds(at) / std::max(1e-9, seconds(local.total)));
+    list.AddLine(ImVec2(x, corner.y), ImVec2(x, y), colour, look.scale);
+  };
+  line_at(local.position, colour_of(Tone::Waiting));
+  if (!hovered) return;
+  line_at(pointed, ImGui::GetColorU32(ImGuiCol_Text));
+  const auto name = below < 0 ? std::nullopt : facs_name(below);
+  ImGui::SetTooltip("%s\n%.2f s", name ? std::string(*name).c_str() : "", seconds(pointed));
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,97 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr int kFacesInARow = 3;
+/// Height of a thumbnail by its width.
+constexpr float kShape = static_cast<float>(kThumbnailHeight) / kThumbnailWidth;
+
+const char* heading_of(FaceKind kind) {
+  switch (kind) {
+    case FaceKind::Shipped:
+      return "Shipped";
+    case FaceKind::Own:
+      return "Your own copies";
+    case FaceKind::Elsewhere:
+      return "From a folder";
+  }
+  return "";
+}
+
+/// As much of the name as there is room for, in the middle below the picture.
+void name_below(const Look& look, const std::string& name, ImVec2 at, float width) {
+  const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+  const float left = at.x + std::max(0.0F, (width - size.x) / 2);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(at, ImVec2(at.x + width, at.y + size.y + look.scale), true);
+  list.AddText(ImVec2(left, at.y), ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+  list.PopClipRect();
+}
+
+/// A picture with its name; true when it was chosen.
+bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width, FaceForm& form) {
+  const float height = width * kShape;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 to(at.x + width, at.y + height);
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const bool chosen = ImGui::InvisibleButton(
+      face.folder.c_str(), ImVec2(width, height + ImGui::GetTextLineHeightWithSpacing()));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto found = form.textures.find(face.folder);
+  const std::uintptr_t texture = found == form.textures.end() ? 0 : found->second;
+  if (ImGui::IsItemVisible() && texture == 0) form.wanted.push_back(face.folder);
+  if (texture != 0) {
+    list.AddImageRounded(reinterpret_cast<ImTextureID>(texture), at, to, ImVec2(0, 0), ImVec2(1, 1),
+                         IM_COL32_WHITE, rounding);
+  } else {
+    list.AddRectFilled(at, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+  }
+  const ImGuiCol frame = shown ? ImGuiCol_PlotLinesHovered : ImGuiCol_Border;
+  if (shown || ImGui::IsItemHovered()) {
+    list.AddRect(at, to, ImGui::GetColorU32(frame), rounding, 0,
+                 (shown ? 2.0F : 1.0F) * look.scale);
+  }
+  name_below(look, face.name, ImVec2(at.x, to.y + 2 * look.scale), width);
+  if (face.kind != FaceKind::Shipped && ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("%s", face.folder.c_str());
+  }
+  return chosen;
+}
+
+}  // namespace
+
+void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands) {
+  heading(look, "Face");
+  form.wanted.clear();
+  const FacesView& faces = model.faces;
+  if (faces.entries == nullptr) return;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float width = (room - (kFacesInARow - 1) * gap) / kFacesInARow;
+  int in_row = 0;
+  const FaceEntry* before = nullptr;
+  for (const FaceEntry& face : *faces.entries) {
+    const bool first = before == nullptr || before->kind != face.kind;
+    if (first) quiet_text(heading_of(face.kind));
+    if (first && face.kind == FaceKind::Elsewhere && ImGui::IsItemHovered()) {
+      ImGui::SetTooltip("%s", faces.elsewhere.c_str());
+    }
+    in_row = first ? 0 : (in_row + 1) % kFacesInARow;
+    if (in_row > 0) ImGui::SameLine(0, gap);
+    const bool shown = face.folder == faces.shown;
+    if (face_tile(look, face, shown, width, form) && !shown)
+      commands.push_back(ShowFace{face.folder});
+    before = &face;
+  }
+  if (wide_button("Faces of another folder...", 0, 1, true)) {
+    commands.push_back(Browse{Purpose::LookForFaces});
+  }
+}
+
+}  // namespace aucast::gui

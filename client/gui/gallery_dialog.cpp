@@ -1,0 +1,149 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "client/gui/panels.h"
+
+namespace aucast::gui {
+namespace {
+
+constexpr float kDialogWidth = 460;
+
+template <std::size_t N>
+bool text_field(const char* id, const char* hint, const std::string& now, std::array<char, N>& text,
+                std::string& taken) {
+  if (taken != now) {
+    taken = now;
+    text = {};
+    now.copy(text.data(), N - 1);
+  }
+  if (!ImGui::InputTextWithHint(id, hint, text.data(), N)) return false;
+  taken = text.data();
+  return true;
+}
+
+bool folder_field(const Look& look, GallerySettings& settings, GalleryForm& form,
+                  GuiCommands& commands) {
+  label(look, "Folder");
+  const float button = 70 * look.scale;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
+                          ImGui::GetStyle().ItemSpacing.x);
+  const bool changed = text_field("##folder", "where the pictures go", settings.folder, form.folder,
+                                  form.folder_taken);
+  if (changed) settings.folder = form.folder.data();
+  ImGui::SameLine();
+  if (ImGui::Button("Choose", ImVec2(button, 0))) {
+    commands.push_back(Browse{Purpose::GalleryFolder});
+  }
+  return changed;
+}
+
+bool sections(const Look& look, GallerySettings& settings) {
+  bool changed = false;
+  label(look, "Pictures of");
+  const float left = ImGui::GetCursorPosX();
+  const float half = (ImGui::GetWindowContentRegionMax().x - left) / 2;
+  for (std::size_t i = 0; i < kGallerySections.size(); ++i) {
+    if (i % 2 == 1) {
+      ImGui::SameLine(left + half);
+    } else {
+      ImGui::SetCursorPosX(left);
+    }
+    changed |= ImGui::Checkbox(kGallerySections[i].text, &settings.sections[i]);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kGallerySections[i].tip);
+  }
+  return changed;
+}
+
+bool sweeps(const Look& look, GallerySettings& settings, GalleryForm& form) {
+  if (!settings.sections.back()) return false;
+  label(look, "Sweeps of");
+  const bool changed = text_field("##sweeps", "12  6,12  happiness  all", settings.sweeps,
+                                  form.sweeps, form.sweeps_taken);
+  if (changed) settings.sweeps = form.sweeps.data();
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip(
+        "AUs and expressions with blanks between them; each goes from the neutral "
+        "face to its apex and back");
+  }
+  return changed;
+}
+
+bool size(const Look& look, GallerySettings& settings) {
+  label(look, "Size");
+  const float by = ImGui::CalcTextSize(" x ").x;
+  const float each = (ImGui::GetContentRegionAvail().x - by) / 2;
+  ImGui::SetNextItemWidth(each);
+  bool changed = ImGui::InputInt("##width", &settings.width, 0);
+  ImGui::SameLine(0, 0);
+  ImGui::TextUnformatted(" x ");
+  ImGui::SameLine(0, 0);
+  ImGui::SetNextItemWidth(each);
+  changed |= ImGui::InputInt("##height", &settings.height, 0);
+  settings.width = std::clamp(settings.width, kPictureSideMin, kPictureSideMax);
+  settings.height = std::clamp(settings.height, kPictureSideMin, kPictureSideMax);
+  return changed;
+}
+
+void progress(const GalleryView& view) {
+  std::string text = view.ending ? "ending ..." : "beginning ...";
+  float share = 0;
+  if (view.total > 0) {
+    share = static_cast<float>(view.drawn) / static_cast<float>(view.total);
+    if (!view.ending) {
+      text = std::to_string(view.drawn) + " of " + std::to_string(view.total) + " pictures";
+    }
+  }
+  ImGui::ProgressBar(share, ImVec2(-1, 0), text.c_str());
+}
+
+}  // namespace
+
+void gallery_dialog(const Look& look, const GuiModel& model, float width, GalleryForm& form,
+                    GuiCommands& commands) {
+  const GalleryView& view = model.gallery;
+  if (!view.open) return;
+  const float height = ImGui::GetIO().DisplaySize.y;
+  ImGui::SetNextWindowPos(ImVec2(width / 2, height / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(
+      ImVec2(std::min(kDialogWidth * look.scale, ImGui::GetIO().DisplaySize.x - 20), 0));
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
+  const FloatingStyle floating(look);
+  bool shown = true;
+  if (ImGui::Begin("Gallery", &shown, kFlags)) {
+    GallerySettings settings = view.settings;
+    ImGui::BeginDisabled(view.running);
+    bool changed = folder_field(look, settings, form, commands);
+    changed |= sections(look, settings);
+    changed |= sweeps(look, settings, form);
+    changed |= size(look, settings);
+    ImGui::EndDisabled();
+    if (changed) commands.push_back(GalleryCommand(ChangeGallery{settings}));
+    quiet_text("Pictures of the face that is shown, with index.html and manifest.csv.");
+    const std::string wrong = problem(settings);
+    // Always a line, so that no button moves when it begins.
+    if (view.running) {
+      progress(view);
+    } else if (!view.outcome.empty()) {
+      toned_text(view.failed ? Tone::Bad : Tone::Good, view.outcome);
+    } else {
+      const float top = ImGui::GetCursorPosY();
+      ImGui::AlignTextToFramePadding();
+      quiet_text(wrong.empty() ? " " : wrong);
+      ImGui::SetCursorPosY(top + ImGui::GetFrameHeightWithSpacing());
+    }
+    if (wide_button("Cancel", 0, 2, view.running && !view.ending)) {
+      commands.push_back(GalleryCommand(CancelGallery{}));
+    }
+    const bool may_begin = !view.running && wrong.empty();
+    if (wide_button("Make them", 1, 2, may_begin, may_begin)) {
+      commands.push_back(GalleryCommand(BeginGallery{}));
+    }
+  }
+  ImGui::End();
+  if (!shown) commands.push_back(GalleryCommand(CloseGallery{}));
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,33 @@
+#include "client/gui/gallery_view.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace aucast::gui {
+
+std::vector<std::string> wanted_sections(const GallerySettings& settings) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < kGallerySections.size(); ++i) {
+    if (settings.sections[i]) names.emplace_back(kGallerySections[i].name);
+  }
+  return names;
+}
+
+std::vector<std::string> wanted_sweeps(const GallerySettings& settings) {
+  if (!settings.sections.back()) return {};
+  std::istringstream words(settings.sweeps);
+  std::vector<std::string> sweeps;
+  for (std::string word; words >> word;) sweeps.push_back(word);
+  return sweeps;
+}
+
+std::string problem(const GallerySettings& settings) {
+  if (settings.folder.empty()) return "Choose a folder for the pictures.";
+  if (wanted_sections(settings).empty()) return "Choose what is to be drawn.";
+  if (settings.sections.back() && wanted_sweeps(settings).empty()) {
+    return "Name the AUs or expressions to sweep.";
+  }
+  return {};
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace aucast::gui {
+
+/// A section of a gallery: as `gallery --only` has it, and in words, short and longer.
+struct GallerySection {
+  const char* name;
+  const char* text;
+  const char* tip;
+};
+inline constexpr std::array<GallerySection, 7> kGallerySections = {{
+    {"aus", "Action Units", "each AU that the face has"},
+    {"prototypes", "Emotions", "the prototypes of emotions"},
+    {"combinations", "Combinations", "AUs that change each other, with and without rules"},
+    {"appendix-a", "Appendix A", "the AUs of the thesis' appendix A"},
+    {"appendix-b", "Appendix B", "the expressions of the thesis' appendix B"},
+    {"coverage", "Coverage", "which AUs the face has, as a table without pictures"},
+    {"sweeps", "Sweeps", "from the neutral face to an apex and back, as pictures and video"},
+}};
+
+/// What a gallery is made of.
+struct GallerySettings {
+  std::string folder;
+  std::array<bool, kGallerySections.size()> sections{true, true, false, false, false, false, false};
+  std::string sweeps = "12";  ///< AUs and names of expressions, with blanks between them
+  int width = 600;            ///< of a picture, pixels, 16-4096
+  int height = 750;
+  friend bool operator==(const GallerySettings&, const GallerySettings&) = default;
+};
+
+struct GalleryView {
+  bool open = false;  ///< the dialog
+  GallerySettings settings;
+  bool running = false;
+  bool ending = false;  ///< it was cancelled and is not over yet
+  std::size_t drawn = 0;
+  std::size_t total = 0;  ///< 0: not known yet
+  std::string outcome;    ///< what became of the last one; empty: there was none
+  bool failed = false;
+  friend bool operator==(const GalleryView&, const GalleryView&) = default;
+};
+
+// What may be asked of it.
+
+struct OpenGallery {};
+/// The pictures go on being made.
+struct CloseGallery {};
+struct ChangeGallery {
+  GallerySettings settings;
+};
+struct BeginGallery {};
+struct CancelGallery {};
+using GalleryCommand =
+    std::variant<OpenGallery, CloseGallery, ChangeGallery, BeginGallery, CancelGallery>;
+
+/// The names of the sections that are wanted.
+[[nodiscard]] std::vector<std::string> wanted_sections(const GallerySettings& settings);
+/// The sweeps that are wanted; none unless that section is.
+[[nodiscard]] std::vector<std::string> wanted_sweeps(const GallerySettings& settings);
+/// Why nothing can be made of this, a sentence; empty: it can.
+[[nodiscard]] std::string problem(const GallerySettings& settings);
+
+}  // namespace aucast::gui

@@ -1,0 +1,92 @@
+#include "client/gui/picture_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+#include <utility>
+
+#include "common/text.h"
+
+namespace aucast::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kWordMax = 80;
+
+/// A file's name is read by people and programs of all systems.
+std::string in_a_name(std::string word) {
+  if (word.empty()) return "none";
+  for (char& c : word) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                       c == '.' || c == '_' || (static_cast<unsigned char>(c) & 0x80U) != 0;
+    if (!plain) c = '-';
+  }
+  if (word.size() > kWordMax) word.resize(kWordMax);
+  return word;
+}
+
+Error wrong(const std::string& what) {
+  return {ErrorKind::Usage, "the name of pictures: " + what};
+}
+
+}  // namespace
+
+Result<std::string> picture_name(std::string_view pattern, const PictureWords& words, int number) {
+  const std::array<std::pair<std::string_view, std::string>, 6> known{
+      {{"number", std::to_string(number)},
+       {"face", words.face},
+       {"stream", words.stream},
+       {"keyframe", words.keyframe},
+       {"aus", words.aus},
+       {"date", words.date}}};
+  std::string name;
+  while (!pattern.empty()) {
+    const std::size_t open = std::min(pattern.find('{'), pattern.size());
+    name += pattern.substr(0, open);
+    pattern.remove_prefix(open);
+    if (pattern.empty()) break;
+    const std::size_t close = pattern.find('}');
+    if (close == std::string_view::npos) return wrong("a { without its }");
+    const std::string_view word = pattern.substr(1, close - 1);
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [word](const auto& one) { return one.first == word; });
+    if (found == known.end()) {
+      return wrong("{" + escaped(std::string(word)) +
+                   "} stands for nothing; there are {number}, {face}, {stream}, {keyframe}, {aus} "
+                   "and {date}");
+    }
+    name += in_a_name(found->second);
+    pattern.remove_prefix(close + 1);
+  }
+  if (name.empty()) return wrong("it is empty");
+  if (name.find('/') != std::string::npos) return wrong("a / belongs into the folder");
+  if (name.front() == '.') return wrong("a file that begins with a point is hidden");
+  return name;
+}
+
+Result<fs::path> picture_file(const PictureSettings& settings, const PictureWords& words,
+                              const std::string& ending) {
+  const fs::path folder = settings.folder.empty() ? fs::path(".") : fs::path(settings.folder);
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) {
+    return Error{ErrorKind::Failed, "cannot make " + at_place(folder.string(), failed.message())};
+  }
+  const auto first = picture_name(settings.pattern, words, 1);
+  if (!first) return first.error();
+  const bool counts = settings.pattern.find("{number}") != std::string::npos;
+  for (int number = 1;; ++number) {
+    std::string name = *first;
+    if (counts) {
+      name = *picture_name(settings.pattern, words, number);
+    } else if (number > 1) {
+      name += "-" + std::to_string(number);
+    }
+    fs::path file = folder / (name + ending);
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return file;
+  }
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,47 @@
+#include "client/app/window/sound_session.h"
+
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "client/playback/playback.h"
+#include "tests/unit/playback/scripted_source.h"
+#include "tests/unit/sound/cranked_out.h"
+
+namespace aucast::app {
+namespace {
+
+TEST(SoundSession, ALostDeviceIsThereNoMore) {
+  sound::test::Crank crank;
+  Notices notices;
+  SoundSession session(SoundOptions{}, notices);
+  session.set_out(std::make_unique<sound::test::CrankedOut>(crank));
+  EXPECT_TRUE(session.has_device());
+  EXPECT_TRUE(session.sound_view().there);
+
+  auto source = std::make_unique<playback::test::ScriptedSource>();
+  source->now.voice = true;
+  playback::SourcePlayback played(std::move(source), playback::SourcePlayback::Options{});
+  session.open(&played);
+  Instant now(std::chrono::hours(1));
+  static_cast<void>(session.now(now));
+  session.advanced(now);
+  ASSERT_TRUE(session.player().sounds());
+  EXPECT_TRUE(session.has_device());
+
+  crank.lost = true;
+  now += std::chrono::milliseconds(10);
+  static_cast<void>(session.now(now));
+  session.advanced(now);
+  EXPECT_FALSE(session.has_device());
+  EXPECT_FALSE(session.sound_view().there);
+  EXPECT_EQ(notices.view().text, "the sound device plays no more");
+
+  session.set_out(std::make_unique<sound::test::CrankedOut>(crank));
+  EXPECT_TRUE(session.has_device());
+}
+
+}  // namespace
+}  // namespace aucast::app

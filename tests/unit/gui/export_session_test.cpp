@@ -1,0 +1,75 @@
+#include "client/app/window/export_session.h"
+
+#include <future>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "client/app/window/au_table.h"
+#include "common/files.h"
+#include "tests/support/temp_folder.h"
+#include "tests/unit/face/small_face.h"
+
+namespace aucast::app {
+namespace {
+
+playback::TimedAus keyframe(std::initializer_list<AuTerm> terms, int ms) {
+  playback::TimedAus timed{frame_from_terms({terms.begin(), terms.size()}), std::nullopt};
+  if (ms >= 0) timed.duration = Milliseconds(ms);
+  return timed;
+}
+
+TEST(AuTable, HasARowForEachKeyframeAndAColumnForEachAuThatOccurs) {
+  const std::vector<playback::TimedAus> keyframes = {
+      keyframe({{12, Side::Both, 80}}, 500),
+      keyframe({{12, Side::Both, 5}, {14, Side::Left, 100}}, -1), keyframe({}, 40)};
+  EXPECT_EQ(format_au_table(keyframes, Milliseconds(250)),
+            "time_s,duration_s,AU12,AU14_left,AU14_right\n"
+            "0.500,0.500,80,0,0\n"
+            "0.750,0.250,5,100,0\n"
+            "0.790,0.040,0,0,0\n");
+  EXPECT_EQ(format_au_table({}, Milliseconds(250)), "time_s,duration_s\n");
+}
+
+TEST(ExportSession, WritesTableAndMesh) {
+  const test::TempFolder folder;
+  EXPECT_FALSE(ExportSession::table({}, folder.path() / "none.csv"));
+  const std::vector<playback::TimedAus> one = {keyframe({{12, Side::Both, 80}}, 500)};
+  const auto table = ExportSession::table(one, folder.path() / "a.csv");
+  ASSERT_TRUE(table) << table.error().message;
+  EXPECT_EQ(folder.read("a.csv"), "time_s,duration_s,AU12\n0.500,0.500,80\n");
+  EXPECT_EQ(*table, "1 keyframe as a table in " + (folder.path() / "a.csv").string());
+  const face::Face face = face::test::small_face();
+  ASSERT_TRUE(ExportSession::mesh(face, face::test::only(face, "jaw", 2), folder.path() / "a.obj"));
+  ASSERT_TRUE(ExportSession::mesh(face, face::test::only(face, "jaw", 0), folder.path() / "b.obj"));
+  EXPECT_NE(folder.read("a.obj").find("\nf "), std::string::npos);
+  EXPECT_NE(folder.read("a.obj"), folder.read("b.obj")) << "as it is shown";
+}
+
+TEST(ExportSession, AGlbFileIsWrittenInTheBackgroundOneAtATime) {
+  std::promise<void> may_end;
+  std::shared_future<void> end = may_end.get_future().share();
+  ExportSession session([end](const PlayerOptions& options, const auto& keyframes,
+                              const std::string& name) -> Result<std::string> {
+    end.wait();
+    return options.exported.glb().string() + " " + name + " " + std::to_string(keyframes.size());
+  });
+  const std::vector<playback::TimedAus> one = {keyframe({{12, Side::Both, 80}}, 500)};
+  ASSERT_TRUE(session.glb({}, one, "talk", "/x/talk.glb"));
+  EXPECT_TRUE(session.running());
+  const auto second = session.glb({}, one, "talk", "/x/other.glb");
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().message.find("still being written"), std::string::npos);
+  may_end.set_value();
+  std::optional<Result<std::string>> outcome;
+  while (!outcome) {
+    outcome = session.advance();
+    std::this_thread::yield();
+  }
+  ASSERT_TRUE(*outcome);
+  EXPECT_EQ(**outcome, "/x/talk.glb talk 1");
+  EXPECT_FALSE(session.running());
+}
+
+}  // namespace
+}  // namespace aucast::app

@@ -1,0 +1,233 @@
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/support/temp_folder.h"
+#include "tests/unit/face/small_face.h"
+#include "tests/unit/gui/window_session_fixture.h"
+
+namespace aucast::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A face of one's own is the small one, with channels of its own. Each test has assets of its own,
+/// because their face becomes another one.
+class FaceSessionTest : public SessionOnDefaultFace {
+ protected:
+  void SetUp() override {
+    if (assets_ == nullptr || assets_->face.name != "default") SetUpTestSuite();
+    ASSERT_EQ(::setenv("XDG_DATA_HOME", home_.path().c_str(), 1), 0);
+    face::test::write_small_face(made_);
+    fs::create_directories(home_.path() / "aucast" / "faces");
+    fs::copy(made_.path(), small_, fs::copy_options::recursive);
+    session_.emplace(*assets_, options_, nullptr, stats_);
+  }
+  void TearDown() override {
+    session_.reset();
+    assets_.reset();
+    ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0);
+  }
+  void ask(const gui::GuiCommand& command) { session_->apply(command, clock_.now()); }
+  [[nodiscard]] int channel(const char* name) const {
+    return static_cast<int>(*assets_->face.channel_index(name));
+  }
+
+  test::TempFolder home_;
+  test::TempFolder made_;
+  fs::path small_ = home_.path() / "aucast" / "faces" / "small";
+};
+
+TEST_F(FaceSessionTest, ShippedOnesAndOnesOwnAreThereToChoose) {
+  const gui::FacesView& faces = model().faces;
+  const auto has = [&](const std::string& name, gui::FaceKind kind) {
+    return std::any_of(faces.entries->begin(), faces.entries->end(),
+                       [&](const auto& entry) { return entry.name == name && entry.kind == kind; });
+  };
+  EXPECT_TRUE(has("default", gui::FaceKind::Shipped));
+  EXPECT_TRUE(has("marek", gui::FaceKind::Shipped));
+  EXPECT_TRUE(has("small", gui::FaceKind::Own));
+  EXPECT_EQ(fs::path(faces.shown).filename(), "default");
+  EXPECT_EQ(faces.shown, faces.entries->front().folder);
+}
+
+TEST_F(FaceSessionTest, WhatPlaysGoesOnOnAnotherFace) {
+  const test::TempFolder folder;
+  ask(gui::OpenStream{folder.write("jaw.txt", "Beg_Stream\n26;100\n0;200\nEnd_Stream\n").string()});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(150));
+  EXPECT_GT(shown("jaw"), 0);
+  ask(gui::ShowFace{small_.string()});
+  EXPECT_EQ(session_->face_changes(), 1U);
+  ASSERT_EQ(session_->activations(clock_.now()).size(), assets_->face.channels.size());
+  const auto& recording = assets_->face.recordings.at(26).activation;
+  const float whole = recording[static_cast<std::size_t>(channel("jaw"))];
+  EXPECT_FLOAT_EQ(shown("jaw"), whole * 0.75F) << "the jaw of this face, at the same place";
+  EXPECT_EQ(model().remote.activity, gui::Activity::Playing);
+  EXPECT_EQ(model().local.position, Milliseconds(150));
+  go_on(Milliseconds(100));
+  EXPECT_FLOAT_EQ(shown("jaw"), whole * 0.25F);
+}
+
+TEST_F(FaceSessionTest, TheNextStartShowsTheFaceThatWasChosen) {
+  EXPECT_EQ(session_->kept().face, "");
+  ask(gui::ShowFace{small_.string()});
+  EXPECT_EQ(session_->kept().face, small_.string());
+  EXPECT_EQ(model().faces.shown, small_.string());
+  ask(gui::ShowFace{(assets_->data_folder / "faces" / "marek").string()});
+  EXPECT_EQ(session_->kept().face, "marek") << "shipped faces may lie elsewhere next time";
+}
+
+TEST_F(FaceSessionTest, WhatIsEditedOrComposedStays) {
+  ask(gui::ComposeAu{26, 50, 50, false});
+  ask(gui::LoadAu{26});
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::ShowFace{small_.string()});
+  EXPECT_TRUE(model().editor.unsaved);
+  EXPECT_EQ(model().editor.au, 26);
+  EXPECT_FLOAT_EQ(shown("jaw"), 3.5F);
+  ask(gui::Undo{});
+  const auto& recording = assets_->face.recordings.at(26).activation;
+  const float jaw = recording[static_cast<std::size_t>(channel("jaw"))];
+  EXPECT_FLOAT_EQ(shown("jaw"), jaw) << "as this face has it";
+  ASSERT_EQ(model().composer.aus.size(), 1U);
+  ask(gui::AddKeyframe{});
+  EXPECT_EQ(model().composer.rows->size(), 1U);
+}
+
+TEST_F(FaceSessionTest, AnExpressionIsTheSameOneOnAnotherFace) {
+  ask(gui::ShowAus{"26:50"});
+  go_on(Milliseconds(1000));
+  ask(gui::ShowFace{small_.string()});
+  const auto& recording = assets_->face.recordings.at(26).activation;
+  EXPECT_FLOAT_EQ(shown("jaw"), recording[static_cast<std::size_t>(channel("jaw"))] / 2);
+}
+
+TEST_F(FaceSessionTest, AFaceThatCannotBeReadIsSaidAndChangesNothing) {
+  home_.write("aucast/faces/small/aus.toml", "nonsense");
+  ask(gui::ShowFace{small_.string()});
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_NE(model().notice.text.find("aus.toml"), std::string::npos) << model().notice.text;
+  EXPECT_EQ(session_->face_changes(), 0U);
+  EXPECT_EQ(assets_->face.name, "default");
+  EXPECT_EQ(session_->kept().face, "");
+}
+
+TEST_F(FaceSessionTest, FacesOfAFolderAreListedAndADroppedOneIsShown) {
+  const test::TempFolder folder;
+  fs::copy(made_.path(), folder.path() / "anna", fs::copy_options::recursive);
+  ask(gui::Browse{gui::Purpose::LookForFaces});
+  ask(gui::EnterFolder{folder.path().string()});
+  ask(gui::ChooseFile{"."});
+  EXPECT_FALSE(model().browser.open) << model().browser.problem;
+  EXPECT_EQ(model().faces.elsewhere, folder.path().string());
+  EXPECT_EQ(model().faces.entries->back().name, "anna");
+  EXPECT_EQ(model().faces.entries->back().kind, gui::FaceKind::Elsewhere);
+  EXPECT_EQ(session_->face_changes(), 0U);
+  ask(gui::OpenStream{(folder.path() / "anna" / "face.toml").string()});
+  EXPECT_EQ(model().faces.shown, (folder.path() / "anna").string());
+  ask(gui::Browse{gui::Purpose::LookForFaces});
+  ask(gui::EnterFolder{home_.path().string()});
+  ask(gui::ChooseFile{"."});
+  EXPECT_NE(model().browser.problem.find("no face in this folder"), std::string::npos);
+}
+
+TEST_F(FaceSessionTest, AfterSavingTheFaceIsOnesOwnCopy) {
+  ask(gui::LoadAu{12});
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::SaveAu{12});
+  const fs::path copy = home_.path() / "aucast" / "faces" / "default";
+  EXPECT_EQ(model().faces.shown, copy.string());
+  EXPECT_EQ(session_->kept().face, copy.string());
+  ask(gui::ShowFace{(assets_->data_folder / "faces" / "default").string()});
+  ask(gui::ShowFace{copy.string()});
+  ask(gui::LoadAu{12});
+  EXPECT_FLOAT_EQ(shown("jaw"), 3.5F) << "what was saved is what is shown";
+}
+
+TEST_F(FaceSessionTest, ACopyWithOtherChangesIsWhatIsShownAfterSaving) {
+  ask(gui::LoadAu{12});
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::SaveAu{12});
+  ask(gui::ShowFace{(assets_->data_folder / "faces" / "default").string()});
+  ask(gui::LoadAu{6});
+  ask(gui::SetChannel{channel("jaw"), 1, false});
+  ask(gui::SaveAu{6});
+  ask(gui::LoadAu{12});
+  EXPECT_FLOAT_EQ(shown("jaw"), 3.5F) << "as the next start would show it";
+}
+
+/// The entry of an AU in the editor's list; none: number 0.
+gui::AuEntry entry_of(const gui::GuiModel& model, int number) {
+  for (const gui::AuEntry& entry : *model.known_aus) {
+    if (entry.number == number) return entry;
+  }
+  return {};
+}
+
+TEST_F(FaceSessionTest, AnAuOfOnesOwnIsNamedDeletedAndBroughtBack) {
+  ask(gui::NeutralFace{});
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::SaveAu{77, "yawn"});
+  EXPECT_FALSE(model().editor.save_failed) << model().editor.saved_to;
+  EXPECT_EQ(entry_of(model(), 77).name, "yawn");
+  EXPECT_TRUE(entry_of(model(), 77).own);
+  EXPECT_FALSE(entry_of(model(), 77).shipped);
+  EXPECT_FALSE(entry_of(model(), 12).own);
+  ask(gui::SaveAu{77, "big yawn"});
+  EXPECT_EQ(entry_of(model(), 77).name, "big yawn") << "saving names it anew";
+  ask(gui::RemoveAu{77});
+  EXPECT_EQ(entry_of(model(), 77).number, 0);
+  EXPECT_EQ(shown("jaw"), 0);
+  const fs::path copy = home_.path() / "aucast" / "faces" / "default";
+  EXPECT_FALSE(face::load_face(copy, assets_->data_folder)->recordings.contains(77));
+  ask(gui::Undo{});
+  EXPECT_FLOAT_EQ(shown("jaw"), 3.5F);
+  EXPECT_TRUE(model().editor.unsaved);
+}
+
+TEST_F(FaceSessionTest, AnAuThatCameWithTheFaceIsAsItCameAgain) {
+  ask(gui::LoadAu{12});
+  const float jaw = shown("jaw");
+  ask(gui::RemoveAu{12});
+  EXPECT_EQ(entry_of(model(), 12).number, 12) << "it is not one's own";
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::SaveAu{12});
+  EXPECT_TRUE(entry_of(model(), 12).own);
+  ask(gui::RemoveAu{12});
+  EXPECT_FALSE(entry_of(model(), 12).own);
+  EXPECT_FLOAT_EQ(shown("jaw"), jaw);
+}
+
+TEST_F(FaceSessionTest, AGalleryIsOfTheFaceThatIsShown) {
+  const test::TempFolder folder;
+  gui::GallerySettings settings;
+  settings.folder = (folder.path() / "gallery").string();
+  settings.sections = {};
+  settings.sections[5] = true;  // which AUs there are: no picture is drawn for it
+  ask(gui::ShowFace{small_.string()});
+  ask(gui::GalleryCommand(gui::ChangeGallery{settings}));
+  ask(gui::GalleryCommand(gui::BeginGallery{}));
+  while (model().gallery.running) session_->advance(clock_.now());
+  const gui::GalleryView& gallery = model().gallery;
+  if (gallery.failed) {
+    // A build without OpenGL, and a computer without, can draw none.
+    EXPECT_NE(gallery.outcome.find("GL"), std::string::npos) << gallery.outcome;
+    return;
+  }
+  EXPECT_NE(folder.read("gallery/index.html").find("small"), std::string::npos);
+}
+
+TEST_F(FaceSessionTest, AnAuIsExportedAsAFileOfAus) {
+  const test::TempFolder folder;
+  ask(gui::LoadAu{26});
+  ask(gui::Browse{gui::Purpose::ExportAu});
+  EXPECT_EQ(model().browser.name, "au26.toml");
+  ask(gui::EnterFolder{folder.path().string()});
+  ask(gui::ChooseFile{"au26.toml"});
+  EXPECT_FALSE(model().browser.open) << model().browser.problem;
+  EXPECT_EQ(folder.read("au26.toml").find("[[au]]\nnumber = 26\ndrive = { "), 0U)
+      << folder.read("au26.toml");
+}
+
+}  // namespace
+}  // namespace aucast::app
