@@ -1,6 +1,6 @@
-// The real programs and browsers, for page.test.mjs.
+// The real programs and browsers, for the tests.
 import { spawn, execFileSync } from 'node:child_process';
-import { readFile } from 'node:fs';
+import { readFile, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createInterface } from 'node:readline';
 import path from 'node:path';
@@ -69,10 +69,18 @@ export function auTransmitter(...options) {
   return execFileSync(path.join(bin, 'au-transmitter'), options, { encoding: 'utf8' });
 }
 
+/// The sets of a stream file without times, as they stand there.
+export function setsOf(file) {
+  return readFileSync(file, 'utf8').split('\n')
+      .filter(line => line && !line.startsWith('#') && !/^(Beg|End)_Stream/.test(line));
+}
+
 /// Somebody touches the face: browsers let a page be heard from then on.
 export async function touch(tab) {
   await tab.mouse.click(20, 20);
 }
+
+const SCHEME_PREFERENCE = 'layout.css.prefers-color-scheme.content-override';
 
 const LAUNCH = {
   // What Mesa draws for the native program it draws for the browser too: the same pictures.
@@ -86,19 +94,26 @@ const LAUNCH = {
     browser: 'firefox',
     executablePath: '/usr/bin/firefox-esr',
     headless: false,
+    acceptInsecureCerts: true,
     extraPrefsFirefox: { 'webgl.force-enabled': true },
   },
 };
 
-export function launch(name) {
-  return puppeteer.launch({ ...LAUNCH[name], protocolTimeout: PATIENCE_MS });
+/// `scheme`: 'dark' or 'light' for all tabs, in Firefox.
+export function launch(name, { scheme } = {}) {
+  const options = { ...LAUNCH[name], protocolTimeout: PATIENCE_MS };
+  if (scheme) {
+    options.extraPrefsFirefox = { ...options.extraPrefsFirefox,
+                                  [SCHEME_PREFERENCE]: scheme === 'dark' ? 0 : 1 };
+  }
+  return puppeteer.launch(options);
 }
 
 /// A tab that keeps what goes wrong in it in `faults`.
 /// Nobody has touched it, if `untouched`: puppeteer's own calls count as touches. `prepare(tab)` comes
 /// before the page.
-export async function openTab(browser, url, { width = 800, height = 600, untouched = false,
-                                              prepare = () => {}, ...device } = {}) {
+export async function openPage(browser, url, { width = 800, height = 600, untouched = false,
+                                               prepare = () => {}, ...device } = {}) {
   const tab = await browser.newPage();
   if (untouched) {
     await tab.evaluateOnNewDocument(() => {
@@ -114,6 +129,12 @@ export async function openTab(browser, url, { width = 800, height = 600, untouch
   tab.on('pageerror', error => tab.faults.push(error.message));
   await prepare(tab);
   await tab.goto(url);
+  return tab;
+}
+
+/// Likewise with a player in it, whose face is there, and whose keyframes are kept in `keyframes`.
+export async function openTab(browser, url, options) {
+  const tab = await openPage(browser, url, options);
   await tab.evaluate(() => {
     const player = document.querySelector('aucast-player');
     window.keyframes = [];

@@ -20,7 +20,6 @@ const WORDS = {
   stale: 'Waiting for the sender',
   paused: 'Paused',
   ended: 'The stream has ended',
-  stopped: 'Stopped',
   lost: 'Lost',
 };
 
@@ -36,11 +35,14 @@ class AucastPlayer extends HTMLElement {
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', 'A face');
     this.message = document.createElement('p');
-    this.message.className = 'message';
+    this.message.className = this.message.id = 'message';
     this.message.setAttribute('role', 'status');
     this.foot = document.createElement('div');
     this.foot.className = 'foot';
-    root.append(this.canvas, this.message, this.foot);
+    const head = document.createElement('div');
+    head.className = 'head';
+    head.append(this.message);
+    root.append(this.canvas, head, this.foot);
     this.captions = new Captions(this);
     this.sound = new PlayerSound(this, () => this.advance());
     this.engine = null;
@@ -48,7 +50,9 @@ class AucastPlayer extends HTMLElement {
     this.about = { title: '', voice: false, captions: false };
     this.wishes = 0;
     this.token = '';
+    this.asked = '';  // the stream that was to be played last
     this.wantsDraw = true;
+    this.resumes = false;  // when it comes back to the page
     this.ready = new Promise((resolve, reject) => { this.settle = { resolve, reject }; });
     this.ready.catch(() => {});  // told in words and by the event 'error'
   }
@@ -68,6 +72,7 @@ class AucastPlayer extends HTMLElement {
   /// Plays a stream of `server`; without a name its first one.
   async play(stream = this.getAttribute('stream') ?? '') {
     const wish = ++this.wishes;
+    this.asked = stream;
     await this.ready;
     await this.engine.loadVoice();
     if (wish !== this.wishes) return;  // something else was asked for since
@@ -117,19 +122,24 @@ class AucastPlayer extends HTMLElement {
   get state() { return this.told.state; }
   get aus() { return this.engine ? this.engine.aus : '0'; }
   get server() { return this.getAttribute('server') ?? ''; }
+  /// The server has refused for want of the right token.
+  get wantsToken() { return this.state === 'lost' && this.engine.tokenRefused; }
 
   // === The life of the element.
 
   connectedCallback() {
-    if (this.engine || this.starting) return;
-    this.starting = true;
-    if (this.hasAttribute('controls')) this.controls = new Controls(this);
+    if (this.sizes) return;  // moved within the page
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(this);
     this.onVisibility = () => this.beat();
     document.addEventListener('visibilitychange', this.onVisibility);
+    if (this.hasAttribute('controls')) this.controls ??= new Controls(this);
     this.listenToPointer();
-    this.start();
+    if (!this.engine) {
+      if (!this.starting) this.start();
+    } else if (this.resumes) {
+      this.play().catch(error => this.fail(error));
+    }
   }
 
   disconnectedCallback() {
@@ -137,14 +147,15 @@ class AucastPlayer extends HTMLElement {
     queueMicrotask(() => {
       if (this.isConnected) return;
       this.sizes?.disconnect();
+      this.sizes = null;
       document.removeEventListener('visibilitychange', this.onVisibility);
       ++this.wishes;
       if (this.engine) {
+        this.resumes = this.engine.state !== 'idle';
         this.engine.stop();
         this.sound.close();
         this.tell();
       }
-      this.starting = false;
     });
   }
 
@@ -159,12 +170,20 @@ class AucastPlayer extends HTMLElement {
     } else if (!this.engine) {
       return;  // start() reads them all
     } else if (name === 'layers') {
-      this.engine.setLayers(now || 'textured');
-      this.draw();
+      this.setLayersText(now);
     } else if (name === 'show') {
       if (now !== null) this.show(now).catch(error => this.fail(error));
     } else if (this.server) {
       this.play().catch(error => this.fail(error));
+    }
+  }
+
+  setLayersText(text) {
+    try {
+      this.engine.setLayers(text || 'textured');
+      this.draw();
+    } catch (error) {
+      this.fail(error);
     }
   }
 
@@ -177,14 +196,13 @@ class AucastPlayer extends HTMLElement {
   }
 
   async start() {
+    this.starting = true;
     try {
-      if (!this.engine) {
-        this.say('Loading the face');
-        this.engine = await PlayerEngine.create(this.canvas, this.getAttribute('face') ?? 'default',
-                                                { voice: this.server !== '' });
-        this.listenToContext();
-        this.sound.apply();
-      }
+      this.say('Loading the face');
+      this.engine = await PlayerEngine.create(this.canvas, this.getAttribute('face') ?? 'default',
+                                              { voice: this.server !== '' });
+      this.listenToContext();
+      this.sound.apply();
       const layers = this.getAttribute('layers');
       if (layers) this.engine.setLayers(layers);
       this.resize();
@@ -193,11 +211,13 @@ class AucastPlayer extends HTMLElement {
       this.draw();
       this.settle.resolve();
       if (this.hasAttribute('show')) await this.show(this.getAttribute('show'));
-      if (this.server) await this.play();
+      this.resumes = this.server !== '';
+      if (this.resumes && this.isConnected) await this.play();
     } catch (error) {
       this.settle.reject(error);
       this.fail(error);
     }
+    this.starting = false;
   }
 
   fail(error) {
@@ -279,11 +299,18 @@ class AucastPlayer extends HTMLElement {
     if (!engine.connected && ['buffering', 'stalled', 'stale'].includes(state)) state = 'connecting';
     const detail = state === 'ended' ? '' : engine.detail;
     const words = state === 'connecting' && engine.reconnects > 0 ? 'Connecting again' : WORDS[state];
-    const sentence = detail ? `${words}: ${detail}` : words;
+    const sentence = engine.tokenRefused ? this.tokenSentence()
+        : detail ? `${words}: ${detail}` : words;
     if (state === this.told.state && sentence === this.told.words) return;
     this.told = { state, words: sentence };
     this.say(state === 'playing' || state === 'idle' ? '' : sentence);
     this.dispatchEvent(new CustomEvent('state', { detail: { state, words: sentence } }));
+  }
+
+  tokenSentence() {
+    if (this.token) return 'This token is wrong. Ask the lecturer for the right one.';
+    return this.engine.maySendToken ? 'This stream needs a token. Ask the lecturer for it.'
+        : 'This stream needs a token, and a token is sent only over wss:// or to localhost';
   }
 
   // === Input on the face itself.
@@ -358,9 +385,13 @@ class AucastPlayer extends HTMLElement {
       this.say('The graphics driver has gone; waiting for it');
     });
     this.canvas.addEventListener('webglcontextrestored', async () => {
-      await this.engine.renew();
-      this.say('');
-      this.draw();
+      try {
+        await this.engine.renew();
+        this.say('');
+        this.draw();
+      } catch (error) {
+        this.fail(error);
+      }
     });
   }
 }

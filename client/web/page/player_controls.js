@@ -1,6 +1,8 @@
 // What one does with a player: which stream, pause, the AUs in words, a picture, the full screen.
 // Everything is a control of HTML, so that keyboard and screen readers have it too.
 
+import { TokenForm } from './player_token.js';
+
 function button(label, act) {
   const made = document.createElement('button');
   made.type = 'button';
@@ -47,15 +49,16 @@ export class Controls {
     this.bar.append(this.choice, this.name, this.pause, this.mute, this.volume, this.caption,
                     this.text, this.picture, this.screen);
     player.foot.append(this.words, this.bar);
+    this.tokenForm = new TokenForm(player);
     if (!document.fullscreenEnabled) this.screen.hidden = true;
     player.addEventListener('state', event => this.follow(event.detail.state));
     player.addEventListener('sound', () => this.followSound());
     player.addEventListener('stream', () => this.followStream());
     player.addEventListener('keyframe', () => this.tellWords());
-    player.ready.then(() => this.list()).catch(() => {});
   }
 
-  /// The server's streams, once it can be asked.
+  /// The server's streams, once it has answered the player: the question takes a place of its own, and
+  /// the server may have only one left.
   async list() {
     const player = this.player;
     if (!player.server || this.asking) return;
@@ -81,12 +84,17 @@ export class Controls {
   }
 
   follow(state) {
-    const over = ['idle', 'ended', 'stopped', 'lost'].includes(state);
-    this.pause.hidden = state === 'idle';
+    const over = ['idle', 'ended', 'lost'].includes(state);
     this.pause.textContent = over ? 'Play again' : state === 'paused' ? 'Play' : 'Pause';
-    if (!this.listed && state !== 'connecting' && state !== 'idle') this.list();
+    this.tokenForm.follow(state);
+    this.showPause();
+    const refused = this.player.wantsToken;
+    if (!this.listed && !refused && state !== 'connecting' && state !== 'idle') this.list();
     this.tellWords();
   }
+
+  /// While a token is asked for, its form has the button that plays.
+  showPause() { this.pause.hidden = this.player.state === 'idle' || this.tokenForm.shown; }
 
   /// Who is speaking; the title says it better than the name of the stream.
   followStream() {

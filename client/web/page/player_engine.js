@@ -10,11 +10,14 @@ const here = new URL('.', import.meta.url);
 
 /// Where a server's WebSocket is: `wss://host[:port]`, with the path /aucast unless it has another.
 export function socketUrl(server) {
-  const url = new URL(server);
-  if (url.protocol === 'http:') url.protocol = 'ws:';
-  if (url.protocol === 'https:') url.protocol = 'wss:';
-  if (url.protocol !== 'ws:' && url.protocol !== 'wss:') {
-    throw new Error(`${server}: an address begins with wss:// or ws://`);
+  let url = null;
+  try {
+    url = new URL(server.replace(/^http/i, 'ws'));
+  } catch {
+    // As any other that is none.
+  }
+  if (url?.protocol !== 'ws:' && url?.protocol !== 'wss:') {
+    throw new Error(`'${server}' is no address of a server: wss://HOST[:PORT] or ws://HOST[:PORT]`);
   }
   if (url.pathname === '/') url.pathname = '/aucast';
   url.search = url.hash = '';
@@ -272,6 +275,10 @@ export class PlayerEngine {
 
   get state() { return this.call('aucast_state'); }
   get detail() { return this.call('aucast_detail'); }
+  /// The server wants a token, and the one it was shown, if any, is wrong.
+  get tokenRefused() { return this.detail.includes(': the server refused: 401 '); }
+  /// To the server that was played last.
+  get maySendToken() { return mayShowToken(new URL(this.browser.url)); }
   get connected() { return this.core._aucast_connected() !== 0; }
   get live() { return this.core._aucast_live() !== 0; }
   get reconnects() { return this.core._aucast_reconnects(); }

@@ -30,10 +30,13 @@ canvas:active { cursor: grabbing; }
 :focus-visible { outline: 3px solid var(--focus); outline-offset: -3px; }
 canvas:focus-visible { outline-color: #ffd166; }  /* seen on the grey behind the face, dark or light */
 button:focus-visible, select:focus-visible { outline-offset: 2px; }
-.message {
+.head {
   position: absolute;
   inset-inline: 0;
   top: max(0.75rem, env(safe-area-inset-top));
+  pointer-events: none;
+}
+.message {
   width: fit-content;
   max-width: calc(100% - 2rem);
   box-sizing: border-box;
@@ -45,6 +48,32 @@ button:focus-visible, select:focus-visible { outline-offset: 2px; }
   pointer-events: none;
 }
 .message:empty { display: none; }
+.token {
+  display: flex;
+  flex-wrap: wrap;
+  gap: 0.5rem;
+  align-items: center;
+  justify-content: center;
+  width: fit-content;
+  max-width: calc(100% - 2rem);
+  box-sizing: border-box;
+  margin: 0.5rem auto 0;
+  padding: 0.5rem 0.9rem;
+  border-radius: 0.8rem;
+  background: var(--ground);
+  pointer-events: auto;
+}
+.token input {
+  width: 11rem;
+  min-height: 44px;
+  box-sizing: border-box;
+  padding: 0 0.6rem;
+  border: 1px solid var(--line);
+  border-radius: 0.5rem;
+  background: transparent;
+  color: inherit;
+  font: inherit;
+}
 .foot {
   position: absolute;
   inset-inline: 0.75rem;
@@ -86,9 +115,10 @@ input[type="range"] { width: 6rem; min-height: 44px; margin: 0; accent-color: va
 .tap {
   position: absolute;
   inset-inline: 0;
-  top: calc(max(0.75rem, env(safe-area-inset-top)) + 2.6rem);
+  top: 2.6rem;
   width: fit-content;
   margin: 0 auto;
+  pointer-events: auto;
   border-radius: 1.5rem;
   font-weight: 600;
 }
