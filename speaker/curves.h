@@ -2,22 +2,25 @@
 
 #include <cstddef>
 #include <map>
+#include <utility>
 #include <vector>
 
+#include "common/action_unit.h"
 #include "common/time.h"
 
 namespace aucast::speaker {
 
-/// AUs over time: for each AU that moves (both sides alike) its intensity in [0,1], sampled every
-/// kStep from 0 on.
+/// AUs over time: for each AU that moves its intensity in [0,1], sampled every kStep from 0 on.
+/// What moves one side alone is beside what moves both: that side shows the stronger of the two.
 struct Curves {
   static constexpr Milliseconds kStep{20};
+  using Key = std::pair<int, Side>;  ///< an AU
 
   explicit Curves(Milliseconds length) : steps(static_cast<std::size_t>(length / kStep) + 1) {}
 
   /// The samples of an AU, all 0 at first.
-  [[nodiscard]] std::vector<float>& of(int au) {
-    return samples.try_emplace(au, steps, 0.0F).first->second;
+  [[nodiscard]] std::vector<float>& of(int au, Side side = Side::Both) {
+    return samples.try_emplace({au, side}, steps, 0.0F).first->second;
   }
   /// The sample at a moment; beyond the end the last one.
   [[nodiscard]] std::size_t index(Milliseconds time) const {
@@ -27,7 +30,7 @@ struct Curves {
   }
 
   std::size_t steps;
-  std::map<int, std::vector<float>> samples;
+  std::map<Key, std::vector<float>> samples;
 };
 
 }  // namespace aucast::speaker

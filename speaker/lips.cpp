@@ -68,9 +68,14 @@ void plan_sound(const Phoneme& sound, double begin, double end, Plan& plan) {
   if (viseme->closes) {
     constexpr double kHeldMs = 50;
     const int before = closure_before_ms(sound.ipa);
-    const double released =
-        before > 0 ? begin : std::max(begin + std::min(kHeldMs, length), end - 20);
-    plan.contacts.push_back({begin - before, released, false});
+    if (before > 0) {
+      plan.contacts.push_back({begin - before, begin, false});
+    } else {
+      // The hum of an m is heard that much later than espeak-ng's mark of it.
+      constexpr double kHumLateMs = 30;
+      const double released = std::max(begin + std::min(kHeldMs, length), end - 20);
+      plan.contacts.push_back({begin + kHumLateMs, released + kHumLateMs, false});
+    }
   } else if (viseme->on_teeth) {
     plan.contacts.push_back({begin, begin + 0.7 * length, true});
   }

@@ -22,8 +22,8 @@ const std::set<int> kLipsOnly{18, 19, 22, 25, 26, 27, 28, 32};
 
 /// AUs of a cue at full strength.
 std::optional<std::vector<AuTerm>> named(std::string_view name, const Expressions& expressions) {
-  if (name == "smile") return std::vector<AuTerm>{{6, Side::Both, 50}, {12, Side::Both, 70}};
   if (const auto found = expressions.find(name); found != expressions.end()) return found->second;
+  if (name == "smile") return std::vector<AuTerm>{{6, Side::Both, 50}, {12, Side::Both, 70}};
   protocol::Keyframe keyframe;
   const bool is_aus = !protocol::parse_stream_line(name, keyframe) && !keyframe.duration_ms;
   if (!is_aus) return std::nullopt;
@@ -60,7 +60,7 @@ void express(const std::vector<AuTerm>& terms, Milliseconds from, Milliseconds t
     if (term.number == 0 || kLipsOnly.contains(term.number)) continue;
     const float share = kMouth.contains(term.number) ? kMouthWhileSpeaking : 1.0F;
     const float intensity = share * static_cast<float>(term.percent) / 100;
-    std::vector<float>& samples = curves.of(term.number);
+    std::vector<float>& samples = curves.of(term.number, term.side);
     for (std::size_t i = curves.index(from - kOnset); i <= curves.index(to + kOffset); ++i) {
       const Milliseconds at = Curves::kStep * static_cast<int>(i);
       const auto part = [](Milliseconds a, Milliseconds b) {
@@ -91,11 +91,16 @@ void follow_cues(const Speech& speech, const Script& script, const Expressions& 
 std::vector<AuTerm> terms_at(const Curves& curves, std::size_t step) {
   constexpr int kPercentMin = 2;  // weaker is nothing
   std::vector<AuTerm> terms;
-  for (const auto& [number, samples] : curves.samples) {
+  int both = 0;  // of the AU in hand: its sides come after
+  int both_of = 0;
+  for (const auto& [key, samples] : curves.samples) {
+    const auto [number, side] = key;
     const int percent = static_cast<int>(std::lround(100 * std::min(samples[step], 1.0F)));
-    if (percent < kPercentMin) continue;
-    terms.push_back(
-        {static_cast<std::uint8_t>(number), Side::Both, static_cast<std::uint8_t>(percent)});
+    if (number != both_of) both = 0;
+    both_of = number;
+    if (side == Side::Both) both = percent;
+    if (percent < kPercentMin || (side != Side::Both && percent <= both)) continue;
+    terms.push_back({static_cast<std::uint8_t>(number), side, static_cast<std::uint8_t>(percent)});
   }
   if (terms.empty()) terms.push_back({0, Side::Both, 100});
   return terms;
@@ -106,7 +111,7 @@ std::vector<AuTerm> terms_at(const Curves& curves, std::size_t step) {
 std::optional<std::size_t> worst_between(const Curves& curves, std::size_t from, std::size_t to,
                                          float tolerance) {
   std::optional<std::size_t> worst;
-  for (const auto& [number, samples] : curves.samples) {
+  for (const auto& [key, samples] : curves.samples) {
     const float slope = (samples[to] - samples[from]) / static_cast<float>(to - from);
     for (std::size_t i = from + 1; i < to; ++i) {
       const float line = samples[from] + slope * static_cast<float>(i - from);
@@ -134,7 +139,10 @@ Result<Expressions> read_expressions(std::string_view bytes, std::string_view fi
     if (const auto wrong = protocol::parse_stream_line(entry.text("aus"), keyframe)) {
       entry.wrong("aus", wrong->reason);
     }
-    expressions.emplace(entry.text("name"), std::move(keyframe.terms));
+    const std::string name = entry.text("name");
+    if (!expressions.emplace(name, std::move(keyframe.terms)).second) {
+      problems.add(table->place, "a second expression '" + escaped(name) + "'");
+    }
   }
   if (auto good = problems.result(); !good) return good.error();
   return expressions;

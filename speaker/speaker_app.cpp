@@ -152,9 +152,20 @@ std::string labels_of(const Speech& speech) {
   return text;
 }
 
+/// Silence up to the end of the last packet that the voice is sent in, however long those are
+/// (60, 40 or 20 ms): sound, face and what is heard end together, to the sample.
+void fill_last_packet(Speech& speech) {
+  const auto packet = static_cast<std::size_t>(speech.rate) * 120 / 1000;
+  speech.samples.resize((speech.samples.size() + packet - 1) / packet * packet);
+}
+
 Result<Speech> speech_of(const Script& script, const Options& options) {
   auto spoken = speak(script.text, options.voice);
-  if (!spoken || options.recording.empty()) return spoken;
+  if (!spoken) return spoken;
+  if (options.recording.empty()) {
+    fill_last_packet(*spoken);
+    return spoken;
+  }
   auto file = voice::SoundFile::open(options.recording);
   if (!file) return file.error();
   // What a file says of its length is not believed: it is read a minute at a time.
@@ -194,6 +205,18 @@ std::string stream_text(const Script& script, const protocol::StreamFile& stream
   return text;
 }
 
+/// Nothing that is read is written over.
+Result<void> check_output(const fs::path& output, const Options& options) {
+  std::error_code none;
+  for (const fs::path& input : {options.text, options.recording}) {
+    if (output.empty() || input.empty() || !fs::equivalent(output, input, none)) continue;
+    return Error{ErrorKind::Usage, printable(output.string()) + " would be written over " +
+                                       printable(input.string()) +
+                                       ", which is read; choose another name or folder"};
+  }
+  return {};
+}
+
 Result<void> run(const Options& options) {
   const auto bytes = read_text(options.text);
   if (!bytes) return bytes.error();
@@ -216,9 +239,10 @@ Result<void> run(const Options& options) {
                  at_place(folder.string(), "no folder can be made: " + error.message())};
   }
   const fs::path stream_file = folder / (name + ".txt");
-  if (options.text != "-" && fs::equivalent(stream_file, options.text, error)) {
-    return Error{ErrorKind::Usage, printable(stream_file.string()) +
-                                       " is the text itself; choose another folder with -o"};
+  const fs::path caption_file = folder / (name + ".vtt");
+  const fs::path sound_file = options.recording.empty() ? folder / (name + ".wav") : fs::path();
+  for (const fs::path& output : {stream_file, caption_file, sound_file, options.labels}) {
+    if (auto good = check_output(output, options); !good) return good;
   }
   if (!options.labels.empty()) {
     if (auto written = write_file_atomically(options.labels, labels_of(*speech)); !written) {
@@ -230,12 +254,11 @@ Result<void> run(const Options& options) {
     return written;
   }
   const auto captions = captions_of(*speech, *script);
-  if (auto written = write_file_atomically(folder / (name + ".vtt"), format_webvtt(captions));
-      !written) {
+  if (auto written = write_file_atomically(caption_file, format_webvtt(captions)); !written) {
     return written;
   }
-  if (options.recording.empty()) {
-    if (auto written = write_wav(folder / (name + ".wav"), *speech); !written) return written;
+  if (!sound_file.empty()) {
+    if (auto written = write_wav(sound_file, *speech); !written) return written;
   }
   std::printf("%s: %.1f s, %s, %s\n", printable(stream_file.string()).c_str(),
               seconds(speech->length()), counted(stream.keyframes.size(), "keyframe").c_str(),
@@ -274,7 +297,10 @@ int run_speaker(std::vector<std::string> arguments) {
     return std::fflush(stdout) == 0 ? 0 : 1;
   }
   Options options;
-  const auto done = obey(std::move(arguments), options);
+  auto done = obey(std::move(arguments), options);
+  if (done && std::fflush(stdout) != 0) {
+    done = Error{ErrorKind::Failed, "standard output cannot be written"};
+  }
   if (done) return 0;
   std::fprintf(stderr, "au-speaker: %s\n", done.error().message.c_str());
   return exit_code(done.error());

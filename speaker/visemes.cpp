@@ -75,7 +75,9 @@ const Viseme* glide_of(std::string_view ipa) {
 
 int closure_before_ms(std::string_view ipa) {
   constexpr int kVoicelessStop = 50;
-  return ipa.starts_with("p") ? kVoicelessStop : 0;
+  constexpr int kVoicedStop = 30;
+  if (ipa.starts_with("p")) return kVoicelessStop;
+  return ipa.starts_with("b") ? kVoicedStop : 0;
 }
 
 }  // namespace aucast::speaker

@@ -119,6 +119,37 @@ TEST(Perform, CuesShowFromTheirWordToTheEndOfTheParagraph) {
   EXPECT_GT(shown(talk.stream, 2, talk.speech.length() - Milliseconds(600)), 0.3F);
 }
 
+TEST(Perform, AnExpressionOfOneSideStaysOnThatSide) {
+  const Expressions expressions{{"contempt", {{12, Side::Right, 60}, {14, Side::Right, 80}}},
+                                {"smile", {{12, Side::Both, 20}, {12, Side::Left, 90}}}};
+  const auto script = parse_script("[contempt] Nobody told them so.\n\n[smile] Now we do.\n", "t");
+  ASSERT_TRUE(script);
+  const auto speech = speak(script->text, {});
+  ASSERT_TRUE(speech) << speech.error().message;
+  const protocol::StreamFile stream = perform(*speech, *script, expressions, {});
+  int right = 0;
+  int left = 0;
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    for (const AuTerm& term : keyframe.terms) {
+      if (term.number == 14) {
+        EXPECT_EQ(term.side, Side::Right);
+        ++right;
+      }
+      if (term.number == 12 && term.side == Side::Left) left = std::max<int>(left, term.percent);
+    }
+  }
+  EXPECT_GT(right, 0);
+  EXPECT_NEAR(left, 50, 5) << "the file's own smile, as much as a speaking mouth leaves of it";
+}
+
+TEST(ReadExpressions, ANameStandsOnce) {
+  const std::string one = "[[expression]]\nname = \"a\"\naus = \"12\"\n";
+  EXPECT_TRUE(read_expressions(one, "e.toml"));
+  const auto twice = read_expressions(one + one, "e.toml");
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().message, "e.toml:4:1: a second expression 'a'");
+}
+
 TEST(CheckCues, NameTheNearestExpression) {
   const Expressions expressions{{"surprise", {{1, Side::Both, 100}}}};
   const auto check = [&](const char* text) {

@@ -76,6 +76,12 @@ TEST(SpeakerApp, NeverWritesOverTheText) {
   const std::string text = folder.write("talk.txt", "Good morning.\n").string();
   EXPECT_EQ(run_speaker({text, "-o", folder.path().string()}), 2);
   EXPECT_EQ(folder.read("talk.txt"), "Good morning.\n");
+  const std::string out = (folder.path() / "out").string();
+  EXPECT_EQ(run_speaker({text, "-o", out, "--labels", text}), 2);
+  EXPECT_EQ(folder.read("talk.txt"), "Good morning.\n");
+  const std::string captions = folder.write("talk.vtt", "Good morning.\n").string();
+  EXPECT_EQ(run_speaker({captions, "-o", folder.path().string()}), 2);
+  EXPECT_EQ(folder.read("talk.vtt"), "Good morning.\n");
 }
 
 TEST(SpeakerApp, ExitCodesAreThoseOfTheOtherPrograms) {
