@@ -201,13 +201,13 @@ class Draper {
 /// them for the taper of their ends.
 int pieces_of(const Line& line) {
   constexpr double kPiece = 0.30;
-  constexpr double kFewest = 6;
-  constexpr double kMost = 14;
+  constexpr double kPiecesMin = 6;
+  constexpr double kPiecesMax = 14;
   double length = 0;
   for (std::size_t i = 1; i < line.points.size(); ++i) {
     length += glm::distance(line.points[i - 1], line.points[i]);
   }
-  return static_cast<int>(std::clamp(std::ceil(length / kPiece), kFewest, kMost));
+  return static_cast<int>(std::clamp(std::ceil(length / kPiece), kPiecesMin, kPiecesMax));
 }
 
 glm::dvec2 along_line(const Line& line, double t) {
