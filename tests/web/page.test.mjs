@@ -479,16 +479,21 @@ for (const name of ['chromium', 'firefox']) {
     test('everything is reached by the keyboard, in the order in which it stands', async () => {
       const tab = await openTab(browser, server.at('http', '?stream=lecture&muted'), { untouched: true });
       await tab.waitForSelector('aucast-player >>> .caption:not([hidden])');
-      await tab.bringToFront();  // else the first key may be lost
-      const reached = [];
-      for (let key = 0; key < 9; ++key) {
+      await tab.bringToFront();
+      const tabbed = async () => {
         await tab.keyboard.press('Tab');
-        reached.push(await tab.evaluate(() => {
-          const focused = document.activeElement.shadowRoot.activeElement;
+        return tab.evaluate(() => {
+          const focused = document.activeElement?.shadowRoot?.activeElement;
+          if (!focused) return null;
           const { outlineStyle, outlineWidth } = getComputedStyle(focused);
           return [focused.ariaLabel ?? focused.textContent, `${outlineStyle} ${outlineWidth}`];
-        }));
-      }
+        });
+      };
+      // Browsers drop keys until their window has come to the front and shows its first picture.
+      let first = null;
+      for (let key = 0; key < 20 && !first; ++key) first = await tabbed();
+      const reached = [first];
+      while (reached.length < 9) reached.push(await tabbed());
       assert.deepEqual(reached, ['A face', 'Who is speaking', 'Pause', 'Mute', 'Volume', 'Captions', 'AUs',
                                  'Picture', 'Full screen'].map(name => [name, 'solid 3px']));
       for (let key = 0; key < 6; ++key) {
