@@ -21,9 +21,9 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 
-# What goes over NATS; without it au-transmitter says what is missing.
+# For the module by which au-transmitter speaks NATS; without it the program says what is missing.
 pkg_check_modules(nats QUIET IMPORTED_TARGET libnats)
-option(AUCAST_NATS "Build au-transmitter with NATS (libnats)" ${nats_FOUND})
+option(AUCAST_NATS "Build aucast-nats.so, NATS for au-transmitter (libnats)" ${nats_FOUND})
 if(AUCAST_NATS AND NOT nats_FOUND)
   message(FATAL_ERROR "AUCAST_NATS needs libnats: scripts/install_deps.sh scripts/packages_nats.txt")
 endif()

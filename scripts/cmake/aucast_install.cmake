@@ -1,8 +1,6 @@
 # What `cmake --install` puts where: programs, data, manual pages, completion, units of systemd.
 # A component is the package that has it (aucast_package.cmake); `licences` is in none of them.
 
-include(GNUInstallDirs)
-
 # aucast_install_program(NAME)
 #   The program with what it says about itself: its manual page and what completes its options.
 function(aucast_install_program name)
@@ -77,6 +75,9 @@ configure_file(${systemd}/au-transmitter.service.in \${units}/au-transmitter@.se
           DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT au-transmitter)
   install(PROGRAMS ${PROJECT_SOURCE_DIR}/scripts/install_models.sh
           DESTINATION ${CMAKE_INSTALL_DATADIR}/aucast/scripts COMPONENT au-transmitter)
+endif()
+if(TARGET aucast_nats)
+  install(TARGETS aucast_nats LIBRARY DESTINATION ${AUCAST_MODULE_DIR} COMPONENT aucast-nats)
 endif()
 if(TARGET au-speaker)
   aucast_install_program(au-speaker)

@@ -15,6 +15,9 @@ endif()
 
 # All programs land beside data/ in the build folder, so that they find it.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+# Where installation puts things, below its prefix; what programs load is in a folder of its own.
+include(GNUInstallDirs)
+set(AUCAST_MODULE_DIR ${CMAKE_INSTALL_LIBDIR}/aucast)
 
 add_library(aucast_warnings INTERFACE)
 target_compile_options(aucast_warnings INTERFACE

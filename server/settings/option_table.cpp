@@ -48,11 +48,11 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "aucasts:// over TLS. Of several hosts the next is taken when one is lost. What is live "
        "there is live here; a recorded stream is kept and served from its beginning while it still "
        "comes, in a loop if it is in one there. SIGHUP leaves relayed streams as they are. "
-       "nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends over NATS; natss:// "
-       "over TLS. A film (.mp4, .mov, .mkv, .webm, .avi and others, through ffmpeg) is read for "
-       "the face in it; camera is the camera /dev/video0 and camera:DEVICE another one, live; a "
-       "film or a FIFO may stand in for DEVICE. Both need the models that "
-       "scripts/install_models.sh fetches.",
+       "nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends over NATS, with the "
+       "module of the package aucast-nats; natss:// over TLS. A film (.mp4, .mov, .mkv, .webm, "
+       ".avi and others, through ffmpeg) is read for the face in it; camera is the camera "
+       "/dev/video0 and camera:DEVICE another one, live; a film or a FIFO may stand in for DEVICE. "
+       "Both need the models that scripts/install_models.sh fetches.",
        words(options.sources), "Sources", Where::Positional},
       {"follow", "", "", "send what is appended",
        "Files are live sources too. What a file already holds is past; the face starts from its "

@@ -115,6 +115,27 @@ TEST_F(Installed, EverythingIsInItsPlaceAndWorksThere) {
   EXPECT_EQ(server.wait(kPatience), 0);
 }
 
+TEST_F(Installed, NatsIsAModuleThatIsFoundFromTheProgramAndMayBeMissing) {
+  const std::vector<std::string> follow = {at("bin/au-transmitter"), "--port", "0",
+                                           "nats://127.0.0.1:1/talk"};
+#ifdef AUCAST_NATS_MODULE
+  ASSERT_TRUE(std::filesystem::exists(at(AUCAST_NATS_MODULE)));
+  Process server(follow);
+  EXPECT_TRUE(server.read_line(kPatience)) << server.err();
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(kPatience), 0);
+  EXPECT_NE(server.err().find("no server of NATS answers yet"), std::string::npos) << server.err();
+  std::filesystem::rename(at(AUCAST_NATS_MODULE), at("aucast-nats.so"));
+#endif
+  // Where the program is started from counts for nothing.
+  const Finished without = run(
+      {"sh", "-c", R"(cd "$0" && exec "$@")", at(""), follow[0], follow[1], follow[2], follow[3]});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_NE(without.err.find("NATS is not installed: the package aucast-nats has it"),
+            std::string::npos)
+      << without.err;
+}
+
 TEST_F(Installed, ExampleOfSettingsIsUnderstood) {
   const std::string example = at("share/doc/aucast/au-transmitter.toml");
   const Finished printed = run({at("bin/au-transmitter"), "--config", example, "--print-config"});

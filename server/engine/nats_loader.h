@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "common/result.h"
+#include "server/engine/nats_library.h"
+
+namespace aucast::server {
+
+/// Where the module is looked for: beside this program, as in a build folder, and where
+/// `cmake --install` puts it, relative to this program.
+[[nodiscard]] std::vector<std::filesystem::path> nats_module_folders();
+
+/// From the first of them that has it. Usage error, with what to install, where none has it.
+/// Unreadable: others could have put it there, the system cannot load it, or it is of another
+/// build. It is never unloaded: libnats has threads, and destructors of theirs, that outlive every
+/// connection.
+[[nodiscard]] Result<const NatsModule*> load_nats_module(
+    const std::vector<std::filesystem::path>& folders);
+
+}  // namespace aucast::server
