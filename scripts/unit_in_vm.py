@@ -3,11 +3,12 @@
 
     scripts/unit_in_vm.py [--build FOLDER] [--folder FOLDER] [--only NAME[,NAME...]]
 
-Installs the packages aucast-data and au-transmitter of a build (--build, default build/release;
-`cpack -G DEB --config build/release/CPackConfig.cmake` makes them) in a small Debian of this host's
-release, made by debootstrap, and boots it in qemu, which emulates the processor: no /dev/kvm is
-needed, and nothing of the guest touches this host. unit_in_vm_checks.py runs inside and says what
-held; at its end a face-player of this host plays what the guest serves.
+Installs the packages aucast-data, au-transmitter and aucast-nats of a build (--build, default
+build/release; `cpack -G DEB --config build/release/CPackConfig.cmake` makes them; aucast-nats needs
+scripts/packages_nats.txt before the build) in a small Debian of this host's release, made by
+debootstrap, and boots it in qemu, which emulates the processor: no /dev/kvm is needed, and nothing
+of the guest touches this host. unit_in_vm_checks.py runs inside and says what held; at its end a
+face-player of this host plays what the guest serves.
 Needs root (for debootstrap), what packages_vm.txt lists, and up to ten minutes; with --folder the
 Debian is kept there for the next run, which takes two minutes less.
 
@@ -28,7 +29,7 @@ import tempfile
 import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-OURS = ("aucast-data", "au-transmitter")
+OURS = ("aucast-data", "au-transmitter", "aucast-nats")
 PACKAGES = ("curl", "dbus", "init-system-helpers", "linux-image-cloud-amd64", "openssl", "python3", "systemd",
             "systemd-sysv")
 SECONDS_MAX = 1200  # for the guest, from its start to its end

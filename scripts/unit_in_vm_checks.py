@@ -274,6 +274,18 @@ def sandbox():
 
 
 @check
+def nats():
+    """The module for NATS is loaded in there too."""
+    settings(publish="nats://127.0.0.1:1/talk")
+    since = Journal()
+    restart()
+    told = since.wait_for("no server of NATS answers yet")
+    mapped = (main_process() / "maps").read_text(encoding="ascii")
+    expect("/usr/lib/aucast/aucast-nats.so" in mapped, mapped)
+    return told["MESSAGE"]
+
+
+@check
 def reload():
     """A reload takes new streams, and who plays plays on."""
     pid, since = show("MainPID"), Journal()

@@ -26,12 +26,12 @@ function(aucast_write_copyright name)
   file(WRITE ${AUCAST_PACKAGE_FOLDER}/${name}/copyright "${text}")
 endfunction()
 
-# aucast_package(NAME SUMMARY one line TEXT more [ALL] [SECTION s] [RECOMMENDS ...] [SUGGESTS ...]
-#                [DEPENDS ...] [LICENCES file or Debian package...] [SCRIPTS file...])
-#   The component NAME as a package of that name. ALL: of no architecture. All others depend on
-#   aucast-data of the same version and on the libraries they are linked with.
+# aucast_package(NAME SUMMARY one line TEXT more [ALL] [SECTION s] [PART_OF p] [RECOMMENDS ...]
+#                [SUGGESTS ...] [DEPENDS ...] [LICENCES file or Debian package...] [SCRIPTS file...])
+#   The component NAME as a package of that name, which depends on PART_OF (default: aucast-data) of
+#   the same version. ALL: of no architecture; others depend on the libraries they are linked with.
 function(aucast_package name)
-  cmake_parse_arguments(ARG "ALL" "SUMMARY;TEXT;SECTION"
+  cmake_parse_arguments(ARG "ALL" "SUMMARY;TEXT;SECTION;PART_OF"
                         "DEPENDS;RECOMMENDS;SUGGESTS;LICENCES;SCRIPTS" ${ARGN})
   string(TOUPPER ${name} upper)
   set(folder ${AUCAST_PACKAGE_FOLDER}/${name})
@@ -51,9 +51,10 @@ execute_process(COMMAND gzip -9nf \${pages} \${share}/doc/${name}/changelog.Debi
     set(${variable}_ARCHITECTURE all PARENT_SCOPE)
     set(${variable}_SHLIBDEPS OFF PARENT_SCOPE)
   endif()
-  if(NOT name STREQUAL aucast-data)
-    set(CPACK_COMPONENT_${upper}_DEPENDS aucast-data PARENT_SCOPE)
+  if(NOT ARG_PART_OF AND NOT name STREQUAL aucast-data)
+    set(ARG_PART_OF aucast-data)
   endif()
+  set(CPACK_COMPONENT_${upper}_DEPENDS ${ARG_PART_OF} PARENT_SCOPE)
   foreach(field DEPENDS RECOMMENDS SUGGESTS)
     list(JOIN ARG_${field} ", " packages)
     set(${variable}_${field} "${packages}" PARENT_SCOPE)
@@ -72,9 +73,15 @@ if(TARGET au-transmitter)
   aucast_package(au-transmitter SECTION net
     SUMMARY "streams faces as FACS Action Units"
     TEXT "Serves stream files, recordings of AU recognisers, cameras and streams of other\nau-transmitters to any number of clients: face-player, browsers, one's own.\nThe service is started by the operator, who first names what it serves."
-    RECOMMENDS ffmpeg SUGGESTS aucast-web face-player nats-server npm
+    RECOMMENDS ffmpeg SUGGESTS aucast-nats aucast-web face-player npm
     LICENCES libasio-dev nlohmann-json3-dev libcli11-dev
     SCRIPTS ${packaging}/postinst ${packaging}/prerm ${packaging}/postrm)
+endif()
+if(TARGET aucast_nats)
+  aucast_package(aucast-nats SECTION net PART_OF au-transmitter
+    SUMMARY "streams of AUcast over NATS"
+    TEXT "What au-transmitter loads to publish a stream over servers of NATS, or to\nfollow one there: addresses nats:// and natss://."
+    SUGGESTS nats-server)
 endif()
 if(TARGET face-player)
   aucast_package(face-player SECTION video
