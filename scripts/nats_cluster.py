@@ -20,12 +20,19 @@ def missing():
     return None if shutil.which("nats-server") else "nats-server is not installed"
 
 
+_given = set()  # ports
+
+
 def free_ports(count):
-    """So many, all different. Somebody else may take one before it is used, which start() tells."""
-    sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
-    ports = [one.getsockname()[1] for one in sockets]
-    for one in sockets:
-        one.close()
+    """So many, none of them given before. Somebody else may take one before it is used, which start()
+    tells."""
+    ports = []
+    while len(ports) < count:
+        with socket.create_server(("127.0.0.1", 0)) as one:
+            port = one.getsockname()[1]
+            if port not in _given:  # who is given it next comes after it is closed
+                _given.add(port)
+                ports.append(port)
     return ports
 
 

@@ -1,12 +1,13 @@
 """au-transmitter over real servers of NATS, on ports and in a folder of their own.
 
-    server_nats_test.py --bin FOLDER --scripts FOLDER
+    server_nats_test.py --bin FOLDER --scripts FOLDER [TEST...]
 
-Without nats-server it says so and ends with code 77.
+Several at a time, for they mostly wait. Without nats-server it says so and ends with code 77.
 """
 
 import argparse
 import base64
+import concurrent.futures
 import json
 import pathlib
 import re
@@ -22,6 +23,7 @@ import nats_users
 from server_voice_test import FRAME_MS, Listener, speech_like, write_wav
 
 SKIPPED = 77
+AT_A_TIME = 6
 BIN = pathlib.Path()
 nats_cluster = None
 
@@ -170,10 +172,11 @@ class Nats(unittest.TestCase):
         self.addCleanup(viewers.stop)
         return viewers
 
-    def await_more(self, viewers, more=25, patience=60):
-        enough = viewers.least() + more
+    def await_more(self, *crowds, more=25, patience=60):
+        """Until each of their viewers has got so many keyframes more."""
+        enough = [crowd.least() + more for crowd in crowds]
         deadline = time.monotonic() + patience
-        while viewers.least() < enough:
+        while any(crowd.least() < least for crowd, least in zip(crowds, enough)):
             self.assertLess(time.monotonic(), deadline, "nothing comes any more")
             time.sleep(0.02)
 
@@ -191,7 +194,7 @@ class Nats(unittest.TestCase):
         self.origin(server)
         edge = self.edge(server)
         viewers = self.view(edge, 10)
-        self.await_more(viewers, 50)
+        self.await_more(viewers, more=50)
         self.assertEqual(viewers.lost(), [0] * 10)
         self.assertEqual(viewers.repeated(), 0)
 
@@ -230,15 +233,12 @@ class Nats(unittest.TestCase):
         self.origin(*servers)
         edges = [self.edge(*(servers[i:] + servers[:i])) for i in range(3)]
         crowds = [self.view(edge, 20) for edge in edges]
-        for crowd in crowds:
-            self.await_more(crowd)
+        self.await_more(*crowds)
         for server in servers:
             server.kill()
-            for crowd in crowds:
-                self.await_more(crowd, 50)
+            self.await_more(*crowds, more=50)
             server.start()
-            for crowd in crowds:
-                self.await_more(crowd, 50)
+            self.await_more(*crowds, more=50)
         for crowd in crowds:
             self.assertEqual(crowd.ended, 0)
             self.assertEqual(crowd.repeated(), 0)
@@ -248,11 +248,9 @@ class Nats(unittest.TestCase):
         self.origin(*servers)
         edges = [self.edge(*(servers[i:] + servers[:i])) for i in range(3)]
         crowds = [self.view(edge, 20) for edge in edges]
-        for crowd in crowds:
-            self.await_more(crowd)
+        self.await_more(*crowds)
         servers[2].kill()
-        for crowd in crowds:
-            self.await_more(crowd, 50)
+        self.await_more(*crowds, more=50)
         for crowd in crowds[:2]:
             self.assertEqual(crowd.lost(), [0] * 20)
 
@@ -287,7 +285,7 @@ class Nats(unittest.TestCase):
         for i in range(5000):
             mallory.publish("au.talk.p", b"garbage %d" % i)
         mallory.ping()
-        self.await_more(viewers, 50)
+        self.await_more(viewers, more=50)
         self.assertEqual(viewers.ended, 0)
         self.assertEqual(viewers.lost(), [0])
         log = edge.await_said("a message on the subject is no batch")
@@ -326,7 +324,7 @@ class Nats(unittest.TestCase):
         leaf = self.nats(f'leafnodes {{ remotes: [ {{ urls: ["nats-leaf://127.0.0.1:{port}"] }} ] }}')
         self.origin(hub)
         viewers = self.view(self.edge(leaf), 5)
-        self.await_more(viewers, 50)
+        self.await_more(viewers, more=50)
         self.assertEqual(viewers.lost(), [0] * 5)
 
     def write_talk(self, seconds):
@@ -477,8 +475,11 @@ class Nats(unittest.TestCase):
         self.refused(server, *options(stranger))
         self.refused(server, *options(edge, stranger))
         # Who may watch may not publish.
-        forger = self.origin(server, options=options(edge))
-        forger.await_said("Permissions Violation")
+        forger = self.origin(server, options=(*options(edge), "--log-format", "json"))
+        log = forger.await_said("Permissions Violation")
+        told = [json.loads(line) for line in log.splitlines()]
+        self.assertTrue(any(line["program"] == "au-transmitter" and line["level"] == "warning" and
+                            line["message"].startswith("NATS says: ") for line in told), log)
         self.await_more(viewers)
         self.assertEqual(viewers.lost(), [0])
 
@@ -541,12 +542,25 @@ class Nats(unittest.TestCase):
             self.assertIn(text, run.stderr)
 
 
+def run_one(test):
+    result = unittest.TestResult()
+    begin = time.monotonic()
+    test.run(result)
+    wrong = result.errors + result.failures
+    state = "FAILED" if wrong else "skipped" if result.skipped else "ok"
+    print(f"{time.monotonic() - begin:5.1f} s {state} {test.id()}", flush=True)
+    for _, traceback in wrong:
+        print(traceback, flush=True)
+    return not wrong
+
+
 def main():
     global BIN, nats_cluster
     parser = argparse.ArgumentParser()
     parser.add_argument("--bin", type=pathlib.Path, required=True)
     parser.add_argument("--scripts", type=pathlib.Path, required=True)
-    arguments, rest = parser.parse_known_args()
+    parser.add_argument("tests", nargs="*", help="names of some (all)")
+    arguments = parser.parse_args()
     BIN = arguments.bin
     sys.path.insert(0, str(arguments.scripts))
     import nats_cluster as module
@@ -555,8 +569,11 @@ def main():
     if why:
         print(f"NOT RUN: {why}")
         return SKIPPED
-    unittest.main(argv=[sys.argv[0], *rest])
-    return 0
+    names = arguments.tests or unittest.defaultTestLoader.getTestCaseNames(Nats)
+    with concurrent.futures.ThreadPoolExecutor(AT_A_TIME) as pool:
+        done = list(pool.map(run_one, map(Nats, names)))
+    print(f"{done.count(True)} of {len(done)} passed")
+    return 0 if all(done) else 1
 
 
 if __name__ == "__main__":
