@@ -2,8 +2,8 @@
 #include <cstdlib>
 
 #include "tests/support/temp_folder.h"
+#include "tests/unit/app/window/window_session_fixture.h"
 #include "tests/unit/face/small_face.h"
-#include "tests/unit/gui/window_session_fixture.h"
 
 namespace aucast::app {
 namespace {

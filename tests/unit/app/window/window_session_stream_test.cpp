@@ -3,7 +3,7 @@
 #include "client/app/window/composition_file.h"
 #include "common/files.h"
 #include "tests/support/temp_folder.h"
-#include "tests/unit/gui/window_session_fixture.h"
+#include "tests/unit/app/window/window_session_fixture.h"
 
 namespace aucast::app {
 namespace {

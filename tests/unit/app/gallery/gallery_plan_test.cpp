@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/process.h"
-#include "tests/unit/app/gallery_fixture.h"
+#include "tests/unit/app/gallery/gallery_fixture.h"
 
 namespace aucast::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "common/files.h"
 #include "tests/support/temp_folder.h"
-#include "tests/unit/gui/window_session_fixture.h"
+#include "tests/unit/app/window/window_session_fixture.h"
 #include "tests/unit/playback/scripted_source.h"
 
 namespace aucast::app {
