@@ -14,7 +14,7 @@
 #include "client/app/player_stats.h"
 #include "client/app/remote_options.h"
 #include "client/app/sound_device.h"
-#include "client/app/window/composition_file.h"
+#include "client/app/stream_files.h"
 #include "client/app/window/window_run.h"
 #include "client/app/window/window_settings.h"
 #include "client/net/remote_source.h"

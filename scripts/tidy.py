@@ -67,7 +67,7 @@ MAY_INCLUDE = {
     "client/app/film": APP | {"client/app"},
     "client/app/gallery": APP | {"client/app", "client/app/film"},
     "client/app/window": APP | {"client/app", "client/app/film", "client/app/gallery"},
-    "client/app/commands": APP | {"client/app", "client/app/film", "client/app/window"},
+    "client/app/commands": APP | {"client/app", "client/app/film"},
     "client/web": APP - {"client/gui", "client/glb", "client/mirror"} | {"client/app/film"},
     "client": APP | {"client/app", "client/app/film", "client/app/gallery", "client/app/window",
                      "client/app/commands"},

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <thread>
 
+#include "client/app/live_text.h"
 #include "client/app/playback_meter.h"
 #include "client/app/steady.h"
-#include "client/app/window/live_text.h"
 #include "client/sound/sound_player.h"
 #include "common/log.h"
 

@@ -4,7 +4,7 @@
 
 #include "client/app/assets.h"
 #include "client/app/film/glb_export.h"
-#include "client/app/window/composition_file.h"
+#include "client/app/stream_files.h"
 #include "client/sound/file_track.h"
 #include "common/log.h"
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <variant>
 
+#include "client/app/stream_files.h"
 #include "client/app/window/composition_file.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"

@@ -4,10 +4,10 @@
 #include <utility>
 #include <variant>
 
+#include "client/app/live_text.h"
 #include "client/app/remote_options.h"
 #include "client/app/steady.h"
 #include "client/app/window/composition_file.h"
-#include "client/app/window/live_text.h"
 #include "client/gui/kept_settings.h"
 #include "client/gui/view_text.h"
 #include "client/net/remote_source.h"

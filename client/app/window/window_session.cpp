@@ -12,7 +12,7 @@
 #include "client/app/gallery/gallery_command.h"
 #include "client/app/gallery/gallery_plan.h"
 #include "client/app/steady.h"
-#include "client/app/window/composition_file.h"
+#include "client/app/stream_files.h"
 #include "client/app/window/window_style.h"
 #include "client/gui/user_face.h"
 #include "client/net/stream_list.h"

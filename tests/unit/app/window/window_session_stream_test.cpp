@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "client/app/window/composition_file.h"
+#include "client/app/stream_files.h"
 #include "common/files.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"

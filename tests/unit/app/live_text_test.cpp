@@ -1,4 +1,4 @@
-#include "client/app/window/live_text.h"
+#include "client/app/live_text.h"
 
 #include <gtest/gtest.h>
 

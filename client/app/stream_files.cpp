@@ -1,0 +1,61 @@
+#include "client/app/stream_files.h"
+
+#include "common/files.h"
+#include "common/sources/source_reader.h"
+#include "common/text.h"
+#include "protocol/stream_file.h"
+
+namespace aucast::app {
+namespace {
+
+std::vector<playback::TimedAus> keyframes_of(const protocol::StreamFile& stream) {
+  std::vector<playback::TimedAus> keyframes;
+  keyframes.reserve(stream.keyframes.size());
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    playback::TimedAus timed{frame_from_terms(keyframe.terms), std::nullopt};
+    if (keyframe.duration_ms) timed.duration = Milliseconds(*keyframe.duration_ms);
+    keyframes.push_back(timed);
+  }
+  return keyframes;
+}
+
+sources::ReadOptions read_options(const gui::TableSettings& settings) {
+  sources::ReadOptions options;
+  if (settings.fps > 0) options.recording.fps = settings.fps;
+  if (settings.rate > 0) options.rate = settings.rate;
+  if (settings.gain_percent > 0) {
+    options.conditioning.profile.gain.set_all(settings.gain_percent / 100.0);
+  }
+  if (settings.quiet_s > 0) options.conditioning.neutral_seconds = settings.quiet_s;
+  return options;
+}
+
+std::string sentence(const sources::Found& found) {
+  std::string text = found.format + ": " + counted(found.rows, "row");
+  if (found.lost > 0) text += ", " + std::to_string(found.lost) + " without a face";
+  if (found.left_out > 0) {
+    text += ", " + std::to_string(found.left_out) + " left out (no later time)";
+  }
+  if (found.faces.size() > 1) text += "; one of " + std::to_string(found.faces.size()) + " faces";
+  return text;
+}
+
+}  // namespace
+
+Result<std::vector<playback::TimedAus>> read_stream(const std::filesystem::path& file) {
+  auto text = read_file(file);
+  if (!text) return text.error();
+  auto stream = protocol::parse_stream_file(*text, file.string());
+  if (!stream) return stream.error();
+  return keyframes_of(*stream);
+}
+
+Result<OpenedStream> open_stream(const std::filesystem::path& file,
+                                 const gui::TableSettings& settings) {
+  auto content = sources::read_source(file, read_options(settings));
+  if (!content) return content.error();
+  return OpenedStream{keyframes_of(content->stream),
+                      content->found ? sentence(*content->found) : std::string()};
+}
+
+}  // namespace aucast::app

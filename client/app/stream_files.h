@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "client/gui/gui_model.h"
+#include "client/playback/keyframe_source.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// The keyframes of a stream file. Unreadable, or BadData with a line for each error.
+[[nodiscard]] Result<std::vector<playback::TimedAus>> read_stream(
+    const std::filesystem::path& file);
+
+/// What was opened to be played.
+struct OpenedStream {
+  std::vector<playback::TimedAus> keyframes;  ///< at least one
+  std::string found;  ///< a sentence about a recogniser's table; empty for a stream file
+};
+
+/// Reads a stream file or the table of a recogniser, told apart by what is in it; `settings` are
+/// for tables. Unreadable, BadData with a line for each error, Usage when a table needs a setting.
+[[nodiscard]] Result<OpenedStream> open_stream(const std::filesystem::path& file,
+                                               const gui::TableSettings& settings);
+
+}  // namespace aucast::app

@@ -1,0 +1,43 @@
+#include "client/app/stream_files.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.h"
+#include "tests/unit/sources/tables.h"
+
+namespace aucast::app {
+namespace {
+
+TEST(StreamFiles, AKeyframeHasItsTimeOrNone) {
+  const test::TempFolder folder;
+  const auto read = read_stream(folder.write("two.txt", "Beg_Stream\n12:30;500\n0\nEnd_Stream\n"));
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->size(), 2U);
+  EXPECT_EQ((*read)[0].duration, Milliseconds(500));
+  EXPECT_NEAR((*read)[0].aus.left[12], 0.3, 1e-6);
+  EXPECT_FALSE((*read)[1].duration.has_value());
+}
+
+TEST(StreamFiles, ATableIsReadAsItIsSet) {
+  const test::TempFolder folder;
+  const auto file = folder.write("talk.csv", sources::tables::kFacsvatar);
+  const auto plain = open_stream(file, {});
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_NE(plain->found.find("2 rows"), std::string::npos) << plain->found;
+  const auto half = open_stream(file, {.gain_percent = 50});
+  ASSERT_TRUE(half) << half.error().message;
+  EXPECT_NEAR(half->keyframes.front().aus.left[1], plain->keyframes.front().aus.left[1] / 2, 0.01);
+}
+
+TEST(StreamFiles, WhatCannotBeReadSaysWhere) {
+  const test::TempFolder folder;
+  EXPECT_EQ(read_stream(folder.path() / "none.txt").error().kind, ErrorKind::Unreadable);
+  const auto bad = folder.write("bad.txt", "Beg_Stream\nx\nEnd_Stream\n");
+  for (const Error& error : {read_stream(bad).error(), open_stream(bad, {}).error()}) {
+    EXPECT_EQ(error.kind, ErrorKind::BadData);
+    EXPECT_NE(error.message.find("bad.txt:2"), std::string::npos) << error.message;
+  }
+}
+
+}  // namespace
+}  // namespace aucast::app
