@@ -41,7 +41,6 @@ class SoundSession {
   [[nodiscard]] bool has_device() const { return has_device_; }
 
   void apply(const gui::SoundCommand& command, Instant now);
-  void toggle_mute(Instant now);
   /// By so many percent.
   void change_volume(int by, Instant now);
 
@@ -55,6 +54,7 @@ class SoundSession {
 
  private:
   void play_sound_file(Instant now);
+  void toggle_mute(Instant now);
   void choose_device(const std::string& name, Instant now);
 
   Notices& notices_;

@@ -3,13 +3,13 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "client/app/film/face_view.h"
 #include "client/app/film/picture_notes.h"
@@ -18,7 +18,9 @@
 #include "client/app/steady.h"
 #include "client/app/window/face_thumbnails.h"
 #include "client/app/window/onset_log.h"
-#include "client/app/window/session_video.h"
+#include "client/app/window/pace_meter.h"
+#include "client/app/window/video_recorder.h"
+#include "client/app/window/window_keys.h"
 #include "client/app/window/window_overlay.h"
 #include "client/app/window/window_session.h"
 #include "client/app/window/window_style.h"
@@ -26,15 +28,12 @@
 #include "client/gui/redraw.h"
 #include "client/render/window.h"
 #include "common/log.h"
+#include "common/overloaded.h"
 #include "common/text.h"
 
 namespace aucast::app {
 namespace {
 
-constexpr int kFramesPerPace = 20;
-constexpr Milliseconds kSeekStep{5'000};
-/// Percent, as mpv has it.
-constexpr int kVolumeStep = 2;
 /// The pictures' size is too small for a face beside the panels.
 constexpr int kWindowWidth = 1280;
 constexpr int kWindowHeight = 800;
@@ -50,14 +49,6 @@ const char* name_of(gui::View view) {
   }
   return "front";
 }
-
-/// How long the stages of a frame took.
-struct FrameTimes {
-  Duration mix{};  ///< AUs to activations, in between frames
-  Duration deform{};
-  Duration face{};    ///< handing the face to OpenGL
-  Duration panels{};  ///< panels, and waiting until all is on the screen
-};
 
 /// The window with everything that a frame of it needs. tick() is the table of contents.
 class WindowRun {
@@ -114,7 +105,7 @@ class WindowRun {
     if (const auto falls = overlay_->curtain_falls_at(steady_now())) {
       idle = std::min(idle, *falls - steady_now());
     }
-    if (video_)
+    if (video_.running())
       idle = std::min<Duration>(idle, std::chrono::milliseconds(1000 / SessionVideo::kFps));
     if (thumbnails_->busy()) idle = std::min<Duration>(idle, kFrameMax);
     window_->poll(waits_for_frames() ? 0 : seconds(idle));
@@ -144,7 +135,7 @@ class WindowRun {
 
   [[nodiscard]] std::unique_ptr<playback::Playback> finish() {
     keep_settings();
-    if (video_) end_video();
+    if (video_.running()) end_video();
     return session_.finish(steady_now());
   }
 
@@ -152,41 +143,32 @@ class WindowRun {
   [[nodiscard]] bool waits_for_frames() const { return frames_due_ > 0; }
 
   void handle_keys() {
-    using render::Key;
-    for (Key key = overlay_->next_key(); key != Key::None; key = overlay_->next_key()) {
+    for (render::Key key = overlay_->next_key(); key != render::Key::None;
+         key = overlay_->next_key()) {
       frames_due_ = gui::kFramesAfterChange;
-      switch (key) {
-        case Key::Escape:
-          close_what_is_open();
-          break;
-        case Key::Quit:
-          session_.ask_to_leave();
-          break;
-        case Key::Space:
-          session_.toggle_pause(steady_now());
-          break;
-        case Key::F:
-          toggle_full_screen();
-          break;
-        case Key::H:
-          overlay_->gui().toggle_bare();
-          break;
-        case Key::R:
-          look_from(gui::View::Front);
-          break;
-        case Key::S:
-          save_picture();
-          break;
-        case Key::Tab:
-          overlay_->gui().toggle_panel();
-          break;
-        case Key::Question:
-          overlay_->gui().toggle_keys();
-          break;
-        default:
-          stream_key(key);
-          break;
-      }
+      const Overloaded carry_out_one{
+          [&](const gui::GuiCommand& command) { carry_out(command); },
+          [&](WindowAct act) { carry_out_act(act); },
+          [&](SessionAct act) { (session_.*act)(steady_now()); },
+          [&](ChangeVolume by) { session_.change_volume(by.percent, steady_now()); }};
+      if (const KeyMeaning* meaning = meaning_of(key)) std::visit(carry_out_one, *meaning);
+    }
+  }
+
+  void carry_out_act(WindowAct act) {
+    switch (act) {
+      case WindowAct::Leave:
+        return session_.ask_to_leave();
+      case WindowAct::CloseNearest:
+        return close_what_is_open();
+      case WindowAct::ToggleFullScreen:
+        return toggle_full_screen();
+      case WindowAct::ToggleBare:
+        return overlay_->gui().toggle_bare();
+      case WindowAct::TogglePanel:
+        return overlay_->gui().toggle_panel();
+      case WindowAct::ToggleKeys:
+        return overlay_->gui().toggle_keys();
     }
   }
 
@@ -207,57 +189,6 @@ class WindowRun {
     for (std::string file = window_->next_dropped(); !file.empty();
          file = window_->next_dropped()) {
       carry_out(gui::OpenStream{file});
-    }
-  }
-
-  /// Keys of a stream that is there whole, as mpv has them.
-  void stream_key(render::Key key) {
-    using render::Key;
-    switch (key) {
-      case Key::Left:
-        return carry_out(gui::SeekBy{-kSeekStep});
-      case Key::Right:
-        return carry_out(gui::SeekBy{kSeekStep});
-      case Key::Home:
-        return carry_out(gui::Seek{Duration::zero()});
-      case Key::End:
-        return carry_out(gui::Seek{Duration::max()});
-      case Key::PageUp:
-        return carry_out(gui::StepKeyframe{-1});
-      case Key::PageDown:
-        return carry_out(gui::StepKeyframe{1});
-      case Key::Comma:
-        return carry_out(gui::StepFrame{-1});
-      case Key::Period:
-        return carry_out(gui::StepFrame{1});
-      case Key::Slower:
-        return carry_out(gui::ChangeSpeed{-1});
-      case Key::Faster:
-        return carry_out(gui::ChangeSpeed{1});
-      case Key::L:
-        return carry_out(gui::MarkLoop{});
-      case Key::Repeat:
-        return carry_out(gui::ToggleRepeat{});
-      case Key::O:
-        return carry_out(gui::Browse{gui::Purpose::PlayStream});
-      case Key::V:
-        return toggle_video();
-      case Key::C:
-        return carry_out(gui::SoundCommand(gui::ToggleCaptions{}));
-      case Key::Mute:
-        return session_.toggle_mute(steady_now());
-      case Key::Quieter:
-        return session_.change_volume(-kVolumeStep, steady_now());
-      case Key::Louder:
-        return session_.change_volume(kVolumeStep, steady_now());
-      case Key::Undo:
-        return session_.undo(steady_now());
-      case Key::Redo:
-        return session_.redo(steady_now());
-      case Key::Save:
-        return session_.save(steady_now());
-      default:
-        return;
     }
   }
 
@@ -368,39 +299,26 @@ class WindowRun {
   }
 
   void toggle_video() {
-    if (video_) return end_video();
+    if (video_.running()) return end_video();
     int width = 0;
     int height = 0;
     picture_size(width, height);
-    const auto file = session_.picture_file(".mp4");
-    if (!file) return complain(file.error());
-    auto video = SessionVideo::open(*file, width, height, steady_now());
-    if (!video) return complain(video.error());
-    video_ = std::move(*video);
-    session_.set_recording(video_->file().filename().string());
-    session_.set_sound_tap([this](Instant heard_at, std::span<const float> samples) {
-      video_->hear(heard_at, samples);
-    });
+    if (const auto begun = video_.begin(width, height, steady_now()); !begun) {
+      complain(begun.error());
+    }
   }
 
   void end_video() {
-    session_.set_sound_tap({});
-    const std::unique_ptr<SessionVideo> video = std::move(video_);
-    session_.set_recording({});
-    const auto finished = video->finish();
-    if (!finished) return complain(finished.error());
-    tell(*finished);
+    const auto ended = video_.end();
+    if (!ended) return complain(ended.error());
+    tell(*ended);
   }
 
   void record() {
-    if (!video_ || !video_->due(steady_now())) return;
-    const auto image = picture(video_->width(), video_->height(), Sharpness::Film);
-    const auto shown = image ? video_->show(*image, steady_now()) : Result<void>(image.error());
-    if (shown) return;
-    session_.set_sound_tap({});
-    video_.reset();
-    session_.set_recording({});
-    complain(shown.error());
+    const auto film = [this](int width, int height) {
+      return picture(width, height, Sharpness::Film);
+    };
+    if (const auto shown = video_.record(film, steady_now()); !shown) complain(shown.error());
   }
 
   void tell(const std::string& sentence) {
@@ -461,7 +379,9 @@ class WindowRun {
     times.deform = deformed - before;
     times.face = drawn - deformed;
     times.panels = end - drawn;
-    if (moved) measure_pace(times);
+    // Only frames in which the face moved count, or showing the pace would be a reason to draw.
+    if (!moved) return;
+    if (auto pace = pace_.add(times, end)) session_.set_pace(std::move(*pace));
   }
 
   [[nodiscard]] view::Style style() {
@@ -469,31 +389,6 @@ class WindowRun {
         window_style(session_.rendering(), options_.output.background, window_->scale());
     style.background.transparent |= options_.output.transparent;
     return style;
-  }
-
-  /// Only frames in which the face moved count, or showing the pace would be a reason to draw.
-  void measure_pace(const FrameTimes& times) {
-    pace_.mix += times.mix;
-    pace_.deform += times.deform;
-    pace_.face += times.face;
-    pace_.panels += times.panels;
-    if (++pace_frames_ < kFramesPerPace) return;
-    const Instant end = steady_now();
-    const auto each = [this](Duration time) {
-      std::array<char, 40> text{};
-      std::snprintf(text.data(), text.size(), "%.1f ms", seconds(time) * 1000 / pace_frames_);
-      return std::string(text.data());
-    };
-    std::array<char, 40> rate{};
-    std::snprintf(rate.data(), rate.size(), "%.0f", pace_frames_ / seconds(end - pace_begin_));
-    session_.set_pace({{"Frames a second", rate.data()},
-                       {"Activations", each(pace_.mix)},
-                       {"Deforming", each(pace_.deform)},
-                       {"Face", each(pace_.face)},
-                       {"Panels", each(pace_.panels)}});
-    pace_frames_ = 0;
-    pace_begin_ = end;
-    pace_ = {};
   }
 
   StartTimes start_times_;
@@ -512,13 +407,11 @@ class WindowRun {
   std::string title_;
   std::vector<std::string> kept_addresses_;
   int frames_due_ = gui::kFramesAfterChange;
-  std::unique_ptr<SessionVideo> video_;
+  VideoRecorder video_{session_};
   std::unique_ptr<OnsetLog> onsets_;
   bool leaving_ = false;
   std::optional<Error> failed_;  ///< it cannot go on
-  int pace_frames_ = 0;
-  Instant pace_begin_{steady_now()};
-  FrameTimes pace_;
+  PaceMeter pace_{steady_now()};
 };
 
 }  // namespace

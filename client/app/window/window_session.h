@@ -47,7 +47,6 @@ class WindowSession {
 
   /// What plays is heard there from now on; null: nowhere.
   void set_sound(std::unique_ptr<sound::SoundOut> out, Instant now);
-  void toggle_mute(Instant now) { playback_.sound().toggle_mute(now); }
   void set_sound_tap(sound::SoundPlayer::Tap tap) { playback_.sound().set_tap(std::move(tap)); }
   /// By so many percent.
   void change_volume(int by, Instant now) { playback_.sound().change_volume(by, now); }

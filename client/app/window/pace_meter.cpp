@@ -1,0 +1,39 @@
+#include "client/app/window/pace_meter.h"
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace aucast::app {
+namespace {
+
+std::string decimal(double value, int digits, const char* unit) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.*f%s", digits, value, unit);
+  return text.data();
+}
+
+std::string mean_ms(Duration sum) {
+  return decimal(seconds(sum) * 1000 / PaceMeter::kFrames, 1, " ms");
+}
+
+}  // namespace
+
+std::optional<std::vector<gui::PaceRow>> PaceMeter::add(const FrameTimes& times, Instant now) {
+  sum_.mix += times.mix;
+  sum_.deform += times.deform;
+  sum_.face += times.face;
+  sum_.panels += times.panels;
+  if (++frames_ < kFrames) return std::nullopt;
+  const double elapsed = seconds(now - std::exchange(begin_, now));
+  const FrameTimes sum = std::exchange(sum_, {});
+  frames_ = 0;
+  return std::vector<gui::PaceRow>{{"Frames a second", decimal(kFrames / elapsed, 0, "")},
+                                   {"Activations", mean_ms(sum.mix)},
+                                   {"Deforming", mean_ms(sum.deform)},
+                                   {"Face", mean_ms(sum.face)},
+                                   {"Panels", mean_ms(sum.panels)}};
+}
+
+}  // namespace aucast::app

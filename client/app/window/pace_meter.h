@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "client/gui/gui_model.h"
+#include "common/time.h"
+
+namespace aucast::app {
+
+/// How long the stages of a frame took.
+struct FrameTimes {
+  Duration mix{};  ///< AUs to activations, in between frames
+  Duration deform{};
+  Duration face{};    ///< handing the face to OpenGL
+  Duration panels{};  ///< panels, and waiting until all is on the screen
+};
+
+/// The pace of drawing, as the panel shows it: means over some frames.
+class PaceMeter {
+ public:
+  static constexpr int kFrames = 20;
+
+  explicit PaceMeter(Instant begin) : begin_(begin) {}
+
+  /// A frame that was on the screen at `now`; the pace of the last kFrames of them when these are
+  /// full.
+  [[nodiscard]] std::optional<std::vector<gui::PaceRow>> add(const FrameTimes& times, Instant now);
+
+ private:
+  Instant begin_;
+  int frames_ = 0;
+  FrameTimes sum_;
+};
+
+}  // namespace aucast::app
