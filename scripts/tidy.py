@@ -57,7 +57,7 @@ MAY_INCLUDE = {
     "client/face": {"common"},
     "client/pipeline": {"common", "client/playback", "client/face"},
     "client/net": {"common", "common/tls", "common/link", "protocol", "client/playback"},
-    "client/sound": {"common", "common/voice", "protocol", "client/playback"},
+    "client/sound": {"common", "common/voice", "protocol", "client/playback", "client/pipeline"},
     "client/view": {"common"},
     "client/glb": {"common", "common/sources", "client/playback", "client/face", "client/pipeline", "client/view"},
     "client/render": {"common", "client/view"},

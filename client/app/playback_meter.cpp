@@ -1,6 +1,5 @@
 #include "client/app/playback_meter.h"
 
-#include <functional>
 #include <utility>
 
 #include "client/app/steady.h"
@@ -20,20 +19,16 @@ void trace_reached(const AuFrame& aus, Instant now) {
 
 }  // namespace
 
-bool PlaybackMeter::advance(pipeline::Player& player, Instant now,
-                            const pipeline::Player::OnBegin& on_begin) {
-  const playback::Playback* const playback = player.playback();
-  if (playback == nullptr) return false;
-  const bool had_begun = first_begin_.has_value();
-  const auto begin = [&](const playback::KeyframeBegun& begun) {
-    count(*playback, now);
-    under_way_ = begun.target.aus;
-    if (!first_begin_) first_begin_ = now;
-    if (on_begin) on_begin(begun);
-  };
-  player.advance(now, std::ref(begin));
-  count(*playback, now);
-  return !had_begun && first_begin_;
+void PlaybackMeter::begun(const playback::Playback& playback,
+                          const playback::KeyframeBegun& keyframe, Instant now) {
+  count(playback, now);
+  under_way_ = keyframe.target.aus;
+  if (!first_begin_) first_begin_ = now;
+}
+
+bool PlaybackMeter::advanced(const playback::Playback& playback, Instant now) {
+  count(playback, now);
+  return first_begin_ && !std::exchange(told_, true);
 }
 
 void PlaybackMeter::count(const playback::Playback& playback, Instant now) {
@@ -45,6 +40,7 @@ void PlaybackMeter::count(const playback::Playback& playback, Instant now) {
 
 void PlaybackMeter::begin_again() {
   first_begin_.reset();
+  told_ = false;
   played_ = 0;
 }
 

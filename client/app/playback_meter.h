@@ -3,18 +3,20 @@
 #include <optional>
 
 #include "client/app/player_stats.h"
-#include "client/pipeline/player.h"
+#include "client/playback/playback.h"
 
 namespace aucast::app {
 
-/// Advances a player and measures how long playing takes, on the clock of the caller.
+/// Measures how long playing takes, on the clock of the caller.
 class PlaybackMeter {
  public:
   explicit PlaybackMeter(PlayerStats& stats) : stats_(stats) {}
 
-  /// Moves the player to `now`; true when its first keyframe has begun by this call.
-  bool advance(pipeline::Player& player, Instant now,
-               const pipeline::Player::OnBegin& on_begin = {});
+  /// This keyframe begins as playback is advanced to `now`.
+  void begun(const playback::Playback& playback, const playback::KeyframeBegun& keyframe,
+             Instant now);
+  /// Playback has been advanced to `now`; true when its first keyframe has begun by that.
+  bool advanced(const playback::Playback& playback, Instant now);
   /// Something else is played from now on.
   void begin_again();
 
@@ -25,6 +27,7 @@ class PlaybackMeter {
   std::optional<Instant> first_begin_;
   std::uint64_t played_ = 0;
   AuFrame under_way_;
+  bool told_ = false;  ///< that the first has begun
 };
 
 }  // namespace aucast::app

@@ -11,9 +11,13 @@ void FaceDelay::add(Instant at, const std::vector<float>& activations) {
   faces_.push_back({at, activations});
 }
 
+void FaceDelay::forget_before(Instant at) {
+  while (faces_.size() > 1 && faces_[1].at <= at) faces_.pop_front();
+}
+
 const std::vector<float>& FaceDelay::at(Instant at) {
   AUCAST_CHECK(!faces_.empty());
-  while (faces_.size() > 1 && faces_[1].at <= at) faces_.pop_front();
+  forget_before(at);
   const Face& before = faces_.front();
   if (faces_.size() == 1 || at <= before.at) return before.activations;
   const Face& after = faces_[1];

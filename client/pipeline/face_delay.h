@@ -13,6 +13,8 @@ class FaceDelay {
  public:
   /// The face of `at`, one activation per channel. The moments must not go back.
   void add(Instant at, const std::vector<float>& activations);
+  /// at() is asked for nothing earlier any more.
+  void forget_before(Instant at);
   /// The face of `at`: between the two beside it, the first before all and the last after all.
   /// What lies before it is forgotten. Something must have been added. Valid until the next call.
   [[nodiscard]] const std::vector<float>& at(Instant at);

@@ -66,7 +66,7 @@ Result<void> Page::show(std::string_view aus) {
   stop();
   std::vector<float> activations(face_.channels.size());
   static_cast<void>(mapping_.apply(*frame, activations));
-  player_.set_face(activations);
+  player_.open(nullptr, activations);
   aus_ = *frame;
   static_cast<void>(advance());
   return {};
@@ -84,45 +84,39 @@ void Page::play(const Wanted& wanted) {
   playback_ = std::make_unique<playback::SourcePlayback>(
       std::make_unique<SocketSource>(wanted.server, wanted.stream, wanted.token, wanted.voice),
       playback::SourcePlayback::Options{.hold = kHold});
-  player_.set_face(wanted_);
-  player_.open(playback_.get());
-  sound_.open(playback_.get());
+  player_.open(playback_.get(), wanted_);
 }
 
 void Page::stop() {
-  if (playback_) playback_->stop(sound_.now(now()));
-  sound_.open(nullptr);
-  player_.open(nullptr);
+  if (playback_) playback_->stop(player_.now(now()));
+  player_.open(nullptr, wanted_);
   playback_.reset();
-  delay_.clear();
   ahead_.clear();
   captions_ = {};
 }
 
 void Page::pause(bool paused) {
   if (!playback_ || playback_->over()) return;
-  const Instant at = sound_.now(now());
+  const Instant at = player_.now(now());
   paused ? playback_->pause(at) : playback_->resume(at);
 }
 
 void Page::set_sound(bool on) {
-  sound_.set_out(on ? std::make_unique<BrowserSound>() : nullptr);
+  sound().set_out(on ? std::make_unique<BrowserSound>() : nullptr);
 }
 
 std::optional<playback::PlaybackState> Page::state() const {
   if (!playback_) return std::nullopt;
-  return playback_->over() && sound_.rings_on() ? playback::PlaybackState::Playing
-                                                : playback_->state();
+  return playback_->over() && !player_.over() ? playback::PlaybackState::Playing
+                                              : playback_->state();
 }
 
 bool Page::advance() {
-  const Instant at = sound_.now(now());
-  player_.advance(at, [this, at](const playback::KeyframeBegun& one) { begun(one, at); });
-  sound_.advanced();
-  if (sound_.sounds()) delay_.add(at, player_.face().activations);
+  player_.advance(now(),
+                  [this](const playback::KeyframeBegun& one, Instant begin) { begun(one, begin); });
   show_what_is_heard();
   if (playback_ && playback_->eased()) aus_ = {};
-  wanted_ = activations();
+  wanted_ = player_.activations();
   return wanted_ != posed_;
 }
 
@@ -135,21 +129,14 @@ void Page::begun(const playback::KeyframeBegun& keyframe, Instant at) {
 
 /// Playback is ahead of the sound that is heard, and of the face that belongs to it.
 void Page::show_what_is_heard() {
-  for (; !ahead_.empty() && ahead_.front().at <= sound_.shown(); ahead_.pop_front()) {
+  for (; !ahead_.empty() && ahead_.front().at <= player_.sound().shown(); ahead_.pop_front()) {
     aus_ = ahead_.front().aus;
     if (begun_.size() == kBegunMax) begun_.clear();
     begun_.push_back(std::move(ahead_.front().line));
   }
   if (!playback_) return;
   while (auto caption = playback_->take_caption()) captions_.add(std::move(*caption));
-  if (const auto passing = playback_->passing()) {
-    captions_.move_to(passing->place - sound_.lead());
-  }
-}
-
-const std::vector<float>& Page::activations() {
-  if (!sound_.sounds() || delay_.empty()) return player_.face().activations;
-  return delay_.at(sound_.shown());
+  if (const auto place = player_.heard_place()) captions_.move_to(*place);
 }
 
 std::vector<std::string> Page::take_begun() {

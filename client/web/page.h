@@ -10,11 +10,9 @@
 #include "client/app/film/face_view.h"
 #include "client/net/stream_question.h"
 #include "client/pipeline/au_mapping.h"
-#include "client/pipeline/face_delay.h"
-#include "client/pipeline/player.h"
 #include "client/playback/caption_line.h"
 #include "client/playback/playback.h"
-#include "client/sound/sound_player.h"
+#include "client/sound/heard_player.h"
 #include "client/view/image.h"
 #include "client/view/scene.h"
 #include "client/view/style.h"
@@ -69,7 +67,7 @@ class Page {
 
   /// Whether the browser lets the page be heard; in the beginning it does not.
   void set_sound(bool on);
-  [[nodiscard]] sound::SoundPlayer& sound() { return sound_; }
+  [[nodiscard]] sound::SoundPlayer& sound() { return player_.sound(); }
 
   /// Asks the server for its streams; streams() has the answer once there is one.
   void ask_streams(const std::string& server, const std::string& token);
@@ -91,7 +89,6 @@ class Page {
   [[nodiscard]] Result<void> make_view();
   void begun(const playback::KeyframeBegun& keyframe, Instant at);
   void show_what_is_heard();
-  [[nodiscard]] const std::vector<float>& activations();
   void pose();
 
   /// A keyframe that playback has begun, and when.
@@ -104,10 +101,8 @@ class Page {
   const face::Face face_;
   const pipeline::AuMapping mapping_;
   std::unique_ptr<app::FaceView> view_;
-  pipeline::Player player_;
+  sound::HeardPlayer player_;
   std::unique_ptr<playback::Playback> playback_;
-  sound::SoundPlayer sound_{nullptr};
-  pipeline::FaceDelay delay_;
   playback::CaptionLine captions_;
   std::deque<Begun> ahead_;  ///< what is begun, but neither heard nor seen yet
   AuFrame aus_;

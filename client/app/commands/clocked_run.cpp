@@ -1,11 +1,13 @@
 #include "client/app/commands/clocked_run.h"
 
 #include <algorithm>
+#include <functional>
 #include <thread>
 
 #include "client/app/live_text.h"
 #include "client/app/playback_meter.h"
 #include "client/app/steady.h"
+#include "client/pipeline/player.h"
 #include "client/sound/sound_player.h"
 #include "common/log.h"
 
@@ -48,7 +50,9 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
       playback.stop(now);
       break;
     }
-    if (meter.advance(player, now)) {
+    const auto begun = [&](const playback::KeyframeBegun& one) { meter.begun(playback, one, now); };
+    player.advance(now, std::ref(begun));
+    if (meter.advanced(playback, now)) {
       stats.first_frame_ms = since_start_ms();
       const std::string objection = live_objection(options.playback, playback.status());
       if (!objection.empty()) spdlog::warn("{}", objection);

@@ -65,7 +65,7 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
       buffers_(options.playback.buffers),
       player_(mapping, options.playback.interpolation),
       meter_(stats),
-      sound_(options.sound, notices) {}
+      sound_(options.sound, player_, notices) {}
 
 void PlaybackSession::set_remote(const gui::RemoteSettings& settings,
                                  std::vector<std::string> recent) {
@@ -81,17 +81,15 @@ playback::SeekablePlayback* PlaybackSession::seekable() const {
 
 void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::string name,
                            Instant now) {
-  if (running()) playback_->stop(sound_.now(now));
+  if (running()) playback_->stop(player_.now(now));
   retired_ = std::exchange(playback_, std::move(playback));
-  sound_.open(playback_.get());
-  delay_.clear();
   name_ = std::move(name);
   curves_.reset();
   if (const auto* whole = seekable()) {
     curves_ = std::make_shared<const gui::AuCurves>(gui::curves_of(whole->keyframes()));
   }
-  player_.set_face(shown_);
-  player_.open(playback_.get());
+  player_.open(playback_.get(), shown_);
+  sound_.begin_again();
   meter_.begin_again();
   explained_.clear();
   received_.clear();
@@ -164,12 +162,10 @@ bool PlaybackSession::connect(const gui::RemoteSettings& settings, Instant now) 
 
 void PlaybackSession::advance(Instant now) {
   if (playback_ == nullptr) return;
-  const Instant at = sound_.now(now);
-  const bool first =
-      meter_.advance(player_, at, [this](const playback::KeyframeBegun& one) { begun(one); });
+  const Instant at = player_.advance(
+      now, [this](const playback::KeyframeBegun& one, Instant begin) { begun(one, begin); });
   sound_.advanced(now);
-  if (sound_.player().sounds()) delay_.add(at, player_.face().activations);
-  if (first && seekable() == nullptr) {
+  if (meter_.advanced(*playback_, at) && seekable() == nullptr) {
     const std::string objection = live_objection(options_.playback, playback_->status());
     if (!objection.empty()) {
       spdlog::warn("{}", objection);
@@ -187,12 +183,8 @@ void PlaybackSession::play_beside(const std::filesystem::path& file, Instant now
   if (!file.empty() && seekable() != nullptr) sound_.play_beside(file, now);
 }
 
-const std::vector<float>& PlaybackSession::activations() {
-  if (!sound_.player().sounds() || delay_.empty()) return player_.face().activations;
-  return delay_.at(sound_.player().shown());
-}
-
-void PlaybackSession::begun(const playback::KeyframeBegun& keyframe) {
+void PlaybackSession::begun(const playback::KeyframeBegun& keyframe, Instant at) {
+  meter_.begun(*playback_, keyframe, at);
   explain();
   timed_ = keyframe.target.duration.has_value();
   // A file can be asked again; the easing to neutral was not received.
@@ -202,7 +194,7 @@ void PlaybackSession::begun(const playback::KeyframeBegun& keyframe) {
 }
 
 void PlaybackSession::explain() {
-  explained_ = face::explain(player_.pipeline().fired());
+  explained_ = face::explain(player_.face().pipeline().fired());
 }
 
 void PlaybackSession::remember(Instant now) {
@@ -210,27 +202,26 @@ void PlaybackSession::remember(Instant now) {
   const playback::SourceStatus status = playback_->status();
   const float fill = static_cast<float>(status.receiver_fill) /
                      static_cast<float>(std::max<std::size_t>(buffers_.receiver_capacity, 1));
-  history_.add(now, fill, status, player_.face().aus);
+  history_.add(now, fill, status, player_.face().face().aus);
 }
 
 void PlaybackSession::remake(playback::Interpolation interpolation) {
-  player_.set_interpolation(interpolation);
-  player_.remake();
+  player_.face().set_interpolation(interpolation);
+  player_.face().remake();
   explain();
 }
 
 void PlaybackSession::change_face() {
   player_.change_face();
-  delay_.clear();
   explain();
 }
 
 std::unique_ptr<playback::Playback> PlaybackSession::finish(Instant now) {
-  if (running()) playback_->stop(sound_.now(now));
+  if (running()) playback_->stop(player_.now(now));
   if (playback_ != nullptr) stats_.take(*playback_);
-  stats_.sound = sound_.player().counts();
-  sound_.open(nullptr);
-  player_.open(nullptr);
+  stats_.sound = player_.sound().counts();
+  player_.open(nullptr, shown_);
+  sound_.begin_again();
   return std::move(playback_);
 }
 
@@ -265,20 +256,20 @@ bool PlaybackSession::apply(const gui::PlaybackCommand& command, Instant now) {
   const Overloaded carry_out{
       [&](const gui::Connect& one) { return connect(one.settings, now); },
       [&](const gui::Pause&) {
-        if (running()) playback_->pause(sound_.now(now));
+        if (running()) playback_->pause(player_.now(now));
         return false;
       },
-      [&](const gui::Resume&) { return resume(sound_.now(now)); },
+      [&](const gui::Resume&) { return resume(player_.now(now)); },
       [&](const gui::Stop&) {
         if (!running()) return false;
         if (seekable() != nullptr) {
-          playback_->pause(sound_.now(now));
+          playback_->pause(player_.now(now));
         } else {
-          playback_->stop(sound_.now(now));
+          playback_->stop(player_.now(now));
         }
         return false;
       },
-      [&](const gui::LocalCommand& one) { return apply_local(one, sound_.now(now)); }};
+      [&](const gui::LocalCommand& one) { return apply_local(one, player_.now(now)); }};
   return std::visit(carry_out, command);
 }
 
@@ -338,7 +329,7 @@ bool PlaybackSession::stands() const {
 Duration PlaybackSession::idle_time(Instant now) const {
   if (playback_ == nullptr) return kIdle;
   // The device wants silence too.
-  if (sound_.player().sounds()) return kSoundStep;
+  if (player_.sound().sounds()) return kSoundStep;
   if (const auto next = playback_->next_position_at()) {
     return std::clamp<Duration>(*next - now, Duration::zero(), kFrameMax);
   }
@@ -372,8 +363,9 @@ void PlaybackSession::describe_traffic(const playback::SourceStatus& status,
 
 std::vector<gui::AuRow> PlaybackSession::au_rows() const {
   if (playback_ == nullptr || playback_->progress().keyframe == 0) return {};
-  const pipeline::FacePipeline& pipeline = player_.pipeline();
-  return gui::au_rows(pipeline.received(), player_.face().aus, explained_, mapping_.recordings);
+  const pipeline::FacePipeline& pipeline = player_.face().pipeline();
+  return gui::au_rows(pipeline.received(), player_.face().face().aus, explained_,
+                      mapping_.recordings);
 }
 
 gui::RemoteView PlaybackSession::remote_view() const {

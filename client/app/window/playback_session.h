@@ -13,9 +13,8 @@
 #include "client/gui/composer.h"
 #include "client/gui/gui_commands.h"
 #include "client/net/remote_source.h"
-#include "client/pipeline/face_delay.h"
-#include "client/pipeline/player.h"
 #include "client/playback/seekable_playback.h"
+#include "client/sound/heard_player.h"
 
 namespace aucast::app {
 
@@ -67,17 +66,17 @@ class PlaybackSession {
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
 
   /// With sound, the face that belongs to what is heard.
-  [[nodiscard]] const std::vector<float>& activations();
+  [[nodiscard]] const std::vector<float>& activations() { return player_.activations(); }
+  /// That face is on the display.
+  void face_shown() { player_.sound().face_shown(); }
   /// The keyframe under way, from 1; 0: none has begun.
   [[nodiscard]] std::uint64_t keyframe() const {
     return playback_ == nullptr ? 0 : playback_->progress().keyframe;
   }
   /// The AUs of that face, rules applied.
-  [[nodiscard]] const AuFrame& aus() const { return player_.face().aus; }
+  [[nodiscard]] const AuFrame& aus() const { return player_.face().face().aus; }
   /// Playing has come to its end; false while nothing was ever opened.
-  [[nodiscard]] bool over() const {
-    return playback_ != nullptr && playback_->over() && !sound_.player().rings_on();
-  }
+  [[nodiscard]] bool over() const { return player_.over(); }
   /// The face stands, and Resume would move it.
   [[nodiscard]] bool stands() const;
   /// How long the window may wait before it should look again.
@@ -93,7 +92,7 @@ class PlaybackSession {
   bool connect(const gui::RemoteSettings& settings, Instant now);
   bool resume(Instant now);
   bool apply_local(const gui::LocalCommand& command, Instant now);
-  void begun(const playback::KeyframeBegun& keyframe);
+  void begun(const playback::KeyframeBegun& keyframe, Instant at);
   void explain();
   void remember(Instant now);
   void describe_traffic(const playback::SourceStatus& status, gui::RemoteView& view) const;
@@ -108,11 +107,10 @@ class PlaybackSession {
   std::vector<std::string> recent_;  ///< addresses that answered, the latest first
   playback::BufferOptions buffers_;
 
-  pipeline::Player player_;
+  sound::HeardPlayer player_;
   PlaybackMeter meter_;
   std::unique_ptr<playback::Playback> playback_;
   SoundSession sound_;
-  pipeline::FaceDelay delay_;
   std::unique_ptr<playback::Playback> retired_;  ///< saying its last words
   std::string name_;                             ///< of a stream loaded in full
   std::shared_ptr<const gui::AuCurves> curves_;  ///< of the same

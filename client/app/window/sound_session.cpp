@@ -11,19 +11,19 @@
 
 namespace aucast::app {
 
-SoundSession::SoundSession(const SoundOptions& options, Notices& notices)
-    : notices_(notices),
+SoundSession::SoundSession(const SoundOptions& options, sound::HeardPlayer& player,
+                           Notices& notices)
+    : player_(player),
+      notices_(notices),
       device_(options.device.value_or("default")),
       volume_(options.volume),
       muted_(options.mute) {
   if (device_ == "default") device_.clear();
-  player_.set_volume(volume_);
-  player_.set_muted(muted_);
+  player_.sound().set_volume(volume_);
+  player_.sound().set_muted(muted_);
 }
 
-void SoundSession::open(playback::Playback* playback) {
-  playback_ = playback;
-  player_.open(playback);
+void SoundSession::begin_again() {
   track_.reset();
   spoken_.begin_again();
   file_.clear();
@@ -45,17 +45,13 @@ void SoundSession::play_sound_file(Instant now) {
     return;
   }
   if (*track == nullptr) return;
-  player_.open(playback_, track->get());
+  player_.sound().open(player_.playback(), track->get());
   track_ = std::move(*track);
 }
 
 void SoundSession::advanced(Instant now) {
-  player_.advanced();
-  if (const auto passing = playback_->passing()) {
-    const double ahead = seconds(player_.lead()) * passing->speed;
-    spoken_.move_to(*playback_, passing->place - Duration(std::llround(ahead * 1e9)));
-  }
-  if (player_.take_loss()) {
+  if (const auto place = player_.heard_place()) spoken_.move_to(*player_.playback(), *place);
+  if (player_.sound().take_loss()) {
     has_device_ = false;
     notices_.say("the sound device plays no more", true, now);
     spdlog::warn("the sound device plays no more; going on without it");
@@ -64,7 +60,7 @@ void SoundSession::advanced(Instant now) {
 
 void SoundSession::set_out(std::unique_ptr<sound::SoundOut> out) {
   has_device_ = out != nullptr;
-  player_.set_out(std::move(out));
+  player_.sound().set_out(std::move(out));
 }
 
 void SoundSession::apply(const gui::SoundCommand& command, Instant now) {
@@ -97,15 +93,15 @@ void SoundSession::choose_device(const std::string& name, Instant now) {
 
 void SoundSession::toggle_mute(Instant now) {
   muted_ = !muted_;
-  player_.set_muted(muted_);
+  player_.sound().set_muted(muted_);
   notices_.say(muted_ ? "muted" : "volume " + std::to_string(volume_) + " %", false, now);
 }
 
 void SoundSession::change_volume(int by, Instant now) {
   volume_ = std::clamp(volume_ + by, 0, 100);
   muted_ = false;
-  player_.set_volume(volume_);
-  player_.set_muted(muted_);
+  player_.sound().set_volume(volume_);
+  player_.sound().set_muted(muted_);
   notices_.say("volume " + std::to_string(volume_) + " %", false, now);
 }
 
@@ -116,7 +112,7 @@ gui::SoundView SoundSession::sound_view() const {
   view.there = has_device_;
   view.volume = volume_;
   view.muted = muted_;
-  if (const float level = player_.level(); level > 0) {
+  if (const float level = player_.sound().level(); level > 0) {
     const double part = 1 + 20 * std::log10(static_cast<double>(level)) / kRange;
     view.level_percent = static_cast<int>(std::lround(100 * std::clamp(part, 0.0, 1.0)));
   }

@@ -51,7 +51,7 @@ class WindowSession {
   /// By so many percent.
   void change_volume(int by, Instant now) { playback_.sound().change_volume(by, now); }
   /// The face of activations() is on the display.
-  void face_shown() { playback_.sound().face_shown(); }
+  void face_shown() { playback_.face_shown(); }
 
   /// Moves playback to `now`.
   void advance(Instant now);

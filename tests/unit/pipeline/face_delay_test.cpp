@@ -22,6 +22,14 @@ TEST(FaceDelay, GivesTheFaceOfAMoment) {
   EXPECT_FALSE(delay.moves());
 }
 
+TEST(FaceDelay, ForgetsWhatNobodyWillAskFor) {
+  FaceDelay delay;
+  for (int i = 0; i <= 10; ++i) delay.add(kBegin + Milliseconds(10 * i), {static_cast<float>(i)});
+  delay.forget_before(kBegin + Milliseconds(95));
+  EXPECT_EQ(delay.at(kBegin).front(), 9);
+  EXPECT_FLOAT_EQ(delay.at(kBegin + Milliseconds(95)).front(), 9.5F);
+}
+
 TEST(FaceDelay, OfTwoFacesOfOneMomentTheLaterCounts) {
   FaceDelay delay;
   delay.add(kBegin, {1});

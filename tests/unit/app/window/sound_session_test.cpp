@@ -16,7 +16,10 @@ namespace {
 TEST(SoundSession, ALostDeviceIsThereNoMore) {
   sound::test::Crank crank;
   Notices notices;
-  SoundSession session(SoundOptions{}, notices);
+  const face::Face face;
+  const pipeline::AuMapping mapping{face, {}, {}};
+  sound::HeardPlayer player(mapping, playback::Interpolation::Linear);
+  SoundSession session(SoundOptions{}, player, notices);
   session.set_out(std::make_unique<sound::test::CrankedOut>(crank));
   EXPECT_TRUE(session.has_device());
   EXPECT_TRUE(session.sound_view().there);
@@ -24,16 +27,17 @@ TEST(SoundSession, ALostDeviceIsThereNoMore) {
   auto source = std::make_unique<playback::test::ScriptedSource>();
   source->now.voice = true;
   playback::SourcePlayback played(std::move(source), playback::SourcePlayback::Options{});
-  session.open(&played);
+  player.open(&played, {});
+  session.begin_again();
   Instant now(std::chrono::hours(1));
-  static_cast<void>(session.now(now));
+  player.advance(now, [](const auto&, Instant) {});
   session.advanced(now);
-  ASSERT_TRUE(session.player().sounds());
+  ASSERT_TRUE(player.sound().sounds());
   EXPECT_TRUE(session.has_device());
 
   crank.lost = true;
   now += std::chrono::milliseconds(10);
-  static_cast<void>(session.now(now));
+  player.advance(now, [](const auto&, Instant) {});
   session.advanced(now);
   EXPECT_FALSE(session.has_device());
   EXPECT_FALSE(session.sound_view().there);
