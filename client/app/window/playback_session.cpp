@@ -34,23 +34,6 @@ bool went_wrong(playback::EndReason end) {
   return end != EndReason::NotEnded && end != EndReason::EndOfStream && end != EndReason::Stopped;
 }
 
-gui::RemoteSettings settings_of(const PlaybackOptions& options) {
-  gui::RemoteSettings settings;
-  if (const auto endpoint = net::parse_endpoint(options.endpoint)) {
-    settings.address = endpoint->host;
-    settings.port = endpoint->port;
-    settings.others = options.others;
-  }
-  settings.stream = options.stream;
-  settings.tls = options.security_options.tls;
-  settings.buffer = static_cast<int>(options.buffers.receiver_capacity);
-  settings.playout = static_cast<int>(options.buffers.playout_capacity);
-  settings.threshold_percent = options.buffers.threshold_percent;
-  if (options.speed) settings.speed_ms = static_cast<int>(options.speed->count());
-  settings.reconnect = options.reconnect;
-  return settings;
-}
-
 }  // namespace
 
 PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const PlayerOptions& options,
@@ -61,7 +44,6 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
       stats_(stats),
       notices_(notices),
       shown_(shown),
-      remote_settings_(settings_of(options.playback)),
       buffers_(options.playback.buffers),
       player_(mapping, options.playback.interpolation),
       meter_(stats),

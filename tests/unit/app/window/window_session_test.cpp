@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/app/window/window_settings.h"
 #include "common/files.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"
@@ -511,6 +512,7 @@ TEST_F(WindowSessionTest, ConnectReplacesWhatPlayedAndHoldsTheFace) {
 TEST_F(WindowSessionTest, OnlyAnAddressThatAnsweredIsAmongTheRecentOnes) {
   options_.playback.endpoint = "lecture.example.org";
   open({frame({{26, Side::Both, 100}})});
+  session_->begin_with(WindowSettings(options_, {}).in_force(), "", clock_.now());
   go_on(Milliseconds(0));
   EXPECT_TRUE(session_->recent().empty());
   source_->now.packets_received = 1;
@@ -528,7 +530,7 @@ TEST_F(WindowSessionTest, TheOtherHostsOfAnAddressAreTriedTooWhoeverNamedThem) {
   const std::vector<float> shown(assets_->face.channels.size());
   const pipeline::AuMapping mapping = au_mapping(*assets_, options_.face.mixer);
   const PlaybackSession playback(mapping, options_, stats_, notices, shown);
-  gui::RemoteSettings form = playback.remote_settings();
+  gui::RemoteSettings form = WindowSettings(options_, {}).in_force().remote;
   const auto same = playback.server_of(form);
   ASSERT_TRUE(same) << same.error().message;
   EXPECT_EQ(same->others, options_.playback.others);
