@@ -29,6 +29,11 @@ const OptionRow* find_row(const std::vector<OptionRow>& rows, std::string_view n
   return row == rows.end() ? nullptr : &*row;
 }
 
+std::vector<OptionRow> unbound(std::vector<OptionRow> rows) {
+  for (OptionRow& row : rows) row.value.read = nullptr;
+  return rows;
+}
+
 void append(std::vector<OptionRow>& rows, std::vector<OptionRow> more) {
   std::move(more.begin(), more.end(), std::back_inserter(rows));
 }

@@ -60,6 +60,9 @@ struct OptionRow {
 /// The row of that name; null: there is none.
 [[nodiscard]] const OptionRow* find_row(const std::vector<OptionRow>& rows, std::string_view name);
 
+/// The rows as they describe their options, bound to no variable: they read nothing.
+[[nodiscard]] std::vector<OptionRow> unbound(std::vector<OptionRow> rows);
+
 /// Adds `more` to the end of `rows`.
 void append(std::vector<OptionRow>& rows, std::vector<OptionRow> more);
 

@@ -76,13 +76,13 @@ std::vector<OptionRow> rows_of(Options& options) {
 }
 
 CommandPage speaker_page() {
-  static Options unused;
+  Options described;
   return {.program = "au-speaker",
           .usage = {"au-speaker [OPTIONS] TEXT"},
           .about =
               "Makes a face speak: turns a text into speech, a stream file for the face, and "
               "captions.\n\n",
-          .rows = rows_of(unused),
+          .rows = unbound(rows_of(described)),
           .notes =
               "In TEXT an empty line ends a paragraph, '# title: ...' names the lecture, other "
               "lines\nthat begin with # are not spoken, and a word in brackets sets the "

@@ -484,8 +484,8 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
 }
 
 CommandPage command_page(Command command) {
-  static PlayerOptions unused;
-  CommandPage page{.program = "face-player", .rows = option_rows(command, unused)};
+  PlayerOptions described;
+  CommandPage page{.program = "face-player", .rows = unbound(option_rows(command, described))};
   switch (command) {
     case Command::Watch:
     case Command::Help:
@@ -509,7 +509,7 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
                     "face-player play FILE --headless [OPTIONS]"};
       page.about = "Plays a stream file, or the table of a recogniser, without a server.\n";
       // Receiving options are accepted so that both commands take the same.
-      const std::vector<OptionRow> receiving = receiving_rows(unused.playback);
+      const std::vector<OptionRow> receiving = receiving_rows(described.playback);
       for (OptionRow& row : page.rows) {
         if (find_row(receiving, row.name) != nullptr) row.text = {};
         if (row.name == "buffer") row.heading = {};

@@ -180,10 +180,8 @@ Result<void> check_required(const PlayerOptions& options) {
 
 /// Whether the word behind an option is the option's own: as the first command that has it says.
 bool takes_a_word(const std::string& option) {
-  PlayerOptions unused;
-  for (const Command command : {Command::Watch, Command::Play, Command::Pose, Command::Rules,
-                                Command::Gallery, Command::Export}) {
-    for (const OptionRow& row : option_rows(command, unused)) {
+  for (const CommandPage& page : command_pages()) {
+    for (const OptionRow& row : page.rows) {
       if (typed_name(row) == option) return row.value.kind != OptionValue::Kind::Flag;
     }
   }

@@ -371,12 +371,12 @@ std::vector<OptionRow> option_rows(TransmitterOptions& options) {
 }
 
 CommandPage transmitter_page() {
-  static TransmitterOptions unused;
+  TransmitterOptions described;
   return {
       .program = "au-transmitter",
       .usage = {"au-transmitter [OPTIONS] SOURCE...", "au-transmitter convert --help"},
       .about = "Streams FACS Action Units over TCP to face-player and other clients.\n",
-      .rows = option_rows(unused),
+      .rows = unbound(option_rows(described)),
       .notes =
           R"(Settings file, then AUCAST_TRANSMITTER_<OPTION>, then command line: last wins.
 Prints "listening on ADDR:PORT" when ready; logs to stderr; Ctrl-C ends it.

@@ -210,7 +210,7 @@ Result<Converted> run_convert(std::vector<std::string> arguments, const SayProgr
 }
 
 CommandPage convert_page() {
-  static ConvertOptions unused;
+  ConvertOptions described;
   return {
       .program = "au-transmitter",
       .command = "convert",
@@ -219,7 +219,7 @@ CommandPage convert_page() {
       .about =
           "Converts a recording, a film or a stream file to a stream file or an OpenFace table,\n"
           "with every change: no dead band applies.\n",
-      .rows = rows_of(unused),
+      .rows = unbound(rows_of(described)),
       .examples = {"au-transmitter convert webcam.csv talk.txt",
                    "au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt",
                    "au-transmitter convert lecture.mp4 lecture.txt"}};

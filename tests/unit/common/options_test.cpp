@@ -75,6 +75,17 @@ TEST(Options, WhatIsNotTypedStays) {
   EXPECT_TRUE(options.config);
 }
 
+TEST(Options, UnboundRowsAreDescribedAlone) {
+  std::vector<OptionRow> rows;
+  {
+    Options options;
+    rows = unbound(rows_of(options));
+  }
+  ASSERT_NE(find_row(rows, "port"), nullptr);
+  EXPECT_EQ(find_row(rows, "port")->value.kind, OptionValue::Kind::Number);
+  for (const OptionRow& row : rows) EXPECT_FALSE(row.value.read) << row.name;
+}
+
 TEST(Options, FlagsAreCountedAndCanBeTurnedOff) {
   Options options;
   const auto rows = rows_of(options);
