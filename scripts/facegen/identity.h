@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <span>
+#include <filesystem>
 #include <string_view>
+#include <vector>
 
+#include "common/result.h"
 #include "scripts/facegen/palette.h"
 
 namespace aucast::facegen {
@@ -70,14 +71,14 @@ struct Form {
 /// A haircut: where it grows and how it falls.
 struct Haircut {
   /// From the middle of the forehead (0) over temple, sideburn and ear to the nape (12).
-  std::span<const Key<Vec3>> hairline;
+  std::vector<Key<Vec3>> hairline;
   Vec3 crown{0.9, 9.9, -2.6};
   /// How long hair falls: lines from root to tip at equal steps across the hair, from the front of
   /// the left side over the back to the front of the right one. None: short hair along the scalp.
-  std::span<const std::array<Vec3, 9>> guides = {};
+  std::vector<std::array<Vec3, 9>> guides;
   /// How the top of short hair is combed: lines from the hairline of the forehead over the crown,
   /// at equal steps from the parting on the left to the right side. Its height is `top`.
-  std::span<const std::array<Vec3, 5>> combed;
+  std::vector<std::array<Vec3, 5>> combed;
   double side = 0.30;  ///< thickness over the skin
   double top = 0.72;   ///< the same, of short hair on top
   bool grey = false;   ///< white hairs among dark ones
@@ -94,17 +95,17 @@ struct ExpressionLines {
 
 /// What makes a person: everything else of the generator is the same for all.
 struct Identity {
-  std::string_view name;
   Form form;
   Haircut hair;
   ExpressionLines lines;
   Palette colours;
 };
 
-/// The face that the programs show when nobody says which.
-[[nodiscard]] const Identity& default_identity();
+/// The person of a file like those in people/. Unreadable, or BadData with a line for
+/// each error.
+[[nodiscard]] Result<Identity> read_identity(const std::filesystem::path& file);
 
-/// The identity of that name; nothing when there is none.
-[[nodiscard]] const Identity* identity_named(std::string_view name);
+/// The person of that name in people/; Usage error when there is none.
+[[nodiscard]] Result<Identity> identity_named(std::string_view name);
 
 }  // namespace aucast::facegen

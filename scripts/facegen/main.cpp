@@ -1,38 +1,50 @@
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "common/files.h"
 #include "common/number_of.h"
 #include "scripts/facegen/head.h"
 #include "scripts/facegen/variation.h"
 
+namespace {
+
+using namespace aucast;
+
+constexpr const char* kUsage =
+    "usage: facegen FACE_FOLDER [PERSON [NUMBER]]   (writes mesh.ply into it)\n"
+    "PERSON: a name in scripts/facegen/people, or a file like those, FILE.toml (default)\n"
+    "NUMBER: somebody else who looks a little like PERSON; 0 is PERSON";
+
+Result<facegen::Identity> person_of(const std::string& person, const std::string& number) {
+  const bool is_file = person.ends_with(".toml");
+  auto who = is_file ? facegen::read_identity(person) : facegen::identity_named(person);
+  const auto other = facegen::identity_named(person == "marek" ? "default" : "marek");
+  if (!who || !other) return who ? other.error() : who.error();
+  const auto which = number_of<std::uint32_t>(number);
+  if (!which) {
+    return Error{ErrorKind::Usage, "'" + number + "' is not a whole number from 0 on"};
+  }
+  return facegen::varied(*who, *other, *which);
+}
+
+Result<void> run(std::span<char*> arguments) {
+  if (arguments.empty() || arguments.size() > 3) return Error{ErrorKind::Usage, kUsage};
+  const auto person = person_of(arguments.size() > 1 ? arguments[1] : "default",
+                                arguments.size() > 2 ? arguments[2] : "0");
+  if (!person) return person.error();
+  return write_file_atomically(std::filesystem::path{arguments[0]} / "mesh.ply",
+                               facegen::head_file(facegen::make_head(*person)));
+}
+
+}  // namespace
+
 int main(int argument_count, char** arguments) {
-  using namespace aucast;
-  if (argument_count < 2 || argument_count > 4) {
-    std::fprintf(stderr,
-                 "usage: facegen FACE_FOLDER [IDENTITY [NUMBER]]   (writes mesh.ply into it)\n"
-                 "NUMBER: somebody else who looks a little like IDENTITY; 0 is IDENTITY\n");
-    return exit_code({ErrorKind::Usage, {}});
-  }
-  const facegen::Identity* who = &facegen::default_identity();
-  if (argument_count >= 3) who = facegen::identity_named(arguments[2]);
-  if (who == nullptr) {
-    std::fprintf(stderr, "facegen: no identity '%s'; see identity.cpp\n", arguments[2]);
-    return exit_code({ErrorKind::Usage, {}});
-  }
-  const auto number = argument_count == 4 ? number_of<std::uint32_t>(arguments[3]) : 0;
-  if (!number) {
-    std::fprintf(stderr, "facegen: '%s' is not a whole number from 0 on\n", arguments[3]);
-    return exit_code({ErrorKind::Usage, {}});
-  }
-  const std::string_view other = who->name == "marek" ? "default" : "marek";
-  const facegen::Identity person = facegen::varied(*who, *facegen::identity_named(other), *number);
-  const std::filesystem::path file = std::filesystem::path{arguments[1]} / "mesh.ply";
-  const std::string bytes = facegen::head_file(facegen::make_head(person));
-  const Result<void> written = write_file_atomically(file, bytes);
-  if (!written) {
-    std::fprintf(stderr, "facegen: %s\n", written.error().message.c_str());
-    return exit_code(written.error());
-  }
-  return 0;
+  const Result<void> written =
+      run(std::span(arguments, static_cast<std::size_t>(argument_count)).subspan(1));
+  if (written) return 0;
+  std::fprintf(stderr, "facegen: %s\n", written.error().message.c_str());
+  return exit_code(written.error());
 }

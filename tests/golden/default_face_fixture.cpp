@@ -20,7 +20,7 @@ void DefaultFace::SetUpTestSuite() {
   deformer_ = std::make_unique<face::FaceDeformer>(*face_);
   // The skin holds the half head and then the mirrors of what is off the midline.
   const std::vector<facegen::HalfVertex> half =
-      facegen::lay_out_half_head(facegen::default_identity()).vertices;
+      facegen::lay_out_half_head(*facegen::identity_named("default")).vertices;
   layout_ = half;
   mirror_.assign(half.size(), 0);
   for (std::uint32_t i = 0; i < half.size(); ++i) {

