@@ -20,7 +20,7 @@ FILE_MAX = 600
 SERVER = {"common", "common/camera", "common/mesh", "common/preview", "common/sources", "common/tls", "common/web", "common/voice",
           "common/link",
           "protocol"}
-APP = SERVER | {"client/" + room for room in
+APP = SERVER | {"common/expressions"} | {"client/" + room for room in
                 ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "gui", "glb")}
 
 # What the files of a folder may include of the project, besides their own folder. A file belongs to
@@ -29,6 +29,7 @@ MAY_INCLUDE = {
     "common": set(),
     "common/link": {"common", "common/tls", "common/web"},
     "common/camera": {"common", "common/mesh"},
+    "common/expressions": {"common", "protocol"},
     "common/mesh": {"common"},
     "common/preview": {"common"},
     "common/sources": {"common", "protocol"},
@@ -71,7 +72,7 @@ MAY_INCLUDE = {
     "client/web": APP - {"client/gui", "client/glb", "client/mirror"} | {"client/app/film"},
     "client": APP | {"client/app", "client/app/film", "client/app/gallery", "client/app/window",
                      "client/app/commands"},
-    "speaker": {"common", "common/voice", "protocol"},
+    "speaker": {"common", "common/expressions", "common/voice", "protocol"},
     "scripts/facegen": {"common", "client/face", "client/view"},
     "scripts/train_camera": {"common", "common/mesh"},
 }

@@ -8,8 +8,6 @@
 
 #include "common/number_of.h"
 #include "common/text.h"
-#include "common/toml_document.h"
-#include "common/toml_reader.h"
 #include "speaker/lips.h"
 
 namespace aucast::speaker {
@@ -126,26 +124,14 @@ std::optional<std::size_t> worst_between(const Curves& curves, std::size_t from,
 
 }  // namespace
 
-Result<Expressions> read_expressions(std::string_view bytes, std::string_view file) {
-  const auto document = parse_toml(bytes, file);
-  if (!document) return document.error();
-  Problems problems{std::string(file)};
-  TableReader reader(*document, problems);
-  Expressions expressions;
-  for (const TomlValue* table : reader.tables("expression")) {
-    TableReader entry(*table, problems);
-    if (!entry.has("aus")) continue;  // of muscles only, which a stream does not carry
-    protocol::Keyframe keyframe;
-    if (const auto wrong = protocol::parse_stream_line(entry.text("aus"), keyframe)) {
-      entry.wrong("aus", wrong->reason);
-    }
-    const std::string name = entry.text("name");
-    if (!expressions.emplace(name, std::move(keyframe.terms)).second) {
-      problems.add(table->place, "a second expression '" + escaped(name) + "'");
-    }
+Expressions sets_of(const std::vector<Expression>& expressions) {
+  Expressions sets;
+  for (const Expression& expression : expressions) {
+    // A stream carries no muscles.
+    if (expression.aus == AuFrame{} && !expression.muscles.empty()) continue;
+    sets[expression.name] = canonical_terms(expression.aus);
   }
-  if (auto good = problems.result(); !good) return good.error();
-  return expressions;
+  return sets;
 }
 
 Result<void> check_cues(const Script& script, const Expressions& expressions,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/action_unit.h"
+#include "common/expressions/expressions.h"
 #include "common/result.h"
 #include "protocol/stream_file.h"
 #include "speaker/curves.h"
@@ -18,8 +19,8 @@ namespace aucast::speaker {
 /// Named sets of AUs, as in data/expressions.toml.
 using Expressions = std::map<std::string, std::vector<AuTerm>, std::less<>>;
 
-/// The expressions of a file in the form of data/expressions.toml; of each entry its name and AUs.
-[[nodiscard]] Result<Expressions> read_expressions(std::string_view bytes, std::string_view file);
+/// Those of the file, without what is made of muscles alone.
+[[nodiscard]] Expressions sets_of(const std::vector<Expression>& expressions);
 
 /// Whether every cue means something: a name of `expressions` or "smile", with a percent after it
 /// if need be ("smile 60"), or AUs as in a packet ("6,12:60"). BadData with file:line:column.

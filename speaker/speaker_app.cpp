@@ -193,10 +193,9 @@ Result<Speech> speech_of(const Script& script, const Options& options) {
 Result<Expressions> expressions_of(const Options& options) {
   const auto folder = find_data_folder(options.data);
   if (!folder) return folder.error();
-  const fs::path file = *folder / "expressions.toml";
-  const auto bytes = read_file(file);
-  if (!bytes) return bytes.error();
-  return read_expressions(*bytes, file.string());
+  const auto read = load_expressions(*folder / "expressions.toml");
+  if (!read) return read.error();
+  return sets_of(*read);
 }
 
 std::string stream_text(const Script& script, const protocol::StreamFile& stream) {

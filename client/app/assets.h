@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,27 +11,10 @@
 #include "client/face/co_occurrence_rules.h"
 #include "client/face/face.h"
 #include "client/pipeline/au_mapping.h"
+#include "common/expressions/expressions.h"
 #include "common/result.h"
 
 namespace aucast::app {
-
-/// A muscle that an expression sets by itself, without an AU: activations of the subject's sides.
-struct ExpressionMuscle {
-  std::string name;                    ///< without left_ or right_
-  std::vector<std::string> spellings;  ///< of the same muscle in classic folders
-  float left = 0;
-  float right = 0;
-};
-
-/// A named face, such as a prototype of an emotion: a set of AUs, or muscles, or both.
-struct Expression {
-  std::string name;   ///< what --expression takes
-  std::string label;  ///< for people
-  AuFrame aus;
-  std::vector<ExpressionMuscle> muscles;
-  std::string source;
-  std::optional<std::array<float, 2>> pad;  ///< place on the axes sad-happy and calm-excited
-};
 
 /// What the files say, read once at the start.
 struct Assets {
@@ -44,8 +25,6 @@ struct Assets {
   std::vector<Expression> expressions;
   std::map<int, std::string> au_looks;  ///< what each AU looks like, in words
 };
-
-[[nodiscard]] Result<std::vector<Expression>> load_expressions(const std::filesystem::path& file);
 
 /// The texts of data/action_units.toml.
 [[nodiscard]] Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file);

@@ -332,12 +332,12 @@ TEST_F(DefaultFaceRecordings, StaysWholeInEveryPairOfMusclesOfTheMouth) {
 }
 
 TEST_F(DefaultFaceRecordings, StaysWholeInTheMacrosOfWaters) {
-  const auto expressions = app::load_expressions(*find_data_folder({}) / "expressions.toml");
+  const auto expressions = load_expressions(*find_data_folder({}) / "expressions.toml");
   ASSERT_TRUE(expressions);
   int macros = 0;
-  for (const app::Expression& expression : *expressions) {
+  for (const Expression& expression : *expressions) {
     std::map<std::string, float> channels;
-    for (const app::ExpressionMuscle& muscle : expression.muscles) {
+    for (const ExpressionMuscle& muscle : expression.muscles) {
       const bool sided = !face().channel_index(muscle.name);
       channels[(sided ? "left_" : "") + muscle.name] = muscle.left;
       if (sided) channels["right_" + muscle.name] = muscle.right;

@@ -142,12 +142,15 @@ TEST(Perform, AnExpressionOfOneSideStaysOnThatSide) {
   EXPECT_NEAR(left, 50, 5) << "the file's own smile, as much as a speaking mouth leaves of it";
 }
 
-TEST(ReadExpressions, ANameStandsOnce) {
-  const std::string one = "[[expression]]\nname = \"a\"\naus = \"12\"\n";
-  EXPECT_TRUE(read_expressions(one, "e.toml"));
-  const auto twice = read_expressions(one + one, "e.toml");
-  ASSERT_FALSE(twice);
-  EXPECT_EQ(twice.error().message, "e.toml:4:1: a second expression 'a'");
+TEST(SetsOf, LeavesOutWhatIsMadeOfMusclesAlone) {
+  std::vector<Expression> read(3);
+  read[0].name = "neutral";
+  read[1].name = "joy";
+  set_intensity(read[1].aus, 12, Side::Both, 0.6F);
+  read[1].muscles = read[2].muscles = {{"zygomaticus_major", {}, 1, 1}};
+  read[2].name = "pull";
+  EXPECT_EQ(sets_of(read),
+            (Expressions{{"neutral", {{0, Side::Both, 100}}}, {"joy", {{12, Side::Both, 60}}}}));
 }
 
 TEST(CheckCues, NameTheNearestExpression) {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/action_unit.h"
+#include "common/result.h"
+
+namespace aucast {
+
+/// A muscle that an expression sets by itself, without an AU: activations of the subject's sides.
+struct ExpressionMuscle {
+  std::string name;                    ///< without left_ or right_
+  std::vector<std::string> spellings;  ///< of the same muscle in classic folders
+  float left = 0;
+  float right = 0;
+};
+
+/// A named face, such as a prototype of an emotion: a set of AUs, or muscles, or both.
+struct Expression {
+  std::string name;   ///< what --expression takes
+  std::string label;  ///< for people
+  AuFrame aus;
+  std::vector<ExpressionMuscle> muscles;
+  std::string source;
+  std::optional<std::array<float, 2>> pad;  ///< place on the axes sad-happy and calm-excited
+};
+
+/// The expressions of a file in the form of data/expressions.toml, at least one. Unreadable, or
+/// BadData with file:line:column.
+[[nodiscard]] Result<std::vector<Expression>> load_expressions(const std::filesystem::path& file);
+
+}  // namespace aucast
