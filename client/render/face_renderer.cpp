@@ -14,7 +14,7 @@
 #include "client/render/segment_renderer.h"
 #include "client/render/shadow_map.h"
 #include "client/render/skin_grain.h"
-#include "client/view/camera.h"
+#include "client/view/viewpoint.h"
 #include "common/check.h"
 
 namespace aucast::render {
@@ -220,7 +220,7 @@ void FaceRenderer::pose(const view::MovingMesh& mesh) {
   state_->moving = mesh;
 }
 
-void FaceRenderer::draw(const view::Camera& camera, const view::Style& style, int width,
+void FaceRenderer::draw(const view::Viewpoint& viewpoint, const view::Style& style, int width,
                         int height) {
   State& state = *state_;
   state.renew_shaders();
@@ -244,7 +244,7 @@ void FaceRenderer::draw(const view::Camera& camera, const view::Style& style, in
   glViewport(0, 0, width, height);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const view::CameraMatrices matrices = view::camera_matrices(camera, width, height);
+  const view::ViewMatrices matrices = view::view_matrices(viewpoint, width, height);
   state.camera.set({.world_to_clip = matrices.projection * matrices.view,
                     .world_to_shadow = state.shadow.world_to_texture(),
                     .eye = matrices.eye,

@@ -25,7 +25,7 @@ class FaceRenderer {
   /// What draw() shows from here on. Borrows what is not per vertex until the next call.
   void pose(const view::MovingMesh& mesh);
   /// Clears and draws into the bound framebuffer; width and height in pixels.
-  void draw(const view::Camera& camera, const view::Style& style, int width, int height);
+  void draw(const view::Viewpoint& viewpoint, const view::Style& style, int width, int height);
 
  private:
   struct State;

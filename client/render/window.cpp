@@ -154,7 +154,7 @@ Key key_of_character(unsigned character) {
 
 struct Window::State {
   GLFWwindow* window = nullptr;
-  view::Camera camera;
+  view::Viewpoint viewpoint;
   std::deque<std::string> dropped;
   std::deque<InputEvent> input;
   bool redraw = true;
@@ -302,8 +302,8 @@ bool Window::take_redraw() {
   return std::exchange(state_->redraw, false);
 }
 
-view::Camera& Window::camera() {
-  return state_->camera;
+view::Viewpoint& Window::viewpoint() {
+  return state_->viewpoint;
 }
 
 void Window::framebuffer_size(int& width, int& height) const {

@@ -91,7 +91,7 @@ class Window {
   [[nodiscard]] std::deque<InputEvent>& input();
   /// True once after something happened that may need a new picture: any input, resize, exposure.
   [[nodiscard]] bool take_redraw();
-  [[nodiscard]] view::Camera& camera();
+  [[nodiscard]] view::Viewpoint& viewpoint();
   void framebuffer_size(int& width, int& height) const;
   /// Scale of the screen: 1 at 96 dots an inch.
   [[nodiscard]] float scale() const;

@@ -68,9 +68,9 @@ struct MovingMesh {
   std::span<const float> eye_open = {};
 };
 
-/// A camera that looks at `target` from `distance`, turned by yaw (to the subject's left is
-/// positive) and pitch (up is positive). A long lens, as for portraits.
-struct Camera {
+/// Where a face is looked at from: `target` from `distance`, turned by yaw (to the subject's left
+/// is positive) and pitch (up is positive). A long lens, as for portraits.
+struct Viewpoint {
   glm::vec3 target{0.0F, 0.6F, 2.0F};
   float distance = 60;
   float yaw_rad = 0;

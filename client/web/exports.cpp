@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/view/camera.h"
+#include "client/view/viewpoint.h"
 #include "client/web/browser.h"
 #include "client/web/page.h"
 #include "client/web/socket_link.h"
@@ -113,15 +113,15 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* aucast_picture(int width, int height) {
 }
 
 EMSCRIPTEN_KEEPALIVE void aucast_orbit(double right_px, double down_px, int height) {
-  aucast::view::orbit(page()->camera(), right_px, down_px, height);
+  aucast::view::orbit(page()->viewpoint(), right_px, down_px, height);
 }
 
 EMSCRIPTEN_KEEPALIVE void aucast_zoom(double steps) {
-  aucast::view::zoom(page()->camera(), steps);
+  aucast::view::zoom(page()->viewpoint(), steps);
 }
 
 EMSCRIPTEN_KEEPALIVE void aucast_face_front() {
-  page()->camera() = aucast::view::portrait_camera(aucast::view::CameraPreset::Front);
+  page()->viewpoint() = aucast::view::portrait_viewpoint(aucast::view::ViewpointPreset::Front);
 }
 
 /// "idle" while no stream is open; else as --stats has it.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "client/render/gl.h"
-#include "client/view/camera.h"
+#include "client/view/viewpoint.h"
 #include "client/web/browser_sound.h"
 #include "client/web/socket_link.h"
 #include "client/web/socket_source.h"
@@ -44,7 +44,7 @@ Page::Page(face::Face face, face::RuleSet rules)
       player_(mapping_, playback::Interpolation::Linear),
       wanted_(face_.channels.size()),
       posed_(wanted_),
-      camera_(view::portrait_camera(view::CameraPreset::Front)) {}
+      viewpoint_(view::portrait_viewpoint(view::ViewpointPreset::Front)) {}
 
 Page::~Page() = default;
 
@@ -161,7 +161,7 @@ void Page::pose() {
 void Page::draw(int width, int height) {
   pose();
   style_.scale = scale_of(height);
-  view_->draw(camera_, style_, width, height);
+  view_->draw(viewpoint_, style_, width, height);
 }
 
 Result<view::Image> Page::picture(int width, int height) {
@@ -170,7 +170,7 @@ Result<view::Image> Page::picture(int width, int height) {
   }
   pose();
   style_.scale = scale_of(height);
-  view::Image image = view_->picture(camera_, style_);
+  view::Image image = view_->picture(viewpoint_, style_);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return image;
 }

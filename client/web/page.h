@@ -75,7 +75,7 @@ class Page {
     return streams_;
   }
 
-  [[nodiscard]] view::Camera& camera() { return camera_; }
+  [[nodiscard]] view::Viewpoint& viewpoint() { return viewpoint_; }
   void draw(int width, int height);
   /// The face as `face-player pose --png` draws it, byte for byte on the same graphics driver.
   /// Unbinds its framebuffer.
@@ -111,7 +111,7 @@ class Page {
   std::vector<std::string> begun_;
   std::unique_ptr<net::StreamQuestion> question_;
   std::optional<Result<std::vector<std::string>>> streams_;
-  view::Camera camera_;
+  view::Viewpoint viewpoint_;
   view::Style style_;
 };
 

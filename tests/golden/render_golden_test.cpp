@@ -18,8 +18,8 @@
 #include "client/render/offscreen_context.h"
 #include "client/render/offscreen_target.h"
 #include "client/render/window.h"
-#include "client/view/camera.h"
 #include "client/view/image.h"
+#include "client/view/viewpoint.h"
 #include "common/embedded_file.h"
 #include "common/files.h"
 #include "tests/golden/baseline.h"
@@ -48,13 +48,14 @@ class RenderGolden : public testing::Test {
     renderer_ = std::move(renderer.value());
   }
 
-  view::Image drawn(const view::MovingMesh& mesh, const view::Camera& camera, int width = kSide,
-                    int height = kSide, const view::Background& background = {}) {
+  view::Image drawn(const view::MovingMesh& mesh, const view::Viewpoint& viewpoint,
+                    int width = kSide, int height = kSide,
+                    const view::Background& background = {}) {
     auto target = render::OffscreenTarget::create(width, height);
     EXPECT_TRUE(target.has_value()) << target.error().message;
     (*target)->bind();
     renderer_->pose(mesh);
-    renderer_->draw(camera, {.background = background}, width, height);
+    renderer_->draw(viewpoint, {.background = background}, width, height);
     return (*target)->read();
   }
 
@@ -78,10 +79,10 @@ int brightness(const view::Image& image, int x, int y) {
 TEST_F(RenderGolden, SphereHeadLooksAsBefore) {
   const test::SphereHead head;
   renderer().load(head.static_mesh());
-  for (const auto& [name, preset] : std::vector<std::pair<std::string, view::CameraPreset>>{
-           {"render_spheres_front", view::CameraPreset::Front},
-           {"render_spheres_three_quarter", view::CameraPreset::ThreeQuarter}}) {
-    expect_as_baseline(drawn(head.moving_mesh(), view::portrait_camera(preset)), name);
+  for (const auto& [name, preset] : std::vector<std::pair<std::string, view::ViewpointPreset>>{
+           {"render_spheres_front", view::ViewpointPreset::Front},
+           {"render_spheres_three_quarter", view::ViewpointPreset::ThreeQuarter}}) {
+    expect_as_baseline(drawn(head.moving_mesh(), view::portrait_viewpoint(preset)), name);
   }
 }
 
@@ -105,8 +106,9 @@ TEST_F(RenderGolden, EveryLayerLooksAsBefore) {
     expect_as_baseline((*target)->read(), name);
   }
   // What was drawn leaves no trace in the next picture.
-  expect_as_baseline(drawn(head.moving_mesh(), view::portrait_camera(view::CameraPreset::Front)),
-                     "render_spheres_front");
+  expect_as_baseline(
+      drawn(head.moving_mesh(), view::portrait_viewpoint(view::ViewpointPreset::Front)),
+      "render_spheres_front");
 }
 
 TEST_F(RenderGolden, TheKeyLightLightsItsSide) {
@@ -138,7 +140,7 @@ TEST_F(RenderGolden, DrawsTheSameBytesTwice) {
   const view::Image second = drawn(head.moving_mesh(), {});
   EXPECT_TRUE(first.rgba == second.rgba);
   // What was drawn in between leaves no trace.
-  view::Camera other;
+  view::Viewpoint other;
   other.yaw_rad = 1;
   EXPECT_FALSE(drawn(head.moving_mesh(), other).rgba == first.rgba);
   EXPECT_TRUE(drawn(head.moving_mesh(), {}).rgba == first.rgba);
@@ -345,7 +347,7 @@ TEST_F(RenderGolden, TheShippedHeadsLookAsBefore) {
   struct Shot {
     std::string name;
     std::vector<AuTerm> aus;
-    view::CameraPreset from = view::CameraPreset::Front;
+    view::ViewpointPreset from = view::ViewpointPreset::Front;
   };
   const auto terms = [](std::initializer_list<std::uint8_t> numbers) {
     std::vector<AuTerm> all;
@@ -355,7 +357,7 @@ TEST_F(RenderGolden, TheShippedHeadsLookAsBefore) {
   const std::vector<Shot> shots{{"smile", terms({6, 12, 25})},
                                 {"worry", terms({1, 2, 4})},
                                 {"eyes_shut", terms({43})},
-                                {"profile", {}, view::CameraPreset::Profile}};
+                                {"profile", {}, view::ViewpointPreset::Profile}};
   const auto data = find_data_folder({});
   ASSERT_TRUE(data.has_value()) << data.error().message;
   for (const std::string face : {"default", "marek"}) {
@@ -364,8 +366,9 @@ TEST_F(RenderGolden, TheShippedHeadsLookAsBefore) {
     renderer().load((*scene)->static_mesh());
     for (const Shot& shot : shots) {
       (*scene)->pose(frame_from_terms(shot.aus));
-      expect_as_baseline(drawn((*scene)->moving_mesh(), view::portrait_camera(shot.from), 300, 300),
-                         "render_" + face + "_" + shot.name);
+      expect_as_baseline(
+          drawn((*scene)->moving_mesh(), view::portrait_viewpoint(shot.from), 300, 300),
+          "render_" + face + "_" + shot.name);
     }
   }
 }
@@ -394,9 +397,9 @@ TEST_F(RenderGolden, AnIrisIsSeenFromTheSide) {
   eye.rest = {};
   renderer().load(eye);
   const auto red_pixels = [&](float yaw_deg) {
-    const view::Camera camera{
+    const view::Viewpoint viewpoint{
         .target = centre, .yaw_rad = glm::radians(yaw_deg), .half_height = 1.5F};
-    const view::Image image = drawn(moving, camera);
+    const view::Image image = drawn(moving, viewpoint);
     int count = 0;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
       if (image.rgba[i] > 2 * image.rgba[i + 1]) ++count;

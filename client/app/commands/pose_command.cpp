@@ -94,7 +94,7 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options, c
   if (!pose.png.empty()) {
     auto maker = PictureMaker::create(
         assets.face, options.output.width, options.output.height,
-        camera_preset(pose.camera, assets.face),
+        viewpoint_preset(pose.camera, assets.face),
         backdrop(options.output.background, options.output.transparent), Sharpness::Still);
     if (!maker) return maker.error();
     (*maker)->show(options.output.layers);

@@ -36,13 +36,13 @@ class FaceView {
 
   /// Clears and draws into the bound framebuffer. `style` without its diagram and tags, which this
   /// makes as its layers ask for them.
-  void draw(const view::Camera& camera, view::Style style, int width, int height);
+  void draw(const view::Viewpoint& viewpoint, view::Style style, int width, int height);
 
   /// Makes room for pictures of one size. Failed when the driver cannot draw them.
   [[nodiscard]] Result<void> prepare(int width, int height, Sharpness sharpness);
   /// A picture of the size prepared last; with a transparent background it is drawn twice. Leaves a
-  /// framebuffer of its own bound. Same pose, camera and style, same bytes.
-  [[nodiscard]] view::Image picture(const view::Camera& camera, view::Style style);
+  /// framebuffer of its own bound. Same pose, viewpoint and style, same bytes.
+  [[nodiscard]] view::Image picture(const view::Viewpoint& viewpoint, view::Style style);
 
  private:
   struct State;

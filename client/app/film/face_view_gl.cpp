@@ -78,12 +78,12 @@ void FaceView::show_pose() {
   s.renderer->pose(FaceScene::moving(*s.deformed));
 }
 
-void FaceView::draw(const view::Camera& camera, view::Style style, int width, int height) {
+void FaceView::draw(const view::Viewpoint& viewpoint, view::Style style, int width, int height) {
   State& s = *state_;
   s.diagram.update(style.layers, s.activations, *s.deformed);
   style.diagram = s.diagram.muscles();
   style.tags = s.diagram.tags();
-  s.renderer->draw(camera, style, width, height);
+  s.renderer->draw(viewpoint, style, width, height);
 }
 
 Result<void> FaceView::prepare(int width, int height, Sharpness sharpness) {
@@ -103,13 +103,13 @@ Result<void> FaceView::prepare(int width, int height, Sharpness sharpness) {
   return {};
 }
 
-view::Image FaceView::picture(const view::Camera& camera, view::Style style) {
+view::Image FaceView::picture(const view::Viewpoint& viewpoint, view::Style style) {
   State& s = *state_;
   AUCAST_CHECK(s.target != nullptr);
   style.scale *= static_cast<float>(s.drawn_larger);
   const auto drawn = [&] {
     s.target->bind();
-    draw(camera, style, s.drawn_larger * s.width, s.drawn_larger * s.height);
+    draw(viewpoint, style, s.drawn_larger * s.width, s.drawn_larger * s.height);
     view::Image image = s.target->read();
     return s.drawn_larger == 2 ? view::halved(image) : image;
   };

@@ -97,7 +97,7 @@ class Film {
     const bool sheet_alone = options_.output.frames.empty() && options_.output.record.empty();
     auto maker =
         PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
-                             camera_preset("front", assets_.face),
+                             viewpoint_preset("front", assets_.face),
                              backdrop(options_.output.background, options_.output.transparent),
                              sheet_alone ? Sharpness::Still : Sharpness::Film);
     if (!maker) return maker.error();

@@ -17,11 +17,9 @@ namespace aucast::app {
 /// The face must outlive it. Thread: the one that made it.
 class PictureMaker {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(const face::Face& face,
-                                                                    int width, int height,
-                                                                    const view::Camera& camera,
-                                                                    const view::Background& behind,
-                                                                    Sharpness sharpness);
+  [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(
+      const face::Face& face, int width, int height, const view::Viewpoint& viewpoint,
+      const view::Background& behind, Sharpness sharpness);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;

@@ -17,7 +17,7 @@ float scale_of(int height) {
 }  // namespace
 
 struct PictureMaker::State {
-  view::Camera camera;
+  view::Viewpoint viewpoint;
   view::Style style;
   // The view needs the context, so it goes first.
   std::unique_ptr<render::OffscreenContext> context;
@@ -28,7 +28,8 @@ PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(stat
 PictureMaker::~PictureMaker() = default;
 
 Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& face, int width,
-                                                           int height, const view::Camera& camera,
+                                                           int height,
+                                                           const view::Viewpoint& viewpoint,
                                                            const view::Background& behind,
                                                            Sharpness sharpness) {
   auto context = render::OffscreenContext::create();
@@ -39,7 +40,7 @@ Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& fac
     return prepared.error();
   }
   auto state = std::make_unique<State>();
-  state->camera = camera;
+  state->viewpoint = viewpoint;
   state->style.background = behind;
   state->style.scale = scale_of(height);
   state->context = std::move(*context);
@@ -53,7 +54,7 @@ void PictureMaker::show(const view::Layers& layers) {
 
 view::Image PictureMaker::picture(std::span<const float> activations) {
   state_->view->pose(activations);
-  return state_->view->picture(state_->camera, state_->style);
+  return state_->view->picture(state_->viewpoint, state_->style);
 }
 
 }  // namespace aucast::app

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "client/view/camera.h"
+#include "client/view/viewpoint.h"
 
 namespace aucast::app {
 
-view::Camera camera_preset(std::string_view name, const face::Face& face) {
-  view::Camera camera =
-      view::portrait_camera(view::camera_preset(name).value_or(view::CameraPreset::Front));
+view::Viewpoint viewpoint_preset(std::string_view name, const face::Face& face) {
+  view::Viewpoint viewpoint =
+      view::portrait_viewpoint(view::viewpoint_preset(name).value_or(view::ViewpointPreset::Front));
   if (face.classic) {
     // Waters' mask has its own height and nothing around it.
     float low = std::numeric_limits<float>::max();
@@ -18,10 +18,10 @@ view::Camera camera_preset(std::string_view name, const face::Face& face) {
       low = std::min(low, p.y);
       high = std::max(high, p.y);
     }
-    camera.target.y = (low + high) / 2;
-    camera.half_height = std::max(0.1F, (high - low) * 0.55F);
+    viewpoint.target.y = (low + high) / 2;
+    viewpoint.half_height = std::max(0.1F, (high - low) * 0.55F);
   }
-  return camera;
+  return viewpoint;
 }
 
 view::Background backdrop(std::optional<std::uint32_t> rgb, bool transparent) {

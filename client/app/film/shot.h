@@ -9,8 +9,8 @@
 
 namespace aucast::app {
 
-/// The camera of --camera: front, three-quarter or profile.
-[[nodiscard]] view::Camera camera_preset(std::string_view name, const face::Face& face);
+/// The viewpoint of --camera: front, three-quarter or profile.
+[[nodiscard]] view::Viewpoint viewpoint_preset(std::string_view name, const face::Face& face);
 
 /// The plain ground of --background (sRGB, 0xRRGGBB); nothing: the usual one, lit from behind.
 [[nodiscard]] view::Background backdrop(std::optional<std::uint32_t> rgb, bool transparent = false);

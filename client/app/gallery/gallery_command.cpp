@@ -94,7 +94,7 @@ class GalleryWriter {
   Result<void> draw_all() {
     auto maker = PictureMaker::create(
         assets_.face, options_.output.width, options_.output.height,
-        camera_preset(options_.pose.camera, assets_.face),
+        viewpoint_preset(options_.pose.camera, assets_.face),
         backdrop(options_.output.background, options_.output.transparent), Sharpness::Still);
     if (!maker) return maker.error();
     (*maker)->show(options_.output.layers);

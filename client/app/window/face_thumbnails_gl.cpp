@@ -43,7 +43,7 @@ void FaceThumbnails::draw(const face::Face& face) {
   if (!view || !(*view)->prepare(width_, height_, Sharpness::Still)) return;
   view::Style style;
   style.scale = 0.5F;
-  const view::Image image = (*view)->picture(camera_preset("front", face), style);
+  const view::Image image = (*view)->picture(viewpoint_preset("front", face), style);
   std::vector<std::uint8_t> rgb;
   rgb.reserve(image.rgba.size() / 4 * 3);
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {

@@ -23,7 +23,7 @@ class WindowOverlay {
   WindowOverlay& operator=(const WindowOverlay&) = delete;
 
   /// Draws over what the window shows; what was asked for goes to the end of `commands`. What is
-  /// not done on a panel steers the camera: left drag turns, right drag moves, the wheel zooms.
+  /// not done on a panel moves the viewpoint: left drag turns, right drag moves, the wheel zooms.
   void draw(const gui::GuiModel& model, gui::GuiCommands& commands);
   /// Keys pressed and not typed into something, in order; Key::None when there are no more.
   [[nodiscard]] render::Key next_key();

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "client/view/camera.h"
+#include "client/view/viewpoint.h"
 
 namespace aucast::app {
 
@@ -70,7 +70,7 @@ void WindowOverlay::take(const render::InputEvent& event) {
       }
       break;
     case Kind::Scroll:
-      if (!gui_.wants_pointer()) view::zoom(window_.camera(), event.y);
+      if (!gui_.wants_pointer()) view::zoom(window_.viewpoint(), event.y);
       ImGui_ImplGlfw_ScrollCallback(window, event.x, event.y);
       break;
     case Kind::Key:
@@ -86,16 +86,16 @@ void WindowOverlay::take(const render::InputEvent& event) {
   if (event.meaning != render::Key::None && !gui_.wants_keys()) keys_.push_back(event.meaning);
 }
 
-/// A drag that began on the face turns the camera with the left button and moves it with the right.
+/// A drag that began on the face turns the view with the left button and moves it with the right.
 void WindowOverlay::move_to(float x, float y) {
   const auto right = static_cast<double>(x - std::exchange(pointer_x_, x));
   const auto down = static_cast<double>(y - std::exchange(pointer_y_, y));
   if (gui_.wants_pointer()) return;
   const int height = static_cast<int>(ImGui::GetIO().DisplaySize.y);
   if (buttons_[0]) {
-    view::orbit(window_.camera(), right, down, height);
+    view::orbit(window_.viewpoint(), right, down, height);
   } else if (buttons_[1]) {
-    view::pan(window_.camera(), right, down, height);
+    view::pan(window_.viewpoint(), right, down, height);
   }
 }
 

@@ -205,15 +205,15 @@ class WindowRun {
     if (const auto* look = std::get_if<gui::LookFrom>(&command)) look_from(look->view);
     if (std::holds_alternative<gui::TakePicture>(command)) save_picture();
     if (std::holds_alternative<gui::ToggleVideo>(command)) toggle_video();
-    const view::Camera usual = camera_preset(name_of(gui::View::Front), assets_.face);
+    const view::Viewpoint usual = viewpoint_preset(name_of(gui::View::Front), assets_.face);
     const std::uint64_t faces = session_.face_changes();
     session_.apply(command, steady_now());
     if (session_.face_changes() != faces) show_new_face(usual);
   }
 
   /// The face of the assets is another one; it is looked at as the one before was, whose usual
-  /// camera is `usual`.
-  void show_new_face(const view::Camera& usual) {
+  /// viewpoint is `usual`.
+  void show_new_face(const view::Viewpoint& usual) {
     auto view = FaceView::create(assets_.face);
     if (!view) {
       failed_ = view.error();
@@ -221,10 +221,10 @@ class WindowRun {
     }
     view_ = std::move(*view);
     shown_activations_.clear();
-    view::Camera& camera = window_->camera();
-    const view::Camera now = camera_preset(name_of(gui::View::Front), assets_.face);
-    camera.target += now.target - usual.target;
-    camera.half_height *= now.half_height / usual.half_height;
+    view::Viewpoint& viewpoint = window_->viewpoint();
+    const view::Viewpoint now = viewpoint_preset(name_of(gui::View::Front), assets_.face);
+    viewpoint.target += now.target - usual.target;
+    viewpoint.half_height *= now.half_height / usual.half_height;
   }
 
   void make_thumbnails() {
@@ -252,7 +252,7 @@ class WindowRun {
   }
 
   void look_from(gui::View view) {
-    window_->camera() = camera_preset(name_of(view), assets_.face);
+    window_->viewpoint() = viewpoint_preset(name_of(view), assets_.face);
     frames_due_ = gui::kFramesAfterChange;
   }
 
@@ -261,7 +261,7 @@ class WindowRun {
     if (auto prepared = view_->prepare(width, height, sharpness); !prepared) {
       return prepared.error();
     }
-    view::Image image = view_->picture(window_->camera(), style());
+    view::Image image = view_->picture(window_->viewpoint(), style());
     window_->bind_framebuffer();
     return image;
   }
@@ -360,7 +360,7 @@ class WindowRun {
       view_->pose(shown_activations_);
     }
     const Instant deformed = steady_now();
-    view_->draw(window_->camera(), style(), overlay_->free_width(width), height);
+    view_->draw(window_->viewpoint(), style(), overlay_->free_width(width), height);
     const Instant drawn = steady_now();
     overlay_->draw(model, commands_);
     shown_model_ = std::move(model);
