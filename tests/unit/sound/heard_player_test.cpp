@@ -19,7 +19,7 @@ namespace {
 using playback::SourcePlayback;
 using playback::TimedAus;
 
-constexpr Milliseconds kTick{10};
+constexpr Milliseconds kFrameTime{10};
 
 /// AU 26 opens the jaw by 1; nothing else moves.
 face::Face jaw_face() {
@@ -56,8 +56,8 @@ class HeardPlayerTest : public ::testing::Test {
   }
   void tick(int times) {
     for (int i = 0; i < times; ++i) {
-      steady_ += kTick;
-      crank_.turn(kTick);
+      steady_ += kFrameTime;
+      crank_.turn(kFrameTime);
       const Instant at = player_.advance(
           steady_,
           [this](const playback::KeyframeBegun&, Instant begun) { begun_.push_back(begun); });
@@ -84,7 +84,7 @@ class HeardPlayerTest : public ::testing::Test {
 TEST_F(HeardPlayerTest, WithoutSoundTheFaceIsTheOneOfTheMoment) {
   open(nullptr);
   tick(50);
-  EXPECT_EQ(begun_, std::vector<Instant>{Instant(std::chrono::hours(1)) + kTick});
+  EXPECT_EQ(begun_, std::vector<Instant>{Instant(std::chrono::hours(1)) + kFrameTime});
   EXPECT_NEAR(heard_jaw(), 0.49, 1e-6);
   EXPECT_EQ(heard_jaw(), ahead_jaw());
   EXPECT_EQ(player_.heard_place(), playback_->passing()->place);
