@@ -17,7 +17,6 @@ constexpr int kSizeMax = 8192;
 constexpr double kSecondsMax = 86'400;
 
 /// Sets that there is room for when the buffer is measured by time.
-constexpr std::size_t kBufferSetsByTime = 2000;
 
 template <typename Number>
 bool read_whole(std::string_view text, Number low, Number high, Number& out) {
@@ -116,7 +115,7 @@ Complaint read_buffer(const std::string& word, playback::BufferOptions& buffers)
   if (word != "auto" && !timed) {
     return "is neither auto, nor a time of 0ms to 60000ms, nor 1 to 10000 sets";
   }
-  buffers.receiver_capacity = kBufferSetsByTime;
+  buffers.receiver_capacity = playback::buffers_by_time().receiver_capacity;
   buffers.by_time = true;
   if (timed) {
     buffers.live_delay = Milliseconds(time_ms);

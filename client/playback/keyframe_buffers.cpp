@@ -63,13 +63,16 @@ bool KeyframeBuffers::enough() const {
 void KeyframeBuffers::store_live(const TimedAus& keyframe) {
   keyframes_.push_back(keyframe);
   drop_oldest();
-  if (starved_ && !enough()) return;
+  // A full receiver takes nothing more, so that waiting on would never end.
+  if (starved_ && room() > 0 && !enough()) return;
   if (!has_next()) fill_playout();
 }
 
 void KeyframeBuffers::drop_oldest() {
+  // The receiver's oldest follows into the Playout buffer: one is lost, whatever that holds.
   const auto drop_one = [this] {
-    pop_front();
+    keyframes_.pop_front();
+    playout_ = std::min(playout_, keyframes_.size());
     ++dropped_;
   };
   while (receiver_fill() > options_.receiver_capacity) drop_one();

@@ -22,6 +22,16 @@ struct BufferOptions {
                                         ///< and is reached at its own TimedAus::due
 };
 
+/// Buffers of a player that waits for what the link needs (--buffer auto, the page): sets for the
+/// 60 s of the longest delay at 30 a second.
+[[nodiscard]] constexpr BufferOptions buffers_by_time() {
+  BufferOptions options;
+  options.receiver_capacity = 2000;
+  options.by_time = true;
+  options.adapt = true;
+  return options;
+}
+
 /// What has to be in the Receiver buffer before the Playout buffer is filled, in sets: the
 /// threshold's share of it, rounded up.
 [[nodiscard]] constexpr std::size_t threshold_of(const BufferOptions& options) {
@@ -35,17 +45,17 @@ struct BufferOptions {
 /// controller's refill tells the reader that there is room. Invariant: sizes never exceed the
 /// capacities; nothing is duplicated or reordered, and nothing of a recorded stream is lost.
 /// A live stream is buffered by time: playing starts when two keyframes and `live_delay` are there,
-/// first and after a stall. A keyframe is played in 95 % of its time when, without it, more than
-/// `live_delay` and that time is buffered; with `adapt` in 105 % when less than `live_delay` minus
-/// twice that time is. The oldest keyframes are dropped whenever the receiver overflows and, while
-/// playback is waiting, also once more than `live_delay` + kLiveLagMax is buffered (then down to
-/// `live_delay`). store() always takes a live keyframe: there is no case A.
-/// With `low_delay` playing starts with one keyframe, and pace_percent stays 100. While playback is
-/// waiting, the oldest are dropped once kStandingLagMax more is buffered than the time from the
-/// newest one's arrival until it is due, or its own time if it has no due time (then down to that).
-/// With `by_time` a recorded stream waits for two keyframes and `live_delay` as well; with `adapt`
-/// each stall doubles `live_delay`, up to 10 s.
-/// Thread: none of its own; the owner guards it.
+/// or the receiver is full, first and after a stall. A keyframe is played in 95 % of its time when,
+/// without it, more than `live_delay` and that time is buffered; with `adapt` in 105 % when less
+/// than `live_delay` minus twice that time is. The oldest keyframe is dropped for each that
+/// overflows the receiver and, while playback is waiting, as many as need be once more than
+/// `live_delay` + kLiveLagMax is buffered (then down to `live_delay`). store() always takes a live
+/// keyframe: there is no case A. With `low_delay` playing starts with one keyframe, and
+/// pace_percent stays 100. While playback is waiting, the oldest are dropped once kStandingLagMax
+/// more is buffered than the time from the newest one's arrival until it is due, or its own time if
+/// it has no due time (then down to that). With `by_time` a recorded stream waits for two keyframes
+/// and `live_delay` as well; with `adapt` each stall doubles `live_delay`, up to 10 s. Thread: none
+/// of its own; the owner guards it.
 class KeyframeBuffers {
  public:
   /// The options must be in their ranges.

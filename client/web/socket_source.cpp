@@ -16,8 +16,7 @@ net::AuReaderOptions reader_options(std::string server, std::string stream, std:
   options.voice = voice;
   options.captions = true;
   options.reconnect = true;
-  options.buffers.by_time = true;
-  options.buffers.adapt = true;
+  options.buffers = playback::buffers_by_time();
   return options;
 }
 

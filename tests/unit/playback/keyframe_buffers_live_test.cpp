@@ -220,8 +220,48 @@ TEST_F(LiveBuffers, NeverHoldMoreThanTheReceiver) {
   buffers_ = KeyframeBuffers(BufferOptions{3, 1, 100});
   buffers_.set_live(0ms);
   for (int mark = 1; mark <= 100; ++mark) store(mark);
-  EXPECT_EQ(buffers_.receiver_fill() + buffers_.playout_fill(), 3U);
-  EXPECT_EQ(buffers_.dropped(), 97U);
+  EXPECT_EQ(buffers_.receiver_fill(), 3U);
+  EXPECT_EQ(buffers_.playout_fill(), 1U);
+  EXPECT_EQ(buffers_.dropped(), 96U);
+}
+
+TEST_F(LiveBuffers, BeginWhenTheReceiverIsFullHoweverLongTheDelay) {
+  buffers_ = KeyframeBuffers(BufferOptions{100, 30, 40, 10s});
+  buffers_.set_live(33ms);
+  for (int mark = 1; mark <= 99; ++mark) store(mark);
+  EXPECT_FALSE(buffers_.has_next()) << "3.3 of 10 s, and there is room";
+  store(100);
+  EXPECT_EQ(take(), 1);
+  for (int mark = 2; mark <= 100; ++mark) EXPECT_EQ(take(), mark);
+  EXPECT_EQ(take(), 0);
+  for (int mark = 101; mark <= 300; ++mark) store(mark);
+  EXPECT_NE(take(), 0) << "after a stall too";
+}
+
+TEST(TimedBuffers, HoldTheLongestAdaptedDelayOfAPicturesRate) {
+  KeyframeBuffers buffers(buffers_by_time());
+  buffers.set_live(33ms);
+  buffers.set_delay(10s);
+  int stored = 0;
+  while (!buffers.has_next()) {
+    ASSERT_LT(stored, 1000);
+    EXPECT_EQ(buffers.store(keyframe_of(++stored)), KeyframeBuffers::Stored::Yes);
+  }
+  EXPECT_GE(buffers.buffered(), 10s);
+  EXPECT_EQ(buffers.dropped(), 0U);
+}
+
+TEST_F(LiveBuffers, DropOneForEachThatOverflows) {
+  buffers_ = KeyframeBuffers(BufferOptions{10, 5, 100});
+  buffers_.set_live(100ms);
+  for (int mark = 1; mark <= 13; ++mark) store(mark);
+  EXPECT_EQ(buffers_.dropped(), 0U);
+  EXPECT_EQ(buffers_.playout_fill(), 3U);
+  store(14);
+  EXPECT_EQ(buffers_.dropped(), 1U);
+  EXPECT_EQ(buffers_.playout_fill(), 3U);
+  EXPECT_EQ(buffers_.receiver_fill(), 10U);
+  EXPECT_EQ(take(), 2);
 }
 
 TEST_F(LiveBuffers, GoBackToTheThresholdWhenRecorded) {
