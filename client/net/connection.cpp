@@ -65,6 +65,7 @@ void Connection::on_closed(const link::Ending& ending) {
   } else if (!open_) {
     fail(ending.reason + (ending.why == Why::NotMade ? "" : "; does it speak TLS?"), false);
   } else {
+    link_over_ = true;
     lose(ending.reason);
   }
 }
@@ -76,7 +77,7 @@ void Connection::speak(Instant now) {
 
 void Connection::leave() {
   if (over_ || leaving_) return;
-  if (!open_) {
+  if (!open_ || link_over_) {
     drop_link();
     over_ = true;
     owner_.over();
@@ -125,6 +126,7 @@ void Connection::send(std::string_view words) {
 
 void Connection::drop_link() {
   open_ = false;
+  link_over_ = false;
   peer_ended_ = false;
   if (link_) link_->close();
   link_.reset();

@@ -88,6 +88,7 @@ class Connection final : public link::LinkUser {
   const Owner owner_;
   std::shared_ptr<link::Link> link_;  ///< nothing: none is there
   bool open_ = false;
+  bool link_over_ = false;   ///< it closed by itself; what it brought may still wait for room
   bool peer_ended_ = false;  ///< and the reader has not been told yet
   std::string broke_;        ///< why it did; empty: the peer shut its side
   bool leaving_ = false;

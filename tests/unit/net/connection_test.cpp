@@ -160,6 +160,17 @@ TEST_F(PlayerConnection, LeavingSaysGoodbyeAndDrains) {
   EXPECT_TRUE(over_);
 }
 
+TEST_F(PlayerConnection, LeavingALostLinkWhoseBytesStillWaitEndsAtOnce) {
+  begin();
+  ask("{hello v=2 window=1}");
+  ask("{1}{2}{3}{4}{5}{6}");
+  EXPECT_FALSE(link_->reading());
+  link_->end({Ending::Why::Lost, "reset"});
+  EXPECT_FALSE(over_) << "what came before waits for room";
+  connection_->leave();
+  EXPECT_TRUE(over_) << "a closed link tells of no end";
+}
+
 TEST_F(PlayerConnection, LeavingWhileNoLinkIsThereEndsAtOnce) {
   AuReaderOptions options;
   options.reconnect = true;
