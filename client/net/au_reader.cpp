@@ -279,7 +279,10 @@ void AuReader::handle(const protocol::DeliverVoice& event, Reaction& reaction) {
 
 void AuReader::handle(const protocol::DeliverCaption& event, Reaction& reaction) {
   reaction.changed = true;
-  if (captions_.size() == kCaptionsMax) return;
+  if (captions_.size() == kCaptionsMax) {
+    ++status_.captions_left_out;
+    return;
+  }
   captions_.push_back({Milliseconds(event.caption.place_ms) + clock_shift_, event.caption.text});
 }
 

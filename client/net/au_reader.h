@@ -96,7 +96,7 @@ class AuReader {
   /// Bytes of voice that wait to be taken; what comes on top is left out. At 24 kbit/s an hour.
   static constexpr std::size_t kVoiceQueueBytesMax = std::size_t{11} << 20U;
   [[nodiscard]] std::optional<playback::Caption> take_caption();
-  /// Captions that wait to be taken; what comes on top is left out.
+  /// Captions that wait to be taken; what comes on top is left out and counted.
   static constexpr std::size_t kCaptionsMax = 10'000;
   /// True when take() would return a keyframe, or no more will ever come.
   [[nodiscard]] bool ready() const;

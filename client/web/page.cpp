@@ -135,7 +135,7 @@ void Page::show_what_is_heard() {
     begun_.push_back(std::move(ahead_.front().line));
   }
   if (!playback_) return;
-  while (auto caption = playback_->take_caption()) captions_.add(std::move(*caption));
+  captions_.take_from(*playback_);
   if (const auto place = player_.heard_place()) captions_.move_to(*place);
 }
 

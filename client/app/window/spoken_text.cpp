@@ -30,7 +30,7 @@ Result<void> SpokenText::read_beside(const std::filesystem::path& file) {
 }
 
 void SpokenText::move_to(playback::Playback& playback, Duration place) {
-  while (auto caption = playback.take_caption()) line_.add(std::move(*caption));
+  line_.take_from(playback);
   if (playback.seekable() == nullptr) {
     title_ = playback.status().title;
     static_cast<void>(line_.move_to(place));

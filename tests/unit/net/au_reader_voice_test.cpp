@@ -131,6 +131,7 @@ TEST_F(ReaderVoice, CaptionsThatNobodyTakesHaveALimit) {
   std::size_t taken = 0;
   while (reader_.take_caption()) ++taken;
   EXPECT_EQ(taken, AuReader::kCaptionsMax);
+  EXPECT_EQ(reader_.status().captions_left_out, 1U);
 }
 
 TEST_F(ReaderVoice, WhatNobodyTakesHasALimit) {

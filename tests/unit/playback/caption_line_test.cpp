@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "client/playback/playback.h"
+#include "tests/unit/playback/scripted_source.h"
+
 namespace aucast::playback {
 namespace {
 
@@ -29,6 +32,26 @@ TEST(CaptionLine, WhatIsPassedAtOnceIsNotSaid) {
   for (const char* text : {"one", "two", "three"}) line.add({1000ms, text});
   line.move_to(1000ms);
   EXPECT_EQ(line.text(), "three");
+}
+
+TEST(CaptionLine, TakesNoMoreThanMayWaitAndGoesOnWhenSomeArePassed) {
+  auto owned = std::make_unique<test::ScriptedSource>();
+  test::ScriptedSource& source = *owned;
+  SourcePlayback playback(std::move(owned), {});
+  for (std::size_t i = 0; i < CaptionLine::kWaitingMax + 5; ++i) {
+    source.captions.push_back({Milliseconds(i), std::to_string(i)});
+  }
+  CaptionLine line;
+  line.take_from(playback);
+  EXPECT_TRUE(line.full());
+  EXPECT_EQ(source.captions.size(), 5U) << "the rest waits in the source, whose bound it has";
+  line.move_to(2ms);
+  line.take_from(playback);
+  EXPECT_EQ(source.captions.size(), 2U);
+  line.move_to(1h);
+  line.take_from(playback);
+  line.move_to(1h);
+  EXPECT_EQ(line.text(), std::to_string(CaptionLine::kWaitingMax + 4));
 }
 
 TEST(CaptionLine, StaysWhenPlacesGoBack) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <utility>
 
 #include "client/playback/keyframe_source.h"
 
@@ -16,6 +17,13 @@ class ScriptedSource final : public KeyframeSource {
     if (keyframes.empty()) return std::nullopt;
     const TimedAus next = keyframes.front();
     keyframes.pop_front();
+    return next;
+  }
+  std::deque<Caption> captions;
+  [[nodiscard]] std::optional<Caption> take_caption() override {
+    if (captions.empty()) return std::nullopt;
+    Caption next = std::move(captions.front());
+    captions.pop_front();
     return next;
   }
   [[nodiscard]] bool ready() const override {
