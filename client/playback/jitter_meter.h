@@ -17,7 +17,7 @@ class JitterMeter {
 
   /// A keyframe of `time` has come at `now`; the moments must not go back.
   void arrived(Instant now, Milliseconds time);
-  /// The spread; nothing until two have come.
+  /// The spread; nothing until one has come, and 0 of one alone.
   [[nodiscard]] std::optional<Duration> spread() const;
   /// Another connection: what is known of the link stays, the place in the stream does not.
   void begin_again();

@@ -211,13 +211,15 @@ std::optional<Passing> PlaybackController::passing() const {
   if (state_ == PlaybackState::Ended) {
     return Passing{reached + (looked_at_ - last_position_at_), 1};
   }
-  if (state_ != PlaybackState::Playing) return Passing{reached, 0};
+  const bool plays = state_ == PlaybackState::Playing;
+  if ((!plays && !stood_at_) || takes_ == Duration::zero()) return Passing{reached, 0};
   const Duration own = span_;
-  if (takes_ == Duration::zero()) return Passing{reached, 0};
-  if (takes_ == own) return Passing{reached - own + (looked_at_ - keyframe_begin_), 1};
+  const Duration since = plays ? looked_at_ - keyframe_begin_
+                               : std::clamp(*stood_at_ - keyframe_begin_, Duration::zero(), takes_);
+  if (takes_ == own) return Passing{reached - own + since, plays ? 1.0 : 0.0};
   const double speed = static_cast<double>(own.count()) / static_cast<double>(takes_.count());
-  const double passed = static_cast<double>((looked_at_ - keyframe_begin_).count()) * speed;
-  return Passing{reached - own + Duration(std::llround(passed)), speed};
+  const auto passed = Duration(std::llround(static_cast<double>(since.count()) * speed));
+  return Passing{reached - own + passed, plays ? speed : 0};
 }
 
 std::optional<Instant> PlaybackController::next_position_at() const {
@@ -231,15 +233,23 @@ std::optional<Instant> PlaybackController::next_position_at() const {
 
 void PlaybackController::pause(Instant now) {
   if (state_ == PlaybackState::Paused || over()) return;
-  if (state_ == PlaybackState::Playing) move_to(now);
+  stand(now);
   paused_from_ = state_;
   paused_since_ = now;
   state_ = PlaybackState::Paused;
 }
 
+/// In the middle of the keyframe that is played, if one is.
+void PlaybackController::stand(Instant now) {
+  if (state_ != PlaybackState::Playing) return;
+  move_to(now);
+  stood_at_ = now;
+}
+
 void PlaybackController::resume(Instant now) {
   if (state_ != PlaybackState::Paused) return;
   state_ = paused_from_;
+  stood_at_.reset();
   // Shifting the begin by the pause keeps the fraction; what was reached before stays reached.
   keyframe_begin_ += now - paused_since_;
   stalled_since_ += now - paused_since_;
@@ -249,7 +259,7 @@ void PlaybackController::resume(Instant now) {
 
 void PlaybackController::stop(Instant now) {
   if (over()) return;
-  if (state_ == PlaybackState::Playing) move_to(now);
+  stand(now);
   const PlaybackState at = state_ == PlaybackState::Paused ? paused_from_ : state_;
   if (at == PlaybackState::Playing && progress_.position == kPositionsPerKeyframe)
     finish_keyframe(now);

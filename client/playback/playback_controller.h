@@ -116,6 +116,7 @@ class PlaybackController {
  private:
   /// Sets progress_ and last_position_at_ for `now`, inside the current keyframe.
   void move_to(Instant now);
+  void stand(Instant now);
   /// The next keyframe, beginning at `begin`; or the state that its absence means.
   [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant begin, Instant now,
                                                         KeyframeSource& source);
@@ -150,6 +151,7 @@ class PlaybackController {
   bool eased_ = false;
   Instant ease_begin_{};
   Instant paused_since_{};
+  std::optional<Instant> stood_at_;  ///< since when a keyframe stands half played, if one does
   PlaybackState paused_from_ = PlaybackState::Buffering;
   std::uint64_t keyframes_played_ = 0;
   std::uint64_t stalls_ = 0;

@@ -60,12 +60,33 @@ TEST_F(PassingTest, RunsAndStandsWithTheFace) {
   EXPECT_EQ(after(0ms).speed, 1);
   playback_->pause(clock_.now());
   EXPECT_EQ(after(500ms).speed, 0);
+  EXPECT_EQ(after(0ms).place, 1130ms) << "where the face stands";
   playback_->resume(clock_.now());
   EXPECT_EQ(after(20ms).place, 1150ms);
   EXPECT_EQ(after(100ms).place, 1200ms) << "a stall";
   EXPECT_EQ(after(100ms).speed, 0);
   keyframe(2000ms);
   EXPECT_EQ(after(10ms).place, 1900ms) << "what was left out is leapt over";
+}
+
+TEST_F(PassingTest, StandsWhereThePlayerWasStopped) {
+  keyframe(200ms, 200ms);
+  source_->keyframes.back().span = 100ms;
+  (void)after(0ms);
+  (void)after(50ms);
+  playback_->stop(clock_.now());
+  EXPECT_EQ(after(500ms).place, 125ms);
+  EXPECT_EQ(after(0ms).speed, 0);
+}
+
+TEST_F(PassingTest, StandsWhereThePlayerWasStoppedWhilePaused) {
+  keyframe(200ms, 200ms);
+  (void)after(0ms);
+  (void)after(50ms);
+  playback_->pause(clock_.now());
+  (void)after(50ms);
+  playback_->stop(clock_.now());
+  EXPECT_EQ(after(500ms).place, 50ms);
 }
 
 TEST_F(PassingTest, GoesOnAfterTheEnd) {
