@@ -53,7 +53,7 @@ LiveReader::LiveReader(std::string file, LiveOptions options, LoadCurves load_cu
       load_curves_(std::move(load_curves)),
       splitter_(kCsvLineBytesMax),
       timeline_(options_.rate, options_.conditioning),
-      clock_(options_.recording.fps),
+      clock_(options_.recording.fps, kRefusalsMax),
       face_(options_.recording.face) {}
 
 LiveReader::~LiveReader() = default;
@@ -274,6 +274,11 @@ bool LiveReader::take_row(double now) {
     return false;
   }
   if (sure) settle_scale();
+  if (table_->clocked && clock_.was_set()) {
+    timeline_.restart();
+    say_of_run(true, at_place(file_, table_->csv.line(), 0,
+                              "the source's clock was set; it goes on from here"));
+  }
   arrived_ = now;
   silent_since_ = now;
   timeline_.add(*moment, update_of(table_->row, table_->scale, sure));

@@ -37,12 +37,15 @@ struct LiveMessage {
 /// Nothing that comes in ends it. A line that is not understood is left out and said, the first
 /// kSaidMax of a run of them, which kRunEnds good lines in a row end; a line without its end waits
 /// for the rest; a header in the middle (the same, or of another format) begins a new table whose
-/// clock goes on from the last moment. Rows without a clock (Py-Feat without --fps) and lines
-/// without a time take the time since the one before.
+/// clock goes on from the last moment, as it does when kRefusalsMax rows in a row are none later
+/// than the last moment, but each later than the one before: a clock that was set, or one wrong
+/// time. Rows without a clock (Py-Feat without --fps) and lines without a time take the time since
+/// the one before.
 class LiveReader {
  public:
   static constexpr std::size_t kSaidMax = 20;
   static constexpr std::size_t kRunEnds = 100;
+  static constexpr std::size_t kRefusalsMax = 10;
 
   /// `file`: what messages call it. `load_curves` is called when ARKit's curves are met.
   LiveReader(std::string file, LiveOptions options, LoadCurves load_curves);

@@ -62,7 +62,8 @@ void LiveTimeline::change(const ConditioningSettings& settings) {
 
 void LiveTimeline::emit(const AuFrame& frame, double seconds) {
   const std::int64_t place = whole_milliseconds(place_);
-  if (place <= emitted_ms_) return;
+  // A line of 0 ms is a jump.
+  if (place < emitted_ms_ || (place == emitted_ms_ && !verbatim_)) return;
   protocol::Keyframe keyframe;
   keyframe.terms = canonical_terms(verbatim_ ? frame : dead_band_.settle(frame));
   keyframe.duration_ms = static_cast<std::uint32_t>(place - emitted_ms_);

@@ -53,7 +53,14 @@ std::int64_t FaceNames::of(const Observation& row) {
   return ordinal_;
 }
 
+bool SourceClock::was_set_back(double seconds, FaceMoments& face) const {
+  face.refusals = face.refused && seconds > *face.refused ? face.refusals + 1 : 1;
+  face.refused = seconds;
+  return refusals_max_ > 1 && face.refusals >= refusals_max_;
+}
+
 std::optional<double> SourceClock::moment(const Observation& row, FaceMoments& face) {
+  was_set_ = false;
   const double ordinal = face.rows++;
   std::optional<double> now = row.seconds;
   if (fps_) now = row.frame.value_or(ordinal) / *fps_;
@@ -62,8 +69,14 @@ std::optional<double> SourceClock::moment(const Observation& row, FaceMoments& f
   double seconds = *now - *begin_;
   const bool again = std::exchange(restarted_, false);
   if (latest_ && again && seconds + shift_ <= *latest_) shift_ = *latest_ + step_ - seconds;
+  if (face.last && seconds + shift_ <= *face.last) {
+    const auto before = face.refused;
+    if (!was_set_back(seconds, face)) return std::nullopt;
+    shift_ = *latest_ - *before;
+    was_set_ = true;
+  }
   seconds += shift_;
-  if (face.last && seconds <= *face.last) return std::nullopt;
+  face.refused.reset();
   if (face.last) step_ = seconds - *face.last;
   face.last = seconds;
   latest_ = std::max(latest_.value_or(seconds), seconds);

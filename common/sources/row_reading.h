@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -36,13 +37,19 @@ class FaceNames {
 struct FaceMoments {
   std::optional<double> last;
   double rows = 0;
+  std::optional<double> refused;  ///< the last row's time, if it was not later than `last`
+  std::size_t refusals = 0;       ///< of a run whose times ascend
 };
 
 /// Moments from the first row on, by the source's own clock or by the pictures' numbers. Faces of
 /// one source share it, so that what they did together stays together.
 class SourceClock {
  public:
-  explicit SourceClock(std::optional<double> fps) : fps_(fps) {}
+  /// `refusals_max`: after so many rows of a face that are not later than its last, but ascend
+  /// among themselves, the clock was set back, or one time was wrong: it goes on from there. 0:
+  /// never.
+  explicit SourceClock(std::optional<double> fps, std::size_t refusals_max = 0)
+      : fps_(fps), refusals_max_(refusals_max) {}
 
   /// Another recording was appended: if its clock starts again, it follows one step later.
   void restart() { restarted_ = true; }
@@ -51,15 +58,21 @@ class SourceClock {
   std::optional<double> moment(const Observation& row, FaceMoments& face);
   /// Of a source of whose faces only one is read.
   std::optional<double> moment(const Observation& row) { return moment(row, only_); }
+  /// Whether the last moment was the first after the clock was set back.
+  [[nodiscard]] bool was_set() const { return was_set_; }
 
  private:
+  [[nodiscard]] bool was_set_back(double seconds, FaceMoments& face) const;
+
   std::optional<double> fps_;
+  std::size_t refusals_max_;
   std::optional<double> begin_;
   std::optional<double> latest_;  ///< of all faces
   FaceMoments only_;
   double shift_ = 0;
   double step_ = 0.04;
   bool restarted_ = false;
+  bool was_set_ = false;
 };
 
 }  // namespace aucast::sources

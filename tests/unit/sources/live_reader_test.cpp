@@ -208,6 +208,51 @@ TEST_F(LiveReaderTest, RowsThatAreNotLaterAreLeftOut) {
   EXPECT_NE(messages().find("face.csv:3: the row's time is not later"), std::string::npos);
 }
 
+TEST_F(LiveReaderTest, OneTimeFarAheadSilencesNobodyForLong) {
+  start();
+  static_cast<void>(fed(kOpenFace2Header + smile(1, "0.000", "1") + smile(2, "0.040", "1")));
+  static_cast<void>(fed(smile(3, "1000000.000", "2")));
+  int frame = 4;
+  const auto row = [&frame] {
+    const std::string seconds = std::to_string(0.04 * frame);
+    return smile(frame++, seconds, "3");
+  };
+  for (std::size_t i = 1; i < LiveReader::kRefusalsMax; ++i) EXPECT_EQ(fed(row()), Texts{}) << i;
+  static_cast<void>(messages());
+  EXPECT_EQ(fed(row()), Texts{"{12:60;40}"});
+  EXPECT_NE(messages().find("the source's clock was set; it goes on from here"), std::string::npos);
+  EXPECT_EQ(fed(row()), Texts{"{12:60;40}"});
+  EXPECT_EQ(messages(), "");
+}
+
+TEST_F(LiveReaderTest, AClockThatIsSetBackGoesOn) {
+  start();
+  static_cast<void>(fed(kOpenFace2Header + smile(1, "7200.000", "1") + smile(2, "7200.040", "1")));
+  std::size_t shown = 0;
+  for (int frame = 3; frame < 43; ++frame) {
+    reader_->feed(smile(frame, std::to_string(3600 + 0.04 * frame), "2"), 0.04 * frame);
+    for (const LiveKeyframe& keyframe : reader_->take_keyframes()) {
+      EXPECT_EQ(keyframe.begins, shown == 0);
+      ++shown;
+    }
+  }
+  EXPECT_EQ(shown, 41 - LiveReader::kRefusalsMax);
+}
+
+TEST_F(LiveReaderTest, OldRowsInAnyOrderSetNoClock) {
+  start();
+  static_cast<void>(fed(kOpenFace2Header + smile(1, "0.000", "1") + smile(2, "10.000", "1")));
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(fed(smile(3, i % 5 == 0 ? "4.000" : "5." + std::to_string(i % 5), "2")), Texts{});
+  }
+  EXPECT_EQ(fed(smile(4, "10.040", "1")), Texts{"{12:20;40}"});
+}
+
+TEST_F(LiveReaderTest, ALineWithoutDurationIsAJump) {
+  start();
+  EXPECT_EQ(fed("1;100\n6+12;0\n4;200\n"), (Texts{"{1;100}", "{6,12;0}", "{4;200}"}));
+}
+
 TEST_F(LiveReaderTest, TheScaleGrowsWhenTheValuesSaySo) {
   start();
   static_cast<void>(fed(tables::kFacsvatar));
