@@ -253,7 +253,7 @@ AlignmentPath align(const Cepstrum& a, const Cepstrum& b) {
 Speech carried_over(const Speech& spoken, std::vector<float> recording, int rate) {
   const AlignmentPath path =
       align(cepstrum_of(spoken.samples, spoken.rate), cepstrum_of(recording, rate));
-  const auto carried = [&path](Milliseconds time) {
+  const auto moved = [&path](Milliseconds time) {
     const auto hop = Cepstrum::kHop;
     const auto frame = static_cast<std::size_t>(time / hop);
     // Where one frame belongs to several the middle one is the likeliest.
@@ -267,15 +267,22 @@ Speech carried_over(const Speech& spoken, std::vector<float> recording, int rate
   Speech speech;
   speech.rate = rate;
   speech.samples = std::move(recording);
+  // None before the one that comes before it, and none after the end.
+  const auto carried = [&moved, length = speech.length()](Milliseconds time, Milliseconds& last) {
+    return last = std::max(last, std::min(moved(time), length));
+  };
   Milliseconds last{0};
   for (const Phoneme& phoneme : spoken.phonemes) {
-    last = std::max(last, carried(phoneme.begin));
-    speech.phonemes.push_back({phoneme.ipa, last});
+    speech.phonemes.push_back({phoneme.ipa, carried(phoneme.begin, last)});
   }
+  last = Milliseconds::zero();
   for (const Word& word : spoken.words) {
-    speech.words.push_back({carried(word.begin), word.at, word.length});
+    speech.words.push_back({carried(word.begin, last), word.at, word.length});
   }
-  for (const Milliseconds end : spoken.sentence_ends) speech.sentence_ends.push_back(carried(end));
+  last = Milliseconds::zero();
+  for (const Milliseconds end : spoken.sentence_ends) {
+    speech.sentence_ends.push_back(carried(end, last));
+  }
   return speech;
 }
 

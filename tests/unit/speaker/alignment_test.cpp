@@ -46,6 +46,34 @@ TEST(CarriedOver, FindsTheSoundsOfASlowerVoiceAtAnotherRate) {
   }
 }
 
+TEST(CarriedOver, SkippedWordsKeepTheirOrder) {
+  const std::vector<int> hertz{200, 900, 400, 1500, 300, 700, 1200, 250};
+  const std::vector<int> ms{200, 250, 150, 300, 200, 180, 260, 300};
+  Speech spoken;
+  spoken.samples = tones(hertz, ms, spoken.rate);
+  for (int at = 0; at < spoken.length().count(); at += 7) {
+    const auto order = spoken.words.size();
+    spoken.words.push_back({Milliseconds(at), 2 * order, 1});
+    spoken.sentence_ends.emplace_back(at);
+  }
+  // The reader leaves out the middle.
+  const Speech read = carried_over(spoken, tones({200, 250}, {200, 300}, 16000), 16000);
+  ASSERT_EQ(read.words.size(), spoken.words.size());
+  for (std::size_t i = 1; i < read.words.size(); ++i) {
+    EXPECT_GE(read.words[i].begin, read.words[i - 1].begin) << i;
+    EXPECT_GE(read.sentence_ends[i], read.sentence_ends[i - 1]) << i;
+  }
+  EXPECT_LE(read.words.back().begin, read.length());
+}
+
+TEST(CarriedOver, NothingIsLaterThanARecordingThatIsTooShort) {
+  Speech spoken;
+  spoken.samples.resize(22050);
+  spoken.words = {{Milliseconds(0), 0, 1}, {Milliseconds(900), 2, 1}};
+  const Speech read = carried_over(spoken, std::vector<float>(160), 16000);
+  EXPECT_EQ(read.words.back().begin, read.length());
+}
+
 TEST(Align, ASoundWithItselfIsTheDiagonal) {
   const auto sound = cepstrum_of(tones({200, 900, 400}, {300, 300, 300}, 16000), 16000);
   for (const auto& [a, b] : align(sound, sound)) EXPECT_EQ(a, b);
