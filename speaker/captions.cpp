@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 namespace aucast::speaker {
 namespace {
@@ -9,16 +11,24 @@ namespace {
 constexpr std::size_t kLineMax = 42;
 constexpr std::size_t kCaptionMax = 2 * kLineMax;
 constexpr Milliseconds kGapMax{900};
+constexpr std::string_view kBlanks = " \t\r\n";
 
 /// The word as it is written, with the marks that follow it.
-std::string written(const Script& script, const std::vector<Word>& words, std::size_t i) {
+std::string written(const Characters& script, const std::vector<Word>& words, std::size_t i) {
   const std::size_t from = words[i].at;
-  std::size_t to = from + words[i].length;
-  const std::size_t next = i + 1 < words.size() ? words[i + 1].at : characters(script.text);
-  to = std::max(to, next);
-  std::string text(part(script.text, from, to - from));
-  const std::size_t end = text.find_last_not_of(" \n\t");
-  text.resize(end == std::string::npos ? 0 : end + 1);
+  const std::size_t next = i + 1 < words.size() ? words[i + 1].at : script.count();
+  const std::size_t to = std::max(from + words[i].length, next);
+  // An empty line would end a caption.
+  std::string text;
+  bool blank = false;
+  for (const char c : script.part(from, to - from)) {
+    if (kBlanks.find(c) != std::string_view::npos) {
+      blank = !text.empty();
+      continue;
+    }
+    if (std::exchange(blank, false)) text += ' ';
+    text += c;
+  }
   return text;
 }
 
@@ -48,15 +58,33 @@ std::string clock(Milliseconds time) {
   return text;
 }
 
+/// A text that WebVTT would read as markup, or as the times of the next caption, as it is.
+std::string escaped_for_webvtt(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<Caption> captions_of(const Speech& speech, const Script& script) {
+  const Characters characters_of_script(script.text);
   std::vector<Caption> captions;
   bool fresh = true;
   for (std::size_t i = 0; i < speech.words.size(); ++i) {
     const Word& word = speech.words[i];
     if (word.length == 0) continue;
-    const std::string text = written(script, speech.words, i);
+    const std::string text = written(characters_of_script, speech.words, i);
     if (text.empty()) continue;
     const bool gap = !captions.empty() && word.begin - captions.back().end > kGapMax;
     const bool full =
@@ -78,7 +106,8 @@ std::vector<Caption> captions_of(const Speech& speech, const Script& script) {
 std::string format_webvtt(const std::vector<Caption>& captions) {
   std::string file = "WEBVTT\n";
   for (const Caption& caption : captions) {
-    file += "\n" + clock(caption.begin) + " --> " + clock(caption.end) + "\n" + caption.text + "\n";
+    file += "\n" + clock(caption.begin) + " --> " + clock(caption.end) + "\n" +
+            escaped_for_webvtt(caption.text) + "\n";
   }
   return file;
 }

@@ -126,20 +126,21 @@ void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
 }
 
 /// The mark that ends the sentence in which `word` stands.
-char sentence_mark(const Script& script, const Word& word) {
-  const std::string_view rest = part(script.text, word.at, script.text.size());
+char sentence_mark(const Characters& script, const Word& word) {
+  const std::string_view rest = script.part(word.at, script.count());
   const std::size_t at = rest.find_first_of(".?!\n");
   return at == std::string_view::npos ? '.' : rest[at];
 }
 
 void end_sentences(const Speech& speech, const Script& script, const GestureOptions& options,
                    Dice& dice, Curves& curves) {
+  const Characters characters_of_script(script.text);
   std::size_t next = 0;
   for (const Milliseconds end : speech.sentence_ends) {
     while (next < speech.words.size() && speech.words[next].begin < end) ++next;
     if (next == 0) continue;
     const Word& last = speech.words[next - 1];
-    if (sentence_mark(script, last) == '?') {
+    if (sentence_mark(characters_of_script, last) == '?') {
       const Beat beat{last.begin - Milliseconds(150), Milliseconds(250), Milliseconds(450),
                       Milliseconds(500)};
       const float brows = dice.between(0.4F, 0.6F) * options.amount;

@@ -20,8 +20,11 @@ const std::set<int> kLipsOnly{18, 19, 22, 25, 26, 27, 28, 32};
 
 /// AUs of a cue at full strength.
 std::optional<std::vector<AuTerm>> named(std::string_view name, const Expressions& expressions) {
-  if (const auto found = expressions.find(name); found != expressions.end()) return found->second;
-  if (name == "smile") return std::vector<AuTerm>{{6, Side::Both, 50}, {12, Side::Both, 70}};
+  const std::string word = lowered(name);
+  const auto same = std::find_if(expressions.begin(), expressions.end(),
+                                 [&](const auto& one) { return lowered(one.first) == word; });
+  if (same != expressions.end()) return same->second;
+  if (word == "smile") return std::vector<AuTerm>{{6, Side::Both, 50}, {12, Side::Both, 70}};
   protocol::Keyframe keyframe;
   const bool is_aus = !protocol::parse_stream_line(name, keyframe) && !keyframe.duration_ms;
   if (!is_aus) return std::nullopt;
@@ -76,7 +79,7 @@ void follow_cues(const Speech& speech, const Script& script, const Expressions& 
   for (std::size_t i = 0; i < script.cues.size(); ++i) {
     const Cue& cue = script.cues[i];
     const auto paragraph = std::upper_bound(script.ends.begin(), script.ends.end(), cue.at);
-    std::size_t end = paragraph != script.ends.end() ? *paragraph : script.text.size();
+    std::size_t end = paragraph != script.ends.end() ? *paragraph : characters(script.text);
     if (i + 1 < script.cues.size()) end = std::min(end, script.cues[i + 1].at);
     const auto from = heard_at(speech, cue.at);
     const auto terms = meaning(cue, expressions);
@@ -141,7 +144,8 @@ Result<void> check_cues(const Script& script, const Expressions& expressions,
     std::vector<std::string> known{"smile"};
     for (const auto& [name, terms] : expressions) known.push_back(name);
     std::string text = "[" + escaped(cue.name) + "] is no expression";
-    if (const auto near = nearest(cue.name, known)) text += "; did you mean [" + *near + "]?";
+    if (const auto near = nearest(lowered(cue.name), known))
+      text += "; did you mean [" + *near + "]?";
     return Error{ErrorKind::BadData, at_place(file, cue.line, cue.column, text)};
   }
   return {};

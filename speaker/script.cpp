@@ -73,7 +73,7 @@ class Reader {
                      at_place(file_, line_, column_, "a [ without its ] on the same line")};
       }
       const std::string_view name = trimmed(line.substr(open + 1, close - open - 1), kBlanks);
-      script_.cues.push_back({lowered(name), characters(script_.text), line_, column_});
+      script_.cues.push_back({std::string(name), characters_so_far(), line_, column_});
       column_ += close - open + 1;
       line.remove_prefix(close + 1);
     }
@@ -90,13 +90,23 @@ class Reader {
   void end_paragraph() {
     if (script_.text.empty() || script_.text.back() == '\n') return;
     script_.text += "\n\n";  // espeak-ng ends a sentence there
-    script_.ends.push_back(characters(script_.text));
+    script_.ends.push_back(characters_so_far());
+  }
+
+  /// Of the script's text; each is counted once. Only white space is ever taken back from it, and
+  /// never what was counted.
+  std::size_t characters_so_far() {
+    count_ += characters(std::string_view(script_.text).substr(counted_));
+    counted_ = script_.text.size();
+    return count_;
   }
 
   std::string_view file_;
   std::size_t line_ = 0;
   std::size_t column_ = 1;
   Script script_;
+  std::size_t counted_ = 0;  ///< bytes of its text
+  std::size_t count_ = 0;    ///< characters in them
 };
 
 }  // namespace
@@ -106,16 +116,17 @@ std::size_t characters(std::string_view utf8) {
       std::count_if(utf8.begin(), utf8.end(), [](char byte) { return !continues(byte); }));
 }
 
-std::string_view part(std::string_view utf8, std::size_t at, std::size_t count) {
-  const auto byte_of = [&utf8](std::size_t from, std::size_t steps) {
-    while (from < utf8.size() && (steps > 0 || continues(utf8[from]))) {
-      if (!continues(utf8[from])) --steps;
-      ++from;
-    }
-    return from;
-  };
-  const std::size_t begin = byte_of(0, at);
-  return utf8.substr(begin, byte_of(begin, count) - begin);
+Characters::Characters(std::string_view utf8) : utf8_(utf8) {
+  for (std::size_t byte = 0; byte < utf8.size(); ++byte) {
+    if (!continues(utf8[byte])) begins_.push_back(byte);
+  }
+  begins_.push_back(utf8.size());
+}
+
+std::string_view Characters::part(std::size_t at, std::size_t count) const {
+  const std::size_t first = std::min(at, this->count());
+  const std::size_t last = first + std::min(count, this->count() - first);
+  return utf8_.substr(begins_[first], begins_[last] - begins_[first]);
 }
 
 Result<Script> parse_script(std::string_view bytes, std::string_view file) {

@@ -11,7 +11,7 @@ namespace aucast::speaker {
 
 /// An expression that the text asks for, from a place on.
 struct Cue {
-  std::string name;    ///< as written, lower case
+  std::string name;    ///< as written
   std::size_t at = 0;  ///< characters of the text before it
   std::size_t line = 0;
   std::size_t column = 0;
@@ -32,7 +32,20 @@ struct Script {
 
 /// Characters (code points) of UTF-8.
 [[nodiscard]] std::size_t characters(std::string_view utf8);
-/// The bytes of `count` characters from character `at` on; views into `utf8`.
-[[nodiscard]] std::string_view part(std::string_view utf8, std::size_t at, std::size_t count);
+
+/// Where the characters of a text stand: found once, not by counting at every question.
+class Characters {
+ public:
+  /// `utf8` must outlive it.
+  explicit Characters(std::string_view utf8);
+  [[nodiscard]] std::size_t count() const { return begins_.size() - 1; }
+  /// The bytes of `count` characters from character `at` on, as far as there are any; views into
+  /// the text.
+  [[nodiscard]] std::string_view part(std::size_t at, std::size_t count) const;
+
+ private:
+  std::string_view utf8_;
+  std::vector<std::size_t> begins_;  ///< the first byte of each, and the text's end
+};
 
 }  // namespace aucast::speaker

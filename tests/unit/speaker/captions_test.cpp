@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/voice/webvtt.h"
+
 namespace aucast::speaker {
 namespace {
 
@@ -45,6 +47,26 @@ TEST(Captions, HaveTwoLinesOfFortyTwoCharactersAtMost) {
     }
     EXPECT_LE(caption.text.size(), 84U) << caption.text;
   }
+}
+
+TEST(Captions, HaveNoEmptyLineWhereOnlyMarksStandInAParagraph) {
+  const auto script = parse_script("Before\n\n* * *\n\nafter.", "t");
+  ASSERT_TRUE(script);
+  Speech speech;
+  speech.samples.resize(44100);
+  speech.words = {{Milliseconds(0), 0, 6}, {Milliseconds(500), script->text.find("after"), 5}};
+  const auto captions = captions_of(speech, *script);
+  ASSERT_EQ(captions.size(), 1U);
+  EXPECT_EQ(captions[0].text, "Before * * * after.");
+}
+
+TEST(WebVtt, OddTextComesBackAsItWas) {
+  const std::string odd = "1 < 2 & <b>x</b> --> &lt;\nAT&T";
+  const std::string file = format_webvtt({{Milliseconds(1000), Milliseconds(2000), odd}});
+  const auto read = voice::parse_webvtt(file, "t.vtt");
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->size(), 2U);
+  EXPECT_EQ(read->front().text, odd);
 }
 
 TEST(WebVtt, HasItsForm) {

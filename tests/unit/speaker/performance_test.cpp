@@ -142,6 +142,21 @@ TEST(Perform, AnExpressionOfOneSideStaysOnThatSide) {
   EXPECT_NEAR(left, 50, 5) << "the file's own smile, as much as a speaking mouth leaves of it";
 }
 
+TEST(Perform, ACueOfOneSideInCapitalsIsShown) {
+  const auto script = parse_script("[L12:80] Now we do.\n", "t");
+  ASSERT_TRUE(script);
+  const auto speech = speak(script->text, {});
+  ASSERT_TRUE(speech) << speech.error().message;
+  const protocol::StreamFile stream = perform(*speech, *script, {}, {});
+  int left = 0;
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    for (const AuTerm& term : keyframe.terms) {
+      if (term.number == 12 && term.side == Side::Left) left = std::max<int>(left, term.percent);
+    }
+  }
+  EXPECT_GT(left, 40);
+}
+
 TEST(SetsOf, LeavesOutWhatIsMadeOfMusclesAlone) {
   std::vector<Expression> read(3);
   read[0].name = "neutral";
@@ -154,12 +169,18 @@ TEST(SetsOf, LeavesOutWhatIsMadeOfMusclesAlone) {
 }
 
 TEST(CheckCues, NameTheNearestExpression) {
-  const Expressions expressions{{"surprise", {{1, Side::Both, 100}}}};
+  const Expressions expressions{{"happiness-12C", {{12, Side::Both, 50}}},
+                                {"surprise", {{1, Side::Both, 100}}}};
   const auto check = [&](const char* text) {
     const auto script = parse_script(text, "t.txt");
     EXPECT_TRUE(script);
     return check_cues(*script, expressions, "t.txt");
   };
+  EXPECT_TRUE(check("[L12:40] a")) << "AUs as in a packet";
+  EXPECT_TRUE(check("[12C,R2:10] a"));
+  EXPECT_TRUE(check("[Surprise 40] a")) << "names in any case";
+  EXPECT_TRUE(check("[happiness-12C] a"));
+  EXPECT_TRUE(check("[Happiness-12c] a"));
   EXPECT_TRUE(check("[surprise] a"));
   EXPECT_TRUE(check("[surprise 40] a"));
   EXPECT_TRUE(check("[6,12:60] a"));

@@ -7,13 +7,13 @@ namespace {
 
 TEST(ParseScript, LeavesOutWhatIsNotSpoken) {
   const auto script = parse_script(
-      "# title: Faces\n# a note\n[smile] Good morning,\neverybody.\n\n  Two [fear 50] more.\n",
+      "# title: Faces\n# a note\n[Smile] Good morning,\neverybody.\n\n  Two [fear 50] more.\n",
       "t");
   ASSERT_TRUE(script) << script.error().message;
   EXPECT_EQ(script->title, "Faces");
   EXPECT_EQ(script->text, " Good morning, everybody.\n\n  Two  more.\n\n");
   ASSERT_EQ(script->cues.size(), 2U);
-  EXPECT_EQ(script->cues[0].name, "smile");
+  EXPECT_EQ(script->cues[0].name, "Smile") << "as it is written";
   EXPECT_EQ(script->cues[0].at, 0U);
   EXPECT_EQ(script->cues[1].name, "fear 50");
   EXPECT_EQ(script->cues[1].line, 6U);
@@ -26,7 +26,11 @@ TEST(ParseScript, CountsCharactersAndNotBytes) {
   ASSERT_TRUE(script);
   ASSERT_EQ(script->cues.size(), 1U);
   EXPECT_EQ(script->cues[0].at, 13U);
-  EXPECT_EQ(part(script->text, 7, 5), "Grüße");
+  const Characters text(script->text);
+  EXPECT_EQ(text.count(), characters(script->text));
+  EXPECT_EQ(text.part(7, 5), "Grüße");
+  EXPECT_EQ(text.part(7, 1000), script->text.substr(8));
+  EXPECT_EQ(text.part(1000, 1), "");
 }
 
 TEST(ParseScript, SaysWhereATextIsWrong) {
