@@ -21,9 +21,6 @@
 namespace aucast {
 namespace {
 
-/// Longer entries are cut: none of ours is, and a log is no place for a file.
-constexpr std::size_t kMessageBytesMax = 4096;
-
 /// systemd.exec(5): the descriptor's device and inode, to be compared, since children inherit the
 /// variable even when their stderr goes elsewhere.
 bool stderr_is_the_journal() {
@@ -62,18 +59,19 @@ std::string utc(spdlog::log_clock::time_point time) {
 }
 
 /// The inside of a JSON string. Bytes above ASCII may be cut or no UTF-8 at all, so that they too
-/// are written as the text \xNN.
-std::string json_text(std::string_view message) {
+/// are written as the text \xNN. `room`: bytes that it may have; an escape is whole or left out.
+std::string json_text(std::string_view message, std::size_t room) {
   std::string text;
-  for (const char byte : message.substr(0, kMessageBytesMax)) {
+  for (const char byte : message) {
     const auto code = static_cast<unsigned char>(byte);
+    std::string written(1, byte);
     if (byte == '"' || byte == '\\') {
-      text += {'\\', byte};
+      written = {'\\', byte};
     } else if (code < 0x20 || code >= 0x7f) {
-      text += "\\" + escaped({&byte, 1});
-    } else {
-      text += byte;
+      written = "\\" + escaped(written);
     }
+    if (text.size() + written.size() > room) break;
+    text += written;
   }
   return text;
 }
@@ -92,8 +90,11 @@ class LineFormatter : public spdlog::formatter {
     const std::string_view message(entry.payload.data(), entry.payload.size());
     if (journal_) add({std::array{'<', priority(entry.level), '>'}.data(), 3});
     if (format_ == LogFormat::Json) {
+      constexpr std::string_view kEnd = "\"}\n";
       add("{\"time\":\"" + utc(entry.time) + "\",\"level\":\"" + std::string(level) +
-          "\",\"program\":\"" + program_ + "\",\"message\":\"" + json_text(message) + "\"}\n");
+          "\",\"program\":\"" + program_ + "\",\"message\":\"");
+      add(json_text(message, StderrSink::kLineBytesMax - out.size() - kEnd.size()));
+      add(kEnd);
       return;
     }
     if (!journal_) {
@@ -103,7 +104,7 @@ class LineFormatter : public spdlog::formatter {
       entry.color_range_end = out.size();
       add(" " + program_ + ": ");
     }
-    add(printable(message.substr(0, kMessageBytesMax)) + "\n");
+    add(printable(message.substr(0, StderrSink::kLineBytesMax)) + "\n");
   }
 
   [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override {

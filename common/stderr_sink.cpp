@@ -3,8 +3,6 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <climits>
-
 namespace aucast {
 namespace {
 
@@ -47,8 +45,7 @@ std::string StderrSink::line_of(const spdlog::details::log_msg& entry) {
     line.insert(entry.color_range_end, "\033[m");
     line.insert(entry.color_range_start, colour_of(entry.level));
   }
-  // A pipe that is ready takes so much at once, and no more is sure.
-  if (line.size() > PIPE_BUF) line.replace(PIPE_BUF - 1, std::string::npos, "\n");
+  if (line.size() > kLineBytesMax) line.replace(kLineBytesMax - 1, std::string::npos, "\n");
   return line;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <climits>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -17,6 +19,10 @@ class StderrSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   /// `colours`: the level is coloured.
   StderrSink(int descriptor, bool colours) : descriptor_(descriptor), colours_(colours) {}
+
+  /// A pipe that is ready takes so much at once, and no more is sure. Longer lines are cut: none of
+  /// ours is, and a log is no place for a file.
+  static constexpr std::size_t kLineBytesMax = PIPE_BUF;
 
  protected:
   void sink_it_(const spdlog::details::log_msg& entry) override;
