@@ -1,5 +1,6 @@
 #include "protocol/voice_packet.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -42,10 +43,10 @@ int frame_count(std::string_view opus) {
 }  // namespace
 
 std::optional<Milliseconds> opus_duration(std::string_view opus) {
-  constexpr int kPacketUsMax = 120000;
+  constexpr std::array<int, 4> kPacketUs{10000, 20000, 40000, 60000};
   if (opus.empty()) return std::nullopt;
   const int us = frame_us(byte_at(opus, 0) >> 3U) * frame_count(opus);
-  if (us == 0 || us > kPacketUsMax || us % 10000 != 0) return std::nullopt;
+  if (std::find(kPacketUs.begin(), kPacketUs.end(), us) == kPacketUs.end()) return std::nullopt;
   return Milliseconds(us / 1000);
 }
 

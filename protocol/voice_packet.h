@@ -20,8 +20,8 @@ struct VoicePacket {
 };
 
 /// How long the sound of an Opus packet lasts, by its TOC byte (RFC 6716 section 3.1). Nothing for
-/// what is no Opus packet, and for one whose length is not a whole number of milliseconds: this
-/// protocol carries 10, 20, 40 and 60 ms.
+/// what is no Opus packet, and for one of another length than 10, 20, 40 or 60 ms, which this
+/// protocol carries.
 [[nodiscard]] std::optional<Milliseconds> opus_duration(std::string_view opus);
 
 /// Reads the text() of a finished WordPacket of the word `a`.
