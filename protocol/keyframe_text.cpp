@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <vector>
 
 #include "common/action_unit.h"
 #include "common/text.h"
@@ -51,25 +52,39 @@ std::optional<std::string> term_of_name(std::string_view name) {
   return side + std::to_string(*number);
 }
 
-/// The set with numbers where FACS names stood: "Inner Brow Raiser:50,12" is "1:50,12".
-Result<std::string> with_numbers(std::string_view text) {
-  std::string numbers;
+/// A set with numbers where FACS names stood: "Inner Brow Raiser:50,12" is "1:50,12".
+struct NumberedSet {
+  std::string text;
+  std::vector<std::size_t> origins;  ///< where each of its characters, and its end, was typed
+  void add(std::string_view same, std::size_t at) {
+    for (const char c : same) {
+      text += c;
+      origins.push_back(at++);
+    }
+  }
+};
+
+Result<NumberedSet> with_numbers(std::string_view text) {
+  NumberedSet numbers;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of(",+;{}", at), text.size());
     const std::size_t name_end = std::min(text.find(':', at), end);
     const std::string_view name = text.substr(at, name_end - at);
     if (std::count_if(name.begin(), name.end(), is_letter) < 3) {
-      numbers += name;
+      numbers.add(name, at);
     } else if (const auto term = term_of_name(trimmed(name, kTextBlanks))) {
-      numbers += *term;
+      const std::size_t begin = at + name.find_first_not_of(kTextBlanks);
+      numbers.text += *term;
+      numbers.origins.insert(numbers.origins.end(), term->size(), begin);
     } else {
       return au_set_error(text, at,
                           "'" + escaped(trimmed(name, kTextBlanks)) +
                               "' is not the FACS name of an AU, such as Inner Brow Raiser");
     }
-    numbers += text.substr(name_end, end + 1 - name_end);
+    numbers.add(text.substr(name_end, end + 1 - name_end), name_end);
     at = end + 1;
   }
+  numbers.origins.push_back(text.size());
   return numbers;
 }
 
@@ -90,23 +105,26 @@ std::optional<TextError> parse_keyframe(std::string_view text, TermSyntax syntax
 Result<AuFrame> parse_au_set(std::string_view typed) {
   const auto numbers = with_numbers(typed);
   if (!numbers) return numbers.error();
-  const std::string_view text = *numbers;
+  const std::string_view text = numbers->text;
+  const auto wrong = [&](std::size_t position, const std::string& reason) {
+    return au_set_error(typed, numbers->origins[position], reason);
+  };
   std::size_t shift = 0;
   const std::optional<std::string_view> inside = without_braces(text, shift);
   if (!inside) {
-    return au_set_error(text, shift, "one brace is missing; write {1,6,12} or 1,6,12");
+    return wrong(shift, "one brace is missing; write {1,6,12} or 1,6,12");
   }
   Keyframe keyframe;
   if (const auto error = parse_keyframe(*inside, TermSyntax::Text, keyframe)) {
-    return au_set_error(text, shift + error->position, error->reason);
+    return wrong(shift + error->position, error->reason);
   }
   if (keyframe.changes_only) {
-    return au_set_error(text, shift + inside->find('~'),
-                        "changes only ('~') have a meaning in a stream; name the whole set");
+    return wrong(shift + inside->find('~'),
+                 "changes only ('~') have a meaning in a stream; name the whole set");
   }
   if (keyframe.duration_ms) {
-    return au_set_error(text, shift + inside->find(';'),
-                        "a time (';') has a meaning in a stream; name the AUs alone");
+    return wrong(shift + inside->find(';'),
+                 "a time (';') has a meaning in a stream; name the AUs alone");
   }
   return frame_from_terms(keyframe.terms);
 }

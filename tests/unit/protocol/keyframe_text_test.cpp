@@ -143,6 +143,15 @@ TEST(ParseAuSet, RefusesWithTheColumn) {
             "AU set '{12;40}', column 4: a time (';') has a meaning in a stream; name the AUs "
             "alone");
   EXPECT_EQ(message("12:101"), "AU set '12:101', column 6: an intensity is 0-100 percent");
+  EXPECT_EQ(message("Inner Brow Raiser:500"),
+            "AU set 'Inner Brow Raiser:500', column 21: an intensity is 0-100 percent")
+      << "as it was typed, not with the number in the name's place";
+  EXPECT_EQ(message("{ Left Wink:50, 12;40}"),
+            "AU set '{ Left Wink:50, 12;40}', column 19: a time (';') has a meaning in a stream; "
+            "name the AUs alone");
+  EXPECT_EQ(message("{Wink"),
+            "AU set '{Wink', column 1: one brace is missing; write {1,6,12} or "
+            "1,6,12");
   EXPECT_EQ(message("1\n\x1b"),
             "AU set '1\\x0a\\x1b', column 3: expected ':', a letter of A-E x y "
             "z, ',', '+', ';' or the end, found '\\x1b'");
