@@ -11,12 +11,14 @@
 #include "common/text.h"
 #include "common/text_file.h"
 #include "protocol/caption.h"
+#include "protocol/limits.h"
 
 namespace aucast::voice {
 namespace {
 
 constexpr std::string_view kArrow = "-->";
 constexpr std::string_view kBlanks = " \t";
+constexpr auto kPlaceMsMax = static_cast<std::uint64_t>(protocol::kPlaceMsMax);
 
 struct Line {
   std::string_view text;
@@ -102,6 +104,11 @@ Result<Cue> read_times(const Line& line, std::string_view file) {
   if (!begin) return bad(file, line, 1, "no time such as 00:01:02.345 before -->");
   if (!end) {
     return bad(file, line, arrow + kArrow.size() + 1, "no time such as 00:01:02.345 after -->");
+  }
+  if (std::max(*begin, *end) > kPlaceMsMax) {
+    return bad(file, line, 1,
+               "a caption later than " + std::to_string(kPlaceMsMax / 3'600'000) +
+                   " hours, which is as far as a stream goes");
   }
   if (*end < *begin) return bad(file, line, arrow + 1, "the caption ends before it begins");
   return Cue{*begin, *end, {}, line};

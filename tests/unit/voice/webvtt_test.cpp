@@ -56,6 +56,11 @@ TEST(Webvtt, SaysWhereWhatIsWrong) {
             "talk.vtt:3:14: no time such as 00:01:02.345 after -->");
   EXPECT_EQ(error_of("WEBVTT\n\n00:02.000 --> 00:01.000\nx\n"),
             "talk.vtt:3:11: the caption ends before it begins");
+  EXPECT_EQ(error_of("WEBVTT\n\n277777:46:40.001 --> 277777:46:41.000\nx\n"),
+            "talk.vtt:3:1: a caption later than 277777 hours, which is as far as a stream goes");
+  EXPECT_EQ(error_of("WEBVTT\n\n00:01.000 --> 277777:46:40.001\nx\n"),
+            "talk.vtt:3:1: a caption later than 277777 hours, which is as far as a stream goes");
+  EXPECT_EQ(read("WEBVTT\n\n277777:46:39.000 --> 277777:46:40.000\nx\n").size(), 2U);
   EXPECT_EQ(error_of("WEBVTT\n\n00:01.000 --> 00:02.000\nab\xFF\n"),
             "talk.vtt:3:1: the caption that begins here is too long, or no UTF-8 text");
   EXPECT_EQ(error_of("WEBVTT\n\n00:01.000 --> 00:02.000\n" + std::string(2000, 'x') + "\n"),
