@@ -77,10 +77,12 @@ std::vector<Surface> surfaces_of(const face::Face& face) {
     const std::uint32_t crease = face::is_crease(part) ? creases++ : 0;
     if (part.vertex_count == 0 || part.triangle_count == 0) continue;
     const std::string name = name_of(part);
-    auto surface = std::find_if(surfaces.begin(), surfaces.end(),
-                                [&](const Surface& one) { return one.name == name; });
+    const Look look = look_of(part.material);
+    auto surface = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& one) {
+      return one.look == look && one.name == name;
+    });
     if (surface == surfaces.end()) {
-      surface = surfaces.insert(surfaces.end(), {name, look_of(part.material), {}, {}, {}});
+      surface = surfaces.insert(surfaces.end(), {name, look, {}, {}, {}});
     }
     add_part(face.mesh, part, *surface);
     if (face::is_crease(part)) surface->creases.resize(surface->vertices.size(), crease);
