@@ -137,11 +137,6 @@ EMSCRIPTEN_KEEPALIVE int aucast_connected() {
   return playback != nullptr && playback->status().connected ? 1 : 0;
 }
 
-EMSCRIPTEN_KEEPALIVE int aucast_live() {
-  const auto* const playback = page()->playback();
-  return playback != nullptr && playback->status().live ? 1 : 0;
-}
-
 /// Whether a voice comes with the stream.
 EMSCRIPTEN_KEEPALIVE int aucast_voice() {
   const auto* const playback = page()->playback();
@@ -213,11 +208,6 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_detail() {
   static std::string text;
   const auto* const playback = page()->playback();
   return kept(text, playback != nullptr ? playback->status().detail : std::string());
-}
-
-EMSCRIPTEN_KEEPALIVE double aucast_keyframes_played() {
-  const auto* const playback = page()->playback();
-  return playback != nullptr ? static_cast<double>(playback->keyframes_played()) : 0;
 }
 
 EMSCRIPTEN_KEEPALIVE double aucast_reconnects() {

@@ -61,10 +61,12 @@ export class Controls {
   /// the server may have only one left.
   async list() {
     const player = this.player;
-    if (!player.server || this.asking) return;
+    const { server } = player;
+    if (!server || this.asking) return;
     this.asking = true;
     try {
       const names = await player.streams();
+      if (player.server !== server) throw new Error('another server was chosen meanwhile');
       const chosen = player.getAttribute('stream') || names[0];
       this.choice.replaceChildren(...names.map(name => {
         const option = document.createElement('option');
@@ -74,13 +76,20 @@ export class Controls {
       }));
       this.choice.hidden = names.length < 2;
       this.only = names.length < 2 ? chosen : '';
-      this.listed = true;
+      this.listed = server;
       this.followStream();
     } catch {
       // The player says why there is no server; asked again when there is one.
-      this.listed = false;
+      this.listed = '';
     }
     this.asking = false;
+  }
+
+  /// The streams of the server before are none of this one's.
+  forget() {
+    this.listed = '';
+    this.only = '';
+    this.choice.hidden = true;
   }
 
   follow(state) {
@@ -88,6 +97,7 @@ export class Controls {
     this.pause.textContent = over ? 'Play again' : state === 'paused' ? 'Play' : 'Pause';
     this.tokenForm.follow(state);
     this.showPause();
+    if (this.listed && this.listed !== this.player.server) this.forget();
     const refused = this.player.wantsToken;
     if (!this.listed && !refused && state !== 'connecting' && state !== 'idle') this.list();
     this.tellWords();

@@ -280,9 +280,7 @@ export class PlayerEngine {
   /// To the server that was played last.
   get maySendToken() { return mayShowToken(new URL(this.browser.url)); }
   get connected() { return this.core._aucast_connected() !== 0; }
-  get live() { return this.core._aucast_live() !== 0; }
   get reconnects() { return this.core._aucast_reconnects(); }
-  get keyframesPlayed() { return this.core._aucast_keyframes_played(); }
   /// Of the stream: whether a voice and captions come with it, and its title.
   get voice() { return this.core._aucast_voice() !== 0; }
   get captions() { return this.core._aucast_captions() !== 0; }
