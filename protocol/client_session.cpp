@@ -49,7 +49,6 @@ struct ClientSession::State {
   std::uint64_t payload_bytes = 0;
   AuFrame running;  ///< what a changes-only packet changes
   HelloGranted granted;
-  std::uint64_t received_to_ms = 0;        ///< the client's clock: see DeliverVoice
   std::optional<Milliseconds> voice_to{};  ///< the end of the last voice packet
   std::uint64_t voice_packets = 0;
   std::uint64_t sound_bytes = 0;
@@ -103,7 +102,6 @@ void ClientSession::State::handle(const Keyframe& keyframe) {
   } else {
     running = frame_from_terms(keyframe.terms);
   }
-  received_to_ms += keyframe.duration_ms.value_or(granted.keyframe_ms);
   if (stopped) return;
   if (level == Level::Classic || window > 0) ++unanswered;
   events.emplace_back(
@@ -157,7 +155,6 @@ void ClientSession::State::handle(const HelloGranted& hello) {
   level = Level::Negotiated;
   window = hello.window;
   granted = hello;
-  received_to_ms = hello.from_ms;
   events.emplace_back(Granted{hello});
   if (std::exchange(pause_wanted, false)) {
     paused = true;
