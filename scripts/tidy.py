@@ -82,8 +82,14 @@ PURE = {"protocol", "common/mesh", "common/preview", "common/tls", "common/sourc
         "client/playback", "client/face", "client/pipeline", "client/sound", "client/glb"}
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|\bf?printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL"
-    r"|<thread>"
+    r"|<thread>|<arpa/|<netinet/|<sys/|<unistd|<fcntl|<poll\.h|<dlfcn|\b(un)?setenv\(|\bgetenv\("
 )
+# What single files of them do all the same.
+MAY_TOUCH = {
+    "protocol/endpoint.cpp": "<arpa/",  # inet_pton: addresses as text
+    "common/web/origin.cpp": "<arpa/",
+    "client/sound/openal_out.cpp": "<dlfcn|setenv",  # the device itself
+}
 LEFTOVERS = re.compile(r"\b(TODO|FIXME|XXX)\b|^\s*#\s*if 0\b")
 COMMENTED_OUT = re.compile(r"^\s*//\s*[\w:.<>*&\s-]+(\(.*\)|=.*);\s*$")
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]')
@@ -153,6 +159,8 @@ def check_lines(path, lines):
         if path.endswith(".h") and re.match(r"\s*using namespace", line):
             yield number, "using namespace in a header"
         code = line.split("//")[0]
+        if path in MAY_TOUCH:
+            code = line = re.sub(MAY_TOUCH[path], "", code)
         if pure and not INCLUDE.match(line) and IMPURE.search(code):
             yield number, "a pure folder reads no clock, logs nothing and prints nothing"
         if pure and INCLUDE.match(line) and IMPURE.search(line):

@@ -114,13 +114,22 @@ class TidyTest(unittest.TestCase):
     def test_pure_folders(self):
         for folder in tidy.PURE:
             for line in ("auto t = Clock::now();", 'std::printf("x");', "spdlog::info(1);",
-                         "std::cerr << 1;", "sleep_for(t);"):
+                         "std::cerr << 1;", "sleep_for(t);", '::setenv("a", "b", 1);'):
                 self.assert_found({f"{folder}/a.cpp": line + "\n"}, "pure folder")
-            for header in ("asio.hpp", "thread", "epoxy/gl.h", "GLFW/glfw3.h", "spdlog/spdlog.h"):
+            for header in ("asio.hpp", "thread", "epoxy/gl.h", "GLFW/glfw3.h", "spdlog/spdlog.h",
+                           "arpa/inet.h", "sys/socket.h", "unistd.h", "dlfcn.h"):
                 self.assert_found({f"{folder}/a.cpp": f"#include <{header}>\n"}, "pure folder")
             self.assert_clean({f"{folder}/a.cpp": 'std::snprintf(a, 1, "x");  // not printf()\n'})
         self.assert_clean({"server/a.cpp": "auto t = Clock::now();\n"})
         self.assert_clean({"common/link/a.cpp": "#include <asio.hpp>\n"})
+
+    def test_what_single_files_of_pure_folders_touch_all_the_same(self):
+        root = pathlib.Path(tidy.__file__).parent.parent
+        for path in tidy.MAY_TOUCH:
+            self.assertTrue((root / path).is_file(), path)
+        self.assert_clean({"protocol/endpoint.cpp": "#include <arpa/inet.h>\n"})
+        self.assert_found({"protocol/endpoint.cpp": "#include <dlfcn.h>\n"}, "pure folder")
+        self.assert_found({"client/sound/openal_out.cpp": "auto t = Clock::now();\n"}, "pure folder")
 
     def test_lengths_of_lines_and_files(self):
         self.assert_found({"server/a.cpp": "x" * 101 + "\n"}, "101 columns")
