@@ -13,6 +13,7 @@
 #include "client/face/classic_scanner.h"
 #include "client/face/face_folder.h"
 #include "client/face/muscle_file.h"
+#include "client/face/opposed_channels.h"
 #include "common/files.h"
 #include "common/text.h"
 
@@ -237,10 +238,10 @@ Result<void> read_classic_aus(const std::filesystem::path& path, Face& face) {
   static_cast<void>(reader.integer("format", 1, 1));
   const auto aliases = read_aliases(reader, problems);
   // What other faces have and no classic folder can: its AUs are remarked, not refused.
-  std::vector<std::string> names = {
-      "jaw",       "lid_close",      "lid_raise",       "gaze_left",       "gaze_right",
-      "gaze_up",   "gaze_down",      "head_turn_left",  "head_turn_right", "head_up",
-      "head_down", "head_tilt_left", "head_tilt_right", "head_forward",    "head_back"};
+  std::vector<std::string> names = {"jaw", "lid_close", "lid_raise"};
+  for (const OpposedNames& pair : kOpposedNames) {
+    for (const std::string_view name : {pair.plus, pair.minus}) names.emplace_back(name);
+  }
   for (const auto& [name, spellings] : aliases) names.push_back(name);
   const auto finder = [&](std::string_view name) {
     std::vector<std::size_t> found = channels_named(face, name);

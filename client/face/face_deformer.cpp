@@ -16,17 +16,12 @@
 #include "client/face/head_turn.h"
 #include "client/face/muscle_sums.h"
 #include "client/face/normal_field.h"
+#include "client/face/opposed_channels.h"
 #include "client/face/vertex_block.h"
 #include "common/check.h"
 
 namespace aucast::face {
 namespace {
-
-/// Two channels that pull opposite ways; a missing one is nothing.
-struct OpposedChannels {
-  std::optional<std::size_t> plus;
-  std::optional<std::size_t> minus;
-};
 
 /// Radians about the x axis and about the y axis.
 struct Turn {
@@ -119,9 +114,6 @@ struct FaceDeformer::State {
   [[nodiscard]] float value(const std::optional<std::size_t>& channel) const {
     return channel ? activations[*channel] : 0.0F;
   }
-  [[nodiscard]] float difference(const OpposedChannels& channels) const {
-    return value(channels.plus) - value(channels.minus);
-  }
   void move(std::span<const float> given);
   void relax_yielding();
   void rest_vanished();
@@ -165,12 +157,8 @@ FaceDeformer::State::State(const Face& driven, MuscleSums sums, NormalField fiel
   if (face.jaw) add_jaw();
   for (const Eye& eye : face.eyes) add_eye(eye);
   if (face.head) {
-    const auto opposed = [this](std::string_view plus, std::string_view minus) {
-      return OpposedChannels{face.channel_index(plus), face.channel_index(minus)};
-    };
-    head_channels = {opposed("head_turn_left", "head_turn_right"), opposed("head_up", "head_down"),
-                     opposed("head_tilt_left", "head_tilt_right"),
-                     opposed("head_forward", "head_back")};
+    head_channels = {opposed(face, kHeadTurn), opposed(face, kHeadPitch), opposed(face, kHeadTilt),
+                     opposed(face, kHeadShift)};
     head.emplace(face);
   }
   result.positions = face.mesh.positions;
@@ -215,8 +203,8 @@ void FaceDeformer::State::add_jaw() {
 
 void FaceDeformer::State::add_eye(const Eye& eye) {
   const Side side = side_at(eye.centre.x);
-  const OpposedChannels yaw{channel(side, "gaze_left"), channel(side, "gaze_right")};
-  const OpposedChannels pitch{channel(side, "gaze_up"), channel(side, "gaze_down")};
+  const OpposedChannels yaw = opposed(face, kGazeYaw, side);
+  const OpposedChannels pitch = opposed(face, kGazePitch, side);
   const auto part = std::find_if(face.mesh.parts.begin(), face.mesh.parts.end(),
                                  [&](const MeshPart& one) { return one.name == eye.part; });
   const bool found = part != face.mesh.parts.end();
@@ -226,7 +214,7 @@ void FaceDeformer::State::add_eye(const Eye& eye) {
   };
   const auto wanted = [this, yaw, pitch, yaw_rad = kRadPerDeg * eye.yaw_deg,
                        pitch_rad = kRadPerDeg * eye.pitch_deg] {
-    return Turn{pitch_rad * difference(pitch), yaw_rad * difference(yaw)};
+    return Turn{pitch_rad * pitch.of(activations), yaw_rad * yaw.of(activations)};
   };
   const float head_share =
       found ? map_at(find_map(face.mesh, "head"), part->vertex_begin, 0) : 0.0F;
@@ -311,8 +299,8 @@ void FaceDeformer::State::apply(const Mover& mover) {
 }
 
 HeadTurn::Pose FaceDeformer::State::head_pose() const {
-  return {difference(head_channels.turn), difference(head_channels.pitch),
-          difference(head_channels.tilt), difference(head_channels.shift)};
+  return {head_channels.turn.of(activations), head_channels.pitch.of(activations),
+          head_channels.tilt.of(activations), head_channels.shift.of(activations)};
 }
 
 /// Where the eyes look.

@@ -31,10 +31,6 @@ std::optional<std::size_t> Carried::wholly() const {
   return shares[1] == 0 ? std::optional<std::size_t>(joints[0]) : std::nullopt;
 }
 
-float FaceRig::Opposed::of(std::span<const float> activations) const {
-  return (plus ? activations[*plus] : 0.0F) - (minus ? activations[*minus] : 0.0F);
-}
-
 FaceRig::FaceRig(const face::Face& face, bool with_jaw) : face_(face) {
   add("body", 0, {0, 0, 0});
   if (face.head) add_head();
@@ -48,8 +44,8 @@ std::size_t FaceRig::add(std::string name, std::size_t parent, const glm::vec3& 
   return joints_.size() - 1;
 }
 
-FaceRig::Opposed FaceRig::opposed(const std::string& plus, const std::string& minus) {
-  const Opposed channels{face_.channel_index(plus), face_.channel_index(minus)};
+face::OpposedChannels FaceRig::take(const face::OpposedNames& names, Side side) {
+  const face::OpposedChannels channels = face::opposed(face_, names, side);
   for (const auto& channel : {channels.plus, channels.minus}) {
     if (channel) taken_.push_back(*channel);
   }
@@ -57,10 +53,10 @@ FaceRig::Opposed FaceRig::opposed(const std::string& plus, const std::string& mi
 }
 
 void FaceRig::add_head() {
-  turn_ = opposed("head_turn_left", "head_turn_right");
-  pitch_ = opposed("head_up", "head_down");
-  tilt_ = opposed("head_tilt_left", "head_tilt_right");
-  shift_ = opposed("head_forward", "head_back");
+  turn_ = take(face::kHeadTurn);
+  pitch_ = take(face::kHeadPitch);
+  tilt_ = take(face::kHeadTilt);
+  shift_ = take(face::kHeadShift);
   head_ = add("head", add("neck", 0, face_.head->pivot), face_.head->pivot);
 }
 
@@ -73,12 +69,9 @@ void FaceRig::add_jaw(std::size_t parent) {
 
 void FaceRig::add_eye(const face::Eye& eye, std::size_t parent) {
   const Side side = face::side_at(eye.centre.x);
-  const auto pair = [&](std::string_view plus, std::string_view minus) {
-    return opposed(sided_name(side, plus), sided_name(side, minus));
-  };
   EyeJoint joint{.joint = add(eye.part, parent, eye.centre),
-                 .yaw = pair("gaze_left", "gaze_right"),
-                 .pitch = pair("gaze_up", "gaze_down"),
+                 .yaw = take(face::kGazeYaw, side),
+                 .pitch = take(face::kGazePitch, side),
                  .yaw_rad = glm::radians(eye.yaw_deg),
                  .pitch_rad = glm::radians(eye.pitch_deg)};
   for (const face::MeshPart& part : face_.mesh.parts) {

@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "client/face/face.h"
+#include "client/face/opposed_channels.h"
 
 namespace aucast::glb {
 
@@ -62,17 +63,10 @@ class FaceRig {
   [[nodiscard]] std::vector<glm::mat4> carriers(std::span<const JointPose> poses) const;
 
  private:
-  /// Two channels that pull opposite ways; a missing one is nothing.
-  struct Opposed {
-    std::optional<std::size_t> plus;
-    std::optional<std::size_t> minus;
-
-    [[nodiscard]] float of(std::span<const float> activations) const;
-  };
   struct EyeJoint {
     std::size_t joint = 0;
-    Opposed yaw;
-    Opposed pitch;
+    face::OpposedChannels yaw;
+    face::OpposedChannels pitch;
     float yaw_rad = 0;
     float pitch_rad = 0;
     std::uint32_t vertex_begin = 0;
@@ -80,7 +74,7 @@ class FaceRig {
   };
 
   std::size_t add(std::string name, std::size_t parent, const glm::vec3& place);
-  Opposed opposed(const std::string& plus, const std::string& minus);
+  face::OpposedChannels take(const face::OpposedNames& names, Side side = Side::Both);
   void add_head();
   void add_jaw(std::size_t parent);
   void add_eye(const face::Eye& eye, std::size_t parent);
@@ -92,10 +86,10 @@ class FaceRig {
   std::optional<std::size_t> jaw_;
   std::optional<std::size_t> jaw_channel_;
   std::vector<EyeJoint> eyes_;
-  Opposed turn_;
-  Opposed pitch_;
-  Opposed tilt_;
-  Opposed shift_;
+  face::OpposedChannels turn_;
+  face::OpposedChannels pitch_;
+  face::OpposedChannels tilt_;
+  face::OpposedChannels shift_;
 };
 
 }  // namespace aucast::glb

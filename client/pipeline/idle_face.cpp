@@ -1,7 +1,6 @@
 #include "client/pipeline/idle_face.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "client/face/face_folder.h"
 
@@ -17,17 +16,12 @@ IdleFace::IdleFace(const face::Face& face)
     : face_(face),
       left_lid_(face.channel_index("left_lid_close")),
       right_lid_(face.channel_index("right_lid_close")),
-      head_up_(face.channel_index("head_up")),
-      head_down_(face.channel_index("head_down")),
-      head_forward_(face.channel_index("head_forward")),
-      head_back_(face.channel_index("head_back")) {
+      head_pitch_(face::opposed(face, face::kHeadPitch)),
+      head_shift_(face::opposed(face, face::kHeadShift)) {
   for (const face::Eye& eye : face.eyes) {
     const Side side = face::side_at(eye.centre.x);
-    const auto channel = [&](std::string_view base) {
-      return face.channel_index(sided_name(side, base));
-    };
-    eyes_.push_back({channel("gaze_left"), channel("gaze_right"), channel("gaze_up"),
-                     channel("gaze_down"), eye.yaw_deg, eye.pitch_deg});
+    eyes_.push_back({face::opposed(face, face::kGazeYaw, side),
+                     face::opposed(face, face::kGazePitch, side), eye.yaw_deg, eye.pitch_deg});
   }
 }
 
@@ -43,9 +37,10 @@ void IdleFace::blink(float closure, std::span<float> activations) const {
   }
 }
 
-/// Two channels that pull opposite ways: afterwards at most one of them does.
-void IdleFace::shift(const Channel& plus, const Channel& minus, double by,
+/// Afterwards at most one of them pulls.
+void IdleFace::shift(const face::OpposedChannels& channels, double by,
                      std::span<float> activations) const {
+  const auto& [plus, minus] = channels;
   if (by == 0 || !plus || !minus) return;
   const float sum = activations[*plus] - activations[*minus] + static_cast<float>(by);
   activations[*plus] = std::clamp(sum, 0.0F, face_.channels[*plus].activation_max);
@@ -55,21 +50,20 @@ void IdleFace::shift(const Channel& plus, const Channel& minus, double by,
 void IdleFace::move(const playback::IdleMotion& motion, std::span<float> activations) const {
   for (const Eye& eye : eyes_) {
     if (eye.yaw_deg > 0) {
-      shift(eye.left, eye.right, motion.gaze_left_deg / static_cast<double>(eye.yaw_deg),
-            activations);
+      shift(eye.yaw, motion.gaze_left_deg / static_cast<double>(eye.yaw_deg), activations);
     }
     if (eye.pitch_deg > 0) {
-      shift(eye.up, eye.down, motion.gaze_up_deg / static_cast<double>(eye.pitch_deg), activations);
+      shift(eye.pitch, motion.gaze_up_deg / static_cast<double>(eye.pitch_deg), activations);
     }
   }
   if (!face_.head) return;
   if (face_.head->pitch_deg > 0) {
-    shift(head_up_, head_down_,
-          motion.breath * kBreathNod_deg / static_cast<double>(face_.head->pitch_deg), activations);
+    shift(head_pitch_, motion.breath * kBreathNod_deg / static_cast<double>(face_.head->pitch_deg),
+          activations);
   }
   if (face_.head->shift > 0) {
-    shift(head_forward_, head_back_,
-          motion.breath * kBreathForward / static_cast<double>(face_.head->shift), activations);
+    shift(head_shift_, motion.breath * kBreathForward / static_cast<double>(face_.head->shift),
+          activations);
   }
 }
 

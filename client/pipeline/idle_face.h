@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/face/face.h"
+#include "client/face/opposed_channels.h"
 #include "client/playback/blinking.h"
 #include "client/playback/idle_life.h"
 
@@ -37,25 +38,20 @@ class IdleFace {
  private:
   using Channel = std::optional<std::size_t>;
   struct Eye {
-    Channel left;
-    Channel right;
-    Channel up;
-    Channel down;
+    face::OpposedChannels yaw;
+    face::OpposedChannels pitch;
     float yaw_deg = 0;
     float pitch_deg = 0;
   };
 
-  void shift(const Channel& plus, const Channel& minus, double by,
-             std::span<float> activations) const;
+  void shift(const face::OpposedChannels& channels, double by, std::span<float> activations) const;
 
   const face::Face& face_;
   Channel left_lid_;
   Channel right_lid_;
   std::vector<Eye> eyes_;
-  Channel head_up_;
-  Channel head_down_;
-  Channel head_forward_;
-  Channel head_back_;
+  face::OpposedChannels head_pitch_;
+  face::OpposedChannels head_shift_;
 };
 
 }  // namespace aucast::pipeline

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "client/face/face.h"
+
+namespace aucast::face {
+
+/// The names of two channels that pull opposite ways.
+struct OpposedNames {
+  std::string_view plus;
+  std::string_view minus;
+};
+
+inline constexpr OpposedNames kHeadTurn{"head_turn_left", "head_turn_right"};
+inline constexpr OpposedNames kHeadPitch{"head_up", "head_down"};
+inline constexpr OpposedNames kHeadTilt{"head_tilt_left", "head_tilt_right"};
+inline constexpr OpposedNames kHeadShift{"head_forward", "head_back"};
+/// Of an eye: the names of its side come before.
+inline constexpr OpposedNames kGazeYaw{"gaze_left", "gaze_right"};
+inline constexpr OpposedNames kGazePitch{"gaze_up", "gaze_down"};
+
+/// All of them, in the order in which a face without recordings remarks them.
+inline constexpr std::array kOpposedNames{kGazeYaw,   kGazePitch, kHeadTurn,
+                                          kHeadPitch, kHeadTilt,  kHeadShift};
+
+/// Two channels of a face that pull opposite ways; a missing one is nothing.
+struct OpposedChannels {
+  std::optional<std::size_t> plus;
+  std::optional<std::size_t> minus;
+
+  /// How far the plus is ahead of the minus.
+  [[nodiscard]] float of(std::span<const float> activations) const {
+    return (plus ? activations[*plus] : 0.0F) - (minus ? activations[*minus] : 0.0F);
+  }
+};
+
+[[nodiscard]] inline OpposedChannels opposed(const Face& face, const OpposedNames& names,
+                                             Side side = Side::Both) {
+  return {face.channel_index(sided_name(side, names.plus)),
+          face.channel_index(sided_name(side, names.minus))};
+}
+
+}  // namespace aucast::face
