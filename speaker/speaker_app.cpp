@@ -178,6 +178,9 @@ Result<Speech> speech_of(const Script& script, const Options& options) {
     read = file->read(std::span(samples).subspan(before));
     samples.resize(before + read);
   }
+  if (const std::string broken = file->complaint(); !broken.empty()) {
+    return Error{ErrorKind::BadData, broken};
+  }
   Speech speech = carried_over(*spoken, std::move(samples), voice::kEncoderRate);
   const Milliseconds said = spoken->length();
   if (speech.length() < said / 4 || speech.length() > said * 4) {

@@ -23,6 +23,7 @@ Result<std::unique_ptr<sound::SoundTrack>> open_sound_beside(
   if (!file) return std::unique_ptr<sound::SoundTrack>();
   auto track = sound::FileTrack::open(*file);
   if (!track) return track.error();
+  if (!(*track)->complaint().empty()) spdlog::warn("{}", (*track)->complaint());
   return std::unique_ptr<sound::SoundTrack>(std::move(*track));
 }
 

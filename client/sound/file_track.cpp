@@ -53,6 +53,7 @@ Result<std::unique_ptr<FileTrack>> FileTrack::open(const std::filesystem::path& 
       track->samples_.push_back(static_cast<std::int16_t>(std::lround(sample * kWhole)));
     }
   }
+  track->complaint_ = file->complaint();
   return track;
 }
 

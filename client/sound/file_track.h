@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "client/sound/sound_track.h"
@@ -20,6 +21,9 @@ class FileTrack final : public SoundTrack {
   /// Samples at voice::kEncoderRate, in [-1,1].
   explicit FileTrack(const std::vector<float>& samples);
 
+  /// SoundFile's.
+  [[nodiscard]] const std::string& complaint() const { return complaint_; }
+
   void read(std::int64_t begin, std::span<float> samples) override;
   [[nodiscard]] std::int64_t end() const override;
 
@@ -28,6 +32,7 @@ class FileTrack final : public SoundTrack {
   [[nodiscard]] float at(std::int64_t sample) const;
 
   std::vector<std::int16_t> samples_;
+  std::string complaint_;
 };
 
 /// The sound file of the same name beside a stream file: .wav, .flac, .opus, .ogg or .mp3, the

@@ -29,6 +29,7 @@ struct Film {
   double fps = 0;
   std::vector<Seen> pictures;
   std::vector<mesh::Measures> measures;
+  std::string note;  ///< what was wrong with it
 };
 
 Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& tracker,
@@ -58,6 +59,11 @@ Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& 
   }
   if (film.pictures.empty()) {
     return no_pictures(ErrorKind::BadData, path.string(), source->complaint());
+  }
+  if (const std::string complaint = source->film_complaint(); !complaint.empty()) {
+    film.note =
+        at_place(path.string(), "not all of it can be read, " +
+                                    counted(film.pictures.size(), "picture") + "; " + complaint);
   }
   return film;
 }
@@ -101,7 +107,7 @@ Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& model
   }
   const mesh::Measures rest = quiet_of(*film, models.weights, quiet);
   const FaceTable table(models.weights);
-  FilmTable result{table.header(), film->pictures.size(), film->measures.size()};
+  FilmTable result{table.header(), film->pictures.size(), film->measures.size(), film->note};
   for (std::size_t picture = 0; picture < film->pictures.size(); ++picture) {
     const Seen& seen = film->pictures[picture];
     std::optional<AuFrame> face;

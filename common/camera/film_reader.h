@@ -27,6 +27,7 @@ struct FilmTable {
   std::string text;  ///< a FaceTable
   std::size_t pictures = 0;
   std::size_t faces = 0;  ///< pictures with a face
+  std::string note;       ///< what was wrong with the film, with its name; empty: nothing
 };
 
 /// Whether a path names a film, by its ending: .mp4, .mov, .mkv, .webm, ...

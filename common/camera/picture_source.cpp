@@ -98,6 +98,12 @@ std::string PictureSource::complaint() {
   return code == 0 ? std::string() : ffmpeg_->last_words();
 }
 
+std::string PictureSource::film_complaint() {
+  static_cast<void>(ffmpeg_->wait());
+  std::string words = ffmpeg_->last_words();
+  return words.empty() && pictures_->torn() ? "the last picture is cut off" : words;
+}
+
 Error no_pictures(ErrorKind kind, const std::string& name, const std::string& complaint) {
   return {kind, at_place(name, "there are no pictures in it" +
                                    (complaint.empty() ? "" : "; ffmpeg says: " + complaint))};

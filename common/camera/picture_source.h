@@ -42,6 +42,9 @@ class PictureSource {
   void stop() const { ffmpeg_->stop(); }
   /// What ffmpeg said when it ended, in one line; empty when it was content.
   [[nodiscard]] std::string complaint();
+  /// The same at the end of a film, where ffmpeg goes on after what it cannot decode and is content
+  /// with half a picture too.
+  [[nodiscard]] std::string film_complaint();
 
  private:
   PictureSource() = default;

@@ -86,7 +86,9 @@ bool Y4mReader::fill(std::span<std::uint8_t> bytes) {
 
 bool Y4mReader::next(std::vector<std::uint8_t>& rgb) {
   const auto head = line();
-  if (!head || !head->starts_with("FRAME") || !fill(planes_)) return false;
+  if (!head) return false;
+  torn_ = !head->starts_with("FRAME") || !fill(planes_);
+  if (torn_) return false;
   const std::size_t count = width_ * height_;
   rgb.resize(3 * count);
   const std::uint8_t* planes = planes_.data();

@@ -30,6 +30,8 @@ class Y4mReader {
   [[nodiscard]] double fps() const { return fps_; }
   /// The next picture, as rows of RGB; false at the end. A picture that is cut off is none.
   [[nodiscard]] bool next(std::vector<std::uint8_t>& rgb);
+  /// Whether the end came in the middle of a picture.
+  [[nodiscard]] bool torn() const { return torn_; }
 
   static constexpr std::size_t kSideMax = 4096;
 
@@ -44,6 +46,7 @@ class Y4mReader {
   std::size_t height_ = 0;
   double fps_ = 0;
   std::vector<std::uint8_t> planes_;
+  bool torn_ = false;
 };
 
 }  // namespace aucast::camera

@@ -28,6 +28,8 @@ struct DeleteConverter {
 }  // namespace
 
 struct SoundFile::State {
+  std::string name;
+  std::string complaint;
   std::unique_ptr<SNDFILE, CloseFile> file;
   SF_INFO info{};
   std::unique_ptr<SRC_STATE, DeleteConverter> converter;
@@ -44,6 +46,9 @@ struct SoundFile::State {
       float sum = 0;
       for (std::size_t i = 0; i < channels; ++i) sum += state.frames[frame * channels + i];
       state.mono[frame] = sum / static_cast<float>(channels);
+    }
+    if (count < static_cast<sf_count_t>(kFramesAtOnce) && sf_error(state.file.get()) != 0) {
+      state.complaint = sf_strerror(state.file.get());
     }
     *block = state.mono.data();
     return static_cast<long>(count);
@@ -68,6 +73,11 @@ Result<SoundFile> SoundFile::open(const std::filesystem::path& path) {
         at_place(path.string(),
                  "no sound that can be read (WAV, FLAC, Ogg Vorbis, Ogg Opus, MP3): " + why)};
   }
+  if (src_is_valid_ratio(static_cast<double>(kEncoderRate) / info.samplerate) == 0) {
+    return Error{ErrorKind::BadData, at_place(path.string(), std::to_string(info.samplerate) +
+                                                                 " samples a second are no sound")};
+  }
+  state->name = path.string();
   state->frames.resize(kFramesAtOnce * static_cast<std::size_t>(info.channels));
   int error = 0;
   state->converter.reset(
@@ -83,10 +93,16 @@ std::size_t SoundFile::read(std::span<float> samples) {
     const long count =
         src_callback_read(state_->converter.get(), ratio, static_cast<long>(samples.size() - done),
                           samples.data() + done);
+    if (count < 0) state_->complaint = src_strerror(src_error(state_->converter.get()));
     if (count <= 0) break;
     done += static_cast<std::size_t>(count);
   }
   return done;
+}
+
+std::string SoundFile::complaint() const {
+  if (state_->complaint.empty()) return {};
+  return at_place(state_->name, "the sound breaks off before its end: " + state_->complaint);
 }
 
 Milliseconds SoundFile::duration() const {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "common/result.h"
 #include "common/time.h"
@@ -23,6 +24,8 @@ class SoundFile {
 
   /// Fills `samples` as far as the file goes and says how far; fewer than asked for: the end.
   [[nodiscard]] std::size_t read(std::span<float> samples);
+  /// Why read() found an end where the file has none, with its name; empty: it did not.
+  [[nodiscard]] std::string complaint() const;
   /// As the file's own header has it.
   [[nodiscard]] Milliseconds duration() const;
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/log.h"
 #include "server/streams/source_path.h"
 
 namespace aucast::server {
@@ -10,6 +11,7 @@ Result<std::string> film_text(const std::filesystem::path& path, const SignalOpt
                               const std::function<void(const camera::FilmProgress&)>& on_progress) {
   auto table = camera::read_film(path, quiet_of(options), on_progress);
   if (!table) return table.error();
+  if (!table->note.empty()) spdlog::warn("{}", table->note);
   return std::move(table->text);
 }
 

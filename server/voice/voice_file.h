@@ -40,6 +40,8 @@ class VoiceReader {
   [[nodiscard]] bool read(std::vector<protocol::VoicePacket>& packets);
   /// How far the sound has been read, on the stream's clock.
   [[nodiscard]] Milliseconds end() const { return end_; }
+  /// SoundFile's.
+  [[nodiscard]] std::string complaint() const { return sound_.complaint(); }
 
  private:
   VoiceReader(voice::SoundFile sound, const voice::VoiceSettings& settings, Milliseconds begin);

@@ -100,6 +100,7 @@ bool VoiceTracks::encode_some(Job& job) {
     job.reader = std::move(*opened);
   }
   const bool more = job.reader->read(packets);
+  if (!more && !job.reader->complaint().empty()) spdlog::warn("{}", job.reader->complaint());
   deliver(job, std::move(packets), !more);
   return more;
 }

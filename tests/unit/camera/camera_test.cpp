@@ -64,7 +64,9 @@ TEST(Y4m, APictureThatIsCutOffIsNone) {
   ASSERT_TRUE(reader.has_value() && reader->has_value());
   std::vector<std::uint8_t> rgb;
   EXPECT_TRUE((*reader)->next(rgb));
+  EXPECT_FALSE((*reader)->torn());
   EXPECT_FALSE((*reader)->next(rgb));
+  EXPECT_TRUE((*reader)->torn());
 }
 
 TEST(Y4m, OtherThingsAreRefused) {
@@ -191,6 +193,23 @@ TEST(PictureSource, GivesWhatFfmpegDecodes) {
   EXPECT_EQ(rgb.size(), 6U);
   EXPECT_FALSE(source->next(rgb));
   EXPECT_EQ(source->complaint(), "");
+}
+
+TEST(PictureSource, SaysThatAFilmBreaksOff) {
+  std::vector<std::uint8_t> rgb;
+  const auto complaint_of = [&rgb](const std::string& script) {
+    OtherFfmpeg ffmpeg("printf 'YUV4MPEG2 W2 H1 F25:1 C444\\nFRAME\\nAABBCC'; " + script);
+    auto source = PictureSource::open_film(ffmpeg.file("film.mp4", "x"));
+    EXPECT_TRUE(source.has_value());
+    int pictures = 0;
+    while (source->next(rgb)) ++pictures;
+    EXPECT_EQ(pictures, 1);
+    return source->film_complaint();
+  };
+  EXPECT_EQ(complaint_of(":"), "");
+  EXPECT_EQ(complaint_of("printf 'FRAME\\nAAB'"), "the last picture is cut off");
+  EXPECT_EQ(complaint_of("echo 'File ended prematurely' >&2"), "File ended prematurely");
+  EXPECT_EQ(complaint_of("echo 'Invalid data found' >&2; exit 1"), "Invalid data found");
 }
 
 TEST(PictureSource, SaysInFfmpegsWordsWhyThereAreNoPictures) {

@@ -76,6 +76,41 @@ TEST(SoundFile, SaysWhyThereIsNoSound) {
   EXPECT_EQ(text.error().kind, ErrorKind::BadData);
 }
 
+TEST(SoundFile, SaysThatItBreaksOff) {
+  const TempFolder folder;
+  const auto path = write_sound(folder, "a.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 1, 2);
+  {
+    auto whole = SoundFile::open(path);
+    ASSERT_TRUE(whole);
+    static_cast<void>(read_all(*whole));
+    EXPECT_EQ(whole->complaint(), "");
+  }
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  auto half = SoundFile::open(path);
+  ASSERT_TRUE(half);
+  const std::size_t count = read_all(*half).size();
+  EXPECT_GT(count, 0U);
+  EXPECT_LT(count, std::size_t{2 * kEncoderRate});
+  EXPECT_TRUE(half->complaint().starts_with(path.string() + ": the sound breaks off"))
+      << half->complaint();
+}
+
+TEST(SoundFile, ARateThatCannotBeConvertedIsNoSound) {
+  const TempFolder folder;
+  for (const int rate : {1, 62}) {
+    const auto path = write_sound(folder, "a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, rate, 1, 20);
+    const auto file = SoundFile::open(path);
+    ASSERT_FALSE(file) << rate;
+    EXPECT_EQ(file.error().kind, ErrorKind::BadData);
+    EXPECT_NE(file.error().message.find(std::to_string(rate) + " samples a second"),
+              std::string::npos);
+  }
+  const auto path = write_sound(folder, "b.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 64, 1, 5);
+  auto file = SoundFile::open(path);
+  ASSERT_TRUE(file);
+  EXPECT_GT(read_all(*file).size(), std::size_t{4 * kEncoderRate});
+}
+
 TEST(SoundFile, AFifoIsRefusedAtOnce) {
   const TempFolder folder;
   const auto path = folder.path() / "fifo.wav";
