@@ -5,28 +5,25 @@
 #include <numbers>
 #include <string_view>
 
+#include "common/mixed_bits.h"
+
 namespace aucast::speaker {
 namespace {
 
 using std::chrono::duration_cast;
 
-/// Numbers in [0,1) from a seed (splitmix64): the same on every machine.
+/// Numbers in [0,1) from a seed: the same on every machine.
 class Dice {
  public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
-  [[nodiscard]] float roll() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return static_cast<float>((z ^ (z >> 31U)) >> 40U) / 16777216.0F;
-  }
+  explicit Dice(std::uint64_t seed) : bits_(seed) {}
+  [[nodiscard]] float roll() { return static_cast<float>(bits_.next() >> 40U) / 16777216.0F; }
   [[nodiscard]] float between(float low, float high) { return low + (high - low) * roll(); }
   [[nodiscard]] Milliseconds between(Milliseconds low, Milliseconds high) {
     return low + Milliseconds(static_cast<int>(static_cast<float>((high - low).count()) * roll()));
   }
 
  private:
-  std::uint64_t state_;
+  SplitMix64 bits_;
 };
 
 /// A movement: rises, stays, falls.

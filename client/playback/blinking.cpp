@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/playback/mixed_bits.h"
+#include "common/mixed_bits.h"
 
 namespace aucast::playback {
 

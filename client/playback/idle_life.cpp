@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "client/playback/mixed_bits.h"
+#include "common/mixed_bits.h"
 
 namespace aucast::playback {
 namespace {
