@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/link/host.h"
+#include "common/own_computer.h"
 #include "common/text.h"
 #include "protocol/token_file.h"
 
@@ -24,7 +24,7 @@ Result<Security> load_security(const SecurityOptions& options, std::string_view 
   if (!token->warning.empty()) {
     security.warning += (security.warning.empty() ? "" : "; ") + token->warning;
   }
-  if (!security.tls && !options.insecure_token && !host.empty() && !link::is_own_host(host)) {
+  if (!security.tls && !options.insecure_token && !host.empty() && !is_own_computer(host)) {
     return Error{ErrorKind::Usage,
                  "everybody on the way to " + escaped(host) +
                      " could read the token: add --tls, or --insecure-token to show it all the "

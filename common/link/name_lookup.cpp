@@ -12,6 +12,7 @@
 #include <asio/post.hpp>
 
 #include "common/link/host.h"
+#include "common/own_computer.h"
 #include "common/text.h"
 
 namespace aucast::link {

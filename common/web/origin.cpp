@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "common/own_computer.h"
 #include "common/text.h"
 
 namespace aucast::web {
@@ -14,10 +15,6 @@ bool is_address(const std::string& host) {
   std::array<unsigned char, sizeof(in6_addr)> bytes{};
   return ::inet_pton(AF_INET, host.c_str(), bytes.data()) == 1 ||
          ::inet_pton(AF_INET6, host.c_str(), bytes.data()) == 1;
-}
-
-bool is_own_computer(const std::string& host) {
-  return host == "localhost" || host == "::1" || (host.starts_with("127.") && is_address(host));
 }
 
 bool matches(std::string_view host, const std::string& name) {

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "common/link/host.h"
 #include "common/log.h"
 #include "common/options.h"
+#include "common/own_computer.h"
 #include "common/text.h"
 #include "protocol/token_file.h"
 
@@ -13,7 +13,7 @@ namespace aucast::server {
 Result<void> check_hidden(const protocol::StreamAddress& address, std::string_view what,
                           std::string_view secure) {
   for (const protocol::Endpoint& host : address.hosts) {
-    if (address.tls || link::is_own_host(host.host)) continue;
+    if (address.tls || is_own_computer(host.host)) continue;
     return usage_error("everybody on the way to " + escaped(host.host) + " could read " +
                        std::string(what) + ": use " + std::string(secure));
   }

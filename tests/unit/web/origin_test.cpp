@@ -22,9 +22,9 @@ TEST(IsOwnHost, TakesAddressesLocalhostAndItsNames) {
 }
 
 TEST(IsOwnOrigin, TakesTheSameHostTheOwnComputerAndItsNames) {
-  for (const char* own :
-       {"", "http://10.0.0.7:8080", "https://10.0.0.7", "http://localhost:3000", "http://127.0.0.1",
-        "http://[::1]:80", "https://Monitor.example", "https://course.campus.example:444"}) {
+  for (const char* own : {"", "http://10.0.0.7:8080", "https://10.0.0.7", "http://localhost:3000",
+                          "http://127.0.0.1", "http://[::1]:80", "http://au.localhost:3000",
+                          "https://Monitor.example", "https://course.campus.example:444"}) {
     EXPECT_TRUE(is_own_origin(own, "10.0.0.7:8080", kNames)) << own;
   }
   for (const char* other :
