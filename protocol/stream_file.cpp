@@ -196,7 +196,7 @@ std::string stream_title(std::string_view text) {
       break;
     }
     const std::string_view comment = trimmed(line.substr(1), kLineBlanks);
-    if (comment.starts_with(kTitle)) {
+    if (lowered(comment.substr(0, kTitle.size())) == kTitle) {
       return std::string(trimmed(comment.substr(kTitle.size()), kLineBlanks));
     }
   }

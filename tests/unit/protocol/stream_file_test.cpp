@@ -208,6 +208,7 @@ TEST(StreamTitle, IsACommentBeforeTheFirstPacket) {
   EXPECT_EQ(stream_title("# title: A talk \r\nBeg_Stream\n1\nEnd_Stream\n"), "A talk");
   EXPECT_EQ(stream_title("\xEF\xBB\xBF# by hand\n\nBeg_Stream # of it\n  #title:Two words\n1\n"),
             "Two words");
+  EXPECT_EQ(stream_title("# Title: Any case\nBeg_Stream\n1\nEnd_Stream\n"), "Any case");
   EXPECT_EQ(stream_title("Beg_Stream\n1\n# title: too late\nEnd_Stream\n"), "");
   EXPECT_EQ(stream_title("# titles: none\nBeg_Stream\n"), "");
   EXPECT_EQ(stream_title(""), "");
