@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kLineMax = 42;
 constexpr std::size_t kCaptionMax = 2 * kLineMax;
 constexpr Milliseconds kGapMax{900};
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kWhiteSpace = " \t\r\n";
 
 /// The word as it is written, with the marks that follow it.
 std::string written(const Characters& script, const std::vector<Word>& words, std::size_t i) {
@@ -22,7 +22,7 @@ std::string written(const Characters& script, const std::vector<Word>& words, st
   std::string text;
   bool blank = false;
   for (const char c : script.part(from, to - from)) {
-    if (kBlanks.find(c) != std::string_view::npos) {
+    if (kWhiteSpace.find(c) != std::string_view::npos) {
       blank = !text.empty();
       continue;
     }
