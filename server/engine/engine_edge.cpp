@@ -14,25 +14,22 @@ namespace {
 
 using std::chrono::steady_clock;
 
-Reception::Options reception_options(const EngineEdge::Options& options) {
-  return {options.stream, options.id, options.wait, options.classic_min, "origin"};
-}
-
 }  // namespace
 
-EngineEdge::EngineEdge(asio::io_context& io, const Options& options,
+EngineEdge::EngineEdge(asio::io_context& io, const Reception::Options& options, OpenBus open,
                        std::function<void()> on_moment)
-    : name_(options.stream),
+    : name_(options.name),
+      open_(std::move(open)),
       reception_(
-          io, reception_options(options),
+          io, options,
           {std::move(on_moment), [] {}, [this](const Parent::Ending& ending) { on_over(ending); }}),
       follower_(options.id),
       timer_(io) {}
 
-Result<void> EngineEdge::start(const OpenBus& open) {
-  auto bus = open({[this](const Bus::Message& message) { on_message(message); },
-                   [this](const std::string& server) { on_connected(server); },
-                   [this] { on_disconnected(); }});
+Result<void> EngineEdge::start() {
+  auto bus = open_({[this](const Bus::Message& message) { on_message(message); },
+                    [this](const std::string& server) { on_connected(server); },
+                    [this] { on_disconnected(); }});
   if (!bus) return bus.error();
   bus_ = *std::move(bus);
   bus_->subscribe(batch_subject(name_));

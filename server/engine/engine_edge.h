@@ -9,39 +9,26 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/result.h"
-#include "common/time.h"
-#include "protocol/server_session.h"
 #include "server/engine/bus.h"
 #include "server/engine/follower.h"
 #include "server/engine/joined_link.h"
-#include "server/status/status.h"
-#include "server/upstream/reception.h"
+#include "server/upstream/upstream.h"
 
 namespace aucast::server {
 
 /// A stream of an engine as a source: follows what is published there, and each time that it begins
-/// anew is a connection for its Reception. Sibling of Upstream.
+/// anew is a connection for its Reception.
 /// Thread: that of the io_context, which must outlive it.
-class EngineEdge {
+class EngineEdge final : public Upstream {
  public:
-  struct Options {
-    std::string stream;
-    std::string id;             ///< of this server, to find loops by
-    Milliseconds wait{10'000};  ///< how long clients hold while nobody sends
-    int classic_min = 20;
-  };
+  /// `options.name`: of the stream there. `open`: as the bus opens. `on_moment`: the stream has
+  /// something new.
+  EngineEdge(asio::io_context& io, const Reception::Options& options, OpenBus open,
+             std::function<void()> on_moment);
 
-  /// `on_moment`: the stream has something new.
-  EngineEdge(asio::io_context& io, const Options& options, std::function<void()> on_moment);
-  EngineEdge(const EngineEdge&) = delete;
-  EngineEdge& operator=(const EngineEdge&) = delete;
-
-  /// As the bus opens.
-  [[nodiscard]] Result<void> start(const OpenBus& open);
-  void stop();
-
-  [[nodiscard]] protocol::ServedStream stream() const { return reception_.served(); }
-  [[nodiscard]] UpstreamStatus status() const { return reception_.status(); }
+  [[nodiscard]] Result<void> start() override;
+  void stop() override;
+  [[nodiscard]] const Reception& reception() const override { return reception_; }
 
  private:
   void on_message(const Bus::Message& message);
@@ -57,6 +44,7 @@ class EngineEdge {
   void wait();
 
   std::string name_;
+  OpenBus open_;
   Reception reception_;
   Follower follower_;
   std::unique_ptr<Bus> bus_;

@@ -8,14 +8,8 @@
 #include <asio/post.hpp>
 
 #include "common/log.h"
-#include "protocol/endpoint.h"
 #include "protocol/limits.h"
-#include "server/engine/nats_bus.h"
-#include "server/engine/nats_options.h"
 #include "server/streams/catalogue.h"
-#include "server/streams/film_source.h"
-#include "server/streams/source_path.h"
-#include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
 namespace {
@@ -51,11 +45,6 @@ bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCata
                     });
 }
 
-LinkLimits link_limits(const TransmitterOptions& options) {
-  return {options.max_kbits, options.batch, voice_kbits(options.voice.encoder),
-          options.voice.encoder.frame};
-}
-
 /// By which relays find loops.
 std::string random_id() {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -73,6 +62,8 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
       options_(options),
       events_(std::move(events)),
       id_(random_id()),
+      sources_(io, options, id_,
+               {[this] { on_moment_of_source(); }, [this] { add_faces(); }, events_.on_sight}),
       pushed_(io, {id_, options.upstream.wait, options.classic_min},
               {events_.on_moment, [this] { serve_pushed(*catalogue_); }}),
       beat_(io, events_.on_moment,
@@ -149,88 +140,6 @@ std::shared_ptr<const protocol::ServerCatalogue> Programme::alone(const std::str
   return one;
 }
 
-Result<void> Programme::open_sources() {
-  const auto conditioning = conditioning_of(options_.source.signal);
-  if (!conditioning) return conditioning.error();
-  for (const std::filesystem::path& path : options_.sources) {
-    if (protocol::is_stream_address(path.string())) {
-      if (auto opened = open_upstream(path.string()); !opened) return opened;
-      continue;
-    }
-    if (protocol::is_engine_address(path.string())) {
-      if (auto opened = open_edge(path.string()); !opened) return opened;
-      continue;
-    }
-    if (!is_live(path, options_.live_source.follow)) continue;
-    if (auto opened = open(path, *conditioning); !opened) return opened;
-  }
-  return {};
-}
-
-Result<void> Programme::open(const std::filesystem::path& path,
-                             const sources::ConditioningSettings& conditioning) {
-  const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
-                                    conditioning_for(path, conditioning), options_.keyframe_ms};
-  LiveSourceOptions source_options;
-  source_options.path = path;
-  source_options.follow = options_.live_source.follow;
-  source_options.reader = reader;
-  source_options.classic_min = options_.classic_min;
-  source_options.timeout = options_.live_source.timeout;
-  source_options.record = options_.record;
-  source_options.record_first = sources_.empty();
-  source_options.link = link_limits(options_);
-  const bool first = path == options_.sources.front();
-  if (first && !options_.voice.none && !options_.voice.file.empty()) {
-    const auto kbits = face_kbits(options_.max_kbits, options_.voice.encoder, path);
-    if (!kbits) return kbits.error();
-    source_options.voice = options_.voice.file;
-    source_options.encoder = options_.voice.encoder;
-    source_options.voice_delay = options_.voice.delay;
-  }
-  source_options.camera = options_.source.camera;
-  source_options.quiet = quiet_of(options_.source.signal);
-  source_options.on_sight = events_.on_sight;
-  source_options.on_neutral = [this](const auto& neutral) { on_neutral(neutral); };
-  auto source = std::make_unique<LiveSource>(
-      io_, std::move(source_options),
-      LiveStreams::Events{[this] { on_moment_of_source(); }, [this] { add_faces(); }});
-  if (auto begun = source->start(); !begun) return begun;
-  sources_.push_back(std::move(source));
-  return {};
-}
-
-Result<void> Programme::open_upstream(const std::string& address) {
-  auto from =
-      dialled_address(address, {options_.upstream.token, options_.upstream.tls, "--upstream-tls"});
-  if (!from) return from.error();
-  upstreams_.push_back(std::make_unique<Upstream>(
-      io_, UpstreamOptions{*std::move(from), id_, options_.upstream.wait, options_.classic_min},
-      events_.on_moment));
-  upstreams_.back()->start();
-  return {};
-}
-
-Result<void> Programme::open_edge(const std::string& address) {
-  const auto nats = nats_options(address, options_.engine);
-  if (!nats) return nats.error();
-  const EngineEdge::Options options{nats->address.stream, catalogue_->id, options_.upstream.wait,
-                                    options_.classic_min};
-  edges_.push_back(std::make_unique<EngineEdge>(io_, options, events_.on_moment));
-  return edges_.back()->start(
-      [this, &nats](Bus::Events events) { return open_nats_bus(io_, *nats, std::move(events)); });
-}
-
-void Programme::on_neutral(const sources::MeasuredNeutral& neutral) {
-  const SignalOptions& signal = options_.source.signal;
-  if (signal.save_profile.empty()) return;
-  if (const auto saved = save_profile(signal, neutral); !saved) {
-    spdlog::error("{}", saved.error().message);
-  } else {
-    spdlog::info("the profile was written to {}", signal.save_profile.string());
-  }
-}
-
 void Programme::on_moment_of_source() {
   events_.on_moment();
   // Not now: it is a source that calls.
@@ -240,7 +149,7 @@ void Programme::on_moment_of_source() {
 /// Their names are this server's own from now on.
 void Programme::add_faces() {
   if (stopped_) return;
-  for (const protocol::ServedStream& own : streams_of_sources()) pushed_.give_way(own.name);
+  for (const protocol::ServedStream& own : sources_.streams()) pushed_.give_way(own.name);
   serve_pushed(*catalogue_);
   make_live(*catalogue_);
 }
@@ -256,7 +165,7 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
                                std::exchange(stream.sound, nullptr));
     }
   }
-  for (protocol::ServedStream& of_source : streams_of_sources()) {
+  for (protocol::ServedStream& of_source : sources_.streams()) {
     const auto same =
         std::find_if(catalogue.streams.begin(), catalogue.streams.end(),
                      [&of_source](const auto& stream) { return stream.name == of_source.name; });
@@ -277,25 +186,10 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   });
 }
 
-std::vector<protocol::ServedStream> Programme::streams_of_sources() const {
-  std::vector<protocol::ServedStream> all;
-  for (const auto& source : sources_) {
-    for (protocol::ServedStream& stream : source->streams().served())
-      all.push_back(std::move(stream));
-  }
-  for (const auto& upstream : upstreams_) all.push_back(upstream->stream());
-  for (const auto& edge : edges_) all.push_back(edge->stream());
-  return all;
-}
-
 /// Asked at every keyframe: while a source lasts, no list of streams is made.
 bool Programme::over() const {
-  if (!upstreams_.empty() || !edges_.empty() || takes_streams()) return false;
-  if (!std::all_of(sources_.begin(), sources_.end(),
-                   [](const auto& source) { return source->streams().over(); })) {
-    return false;
-  }
-  const auto of_sources = streams_of_sources();
+  if (takes_streams() || !sources_.over()) return false;
+  const auto of_sources = sources_.streams();
   const auto& served = catalogue_->streams;
   return std::all_of(served.begin(), served.end(), [&of_sources](const auto& stream) {
     return std::any_of(of_sources.begin(), of_sources.end(),
@@ -306,9 +200,7 @@ bool Programme::over() const {
 void Programme::stop() {
   stopped_ = true;
   voices_.stop();
-  for (const auto& source : sources_) source->stop();
-  for (const auto& upstream : upstreams_) upstream->stop();
-  for (const auto& edge : edges_) edge->stop();
+  sources_.stop();
   pushed_.stop();
   beat_.stop();
 }
@@ -363,39 +255,12 @@ void Programme::share_with_before(protocol::ServerCatalogue& catalogue) const {
   }
 }
 
-void Programme::condition_sources_anew() {
-  if (options_.source.signal.profile.empty() || sources_.empty()) return;
-  const auto conditioning = conditioning_of(options_.source.signal);
-  if (!conditioning) {
-    spdlog::error("{}; the profile in use stays", conditioning.error().message);
-    return;
-  }
-  for (const auto& source : sources_) source->streams().condition(*conditioning);
-  spdlog::info("the profile was read again");
-}
-
 void Programme::describe(Status& status) const {
   status.live = any_live();
   for (const auto& stream : catalogue_->streams) status.streams.push_back(stream.known_name());
-  for (const auto& upstream : upstreams_) status.upstreams.push_back(upstream->status());
-  for (const auto& edge : edges_) status.upstreams.push_back(edge->status());
+  sources_.describe(status);
   for (UpstreamStatus& pushed : pushed_.statuses()) status.upstreams.push_back(std::move(pushed));
   status.lag_seconds = seconds(beat_.lag());
-}
-
-Result<void> Programme::finish() {
-  std::optional<Error> first;
-  for (const auto& source : sources_) {
-    LiveStreams& streams = source->streams();
-    // Every record is finished, whatever has become of another.
-    if (auto recorded = streams.finish_record(); !recorded && !first) first = recorded.error();
-    if (streams.over() && streams.nothing_came() && !first) {
-      first = Error{ErrorKind::BadData,
-                    streams.served().front().name + ": the source ended before a keyframe came"};
-    }
-  }
-  if (first) return *first;
-  return {};
 }
 
 }  // namespace aucast::server

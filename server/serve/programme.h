@@ -4,30 +4,28 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <asio/io_context.hpp>
 
 #include "common/camera/camera_feed.h"
 #include "common/result.h"
-#include "common/sources/conditioning.h"
 #include "protocol/server_session.h"
-#include "server/engine/engine_edge.h"
 #include "server/live/live_beat.h"
-#include "server/live/live_source.h"
 #include "server/push/pushed_streams.h"
+#include "server/serve/running_sources.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/status.h"
 #include "server/streams/catalogue.h"
-#include "server/upstream/upstream.h"
 #include "server/voice/voice_tracks.h"
 
 namespace aucast::server {
 
-/// What is served: the streams as they were read last, the sources that are still being written,
-/// and the streams of other servers. Who is connected keeps the catalogue it came to, which lives
-/// as long as any of its clients. Thread: that of the io_context, which must outlive it together
-/// with the events' captures and the options.
+/// What is served, as one catalogue: the streams as they were read last, those of the running
+/// sources, and those that publishers bring. Who is connected keeps the catalogue it came to, which
+/// lives as long as any of its clients. Thread: that of the io_context, which must outlive it
+/// together with the events' captures and the options.
 class Programme {
  public:
   struct Events {
@@ -43,7 +41,7 @@ class Programme {
   Programme& operator=(const Programme&) = delete;
 
   /// Opens the sources that are still being written, and goes to other servers.
-  [[nodiscard]] Result<void> open_sources();
+  [[nodiscard]] Result<void> open_sources() { return sources_.open(); }
   /// The clocks of the live streams begin.
   void begin() { make_live(*catalogue_); }
   /// Nothing is live any more, and nothing that was read is taken over.
@@ -64,7 +62,7 @@ class Programme {
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
   /// The profile of the signals may have changed: reads it for the live sources again.
-  void condition_sources_anew();
+  void condition_sources_anew() { sources_.condition_anew(); }
   /// Tells of what is due, before something that takes time.
   void catch_up() { beat_.catch_up(); }
 
@@ -77,30 +75,21 @@ class Programme {
   void describe(Status& status) const;
   /// What went wrong with live sources without stopping anything. Waits until the records are
   /// written.
-  [[nodiscard]] Result<void> finish();
+  [[nodiscard]] Result<void> finish() { return sources_.finish(); }
   /// A thread reads a sound file: a disk that hangs would hold up the destructor.
   [[nodiscard]] bool encoding() const { return voices_.running(); }
 
  private:
-  [[nodiscard]] bool any_live() const {
-    return options_.live || !sources_.empty() || !upstreams_.empty() || !edges_.empty() ||
-           takes_streams();
-  }
+  [[nodiscard]] bool any_live() const { return options_.live || sources_.any() || takes_streams(); }
   [[nodiscard]] bool takes_streams() const { return !options_.credentials.publishers.empty(); }
   [[nodiscard]] bool is_own(const std::string& name) const;
   void open_to_publishers(protocol::ServerCatalogue& catalogue);
   [[nodiscard]] std::optional<protocol::ErrorReply> publish_refused(
       const protocol::HelloAsked& hello) const;
   void serve_pushed(protocol::ServerCatalogue& catalogue);
-  [[nodiscard]] Result<void> open(const std::filesystem::path& path,
-                                  const sources::ConditioningSettings& conditioning);
-  [[nodiscard]] Result<void> open_upstream(const std::string& address);
-  [[nodiscard]] Result<void> open_edge(const std::string& address);
-  void on_neutral(const sources::MeasuredNeutral& neutral);
   void on_moment_of_source();
   void add_faces();
   void make_live(protocol::ServerCatalogue& catalogue);
-  [[nodiscard]] std::vector<protocol::ServedStream> streams_of_sources() const;
   [[nodiscard]] bool over() const;
   [[nodiscard]] protocol::ServerCatalogue accompanied(Repertoire repertoire);
   void share_with_before(protocol::ServerCatalogue& catalogue) const;
@@ -109,9 +98,7 @@ class Programme {
   const TransmitterOptions& options_;
   Events events_;
   const std::string id_;  ///< of this server, by which relays find loops
-  std::vector<std::unique_ptr<LiveSource>> sources_;
-  std::vector<std::unique_ptr<Upstream>> upstreams_;
-  std::vector<std::unique_ptr<EngineEdge>> edges_;
+  RunningSources sources_;
   PushedStreams pushed_;
   std::vector<std::string> pushed_names_;  ///< as they are in the catalogue
   LiveBeat beat_;

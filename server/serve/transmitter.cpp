@@ -29,6 +29,7 @@
 #include "server/status/http_server.h"
 #include "server/status/service_manager.h"
 #include "server/status/status.h"
+#include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
 namespace {

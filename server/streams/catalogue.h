@@ -27,7 +27,7 @@ struct Source {
   std::shared_ptr<const protocol::EncodedStream> stream{};  ///< nothing while `live`
   StreamSummary summary{};
   std::optional<sources::Found> found{};  ///< of a recording
-  bool live = false;                      ///< nothing is read yet: a LiveSource or an Upstream will
+  bool live = false;                      ///< nothing is read yet: RunningSources will
   std::optional<VoiceFile> voice{};       ///< not encoded yet
   /// What goes with the voice, if that is not `stream`: protocol::spoken_stream().
   std::shared_ptr<const protocol::EncodedStream> spoken{};

@@ -1,0 +1,169 @@
+#include "server/serve/running_sources.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "common/log.h"
+#include "protocol/endpoint.h"
+#include "server/engine/engine_edge.h"
+#include "server/engine/nats_bus.h"
+#include "server/engine/nats_options.h"
+#include "server/streams/film_source.h"
+#include "server/streams/source_path.h"
+#include "server/upstream/dialled_address.h"
+#include "server/upstream/dialled_upstream.h"
+#include "server/voice/voice_file.h"
+
+namespace aucast::server {
+
+LinkLimits link_limits(const TransmitterOptions& options) {
+  return {options.max_kbits, options.batch, voice_kbits(options.voice.encoder),
+          options.voice.encoder.frame};
+}
+
+RunningSources::RunningSources(asio::io_context& io, const TransmitterOptions& options,
+                               std::string id, Events events)
+    : io_(io), options_(options), id_(std::move(id)), events_(std::move(events)) {}
+
+Result<void> RunningSources::open() {
+  const auto conditioning = conditioning_of(options_.source.signal);
+  if (!conditioning) return conditioning.error();
+  for (const std::filesystem::path& path : options_.sources) {
+    Result<void> opened;
+    if (protocol::is_stream_address(path.string())) {
+      opened = open_dialled(path.string());
+    } else if (protocol::is_engine_address(path.string())) {
+      opened = open_edge(path.string());
+    } else if (is_live(path, options_.live_source.follow)) {
+      opened = open_live(path, *conditioning);
+    }
+    if (!opened) return opened;
+  }
+  return {};
+}
+
+Result<void> RunningSources::open_live(const std::filesystem::path& path,
+                                       const sources::ConditioningSettings& conditioning) {
+  const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
+                                    conditioning_for(path, conditioning), options_.keyframe_ms};
+  LiveSourceOptions source_options;
+  source_options.path = path;
+  source_options.follow = options_.live_source.follow;
+  source_options.reader = reader;
+  source_options.classic_min = options_.classic_min;
+  source_options.timeout = options_.live_source.timeout;
+  source_options.record = options_.record;
+  source_options.record_first = live_.empty();
+  source_options.link = link_limits(options_);
+  const bool first = path == options_.sources.front();
+  if (first && !options_.voice.none && !options_.voice.file.empty()) {
+    const auto kbits = face_kbits(options_.max_kbits, options_.voice.encoder, path);
+    if (!kbits) return kbits.error();
+    source_options.voice = options_.voice.file;
+    source_options.encoder = options_.voice.encoder;
+    source_options.voice_delay = options_.voice.delay;
+  }
+  source_options.camera = options_.source.camera;
+  source_options.quiet = quiet_of(options_.source.signal);
+  source_options.on_sight = events_.on_sight;
+  source_options.on_neutral = [this](const auto& neutral) { on_neutral(neutral); };
+  auto source = std::make_unique<LiveSource>(
+      io_, std::move(source_options), LiveStreams::Events{events_.on_moment, events_.on_face});
+  if (auto begun = source->start(); !begun) return begun;
+  live_.push_back(std::move(source));
+  return {};
+}
+
+Result<void> RunningSources::open_dialled(const std::string& address) {
+  auto from =
+      dialled_address(address, {options_.upstream.token, options_.upstream.tls, "--upstream-tls"});
+  if (!from) return from.error();
+  auto options = reception(from->address.stream, "parent");
+  return begin(std::make_unique<DialledUpstream>(io_, *std::move(from), std::move(options),
+                                                 events_.on_moment));
+}
+
+Result<void> RunningSources::open_edge(const std::string& address) {
+  const auto nats = nats_options(address, options_.engine);
+  if (!nats) return nats.error();
+  const auto open = [&io = io_, nats = *nats](Bus::Events events) {
+    return open_nats_bus(io, nats, std::move(events));
+  };
+  return begin(std::make_unique<EngineEdge>(io_, reception(nats->address.stream, "origin"), open,
+                                            events_.on_moment));
+}
+
+Reception::Options RunningSources::reception(const std::string& name, const char* sender) const {
+  return {name, id_, options_.upstream.wait, options_.classic_min, sender};
+}
+
+Result<void> RunningSources::begin(std::unique_ptr<Upstream> upstream) {
+  upstreams_.push_back(std::move(upstream));
+  return upstreams_.back()->start();
+}
+
+void RunningSources::on_neutral(const sources::MeasuredNeutral& neutral) const {
+  const SignalOptions& signal = options_.source.signal;
+  if (signal.save_profile.empty()) return;
+  if (const auto saved = save_profile(signal, neutral); !saved) {
+    spdlog::error("{}", saved.error().message);
+  } else {
+    spdlog::info("the profile was written to {}", signal.save_profile.string());
+  }
+}
+
+void RunningSources::stop() {
+  for (const auto& source : live_) source->stop();
+  for (const auto& upstream : upstreams_) upstream->stop();
+}
+
+bool RunningSources::over() const {
+  return upstreams_.empty() && std::all_of(live_.begin(), live_.end(), [](const auto& source) {
+           return source->streams().over();
+         });
+}
+
+std::vector<protocol::ServedStream> RunningSources::streams() const {
+  std::vector<protocol::ServedStream> all;
+  for (const auto& source : live_) {
+    for (protocol::ServedStream& stream : source->streams().served())
+      all.push_back(std::move(stream));
+  }
+  for (const auto& upstream : upstreams_) all.push_back(upstream->reception().served());
+  return all;
+}
+
+void RunningSources::condition_anew() {
+  if (options_.source.signal.profile.empty() || live_.empty()) return;
+  const auto conditioning = conditioning_of(options_.source.signal);
+  if (!conditioning) {
+    spdlog::error("{}; the profile in use stays", conditioning.error().message);
+    return;
+  }
+  for (const auto& source : live_) source->streams().condition(*conditioning);
+  spdlog::info("the profile was read again");
+}
+
+void RunningSources::describe(Status& status) const {
+  for (const auto& upstream : upstreams_) {
+    status.upstreams.push_back(upstream->reception().status());
+  }
+}
+
+Result<void> RunningSources::finish() {
+  std::optional<Error> first;
+  for (const auto& source : live_) {
+    LiveStreams& streams = source->streams();
+    // Every record is finished, whatever has become of another.
+    if (auto recorded = streams.finish_record(); !recorded && !first) first = recorded.error();
+    if (streams.over() && streams.nothing_came() && !first) {
+      first = Error{ErrorKind::BadData,
+                    streams.served().front().name + ": the source ended before a keyframe came"};
+    }
+  }
+  if (first) return *first;
+  return {};
+}
+
+}  // namespace aucast::server
