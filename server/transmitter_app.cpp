@@ -26,10 +26,10 @@
 #include "server/serve/transmitter.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/stats.h"
-#include "server/streams/catalogue.h"
 #include "server/streams/check_report.h"
 #include "server/streams/convert_command.h"
 #include "server/streams/estimate.h"
+#include "server/streams/repertoire.h"
 #include "server/streams/source_checks.h"
 #include "server/upstream/dialled_address.h"
 

@@ -45,7 +45,7 @@ Result<void> Listeners::open_web() {
       io_, options_.web,
       WebServer::Hooks{
           [this]() -> const std::optional<tls::Context>& { return certificates_.web_tls(); },
-          hooks_.unsent_bytes_max,
+          hooks_.held_back_max,
           [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link) {
             hooks_.welcome(peer, open_link, ClientRegistry::Way::WebSocket);
           }});
@@ -98,7 +98,7 @@ void Listeners::accept_from(link::Listener& listener, ClientRegistry::Way way) {
 }
 
 std::shared_ptr<link::Link> Listeners::link_of(tcp::socket socket) const {
-  auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, hooks_.unsent_bytes_max());
+  auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, hooks_.held_back_max());
   const auto& tls = certificates_.tls();
   if (!tls) return link;
   return link::tls_link(std::move(link), tls::Channel(*tls), protocol::kLinkLimits,

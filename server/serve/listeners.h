@@ -26,7 +26,7 @@ class Listeners {
  public:
   struct Hooks {
     /// What the system may hold back unsent for one client; 0: as much as it likes.
-    std::function<int()> unsent_bytes_max;
+    std::function<int()> held_back_max;
     /// Somebody knocks. Opens the link, unless there is no room even to say so.
     std::function<void(const asio::ip::tcp::endpoint& peer,
                        const ClientRegistry::OpenLink& open_link, ClientRegistry::Way way)>

@@ -9,31 +9,9 @@
 
 #include "common/log.h"
 #include "protocol/limits.h"
-#include "server/streams/catalogue.h"
 
 namespace aucast::server {
 namespace {
-
-/// Of a live stream, what the system may hold back unsent for one client: some time's worth, but
-/// not so little that every packet has to wait for the one before.
-constexpr std::size_t kUnsentBytesLeast = 512;
-constexpr std::size_t kUnsentBytesMax = 65536;
-constexpr std::size_t kUnsentBytesOfSources = 2048;  ///< what they will send is not known
-
-int unsent_bytes_for(const protocol::ServerCatalogue& catalogue, const VoiceOptions& voice) {
-  constexpr Milliseconds kTime = protocol::kLiveWindowTime / 2;
-  const bool any_voice =
-      std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
-                  [](const auto& stream) { return stream.sound && stream.sound->voice; });
-  // Kilobits a second are bits a millisecond.
-  const std::size_t of_voice =
-      any_voice ? voice_kbits(voice.encoder) * static_cast<std::size_t>(kTime.count()) / 8 : 0;
-  const std::size_t bytes = bytes_in(catalogue, kTime) + of_voice;
-  const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
-                                   [](const auto& stream) { return !stream.recorded; });
-  const std::size_t least = unknown ? kUnsentBytesOfSources : kUnsentBytesLeast;
-  return static_cast<int>(std::clamp(bytes, least, kUnsentBytesMax));
-}
 
 bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCatalogue& b) {
   return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
@@ -70,7 +48,7 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
             {link_limits(options), options.keyframe_ms, options.classic_min}),
       voices_(io, options.voice.encoder, [this] { events_.on_voice(); }),
       catalogue_(std::make_shared<protocol::ServerCatalogue>(accompanied(std::move(repertoire)))),
-      unsent_bytes_max_(unsent_bytes_for(*catalogue_, options.voice)) {
+      held_back_max_(held_back_for(*catalogue_, options.voice)) {
   catalogue_->id = id_;
   open_to_publishers(*catalogue_);
 }
@@ -207,7 +185,7 @@ void Programme::stop() {
 
 bool Programme::take_over(Repertoire repertoire) {
   protocol::ServerCatalogue loaded = accompanied(std::move(repertoire));
-  const int unsent_bytes_max = unsent_bytes_for(loaded, options_.voice);
+  const int held_back_max = held_back_for(loaded, options_.voice);
   make_live(loaded);
   if (loaded.streams.empty() && !takes_streams()) return false;
   for (const protocol::ServedStream& own : loaded.streams) pushed_.give_way(own.known_name());
@@ -223,7 +201,7 @@ bool Programme::take_over(Repertoire repertoire) {
   loaded.id = id_;
   open_to_publishers(loaded);
   catalogue_ = std::make_shared<protocol::ServerCatalogue>(std::move(loaded));
-  unsent_bytes_max_ = unsent_bytes_max;
+  held_back_max_ = held_back_max;
   return true;
 }
 

@@ -17,7 +17,7 @@
 #include "server/serve/running_sources.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/status.h"
-#include "server/streams/catalogue.h"
+#include "server/streams/repertoire.h"
 #include "server/voice/voice_tracks.h"
 
 namespace aucast::server {
@@ -70,7 +70,7 @@ class Programme {
     return catalogue_;
   }
   /// What the system may hold back unsent for a client; 0: as much as it likes.
-  [[nodiscard]] int unsent_bytes_max() const { return any_live() ? unsent_bytes_max_ : 0; }
+  [[nodiscard]] int held_back_max() const { return any_live() ? held_back_max_ : 0; }
   /// Fills in all that `status` says of streams.
   void describe(Status& status) const;
   /// What went wrong with live sources without stopping anything. Waits until the records are
@@ -104,7 +104,7 @@ class Programme {
   LiveBeat beat_;
   VoiceTracks voices_;
   std::shared_ptr<protocol::ServerCatalogue> catalogue_;
-  int unsent_bytes_max_;  ///< of a live stream
+  int held_back_max_;  ///< of a live stream
   bool stopped_ = false;
 };
 

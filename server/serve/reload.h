@@ -11,7 +11,7 @@
 #include "common/tls/context.h"
 #include "server/serve/credentials.h"
 #include "server/serve/programme.h"
-#include "server/streams/catalogue.h"
+#include "server/streams/repertoire.h"
 
 namespace aucast::server {
 

@@ -59,7 +59,7 @@ class Transmitter {
         reload_(io_, options.credentials, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
         listeners_(io_, options, reload_,
-                   {[this] { return programme_.unsent_bytes_max(); },
+                   {[this] { return programme_.held_back_max(); },
                     [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
                            ClientRegistry::Way way) { welcome(peer, open_link, way); }}),
         shutdown_(io_, options.drain_time, clients_,
@@ -106,7 +106,7 @@ class Transmitter {
                        std::move(on_served));
       };
       pushers_.push_back(std::make_unique<Pusher>(io_, *std::move(to), programme_.catalogue()->id,
-                                                  programme_.unsent_bytes_max(), std::move(hooks)));
+                                                  programme_.held_back_max(), std::move(hooks)));
     }
     return {};
   }

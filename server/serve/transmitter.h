@@ -8,7 +8,7 @@
 #include "server/serve/reload.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/stats.h"
-#include "server/streams/catalogue.h"
+#include "server/streams/repertoire.h"
 
 namespace aucast::server {
 

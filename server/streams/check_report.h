@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "server/streams/catalogue.h"
+#include "server/streams/load_sources.h"
 #include "server/voice/voice_summary.h"
 
 namespace aucast::server {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "common/time.h"
-#include "server/streams/catalogue.h"
+#include "server/streams/load_sources.h"
 #include "server/voice/voice_summary.h"
 
 namespace aucast::server {

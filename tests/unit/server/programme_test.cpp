@@ -85,7 +85,7 @@ TEST_F(ProgrammeTest, ALiveStreamGoesOnWithoutAGapWhenItHoldsWhatItHeld) {
   const auto live = programme.catalogue()->streams[0].live;
   ASSERT_NE(live, nullptr);
   EXPECT_EQ(programme.catalogue()->streams[0].recorded, nullptr);
-  EXPECT_GT(programme.unsent_bytes_max(), 0);
+  EXPECT_GT(programme.held_back_max(), 0);
   ASSERT_TRUE(
       programme.take_over(catalogue_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}})));
   EXPECT_EQ(programme.catalogue()->streams[0].live, live);
@@ -93,7 +93,7 @@ TEST_F(ProgrammeTest, ALiveStreamGoesOnWithoutAGapWhenItHoldsWhatItHeld) {
 }
 
 TEST_F(ProgrammeTest, RecordedStreamsMayBeHeldBackAsTheSystemLikes) {
-  EXPECT_EQ(begin(catalogue_of({{"a", stream_of("{1}")}})).unsent_bytes_max(), 0);
+  EXPECT_EQ(begin(catalogue_of({{"a", stream_of("{1}")}})).held_back_max(), 0);
 }
 
 TEST_F(ProgrammeTest, ASourceThatIsBeingWrittenHasTheStreamOfItsName) {

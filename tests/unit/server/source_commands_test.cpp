@@ -5,9 +5,9 @@
 
 #include "common/files.h"
 #include "server/settings/source_options.h"
-#include "server/streams/catalogue.h"
 #include "server/streams/check_report.h"
 #include "server/streams/convert_command.h"
+#include "server/streams/load_sources.h"
 #include "server/streams/source_path.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"

@@ -7,7 +7,7 @@
 
 #include "common/files.h"
 #include "protocol/stream_file.h"
-#include "server/streams/catalogue.h"
+#include "server/streams/repertoire.h"
 
 namespace aucast::server {
 namespace {
@@ -36,7 +36,7 @@ std::vector<std::string> classic_packets(const std::string& name) {
   const auto sources = load(name);
   if (sources.empty()) return {};
   std::vector<std::string> packets;
-  const auto catalogue = make_catalogue(sources, 250, false);
+  const auto catalogue = make_repertoire(sources, 250, false).catalogue;
   const protocol::PacketList& classic = catalogue.streams.front().recorded->classic;
   for (std::size_t i = 0; i < classic.size(); ++i) packets.emplace_back(classic[i]);
   return packets;
@@ -71,7 +71,7 @@ TEST(StreamData, SingleExpressionsHaveTheBytesOfTableFiveFive) {
 TEST(StreamData, PrototypesHaveIntensities) {
   const auto sources = load("six_prototypes");
   ASSERT_EQ(sources.size(), 1U);
-  EXPECT_EQ(make_catalogue(sources, 250, false).streams[0].recorded->negotiated,
+  EXPECT_EQ(make_repertoire(sources, 250, false).catalogue.streams[0].recorded->negotiated,
             (protocol::PacketList{"{1:80,2:80,5:25,26:80}", "{1:80,2:50,4:50,5:80,20:50,25:50}",
                                   "{9:80,16:50,26:25}", "{4:80,5:50,7:80,23:80}", "{6:80,12}",
                                   "{1:80,4:50,11:25,15:25}"}));

@@ -9,9 +9,9 @@
 #include <asio/executor_work_guard.hpp>
 
 #include "common/log.h"
-#include "server/streams/catalogue.h"
 #include "server/streams/check_report.h"
 #include "server/streams/estimate.h"
+#include "server/streams/repertoire.h"
 #include "server/voice/companions.h"
 #include "server/voice/voice_summary.h"
 #include "server/voice/voice_tracks.h"

@@ -1,4 +1,4 @@
-#include "server/streams/catalogue.h"
+#include "server/streams/load_sources.h"
 
 #include <gtest/gtest.h>
 
@@ -113,73 +113,11 @@ TEST(LoadSources, NameThatCannotBeAskedForIsRefusedWithTheRemedy) {
   EXPECT_TRUE(has(error, "'my talk\\x01' cannot be a stream's name; rename")) << error.message;
 }
 
-TEST(MakeCatalogue, EncodesEveryStreamForBothLevels) {
-  const TempFolder folder;
-  const auto sources = load_sources({folder.write("talk.txt", kTwo)}, {}, {100});
-  ASSERT_TRUE(sources);
-  const auto catalogue = make_catalogue(*sources, 100, false);
-  EXPECT_EQ(catalogue.keyframe_ms, 100U);
-  EXPECT_FALSE(catalogue.loop);
-  ASSERT_EQ(catalogue.streams.size(), 1U);
-  EXPECT_EQ(catalogue.streams[0].name, "talk");
-  EXPECT_EQ(catalogue.streams[0].live, nullptr);
-  const auto& stream = *catalogue.streams[0].recorded;
-  EXPECT_EQ(stream.classic, (protocol::PacketList{"{12}", "{6,12}"}));
-  EXPECT_EQ(stream.negotiated, (protocol::PacketList{"{1:10,12:80;40}", "{6,12}"}));
-  EXPECT_EQ(stream.duration_ms, 140U);
-}
-
-TEST(MakeCatalogue, ClassicMinimumDecidesWhatClassicClientsGet) {
+TEST(LoadSources, ClassicMinimumDecidesWhatClassicClientsGet) {
   const TempFolder folder;
   const auto path = folder.write("talk.txt", kTwo);
   EXPECT_EQ(load_sources({path}, {}, {250, 10})->front().stream->classic[0], "{1,12}");
   EXPECT_EQ(load_sources({path}, {}, {250, 81})->front().stream->classic[0], "{0}");
-}
-
-TEST(MakeCatalogue, HasTheTimesAndTheChangesForWhoAsks) {
-  const TempFolder folder;
-  const auto sources = load_sources(
-      {folder.write("a.txt", "Beg_Stream\n1:10,12:80;40\n1:10,12:70\n14;0\nEnd_Stream\n")}, {},
-      {300, 20});
-  ASSERT_TRUE(sources);
-  const auto catalogue = make_catalogue(*sources, 300, false);
-  const auto& stream = *catalogue.streams.front().recorded;
-  EXPECT_EQ(stream.times, (std::vector<protocol::KeyframeTime>{protocol::KeyframeTime(40),
-                                                               protocol::KeyframeTime(300),
-                                                               protocol::KeyframeTime(0)}));
-  EXPECT_EQ(stream.changes, (protocol::PacketList{"{1:10,12:80;40}", "{~12:70}", "{14;0}"}));
-}
-
-TEST(MakeCatalogue, LeavesPlainSetsAsTheThesisHasThem) {
-  const TempFolder folder;
-  const auto sources =
-      load_sources({folder.write("a.txt", "Beg_Stream\n1,6,12,14\n6,12\nEnd_Stream\n")});
-  ASSERT_TRUE(sources);
-  EXPECT_TRUE(make_catalogue(*sources, 250, false).streams.front().recorded->changes.empty());
-}
-
-TEST(CheckLive, RefusesOnlyALoopWithoutTime) {
-  const TempFolder folder;
-  const auto sources =
-      load_sources({folder.write("a.txt", kTwo),
-                    folder.write("still.txt", "Beg_Stream\n1;0\n2;0\nEnd_Stream\n")});
-  ASSERT_TRUE(sources);
-  EXPECT_TRUE(check_live(make_catalogue(*sources, 250, false)));
-  const auto refused = check_live(make_catalogue(*sources, 250, true));
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().kind, ErrorKind::BadData);
-  EXPECT_TRUE(has(refused.error(), "the stream 'still' takes no time at all"));
-}
-
-TEST(BytesIn, AreThoseOfTheBusiestStream) {
-  const TempFolder folder;
-  const auto sources =
-      load_sources({folder.write("a.txt", "Beg_Stream\n1;500\n2;500\nEnd_Stream\n"),
-                    folder.write("b.txt", "Beg_Stream\n1;100\nEnd_Stream\n")});
-  ASSERT_TRUE(sources);
-  const auto catalogue = make_catalogue(*sources, 250, false);
-  EXPECT_EQ(bytes_in(catalogue, Milliseconds(1000)), 70U) << "{1;100} ten times";
-  EXPECT_EQ(bytes_in(catalogue, Milliseconds(10)), 1U);
 }
 
 TEST(LoadSources, ARateThatMemoryCannotHoldIsRefused) {

@@ -5,14 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "common/result.h"
 #include "common/sources/recording.h"
-#include "common/time.h"
+#include "protocol/encoded_stream.h"
 #include "protocol/packet.h"
-#include "protocol/server_session.h"
 #include "server/settings/source_options.h"
 #include "server/settings/voice_options.h"
 #include "server/streams/stream_summary.h"
@@ -61,30 +59,5 @@ struct EncodingOptions {
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
     const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,
     LiveSources live = LiveSources::None);
-
-/// What is served, in the order given; of a source that is live only the name is known yet. No
-/// voice is there yet.
-[[nodiscard]] protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
-                                                       std::uint32_t keyframe_ms, bool loop);
-
-/// What is served, and the sound files whose voices are to go with it.
-struct Repertoire {
-  // Implicit on purpose: streams without a voice are a repertoire too.
-  Repertoire(protocol::ServerCatalogue streams) : catalogue(std::move(streams)) {}
-
-  protocol::ServerCatalogue catalogue;
-  std::vector<std::optional<VoiceFile>> voices;  ///< of each stream; missing ones: none
-};
-
-/// make_catalogue() with the voices, which are still to be encoded.
-[[nodiscard]] Repertoire make_repertoire(const std::vector<Source>& sources,
-                                         std::uint32_t keyframe_ms, bool loop);
-
-/// Whether the streams can be sent live: one that starts again must take some time. Bad data
-/// otherwise.
-[[nodiscard]] Result<void> check_live(const protocol::ServerCatalogue& catalogue);
-
-/// How many bytes of the busiest stream's keyframes go out in `time`, rounded up.
-[[nodiscard]] std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time);
 
 }  // namespace aucast::server

@@ -1,17 +1,14 @@
-#include "server/streams/catalogue.h"
+#include "server/streams/load_sources.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "common/check.h"
 #include "common/sources/content.h"
 #include "common/sources/dead_band.h"
 #include "common/sources/resample.h"
 #include "common/sources/source_reader.h"
 #include "common/text.h"
-#include "protocol/caption.h"
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/endpoint.h"
@@ -236,10 +233,6 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
                                                   " already; leave one out or rename a file")};
 }
 
-Milliseconds time_of(const protocol::EncodedStream& stream) {
-  return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds::zero());
-}
-
 }  // namespace
 
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
@@ -279,56 +272,6 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
   }
   if (!errors.empty()) return joined(errors);
   return sources;
-}
-
-protocol::ServerCatalogue make_catalogue(const std::vector<Source>& sources,
-                                         std::uint32_t keyframe_ms, bool loop) {
-  protocol::ServerCatalogue catalogue;
-  catalogue.keyframe_ms = keyframe_ms;
-  catalogue.loop = loop;
-  for (const Source& source : sources) {
-    const bool can_be_told = protocol::is_title(source.title);
-    catalogue.streams.push_back({.name = source.name,
-                                 .recorded = source.stream,
-                                 .spoken = source.spoken,
-                                 .title = can_be_told ? source.title : std::string()});
-    if (source.captions.empty()) continue;
-    protocol::Soundtrack sound;
-    sound.captions = source.captions;
-    catalogue.streams.back().sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
-  }
-  return catalogue;
-}
-
-Repertoire make_repertoire(const std::vector<Source>& sources, std::uint32_t keyframe_ms,
-                           bool loop) {
-  Repertoire repertoire(make_catalogue(sources, keyframe_ms, loop));
-  for (const Source& source : sources) repertoire.voices.push_back(source.voice);
-  return repertoire;
-}
-
-Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
-  if (!catalogue.loop) return {};
-  for (const protocol::ServedStream& stream : catalogue.streams) {
-    if (stream.recorded && time_of(*stream.recorded) == Milliseconds::zero()) {
-      return Error{ErrorKind::BadData, "the stream '" + stream.name +
-                                           "' takes no time at all, so it cannot start again and "
-                                           "again live; give its keyframes a time, such as ;250"};
-    }
-  }
-  return {};
-}
-
-std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time) {
-  std::size_t most = 0;
-  for (const protocol::ServedStream& stream : catalogue.streams) {
-    if (!stream.recorded) continue;
-    const std::size_t bytes = stream.recorded->negotiated.bytes();
-    const auto all =
-        static_cast<std::size_t>(std::max<Milliseconds::rep>(time_of(*stream.recorded).count(), 1));
-    most = std::max(most, (bytes * static_cast<std::size_t>(time.count()) + all - 1) / all);
-  }
-  return most;
 }
 
 }  // namespace aucast::server
