@@ -49,8 +49,6 @@ std::string_view name(CloseConnection::Why why) {
       return "refused";
     case Why::BrokenOff:
       return "broken off";
-    case Why::Publishes:
-      return "publishes";
   }
   return "unknown";
 }
@@ -208,7 +206,9 @@ void ServerSession::State::take_publisher(const HelloAsked& hello) {
   } else if (const auto refusal = catalogue->publish_refused(hello)) {
     refuse(refusal->code, refusal->text);
   } else {
-    close(Why::Publishes, "it brings the stream '" + hello.publish + "'");
+    phase = Phase::Closed;
+    deadline.reset();
+    events.emplace_back(HandOver{hello});
   }
 }
 

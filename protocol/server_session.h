@@ -55,13 +55,16 @@ struct CloseConnection {
     Refused,        ///< an {error ...} was sent, or there was no room for a classic client, which
                     ///< is closed without one; `reason` says why
     BrokenOff,      ///< the rest of the stream is not here: it came from another server
-    Publishes,      ///< it brings the stream of hello() and may: nothing is closed, the connection
-                    ///< is for a ClientSession from now on, whose hello `takes` it
   };
   Why why = Why::Finished;
   std::string reason;
 };
-using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection>;
+/// The client brings a stream and may: the connection is for a ClientSession from now on, whose
+/// hello `takes` it.
+struct HandOver {
+  HelloAsked hello;
+};
+using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection, HandOver>;
 
 [[nodiscard]] std::string_view name(CloseConnection::Why why);
 
@@ -82,7 +85,7 @@ enum class Silence : std::uint8_t {
 /// windowed sending, pause, stop, end, drain. Live, a client that may be sent something gets the
 /// newest moment; those between it and the last one sent are merged into it, which for states
 /// means left out. No socket and no clock: bytes and the current time go in, events come out. After
-/// CloseConnection nothing more comes out.
+/// CloseConnection or HandOver nothing more comes out.
 /// Output of one call: at most kEarlyAnswersMax + window packets. The owner must not read on while
 /// much of what it was told to send is still unsent, or a peer that answers without reading fills
 /// the owner's memory.

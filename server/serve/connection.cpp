@@ -9,6 +9,8 @@
 
 namespace aucast::server {
 
+using Why = protocol::CloseConnection::Why;
+
 Connection::Connection(std::shared_ptr<link::Link> link,
                        std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                        Settings settings, OnClosed on_closed)
@@ -81,7 +83,7 @@ void Connection::on_time() {
   } else if (const auto patience = patience_ends(); patience && now >= *patience) {
     const std::string what = output_bytes() == 0 ? "no answer for " : "nothing was taken for ";
     finish_sending();
-    note_end("timed out",
+    note_end(EndedHere::TimedOut,
              what + std::to_string(settings_.client_timeout.count()) + " ms (--client-timeout)",
              false);
   }
@@ -99,13 +101,13 @@ void Connection::on_closed(const link::Ending& ending) {
 void Connection::on_failure(const link::Ending& failure) {
   const bool frames = failure.why == link::Ending::Why::WebSocketFailed;
   finish_sending();
-  note_end(frames ? "protocol error" : "tls failed", failure.reason, false);
+  note_end(frames ? EndReason(Why::ProtocolError) : EndedHere::TlsFailed, failure.reason, false);
 }
 
 void Connection::stop() {
   if (finishing_ || closed_) return;
   if (!session_) {
-    note_end("stopped", "the server stops", true);
+    note_end(Why::Stopped, "the server stops", true);
     close();
     return;
   }
@@ -135,28 +137,24 @@ void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
     } else if (std::holds_alternative<protocol::ShutdownSending>(event)) {
       finish_sending();
     } else if (const auto* end = std::get_if<protocol::CloseConnection>(&event)) {
-      if (end->why == protocol::CloseConnection::Why::Publishes) {
-        note_end(protocol::name(end->why), end->reason, true);
-        hand_over();
-        return;
-      }
-      const bool in_order = end->why != protocol::CloseConnection::Why::ProtocolError &&
-                            end->why != protocol::CloseConnection::Why::Refused;
+      const bool in_order = end->why != Why::ProtocolError && end->why != Why::Refused;
       finish_sending();
-      note_end(protocol::name(end->why), end->reason, in_order);
+      note_end(end->why, end->reason, in_order);
+    } else if (const auto* brings = std::get_if<protocol::HandOver>(&event)) {
+      hand_over(brings->hello);
     }
   }
 }
 
 /// The connection ends here and goes on elsewhere.
-void Connection::hand_over() {
+void Connection::hand_over(const protocol::HelloAsked& hello) {
+  note_end(EndedHere::HandedOver, "it brings the stream '" + hello.publish + "'", true);
   record_.bytes_total = link_->wire_bytes();
   link_->wake_at(std::nullopt);
   finishing_ = true;
   closed_ = true;
   const auto on_publisher = std::move(settings_.on_publisher);
   auto link = std::exchange(link_, nullptr);
-  const protocol::HelloAsked hello = *session_->hello();
   const auto alive = shared_from_this();
   on_closed_(record_, why_);
   on_publisher(std::move(link), hello, record_.peer);
@@ -215,21 +213,22 @@ void Connection::finish_sending() {
   link_->finish();
 }
 
-void Connection::note_end(std::string_view end_reason, std::string_view reason, bool in_order) {
+void Connection::note_end(EndReason end_reason, std::string_view reason, bool in_order) {
   if (std::exchange(end_noted_, true)) return;
   record_ = so_far();
-  record_.end_reason = std::string(end_reason);
-  why_ = reason.empty() ? end_reason : reason;
+  record_.end_reason = end_reason;
+  const std::string_view ended = name(end_reason);
+  why_ = reason.empty() ? ended : reason;
   say(in_order ? spdlog::level::info : spdlog::level::warn,
       "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)", record_.number,
-      record_.peer, end_reason, reason.empty() ? "" : ": ", reason, record_.packets, record_.bytes,
+      record_.peer, ended, reason.empty() ? "" : ": ", reason, record_.packets, record_.bytes,
       seconds(record_.send_time));
 }
 
 /// Nothing can be sent any more.
 void Connection::lose() {
   if (!end_noted_ && session_) carry_out(session_->on_lost(link_->now()));
-  if (!end_noted_) note_end("peer gone", "the connection was lost", true);
+  if (!end_noted_) note_end(Why::PeerGone, "the connection was lost", true);
   close();
 }
 

@@ -97,13 +97,13 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
       settings_.log->say(link_->now(), level, format, std::forward<Args>(args)...);
   }
   void carry_out(std::vector<protocol::ServerEvent> events);
-  void hand_over();
+  void hand_over(const protocol::HelloAsked& hello);
   void note_pace();
   void send(std::string_view bytes);
   void flush();
   [[nodiscard]] bool gathers();
   void finish_sending();
-  void note_end(std::string_view end_reason, std::string_view reason, bool in_order);
+  void note_end(EndReason end_reason, std::string_view reason, bool in_order);
   void lose();
   void close();
   void go_on();

@@ -21,10 +21,27 @@ Json json_of(const ClientRecord& record) {
           {"voice_packets", record.voice_packets},
           {"sound_bytes", record.sound_bytes},
           {"send_seconds", seconds(record.send_time)},
-          {"end_reason", record.end_reason}};
+          {"end_reason", name(record.end_reason)}};
+}
+
+std::string_view name_of(EndedHere reason) {
+  switch (reason) {
+    case EndedHere::HandedOver:
+      return "publishes";
+    case EndedHere::TimedOut:
+      return "timed out";
+    case EndedHere::TlsFailed:
+      return "tls failed";
+  }
+  return "unknown";
 }
 
 }  // namespace
+
+std::string_view name(EndReason reason) {
+  const auto* here = std::get_if<EndedHere>(&reason);
+  return here != nullptr ? name_of(*here) : name(std::get<protocol::CloseConnection::Why>(reason));
+}
 
 void Totals::add(const ClientRecord& record) {
   ++clients;
@@ -39,7 +56,7 @@ void Totals::add(const ClientRecord& record) {
 
 void Stats::add(ClientRecord record) {
   totals_.add(record);
-  ++end_reasons_[record.end_reason];
+  ++end_reasons_[std::string(name(record.end_reason))];
   records_.push_back(std::move(record));
   if (records_.size() > kRecordsMax) records_.pop_front();
 }

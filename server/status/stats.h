@@ -5,10 +5,24 @@
 #include <deque>
 #include <map>
 #include <string>
+#include <string_view>
+#include <variant>
 
 #include "common/time.h"
+#include "protocol/server_session.h"
 
 namespace aucast::server {
+
+/// Why a client's connection ended, if its session did not say so.
+enum class EndedHere : std::uint8_t {
+  HandedOver,  ///< it brings a stream
+  TimedOut,    ///< --client-timeout
+  TlsFailed,
+};
+using EndReason = std::variant<protocol::CloseConnection::Why, EndedHere>;
+
+/// "finished", "timed out", ... as --stats has it.
+[[nodiscard]] std::string_view name(EndReason reason);
 
 /// What one client got, from accept to close.
 struct ClientRecord {
@@ -22,7 +36,7 @@ struct ClientRecord {
   /// From the first keyframe's handing to the socket until the last answer was in and {-2} was
   /// due, or until the connection ended without that. Zero when no keyframe went out.
   Duration send_time{0};
-  std::string end_reason;
+  EndReason end_reason{};            ///< when it has ended
   std::uint64_t packets_merged = 0;  ///< live keyframes left out because the client was slow
   std::uint64_t voice_packets = 0;   ///< handed out
   std::uint64_t sound_bytes = 0;     ///< of voice packets and captions

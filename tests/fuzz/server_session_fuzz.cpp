@@ -30,7 +30,8 @@ class Watch {
         AUCAST_CHECK(!shut_);
         shut_ = true;
       } else {
-        AUCAST_CHECK(!std::get<CloseConnection>(event).reason.empty());
+        const auto* close = std::get_if<CloseConnection>(&event);
+        AUCAST_CHECK(close == nullptr || !close->reason.empty());
         closed_ = true;
       }
     }

@@ -19,6 +19,9 @@ std::string text_of_event(const ShutdownSending&) {
 std::string text_of_event(const CloseConnection& close) {
   return "close " + std::string(name(close.why));
 }
+std::string text_of_event(const HandOver& over) {
+  return "hand over " + over.hello.publish;
+}
 std::string text_of_event(const DeliverKeyframe& keyframe) {
   std::string text = "store {" + format_au_set(keyframe.aus);
   if (keyframe.duration_ms) text += ";" + std::to_string(*keyframe.duration_ms);

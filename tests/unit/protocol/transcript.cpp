@@ -174,6 +174,7 @@ class ServerReplay {
       const std::string closed = std::exchange(closed_, {});
       return expect(closed == line.rest, "the server closed '" + closed + "'");
     }
+    if (line.verb == "S hands") return expect(std::exchange(handed_over_, false), "it does not");
     if (line.verb == "S is") return expect(state() == line.rest, "the server is " + state());
     return input(line);
   }
@@ -225,6 +226,7 @@ class ServerReplay {
     if (!said_.empty()) return "the server also said '" + said_.text() + "'";
     if (shut_) return "the server also ended its sending";
     if (!closed_.empty()) return "the server also closed: " + closed_;
+    if (handed_over_) return "the server also handed over";
     return {};
   }
 
@@ -240,6 +242,8 @@ class ServerReplay {
         said_.add(send->bytes);
       } else if (const auto* close = std::get_if<CloseConnection>(&event)) {
         closed_ = name(close->why);
+      } else if (std::holds_alternative<HandOver>(event)) {
+        handed_over_ = true;
       } else {
         shut_ = true;
       }
@@ -254,6 +258,7 @@ class ServerReplay {
   Said said_;
   bool shut_ = false;
   std::string closed_;
+  bool handed_over_ = false;
 };
 
 ClientSessionOptions options_of(const std::vector<Line>& lines) {
@@ -418,10 +423,10 @@ std::string introduced(const std::vector<Line>& before, const std::vector<Line>&
 /// Every verb that a transcript may use; a mistyped one must not pass for a comment.
 std::string unknown_verb(const std::vector<Line>& lines) {
   static const std::vector<std::string> kKnown = {
-      "stream",  "loop",      "live",      "client",   "for",       "C>",     "S>",      "t",
-      "C end",   "C breaks",  "C stores",  "C pauses", "C resumes", "C ends", "C is",    "S end",
-      "S stops", "S closes",  "S is",      "token",    "voice",     "title",  "caption", "C hears",
-      "C reads", "websocket", "publisher", "publish",  "roles"};
+      "stream",  "loop",     "live",      "client",    "for",       "C>",     "S>",    "t",
+      "C end",   "C breaks", "C stores",  "C pauses",  "C resumes", "C ends", "C is",  "S end",
+      "S stops", "S closes", "S hands",   "S is",      "token",     "voice",  "title", "caption",
+      "C hears", "C reads",  "websocket", "publisher", "publish",   "roles"};
   for (const Line& line : lines) {
     if (std::find(kKnown.begin(), kKnown.end(), line.verb) == kKnown.end()) {
       return at(line, "'" + line.verb + "' is none of the words of a transcript");

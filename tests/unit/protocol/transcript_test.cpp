@@ -57,7 +57,7 @@ TEST(Transcripts, AreReadClosely) {
   EXPECT_EQ(replay_on_server("C < 1\n"), "line 1: 'C <' is none of the words of a transcript");
   EXPECT_EQ(
       replay_on_publisher("publisher x\npublish talk token=x\nC> {hello token=x publish=talk}\n"
-                          "S closes publishes\nroles turn\n"),
+                          "S hands over\nroles turn\n"),
       "the publisher said '{hello v=2 window=1 token=x publish=talk}'");
   EXPECT_EQ(replay_on_client("client classic\nS> {1}\nC> -1\nC is classic paused unanswered=0\n"),
             "");

@@ -46,7 +46,9 @@ class ConnectionTest : public TalkFixture {
     link_->say(bytes);
     return link_->heard();
   }
-  [[nodiscard]] std::string end_reason() const { return record_ ? record_->end_reason : "(open)"; }
+  [[nodiscard]] std::string end_reason() const {
+    return record_ ? std::string(name(record_->end_reason)) : "(open)";
+  }
 
   ClientLog log_;
   std::shared_ptr<protocol::LiveReplay> live_;

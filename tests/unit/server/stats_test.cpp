@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 ClientRecord record(std::uint64_t number) {
-  return {number, "127.0.0.1:5000", 1, "talk", 6, 90, 94, 250ms, "finished", 2};
+  return {number, "127.0.0.1:5000", 1, "talk", 6, 90, 94, 250ms, {}, 2};
 }
 
 TEST(Stats, EmptyRunIsAnObjectToo) {
@@ -29,7 +29,7 @@ TEST(Stats, CountsEveryClientAndAll) {
   second.bytes = 40;
   second.bytes_total = 100;
   second.send_time = 1500ms;
-  second.end_reason = "stopped";
+  second.end_reason = protocol::CloseConnection::Why::Stopped;
   second.packets_merged = 5;
   stats.add(second);
 
