@@ -52,10 +52,10 @@ Result<Credentials> load_credentials(const CredentialFiles& files) {
   Credentials credentials;
   auto tls = load_context(files.tls, "--tls");
   if (!tls) return tls.error();
-  credentials.tls = std::move(*tls);
+  credentials.certificates.tcp = std::move(*tls);
   auto web = load_context(files.web, "--web");
   if (!web) return web.error();
-  credentials.web = std::move(*web);
+  credentials.certificates.web = std::move(*web);
   if (!files.token.empty()) {
     auto token = protocol::read_token_file(files.token);
     if (!token) return token.error();

@@ -11,10 +11,15 @@
 
 namespace aucast::server {
 
+/// What a server shows; nothing: its connections are plain.
+struct Certificates {
+  std::optional<tls::Context> tcp;  ///< to who comes to --port
+  std::optional<tls::Context> web;  ///< to who comes to --web
+};
+
 struct Credentials {
-  std::optional<tls::Context> tls;  ///< nothing: plain connections
-  std::optional<tls::Context> web;  ///< of --web, likewise
-  std::string token;                ///< empty: none is needed
+  Certificates certificates;
+  std::string token;  ///< empty: none is needed
   /// Who may bring streams; null: nobody.
   std::shared_ptr<const protocol::Publishers> publishers;
 };

@@ -15,7 +15,7 @@ namespace aucast::server {
 using asio::ip::tcp;
 
 Listeners::Listeners(asio::io_context& io, const TransmitterOptions& options,
-                     const Reload& certificates, Hooks hooks)
+                     const Certificates& certificates, Hooks hooks)
     : io_(io),
       options_(options),
       certificates_(certificates),
@@ -41,16 +41,15 @@ Result<void> Listeners::open_tcp() {
 
 Result<void> Listeners::open_web() {
   if (!options_.web.address) return {};
-  web_.emplace(
-      io_, options_.web,
-      WebServer::Hooks{
-          [this]() -> const std::optional<tls::Context>& { return certificates_.web_tls(); },
-          hooks_.held_back_max,
-          [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link) {
-            hooks_.welcome(peer, open_link, ClientRegistry::Way::WebSocket);
-          }});
+  web_.emplace(io_, options_.web,
+               WebServer::Hooks{
+                   [this]() -> const std::optional<tls::Context>& { return certificates_.web; },
+                   hooks_.held_back_max,
+                   [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link) {
+                     hooks_.welcome(peer, open_link, ClientRegistry::Way::WebSocket);
+                   }});
   if (auto opened = web_->open(options_.reuse_port); !opened) return opened;
-  const bool secure = certificates_.web_tls().has_value();
+  const bool secure = certificates_.web.has_value();
   spdlog::info("browsers are served at {}://{}/", secure ? "https" : "http", web_endpoint_text());
   if (!secure && !web_->endpoint().address().is_loopback()) {
     spdlog::warn("without --web-cert everybody on the way can read and change what the page gets");
@@ -99,7 +98,7 @@ void Listeners::accept_from(link::Listener& listener, ClientRegistry::Way way) {
 
 std::shared_ptr<link::Link> Listeners::link_of(tcp::socket socket) const {
   auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, hooks_.held_back_max());
-  const auto& tls = certificates_.tls();
+  const auto& tls = certificates_.tcp;
   if (!tls) return link;
   return link::tls_link(std::move(link), tls::Channel(*tls), protocol::kLinkLimits,
                         protocol::encode(protocol::ErrorReply{

@@ -13,7 +13,7 @@
 #include "common/link/listener.h"
 #include "common/result.h"
 #include "server/serve/client_registry.h"
-#include "server/serve/reload.h"
+#include "server/serve/credentials.h"
 #include "server/settings/transmitter_options.h"
 #include "server/web/web_server.h"
 
@@ -33,9 +33,9 @@ class Listeners {
         welcome;
   };
 
-  /// `certificates`: those of now, for TCP and for --web.
-  Listeners(asio::io_context& io, const TransmitterOptions& options, const Reload& certificates,
-            Hooks hooks);
+  /// `certificates` may be others for each who comes.
+  Listeners(asio::io_context& io, const TransmitterOptions& options,
+            const Certificates& certificates, Hooks hooks);
   Listeners(const Listeners&) = delete;
   Listeners& operator=(const Listeners&) = delete;
 
@@ -65,7 +65,7 @@ class Listeners {
 
   asio::io_context& io_;
   const TransmitterOptions& options_;
-  const Reload& certificates_;
+  const Certificates& certificates_;
   Hooks hooks_;
   link::Listener tcp_;
   link::Listener guests_;

@@ -12,10 +12,11 @@
 
 namespace aucast::server {
 
-Reload::Reload(asio::io_context& io, const CredentialFiles& files, Programme& programme, Load load,
-               OnDone on_done)
+Reload::Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
+               Programme& programme, Load load, OnDone on_done)
     : io_(io),
       files_(files),
+      certificates_(certificates),
       programme_(programme),
       load_(std::move(load)),
       on_done_(std::move(on_done)) {}
@@ -23,8 +24,7 @@ Reload::Reload(asio::io_context& io, const CredentialFiles& files, Programme& pr
 Result<void> Reload::read_credentials() {
   auto loaded = load_credentials(files_);
   if (!loaded) return loaded.error();
-  tls_ = std::move(loaded->tls);
-  web_tls_ = std::move(loaded->web);
+  certificates_ = std::move(loaded->certificates);
   programme_.set_tokens(std::move(loaded->token), std::move(loaded->publishers));
   return {};
 }

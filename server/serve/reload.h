@@ -2,13 +2,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <thread>
 
 #include <asio/io_context.hpp>
 
 #include "common/result.h"
-#include "common/tls/context.h"
 #include "server/serve/credentials.h"
 #include "server/serve/programme.h"
 #include "server/streams/repertoire.h"
@@ -25,11 +23,11 @@ class Reload {
   /// `changed`: who comes now gets other streams.
   using OnDone = std::function<void(bool changed)>;
 
-  /// `io`, `files` and `programme` must outlive it. Waits in its destructor for a load that is
-  /// under way: an owner that must not wait keeps it, and all that the load uses, until the process
-  /// ends.
-  Reload(asio::io_context& io, const CredentialFiles& files, Programme& programme, Load load,
-         OnDone on_done);
+  /// Replaces `certificates` and what `programme` has. All references must outlive it. Waits in its
+  /// destructor for a load that is under way: an owner that must not wait keeps it, and all that
+  /// the load uses, until the process ends.
+  Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
+         Programme& programme, Load load, OnDone on_done);
   Reload(const Reload&) = delete;
   Reload& operator=(const Reload&) = delete;
 
@@ -38,10 +36,6 @@ class Reload {
   /// All, now; the sources once more afterwards if they are being read already.
   void start();
 
-  /// The certificates in use; nothing: plain connections.
-  [[nodiscard]] const std::optional<tls::Context>& tls() const { return tls_; }
-  /// Those of --web, likewise.
-  [[nodiscard]] const std::optional<tls::Context>& web_tls() const { return web_tls_; }
   /// Sources are being read.
   [[nodiscard]] bool running() const { return running_; }
   /// Those of which everything was taken over, and the others.
@@ -56,11 +50,10 @@ class Reload {
 
   asio::io_context& io_;
   const CredentialFiles& files_;
+  Certificates& certificates_;
   Programme& programme_;
   Load load_;
   OnDone on_done_;
-  std::optional<tls::Context> tls_;
-  std::optional<tls::Context> web_tls_;
   std::uint64_t successes_ = 0;
   std::uint64_t failures_ = 0;
   bool failed_ = false;  ///< the certificates and token of the latest order could not be read

@@ -56,9 +56,9 @@ class Transmitter {
                     [this] { clients_.on_voice(); },
                     options.preview ? [this](const camera::Sight& sight) { preview_->offer(sight); }
                                     : camera::OnSight()}),
-        reload_(io_, options.credentials, programme_, std::move(load),
+        reload_(io_, options.credentials, certificates_, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
-        listeners_(io_, options, reload_,
+        listeners_(io_, options, certificates_,
                    {[this] { return programme_.held_back_max(); },
                     [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
                            ClientRegistry::Way way) { welcome(peer, open_link, way); }}),
@@ -165,7 +165,7 @@ class Transmitter {
   void say_who_can_connect() const {
     if (listeners_.endpoint().address().is_loopback()) {
       spdlog::info("only programs on this host can connect; --bind 0.0.0.0 lets others in");
-    } else if (!programme_.catalogue()->token.empty() && !reload_.tls()) {
+    } else if (!programme_.catalogue()->token.empty() && !certificates_.tcp) {
       spdlog::warn("without --tls-cert everybody on the way can read the token");
     }
   }
@@ -274,6 +274,7 @@ class Transmitter {
   std::optional<Preview> preview_;
   ClientRegistry clients_;
   Programme programme_;
+  Certificates certificates_;
   std::vector<std::unique_ptr<Pusher>> pushers_;
   Reload reload_;
   Listeners listeners_;

@@ -31,10 +31,11 @@ class ReloadTest : public ::testing::Test {
   ~ReloadTest() override { spdlog::set_level(level_before_); }
 
   Reload& make(Reload::Load load) {
-    return reload_.emplace(io_, files_, programme_, std::move(load), [this](bool changed) {
-      ++times_done_;
-      changed_ = changed;
-    });
+    return reload_.emplace(io_, files_, certificates_, programme_, std::move(load),
+                           [this](bool changed) {
+                             ++times_done_;
+                             changed_ = changed;
+                           });
   }
   /// Until nothing is being read.
   void run() {
@@ -59,6 +60,7 @@ class ReloadTest : public ::testing::Test {
   Programme programme_{io_, options_, only("a"), {[] {}, [] {}}};
   int times_done_ = 0;
   bool changed_ = false;
+  Certificates certificates_;
   std::optional<Reload> reload_;
 };
 
