@@ -12,8 +12,8 @@ namespace aucast::server {
 LiveSource::LiveSource(asio::io_context& io, const LiveSourceOptions& options,
                        LiveStreams::Events events, Clock clock)
     : clock_(std::move(clock)),
-      streams_(options, std::move(events)),
-      input_(io, options.path, options.follow,
+      streams_(options.streams, std::move(events)),
+      input_(io, options.streams.each.path, options.streams.follow,
              {[this](std::string_view bytes) {
                 streams_.feed(bytes, clock_());
                 go_on();
@@ -41,7 +41,7 @@ LiveSource::LiveSource(asio::io_context& io, const LiveSourceOptions& options,
 
 /// A camera's rows come through a pipe; everything else is opened by its path.
 LiveInput::Opener LiveSource::opener(const LiveSourceOptions& options) {
-  const auto device = camera_device(options.path);
+  const auto device = camera_device(options.streams.each.path);
   if (!device) return {};
   camera::CameraOptions asked = options.camera;
   asked.device = *device;

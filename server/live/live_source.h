@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -8,12 +9,22 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/camera/camera_feed.h"
+#include "common/camera/film_reader.h"
+#include "common/camera/picture_source.h"
 #include "common/result.h"
 #include "common/time.h"
 #include "server/live/live_input.h"
 #include "server/live/live_streams.h"
 
 namespace aucast::server {
+
+struct LiveSourceOptions {
+  LiveStreamsOptions streams;
+  std::filesystem::path voice{};  ///< raw sound: "-" or a FIFO; empty: none
+  camera::CameraOptions camera;   ///< if the path is one
+  camera::QuietOptions quiet;     ///< of a camera
+  camera::OnSight on_sight{};     ///< likewise
+};
 
 /// A source that is still being written, on the event loop: the bytes of a LiveInput, those of
 /// another one for its voice, and the time of a clock go into its LiveStreams.

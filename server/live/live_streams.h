@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -9,51 +9,25 @@
 #include <string_view>
 #include <vector>
 
-#include "common/camera/camera_feed.h"
-#include "common/camera/film_reader.h"
-#include "common/camera/picture_source.h"
 #include "common/result.h"
-#include "common/sources/live_queue.h"
-#include "common/sources/live_reader.h"
 #include "common/time.h"
-#include "protocol/live_feed.h"
 #include "protocol/server_session.h"
-#include "server/live/recorder.h"
-#include "server/streams/live_thinning.h"
-#include "server/voice/live_voice.h"
+#include "server/live/live_stream.h"
 
 namespace aucast::server {
 
-struct LiveSourceOptions {
-  std::filesystem::path path;  ///< "-" is stdin
-  bool follow = false;
-  sources::LiveOptions reader;
-  int classic_min = 20;
-  /// After so long a silence the clients get {-2}; 0: never.
-  Milliseconds timeout{10'000};
-  std::filesystem::path record;   ///< what --record says; empty: nothing is kept
-  bool record_first = true;       ///< this is the one that a file is for
-  LinkLimits link;                ///< what each client's face and voice may take
-  std::filesystem::path voice{};  ///< raw sound of the first stream: "-" or a FIFO; empty: none
-  voice::VoiceSettings encoder{};
-  Milliseconds voice_delay{0};
-  /// Called when the neutral face of the first stream was asked for and has been measured.
-  std::function<void(const sources::MeasuredNeutral&)> on_neutral;
-  camera::CameraOptions camera;  ///< if the path is one
-  camera::QuietOptions quiet;    ///< of a camera
-  camera::OnSight on_sight{};    ///< likewise
+struct LiveStreamsOptions {
+  LiveStreamOptions each;
+  bool follow = false;           ///< what the source holds already is past
+  std::filesystem::path record;  ///< what --record says; empty: nothing is kept
+  bool record_first = true;      ///< this source is the one that a file is for
 };
 
-/// What becomes of a source that is still being written: reader -> queue -> thinning -> feed. What
-/// a followed file holds already is past: only its last row is sent. When nothing comes the face
-/// holds, goes to neutral, and after the time-out the stream ends for those who are there; it goes
-/// on when something comes.
+/// The streams of one source that is being written. What a followed file holds already is past:
+/// only its last row is sent.
 ///
-/// The first stream is there from the beginning; with --face-id all each face that is seen gets
-/// another one, read from the same bytes by a reader of its own.
-///
-/// A voice is the first stream's. While there is one its clock stands still in no pause: the face
-/// that stands meanwhile is sent with the time that it stood.
+/// The first stream is there from the beginning, and a voice is its; with --face-id all each face
+/// that is seen gets another one, read from the same bytes by a reader of its own.
 ///
 /// Knows no file but what it records, and no clock: after every call what is due is sent, next()
 /// tells when advance() is wanted.
@@ -65,12 +39,14 @@ class LiveStreams {
 
   struct Events {
     std::function<void()> on_moment;  ///< a stream has something new
-    /// A face is seen for the first time; its stream is the last of streams().
+    /// A face is seen for the first time; its stream is the last of served().
     std::function<void()> on_face;
+    /// The neutral face of the first stream was asked for and has been measured.
+    std::function<void(const sources::MeasuredNeutral&)> on_neutral =
+        [](const sources::MeasuredNeutral&) {};
   };
 
-  LiveStreams(LiveSourceOptions options, Events events);
-  ~LiveStreams();
+  LiveStreams(LiveStreamsOptions options, Events events);
   LiveStreams(const LiveStreams&) = delete;
   LiveStreams& operator=(const LiveStreams&) = delete;
 
@@ -100,38 +76,25 @@ class LiveStreams {
   /// Nothing can come any more, and everybody was told so.
   [[nodiscard]] bool over() const;
   /// It has ended before the first keyframe.
-  [[nodiscard]] bool nothing_came() const;
+  [[nodiscard]] bool nothing_came() const { return ended_ && !first().begun(); }
   /// What it is served as, the first stream first.
   [[nodiscard]] std::vector<protocol::ServedStream> served() const;
   /// Other settings of the signals from the next row on.
   void condition(const sources::ConditioningSettings& settings);
 
  private:
-  struct Stream;
-
+  [[nodiscard]] LiveStream& first() const { return *streams_.front(); }
+  void add(std::string name, const sources::LiveOptions& reading, bool with_voice);
   void read_line_by_line(std::string_view bytes, double now);
   void add_faces(std::string_view line, double now);
-  [[nodiscard]] Result<void> record(Stream& stream, bool first);
+  [[nodiscard]] Result<void> record(LiveStream& stream, bool first);
   void go_on(double now);
-  void send_voice(std::vector<protocol::VoicePacket> packets, double now);
-  void pass(Stream& stream, const protocol::Keyframe& keyframe, bool free, double now);
-  void fill_pause(Stream& stream, double now);
-  void send(Stream& stream, const sources::LiveKeyframe& keyframe, bool free, double now);
-  void send_thinned(Stream& stream, double now);
-  void show(Stream& stream, const protocol::Keyframe& keyframe);
-  void send_due(Stream& stream, double now);
-  void rest(Stream& stream, double now);
-  void end(Stream& stream);
-  [[nodiscard]] std::optional<double> next_of(const Stream& stream) const;
-  [[nodiscard]] std::optional<double> silent_since(const Stream& stream) const;
-  [[nodiscard]] static double beat_of(const Stream& stream);
-  [[nodiscard]] double patience() const;
   void say();
   void say_neutral();
 
-  LiveSourceOptions options_;
+  LiveStreamsOptions options_;
   Events events_;
-  std::vector<std::unique_ptr<Stream>> streams_;  ///< the first one's reader speaks for all
+  std::vector<std::unique_ptr<LiveStream>> streams_;  ///< the first one's reader speaks for all
   std::optional<Error> not_recorded_;
   bool catching_up_;
   bool more_faces_said_ = false;

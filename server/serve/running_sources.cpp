@@ -45,31 +45,33 @@ Result<void> RunningSources::open() {
 
 Result<void> RunningSources::open_live(const std::filesystem::path& path,
                                        const sources::ConditioningSettings& conditioning) {
-  const sources::LiveOptions reader{options_.source.recording, options_.source.rate,
-                                    conditioning_for(path, conditioning), options_.keyframe_ms};
   LiveSourceOptions source_options;
-  source_options.path = path;
-  source_options.follow = options_.live_source.follow;
-  source_options.reader = reader;
-  source_options.classic_min = options_.classic_min;
-  source_options.timeout = options_.live_source.timeout;
-  source_options.record = options_.record;
-  source_options.record_first = live_.empty();
-  source_options.link = link_limits(options_);
+  LiveStreamsOptions& streams = source_options.streams;
+  streams.follow = options_.live_source.follow;
+  streams.record = options_.record;
+  streams.record_first = live_.empty();
+  streams.each.path = path;
+  streams.each.reader = {options_.source.recording, options_.source.rate,
+                         conditioning_for(path, conditioning), options_.keyframe_ms};
+  streams.each.classic_min = options_.classic_min;
+  streams.each.timeout = options_.live_source.timeout;
+  streams.each.link = link_limits(options_);
   const bool first = path == options_.sources.front();
   if (first && !options_.voice.none && !options_.voice.file.empty()) {
     const auto kbits = face_kbits(options_.max_kbits, options_.voice.encoder, path);
     if (!kbits) return kbits.error();
     source_options.voice = options_.voice.file;
-    source_options.encoder = options_.voice.encoder;
-    source_options.voice_delay = options_.voice.delay;
+    streams.each.voice = true;
+    streams.each.encoder = options_.voice.encoder;
+    streams.each.voice_delay = options_.voice.delay;
   }
   source_options.camera = options_.source.camera;
   source_options.quiet = quiet_of(options_.source.signal);
   source_options.on_sight = events_.on_sight;
-  source_options.on_neutral = [this](const auto& neutral) { on_neutral(neutral); };
   auto source = std::make_unique<LiveSource>(
-      io_, std::move(source_options), LiveStreams::Events{events_.on_moment, events_.on_face});
+      io_, std::move(source_options),
+      LiveStreams::Events{events_.on_moment, events_.on_face,
+                          [this](const auto& neutral) { on_neutral(neutral); }});
   if (auto begun = source->start(); !begun) return begun;
   live_.push_back(std::move(source));
   return {};

@@ -24,8 +24,8 @@ class LiveSourceTest : public ::testing::Test {
 
   LiveSource& open(const std::filesystem::path& path, bool follow) {
     LiveSourceOptions options;
-    options.path = path;
-    options.follow = follow;
+    options.streams.each.path = path;
+    options.streams.follow = follow;
     source_.emplace(io_, std::move(options), LiveStreams::Events{[] {}, [] {}},
                     [this] { return clock_.now(); });
     return *source_;

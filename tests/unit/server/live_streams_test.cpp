@@ -31,7 +31,7 @@ std::string smile(int frame, const std::string& seconds, int of_five,
 class LiveStreamsTest : public ::testing::Test {
  protected:
   LiveStreamsTest() {
-    options_.path = "face.csv";
+    options_.each.path = "face.csv";
     spdlog::set_level(spdlog::level::off);
   }
   ~LiveStreamsTest() override { spdlog::set_level(level_before_); }
@@ -62,7 +62,7 @@ class LiveStreamsTest : public ::testing::Test {
 
   const spdlog::level::level_enum level_before_ = spdlog::get_level();
   test::ManualClock clock_;
-  LiveSourceOptions options_;
+  LiveStreamsOptions options_;
   std::optional<LiveStreams> streams_;
   Texts sent_;
   int new_faces_ = 0;
@@ -112,7 +112,7 @@ TEST_F(LiveStreamsTest, AFileThatIsReadAnewIsPastToo) {
 }
 
 TEST_F(LiveStreamsTest, InSilenceTheFaceGoesToNeutralAndTheStreamEnds) {
-  options_.timeout = 5s;
+  options_.each.timeout = 5s;
   fed(kOpenFace2Header + smile(1, "0.00", 1));
   EXPECT_EQ(after(490ms), Texts{}) << "the face holds";
   const Texts eased = after(2s);
@@ -129,7 +129,7 @@ TEST_F(LiveStreamsTest, InSilenceTheFaceGoesToNeutralAndTheStreamEnds) {
 }
 
 TEST_F(LiveStreamsTest, WithoutATimeOutSilenceEndsNothing) {
-  options_.timeout = 0ms;
+  options_.each.timeout = 0ms;
   fed(kOpenFace2Header + smile(1, "0.00", 1));
   after(1h);
   EXPECT_FALSE(ended());
@@ -169,7 +169,7 @@ TEST_F(LiveStreamsTest, ARecordingThatIsPouredInIsPlayedAtItsOwnSpeed) {
 }
 
 TEST_F(LiveStreamsTest, AThinnedStreamSendsTheNewestWhenItsTimeHasCome) {
-  options_.link.kbits = 2;
+  options_.each.link.kbits = 2;
   fed(kOpenFace2Header);
   Texts all;
   for (int frame = 1; frame <= 100; ++frame) {
@@ -185,7 +185,7 @@ TEST_F(LiveStreamsTest, AThinnedStreamSendsTheNewestWhenItsTimeHasCome) {
 }
 
 TEST_F(LiveStreamsTest, EveryFaceGetsAStreamFromItsFirstRowOn) {
-  options_.reader.recording.all_faces = true;
+  options_.each.reader.recording.all_faces = true;
   fed(kOpenFace2Header + smile(1, "0.00", 1, "0"));
   EXPECT_EQ(streams().served().size(), 2U) << "the first stream, and one for the face";
   EXPECT_EQ(new_faces_, 1);
@@ -199,7 +199,7 @@ TEST_F(LiveStreamsTest, EveryFaceGetsAStreamFromItsFirstRowOn) {
 }
 
 TEST_F(LiveStreamsTest, ManyFacesGetNoMoreStreamsThanAreToldApart) {
-  options_.reader.recording.all_faces = true;
+  options_.each.reader.recording.all_faces = true;
   fed(kOpenFace2Header);
   for (int face = 0; face < 40; ++face) fed(smile(1, "0.00", 1, std::to_string(face)));
   EXPECT_EQ(streams().served().size(), 1 + LiveStreams::kFacesMax);

@@ -1,0 +1,220 @@
+#include "server/live/live_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/log.h"
+#include "common/sources/hold.h"
+#include "common/sources/source_reader.h"
+#include "protocol/limits.h"
+
+namespace aucast::server {
+namespace {
+
+/// A recording that is poured in waits in its pipe, not in our memory.
+constexpr std::size_t kQueueMax = 256;
+
+}  // namespace
+
+LiveStream::LiveStream(std::string name, const LiveStreamOptions& options,
+                       const sources::LiveOptions& reading, bool with_voice,
+                       std::function<void()> on_moment)
+    : name_(std::move(name)),
+      options_(options),
+      on_moment_(std::move(on_moment)),
+      feed_(std::make_shared<protocol::LiveFeed>(reading.keyframe_ms, options.classic_min,
+                                                 with_voice)),
+      reader_(sources::name_of(options.path), reading, sources::load_arkit_table),
+      thinning_(reading.keyframe_ms,
+                with_voice ? options.link : LinkLimits{options.link.kbits, options.link.batch}) {
+  if (with_voice) voice_.emplace(options.encoder, options.voice_delay);
+}
+
+Result<void> LiveStream::record(const std::filesystem::path& path) {
+  auto recorder = Recorder::start(path);
+  if (!recorder) return recorder.error();
+  recorder_ = std::move(*recorder);
+  if (voice_) return recorder_->add_voice_file();
+  return {};
+}
+
+Result<void> LiveStream::finish_record() {
+  return recorder_ ? recorder_->finish() : Result<void>();
+}
+
+void LiveStream::take(double now, bool only_last) {
+  for (sources::LiveKeyframe& keyframe : reader_.take_keyframes()) {
+    queue_.push(std::move(keyframe), now);
+  }
+  if (only_last) queue_.skip_to_last(now);
+}
+
+void LiveStream::feed_voice(std::string_view bytes, double now) {
+  send_voice(voice_->add(bytes, now), now);
+}
+
+void LiveStream::end_voice(double now) {
+  spdlog::info("{}: the voice has ended", name_);
+  send_voice(voice_->end_sound(), now);
+}
+
+void LiveStream::send_voice(std::vector<protocol::VoicePacket> packets, double now) {
+  if (packets.empty() || feed_->ended()) return;
+  voice_at_ = now;
+  for (protocol::VoicePacket& packet : packets) {
+    protocol::EncodedVoice encoded(packet);
+    thinning_.spend(encoded.continued.size(), now);
+    feed_->add_voice(std::move(encoded));
+    const Milliseconds after = packet.place - end_;
+    if (recorder_) recorder_->add_voice(std::move(packet), after);
+  }
+  on_moment_();
+}
+
+void LiveStream::end_input(double now, bool for_good) {
+  input_over_ = for_good;
+  reader_.end_input(now);
+}
+
+void LiveStream::go_on(double now) {
+  send_due(now);
+  if (queue_.size() == 0) rest(now);
+  send_thinned(now);
+}
+
+bool LiveStream::full() const {
+  return queue_.size() >= kQueueMax;
+}
+
+void LiveStream::send_due(double now) {
+  if (queue_.size() == 0) return;
+  if (std::exchange(silence_said_, false)) {
+    spdlog::info("{}: {}", name_, begun() ? "goes on" : "the first keyframe is there");
+  }
+  // Rows of a recogniser with a clock of its own follow each other by that.
+  while (const auto keyframe = queue_.pop(now)) {
+    send(*keyframe, keyframe->begins || !keyframe->clocked, now);
+  }
+  reader_.hold_off(now);
+}
+
+/// `free` as RecordTimeline has it.
+void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, double now) {
+  if (voice_ && free) {
+    // A keyframe's own time is part of what has passed.
+    fill_pause(now - keyframe.keyframe.duration_ms.value_or(0) / 1000.0);
+  }
+  pass(keyframe.keyframe, free, now);
+}
+
+/// With a voice: the face that stood since the last keyframe, with the time that it stood.
+void LiveStream::fill_pause(double now) {
+  /// Processes wait for each other so long.
+  constexpr Milliseconds kPauseLeast{100};
+  if (!clock_begin_) return;
+  const double passed = (now - *clock_begin_) * 1000;
+  const Milliseconds pause = Milliseconds(std::llround(passed)) - end_;
+  if (pause < kPauseLeast) return;
+  protocol::Keyframe held;
+  held.terms = shown_;
+  held.duration_ms = static_cast<std::uint32_t>(
+      std::min<Milliseconds::rep>(pause.count(), protocol::kDurationMsMax));
+  pass(held, true, now);
+}
+
+/// What is kept is not thinned.
+void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, double now) {
+  end_ += Milliseconds(keyframe.duration_ms.value_or(0));
+  if (voice_) {
+    if (!clock_begin_) clock_begin_ = now - seconds(end_);
+    voice_->add_keyframe(end_, now);
+    shown_ = keyframe.terms;
+  }
+  if (recorder_) recorder_->add(keyframe, now, free);
+  thinning_.push(keyframe);
+  send_thinned(now);
+}
+
+void LiveStream::send_thinned(double now) {
+  if (const auto keyframe = thinning_.pop(now)) show(*keyframe);
+}
+
+void LiveStream::show(const protocol::Keyframe& keyframe) {
+  feed_->add(keyframe);
+  on_moment_();
+}
+
+/// What is due while nothing comes.
+void LiveStream::rest(double now) {
+  reader_.idle(now);
+  for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe, true, now);
+  if (voice_ && !feed_->ended() && now >= beat()) fill_pause(now);
+  const bool can_end = options_.timeout.count() > 0 && !feed_->ended();
+  const auto since = silent_since();
+  if (!since) {
+    if (!can_end || !input_over_ || begun()) return;
+    spdlog::warn("{}: it ended before the first keyframe", sources::name_of(options_.path));
+    end();
+    return;
+  }
+  if (now - *since >= sources::kHoldSeconds && !std::exchange(silence_said_, true)) {
+    spdlog::info("{}: nothing comes; the face holds, then goes to neutral", name_);
+  }
+  if (!can_end || now - *since < patience()) return;
+  if (input_over_) {
+    spdlog::info("{}: it has ended, and so has the stream", sources::name_of(options_.path));
+  } else {
+    spdlog::warn("{}: nothing for {} s: the stream ends for the clients there (--source-timeout)",
+                 name_, patience());
+  }
+  end();
+}
+
+void LiveStream::end() {
+  if (recorder_) recorder_->end_of_stream();
+  if (const auto last = thinning_.take_last()) show(*last);
+  feed_->end();
+  clock_begin_.reset();
+  if (voice_) voice_->end_face();
+  on_moment_();
+}
+
+/// Since when neither face nor voice has come. Of what can come no more the voice does not count.
+std::optional<double> LiveStream::silent_since() const {
+  const auto since = reader_.silent_since();
+  if (!since || !voice_ || input_over_) return since;
+  return std::max(*since, voice_at_);
+}
+
+/// With a voice: when the face that stands is sent again, so that the clock goes on.
+double LiveStream::beat() const {
+  /// The last keyframe is over for so long: the face has been given up by then (kHoldSeconds).
+  constexpr double kBeatSeconds = sources::kHoldSeconds + 0.25;
+  return clock_begin_.value_or(0) + seconds(end_) + kBeatSeconds;
+}
+
+/// How long a silence may be. Of what nothing can come any more, only until the face is neutral.
+double LiveStream::patience() const {
+  const double asked = seconds(options_.timeout);
+  return input_over_ ? std::min(asked, sources::kHoldSeconds + sources::kEaseSeconds) : asked;
+}
+
+std::optional<double> LiveStream::next() const {
+  std::optional<double> next = thinning_.due();
+  const auto earlier = [&next](std::optional<double> at) {
+    if (at) next = std::min(next.value_or(*at), *at);
+  };
+  if (const auto due = queue_.due()) {
+    earlier(due);
+    return next;
+  }
+  earlier(reader_.idle_due());
+  const auto since = silent_since();
+  if (since && !silence_said_) earlier(*since + sources::kHoldSeconds);
+  if (since && options_.timeout.count() > 0 && !feed_->ended()) earlier(*since + patience());
+  if (clock_begin_) earlier(beat());
+  return next;
+}
+
+}  // namespace aucast::server

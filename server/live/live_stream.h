@@ -1,0 +1,114 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/action_unit.h"
+#include "common/result.h"
+#include "common/sources/live_queue.h"
+#include "common/sources/live_reader.h"
+#include "common/time.h"
+#include "common/voice/voice_encoder.h"
+#include "protocol/codec.h"
+#include "protocol/live_feed.h"
+#include "protocol/server_session.h"
+#include "server/live/recorder.h"
+#include "server/streams/live_thinning.h"
+#include "server/voice/live_voice.h"
+
+namespace aucast::server {
+
+/// How what is being written is served.
+struct LiveStreamOptions {
+  std::filesystem::path path;  ///< of the source; "-" is stdin
+  sources::LiveOptions reader;
+  int classic_min = 20;
+  /// After so long a silence the clients get {-2}; 0: never.
+  Milliseconds timeout{10'000};
+  LinkLimits link;     ///< what each client's face and voice may take
+  bool voice = false;  ///< raw sound comes with the first stream
+  voice::VoiceSettings encoder{};
+  Milliseconds voice_delay{0};
+};
+
+/// One stream of a source that is being written: reader -> queue -> thinning -> feed, its voice and
+/// its record. When nothing comes the face holds, goes to neutral, and after the time-out the
+/// stream ends for those who are there; it goes on when something comes.
+///
+/// While there is a voice the stream's clock stands still in no pause: the face that stands
+/// meanwhile is sent with the time that it stood.
+///
+/// Times are seconds of one clock. Thread: none of its own.
+class LiveStream {
+ public:
+  /// `options` outlives it. `reading`: in place of theirs. `on_moment`: it has something new.
+  LiveStream(std::string name, const LiveStreamOptions& options,
+             const sources::LiveOptions& reading, bool with_voice, std::function<void()> on_moment);
+  LiveStream(const LiveStream&) = delete;
+  LiveStream& operator=(const LiveStream&) = delete;
+
+  /// Keeps it in this file from now on. Fails as Recorder::start().
+  [[nodiscard]] Result<void> record(const std::filesystem::path& path);
+  /// What kept it from being recorded whole. Waits until the record is written.
+  [[nodiscard]] Result<void> finish_record();
+
+  /// What is fed to it waits until take().
+  [[nodiscard]] sources::LiveReader& reader() { return reader_; }
+  /// Of what the reader made, `only_last`: what comes before is past.
+  void take(double now, bool only_last);
+  void feed_voice(std::string_view bytes, double now);
+  void end_voice(double now);
+  /// Whoever wrote has gone. `for_good`: nobody can write any more.
+  void end_input(double now, bool for_good);
+  /// Sends what is due, or what silence brings.
+  void go_on(double now);
+  /// When go_on() has something to do; nothing: not before something is fed.
+  [[nodiscard]] std::optional<double> next() const;
+  /// So much waits for its time that nothing should be fed for now.
+  [[nodiscard]] bool full() const;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] protocol::ServedStream served() const { return {name_, nullptr, feed_}; }
+  [[nodiscard]] bool begun() const { return feed_->newest() != nullptr; }
+  /// Everybody was told that it has ended, and nothing waits.
+  [[nodiscard]] bool ended() const { return feed_->ended() && queue_.size() == 0; }
+
+ private:
+  void send_voice(std::vector<protocol::VoicePacket> packets, double now);
+  void send_due(double now);
+  void send(const sources::LiveKeyframe& keyframe, bool free, double now);
+  void fill_pause(double now);
+  void pass(const protocol::Keyframe& keyframe, bool free, double now);
+  void send_thinned(double now);
+  void show(const protocol::Keyframe& keyframe);
+  void rest(double now);
+  void end();
+  [[nodiscard]] std::optional<double> silent_since() const;
+  [[nodiscard]] double beat() const;
+  [[nodiscard]] double patience() const;
+
+  std::string name_;
+  const LiveStreamOptions& options_;
+  std::function<void()> on_moment_;
+  std::shared_ptr<protocol::LiveFeed> feed_;  ///< its sessions hold it too
+  sources::LiveReader reader_;
+  sources::LiveQueue queue_;
+  LiveThinning thinning_;
+  std::unique_ptr<Recorder> recorder_;
+  bool silence_said_ = true;
+  bool input_over_ = false;  ///< for good
+  Milliseconds end_{0};      ///< of the last keyframe that was made, on the feed's clock
+
+  // With a voice only.
+  std::optional<LiveVoice> voice_;
+  std::optional<double> clock_begin_;  ///< when the feed's clock was 0 last; nothing: it stands
+  double voice_at_ = 0;                ///< when there was any last
+  std::vector<AuTerm> shown_;
+};
+
+}  // namespace aucast::server
