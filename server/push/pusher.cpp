@@ -28,10 +28,10 @@ void Pusher::stop() {
 
 /// While there is nothing to bring nobody is told so.
 bool Pusher::ready() const {
-  const auto catalogue = hooks_.catalogue(to_.address.stream);
-  const protocol::ServedStream& stream = catalogue->streams.front();
-  const auto live = stream.upstream ? stream.upstream->live : stream.live;
-  const auto recorded = stream.upstream ? stream.upstream->recorded : stream.recorded;
+  const protocol::ServedStream* const stream = hooks_.stream();
+  if (stream == nullptr) return false;
+  const auto live = stream->upstream ? stream->upstream->live : stream->live;
+  const auto recorded = stream->upstream ? stream->upstream->recorded : stream->recorded;
   return live ? !live->ended() : recorded != nullptr;
 }
 
@@ -40,7 +40,9 @@ std::string Pusher::name() const {
 }
 
 std::string Pusher::stream_name() const {
-  return hooks_.catalogue(to_.address.stream)->streams.front().known_name();
+  if (!to_.address.stream.empty()) return to_.address.stream;
+  const protocol::ServedStream* const stream = hooks_.stream();
+  return stream == nullptr ? std::string() : stream->known_name();
 }
 
 void Pusher::introduce(std::shared_ptr<link::Link> link) {
@@ -61,8 +63,7 @@ void Pusher::on_answer(const PublishSession::Answer& answer) {
   spdlog::log(std::exchange(said_, true) ? spdlog::level::debug : spdlog::level::info,
               "{}: taken by {}", name(), redialler_.peer());
   hooks_.serve(
-      redialler_.peer(), hooks_.catalogue(to_.address.stream), introduction->release(),
-      std::get<PublishSession::Taken>(answer).bytes,
+      redialler_.peer(), introduction->release(), std::get<PublishSession::Taken>(answer).bytes,
       [this](const ClientRecord& record, const std::string& why) { on_served(record, why); });
 }
 

@@ -28,14 +28,12 @@ class Pusher {
  public:
   static constexpr Milliseconds kOfferAgain{30'000};
 
-  using Catalogue = std::shared_ptr<const protocol::ServerCatalogue>;
   using OnServed = std::function<void(const ClientRecord&, const std::string& why)>;
   struct Hooks {
-    /// The stream that is brought, alone, under that name; empty: its own.
-    std::function<Catalogue(const std::string& name)> catalogue;
+    /// The stream that is brought, as it is now; null: there is none.
+    std::function<const protocol::ServedStream*()> stream;
     /// Serves it on the link, which is open and on which the bytes have come; tells its end.
-    std::function<void(std::string peer, Catalogue, std::shared_ptr<link::Link>, std::string_view,
-                       OnServed)>
+    std::function<void(std::string peer, std::shared_ptr<link::Link>, std::string_view, OnServed)>
         serve;
   };
 

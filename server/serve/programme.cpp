@@ -99,18 +99,19 @@ void Programme::serve_pushed(protocol::ServerCatalogue& catalogue) {
   }
 }
 
-std::shared_ptr<const protocol::ServerCatalogue> Programme::alone(const std::string& name) const {
+const protocol::ServedStream* Programme::named(const std::string& name) const {
   const auto& streams = catalogue_->streams;
+  if (streams.empty()) return nullptr;
   const auto found = std::find_if(streams.begin(), streams.end(), [&name](const auto& stream) {
     return stream.known_name() == name;
   });
+  return found == streams.end() ? &streams.front() : &*found;
+}
+
+std::shared_ptr<const protocol::ServerCatalogue> Programme::alone(const std::string& name) const {
   auto one = std::make_shared<protocol::ServerCatalogue>();
-  one->streams.emplace_back();
-  if (found != streams.end()) {
-    one->streams.front() = *found;
-  } else if (!streams.empty()) {
-    one->streams.front() = streams.front();
-  }
+  const protocol::ServedStream* const stream = named(name);
+  one->streams.push_back(stream == nullptr ? protocol::ServedStream() : *stream);
   if (!name.empty()) one->streams.front().name = name;
   one->keyframe_ms = catalogue_->keyframe_ms;
   one->loop = catalogue_->loop;

@@ -57,8 +57,9 @@ class Programme {
   void take(std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello, std::string peer) {
     pushed_.take(std::move(link), hello, std::move(peer));
   }
-  /// For a server that we push to: only the stream `name`, or else the first one under that name;
-  /// without a name the first one under its own.
+  /// The stream of that name, or else the first; null: there is none.
+  [[nodiscard]] const protocol::ServedStream* named(const std::string& name) const;
+  /// For a server that we push to: only named(), under that name; without one under its own.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
   /// The profile of the signals may have changed: reads it for the live sources again.

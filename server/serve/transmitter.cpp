@@ -100,9 +100,10 @@ class Transmitter {
       auto to = dialled_address(address, {push.token, push.tls, "--push-tls"});
       if (!to) return to.error();
       Pusher::Hooks hooks;
-      hooks.catalogue = [this](const std::string& name) { return programme_.alone(name); };
-      hooks.serve = [this](auto peer, auto catalogue, auto link, auto bytes, auto on_served) {
-        clients_.serve(std::move(peer), std::move(catalogue), std::move(link), bytes,
+      const std::string& name = to->address.stream;
+      hooks.stream = [this, name] { return programme_.named(name); };
+      hooks.serve = [this, name](auto peer, auto link, auto bytes, auto on_served) {
+        clients_.serve(std::move(peer), programme_.alone(name), std::move(link), bytes,
                        std::move(on_served));
       };
       pushers_.push_back(std::make_unique<Pusher>(io_, *std::move(to), programme_.catalogue()->id,
