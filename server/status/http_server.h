@@ -1,17 +1,15 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include <asio/io_context.hpp>
 
 #include "common/link/listener.h"
 #include "common/result.h"
 #include "common/web/http.h"
+#include "server/http/http_exchanges.h"
 
 namespace aucast::server {
 
@@ -24,7 +22,6 @@ class HttpServer {
   using Answer = std::function<web::HttpReply(const std::string& path)>;
 
   HttpServer(asio::io_context& io, Answer answer);
-  ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
@@ -36,14 +33,12 @@ class HttpServer {
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return listener_.endpoint(); }
 
  private:
-  class Exchange;
-
-  void welcome(asio::ip::tcp::socket socket);
+  [[nodiscard]] web::HttpReply answer(const web::HttpRequest& request) const;
 
   link::Listener listener_;
   Answer answer_;
-  std::string bound_;                                 ///< the address or name that we listen on
-  std::vector<std::shared_ptr<Exchange>> exchanges_;  ///< in the order they came
+  std::string bound_;  ///< the address or name that we listen on
+  HttpExchanges exchanges_;
 };
 
 }  // namespace aucast::server

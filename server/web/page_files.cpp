@@ -130,7 +130,7 @@ Result<PageFiles> PageFiles::read(const fs::path& folder) {
   return page;
 }
 
-PageReply PageFiles::reply(const web::HttpRequest& request) const {
+SharedReply PageFiles::reply(const web::HttpRequest& request) const {
   const auto found = files_.find(request.path == "/" ? "/index.html" : request.path);
   if (found == files_.end()) {
     const bool unbuilt = request.path == "/" && !has_page();
@@ -143,7 +143,7 @@ PageReply PageFiles::reply(const web::HttpRequest& request) const {
   const File& file = found->second;
   const bool compress = file.compressed && web::has_word(request.field("accept-encoding"), "gzip");
   const std::string& tag = compress ? file.compressed_tag : file.plain_tag;
-  PageReply reply;
+  SharedReply reply;
   // Asked for anew each time, and answered by 304 as long as it is the same.
   reply.head.cache = "no-cache";
   reply.head.type = file.type;

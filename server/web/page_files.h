@@ -8,17 +8,9 @@
 
 #include "common/result.h"
 #include "common/web/http.h"
+#include "server/http/http_exchanges.h"
 
 namespace aucast::server {
-
-/// Bytes that several connections may be sending.
-using SharedBytes = std::shared_ptr<const std::string>;
-
-/// A reply whose body may be large: it is not copied.
-struct PageReply {
-  web::HttpReply head;
-  SharedBytes body;  ///< null: `head` has its own
-};
 
 /// The files of the page, read once. Thread: none of its own.
 class PageFiles {
@@ -33,7 +25,7 @@ class PageFiles {
 
   /// What a request for one of them gets: the file, compressed if that is accepted, or 304 if the
   /// asker has it; else 404.
-  [[nodiscard]] PageReply reply(const web::HttpRequest& request) const;
+  [[nodiscard]] SharedReply reply(const web::HttpRequest& request) const;
 
  private:
   struct File {

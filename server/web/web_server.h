@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <asio/io_context.hpp>
@@ -17,6 +15,7 @@
 #include "common/result.h"
 #include "common/time.h"
 #include "common/tls/context.h"
+#include "server/http/http_exchanges.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/client_log.h"
 #include "server/web/page_files.h"
@@ -44,7 +43,6 @@ class WebServer {
 
   /// `options`, with an address, must outlive it.
   WebServer(asio::io_context& io, const WebOptions& options, Hooks hooks);
-  ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
@@ -59,10 +57,10 @@ class WebServer {
   [[nodiscard]] std::uint64_t accept_failures() const { return listener_.failures(); }
 
  private:
-  class Exchange;
-
   [[nodiscard]] Result<void> read_page();
-  void welcome(asio::ip::tcp::socket socket, const asio::ip::tcp::endpoint& peer);
+  void answer(HttpExchange& exchange, const web::HttpRequest& request);
+  void make_web_socket(HttpExchange& exchange, const web::HttpRequest& request);
+  void refuse(HttpExchange& exchange, const web::HttpReply& why);
   [[nodiscard]] std::shared_ptr<link::Link> link_of(asio::ip::tcp::socket socket) const;
   [[nodiscard]] std::vector<std::string> names() const;
 
@@ -71,7 +69,7 @@ class WebServer {
   Hooks hooks_;
   PageFiles files_;
   ClientLog log_;
-  std::vector<std::shared_ptr<Exchange>> exchanges_;  ///< in the order they came
+  HttpExchanges exchanges_;
 };
 
 }  // namespace aucast::server

@@ -24,20 +24,20 @@ class PageFilesTest : public ::testing::Test {
     folder_.write(".hidden", "x");
   }
 
-  [[nodiscard]] PageReply ask(const std::string& path,
-                              std::map<std::string, std::string, std::less<>> fields = {}) const {
+  [[nodiscard]] SharedReply ask(const std::string& path,
+                                std::map<std::string, std::string, std::less<>> fields = {}) const {
     const auto files = PageFiles::read(folder_.path());
     EXPECT_TRUE(files) << files.error().message;
     return files->reply({.path = path, .version_1_1 = true, .fields = std::move(fields)});
   }
-  static std::string tag(const PageReply& reply) {
+  static std::string tag(const SharedReply& reply) {
     const auto& fields = reply.head.fields;
     const auto found = std::find_if(fields.begin(), fields.end(), [](const std::string& field) {
       return field.starts_with("ETag: ");
     });
     return found == fields.end() ? "" : found->substr(6);
   }
-  static bool has(const PageReply& reply, const std::string& field) {
+  static bool has(const SharedReply& reply, const std::string& field) {
     const auto& fields = reply.head.fields;
     return std::find(fields.begin(), fields.end(), field) != fields.end();
   }
@@ -58,19 +58,19 @@ TEST_F(PageFilesTest, GivesThePageAndItsFiles) {
 TEST_F(PageFilesTest, NothingElseIsThere) {
   for (const char* path : {"/none", "/data", "/data/", "//index.html", "/../index.html",
                            "/data/../index.html", "/.hidden", "/.git/secret", "/%69ndex.html"}) {
-    const PageReply reply = ask(path);
+    const SharedReply reply = ask(path);
     EXPECT_EQ(reply.head.status, 404) << path;
     EXPECT_EQ(reply.body, nullptr);
   }
 }
 
 TEST_F(PageFilesTest, CompressedOnlyForWhoAcceptsIt) {
-  const PageReply compressed = ask("/page.wasm", {{"accept-encoding", "br, gzip"}});
+  const SharedReply compressed = ask("/page.wasm", {{"accept-encoding", "br, gzip"}});
   EXPECT_EQ(*compressed.body, "compressed");
   EXPECT_TRUE(has(compressed, "Content-Encoding: gzip"));
   EXPECT_TRUE(has(compressed, "Vary: Accept-Encoding"));
   EXPECT_EQ(compressed.head.type, "application/wasm");
-  const PageReply plain = ask("/page.wasm", {{"accept-encoding", "gzip;q=0"}});
+  const SharedReply plain = ask("/page.wasm", {{"accept-encoding", "gzip;q=0"}});
   EXPECT_EQ(*plain.body, "plain");
   EXPECT_FALSE(has(plain, "Content-Encoding: gzip"));
   EXPECT_EQ(*ask("/", {{"accept-encoding", "gzip"}}).body, "<p>page");
@@ -82,7 +82,7 @@ TEST_F(PageFilesTest, WhoHasAFileIsToldSo) {
   const std::string compressed = tag(ask("/page.wasm", {{"accept-encoding", "gzip"}}));
   EXPECT_NE(plain, compressed);
   for (const std::string& known : {plain, "W/" + plain, "\"other\", " + plain, std::string("*")}) {
-    const PageReply reply = ask("/page.wasm", {{"if-none-match", known}});
+    const SharedReply reply = ask("/page.wasm", {{"if-none-match", known}});
     EXPECT_EQ(reply.head.status, 304) << known;
     EXPECT_EQ(reply.body, nullptr);
     EXPECT_EQ(tag(reply), plain);
@@ -104,7 +104,7 @@ TEST_F(PageFilesTest, WithoutAPageTheRemedyIsSaid) {
   const auto none = PageFiles::read(folder_.path() / "none");
   ASSERT_TRUE(none);
   EXPECT_FALSE(none->has_page());
-  const PageReply reply = none->reply({.path = "/"});
+  const SharedReply reply = none->reply({.path = "/"});
   EXPECT_EQ(reply.head.status, 404);
   EXPECT_NE(reply.head.body.find("scripts/build_web.sh"), std::string::npos);
   EXPECT_TRUE(PageFiles::read(folder_.path())->has_page());

@@ -1,0 +1,91 @@
+#include "server/http/http_exchanges.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/limits.h"
+
+namespace aucast::server {
+namespace {
+
+/// Of a body, between two looks at whether the connection takes more.
+constexpr std::size_t kPieceBytes = 16384;
+
+}  // namespace
+
+HttpExchange::~HttpExchange() {
+  if (link_) link_->close();
+}
+
+void HttpExchange::on_open() {
+  link_->wake_at(link_->now() + protocol::kHttpTimeMax);
+}
+
+void HttpExchange::on_bytes(std::string_view bytes) {
+  if (replied_) return;
+  const auto alive = shared_from_this();
+  request_ += bytes;
+  const auto progress = web::read_http_request(request_, owner_.head_bytes_max);
+  if (progress.refusal) {
+    owner_.on_fault(*this, *progress.refusal);
+  } else if (progress.request) {
+    owner_.on_request(*this, *progress.request);
+  }
+  if (released()) end();
+}
+
+void HttpExchange::on_peer_end() {
+  if (!replied_) link_->finish();
+}
+
+void HttpExchange::reply(SharedReply reply, bool head) {
+  replied_ = true;
+  if (!reply.body) {
+    link_->write(web::format_http_reply(reply.head, head));
+  } else {
+    link_->write(web::format_http_head(reply.head, reply.body->size()));
+    if (!head) body_ = std::move(reply.body);
+  }
+  send_more();
+}
+
+/// So much of the body as is taken; the rest waits where it is, for however many ask.
+void HttpExchange::send_more() {
+  if (!replied_) return;
+  std::string_view rest = body_ ? std::string_view(*body_).substr(sent_) : std::string_view();
+  while (!rest.empty() && !link_->blocked()) {
+    const std::string_view piece = rest.substr(0, kPieceBytes);
+    link_->write(piece);
+    rest.remove_prefix(piece.size());
+    sent_ += piece.size();
+  }
+  if (rest.empty()) {
+    link_->finish();
+  } else {
+    link_->wake_at(link_->now() + protocol::kWebStallTimeMax);
+  }
+}
+
+void HttpExchange::end() {
+  const auto alive = shared_from_this();
+  owner_.on_over(*this);
+}
+
+HttpExchanges::HttpExchanges(std::size_t most, HttpExchange::Owner owner)
+    : most_(most), owner_(std::move(owner)) {
+  owner_.on_over = [this](const HttpExchange& over) {
+    std::erase_if(exchanges_, [&over](const auto& exchange) { return exchange.get() == &over; });
+  };
+}
+
+void HttpExchanges::begin(std::shared_ptr<link::Link> link, const asio::ip::tcp::endpoint& peer) {
+  if (exchanges_.size() >= most_) {
+    const auto silent = std::find_if(exchanges_.begin(), exchanges_.end(),
+                                     [](const auto& exchange) { return exchange->asking(); });
+    exchanges_.erase(silent == exchanges_.end() ? exchanges_.begin() : silent);
+  }
+  exchanges_.push_back(std::make_shared<HttpExchange>(std::move(link), peer, owner_));
+  exchanges_.back()->start();
+}
+
+}  // namespace aucast::server
