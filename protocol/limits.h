@@ -4,9 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The numbers that bound what a peer of the protocol may say, hold or take. What our relays bear
-/// from a server, and what waits between our threads, stands with the classes that hold it.
-/// PROTOCOL.md carries the same tables.
+/// The numbers that bound what a peer of the protocol may say, hold or take. What waits between our
+/// threads stands with the classes that hold it. PROTOCOL.md carries the same tables.
 namespace aucast::protocol {
 
 inline constexpr int kProtocolVersion = 2;
@@ -81,6 +80,20 @@ inline constexpr std::size_t kWrongTokensMax = 8;
 /// Longest wait of a client for a stream that a relay does not have yet: it would give up itself
 /// after 10 s of silence, and nobody would be told why.
 inline constexpr std::chrono::milliseconds kStreamWaitMax{8000};
+/// Of a recorded stream that a relay holds.
+inline constexpr std::size_t kRelayedBytesMax = std::size_t{1} << 30U;
+/// Keyframes, voice packets and captions of a live stream within a second, beyond which its sender
+/// floods a relay.
+inline constexpr std::uint32_t kRelayedPerSecondMax = 2000;
+/// For a host's name, connection and TLS: the next one shall not wait long for one that is dead.
+inline constexpr std::chrono::milliseconds kDialTimeMax{5000};
+/// When all hosts have failed: the first wait, and the longest, of those that double.
+inline constexpr std::chrono::milliseconds kRedialWaitFirst{1000};
+inline constexpr std::chrono::milliseconds kRedialWaitMax{5000};
+inline constexpr std::chrono::milliseconds kNextHostWaitMax{100};  ///< before another one is tried
+inline constexpr std::chrono::milliseconds kPublishAnswerTimeMax{10'000};  ///< to who brings one
+/// Until a recorded stream that was brought whole is offered again.
+inline constexpr std::chrono::milliseconds kOfferAgain{30'000};
 inline constexpr std::size_t kPublisherFileBytesMax = 65536;  ///< the file of --accept-push
 inline constexpr std::size_t kPushedStreamsMax = 64;          ///< brought by publishers, at a time
 inline constexpr std::size_t kClientLogLinesPerSecond = 300;  ///< about single clients

@@ -38,10 +38,8 @@ class PublishSession {
   [[nodiscard]] std::string hello() const;
   /// What has come. Not after an answer.
   [[nodiscard]] Answer on_bytes(std::string_view bytes);
-  /// How it is to be said that the server has closed before it answered, ...
+  /// How it is to be said that the server has closed before it answered.
   [[nodiscard]] static std::string closed_reason();
-  /// ... or has not answered for so long.
-  static constexpr Milliseconds kAnswerTimeMax{10'000};
 
  private:
   [[nodiscard]] Answer read_as_server(std::string_view bytes);

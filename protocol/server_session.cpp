@@ -479,7 +479,8 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
       state_->start_streaming();
       break;
     case State::Phase::Hello:
-      state_->refuse(400, "the hello was not complete within 5 seconds");
+      state_->refuse(400, "the hello was not complete within " +
+                              std::to_string(kHelloTimeMax.count() / 1000) + " seconds");
       break;
     case State::Phase::AwaitingStream:
       state_->give_up_stream();

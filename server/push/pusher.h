@@ -26,8 +26,6 @@ namespace aucast::server {
 /// Thread: that of the io_context, which must outlive it.
 class Pusher {
  public:
-  static constexpr Milliseconds kOfferAgain{30'000};
-
   using OnServed = std::function<void(const ClientRecord&, const std::string& why)>;
   struct Hooks {
     /// The stream that is brought, as it is now; null: there is none.

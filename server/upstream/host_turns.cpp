@@ -6,15 +6,15 @@ namespace aucast::server {
 
 Milliseconds HostTurns::next() {
   current_ = (current_ + 1) % hosts_;
-  if (++failures_ % hosts_ != 0) return shortened(kNextMax);
+  if (++failures_ % hosts_ != 0) return shortened(protocol::kNextHostWaitMax);
   const Milliseconds wait = wait_;
-  wait_ = std::min(wait_ * 2, kWaitMax);
+  wait_ = std::min<Milliseconds>(wait_ * 2, protocol::kRedialWaitMax);
   return shortened(wait);
 }
 
 void HostTurns::worked() {
   failures_ = 0;
-  wait_ = kFirst;
+  wait_ = protocol::kRedialWaitFirst;
 }
 
 /// By up to a half.

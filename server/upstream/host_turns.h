@@ -5,19 +5,16 @@
 #include <random>
 
 #include "common/time.h"
+#include "protocol/limits.h"
 
 namespace aucast::server {
 
 /// Which of several hosts is dialled next, and after what wait. The next one is tried at once when
-/// one is lost; when all have failed in a row, the next round waits 1, 2, 4 and then 5 s. Every
-/// wait is a random part shorter, so that many servers do not come back at the same moment. No
-/// clock. Thread: none of its own.
+/// one is lost; when all have failed in a row, the next round waits kRedialWaitFirst, then twice
+/// as long each time up to kRedialWaitMax. Every wait is a random part shorter, so that many
+/// servers do not come back at the same moment. No clock. Thread: none of its own.
 class HostTurns {
  public:
-  static constexpr Milliseconds kFirst{1'000};
-  static constexpr Milliseconds kWaitMax{5'000};
-  static constexpr Milliseconds kNextMax{100};  ///< before the next host of the same round
-
   /// `hosts`: at least one.
   HostTurns(std::size_t hosts, std::uint32_t seed) : hosts_(hosts), random_(seed) {}
 
@@ -35,7 +32,7 @@ class HostTurns {
   std::minstd_rand random_;
   std::size_t current_ = 0;
   std::size_t failures_ = 0;  ///< in a row
-  Milliseconds wait_ = kFirst;
+  Milliseconds wait_ = protocol::kRedialWaitFirst;
 };
 
 }  // namespace aucast::server

@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "protocol/limits.h"
+
 namespace aucast::server {
 namespace {
 
@@ -140,8 +142,9 @@ bool Parent::floods(const std::string& what) {
     second_begin_ = now;
     in_second_ = 0;
   }
-  if (++in_second_ <= kLivePerSecondMax) return false;
-  leave("it sends more than " + std::to_string(kLivePerSecondMax) + " " + what + " a second");
+  if (++in_second_ <= protocol::kRelayedPerSecondMax) return false;
+  leave("it sends more than " + std::to_string(protocol::kRelayedPerSecondMax) + " " + what +
+        " a second");
   return true;
 }
 

@@ -21,10 +21,6 @@ namespace aucast::server {
 /// Thread: that of the link.
 class Parent final : public link::LinkUser {
  public:
-  /// Keyframes, voice packets and captions of a live stream within a second, beyond which it is a
-  /// flood.
-  static constexpr std::uint32_t kLivePerSecondMax = 2'000;
-
   struct Ending {
     bool in_order = false;  ///< {-2}: it has no more
     std::string reason;     ///< a clause for the log

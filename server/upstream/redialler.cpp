@@ -8,16 +8,11 @@
 #include "common/link/host.h"
 #include "common/log.h"
 #include "common/text.h"
+#include "protocol/limits.h"
 #include "protocol/link_limits.h"
 #include "server/upstream/repeated.h"
 
 namespace aucast::server {
-namespace {
-
-/// For the name, the connection and TLS: the next host shall not wait long for one that is dead.
-constexpr Milliseconds kDialTimeMax{5'000};
-
-}  // namespace
 
 Redialler::Redialler(asio::io_context& io, Options options, std::function<std::string()> name,
                      OnLink on_link)
@@ -49,7 +44,7 @@ void Redialler::dial() {
   link::DialOptions dial;
   dial.host = host.host;
   dial.port = host.port;
-  dial.time_max = kDialTimeMax;
+  dial.time_max = protocol::kDialTimeMax;
   dial.tls = options_.tls;
   dial.secret = options_.secret;
   dial.secret_remedy = "use aucasts://";

@@ -168,7 +168,10 @@ std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& 
 std::optional<std::string> RelayedStream::no_room() {
   const std::uint64_t bytes =
       held_bytes(*recorded_) + (voice_ ? voice_->bytes() : 0) + caption_bytes_;
-  if (bytes > kBytesMax) return "its recording has more than 1 GiB";
+  if (bytes > protocol::kRelayedBytesMax) {
+    return "its recording has more than " + std::to_string(protocol::kRelayedBytesMax >> 30U) +
+           " GiB";
+  }
   if (looks_++ % kKeptBetweenLooks > 0) return std::nullopt;
   // As much again is taken for a moment when the buffers grow.
   const auto may = options_.may_hold(bytes);

@@ -33,9 +33,6 @@ class RelayedStream {
     std::function<Result<void>(std::uint64_t bytes)> may_hold;
   };
 
-  /// More of a recorded stream is not kept.
-  static constexpr std::size_t kBytesMax = std::size_t{1} << 30U;
-
   explicit RelayedStream(Options options);
 
   /// What the next parent is asked for: of a recorded stream, what is still missing.

@@ -181,7 +181,7 @@ TEST_F(IntroductionTest, HandsTheLinkOnWhenItIsTaken) {
 }
 
 TEST_F(IntroductionTest, WaitsNoLongerThanItMust) {
-  link_->advance(protocol::PublishSession::kAnswerTimeMax);
+  link_->advance(protocol::kPublishAnswerTimeMax);
   EXPECT_EQ(why_, "nothing came from it within 10 s");
   EXPECT_TRUE(link_->closed());
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "protocol/limits.h"
 #include "server/upstream/host_turns.h"
 #include "server/upstream/parent.h"
 #include "server/upstream/relayed_stream.h"
@@ -289,7 +290,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveKeyframesIsLeft) {
   connect();
   hear(kLive);
   std::string many;
-  for (std::uint32_t count = 0; count < Parent::kLivePerSecondMax; ++count) many += "{1;0}";
+  for (std::uint32_t count = 0; count < protocol::kRelayedPerSecondMax; ++count) many += "{1;0}";
   hear(many);
   EXPECT_FALSE(ending_);
   hear("{1;0}");
@@ -300,7 +301,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveVoiceIsLeft) {
   connect();
   hear("{hello v=2 window=50 delta=1 stream=talk live=1 voice=opus}{1;0}{a@0 WAEC}");
   std::string many;
-  for (std::uint32_t count = 2; count < Parent::kLivePerSecondMax; ++count) many += "{a WAM}";
+  for (std::uint32_t count = 2; count < protocol::kRelayedPerSecondMax; ++count) many += "{a WAM}";
   hear(many);
   EXPECT_FALSE(ending_);
   hear("{a WAM}");
@@ -353,10 +354,10 @@ TEST_F(RelayOfTalk, TakesTheNameOfTheParentsFirstStream) {
 TEST(HostTurns, TakeTheNextAtOnceAndWaitWhenAllHaveFailed) {
   HostTurns turns(3, 1);
   EXPECT_EQ(turns.current(), 0U);
-  EXPECT_LE(turns.next(), HostTurns::kNextMax);
+  EXPECT_LE(turns.next(), protocol::kNextHostWaitMax);
   EXPECT_EQ(turns.current(), 1U);
-  EXPECT_LE(turns.next(), HostTurns::kNextMax);
-  EXPECT_GE(turns.next(), HostTurns::kFirst / 2);
+  EXPECT_LE(turns.next(), protocol::kNextHostWaitMax);
+  EXPECT_GE(turns.next(), protocol::kRedialWaitFirst / 2);
   EXPECT_EQ(turns.current(), 0U);
 }
 
@@ -365,12 +366,12 @@ TEST(HostTurns, WaitLongerEachRoundUpToTheMost) {
   Milliseconds most{0};
   for (int round = 0; round < 20; ++round) {
     const Milliseconds wait = turns.next();
-    EXPECT_LE(wait, HostTurns::kWaitMax);
+    EXPECT_LE(wait, protocol::kRedialWaitMax);
     most = std::max(most, wait);
   }
-  EXPECT_GT(most, HostTurns::kWaitMax / 2);
+  EXPECT_GT(most, protocol::kRedialWaitMax / 2);
   turns.worked();
-  EXPECT_LE(turns.next(), HostTurns::kFirst);
+  EXPECT_LE(turns.next(), protocol::kRedialWaitFirst);
 }
 
 TEST(HostTurns, ComeAtDifferentMomentsForDifferentServers) {
