@@ -9,24 +9,29 @@
 namespace aucast::protocol {
 
 HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms) {
-  const bool live = stream_.live != nullptr;
+  const LiveChannel* const live = stream_.live().get();
+  const Soundtrack* const sound = live != nullptr ? nullptr : soundtrack();
   level_ = Level::Negotiated;
   window_ = window_for(asked.window);
-  delta_ = asked.delta && (live ? stream_.live->has_changes() : !stream_.recorded->changes.empty());
-  voice_ = asked.voice == kVoiceCodec &&
-           (live ? stream_.live->has_voice() : stream_.sound && stream_.sound->voice);
-  text_ = asked.text &&
-          (live ? stream_.live->has_captions() : stream_.sound && stream_.sound->has_captions());
+  if (live != nullptr) {
+    delta_ = asked.delta && live->has_changes();
+    voice_ = asked.voice == kVoiceCodec && live->has_voice();
+    text_ = asked.text && live->has_captions();
+  } else {
+    delta_ = asked.delta && !stream_.recorded()->encoded->changes.empty();
+    voice_ = asked.voice == kVoiceCodec && sound != nullptr && sound->voice;
+    text_ = asked.text && sound != nullptr && sound->has_captions();
+  }
   HelloGranted granted;
   granted.window = static_cast<int>(window_);
   granted.delta = delta_;
-  granted.live = live;
+  granted.live = live != nullptr;
   granted.stream = stream_.name;
-  granted.loop = asked.loop && !live && loops();
+  granted.loop = asked.loop && live == nullptr && loops();
   one_turn_ = granted.loop;
   // A stream that starts again has no length.
-  if (live) granted.duration_ms = stream_.live->duration_ms();
-  if (!live && !loops()) granted.duration_ms = recorded().duration_ms;
+  if (live != nullptr) granted.duration_ms = live->duration_ms();
+  if (live == nullptr && !loops()) granted.duration_ms = recorded().duration_ms;
   granted.keyframe_ms = keyframe_ms;
   granted.from_ms = begin_at(asked.from_ms);
   if (voice_) granted.voice = kVoiceCodec;
@@ -38,7 +43,7 @@ HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms)
 /// Sets out with the first keyframe that ends after `from_ms`, and returns the place where it
 /// begins. A live stream has no other place than now.
 std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
-  if (from_ms == 0 || stream_.live) return 0;
+  if (from_ms == 0 || stream_.live()) return 0;
   const auto& times = recorded().times;
   if (loops()) from_ms = place_in_turn(recorded(), from_ms);
   std::uint64_t begin = 0;
@@ -49,13 +54,14 @@ std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
   }
   next_answered_ = next_packet_;
   sent_to_ = answered_to_ = Milliseconds(begin);
-  if (!stream_.sound) return begin;
+  const Soundtrack* const sound = soundtrack();
+  if (sound == nullptr) return begin;
   // The packet that is sounding at the beginning, and the caption that stands there, belong to it.
-  if (stream_.sound->voice) {
-    const auto voice = stream_.sound->voice->packets();
+  if (sound->voice) {
+    const auto voice = sound->voice->packets();
     while (next_voice_ < voice.size() && voice[next_voice_].end <= sent_to_) ++next_voice_;
   }
-  const auto& captions = stream_.sound->captions;
+  const auto& captions = sound->captions;
   while (next_caption_ + 1 < captions.size() && captions[next_caption_ + 1].place_ms <= begin) {
     ++next_caption_;
   }
@@ -68,7 +74,7 @@ void Delivery::answer() {
     return;
   }
   --in_flight_;
-  if (stream_.live || !sounds()) return;
+  if (stream_.live() || !sounds()) return;
   const auto& times = recorded().times;
   answered_to_ += times[next_answered_ % times.size()];
   ++next_answered_;
@@ -80,11 +86,12 @@ void Delivery::resume() {
 }
 
 const EncodedStream& Delivery::recorded() const {
-  return sounds() && stream_.spoken ? *stream_.spoken : *stream_.recorded;
+  const RecordedStream& stream = *stream_.recorded();
+  return sounds() && stream.spoken ? *stream.spoken : *stream.encoded;
 }
 
 const PacketList& Delivery::packets() const {
-  if (level_ == Level::Classic) return stream_.recorded->classic;
+  if (level_ == Level::Classic) return stream_.recorded()->encoded->classic;
   return delta_ ? recorded().changes : recorded().negotiated;
 }
 
@@ -96,9 +103,9 @@ std::string_view Delivery::packet_of(const LiveMoment& moment, bool full) const 
 std::size_t Delivery::window_for(int asked) const {
   const auto most = static_cast<std::size_t>(std::clamp(asked, 0, kWindowMax));
   // A recorded stream has no clock of its own: without answers nothing would pace it.
-  if (!stream_.live) return std::max<std::size_t>(most, 1);
+  if (!stream_.live()) return std::max<std::size_t>(most, 1);
   // What is under way grows old: no more of it than a bearable delay.
-  return std::min(most, stream_.live->window_max());
+  return std::min(most, stream_.live()->window_max());
 }
 
 bool Delivery::may_send() const {
@@ -112,19 +119,19 @@ bool Delivery::has_next() const {
 }
 
 bool Delivery::broken_off() const {
-  return !stream_.live && recorded().extent == Extent::BrokenOff && !has_next();
+  return !stream_.live() && recorded().extent == Extent::BrokenOff && !has_next();
 }
 
 /// Every keyframe that this client is to get has been sent.
 bool Delivery::at_end() const {
-  if (!stream_.live) return recorded().extent == Extent::Whole && !has_next();
-  if (!stream_.live->ended()) return false;
-  const LiveMoment* const newest = stream_.live->newest();
+  if (!stream_.live()) return recorded().extent == Extent::Whole && !has_next();
+  if (!stream_.live()->ended()) return false;
+  const LiveMoment* const newest = stream_.live()->newest();
   return !last_moment_ || newest == nullptr || *last_moment_ == newest->number;
 }
 
 bool Delivery::complete() const {
-  const bool all_there = stream_.live || !voice_ || stream_.sound->voice->complete();
+  const bool all_there = !voice_ || stream_.live() || soundtrack()->voice->complete();
   return !paused_ && !held_ && in_flight_ == 0 && at_end() && all_there;
 }
 
@@ -141,16 +148,16 @@ void Delivery::send_keyframe(std::string_view packet, std::string& out) {
 }
 
 void Delivery::pump(std::string& out) {
-  if (!stream_.live) {
+  if (!stream_.live()) {
     send_recorded(out);
-  } else if (const LiveMoment* const newest = stream_.live->newest()) {
+  } else if (const LiveMoment* const newest = stream_.live()->newest()) {
     send_moment(*newest, out);
     send_live_sound(out);
   }
 }
 
 void Delivery::pump_latest(std::string& out) {
-  for (const LiveMoment& moment : stream_.live->latest()) {
+  for (const LiveMoment& moment : stream_.live()->latest()) {
     if (last_moment_ && moment.number > *last_moment_) send_moment(moment, out);
   }
   pump(out);
@@ -187,7 +194,7 @@ void Delivery::begin_turn() {
 /// Whether the sound up to `end` is there and may run so far ahead of the answers.
 bool Delivery::sound_may_reach(Milliseconds end) const {
   if (!voice_) return true;
-  if (stream_.sound->voice->encoded_until() < end - turn_begin_) return false;
+  if (soundtrack()->voice->encoded_until() < end - turn_begin_) return false;
   return in_flight_ == 0 || end <= answered_to_ + kVoiceAheadMax;
 }
 
@@ -195,14 +202,14 @@ bool Delivery::sound_may_reach(Milliseconds end) const {
 /// would reach into the next turn would cost the beginning of that.
 void Delivery::send_sound(Milliseconds end, Milliseconds turn_end, std::string& out) {
   if (text_) {
-    const auto& captions = stream_.sound->captions;
+    const auto& captions = soundtrack()->captions;
     for (; next_caption_ < captions.size(); ++next_caption_) {
       if (Milliseconds(captions[next_caption_].place_ms) + turn_begin_ >= end) break;
       send_caption(captions[next_caption_], turn_begin_, out);
     }
   }
   if (!voice_) return;
-  const auto voice = stream_.sound->voice->packets();
+  const auto voice = soundtrack()->voice->packets();
   for (; next_voice_ < voice.size(); ++next_voice_) {
     if (voice[next_voice_].begin + turn_begin_ >= end) break;
     if (voice[next_voice_].end + turn_begin_ > turn_end) break;
@@ -228,7 +235,7 @@ void Delivery::send_moment(const LiveMoment& moment, std::string& out) {
 
 /// What was to be heard before this place is left out; the caption that stands there is not.
 void Delivery::skip_sound_before(Milliseconds place) {
-  const LiveChannel& channel = *stream_.live;
+  const LiveChannel& channel = *stream_.live();
   next_voice_ = std::max(next_voice_, channel.voice().first_number());
   while (const EncodedVoice* const voice = channel.voice().find(next_voice_)) {
     if (voice->begin >= place) break;
@@ -243,7 +250,7 @@ void Delivery::skip_sound_before(Milliseconds place) {
 
 void Delivery::send_live_sound(std::string& out) {
   if (!sounds() || paused_ || held_ || !last_moment_) return;
-  const LiveChannel& channel = *stream_.live;
+  const LiveChannel& channel = *stream_.live();
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
   while (const Caption* const caption = channel.captions().find(next_caption_)) {
     if (text_) send_caption(*caption, offset_, out);

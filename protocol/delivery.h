@@ -11,38 +11,10 @@
 #include "protocol/encoded_stream.h"
 #include "protocol/live_channel.h"
 #include "protocol/packet.h"
-#include "protocol/upstream_stream.h"
+#include "protocol/served_stream.h"
 #include "protocol/voice_cursor.h"
-#include "protocol/voice_track.h"
 
 namespace aucast::protocol {
-
-/// A stream by the name that a hello asks for: recorded, which each client gets from its beginning
-/// or from the place that its hello names, or live, of which each client gets what is sent now.
-/// Exactly one of `recorded` and `live` is set, or neither while another server has not said which
-/// it is.
-struct ServedStream {
-  std::string name;
-  std::shared_ptr<const EncodedStream> recorded;
-  std::shared_ptr<const LiveChannel> live{};
-  /// Recorded: the voice and captions of clients that ask for them. Null: none.
-  std::shared_ptr<const Soundtrack> sound{};
-  /// Recorded: what these clients are sent in place of `recorded`, because some of its keyframes
-  /// last longer than voice may run ahead. Null: `recorded`.
-  std::shared_ptr<const EncodedStream> spoken{};
-  std::string title{};  ///< for people; empty: none
-  /// Instead of all these: it comes from another server, and what is known of it is there.
-  std::shared_ptr<const UpstreamStream> upstream{};
-
-  /// Clients can be sent it now.
-  [[nodiscard]] bool known() const { return recorded || live; }
-  /// What it is called; empty: nobody knows yet.
-  [[nodiscard]] const std::string& known_name() const {
-    return name.empty() && upstream ? upstream->name : name;
-  }
-  /// Where it comes from it starts again at its end.
-  [[nodiscard]] bool loops_there() const { return upstream && upstream->loop; }
-};
 
 /// What one client was handed out.
 struct SentCounts {
@@ -87,7 +59,7 @@ class Delivery {
   void hold(bool held) { held_ = held; }
 
   /// Keyframes of a recorded stream may have to wait for its voice.
-  [[nodiscard]] bool waits_for_voice() const { return voice_ && !stream_.live; }
+  [[nodiscard]] bool waits_for_voice() const { return voice_ && !stream_.live(); }
 
   [[nodiscard]] const ServedStream& stream() const { return stream_; }
   [[nodiscard]] Level level() const { return level_; }
@@ -100,6 +72,7 @@ class Delivery {
 
  private:
   [[nodiscard]] const EncodedStream& recorded() const;
+  [[nodiscard]] const Soundtrack* soundtrack() const { return stream_.recorded()->sound.get(); }
   [[nodiscard]] bool loops() const { return !one_turn_ && (loop_ || stream_.loops_there()); }
   [[nodiscard]] const PacketList& packets() const;
   [[nodiscard]] std::string_view packet_of(const LiveMoment& moment, bool full) const;

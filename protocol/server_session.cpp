@@ -218,7 +218,7 @@ void ServerSession::State::join() {
     if (!choose()) return;
     const ServedStream& stream = delivery.stream();
     const std::uint32_t keyframe_ms =
-        stream.upstream ? stream.upstream->keyframe_ms : catalogue->keyframe_ms;
+        stream.upstream() != nullptr ? stream.upstream()->keyframe_ms : catalogue->keyframe_ms;
     HelloGranted granted = delivery.grant(*asked, keyframe_ms);
     granted.servers = servers_told(*catalogue, stream, *asked);
     send(encode(granted));
@@ -425,7 +425,7 @@ void ServerSession::State::settle_peer_end() {
   }
   if (phase != Phase::Streaming) return;
   // Live, the next moment is still to come; whether it can be answered shows then.
-  if (delivery.stream().live && !delivery.paused() && delivery.in_flight() == 0) return;
+  if (delivery.stream().live() && !delivery.paused() && delivery.in_flight() == 0) return;
   close(Why::PeerGone, delivery.paused() ? "the client ended while it was paused"
                                          : "the client ended before it had answered everything");
 }
@@ -500,7 +500,7 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
 std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   const bool awaits = state_->phase == State::Phase::AwaitingStream;
   const bool grows =
-      state_->phase == State::Phase::Streaming && state_->delivery.stream().upstream != nullptr;
+      state_->phase == State::Phase::Streaming && state_->delivery.stream().upstream() != nullptr;
   if (!live() && !awaits && !grows) return {};
   state_->begin_call(now);
   if (awaits) {
@@ -565,7 +565,7 @@ bool ServerSession::awaiting_answer() const {
 }
 
 bool ServerSession::live() const {
-  return state_->phase == State::Phase::Streaming && state_->delivery.stream().live != nullptr;
+  return state_->phase == State::Phase::Streaming && state_->delivery.stream().live() != nullptr;
 }
 
 std::string_view ServerSession::stream_name() const {
@@ -577,7 +577,8 @@ const std::optional<HelloAsked>& ServerSession::hello() const {
 }
 
 const EncodedStream* ServerSession::recorded() const {
-  return state_->delivery.stream().recorded.get();
+  const RecordedStream* const recorded = state_->delivery.stream().recorded();
+  return recorded == nullptr ? nullptr : recorded->encoded.get();
 }
 
 const SentCounts& ServerSession::sent() const {

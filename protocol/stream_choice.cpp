@@ -11,7 +11,8 @@ namespace {
 
 /// The servers that a client gets the stream through, this one the last.
 std::string servers_of(const ServerCatalogue& catalogue, const ServedStream& stream) {
-  return chained(stream.upstream ? stream.upstream->servers : std::string(), catalogue.id);
+  return chained(stream.upstream() != nullptr ? stream.upstream()->servers : std::string(),
+                 catalogue.id);
 }
 
 bool tells_servers(const ServerCatalogue& catalogue, const HelloAsked& asked) {
@@ -57,13 +58,10 @@ StreamChoice choose_stream(const ServerCatalogue& catalogue,
   }
   choice.stream = *found;
   ServedStream& stream = choice.stream;
-  if (stream.upstream) {
-    if (stream.name.empty()) stream.name = stream.upstream->name;
-    stream.recorded = stream.upstream->recorded;
-    stream.live = stream.upstream->live;
-    stream.sound = stream.upstream->sound;
-    stream.title = stream.upstream->title;
-    choice.patience = stream.upstream->patience;
+  if (const UpstreamStream* const upstream = stream.upstream()) {
+    if (stream.name.empty()) stream.name = upstream->name;
+    stream.title = upstream->title;
+    choice.patience = upstream->patience;
   }
   if (asked) {
     if (auto refusal = relay_refused(catalogue, stream, *asked)) {
@@ -73,8 +71,10 @@ StreamChoice choose_stream(const ServerCatalogue& catalogue,
     }
   }
   const bool loops = (catalogue.loop || stream.loops_there()) && !(asked && asked->loop);
-  const bool ready = stream.live || (stream.recorded &&
-                                     reaches(*stream.recorded, asked ? asked->from_ms : 0, loops));
+  const RecordedStream* const recorded = stream.recorded();
+  const bool ready =
+      stream.live() ||
+      (recorded != nullptr && reaches(*recorded->encoded, asked ? asked->from_ms : 0, loops));
   if (!ready) choice.state = State::NotYet;
   return choice;
 }

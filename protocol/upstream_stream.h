@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <variant>
 
 #include "common/time.h"
 #include "protocol/encoded_stream.h"
@@ -11,21 +12,43 @@
 
 namespace aucast::protocol {
 
+/// A recorded stream, as it is sent.
+struct RecordedStream {
+  std::shared_ptr<const EncodedStream> encoded;  ///< never null
+  /// The voice and captions of clients that ask for them. Null: none.
+  std::shared_ptr<const Soundtrack> sound{};
+  /// What these clients are sent in place of `encoded`, because some of its keyframes last longer
+  /// than voice may run ahead. Null: `encoded`.
+  std::shared_ptr<const EncodedStream> spoken{};
+
+  /// The same packets, and sound that is the same.
+  friend bool operator==(const RecordedStream& one, const RecordedStream& other) {
+    return one.encoded == other.encoded && same_sound(one.sound, other.sound) &&
+           one.spoken == other.spoken;
+  }
+};
+
 /// A stream that another server sends, as far as it is known: at first not even of which kind it
 /// is. Shared by all its sessions. Whoever receives it writes it; what is known does not change any
 /// more, except that a recorded stream grows.
 /// Thread: that of the sessions.
 struct UpstreamStream {
   std::string name;  ///< empty: not known yet
-  /// One of these two is set when the stream is known.
-  std::shared_ptr<const EncodedStream> recorded;
-  std::shared_ptr<const LiveChannel> live;
-  std::shared_ptr<const Soundtrack> sound;  ///< of the recorded one; null: it has none
-  bool loop = false;                        ///< the recorded one starts again at its end
-  std::string title;                        ///< for people; empty: none
-  std::uint32_t keyframe_ms = 250;          ///< time of a keyframe without its own
+  /// Nothing: it is not known yet.
+  std::variant<std::monostate, RecordedStream, std::shared_ptr<const LiveChannel>> content;
+  bool loop = false;                ///< the recorded one starts again at its end
+  std::string title;                ///< for people; empty: none
+  std::uint32_t keyframe_ms = 250;  ///< time of a keyframe without its own
   std::string servers;       ///< that it comes through, as server_chain.h has them; without our own
   Milliseconds patience{0};  ///< how long a client waits for a stream that is not known yet
+
+  /// Null: it is not recorded, or not known yet.
+  [[nodiscard]] const RecordedStream* recorded() const {
+    return std::get_if<RecordedStream>(&content);
+  }
+  /// The same of a live one.
+  [[nodiscard]] const std::shared_ptr<const LiveChannel>& live() const;
+  [[nodiscard]] bool known() const { return !std::holds_alternative<std::monostate>(content); }
 };
 
 }  // namespace aucast::protocol

@@ -17,4 +17,10 @@ void VoiceTrack::add(const VoicePacket& packet) {
   encoded_to(packets_.back().end);
 }
 
+bool same_sound(const std::shared_ptr<const Soundtrack>& one,
+                const std::shared_ptr<const Soundtrack>& other) {
+  if (one == nullptr || other == nullptr) return one == other;
+  return one->voice == other->voice && one->captions == other->captions;
+}
+
 }  // namespace aucast::protocol

@@ -59,4 +59,8 @@ struct Soundtrack {
   [[nodiscard]] bool has_captions() const { return captions_come || !captions.empty(); }
 };
 
+/// Whether clients would hear and read the same.
+[[nodiscard]] bool same_sound(const std::shared_ptr<const Soundtrack>& one,
+                              const std::shared_ptr<const Soundtrack>& other);
+
 }  // namespace aucast::protocol

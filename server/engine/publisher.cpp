@@ -59,25 +59,27 @@ std::shared_ptr<const protocol::LiveChannel> Publisher::channel() {
   auto choice = protocol::choose_stream(*catalogue, asked);
   if (choice.state != protocol::StreamChoice::State::Ready) return nullptr;
   const protocol::ServedStream& stream = choice.stream;
-  if (!stream.live) {
+  const auto& live = stream.live();
+  if (!live) {
     if (!std::exchange(said_recorded_, true)) {
       spdlog::error("{}: it is not published: it is recorded where it comes from (--live there)",
                     options_.stream);
     }
     return nullptr;
   }
-  if (stream.live == channel_) return channel_;
+  if (live == channel_) return channel_;
   hello_ = {};
-  hello_.delta = stream.live->has_changes();
+  hello_.delta = live->has_changes();
   hello_.stream = options_.stream;
   hello_.live = true;
-  hello_.duration_ms = stream.live->duration_ms();
-  hello_.keyframe_ms = stream.upstream ? stream.upstream->keyframe_ms : catalogue->keyframe_ms;
-  if (stream.live->has_voice()) hello_.voice = protocol::kVoiceCodec;
-  hello_.text = stream.live->has_captions();
+  hello_.duration_ms = live->duration_ms();
+  hello_.keyframe_ms =
+      stream.upstream() != nullptr ? stream.upstream()->keyframe_ms : catalogue->keyframe_ms;
+  if (live->has_voice()) hello_.voice = protocol::kVoiceCodec;
+  hello_.text = live->has_captions();
   hello_.title = stream.title;
   hello_.servers = servers_told(*catalogue, stream, asked);
-  begin(stream.live);
+  begin(live);
   return channel_;
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/log.h"
-#include "server/voice/voice_tracks.h"
+#include "protocol/voice_track.h"
 
 namespace aucast::server {
 namespace {

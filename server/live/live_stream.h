@@ -73,7 +73,7 @@ class LiveStream {
   [[nodiscard]] bool full() const;
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] protocol::ServedStream served() const { return {name_, nullptr, feed_}; }
+  [[nodiscard]] protocol::ServedStream served() const { return {name_, feed_}; }
   [[nodiscard]] bool begun() const { return feed_->newest() != nullptr; }
   /// Everybody was told that it has ended, and nothing waits.
   [[nodiscard]] bool ended() const { return feed_->ended() && queue_.size() == 0; }

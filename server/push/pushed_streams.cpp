@@ -90,7 +90,7 @@ void PushedStreams::make_room() {
 
 void PushedStreams::on_over(Slot& slot, const Parent::Ending& ending) {
   const auto stream = slot.reception.shared();
-  const bool other = ending.unfit && (stream->live || stream->recorded);
+  const bool other = ending.unfit && stream->known();
   if (other || !slot.reception.whole()) {
     spdlog::log(
         level_of(ending.reason, slot.said), "{}: {}: {}", slot.name,

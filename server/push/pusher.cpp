@@ -31,9 +31,7 @@ void Pusher::stop() {
 bool Pusher::ready() const {
   const protocol::ServedStream* const stream = hooks_.stream();
   if (stream == nullptr) return false;
-  const auto live = stream->upstream ? stream->upstream->live : stream->live;
-  const auto recorded = stream->upstream ? stream->upstream->recorded : stream->recorded;
-  return live ? !live->ended() : recorded != nullptr;
+  return stream->live() ? !stream->live()->ended() : stream->recorded() != nullptr;
 }
 
 std::string Pusher::name() const {

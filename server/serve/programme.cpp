@@ -13,16 +13,6 @@
 namespace aucast::server {
 namespace {
 
-bool same_streams(const protocol::ServerCatalogue& a, const protocol::ServerCatalogue& b) {
-  return std::equal(a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
-                    [](const auto& one, const auto& other) {
-                      return one.name == other.name && one.recorded == other.recorded &&
-                             one.live == other.live && one.upstream == other.upstream &&
-                             same_sound(one.sound, other.sound) && one.spoken == other.spoken &&
-                             one.title == other.title;
-                    });
-}
-
 /// By which relays find loops.
 std::string random_id() {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -137,12 +127,10 @@ void Programme::add_faces() {
 /// --live, one that plays it. A source's faces have streams too, but for names that are taken.
 void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   for (protocol::ServedStream& stream : catalogue.streams) {
-    if (stream.recorded && options_.live) {
-      const auto recorded = std::exchange(stream.recorded, nullptr);
-      const auto spoken = std::exchange(stream.spoken, nullptr);
-      stream.live = beat_.play(stream.name, spoken ? spoken : recorded, options_.loop,
-                               std::exchange(stream.sound, nullptr));
-    }
+    const auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
+    if (recorded == nullptr || !options_.live) continue;
+    stream.kind = beat_.play(stream.name, recorded->spoken ? recorded->spoken : recorded->encoded,
+                             options_.loop, recorded->sound);
   }
   for (protocol::ServedStream& of_source : sources_.streams()) {
     const auto same =
@@ -150,18 +138,16 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
                      [&of_source](const auto& stream) { return stream.name == of_source.name; });
     if (same == catalogue.streams.end()) {
       catalogue.streams.push_back(std::move(of_source));
-    } else if (!same->recorded && !same->live) {
-      same->live = std::move(of_source.live);
-      same->upstream = std::move(of_source.upstream);
+    } else if (same->absent()) {
+      same->kind = std::move(of_source.kind);
     }
   }
   std::erase_if(catalogue.streams, [](const protocol::ServedStream& stream) {
-    const bool nothing = !stream.known() && !stream.upstream;
-    if (nothing) {
+    if (stream.absent()) {
       spdlog::error("{}: it is written live now and was not at the start; restart to serve it",
                     stream.name);
     }
-    return nothing;
+    return stream.absent();
   });
 }
 
@@ -172,7 +158,7 @@ bool Programme::over() const {
   const auto& served = catalogue_->streams;
   return std::all_of(served.begin(), served.end(), [&of_sources](const auto& stream) {
     return std::any_of(of_sources.begin(), of_sources.end(),
-                       [&stream](const auto& other) { return other.live == stream.live; });
+                       [&stream](const auto& other) { return other.kind == stream.kind; });
   });
 }
 
@@ -193,7 +179,7 @@ bool Programme::take_over(Repertoire repertoire) {
   pushed_names_.clear();
   serve_pushed(loaded);
   share_with_before(loaded);
-  if (same_streams(loaded, *catalogue_)) {
+  if (loaded.streams == catalogue_->streams) {
     spdlog::info("the sources hold what they held");
     return false;
   }
@@ -211,11 +197,12 @@ protocol::ServerCatalogue Programme::accompanied(Repertoire repertoire) {
   protocol::ServerCatalogue catalogue = std::move(repertoire.catalogue);
   for (std::size_t i = 0; i < std::min(repertoire.voices.size(), catalogue.streams.size()); ++i) {
     if (!repertoire.voices[i]) continue;
-    protocol::ServedStream& stream = catalogue.streams[i];
+    auto* const stream = std::get_if<protocol::RecordedStream>(&catalogue.streams[i].kind);
+    if (stream == nullptr) continue;
     protocol::Soundtrack sound;
-    if (stream.sound) sound = *stream.sound;
+    if (stream->sound) sound = *stream->sound;
     sound.voice = voices_.track_of(*repertoire.voices[i]);
-    stream.sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
+    stream->sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
   }
   return catalogue;
 }
@@ -223,13 +210,16 @@ protocol::ServerCatalogue Programme::accompanied(Repertoire repertoire) {
 /// What a stream held before is held once.
 void Programme::share_with_before(protocol::ServerCatalogue& catalogue) const {
   for (protocol::ServedStream& stream : catalogue.streams) {
-    for (const protocol::ServedStream& before : catalogue_->streams) {
-      const bool same = stream.recorded && before.recorded && stream.name == before.name &&
-                        *stream.recorded == *before.recorded;
-      if (!same) continue;
-      stream.recorded = before.recorded;
-      const bool same_spoken = stream.spoken && before.spoken && *stream.spoken == *before.spoken;
-      if (same_spoken) stream.spoken = before.spoken;
+    auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
+    if (recorded == nullptr) continue;
+    for (const protocol::ServedStream& other : catalogue_->streams) {
+      const auto* const before = std::get_if<protocol::RecordedStream>(&other.kind);
+      if (before == nullptr || stream.name != other.name) continue;
+      if (*recorded->encoded != *before->encoded) continue;
+      recorded->encoded = before->encoded;
+      const bool same_spoken =
+          recorded->spoken && before->spoken && *recorded->spoken == *before->spoken;
+      if (same_spoken) recorded->spoken = before->spoken;
     }
   }
 }

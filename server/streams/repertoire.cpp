@@ -25,10 +25,11 @@ Milliseconds time_of(const protocol::EncodedStream& stream) {
 std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time) {
   std::size_t most = 0;
   for (const protocol::ServedStream& stream : catalogue.streams) {
-    if (!stream.recorded) continue;
-    const std::size_t bytes = stream.recorded->negotiated.bytes();
-    const auto all =
-        static_cast<std::size_t>(std::max<Milliseconds::rep>(time_of(*stream.recorded).count(), 1));
+    const protocol::RecordedStream* const recorded = stream.recorded();
+    if (recorded == nullptr) continue;
+    const std::size_t bytes = recorded->encoded->negotiated.bytes();
+    const auto all = static_cast<std::size_t>(
+        std::max<Milliseconds::rep>(time_of(*recorded->encoded).count(), 1));
     most = std::max(most, (bytes * static_cast<std::size_t>(time.count()) + all - 1) / all);
   }
   return most;
@@ -42,15 +43,16 @@ Repertoire make_repertoire(const std::vector<Source>& sources, std::uint32_t key
   catalogue.keyframe_ms = keyframe_ms;
   catalogue.loop = loop;
   for (const Source& source : sources) {
-    const bool can_be_told = protocol::is_title(source.title);
-    catalogue.streams.push_back({.name = source.name,
-                                 .recorded = source.stream,
-                                 .spoken = source.spoken,
-                                 .title = can_be_told ? source.title : std::string()});
-    if (source.captions.empty()) continue;
-    protocol::Soundtrack sound;
-    sound.captions = source.captions;
-    catalogue.streams.back().sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
+    protocol::ServedStream& stream = catalogue.streams.emplace_back(source.name);
+    if (protocol::is_title(source.title)) stream.title = source.title;
+    if (!source.stream) continue;
+    protocol::RecordedStream recorded{source.stream, nullptr, source.spoken};
+    if (!source.captions.empty()) {
+      protocol::Soundtrack sound;
+      sound.captions = source.captions;
+      recorded.sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
+    }
+    stream.kind = std::move(recorded);
   }
   Repertoire repertoire(std::move(catalogue));
   for (const Source& source : sources) repertoire.voices.push_back(source.voice);
@@ -60,7 +62,8 @@ Repertoire make_repertoire(const std::vector<Source>& sources, std::uint32_t key
 Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
   if (!catalogue.loop) return {};
   for (const protocol::ServedStream& stream : catalogue.streams) {
-    if (stream.recorded && time_of(*stream.recorded) == Milliseconds::zero()) {
+    const protocol::RecordedStream* const recorded = stream.recorded();
+    if (recorded != nullptr && time_of(*recorded->encoded) == Milliseconds::zero()) {
       return Error{ErrorKind::BadData, "the stream '" + stream.name +
                                            "' takes no time at all, so it cannot start again and "
                                            "again live; give its keyframes a time, such as ;250"};
@@ -72,14 +75,16 @@ Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
 int held_back_for(const protocol::ServerCatalogue& catalogue, const VoiceOptions& voice) {
   constexpr Milliseconds kTime = protocol::kLiveWindowTime / 2;
   const bool any_voice =
-      std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
-                  [](const auto& stream) { return stream.sound && stream.sound->voice; });
+      std::any_of(catalogue.streams.begin(), catalogue.streams.end(), [](const auto& stream) {
+        const auto* const recorded = stream.recorded();
+        return recorded != nullptr && recorded->sound && recorded->sound->voice;
+      });
   // Kilobits a second are bits a millisecond.
   const std::size_t of_voice =
       any_voice ? voice_kbits(voice.encoder) * static_cast<std::size_t>(kTime.count()) / 8 : 0;
   const std::size_t bytes = bytes_in(catalogue, kTime) + of_voice;
   const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
-                                   [](const auto& stream) { return !stream.recorded; });
+                                   [](const auto& stream) { return stream.recorded() == nullptr; });
   const std::size_t least = unknown ? kHeldBackOfSources : kHeldBackLeast;
   return static_cast<int>(std::clamp(bytes, least, kHeldBackMost));
 }

@@ -149,10 +149,7 @@ void Reception::give_up() {
 }
 
 protocol::ServedStream Reception::served() const {
-  protocol::ServedStream served;
-  served.name = options_.name;
-  served.upstream = stream_.shared();
-  return served;
+  return {options_.name, stream_.shared()};
 }
 
 UpstreamStatus Reception::status() const {

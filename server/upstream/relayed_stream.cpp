@@ -82,11 +82,10 @@ std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted
 
 /// Nobody has been sent anything of a recording without keyframes: it may be another one.
 void RelayedStream::forget_announced() {
-  if (!recorded_ || shared_->recorded) return;
+  if (!recorded_ || shared_->known()) return;
   recorded_.reset();
   sound_.reset();
   voice_.reset();
-  shared_->sound.reset();
   shared_->loop = false;
   caption_bytes_ = 0;
 }
@@ -107,7 +106,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   if (hello.live) {
     feed_ = std::make_shared<protocol::LiveFeed>(hello.keyframe_ms, options_.classic_min, voice,
                                                  hello.text, hello.duration_ms);
-    shared_->live = feed_;
+    shared_->content = feed_;
     return std::nullopt;
   }
   recorded_ = std::make_shared<protocol::EncodedStream>();
@@ -120,7 +119,6 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
     sound_ = std::make_shared<protocol::Soundtrack>();
     sound_->voice = voice_;
     sound_->captions_come = hello.text;
-    shared_->sound = sound_;
   }
   return std::nullopt;
 }
@@ -160,8 +158,13 @@ std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& 
   place_ms_ += time_ms;
   if (voice_) voice_->encoded_to(place());
   // Not before: by its lists sessions see which forms there are.
-  shared_->recorded = recorded_;
+  show_recorded();
   return std::nullopt;
+}
+
+void RelayedStream::show_recorded() {
+  if (shared_->known()) return;
+  shared_->content = protocol::RecordedStream{recorded_, sound_};
 }
 
 /// Asked before anything more of a recorded stream is kept.
@@ -213,7 +216,7 @@ std::optional<std::string> RelayedStream::end() {
   }
   recorded_->extent = Extent::Whole;
   if (voice_) voice_->finish();
-  shared_->recorded = recorded_;
+  show_recorded();
   return std::nullopt;
 }
 

@@ -67,6 +67,7 @@ class RelayedStream {
  private:
   [[nodiscard]] bool begun() const { return feed_ || recorded_; }
   void forget_announced();
+  void show_recorded();
   [[nodiscard]] std::optional<std::string> objection(const protocol::HelloGranted& hello) const;
   [[nodiscard]] std::optional<std::string> keep(const protocol::EncodedKeyframe& keyframe,
                                                 std::uint32_t time_ms);

@@ -126,10 +126,4 @@ void VoiceTracks::deliver(const Job& job, std::vector<protocol::VoicePacket> pac
       });
 }
 
-bool same_sound(const std::shared_ptr<const protocol::Soundtrack>& one,
-                const std::shared_ptr<const protocol::Soundtrack>& other) {
-  if (one == nullptr || other == nullptr) return one == other;
-  return one->voice == other->voice && one->captions == other->captions;
-}
-
 }  // namespace aucast::server

@@ -65,8 +65,4 @@ class VoiceTracks {
   std::thread thread_;
 };
 
-/// Whether two streams sound the same and have the same captions.
-[[nodiscard]] bool same_sound(const std::shared_ptr<const protocol::Soundtrack>& one,
-                              const std::shared_ptr<const protocol::Soundtrack>& other);
-
 }  // namespace aucast::server

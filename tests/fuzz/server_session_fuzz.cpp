@@ -68,10 +68,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
     live = std::make_shared<LiveReplay>(std::make_shared<const EncodedStream>(a), catalogue.loop,
                                         now, sound);
-    catalogue.streams = {{"a", nullptr, live}};
+    catalogue.streams = {{"a", live}};
   } else {
     if (sound) a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
-    catalogue.streams = {{"a", std::make_shared<const EncodedStream>(a), nullptr, sound}};
+    catalogue.streams = {{"a", RecordedStream{std::make_shared<const EncodedStream>(a), sound}}};
   }
   catalogue.streams.push_back(
       {"b", std::make_shared<const EncodedStream>(EncodedStream{{"{0}"}, {"{0}"}, {}, {}, {}})});

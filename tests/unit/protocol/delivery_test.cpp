@@ -24,7 +24,8 @@ class VoiceInTheMaking : public ::testing::Test {
       keyframe.duration_ms = 100;
     }
     stream_ = served("talk", encode_stream(keyframes, 250, 20));
-    stream_.sound = std::make_shared<const Soundtrack>(Soundtrack{track_, {}});
+    std::get<RecordedStream>(stream_.kind).sound =
+        std::make_shared<const Soundtrack>(Soundtrack{track_, {}});
     deliver(false);
   }
 
@@ -92,7 +93,7 @@ class LiveVoice : public ::testing::Test {
  protected:
   LiveVoice() { feed_->add(keyframe_); }
   void join() {
-    delivery_.emplace(ServedStream{"talk", nullptr, feed_}, false);
+    delivery_.emplace(ServedStream{"talk", feed_}, false);
     HelloAsked asked;
     asked.window = 100;
     asked.voice = kVoiceCodec;

@@ -35,8 +35,8 @@ class LivePair {
  public:
   LivePair(Seeded& seeded, int length) : seeded_(seeded) {
     const ServedStream stream = test::served("numbered", test::encoded(numbered(length), 0));
-    live_ = std::make_shared<LiveReplay>(stream.recorded, false, now_);
-    catalogue_.streams.push_back({stream.name, nullptr, live_});
+    live_ = std::make_shared<LiveReplay>(stream.recorded()->encoded, false, now_);
+    catalogue_.streams.push_back({stream.name, live_});
     server_.emplace(catalogue_, 0ms, now_);
     ClientSessionOptions options;
     options.hello.window = seeded.integer(0, 5);

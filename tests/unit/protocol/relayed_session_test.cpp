@@ -47,9 +47,7 @@ class RelayedSession : public testing::Test {
     upstream_->name = "talk";
     upstream_->patience = milliseconds(8000);
     catalogue_.id = "me";
-    ServedStream talk{"talk", nullptr};
-    talk.upstream = upstream_;
-    catalogue_.streams.push_back(talk);
+    catalogue_.streams.push_back({"talk", upstream_});
   }
 
   std::string hear(std::string_view bytes) {
@@ -66,7 +64,7 @@ class RelayedSession : public testing::Test {
     stream->extent = Extent::Growing;
     stream->duration_ms = 120;
     append(*stream, "{1;40}", 40);
-    upstream_->recorded = stream;
+    upstream_->content = RecordedStream{stream};
     return stream;
   }
 
@@ -80,7 +78,7 @@ TEST_F(RelayedSession, AClientWaitsForTheStreamAndGetsIt) {
   EXPECT_EQ(hear("{hello v=2 window=8 stream=talk}"), "");
   EXPECT_EQ(wake(), "") << "nothing is known yet";
   auto feed = std::make_shared<LiveFeed>(33, 20);
-  upstream_->live = feed;
+  upstream_->content = feed;
   upstream_->keyframe_ms = 33;
   EXPECT_EQ(wake(), "{hello v=2 window=8 stream=talk live=1 keyframe=33}");
   feed->add({"{1}", "{1;40}", "{1;40}", false}, milliseconds(40));

@@ -31,7 +31,7 @@ class LiveServer : public ::testing::Test {
     live_ =
         std::make_shared<LiveReplay>(std::make_shared<const EncodedStream>(stream_), loop, now_);
     live_->advance(now_);
-    catalogue_.streams = {{"talk", nullptr, live_}};
+    catalogue_.streams = {{"talk", live_}};
     connect();
   }
   void start_recorded() {

@@ -113,8 +113,8 @@ class Model {
     catalogue_.streams = {test::served("numbered", test::encoded(countable(setting.length), 0))};
     if (setting.live) {
       ServedStream& stream = catalogue_.streams.front();
-      live_ = std::make_shared<LiveReplay>(stream.recorded, false, now_);
-      stream = {stream.name, nullptr, live_};
+      live_ = std::make_shared<LiveReplay>(stream.recorded()->encoded, false, now_);
+      stream = {stream.name, live_};
     }
     server_.emplace(catalogue_, Milliseconds(seeded.integer(0, 600)), now_);
     client_.emplace(setting.options);

@@ -188,8 +188,8 @@ std::string sets_of(const std::vector<AuFrame>& frames) {
 }
 
 std::string sent_by(const ServedStream& stream, Level level, std::size_t count) {
-  const auto& packets =
-      level == Level::Classic ? stream.recorded->classic : stream.recorded->negotiated;
+  const auto& packets = level == Level::Classic ? stream.recorded()->encoded->classic
+                                                : stream.recorded()->encoded->negotiated;
   std::string text;
   for (std::size_t n = 0; n < count; ++n) text += packets[n % packets.size()];
   return text;
@@ -220,7 +220,8 @@ TEST(Sessions, LoseDoubleAndReorderNothingAndBothEnd) {
     EXPECT_EQ(pair.client_end, "ended");
     EXPECT_EQ(pair.server_end, "finished: the stream was sent whole");
     EXPECT_EQ(level, pair.server().level());
-    EXPECT_EQ(sets_of(pair.stored), sent_by(stream, level, stream.recorded->classic.size()));
+    EXPECT_EQ(sets_of(pair.stored),
+              sent_by(stream, level, stream.recorded()->encoded->classic.size()));
     EXPECT_EQ(pair.client().packets_received(), pair.server().sent().packets);
     EXPECT_EQ(pair.client().payload_bytes(), pair.server().sent().payload_bytes);
   }

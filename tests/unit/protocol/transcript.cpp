@@ -81,7 +81,8 @@ class Said {
 
 /// `voice PLACE DATA...`, `caption PLACE TEXT`: to be heard and read with the stream before.
 void add_sound(ServedStream& stream, const Line& line, const std::vector<std::string>& words) {
-  Soundtrack sound = stream.sound ? *stream.sound : Soundtrack{};
+  auto& recorded = std::get<RecordedStream>(stream.kind);
+  Soundtrack sound = recorded.sound ? *recorded.sound : Soundtrack{};
   const int place = number_of(words.front());
   if (line.verb == "caption") {
     sound.captions.push_back(
@@ -98,7 +99,7 @@ void add_sound(ServedStream& stream, const Line& line, const std::vector<std::st
     track.finish();
     sound.voice = std::make_shared<const VoiceTrack>(std::move(track));
   }
-  stream.sound = std::make_shared<const Soundtrack>(std::move(sound));
+  recorded.sound = std::make_shared<const Soundtrack>(std::move(sound));
 }
 
 /// `publisher TOKEN [NAME...]`; the name `taken` is another's already.
@@ -200,10 +201,10 @@ class ServerReplay {
                                   [](const Line& line) { return line.verb == "live"; });
     if (!live) return nullptr;
     ServedStream& first = catalogue.streams.front();
-    auto replay =
-        std::make_shared<LiveReplay>(first.recorded, catalogue.loop, Instant{}, first.sound);
+    auto replay = std::make_shared<LiveReplay>(first.recorded()->encoded, catalogue.loop, Instant{},
+                                               first.recorded()->sound);
     replay->advance(Instant{});
-    first = {first.name, nullptr, replay};
+    first = {first.name, replay};
     return replay;
   }
 

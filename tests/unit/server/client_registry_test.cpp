@@ -124,7 +124,7 @@ TEST_F(ClientRegistryTest, WhoComesByWebSocketIsCountedAndNeedsAHello) {
 
 TEST_F(ClientRegistryTest, AMomentReachesEverybodyAlthoughSomeLeaveMeanwhile) {
   auto live = std::make_shared<protocol::LiveReplay>(stream_, false, Instant{});
-  catalogue_->streams = {{"talk", nullptr, live}};
+  catalogue_->streams = {{"talk", live}};
   std::vector<std::shared_ptr<FakeLink>> links;
   for (int i = 0; i < 3; ++i) {
     links.push_back(knock());

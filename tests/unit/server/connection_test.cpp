@@ -27,7 +27,7 @@ class ConnectionTest : public TalkFixture {
   void go_live() {
     live_ = std::make_shared<protocol::LiveReplay>(stream_, true, link_->now());
     live_->advance(link_->now());
-    catalogue_->streams = {{"talk", nullptr, live_}};
+    catalogue_->streams = {{"talk", live_}};
   }
   void beat() {
     link_->advance(100ms);

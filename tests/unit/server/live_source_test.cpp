@@ -32,7 +32,7 @@ class LiveSourceTest : public ::testing::Test {
   }
   /// What everybody is sent now.
   [[nodiscard]] std::string newest() const {
-    const protocol::LiveMoment* moment = source_->streams().served().front().live->newest();
+    const protocol::LiveMoment* moment = source_->streams().served().front().live()->newest();
     return moment == nullptr ? "" : moment->full;
   }
 

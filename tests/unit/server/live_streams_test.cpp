@@ -58,7 +58,7 @@ class LiveStreamsTest : public ::testing::Test {
     clock_.advance(until - clock_.now());
     return sent();
   }
-  [[nodiscard]] bool ended() { return streams().served().front().live->ended(); }
+  [[nodiscard]] bool ended() { return streams().served().front().live()->ended(); }
 
   const spdlog::level::level_enum level_before_ = spdlog::get_level();
   test::ManualClock clock_;
@@ -69,7 +69,7 @@ class LiveStreamsTest : public ::testing::Test {
 
  private:
   void note() {
-    const protocol::LiveMoment* newest = streams().served().front().live->newest();
+    const protocol::LiveMoment* newest = streams().served().front().live()->newest();
     const bool is_new = newest != nullptr && newest->number + 1 != noted_;
     if (!is_new) return;
     noted_ = newest->number + 1;
@@ -194,8 +194,8 @@ TEST_F(LiveStreamsTest, EveryFaceGetsAStreamFromItsFirstRowOn) {
   const auto served = streams().served();
   EXPECT_EQ(served[1].name, "face-0");
   EXPECT_EQ(served[2].name, "face-7");
-  ASSERT_NE(served[2].live->newest(), nullptr);
-  EXPECT_EQ(served[2].live->newest()->full, "{12:40;40}");
+  ASSERT_NE(served[2].live()->newest(), nullptr);
+  EXPECT_EQ(served[2].live()->newest()->full, "{12:40;40}");
 }
 
 TEST_F(LiveStreamsTest, ManyFacesGetNoMoreStreamsThanAreToldApart) {

@@ -61,14 +61,14 @@ TEST_F(ProgrammeTest, ServesWhatWasReadUntilItIsOthers) {
   EXPECT_EQ(programme.catalogue(), before);
   EXPECT_TRUE(programme.take_over(catalogue_of({{"a", stream_of("{4}")}})));
   EXPECT_NE(programme.catalogue(), before);
-  EXPECT_EQ(before->streams[0].recorded->classic[0], "{1}") << "for who is there";
+  EXPECT_EQ(before->streams[0].recorded()->encoded->classic[0], "{1}") << "for who is there";
 }
 
 TEST_F(ProgrammeTest, AStreamThatHoldsWhatItHeldIsHeldOnce) {
   const auto first = stream_of("{1}");
   Programme& programme = begin(catalogue_of({{"a", first}}));
   ASSERT_TRUE(programme.take_over(catalogue_of({{"a", stream_of("{1}")}, {"b", first}})));
-  EXPECT_EQ(programme.catalogue()->streams[0].recorded, first);
+  EXPECT_EQ(programme.catalogue()->streams[0].recorded()->encoded, first);
   EXPECT_EQ(names(), (Names{"a", "b"}));
 }
 
@@ -82,14 +82,14 @@ TEST_F(ProgrammeTest, ATokenOutlastsTheStreams) {
 TEST_F(ProgrammeTest, ALiveStreamGoesOnWithoutAGapWhenItHoldsWhatItHeld) {
   options_.live = true;
   Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
-  const auto live = programme.catalogue()->streams[0].live;
+  const auto live = programme.catalogue()->streams[0].live();
   ASSERT_NE(live, nullptr);
-  EXPECT_EQ(programme.catalogue()->streams[0].recorded, nullptr);
+  EXPECT_EQ(programme.catalogue()->streams[0].recorded(), nullptr);
   EXPECT_GT(programme.held_back_max(), 0);
   ASSERT_TRUE(
       programme.take_over(catalogue_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}})));
-  EXPECT_EQ(programme.catalogue()->streams[0].live, live);
-  EXPECT_NE(programme.catalogue()->streams[1].live, live);
+  EXPECT_EQ(programme.catalogue()->streams[0].live(), live);
+  EXPECT_NE(programme.catalogue()->streams[1].live(), live);
 }
 
 TEST_F(ProgrammeTest, RecordedStreamsMayBeHeldBackAsTheSystemLikes) {
@@ -99,21 +99,25 @@ TEST_F(ProgrammeTest, RecordedStreamsMayBeHeldBackAsTheSystemLikes) {
 TEST_F(ProgrammeTest, ASourceThatIsBeingWrittenHasTheStreamOfItsName) {
   options_.live_source.follow = true;
   options_.sources = {folder_.write("face.txt", "12:50;100\n")};
-  Programme& programme = begin(catalogue_of({{"face", nullptr}, {"a", stream_of("{1}")}}));
-  const auto live = programme.catalogue()->streams[0].live;
+  Programme& programme =
+      begin(catalogue_of({protocol::ServedStream("face"), {"a", stream_of("{1}")}}));
+  const auto live = programme.catalogue()->streams[0].live();
   ASSERT_NE(live, nullptr);
   ASSERT_TRUE(test::run_until(io_, [&] { return live->newest() != nullptr; }));
   EXPECT_EQ(live->newest()->full, "{12:50;100}");
-  ASSERT_TRUE(programme.take_over(catalogue_of({{"face", nullptr}, {"a", stream_of("{4}")}})));
-  EXPECT_EQ(programme.catalogue()->streams[0].live, live) << "a reload leaves it alone";
+  ASSERT_TRUE(
+      programme.take_over(catalogue_of({protocol::ServedStream("face"), {"a", stream_of("{4}")}})));
+  EXPECT_EQ(programme.catalogue()->streams[0].live(), live) << "a reload leaves it alone";
   EXPECT_TRUE(programme.finish());
 }
 
 TEST_F(ProgrammeTest, AStreamThatOnlyBecameALiveSourceIsLeftOut) {
   Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
-  EXPECT_FALSE(programme.take_over(catalogue_of({{"face", nullptr}}))) << "nothing is left";
+  EXPECT_FALSE(programme.take_over(catalogue_of({protocol::ServedStream("face")})))
+      << "nothing is left";
   EXPECT_EQ(names(), Names{"a"});
-  EXPECT_TRUE(programme.take_over(catalogue_of({{"face", nullptr}, {"b", stream_of("{1}")}})));
+  EXPECT_TRUE(
+      programme.take_over(catalogue_of({protocol::ServedStream("face"), {"b", stream_of("{1}")}})));
   EXPECT_EQ(names(), Names{"b"});
 }
 
@@ -121,7 +125,8 @@ TEST_F(ProgrammeTest, ASourceThatCannotBeOpenedIsAnError) {
   options_.live_source.follow = true;
   options_.sources = {"-"};
   options_.record = "/nowhere/kept.txt";
-  Programme programme(io_, options_, catalogue_of({{"live", nullptr}}), {[] {}, [] {}});
+  Programme programme(io_, options_, catalogue_of({protocol::ServedStream("live")}),
+                      {[] {}, [] {}});
   EXPECT_FALSE(programme.open_sources());
 }
 
@@ -129,9 +134,10 @@ TEST_F(ProgrammeTest, AStreamIsBroughtToOthersAloneUnderAnotherName) {
   Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}}));
   const auto alone = programme.alone("b");
   ASSERT_EQ(alone->streams.size(), 1U);
-  EXPECT_EQ(alone->streams[0].recorded->classic[0], "{4}") << "the one of that name";
+  EXPECT_EQ(alone->streams[0].recorded()->encoded->classic[0], "{4}") << "the one of that name";
   EXPECT_EQ(programme.alone("talk")->streams[0].name, "talk");
-  EXPECT_EQ(programme.alone("talk")->streams[0].recorded->classic[0], "{1}") << "the first";
+  EXPECT_EQ(programme.alone("talk")->streams[0].recorded()->encoded->classic[0], "{1}")
+      << "the first";
   EXPECT_EQ(programme.alone("")->streams[0].name, "a");
   EXPECT_TRUE(alone->token.empty()) << "who is dialled shows none";
 }
@@ -154,7 +160,7 @@ TEST_F(ProgrammeTest, WhatPublishersBringStandsBehindItsOwnStreams) {
   EXPECT_EQ(programme.catalogue()->publish_refused(hello)->code, 409);
   EXPECT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{1}")}})));
   EXPECT_EQ(names(), Names{"talk"}) << "now one of its own";
-  EXPECT_NE(programme.catalogue()->streams[0].recorded, nullptr);
+  EXPECT_NE(programme.catalogue()->streams[0].recorded(), nullptr);
 }
 
 TEST_F(ProgrammeTest, NeedsNoStreamOfItsOwnWherePublishersBringThem) {

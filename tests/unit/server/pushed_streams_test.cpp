@@ -49,7 +49,7 @@ class PushedStreamsTest : public testing::Test {
     return all;
   }
   [[nodiscard]] std::shared_ptr<const protocol::UpstreamStream> only() const {
-    return streams_.streams().at(0).upstream;
+    return std::get<std::shared_ptr<const protocol::UpstreamStream>>(streams_.streams().at(0).kind);
   }
 
   const spdlog::level::level_enum level_before_ = spdlog::get_level();
@@ -70,8 +70,8 @@ TEST_F(PushedStreamsTest, AsksAsARelayDoesAndSaysThatItTakes) {
   EXPECT_EQ(changes_, 1);
   link->say(std::string(kPushedLive) + "{12C;40}");
   EXPECT_EQ(link->heard(), "1");
-  ASSERT_NE(only()->live, nullptr);
-  EXPECT_EQ(only()->live->newest()->full, "{12C;40}");
+  ASSERT_NE(only()->live(), nullptr);
+  EXPECT_EQ(only()->live()->newest()->full, "{12C;40}");
 }
 
 TEST_F(PushedStreamsTest, ANameHasOnePublisherAndItMayComeAgain) {
@@ -83,8 +83,8 @@ TEST_F(PushedStreamsTest, ANameHasOnePublisherAndItMayComeAgain) {
   const auto second = bring("talk", "a");
   EXPECT_TRUE(first->closed()) << "it was dead and had not been found out";
   second->say(std::string(kPushedLive) + "{2}");
-  EXPECT_EQ(only()->live->newest()->full, "{2}");
-  EXPECT_EQ(only()->live->newest()->number, 1U) << "the same stream goes on";
+  EXPECT_EQ(only()->live()->newest()->full, "{2}");
+  EXPECT_EQ(only()->live()->newest()->number, 1U) << "the same stream goes on";
   second->end({link::Ending::Why::Lost, "reset"});
   EXPECT_EQ(refusal_of("talk", "b"), 0);
 }
@@ -92,7 +92,7 @@ TEST_F(PushedStreamsTest, ANameHasOnePublisherAndItMayComeAgain) {
 TEST_F(PushedStreamsTest, ALiveStreamThatNobodySendsIsForgotten) {
   const auto link = bring("talk");
   link->say(std::string(kPushedLive) + "{1}");
-  const auto live = only()->live;
+  const auto live = only()->live();
   link->end({link::Ending::Why::Lost, "reset"});
   EXPECT_FALSE(live->ended());
   EXPECT_TRUE(test::run_until(io_, [this] { return names().empty(); }));
@@ -114,14 +114,14 @@ TEST_F(PushedStreamsTest, ARecordedStreamStaysAndIsReplacedByAnother) {
   auto link = bring("talk");
   link->say("{hello v=2 window=256 stream=talk duration=80 keyframe=40}{1}{2}{-2}");
   const auto before = only();
-  ASSERT_NE(before->recorded, nullptr);
-  EXPECT_EQ(before->recorded->extent, protocol::Extent::Whole);
+  ASSERT_NE(before->recorded(), nullptr);
+  EXPECT_EQ(before->recorded()->encoded->extent, protocol::Extent::Whole);
   link = bring("talk");
   EXPECT_NE(link->heard().find(" from=80 "), std::string::npos);
   link->say("{hello v=2 window=256 stream=talk duration=120 keyframe=40 from=80}");
   EXPECT_TRUE(link->closed()) << "it is asked for the whole of it when it comes again";
   EXPECT_NE(only(), before);
-  EXPECT_EQ(before->recorded->extent, protocol::Extent::Whole) << "for who is there";
+  EXPECT_EQ(before->recorded()->encoded->extent, protocol::Extent::Whole) << "for who is there";
   link = bring("talk");
   EXPECT_EQ(link->heard().find("from="), std::string::npos);
 }
@@ -142,7 +142,7 @@ TEST_F(PushedStreamsTest, ThereIsRoomForSoManyAtATime) {
 TEST_F(PushedStreamsTest, GivesWayToAStreamOfTheServerItself) {
   const auto link = bring("talk");
   link->say(std::string(kPushedLive) + "{1}");
-  const auto live = only()->live;
+  const auto live = only()->live();
   streams_.give_way("talk");
   EXPECT_TRUE(link->closed());
   EXPECT_TRUE(live->ended());

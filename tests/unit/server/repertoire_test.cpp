@@ -21,8 +21,8 @@ TEST(MakeRepertoire, EncodesEveryStreamForBothLevels) {
   EXPECT_FALSE(catalogue.loop);
   ASSERT_EQ(catalogue.streams.size(), 1U);
   EXPECT_EQ(catalogue.streams[0].name, "talk");
-  EXPECT_EQ(catalogue.streams[0].live, nullptr);
-  const auto& stream = *catalogue.streams[0].recorded;
+  EXPECT_EQ(catalogue.streams[0].live(), nullptr);
+  const auto& stream = *catalogue.streams[0].recorded()->encoded;
   EXPECT_EQ(stream.classic, (protocol::PacketList{"{12}", "{6,12}"}));
   EXPECT_EQ(stream.negotiated, (protocol::PacketList{"{1:10,12:80;40}", "{6,12}"}));
   EXPECT_EQ(stream.duration_ms, 140U);
@@ -35,7 +35,7 @@ TEST(MakeRepertoire, HasTheTimesAndTheChangesForWhoAsks) {
       {300, 20});
   ASSERT_TRUE(sources);
   const auto catalogue = make_repertoire(*sources, 300, false).catalogue;
-  const auto& stream = *catalogue.streams.front().recorded;
+  const auto& stream = *catalogue.streams.front().recorded()->encoded;
   EXPECT_EQ(stream.times, (std::vector<protocol::KeyframeTime>{protocol::KeyframeTime(40),
                                                                protocol::KeyframeTime(300),
                                                                protocol::KeyframeTime(0)}));
@@ -47,8 +47,10 @@ TEST(MakeRepertoire, LeavesPlainSetsAsTheThesisHasThem) {
   const auto sources =
       load_sources({folder.write("a.txt", "Beg_Stream\n1,6,12,14\n6,12\nEnd_Stream\n")});
   ASSERT_TRUE(sources);
-  EXPECT_TRUE(
-      make_repertoire(*sources, 250, false).catalogue.streams.front().recorded->changes.empty());
+  EXPECT_TRUE(make_repertoire(*sources, 250, false)
+                  .catalogue.streams.front()
+                  .recorded()
+                  ->encoded->changes.empty());
 }
 
 TEST(CheckLive, RefusesOnlyALoopWithoutTime) {

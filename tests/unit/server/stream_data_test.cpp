@@ -37,7 +37,7 @@ std::vector<std::string> classic_packets(const std::string& name) {
   if (sources.empty()) return {};
   std::vector<std::string> packets;
   const auto catalogue = make_repertoire(sources, 250, false).catalogue;
-  const protocol::PacketList& classic = catalogue.streams.front().recorded->classic;
+  const protocol::PacketList& classic = catalogue.streams.front().recorded()->encoded->classic;
   for (std::size_t i = 0; i < classic.size(); ++i) packets.emplace_back(classic[i]);
   return packets;
 }
@@ -71,10 +71,11 @@ TEST(StreamData, SingleExpressionsHaveTheBytesOfTableFiveFive) {
 TEST(StreamData, PrototypesHaveIntensities) {
   const auto sources = load("six_prototypes");
   ASSERT_EQ(sources.size(), 1U);
-  EXPECT_EQ(make_repertoire(sources, 250, false).catalogue.streams[0].recorded->negotiated,
-            (protocol::PacketList{"{1:80,2:80,5:25,26:80}", "{1:80,2:50,4:50,5:80,20:50,25:50}",
-                                  "{9:80,16:50,26:25}", "{4:80,5:50,7:80,23:80}", "{6:80,12}",
-                                  "{1:80,4:50,11:25,15:25}"}));
+  EXPECT_EQ(
+      make_repertoire(sources, 250, false).catalogue.streams[0].recorded()->encoded->negotiated,
+      (protocol::PacketList{"{1:80,2:80,5:25,26:80}", "{1:80,2:50,4:50,5:80,20:50,25:50}",
+                            "{9:80,16:50,26:25}", "{4:80,5:50,7:80,23:80}", "{6:80,12}",
+                            "{1:80,4:50,11:25,15:25}"}));
 }
 
 TEST(StreamData, TalkIsLongTimedAndEndsNeutral) {

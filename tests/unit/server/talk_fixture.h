@@ -19,7 +19,7 @@ class TalkFixture : public ::testing::Test {
     stream.classic = stream.negotiated = {"{1}", "{2}", "{3}"};
     stream.times.assign(3, protocol::KeyframeTime(100));
     stream_ = std::make_shared<const protocol::EncodedStream>(std::move(stream));
-    catalogue_->streams = {{"talk", stream_, nullptr}};
+    catalogue_->streams = {{"talk", stream_}};
     spdlog::set_level(spdlog::level::off);
   }
   ~TalkFixture() override { spdlog::set_level(level_before_); }

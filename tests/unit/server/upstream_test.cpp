@@ -47,7 +47,9 @@ class RelayOfTalk : public testing::Test {
     return link_->heard();
   }
   [[nodiscard]] std::string why() const { return ending_ ? ending_->reason : ""; }
-  [[nodiscard]] const protocol::EncodedStream& kept() const { return *stream_.shared()->recorded; }
+  [[nodiscard]] const protocol::EncodedStream& kept() const {
+    return *stream_.shared()->recorded()->encoded;
+  }
   [[nodiscard]] std::vector<std::string> packets(const protocol::PacketList& list) const {
     std::vector<std::string> all;
     for (std::size_t at = 0; at < list.size(); ++at) all.emplace_back(list[at]);
@@ -76,7 +78,7 @@ TEST_F(RelayOfTalk, SaysWhoAsksForWhat) {
 TEST_F(RelayOfTalk, PassesPacketsOfALiveStreamOnAsTheyCame) {
   connect();
   EXPECT_EQ(hear(kLive), "");
-  const auto live = stream_.shared()->live;
+  const auto live = stream_.shared()->live();
   ASSERT_NE(live, nullptr) << "known before its first keyframe";
   EXPECT_EQ(stream_.shared()->servers, "o,a");
   EXPECT_EQ(hear("{12C;40@1000} {~1:30;33@1033}\n"), "11");
@@ -93,13 +95,13 @@ TEST_F(RelayOfTalk, TakesPacketsThatAreCutAnywhere) {
   hear(kLive);
   const std::string packet = "{L12:80;40@7}";
   for (const char byte : packet) hear(std::string(1, byte));
-  EXPECT_EQ(stream_.shared()->live->newest()->full, packet);
+  EXPECT_EQ(stream_.shared()->live()->newest()->full, packet);
 }
 
 TEST_F(RelayOfTalk, LeavesOutNoneOfTheMomentsThatComeAtOnce) {
   connect();
   hear(std::string(kLive) + "{1;40}{~2;40}");
-  const auto live = stream_.shared()->live;
+  const auto live = stream_.shared()->live();
   const auto latest = [&live] {
     std::string packets;
     for (const protocol::LiveMoment& moment : live->latest()) packets += moment.changes;
@@ -115,7 +117,7 @@ TEST_F(RelayOfTalk, LeavesOutNoneOfTheMomentsThatComeAtOnce) {
 TEST_F(RelayOfTalk, KeepsARecordedStreamInEveryForm) {
   connect();
   hear(kRecorded);
-  EXPECT_EQ(stream_.shared()->recorded, nullptr) << "its forms show with the first keyframe";
+  EXPECT_EQ(stream_.shared()->recorded(), nullptr) << "its forms show with the first keyframe";
   hear("{12C}{~1:30}");
   EXPECT_EQ(kept().extent, protocol::Extent::Growing);
   EXPECT_EQ(packets(kept().changes), (std::vector<std::string>{"{12C}", "{~1:30}"}));
@@ -141,8 +143,8 @@ TEST_F(RelayOfTalk, KeepsTheVoiceOfARecordedStreamOnce) {
       "{hello v=2 window=256 stream=talk duration=120 keyframe=40 voice=opus text=1";
   connect();
   hear(kSpoken + "}{a@0 CP/+}{t@0 SGk}{1}");
-  ASSERT_NE(stream_.shared()->sound, nullptr);
-  const protocol::VoiceTrack& voice = *stream_.shared()->sound->voice;
+  ASSERT_NE(stream_.shared()->recorded()->sound, nullptr);
+  const protocol::VoiceTrack& voice = *stream_.shared()->recorded()->sound->voice;
   EXPECT_EQ(voice.packets().size(), 1U);
   EXPECT_EQ(voice.encoded_until(), Milliseconds(40));
   EXPECT_FALSE(voice.complete());
@@ -150,7 +152,7 @@ TEST_F(RelayOfTalk, KeepsTheVoiceOfARecordedStreamOnce) {
   connect();
   hear(kSpoken + " from=40}{a@0 CP/+}{t@0 SGk}{a@40 CP/+}{2}{0}{-2}");
   EXPECT_EQ(voice.packets().size(), 2U) << "what sounded already is not heard twice";
-  EXPECT_EQ(stream_.shared()->sound->captions.size(), 1U);
+  EXPECT_EQ(stream_.shared()->recorded()->sound->captions.size(), 1U);
   EXPECT_TRUE(voice.complete());
 }
 
@@ -161,7 +163,7 @@ TEST_F(RelayOfTalk, VoiceOfTheNextLiveParentFollowsThatOfTheOneBefore) {
   link_->end({Ending::Why::Lost, "reset by peer"});
   connect();
   hear(kSpoken + "{a@0 CP/+}{1;40}");
-  const auto& voice = stream_.shared()->live->voice();
+  const auto& voice = stream_.shared()->live()->voice();
   ASSERT_NE(voice.find(1), nullptr);
   EXPECT_EQ(voice.find(1)->begin, Milliseconds(40));
 }
@@ -188,7 +190,7 @@ TEST_F(RelayOfTalk, ALiveStreamGoesOnWithAFullPacketOfTheNextParent) {
   connect();
   hear(kLive);
   hear("{4;40}");
-  const protocol::LiveMoment& newest = *stream_.shared()->live->newest();
+  const protocol::LiveMoment& newest = *stream_.shared()->live()->newest();
   EXPECT_EQ(newest.number, 2U);
   EXPECT_EQ(newest.changes, "{4;40}") << "no change of what the parent before sent";
 }
@@ -197,13 +199,13 @@ TEST_F(RelayOfTalk, GivingUpEndsALiveStreamUntilAParentSendsAgain) {
   connect();
   hear(kLive);
   hear("{1;40}{-2}");
-  EXPECT_FALSE(stream_.shared()->live->ended()) << "another parent may have it";
+  EXPECT_FALSE(stream_.shared()->live()->ended()) << "another parent may have it";
   stream_.give_up();
-  EXPECT_TRUE(stream_.shared()->live->ended());
+  EXPECT_TRUE(stream_.shared()->live()->ended());
   connect();
   hear(kLive);
   hear("{4;40}");
-  EXPECT_FALSE(stream_.shared()->live->ended());
+  EXPECT_FALSE(stream_.shared()->live()->ended());
 }
 
 TEST_F(RelayOfTalk, GivingUpBreaksARecordedStreamOffUntilAParentSendsAgain) {
@@ -283,7 +285,7 @@ TEST_F(RelayOfTalk, WhatAParentOnlyAnnouncedBindsNoOther) {
   hear(kLive);
   EXPECT_FALSE(ending_) << why();
   EXPECT_TRUE(stream_.live());
-  EXPECT_EQ(stream_.shared()->sound, nullptr);
+  EXPECT_EQ(stream_.shared()->recorded(), nullptr);
 }
 
 TEST_F(RelayOfTalk, AFloodOfLiveKeyframesIsLeft) {
@@ -320,9 +322,9 @@ TEST_F(RelayOfTalk, VoiceWithoutKeyframesTakesMemoryToo) {
 TEST_F(RelayOfTalk, WhoComesBeforeTheFirstCaptionIsGrantedCaptions) {
   connect();
   hear("{hello v=2 window=256 stream=talk duration=120 keyframe=40 text=1}{1;40}");
-  ASSERT_NE(stream_.shared()->sound, nullptr);
-  EXPECT_TRUE(stream_.shared()->sound->captions.empty());
-  EXPECT_TRUE(stream_.shared()->sound->has_captions());
+  ASSERT_NE(stream_.shared()->recorded()->sound, nullptr);
+  EXPECT_TRUE(stream_.shared()->recorded()->sound->captions.empty());
+  EXPECT_TRUE(stream_.shared()->recorded()->sound->has_captions());
 }
 
 TEST_F(RelayOfTalk, ARecordingThatLeavesNoMemoryIsLeft) {

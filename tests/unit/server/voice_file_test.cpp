@@ -140,10 +140,10 @@ TEST_F(VoiceFileTest, TheSpokenStreamHoldsTheFaceUntilTheVoiceIsOver) {
   const auto sources = load_sources({face});
   ASSERT_TRUE(sources);
   const Repertoire repertoire = make_repertoire(*sources, 250, false);
-  const protocol::ServedStream& stream = repertoire.catalogue.streams.front();
-  EXPECT_EQ(stream.title, "A talk");
+  const protocol::RecordedStream& stream = *repertoire.catalogue.streams.front().recorded();
+  EXPECT_EQ(repertoire.catalogue.streams.front().title, "A talk");
   ASSERT_TRUE(stream.spoken);
-  EXPECT_EQ(stream.recorded->duration_ms, 2000U);
+  EXPECT_EQ(stream.encoded->duration_ms, 2000U);
   EXPECT_GE(stream.spoken->duration_ms, 6000U);
   ASSERT_TRUE(repertoire.voices.front());
 }
