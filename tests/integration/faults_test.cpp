@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/integration/server_running.h"
+#include "tests/support/eventually.h"
 #include "tests/support/fault_proxy.h"
 #include "tests/support/seeded.h"
 #include "tests/support/temp_folder.h"
@@ -64,25 +65,7 @@ class Faults : public ::testing::Test {
 
   /// Whatever the machine is busy with, so much of the stream is under way then.
   static void wait_for_bytes(const FaultProxy& link, std::int64_t bytes) {
-    const auto until = std::chrono::steady_clock::now() + 3 * kPatience;
-    while (link.bytes_to_clients() < bytes && std::chrono::steady_clock::now() < until) {
-      std::this_thread::sleep_for(5ms);
-    }
-    EXPECT_GE(link.bytes_to_clients(), bytes);
-  }
-
-  static void wait_for_clients(RunningTransmitter& server, std::size_t count) {
-    std::size_t seen = 0;
-    for (int attempt = 0; attempt < 4000 && seen < count; ++attempt) {
-      EXPECT_FALSE(server.process().wait(10ms).has_value()) << "reads the log";
-      seen = 0;
-      const std::string& log = server.log();
-      for (auto at = log.find(": connected"); at != std::string::npos;
-           at = log.find(": connected", at + 1)) {
-        ++seen;
-      }
-    }
-    EXPECT_GE(seen, count) << server.log();
+    EXPECT_TRUE(eventually([&] { return link.bytes_to_clients() >= bytes; }, 3 * kPatience));
   }
 
   static seconds patience() { return 60s + 3 * fault_time(); }
@@ -158,7 +141,7 @@ TEST_F(Faults, KilledClientIsNobodyElsesBusiness) {
   auto other = player(server.address(), "other");
   FaultProxy link(server.address(), {}, 1);
   auto killed = player(link.address(), "killed");
-  wait_for_clients(server, 2);
+  EXPECT_TRUE(logs(server, ": connected", 2)) << server.log();
   wait_for_bytes(link, 500);
   killed->signal(SIGKILL);
   EXPECT_EQ(killed->wait(kPatience), 128 + SIGKILL);
@@ -184,16 +167,22 @@ TEST_F(Faults, StoppedServerIsWaitedFor) {
 TEST_F(Faults, StoppedClientPlaysOnAndDisturbsNobody) {
   const int count = 60 + 25 * static_cast<int>(fault_time().count());
   RunningTransmitter server({"--live", folder_.write("lively.txt", lively(count))});
-  auto other = player(server.address(), "other");
-  FaultProxy link(server.address(), {}, 1);
+  FaultProxy other_link(server.address(), {}, 1);
+  auto other = player(other_link.address(), "other");
+  FaultProxy link(server.address(), {}, 2);
   auto stopped = player(link.address(), "stopped");
-  wait_for_clients(server, 2);
+  EXPECT_TRUE(logs(server, ": connected", 2)) << server.log();
   wait_for_bytes(link, 500);
   stopped->signal(SIGSTOP);
+  const std::int64_t before = other_link.bytes_to_clients();
   std::this_thread::sleep_for(fault_time());
+  EXPECT_GT(other_link.bytes_to_clients(), before) << "the other one goes on meanwhile";
+  const std::int64_t at_most = link.bytes_to_clients();
   stopped->signal(SIGCONT);
+  EXPECT_TRUE(eventually([&] { return link.bytes_to_clients() > at_most; })) << "it is sent more";
   EXPECT_EQ(stopped->wait(patience()), 0) << stopped->err();
   EXPECT_EQ(stats("stopped")["end_reason"], "end_of_stream");
+  EXPECT_EQ(stats("stopped")["reconnects"], 0) << "it was not cut off";
   EXPECT_EQ(other->wait(patience()), 0) << other->err();
   EXPECT_EQ(stats("other")["end_reason"], "end_of_stream") << stats("other");
   EXPECT_EQ(stats("other")["reconnects"], 0);

@@ -4,12 +4,12 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "client/view/image.h"
 #include "tests/integration/player_run.h"
+#include "tests/support/eventually.h"
 
 namespace aucast::test {
 namespace {
@@ -79,9 +79,7 @@ TEST(Gallery, StoppedInTheMiddleItSaysSoAndLeavesNothingHalfWritten) {
     Process player({program("face-player"), "gallery", gallery.string(), "--only", "sweeps",
                     "--sweep", "all", "--size", "48x60"});
     const auto some = gallery / "sweeps" / "au01" / "frame_000005.png";
-    for (int i = 0; i < 600 && !std::filesystem::exists(some); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
+    EXPECT_TRUE(eventually([&] { return std::filesystem::exists(some); }));
     player.signal(signal);
     EXPECT_EQ(player.wait(std::chrono::seconds(30)), 1);
     EXPECT_NE(player.err().find("stopped after "), std::string::npos) << player.err();

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/integration/server_running.h"
+#include "tests/support/eventually.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::test {
@@ -60,11 +61,8 @@ class Record : public ::testing::Test {
 
   /// Waits until the file has the line: it is written on a thread of its own.
   [[nodiscard]] bool comes(const std::string& line) const {
-    for (int attempt = 0; attempt < 2000; ++attempt) {
-      if (folder_.read("kept.txt").find(line + "\n") != std::string::npos) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
+    return eventually(
+        [&] { return folder_.read("kept.txt").find(line + "\n") != std::string::npos; });
   }
 
   TempFolder folder_;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/integration/server_running.h"
+#include "tests/support/eventually.h"
 
 namespace aucast::test {
 namespace {
@@ -15,15 +16,14 @@ using namespace std::chrono_literals;
 class ServerHttp : public ::testing::Test {
  protected:
   ServerHttp() : server_({"--http", "127.0.0.1:0", stream_file("six_expressions.txt")}) {
-    const auto until = std::chrono::steady_clock::now() + kPatience;
-    std::smatch match;
-    while (std::chrono::steady_clock::now() < until && !server_.process().wait(10ms)) {
+    const std::regex line("status at http://([0-9.:]+)/");
+    EXPECT_TRUE(eventually([&] {
+      static_cast<void>(server_.process().wait(1ms));  // reads the log
+      std::smatch match;
       const std::string log = server_.log();
-      if (!std::regex_search(log, match, std::regex("status at http://([0-9.:]+)/"))) continue;
-      address_ = match[1];
-      break;
-    }
-    EXPECT_FALSE(address_.empty()) << server_.log();
+      if (std::regex_search(log, match, line)) address_ = match[1];
+      return !address_.empty();
+    })) << server_.log();
   }
 
   [[nodiscard]] std::string ask(const std::string& request) const {
@@ -40,11 +40,7 @@ class ServerHttp : public ::testing::Test {
   }
   /// The status is at most a quarter of a second old: asks until it says so.
   [[nodiscard]] bool shows(const std::string& line) const {
-    const auto until = std::chrono::steady_clock::now() + kPatience;
-    while (std::chrono::steady_clock::now() < until) {
-      if (body(get("/metrics")).find(line) != std::string::npos) return true;
-    }
-    return false;
+    return eventually([&] { return body(get("/metrics")).find(line) != std::string::npos; });
   }
 
   RunningTransmitter server_;

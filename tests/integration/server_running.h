@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/eventually.h"
 #include "tests/support/process.h"
 #include "tests/support/raw_client.h"
 #include "tests/support/served.h"
@@ -81,10 +82,8 @@ inline bool logs(Process& process, const std::string& text, int times = 1) {
     }
     return found;
   };
-  const auto until = std::chrono::steady_clock::now() + kPatience;
-  while (count() < times && std::chrono::steady_clock::now() < until) {
-    if (process.wait(std::chrono::milliseconds(20))) break;
-  }
+  static_cast<void>(eventually(
+      [&] { return count() >= times || process.wait(std::chrono::milliseconds(10)).has_value(); }));
   return count() >= times;
 }
 

@@ -3,16 +3,15 @@
 
 #include <csignal>
 
-#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "client/mirror/host_addresses.h"
 #include "common/preview/preview_writer.h"
+#include "tests/support/eventually.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::mirror {
@@ -35,11 +34,7 @@ class MirrorTest : public testing::Test {
     mirror_ = std::move(*started);
   }
   bool becomes(const std::function<bool(const MirrorState&)>& wanted) {
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (!wanted(mirror_->state()) && std::chrono::steady_clock::now() < give_up) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return wanted(mirror_->state());
+    return test::eventually([&] { return wanted(mirror_->state()); });
   }
   /// The process that the script wrote into `pid` has gone.
   [[nodiscard]] bool is_gone() const {
