@@ -110,6 +110,9 @@ Result<Calibration> load_calibration(const std::filesystem::path& file) {
     }
     calibration.aus.push_back(std::move(au));
   }
+  if (calibration.landmarks.empty()) reader.wrong("landmark", "must be there at least once");
+  if (calibration.aus.empty()) reader.wrong("au", "must be there at least once");
+  if (reader.table_if("end") == nullptr) reader.wrong("[end]", "is missing: the rest is cut off");
   reader.finish();
   if (const auto result = problems.result(); !result) return result.error();
   return calibration;

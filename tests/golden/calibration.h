@@ -48,7 +48,8 @@ struct Calibration {
   [[nodiscard]] const Landmark* find(const std::string& name) const;
 };
 
-/// BadData with file:line:column when something is missing, unknown or not a known landmark.
+/// BadData with file:line:column when something is missing, such as the [end], unknown or not a
+/// known landmark.
 [[nodiscard]] Result<Calibration> load_calibration(const std::filesystem::path& file);
 
 }  // namespace aucast::test

@@ -28,6 +28,7 @@ number = 12
 sided = true
 expect = [{ at = "lip_corner", way = "up", mm = [4.0, 12.0] }]
 still = ["inner_brow"]
+[end]
 )";
 
 std::string replaced(const std::string& old_text, const std::string& new_text) {
@@ -102,11 +103,22 @@ TEST(CalibrationFile, AnAuWithoutExpectationsMeasuresNothing) {
             std::string::npos);
 }
 
-TEST(CalibrationFile, CutAnywhereItIsRefusedOrShorter) {
+TEST(CalibrationFile, WithoutLandmarksOrAusItIsRefused) {
+  const std::string head = "format = 1\nmm_per_unit = 14.0\nstill_mm = 1.0\n";
+  EXPECT_NE(complaint(head + "[end]\n").find("landmark must be there at least once"),
+            std::string::npos);
+  const std::string all = kGood;
+  const std::string landmarks = all.substr(0, all.find("[[au]]"));
+  EXPECT_NE(complaint(landmarks + "[end]\n").find("au must be there at least once"),
+            std::string::npos);
+}
+
+TEST(CalibrationFile, CutAnywhereItIsRefused) {
   const std::string text = kGood;
-  for (std::size_t length = 0; length < text.size(); ++length) {
-    static_cast<void>(complaint(text.substr(0, length)));
+  for (std::size_t length = 0; length < text.size() - 1; ++length) {
+    EXPECT_NE(complaint(text.substr(0, length)), "") << text.substr(0, length);
   }
+  EXPECT_EQ(complaint(text), "");
 }
 
 }  // namespace
