@@ -226,7 +226,7 @@ void Delivery::send_moment(const LiveMoment& moment, std::string& out) {
   const bool cut = !last_moment_ || merged > 0;
   sent_.packets_merged += merged;
   last_moment_ = moment.number;
-  offset_ = sent_to_ - moment.begin;
+  shift_ = sent_to_ - moment.begin;
   if (cut) skip_sound_before(moment.begin);
   send_live_sound(out);
   sent_to_ += moment.time;
@@ -253,25 +253,25 @@ void Delivery::send_live_sound(std::string& out) {
   const LiveChannel& channel = *stream_.live();
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
   while (const Caption* const caption = channel.captions().find(next_caption_)) {
-    if (text_) send_caption(*caption, offset_, out);
+    if (text_) send_caption(*caption, shift_, out);
     ++next_caption_;
   }
   next_voice_ = std::max(next_voice_, channel.voice().first_number());
   while (const EncodedVoice* const voice = channel.voice().find(next_voice_)) {
-    if (voice_) send_voice(*voice, offset_, out);
+    if (voice_) send_voice(*voice, shift_, out);
     ++next_voice_;
   }
 }
 
-void Delivery::send_voice(const EncodedVoice& voice, Milliseconds offset, std::string& out) {
+void Delivery::send_voice(const EncodedVoice& voice, Milliseconds shift, std::string& out) {
   const std::size_t before = out.size();
-  if (!voice_cursor_.send(voice, offset, out)) return;
+  if (!voice_cursor_.send(voice, shift, out)) return;
   ++sent_.voice_packets;
   sent_.sound_bytes += out.size() - before;
 }
 
-void Delivery::send_caption(const Caption& caption, Milliseconds offset, std::string& out) {
-  const auto place = std::max(Milliseconds(caption.place_ms) + offset, Milliseconds{0});
+void Delivery::send_caption(const Caption& caption, Milliseconds shift, std::string& out) {
+  const auto place = std::max(Milliseconds(caption.place_ms) + shift, Milliseconds{0});
   const std::string packet =
       encode(Caption{static_cast<std::uint64_t>(place.count()), caption.text});
   sent_.sound_bytes += packet.size();

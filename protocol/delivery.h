@@ -90,8 +90,8 @@ class Delivery {
   void send_moment(const LiveMoment& moment, std::string& out);
   void skip_sound_before(Milliseconds place);
   void send_live_sound(std::string& out);
-  void send_voice(const EncodedVoice& voice, Milliseconds offset, std::string& out);
-  void send_caption(const Caption& caption, Milliseconds offset, std::string& out);
+  void send_voice(const EncodedVoice& voice, Milliseconds shift, std::string& out);
+  void send_caption(const Caption& caption, Milliseconds shift, std::string& out);
 
   ServedStream stream_;
   bool loop_;
@@ -123,7 +123,7 @@ class Delivery {
   // Live only.
   bool full_next_ = true;                     ///< the next packet must not be changes only
   std::optional<std::uint64_t> last_moment_;  ///< the number of the last one sent
-  Milliseconds offset_{0};                    ///< from the channel's clock to the client's
+  Milliseconds shift_{0};                     ///< from the channel's clock to the client's
 };
 
 }  // namespace aucast::protocol

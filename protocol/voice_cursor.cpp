@@ -4,8 +4,8 @@
 
 namespace aucast::protocol {
 
-bool VoiceCursor::send(const EncodedVoice& voice, Milliseconds offset, std::string& out) {
-  const Milliseconds begin = voice.begin + offset;
+bool VoiceCursor::send(const EncodedVoice& voice, Milliseconds shift, std::string& out) {
+  const Milliseconds begin = voice.begin + shift;
   if (begin < end_.value_or(Milliseconds{0})) return false;
   constexpr std::string_view kOpening = "{a";
   std::string_view rest = voice.continued;
@@ -13,7 +13,7 @@ bool VoiceCursor::send(const EncodedVoice& voice, Milliseconds offset, std::stri
   out += kOpening;
   if (begin != end_) out.append("@").append(std::to_string(begin.count()));
   out += rest;
-  end_ = voice.end + offset;
+  end_ = voice.end + shift;
   return true;
 }
 

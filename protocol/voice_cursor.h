@@ -13,9 +13,9 @@ namespace aucast::protocol {
 class VoiceCursor {
  public:
   /// Appends the packet to `out`: {a DATA} where it goes on from the last one, else {a@PLACE DATA}.
-  /// `offset`: from the packet's clock to the client's. One that would begin before the end of the
+  /// `shift`: from the packet's clock to the client's. One that would begin before the end of the
   /// last one, or of the client's clock, is left out: false.
-  bool send(const EncodedVoice& voice, Milliseconds offset, std::string& out);
+  bool send(const EncodedVoice& voice, Milliseconds shift, std::string& out);
 
  private:
   std::optional<Milliseconds> end_;  ///< of the last one, on the client's clock

@@ -27,8 +27,8 @@ std::size_t FlatBuffer::field(std::size_t table, std::size_t index) {
   const auto begin = static_cast<std::size_t>(directory);
   const std::size_t entry = 4 + 2 * index;
   if (entry + 2 > get<std::uint16_t>(begin)) return kNone;
-  const auto offset = get<std::uint16_t>(begin + entry);
-  return offset == 0 ? kNone : table + offset;
+  const auto distance = get<std::uint16_t>(begin + entry);
+  return distance == 0 ? kNone : table + distance;
 }
 
 std::size_t FlatBuffer::table(std::size_t table, std::size_t index) {
@@ -103,10 +103,10 @@ class FlexReader {
     return value;
   }
 
-  /// What is `offset` bytes before `place`.
-  std::size_t before(std::size_t place, std::uint64_t offset) {
-    if (offset > place) broken = true;
-    return broken ? 0 : place - static_cast<std::size_t>(offset);
+  /// What is `distance` bytes before `place`.
+  std::size_t before(std::size_t place, std::uint64_t distance) {
+    if (distance > place) broken = true;
+    return broken ? 0 : place - static_cast<std::size_t>(distance);
   }
 
   double number_at(std::size_t place, std::size_t width, unsigned type) {

@@ -34,7 +34,7 @@ class FlatBuffer {
     return value;
   }
 
-  /// Where the offset at `place` points.
+  /// Where the distance at `place` points.
   [[nodiscard]] std::size_t target(std::size_t place) { return place + get<std::uint32_t>(place); }
   /// Where field `index` of the table at `table` is; kNone when the table does not have it.
   [[nodiscard]] std::size_t field(std::size_t table, std::size_t index);

@@ -20,9 +20,9 @@ EngineEdge::EngineEdge(asio::io_context& io, const Reception::Options& options, 
                        std::function<void()> on_moment)
     : name_(options.name),
       open_(std::move(open)),
-      reception_(
-          io, options,
-          {std::move(on_moment), [] {}, [this](const Parent::Ending& ending) { on_over(ending); }}),
+      reception_(io, options,
+                 {std::move(on_moment), [] {},
+                  [this](const Parent::Outcome& outcome) { on_over(outcome); }}),
       follower_(options.id),
       timer_(io) {}
 
@@ -66,9 +66,9 @@ void EngineEdge::on_disconnected() {
   follower_.on_disconnected();
 }
 
-void EngineEdge::on_over(const Parent::Ending& ending) {
+void EngineEdge::on_over(const Parent::Outcome& outcome) {
   over_ = true;
-  spdlog::log(level_of(ending.reason, reason_), "{}: {}", name_, ending.reason);
+  spdlog::log(level_of(outcome.reason, reason_), "{}: {}", name_, outcome.reason);
 }
 
 void EngineEdge::carry_out(const std::vector<Follower::Event>& events) {

@@ -34,7 +34,7 @@ class EngineEdge final : public Upstream {
   void on_message(const Bus::Message& message);
   void on_connected(const std::string& server);
   void on_disconnected();
-  void on_over(const Parent::Ending& ending);
+  void on_over(const Parent::Outcome& outcome);
   void carry_out(const std::vector<Follower::Event>& events);
   void handle(const Follower::Ask& event);
   void handle(const Follower::Begin& event);

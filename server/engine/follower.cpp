@@ -9,7 +9,7 @@
 
 namespace aucast::server {
 
-using MessageKind = protocol::EngineMessage::Kind;
+using protocol::EngineMessage;
 
 std::vector<Follower::Event> Follower::take_events() {
   return std::exchange(events_, {});
@@ -26,7 +26,7 @@ std::vector<Follower::Event> Follower::on_published(std::string_view bytes, Inst
   auto message = protocol::parse_engine_message(bytes);
   if (!message) {
     complain(garbage_, "a message on the subject is no batch: " + message.error().message, now);
-  } else if (message->kind != MessageKind::Batch) {
+  } else if (message->kind != EngineMessage::Kind::Batch) {
     complain(garbage_, "a message on the subject is no batch: it is an answer", now);
   } else {
     take_batch(*std::move(message), now);
@@ -45,9 +45,9 @@ std::vector<Follower::Event> Follower::on_answer(std::string_view bytes, Instant
     if (message->origin != origin_) {
       complain(other_origin_, "origin " + message->origin + " sends it too and is left out", now);
     }
-  } else if (message->kind == MessageKind::State) {
+  } else if (message->kind == EngineMessage::Kind::State) {
     take_state(*message, now);
-  } else if (message->kind == MessageKind::Since) {
+  } else if (message->kind == EngineMessage::Kind::Since) {
     take_since(*message, now);
   }
   return take_events();

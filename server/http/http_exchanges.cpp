@@ -25,11 +25,11 @@ void HttpExchange::on_bytes(std::string_view bytes) {
   if (replied_) return;
   const auto alive = shared_from_this();
   request_ += bytes;
-  const auto progress = web::read_http_request(request_, owner_.head_bytes_max);
+  const auto progress = web::read_http_request(request_, hooks_.head_bytes_max);
   if (progress.refusal) {
-    owner_.on_fault(*this, *progress.refusal);
+    hooks_.on_fault(*this, *progress.refusal);
   } else if (progress.request) {
-    owner_.on_request(*this, *progress.request);
+    hooks_.on_request(*this, *progress.request);
   }
   if (released()) end();
 }
@@ -68,12 +68,12 @@ void HttpExchange::send_more() {
 
 void HttpExchange::end() {
   const auto alive = shared_from_this();
-  owner_.on_over(*this);
+  hooks_.on_over(*this);
 }
 
-HttpExchanges::HttpExchanges(std::size_t most, HttpExchange::Owner owner)
-    : most_(most), owner_(std::move(owner)) {
-  owner_.on_over = [this](const HttpExchange& over) {
+HttpExchanges::HttpExchanges(std::size_t most, HttpExchange::Hooks hooks)
+    : most_(most), hooks_(std::move(hooks)) {
+  hooks_.on_over = [this](const HttpExchange& over) {
     std::erase_if(exchanges_, [&over](const auto& exchange) { return exchange.get() == &over; });
   };
 }
@@ -84,7 +84,7 @@ void HttpExchanges::begin(std::shared_ptr<link::Link> link, const asio::ip::tcp:
                                      [](const auto& exchange) { return exchange->asking(); });
     exchanges_.erase(silent == exchanges_.end() ? exchanges_.begin() : silent);
   }
-  exchanges_.push_back(std::make_shared<HttpExchange>(std::move(link), peer, owner_));
+  exchanges_.push_back(std::make_shared<HttpExchange>(std::move(link), peer, hooks_));
   exchanges_.back()->start();
 }
 

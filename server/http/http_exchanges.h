@@ -31,7 +31,7 @@ class HttpExchange final : public link::LinkUser,
                            public std::enable_shared_from_this<HttpExchange> {
  public:
   /// What it leaves to others; outlives it.
-  struct Owner {
+  struct Hooks {
     std::size_t head_bytes_max = 0;  ///< of a request
     std::function<void(HttpExchange&, const web::HttpRequest&)> on_request;
     /// What came is no request, for which this is the reply.
@@ -39,8 +39,8 @@ class HttpExchange final : public link::LinkUser,
     std::function<void(const HttpExchange&)> on_over;
   };
 
-  HttpExchange(std::shared_ptr<link::Link> link, asio::ip::tcp::endpoint peer, const Owner& owner)
-      : link_(std::move(link)), peer_(std::move(peer)), owner_(owner) {}
+  HttpExchange(std::shared_ptr<link::Link> link, asio::ip::tcp::endpoint peer, const Hooks& hooks)
+      : link_(std::move(link)), peer_(std::move(peer)), hooks_(hooks) {}
   ~HttpExchange() override;
   HttpExchange(const HttpExchange&) = delete;
   HttpExchange& operator=(const HttpExchange&) = delete;
@@ -72,7 +72,7 @@ class HttpExchange final : public link::LinkUser,
 
   std::shared_ptr<link::Link> link_;  ///< null: released
   const asio::ip::tcp::endpoint peer_;
-  const Owner& owner_;
+  const Hooks& hooks_;
   std::string request_;
   bool replied_ = false;
   SharedBytes body_;
@@ -84,8 +84,8 @@ class HttpExchange final : public link::LinkUser,
 /// Thread: that of the links.
 class HttpExchanges {
  public:
-  /// `owner`, but for its on_over.
-  HttpExchanges(std::size_t most, HttpExchange::Owner owner);
+  /// `hooks`, but for its on_over.
+  HttpExchanges(std::size_t most, HttpExchange::Hooks hooks);
   HttpExchanges(const HttpExchanges&) = delete;
   HttpExchanges& operator=(const HttpExchanges&) = delete;
 
@@ -93,7 +93,7 @@ class HttpExchanges {
 
  private:
   std::size_t most_;
-  HttpExchange::Owner owner_;
+  HttpExchange::Hooks hooks_;
   std::vector<std::shared_ptr<HttpExchange>> exchanges_;
 };
 

@@ -71,7 +71,7 @@ void PushedStreams::add(const std::string& name) {
   Reception::Events events;
   events.on_moment = events_.on_moment;
   events.on_first = [this, name] { find(name)->said.clear(); };
-  events.on_over = [this, name](const Parent::Ending& ending) { on_over(*find(name), ending); };
+  events.on_over = [this, name](const Parent::Outcome& outcome) { on_over(*find(name), outcome); };
   events.on_given_up = [this, name] { forget_later(name); };
   slots_.push_back(std::make_shared<Slot>(io_, std::move(options), std::move(events)));
   slots_.back()->reception.start();
@@ -88,14 +88,14 @@ void PushedStreams::make_room() {
   retire(*idle);
 }
 
-void PushedStreams::on_over(Slot& slot, const Parent::Ending& ending) {
+void PushedStreams::on_over(Slot& slot, const Parent::Outcome& outcome) {
   const auto stream = slot.reception.shared();
-  const bool other = ending.unfit && stream->known();
+  const bool other = outcome.unfit && stream->known();
   if (other || !slot.reception.whole()) {
     spdlog::log(
-        level_of(ending.reason, slot.said), "{}: {}: {}", slot.name,
+        level_of(outcome.reason, slot.said), "{}: {}: {}", slot.name,
         other ? "its publisher brings another stream of this name" : "its publisher is gone",
-        ending.reason);
+        outcome.reason);
   }
   if (other) {
     slot.reception.begin_anew();

@@ -57,7 +57,7 @@ class PushedStreams {
 
   [[nodiscard]] std::shared_ptr<Slot> find(const std::string& name) const;
   void add(const std::string& name);
-  void on_over(Slot& slot, const Parent::Ending& ending);
+  void on_over(Slot& slot, const Parent::Outcome& outcome);
   void forget_later(const std::string& name);
   void make_room();
   void retire(std::shared_ptr<Slot> slot);

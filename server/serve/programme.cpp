@@ -4,6 +4,7 @@
 #include <random>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include <asio/post.hpp>
 

@@ -67,7 +67,7 @@ class Transmitter {
                    [this] { end(); }}),
         routes_([this](Instant now) { return status(now); }) {}
 
-  Result<Ending> run(const OnReady& on_ready) {
+  Result<RunResult> run(const OnReady& on_ready) {
     if (auto read = reload_.read_credentials(); !read) return read.error();
     if (auto opened = listeners_.open(); !opened) return opened.error();
     if (auto opened = open_http(); !opened) return opened.error();
@@ -90,7 +90,7 @@ class Transmitter {
     tick();
     io_.run();
     clients_.say_left_out();
-    return ending();
+    return result();
   }
 
  private:
@@ -260,11 +260,11 @@ class Transmitter {
   /// come already, such as a SIGUSR1 together with the last signal, would wait for the next.
   void end() { io_.stop(); }
 
-  [[nodiscard]] Ending ending() {
-    Ending ending;
-    ending.reading = reload_.running() || programme_.encoding();
-    if (auto finished = programme_.finish(); !finished) ending.error = finished.error();
-    return ending;
+  [[nodiscard]] RunResult result() {
+    RunResult result;
+    result.reading = reload_.running() || programme_.encoding();
+    if (auto finished = programme_.finish(); !finished) result.error = finished.error();
+    return result;
   }
 
   const TransmitterOptions& options_;
@@ -288,16 +288,16 @@ class Transmitter {
 
 }  // namespace
 
-Result<Ending> serve(const TransmitterOptions& options, Repertoire repertoire, Stats& stats,
-                     const OnReady& on_ready, Reload::Load load) {
+Result<RunResult> serve(const TransmitterOptions& options, Repertoire repertoire, Stats& stats,
+                        const OnReady& on_ready, Reload::Load load) {
   std::signal(SIGPIPE, SIG_IGN);
   link::raise_descriptor_limit();
   auto transmitter =
       std::make_unique<Transmitter>(options, std::move(repertoire), stats, std::move(load));
-  auto ending = transmitter->run(on_ready);
+  auto result = transmitter->run(on_ready);
   // A disk may take long, and whoever sent SIGTERM does not wait for it.
-  if (ending && ending->reading) static_cast<void>(transmitter.release());
-  return ending;
+  if (result && result->reading) static_cast<void>(transmitter.release());
+  return result;
 }
 
 }  // namespace aucast::server

@@ -22,7 +22,7 @@ struct ReadyAt {
 using OnReady = std::function<Result<void>(const ReadyAt& where)>;
 
 /// How serving came to its end.
-struct Ending {
+struct RunResult {
   std::optional<Error> error;  ///< what went wrong without stopping anything, such as a recording
   /// A thread still reads files, a reload also from what `options` and `load` refer to: the process
   /// must end without returning from where they live.
@@ -35,7 +35,7 @@ struct Ending {
 /// any more, as after the end of stdin. One more signal ends it at once. SIGHUP calls `load` on
 /// another thread and serves what it returns to who comes then; those that are there keep what they
 /// have. SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
-[[nodiscard]] Result<Ending> serve(const TransmitterOptions& options, Repertoire repertoire,
-                                   Stats& stats, const OnReady& on_ready, Reload::Load load);
+[[nodiscard]] Result<RunResult> serve(const TransmitterOptions& options, Repertoire repertoire,
+                                      Stats& stats, const OnReady& on_ready, Reload::Load load);
 
 }  // namespace aucast::server

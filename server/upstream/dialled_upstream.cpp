@@ -10,7 +10,7 @@ DialledUpstream::DialledUpstream(asio::io_context& io, DialledAddress from,
     : from_(std::move(from)),
       reception_(io, std::move(options),
                  {std::move(on_moment), [this] { redialler_.worked(); },
-                  [this](const Parent::Ending& ending) { on_over(ending); }}),
+                  [this](const Parent::Outcome& outcome) { on_over(outcome); }}),
       redialler_(
           io, {from_.address.hosts, from_.tls, !from_.token.empty()},
           [this] { return reception_.name(); },
@@ -29,8 +29,8 @@ void DialledUpstream::halt() {
   reception_.stop();
 }
 
-void DialledUpstream::on_over(const Parent::Ending& ending) {
-  if (!reception_.whole()) redialler_.failed(ending.reason);
+void DialledUpstream::on_over(const Parent::Outcome& outcome) {
+  if (!reception_.whole()) redialler_.failed(outcome.reason);
 }
 
 }  // namespace aucast::server

@@ -26,7 +26,7 @@ class DialledUpstream final : public Upstream {
 
  private:
   void halt();
-  void on_over(const Parent::Ending& ending);
+  void on_over(const Parent::Outcome& outcome);
 
   DialledAddress from_;
   Reception reception_;

@@ -10,12 +10,12 @@ namespace aucast::server {
 namespace {
 
 protocol::ClientSessionOptions session_options(const RelayedStream& stream,
-                                               const Parent::Introduction& introduction) {
+                                               const Parent::Greeting& greeting) {
   protocol::ClientSessionOptions options;
   options.hello = stream.asked();
-  options.hello.token = introduction.token;
-  options.hello.relay = introduction.id;
-  options.hello.takes = introduction.takes;
+  options.hello.token = greeting.token;
+  options.hello.relay = greeting.id;
+  options.hello.takes = greeting.takes;
   return options;
 }
 
@@ -25,12 +25,12 @@ std::string_view without_blanks_before(std::string_view packet) {
 
 }  // namespace
 
-Parent::Parent(std::shared_ptr<link::Link> link, RelayedStream& stream,
-               const Introduction& introduction, Owner owner)
+Parent::Parent(std::shared_ptr<link::Link> link, RelayedStream& stream, const Greeting& greeting,
+               Events events)
     : link_(std::move(link)),
       stream_(stream),
-      owner_(std::move(owner)),
-      session_(session_options(stream, introduction)) {}
+      events_(std::move(events)),
+      session_(session_options(stream, greeting)) {}
 
 Parent::~Parent() {
   link_->close();
@@ -48,7 +48,7 @@ void Parent::on_open() {
 
 void Parent::on_bytes(std::string_view bytes) {
   stream_.begin_call();
-  while (!bytes.empty() && !ending_) {
+  while (!bytes.empty() && !outcome_) {
     const std::string_view before = bytes;
     const auto events = session_.on_bytes(bytes, link_->now());
     packet_ += before.substr(0, before.size() - bytes.size());
@@ -68,13 +68,13 @@ void Parent::on_time() {
 }
 
 void Parent::on_closed(const link::Ending& ending) {
-  if (!ending_) ending_ = Ending{false, ending.reason};
+  if (!outcome_) outcome_ = Outcome{false, ending.reason};
   settle();
 }
 
 void Parent::carry_out(const std::vector<protocol::ClientEvent>& events) {
   for (const protocol::ClientEvent& event : events) {
-    if (ending_) return;
+    if (outcome_) return;
     std::visit([this](const auto& what) { handle(what); }, event);
   }
 }
@@ -86,7 +86,7 @@ void Parent::handle(const protocol::SendBytes& event) {
 void Parent::handle(const protocol::Granted& event) {
   packet_.clear();
   leave(stream_.begin(event.hello));
-  if (ending_) ending_->unfit = true;
+  if (outcome_) outcome_->unfit = true;
   moved_on_ = true;
 }
 
@@ -118,7 +118,7 @@ void Parent::handle(const protocol::DeliverCaption& event) {
 
 void Parent::handle(const protocol::StreamEnded& /*event*/) {
   leave(stream_.end());
-  if (!ending_) ending_ = Ending{true, "its stream has ended"};
+  if (!outcome_) outcome_ = Outcome{true, "its stream has ended"};
   moved_on_ = true;
 }
 
@@ -131,7 +131,7 @@ void Parent::handle(const protocol::SessionFailed& event) {
 }
 
 void Parent::leave(std::optional<std::string> wrong) {
-  if (wrong) ending_ = Ending{false, *std::move(wrong)};
+  if (wrong) outcome_ = Outcome{false, *std::move(wrong)};
 }
 
 /// Leaves a parent that sends more of a live stream than a face can need.
@@ -152,11 +152,11 @@ bool Parent::floods(const std::string& what) {
 void Parent::settle() {
   if (!answers_.empty()) link_->write(std::exchange(answers_, {}));
   link_->wake_at(session_.deadline());
-  if (std::exchange(moved_on_, false)) owner_.moved_on();
-  if (!ending_) return;
-  const auto over = std::exchange(owner_.over, nullptr);
-  const Ending ending = *ending_;
-  if (over) over(ending);
+  if (std::exchange(moved_on_, false)) events_.on_moved_on();
+  if (!outcome_) return;
+  const auto over = std::exchange(events_.on_over, nullptr);
+  const Outcome outcome = *outcome_;
+  if (over) over(outcome);
 }
 
 }  // namespace aucast::server

@@ -21,25 +21,25 @@ namespace aucast::server {
 /// Thread: that of the link.
 class Parent final : public link::LinkUser {
  public:
-  struct Ending {
+  struct Outcome {
     bool in_order = false;  ///< {-2}: it has no more
     std::string reason;     ///< a clause for the log
     bool unfit = false;     ///< what it has does not go with what is here
   };
-  struct Owner {
-    std::function<void()> moved_on;  ///< the stream has something new
+  struct Events {
+    std::function<void()> on_moved_on;  ///< the stream has something new
     /// Nothing more comes of this parent, which may be destroyed by this call.
-    std::function<void(const Ending&)> over;
+    std::function<void(const Outcome&)> on_over;
   };
-  struct Introduction {
+  struct Greeting {
     std::string token;   ///< empty: none
     std::string id;      ///< of this relay
     bool takes = false;  ///< it has come by itself and was not asked
   };
 
   /// `stream` outlives it.
-  Parent(std::shared_ptr<link::Link> link, RelayedStream& stream, const Introduction& introduction,
-         Owner owner);
+  Parent(std::shared_ptr<link::Link> link, RelayedStream& stream, const Greeting& greeting,
+         Events events);
   ~Parent() override;
   Parent(const Parent&) = delete;
   Parent& operator=(const Parent&) = delete;
@@ -74,12 +74,12 @@ class Parent final : public link::LinkUser {
 
   std::shared_ptr<link::Link> link_;
   RelayedStream& stream_;
-  Owner owner_;
+  Events events_;
   protocol::ClientSession session_;
   std::string packet_;  ///< what was read since the last whole packet
   std::string answers_;
   bool moved_on_ = false;  ///< in the running call
-  std::optional<Ending> ending_;
+  std::optional<Outcome> outcome_;
   Instant second_begin_{};
   std::uint32_t in_second_ = 0;
 };

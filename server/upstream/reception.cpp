@@ -56,13 +56,13 @@ void Reception::take_over(std::shared_ptr<link::Link> link, std::string peer) {
 }
 
 void Reception::connect(std::shared_ptr<link::Link> link, std::string peer,
-                        const Parent::Introduction& introduction) {
+                        const Parent::Greeting& greeting) {
   ++connects_;
   peer_ = std::move(peer);
-  parent_ =
-      std::make_unique<Parent>(std::move(link), stream_, introduction,
-                               Parent::Owner{[this] { on_moved_on(); },
-                                             [this](const Parent::Ending& end) { on_over(end); }});
+  parent_ = std::make_unique<Parent>(
+      std::move(link), stream_, greeting,
+      Parent::Events{[this] { on_moved_on(); },
+                     [this](const Parent::Outcome& outcome) { on_over(outcome); }});
 }
 
 void Reception::drop() {
@@ -109,19 +109,19 @@ void Reception::say_goes_on() {
   }
 }
 
-void Reception::on_over(const Parent::Ending& ending) {
+void Reception::on_over(const Parent::Outcome& outcome) {
   if (stopped_) return;
   drop_parent();
   if (std::exchange(receiving_, false)) {
     silent_since_ = steady_clock::now();
     await_giving_up();
-    if (!ending.in_order) ++losses_;
+    if (!outcome.in_order) ++losses_;
   }
   if (stream_.whole() && !std::exchange(whole_said_, true)) {
     spdlog::info("{}: it is here whole, {} s", name(), seconds(stream_.place()));
     timer_.cancel();
   }
-  events_.on_over(ending);
+  events_.on_over(outcome);
 }
 
 void Reception::drop_parent() {

@@ -33,7 +33,7 @@ class Reception {
     std::function<void()> on_moment;  ///< the stream has something new
     std::function<void()> on_first;   ///< a connection has brought its first keyframe
     /// A connection is over, and is gone; whole(), or another one is wanted.
-    std::function<void(const Parent::Ending&)> on_over;
+    std::function<void(const Parent::Outcome&)> on_over;
     std::function<void()> on_given_up = [] {};  ///< who is there was told that it has ended
   };
 
@@ -73,9 +73,9 @@ class Reception {
 
  private:
   void connect(std::shared_ptr<link::Link> link, std::string peer,
-               const Parent::Introduction& introduction);
+               const Parent::Greeting& greeting);
   void on_moved_on();
-  void on_over(const Parent::Ending& ending);
+  void on_over(const Parent::Outcome& outcome);
   void drop_parent();
   void say_goes_on();
   void await_giving_up();

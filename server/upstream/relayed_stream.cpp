@@ -96,7 +96,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   shared_->servers = hello.servers;
   if (begun()) {
     if (recorded_ && !whole()) recorded_->extent = Extent::Growing;
-    if (feed_) offset_ = feed_->end_of_newest();
+    if (feed_) shift_ = feed_->end_of_newest();
     return std::nullopt;
   }
   if (shared_->name.empty()) shared_->name = hello.stream;
@@ -184,7 +184,7 @@ std::optional<std::string> RelayedStream::no_room() {
 /// What a parent sends again, because it sounds where it was asked to begin, is here already.
 std::optional<std::string> RelayedStream::add(const protocol::DeliverVoice& voice) {
   if (feed_) {
-    feed_->add_voice({voice.packet.place + offset_, voice.packet.opus});
+    feed_->add_voice({voice.packet.place + shift_, voice.packet.opus});
   } else if (voice_) {
     if (auto full = no_room()) return full;
     const auto before = voice_->packets();
@@ -195,7 +195,7 @@ std::optional<std::string> RelayedStream::add(const protocol::DeliverVoice& voic
 
 std::optional<std::string> RelayedStream::add(const protocol::DeliverCaption& caption) {
   if (feed_) {
-    const auto place = Milliseconds(caption.caption.place_ms) + offset_;
+    const auto place = Milliseconds(caption.caption.place_ms) + shift_;
     feed_->add_caption({static_cast<std::uint64_t>(place.count()), caption.caption.text});
   } else if (sound_) {
     if (auto full = no_room()) return full;

@@ -83,7 +83,7 @@ class RelayedStream {
   std::shared_ptr<protocol::VoiceTrack> voice_;  ///< of that; null: it has captions only
   std::size_t caption_bytes_ = 0;                ///< of that
   std::uint64_t looks_ = 0;  ///< at whether there is room for more of a recorded stream
-  Milliseconds offset_{0};   ///< live: from the clock of the connection to that of the feed
+  Milliseconds shift_{0};    ///< live: from the clock of the connection to that of the feed
 };
 
 }  // namespace aucast::server

@@ -33,12 +33,12 @@ class RelayOfTalk : public testing::Test {
 
   /// The next parent; returns what the relay says to it.
   std::string connect() {
-    ending_.reset();
+    outcome_.reset();
     link_ = std::make_shared<FakeLink>();
     parent_ = std::make_unique<Parent>(
-        link_, stream_, Parent::Introduction{"secret", "me"},
-        Parent::Owner{[this] { ++moments_; },
-                      [this](const Parent::Ending& ending) { ending_ = ending; }});
+        link_, stream_, Parent::Greeting{"secret", "me"},
+        Parent::Events{[this] { ++moments_; },
+                       [this](const Parent::Outcome& outcome) { outcome_ = outcome; }});
     parent_->start();
     return link_->heard();
   }
@@ -46,7 +46,7 @@ class RelayOfTalk : public testing::Test {
     link_->say(bytes);
     return link_->heard();
   }
-  [[nodiscard]] std::string why() const { return ending_ ? ending_->reason : ""; }
+  [[nodiscard]] std::string why() const { return outcome_ ? outcome_->reason : ""; }
   [[nodiscard]] const protocol::EncodedStream& kept() const {
     return *stream_.shared()->recorded()->encoded;
   }
@@ -61,7 +61,7 @@ class RelayOfTalk : public testing::Test {
   RelayedStream stream_{options()};
   std::shared_ptr<FakeLink> link_;
   std::unique_ptr<Parent> parent_;
-  std::optional<Parent::Ending> ending_;
+  std::optional<Parent::Outcome> outcome_;
   int moments_ = 0;
 };
 
@@ -125,8 +125,8 @@ TEST_F(RelayOfTalk, KeepsARecordedStreamInEveryForm) {
   EXPECT_EQ(packets(kept().classic), (std::vector<std::string>{"{12}", "{1,12}"}));
   hear("{0;40}{-2}");
   EXPECT_TRUE(stream_.whole());
-  ASSERT_TRUE(ending_);
-  EXPECT_TRUE(ending_->in_order);
+  ASSERT_TRUE(outcome_);
+  EXPECT_TRUE(outcome_->in_order);
 }
 
 TEST_F(RelayOfTalk, KeepsOneTurnOfALoop) {
@@ -135,7 +135,7 @@ TEST_F(RelayOfTalk, KeepsOneTurnOfALoop) {
   EXPECT_TRUE(stream_.shared()->loop);
   hear("{2}{-2}");
   EXPECT_TRUE(stream_.whole());
-  EXPECT_TRUE(ending_->in_order);
+  EXPECT_TRUE(outcome_->in_order);
 }
 
 TEST_F(RelayOfTalk, KeepsTheVoiceOfARecordedStreamOnce) {
@@ -242,9 +242,9 @@ TEST_F(RelayOfTalk, LeavesAParentThatIsNotWhatItShouldBe) {
   for (const auto& parent : parents) {
     SCOPED_TRACE(parent.says);
     RelayedStream fresh(options());
-    std::optional<Parent::Ending> ending;
+    std::optional<Parent::Outcome> ending;
     auto link = std::make_shared<FakeLink>();
-    Parent met(link, fresh, {"", "me"}, {[] {}, [&](const Parent::Ending& why) { ending = why; }});
+    Parent met(link, fresh, {"", "me"}, {[] {}, [&](const Parent::Outcome& why) { ending = why; }});
     met.start();
     link->say(parent.says);
     ASSERT_TRUE(ending);
@@ -283,7 +283,7 @@ TEST_F(RelayOfTalk, WhatAParentOnlyAnnouncedBindsNoOther) {
   link_->end({Ending::Why::Lost, "reset by peer"});
   connect();
   hear(kLive);
-  EXPECT_FALSE(ending_) << why();
+  EXPECT_FALSE(outcome_) << why();
   EXPECT_TRUE(stream_.live());
   EXPECT_EQ(stream_.shared()->recorded(), nullptr);
 }
@@ -294,7 +294,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveKeyframesIsLeft) {
   std::string many;
   for (std::uint32_t count = 0; count < protocol::kRelayedPerSecondMax; ++count) many += "{1;0}";
   hear(many);
-  EXPECT_FALSE(ending_);
+  EXPECT_FALSE(outcome_);
   hear("{1;0}");
   EXPECT_NE(why().find("keyframes a second"), std::string::npos);
 }
@@ -305,7 +305,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveVoiceIsLeft) {
   std::string many;
   for (std::uint32_t count = 2; count < protocol::kRelayedPerSecondMax; ++count) many += "{a WAM}";
   hear(many);
-  EXPECT_FALSE(ending_);
+  EXPECT_FALSE(outcome_);
   hear("{a WAM}");
   EXPECT_NE(why().find("packets a second"), std::string::npos);
 }
@@ -314,7 +314,7 @@ TEST_F(RelayOfTalk, VoiceWithoutKeyframesTakesMemoryToo) {
   full_ = true;
   connect();
   hear("{hello v=2 window=256 stream=talk duration=120 keyframe=40 voice=opus}");
-  EXPECT_FALSE(ending_);
+  EXPECT_FALSE(outcome_);
   hear("{a@0 WAEC}");
   EXPECT_EQ(why(), "talk: there is no memory left");
 }
