@@ -53,6 +53,8 @@ def ip(*arguments):
 # A live client and one that pauses at once, both reading, for ever.
 VANISHING = f"""
 import selectors, socket
+
+from programs import Transmitter
 watch = selectors.DefaultSelector()
 for pause in (b"", b"-1"):
     client = socket.create_connection(("{SERVER_ADDRESS}", 4650))
@@ -137,6 +139,10 @@ class Faults:
             print(f"    at most {link.in_a_row} lost in a row with seed {seed}: once more", flush=True)
         raise LookupError("no packet was lost")
 
+    def serve(self, *arguments, **more):
+        return Transmitter(self.options.bin, "--bind", SERVER_ADDRESS, "--port", "4650", *arguments,
+                           before=("ip", "netns", "exec", SERVER), **more)
+
     def play_once(self, quality, count, server_options=(), player_options=(), trouble=None,
                   stream=None):
         """One transmission over a link: the player's exit code and statistics, and the link."""
@@ -146,11 +152,7 @@ class Faults:
             stream = self.folder / "lively.txt"
             lively(stream, count)
         with Link(self.options.bin, quality) as link:
-            server = subprocess.Popen(
-                ("ip", "netns", "exec", SERVER, self.options.bin / "au-transmitter", "--bind",
-                 SERVER_ADDRESS, "--port", "4650", *server_options, stream),
-                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-            server.stdout.readline()
+            server = self.serve(*server_options, stream)
             timers = [threading.Timer(at, link.set_down, (down,)) for at, down in trouble or ()]
             for timer in timers:
                 timer.start()
@@ -162,8 +164,7 @@ class Faults:
             finally:
                 for timer in timers:
                     timer.cancel()
-                server.terminate()
-                server.wait()
+                server.stop()
         return code, json.loads(stats.read_text(encoding="utf-8")), link
 
     @staticmethod
@@ -218,11 +219,7 @@ class Faults:
         stream, log = self.folder / "lively.txt", self.folder / "log.txt"
         lively(stream, 25 * 120)
         with Link(self.options.bin, ()) as link, log.open("w", encoding="utf-8") as errors:
-            server = subprocess.Popen(
-                ("ip", "netns", "exec", SERVER, self.options.bin / "au-transmitter", "--live",
-                 "--bind", SERVER_ADDRESS, "--port", "4650", stream),
-                stdout=subprocess.PIPE, stderr=errors, text=True)
-            server.stdout.readline()
+            server = self.serve("--live", stream, stderr=errors)
             clients = subprocess.Popen(
                 ("ip", "netns", "exec", CLIENT, sys.executable, "-c", VANISHING),
                 stdout=subprocess.PIPE, text=True)
@@ -234,7 +231,7 @@ class Faults:
                 time.sleep(0.2)
                 gone = log.read_text(encoding="utf-8").count(": closed: peer gone")
             seconds = time.monotonic() - begin
-            for process in (clients, server):
+            for process in (clients, server.process):
                 process.kill()
                 process.wait()
         self.judge("clients", gone == 2, f"{gone} of 2 found after {seconds:.0f} s")

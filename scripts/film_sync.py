@@ -16,11 +16,12 @@ import array
 import math
 import os
 import pathlib
-import signal
 import subprocess
 import sys
 import tempfile
 import wave
+
+from programs import Transmitter
 
 RATE = 16000
 SOUND_RATE = 48000
@@ -49,18 +50,11 @@ def write_talk(folder, count):
 
 
 def record(options, folder):
-    server = subprocess.Popen(
-        [options.bin / "au-transmitter", "--config", "/dev/null", "--port", "0",
-         folder / "marks.txt"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    try:
-        port = server.stdout.readline().rsplit(":", 1)[1].strip()
-        film = folder / "marks.mp4"
-        subprocess.run([options.bin / "face-player", "--headless", f"127.0.0.1:{port}", "--fps",
+    film = folder / "marks.mp4"
+    with Transmitter(options.bin, folder / "marks.txt") as server:
+        subprocess.run([options.bin / "face-player", "--headless", server.address, "--fps",
                         str(options.fps), "--size", options.size, "--record", film], check=True)
-        return film
-    finally:
-        server.send_signal(signal.SIGTERM)
-        server.wait(10)
+    return film
 
 
 def decoded(film, *how):

@@ -22,13 +22,14 @@ import os
 import pathlib
 import re
 import shutil
-import signal
 import statistics
 import subprocess
 import sys
 import tempfile
 import threading
 import time
+
+from programs import Transmitter
 
 DISPLAY_FRAME_MS = 1000 / 60
 HEADER = "face_id,timestamp,success,AU01_r,AU02_r\n"
@@ -96,11 +97,8 @@ def play(options, folder):
     binaries = options.bin
     fifo, stats = folder / "face.fifo", folder / "stats.json"
     os.mkfifo(fifo)
-    server = subprocess.Popen((binaries / "au-transmitter", "--port", "0", "--dead-band", "0",
-                               "--source-timeout", "1", fifo),
-                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    address = server.stdout.readline().removeprefix("listening on ").strip()
-    command = [binaries / "face-player", "--log-level", "trace", "--stats", stats, address]
+    server = Transmitter(binaries, "--dead-band", "0", "--source-timeout", "1", fifo)
+    command = [binaries / "face-player", "--log-level", "trace", "--stats", stats, server.address]
     command += [] if options.default else ["--live"]
     command += ["--no-config", "--exit-at-end"] if options.window else ["--headless"]
     if options.window and "DISPLAY" not in os.environ:
@@ -113,8 +111,7 @@ def play(options, folder):
         player.wait(60)
     finally:
         player.kill()
-        server.send_signal(signal.SIGTERM)
-        server.wait()
+        server.stop()
     log.thread.join()
     if player.returncode != 0:
         sys.exit("face-player failed: " + "".join(log.other[-5:]))

@@ -12,6 +12,8 @@ import subprocess
 import threading
 import time
 
+import programs
+
 KEYFRAME_MS = 40
 
 
@@ -101,19 +103,13 @@ def cluster(folder, count=3):
     return servers
 
 
-class Transmitter:
-    """au-transmitter, from its ready line on."""
+class Transmitter(programs.Transmitter):
+    """au-transmitter with a log that can be read."""
 
     def __init__(self, binary, folder, name, *arguments):
         self.log = pathlib.Path(folder) / f"{name}.log"
         with open(self.log, "a") as log:
-            self.process = subprocess.Popen(
-                [binary, "--config", "/dev/null", "--port", "0", *map(str, arguments)],
-                stdout=subprocess.PIPE, stderr=log, text=True)
-        line = self.process.stdout.readline()
-        if not line.startswith("listening on "):
-            raise RuntimeError(f"{name} did not start: " + self.log.read_text())
-        self.port = int(line.rsplit(":", 1)[1])
+            super().__init__(pathlib.Path(binary).parent, *arguments, stderr=log)
 
     def said(self):
         return self.log.read_text()
@@ -128,13 +124,6 @@ class Transmitter:
             if time.monotonic() > deadline or self.process.poll() is not None:
                 raise AssertionError(f"it never said {text!r}: {log}")
             time.sleep(0.02)
-
-    def stop(self):
-        if self.process.poll() is None:
-            self.process.terminate()
-        code = self.process.wait(20)
-        self.process.stdout.close()
-        return code
 
 
 class Viewers:

@@ -15,17 +15,9 @@ import subprocess
 import threading
 import time
 
+from programs import Transmitter
+
 HELLO = b"{hello v=2 window=0}"
-
-
-def start(arguments, **more):
-    """A transmitter on a free port; returns it and its ADDR:PORT."""
-    process = subprocess.Popen(arguments + ["--port", "0", "--log-level", "error"],
-                               stdout=subprocess.PIPE, text=True, **more)
-    line = process.stdout.readline()
-    if not line.startswith("listening on "):
-        raise SystemExit(f"{arguments[0]} did not start")
-    return process, line.split()[-1]
 
 
 class Client(threading.Thread):
@@ -60,26 +52,25 @@ def main():
     parser.add_argument("--keyframes", default=250, type=int)
     parser.add_argument("--rate", default=25.0, type=float)
     options = parser.parse_args()
-    program = str(options.bin / "au-transmitter")
-    origin, address = start([program, "-"], stdin=subprocess.PIPE)
-    processes, clients = [origin], [Client(address)]
+    servers = [Transmitter(options.bin, "-", stdin=subprocess.PIPE)]
+    clients = [Client(servers[0].address)]
+    lines = servers[0].process.stdin
     try:
         for _ in range(options.hops):
-            relay, address = start([program, f"aucast://{address}/live"])
-            processes.append(relay)
-            clients.append(Client(address))
-        origin.stdin.write("Beg_Stream\n")
+            servers.append(Transmitter(options.bin, f"aucast://{servers[-1].address}/live"))
+            clients.append(Client(servers[-1].address))
+        lines.write("Beg_Stream\n")
         step = 1 / options.rate
         begin = time.perf_counter()
         for number in range(options.keyframes):
             time.sleep(max(0.0, begin + number * step - time.perf_counter()))
             ms = round(step * 1000)
-            origin.stdin.write(f"1:{20 + number % 80};{ms}@{(number + 1) * ms}\n")
-            origin.stdin.flush()
+            lines.write(f"1:{20 + number % 80};{ms}@{(number + 1) * ms}\n")
+            lines.flush()
         time.sleep(1)
     finally:
-        for process in processes:
-            process.kill()
+        for server in servers:
+            server.process.kill()
     for hop, client in enumerate(clients[1:], 1):
         both = sorted(set(client.came) & set(clients[0].came))
         delays = sorted((client.came[place] - clients[0].came[place]) * 1000 for place in both)

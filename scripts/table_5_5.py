@@ -18,6 +18,8 @@ import subprocess
 import sys
 import tempfile
 
+from programs import Transmitter
+
 EXPRESSIONS = ("surprise", "fear", "disgust", "anger", "happiness", "sadness")
 LINK_BYTES_PER_SECOND = 100_000_000 / 8
 
@@ -25,20 +27,13 @@ LINK_BYTES_PER_SECOND = 100_000_000 / 8
 def cycle(binaries: pathlib.Path, folder: pathlib.Path, name: str):
     """One transmission of one expression: the statistics of both sides."""
     sent, received = folder / "sent.json", folder / "received.json"
-    server = subprocess.Popen(
-        [binaries / "au-transmitter", "--port", "0", "--stats", sent,
-         binaries / "data" / "streams" / f"{name}.txt"],
-        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    try:
-        address = server.stdout.readline().removeprefix("listening on ").strip()
+    stream = binaries / "data" / "streams" / f"{name}.txt"
+    with Transmitter(binaries, "--stats", sent, stream) as server:
         subprocess.run(
-            [binaries / "face-player", "--headless", address, "--protocol", "classic",
+            [binaries / "face-player", "--headless", server.address, "--protocol", "classic",
              "--buffer", "100", "--playout", "30", "--threshold", "40", "--speed", "250",
              "--stats", received],
             check=True)
-    finally:
-        server.terminate()
-        server.wait()
     return json.loads(sent.read_text()), json.loads(received.read_text())
 
 

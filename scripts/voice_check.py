@@ -18,10 +18,11 @@ import array
 import json
 import math
 import pathlib
-import signal
 import subprocess
 import sys
 import tempfile
+
+from programs import Transmitter
 
 RATE = 48000
 LAG_MOST = RATE // 20
@@ -72,17 +73,10 @@ def sound_beside(stream):
 
 def play(options, folder):
     """The statistics of server and player."""
-    server = subprocess.Popen(
-        [options.bin / "au-transmitter", "--config", "/dev/null", "--port", "0", "--stats",
-         folder / "server.json", options.stream, *options.options],
-        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    try:
-        port = server.stdout.readline().rsplit(":", 1)[1].strip()
-        subprocess.run([options.bin / "face-player", "--headless", f"127.0.0.1:{port}", "--sound",
+    with Transmitter(options.bin, "--stats", folder / "server.json", options.stream,
+                     *options.options) as server:
+        subprocess.run([options.bin / "face-player", "--headless", server.address, "--sound",
                         folder / "heard.wav", "--stats", folder / "player.json"], check=True)
-    finally:
-        server.send_signal(signal.SIGTERM)
-        server.wait(10)
     return [json.loads((folder / name).read_text()) for name in ("server.json", "player.json")]
 
 

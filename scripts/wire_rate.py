@@ -24,6 +24,8 @@ import sys
 import threading
 import time
 
+from programs import Transmitter
+
 ETH_P_IP = 0x0800
 PACKET_OUTGOING = 4  # on loopback every packet is seen twice: going out and coming in
 
@@ -92,14 +94,9 @@ def report(name, packets, seconds):
 
 def play(options, wire):
     """Returns for how long the stream was played, in seconds."""
-    server = subprocess.Popen(
-        [options.bin / "au-transmitter", "--config", "/dev/null", "--port", "0", options.file,
-         *options.options], stdout=subprocess.PIPE, text=True)
+    server = Transmitter(options.bin, options.file, *options.options, stderr=None)
     try:
-        line = server.stdout.readline()
-        if not line.startswith("listening on "):
-            sys.exit("au-transmitter does not serve that")
-        wire.port = int(line.rsplit(":", 1)[1])
+        wire.port = server.port
         wire.thread.start()
         begin = time.monotonic()
         player = subprocess.Popen(
@@ -112,8 +109,7 @@ def play(options, wire):
             player.wait(10)
         return time.monotonic() - begin
     finally:
-        server.send_signal(signal.SIGTERM)
-        server.wait(10)
+        server.stop()
         if wire.thread.is_alive():
             wire.stop()
 

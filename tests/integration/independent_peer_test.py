@@ -19,6 +19,9 @@ import unittest
 from independent_peer import (Client, END, Error, Hello, Keyframe, Server, Streams, Violation,
                               changed, full, publish, read_stream_file, refusal)
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import programs  # of scripts/
+
 BIN = pathlib.Path()
 DATA = pathlib.Path(__file__).parents[2] / "data"
 LETTERS = {10: "A", 25: "B", 50: "C", 80: "D", 100: "E"}
@@ -72,20 +75,12 @@ def states_of(keyframes, start=None):
     return states
 
 
-class Transmitter:
+class Transmitter(programs.Transmitter):
     """The program under test as a server."""
 
     def __init__(self, *arguments):
-        self.process = subprocess.Popen((BIN / "au-transmitter", "--port", "0", *arguments),
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        line = self.process.stdout.readline()
-        if not line.startswith("listening on "):
-            raise OSError(f"au-transmitter did not start: {line}{self.process.stderr.read()}")
-        self.port = int(line.rsplit(":", 1)[1])
+        super().__init__(BIN, *arguments, stderr=subprocess.PIPE)
         self.log = ""
-
-    def __enter__(self):
-        return self
 
     def __exit__(self, *_):
         self.process.terminate()

@@ -21,6 +21,9 @@ import time
 import unittest
 import wave
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import programs  # of scripts/
+
 PATIENCE = 60.0  # seconds until a test gives up waiting
 RATE = 16000
 FRAME_MS = 60
@@ -45,20 +48,11 @@ def write_wav(path, sound):
         file.writeframes(sound)
 
 
-class Served:
-    """au-transmitter until the end of the with statement."""
+class Served(programs.Transmitter):
+    """au-transmitter until the end of the with statement; its log is a pipe."""
 
     def __init__(self, *arguments, **options):
-        self.process = subprocess.Popen(
-            [BIN / "au-transmitter", "--config", "/dev/null", "--port", "0", *map(str, arguments)],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
-        line = self.process.stdout.readline()
-        if not line.startswith("listening on "):
-            raise AssertionError(self.process.communicate()[1])
-        self.port = int(line.rsplit(":", 1)[1])
-
-    def __enter__(self):
-        return self
+        super().__init__(BIN, *arguments, stderr=subprocess.PIPE, **options)
 
     def __exit__(self, *_):
         self.end()
