@@ -45,6 +45,12 @@ def write_stream(path, keyframes):
     pathlib.Path(path).write_text("\n".join(["Beg_Stream", *lines, "End_Stream", ""]))
 
 
+def in_lines(words, each=10):
+    """A number or word of each client, for who reads along."""
+    rows = ["  ".join(map(str, words[i:i + each])) for i in range(0, len(words), each)]
+    return "\n".join("    " + row for row in rows)
+
+
 class NatsServer:
     """One nats-server with its log in `folder`."""
 
