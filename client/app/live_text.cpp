@@ -1,5 +1,7 @@
 #include "client/app/live_text.h"
 
+#include "client/gui/texts.h"
+
 namespace aucast::app {
 namespace {
 
@@ -20,8 +22,7 @@ std::string live_objection(const PlaybackOptions& options, const playback::Sourc
 
 std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted) {
   if (delay.keyframes == 0) return {};
-  return ms_text(delay.median) + " ms (at most " + ms_text(delay.longest) + ", wanted " +
-         ms_text(wanted) + ")";
+  return gui::tr("state.delay", ms_text(delay.median), ms_text(delay.longest), ms_text(wanted));
 }
 
 }  // namespace aucast::app

@@ -296,6 +296,13 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        word(output.onsets)},
       {"headless", "", "", "no window; exits with the stream", "", flag(options.headless),
        "Program"},
+      {"language", "CODE", "", "",
+       "The language of the window: en, or one of data/languages, such as fr. Otherwise the one "
+       "chosen there last, or that of the locale.",
+       word(options.display.language)},
+      {"text-size", "N", "", "",
+       "The size of all that is written in the window, in percent: 75 to 200 (100).",
+       whole(options.display.text_percent, gui::kTextPercentMin, gui::kTextPercentMax)},
       {"exit-at-end", "", "", "close at the end", "Closes the window when the stream ends.",
        flag(options.exit_at_end)},
       {"no-config", "", "", "ignore window settings",

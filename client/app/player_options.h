@@ -10,6 +10,7 @@
 
 #include "client/face/muscle_mixer.h"
 #include "client/glb/basis.h"
+#include "client/gui/display_settings.h"
 #include "client/mirror/mirror_options.h"
 #include "client/net/security.h"
 #include "client/playback/blinking.h"
@@ -132,6 +133,7 @@ struct PlayerOptions {
   PoseOptions pose;
   GalleryOptions gallery;
   ExportOptions exported;
+  gui::DisplaySettings display;  ///< --language, --text-size
   bool shows_mirror = false;     ///< --mirror: the window begins with one's own camera
   mirror::MirrorOptions mirror;  ///< which
   bool headless = false;

@@ -100,26 +100,38 @@ bool changes_something(const Change& change, const Values& before) {
                        : change.value < before[change.number];
 }
 
-std::string percent(float value) {
-  return std::to_string(percent_of(value)) + " %";
-}
-
-/// "51 100 % and 52 40 %: 51 60 %, 52 gone".
-std::string in_words(const Rule& rule, const Values& before) {
-  std::string present;
+/// What the rule read and what it changed.
+RuleExplained explained_by(const Rule& rule, Side side, const Values& before) {
+  RuleExplained one{&rule, side, {}, {}, {}};
   std::vector<int> named = rule.sources;
   named.insert(named.end(), rule.targets.begin(), rule.targets.end());
   for (const int number : named) {
-    if (before[index_of(number)] <= 0) continue;
-    present += (present.empty() ? "" : " and ") + std::to_string(number) + " " +
-               percent(before[index_of(number)]);
+    const float value = before[index_of(number)];
+    if (value > 0) one.before.push_back({number, percent_of(value)});
   }
-  std::string after;
   for_each_change(rule, before, [&](const Change& change) {
     if (!changes_something(change, before)) return;
-    after += (after.empty() ? "" : ", ") + std::to_string(change.number) + " " +
-             (change.value > 0 ? percent(change.value) : "gone");
+    const int percent = change.value > 0 ? percent_of(change.value) : 0;
+    one.after.push_back({static_cast<int>(change.number), percent});
   });
+  return one;
+}
+
+std::string percent_text(const AuShare& one, bool may_be_gone) {
+  const std::string share = std::to_string(one.percent) + " %";
+  return std::to_string(one.number) + " " + (may_be_gone && one.percent == 0 ? "gone" : share);
+}
+
+/// "51 100 % and 52 40 %: 51 60 %, 52 gone".
+std::string in_words(const RuleExplained& one) {
+  std::string present;
+  for (const AuShare& share : one.before) {
+    present += (present.empty() ? "" : " and ") + percent_text(share, false);
+  }
+  std::string after;
+  for (const AuShare& share : one.after) {
+    after += (after.empty() ? "" : ", ") + percent_text(share, true);
+  }
   return present + ": " + after;
 }
 
@@ -193,7 +205,8 @@ AuFrame blend(const RuleSet& rules, const AuFrame& frame, std::vector<RuleFired>
 std::vector<RuleExplained> explain(std::span<const RuleFired> fired) {
   std::vector<RuleExplained> explained;
   for (const RuleFired& one : fired) {
-    RuleExplained next{one.rule, one.side, in_words(*one.rule, one.before)};
+    RuleExplained next = explained_by(*one.rule, one.side, one.before);
+    next.what = in_words(next);
     const auto twin =
         std::find_if(explained.begin(), explained.end(), [&](const RuleExplained& other) {
           return other.rule == next.rule && other.side != next.side && other.what == next.what;

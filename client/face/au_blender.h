@@ -31,11 +31,20 @@ struct RuleFired {
 [[nodiscard]] AuFrame blend(const RuleSet& rules, const AuFrame& frame,
                             std::vector<RuleFired>* fired = nullptr);
 
+/// An AU and how strong it is.
+struct AuShare {
+  int number = 0;
+  int percent = 0;
+  friend bool operator==(const AuShare&, const AuShare&) = default;
+};
+
 /// A rule that fired, for people.
 struct RuleExplained {
   const Rule* rule = nullptr;
-  Side side = Side::Both;  ///< Both when it changed both sides alike
-  std::string what;        ///< "51 100 % and 52 40 %: 51 60 %, 52 gone"
+  Side side = Side::Both;       ///< Both when it changed both sides alike
+  std::vector<AuShare> before;  ///< those of its AUs that were there
+  std::vector<AuShare> after;   ///< those that it changed; 0: gone
+  std::string what;             ///< "51 100 % and 52 40 %: 51 60 %, 52 gone"
 };
 
 /// What the rules of one blend() did, left side first; alike on both sides is said once.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "client/gui/expression_editor.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -13,16 +14,16 @@ namespace {
 /// A word in a channel's name and the region that it stands for; the first that is found counts.
 struct Clue {
   std::string_view word;
-  std::string_view region;
+  TextKey region;
 };
 
-constexpr std::string_view kBrow = "Forehead and brows";
-constexpr std::string_view kEyes = "Eyes and cheeks";
-constexpr std::string_view kNose = "Nose";
-constexpr std::string_view kMouth = "Mouth";
-constexpr std::string_view kJaw = "Jaw, chin and neck";
-constexpr std::string_view kHead = "Head";
-constexpr std::string_view kOther = "Other";
+constexpr TextKey kBrow("region.brow");
+constexpr TextKey kEyes("region.eyes");
+constexpr TextKey kNose("region.nose");
+constexpr TextKey kMouth("region.mouth");
+constexpr TextKey kJaw("region.jaw");
+constexpr TextKey kHead("region.head");
+constexpr TextKey kOther("region.other");
 constexpr std::array kRegions = {kBrow, kEyes, kNose, kMouth, kJaw, kHead, kOther};
 
 constexpr std::array<Clue, 38> kClues = {{
@@ -45,7 +46,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-std::string_view region_of(const std::string& name) {
+TextKey region_of(const std::string& name) {
   const std::string plain = lower(name);
   for (const Clue& clue : kClues) {
     if (plain.find(clue.word) != std::string::npos) return clue.region;
@@ -56,7 +57,7 @@ std::string_view region_of(const std::string& name) {
 std::string for_people(std::string name, bool paired) {
   if (paired) name.erase(0, name.find('_') + 1);
   std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
+  return data_word(name);
 }
 
 }  // namespace
@@ -64,11 +65,11 @@ std::string for_people(std::string name, bool paired) {
 std::vector<ChannelGroup> channel_groups(const face::Face& face,
                                          const std::vector<float>& activations) {
   std::vector<ChannelGroup> groups;
-  for (const std::string_view region : kRegions) {
-    ChannelGroup group{region, {}};
+  for (const TextKey region : kRegions) {
+    ChannelGroup group{tr(region), {}};
     for (std::size_t i = 0; i < face.channels.size(); ++i) {
       const face::Channel& channel = face.channels[i];
-      if (region_of(channel.name) != region) continue;
+      if (region_of(channel.name).row() != region.row()) continue;
       const auto partner = partner_of(face, i);
       const bool is_left = !partner || split_side(channel.name).side == Side::Left;
       if (!is_left) continue;  // it stands on its partner's line

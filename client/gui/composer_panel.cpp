@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -22,11 +23,13 @@ void ask(GuiCommands& commands, ComposerCommand command) {
 }
 
 void file_buttons(const ComposerView& composer, GuiCommands& commands) {
-  if (wide_button("New", 0, 4, true)) ask(commands, NewComposition{});
-  if (wide_button("Open...", 1, 4, true)) commands.push_back(Browse{Purpose::ComposeStream});
+  if (wide_button(tr("button.new"), 0, 4, true)) ask(commands, NewComposition{});
+  if (wide_button(tr("button.open_dots"), 1, 4, true))
+    commands.push_back(Browse{Purpose::ComposeStream});
   const bool any = !composer.rows->empty();
-  if (wide_button("Save", 2, 4, any && composer.unsaved)) ask(commands, SaveComposition{});
-  if (wide_button("Save as...", 3, 4, any)) commands.push_back(Browse{Purpose::SaveStream});
+  if (wide_button(tr("button.save"), 2, 4, any && composer.unsaved))
+    ask(commands, SaveComposition{});
+  if (wide_button(tr("button.save_as"), 3, 4, any)) commands.push_back(Browse{Purpose::SaveStream});
 }
 
 void timeline(const Look& look, const ComposerView& composer, GuiCommands& commands) {
@@ -37,7 +40,7 @@ void timeline(const Look& look, const ComposerView& composer, GuiCommands& comma
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   if (visible) {
-    if (composer.rows->empty()) quiet_text("Make a face below and add it here.");
+    if (composer.rows->empty()) quiet_text(tr("compose.empty"));
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(composer.rows->size()));
     while (clipper.Step()) {
@@ -67,8 +70,8 @@ void timeline(const Look& look, const ComposerView& composer, GuiCommands& comma
 
 void timeline_part(const Look& look, const ComposerView& composer, GuiCommands& commands) {
   std::string name = std::filesystem::path(composer.file).filename().string();
-  if (name.empty()) name = "New stream";
-  heading(look, (name + (composer.unsaved ? "  (not saved)" : "")).c_str());
+  if (name.empty()) name = tr("compose.new_stream");
+  heading(look, composer.unsaved ? tr("compose.unsaved", name) : name);
   if (!composer.file.empty() && ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%s", composer.file.c_str());
   }
@@ -76,18 +79,19 @@ void timeline_part(const Look& look, const ComposerView& composer, GuiCommands& 
   timeline(look, composer, commands);
   const bool chosen = composer.chosen >= 0;
   const int last = static_cast<int>(composer.rows->size()) - 1;
-  if (wide_button("Play", 0, 4, last >= 0)) ask(commands, PlayComposition{});
-  if (wide_button("Up", 1, 4, composer.chosen > 0)) ask(commands, MoveKeyframe{-1});
-  if (wide_button("Down", 2, 4, chosen && composer.chosen < last)) ask(commands, MoveKeyframe{1});
-  if (wide_button("Delete", 3, 4, chosen)) ask(commands, RemoveKeyframe{});
+  if (wide_button(tr("compose.play"), 0, 4, last >= 0)) ask(commands, PlayComposition{});
+  if (wide_button(tr("compose.up"), 1, 4, composer.chosen > 0)) ask(commands, MoveKeyframe{-1});
+  if (wide_button(tr("compose.down"), 2, 4, chosen && composer.chosen < last))
+    ask(commands, MoveKeyframe{1});
+  if (wide_button(tr("button.delete"), 3, 4, chosen)) ask(commands, RemoveKeyframe{});
   quiet_text(composer.total);
 }
 
 void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommands& commands) {
   bool own = composer.ms >= 0;
-  label(look, "Time in ms");
+  label(look, tr("compose.time"));
   if (ImGui::Checkbox("##own", &own)) ask(commands, ComposeTime{own ? 500 : -1, false});
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("off: the time that the player gives");
+  tip(tr("compose.time_tip"));
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
   int ms = std::max(composer.ms, 0);
@@ -119,17 +123,20 @@ void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) 
     list.AddText(ImVec2(x, y), quiet, text);
   };
   const float gap = 4 * look.scale;
-  word("sad", from.x + gap, middle.y);
-  word("happy", to.x - ImGui::CalcTextSize("happy").x - gap, middle.y);
-  word("excited", middle.x - ImGui::CalcTextSize("excited").x - gap, from.y + gap / 2);
-  word("calm", middle.x - ImGui::CalcTextSize("calm").x - gap, to.y - row - gap / 2);
+  word(tr("compose.sad"), from.x + gap, middle.y);
+  word(tr("compose.happy"), to.x - ImGui::CalcTextSize(tr("compose.happy")).x - gap, middle.y);
+  word(tr("compose.excited"), middle.x - ImGui::CalcTextSize(tr("compose.excited")).x - gap,
+       from.y + gap / 2);
+  word(tr("compose.calm"), middle.x - ImGui::CalcTextSize(tr("compose.calm")).x - gap,
+       to.y - row - gap / 2);
   for (const PadPoint& point : *composer.pad) {
     const ImVec2 at(middle.x + point.x * reach.x, middle.y - point.y * reach.y);
     list.AddCircleFilled(at, 3 * look.scale, ImGui::GetColorU32(ImGuiCol_PlotLines), 16);
-    const float width = ImGui::CalcTextSize(point.label.c_str()).x;
+    const std::string label = data_word(point.label);
+    const float width = ImGui::CalcTextSize(label.c_str()).x;
     // Beside the dot, towards the middle, where there is room.
     const float x = point.x > 0.3F ? at.x - width - 6 * look.scale : at.x + 6 * look.scale;
-    list.AddText(ImVec2(x, at.y - row / 2), ImGui::GetColorU32(ImGuiCol_Text), point.label.c_str());
+    list.AddText(ImVec2(x, at.y - row / 2), ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
   }
   if (composer.pad_at) {
     const ImVec2 at(middle.x + (*composer.pad_at)[0] * reach.x,
@@ -172,7 +179,7 @@ void au_grid(const GuiModel& model, GuiCommands& commands) {
       ask(commands, ComposeAu{entry.number, percent, percent, false});
     }
     if (on) ImGui::PopStyleColor();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%d  %s", entry.number, entry.name.c_str());
+    tip(std::to_string(entry.number) + "  " + au_name(entry.number, entry.name));
     ImGui::PopID();
   }
   ImGui::PopStyleVar(2);
@@ -187,7 +194,7 @@ void joined_slider(const Look& look, const ComposedAu& au, const std::string& na
   ImGui::PushClipRect(at, ImVec2(at.x + column - 8 * look.scale, at.y + 100 * look.scale), true);
   ImGui::TextUnformatted(name.c_str());
   ImGui::PopClipRect();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
+  tip(name);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + column);
   int both = au.left_percent;
   if (!percent_slider("##both", ImGui::GetContentRegionAvail().x, both)) return;
@@ -214,7 +221,7 @@ void au_sliders(const Look& look, const ComposerView& composer, bool linked,
   bool headed = false;
   for (const ComposedAu& au : composer.aus) {
     ImGui::PushID(au.number);
-    const std::string name = std::to_string(au.number) + "  " + au.name;
+    const std::string name = std::to_string(au.number) + "  " + au_name(au.number, au.name);
     if (linked && au.left_percent == au.right_percent) {
       joined_slider(look, au, name, commands);
     } else {
@@ -233,22 +240,19 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
   if (composer.rows == nullptr || composer.pad == nullptr || model.known_aus == nullptr) return;
   timeline_part(look, composer, commands);
   const bool chosen = composer.chosen >= 0;
-  heading(look,
-          chosen ? ("Keyframe " + std::to_string(composer.chosen + 1)).c_str() : "New keyframe");
-  const char* add = chosen ? "Double it" : "Add it";
+  heading(look, chosen ? tr("compose.keyframe", composer.chosen + 1) : tr("compose.new_keyframe"));
+  const char* add = chosen ? tr("compose.double") : tr("compose.add");
   if (wide_button(add, 0, 5, true, !chosen)) ask(commands, AddKeyframe{});
-  if (wide_button("Neutral", 1, 5, true)) ask(commands, ComposeNeutral{});
-  if (wide_button("Take", 2, 5, composer.can_take)) ask(commands, ComposeShown{});
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("the AUs that the face shows at this moment, of what plays or an expression");
-  }
-  if (wide_button("Undo", 3, 5, composer.can_undo)) ask(commands, UndoComposing{});
-  if (wide_button("Redo", 4, 5, composer.can_redo)) ask(commands, RedoComposing{});
+  if (wide_button(tr("button.neutral"), 1, 5, true)) ask(commands, ComposeNeutral{});
+  if (wide_button(tr("compose.take"), 2, 5, composer.can_take)) ask(commands, ComposeShown{});
+  tip(tr("compose.take_tip"));
+  if (wide_button(tr("button.undo"), 3, 5, composer.can_undo)) ask(commands, UndoComposing{});
+  if (wide_button(tr("button.redo"), 4, 5, composer.can_redo)) ask(commands, RedoComposing{});
   time_of_keyframe(look, composer, commands);
   pad(look, composer, commands);
   au_grid(model, commands);
   if (composer.aus.empty()) return;
-  ImGui::Checkbox("left and right together", &form.linked);
+  ImGui::Checkbox(tr("panel.linked"), &form.linked);
   au_sliders(look, composer, form.linked, commands);
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "client/gui/panels.h"
-#include "common/action_unit.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -44,8 +44,8 @@ void line_of(const Look& look, const std::vector<float>& outline, ImVec2 from, I
 void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiCommands& commands) {
   const LocalView& local = model.local;
   if (!local.open || local.curves == nullptr || local.curves->empty()) return;
-  heading(look, "Curves");
-  quiet_text("Percent where it plays, or at the pointer; a click seeks.");
+  heading(look, tr("curves.title"));
+  quiet_text(tr("curves.help"));
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float left = corner.x + kNumberWidth * look.scale;
@@ -89,8 +89,8 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
   line_at(local.position, colour_of(Tone::Waiting));
   if (!hovered) return;
   line_at(pointed, ImGui::GetColorU32(ImGuiCol_Text));
-  const auto name = below < 0 ? std::nullopt : facs_name(below);
-  ImGui::SetTooltip("%s\n%.2f s", name ? std::string(*name).c_str() : "", seconds(pointed));
+  const std::string name = below < 0 ? std::string() : au_name(below);
+  ImGui::SetTooltip("%s\n%.2f s", name.c_str(), seconds(pointed));
 }
 
 }  // namespace aucast::gui

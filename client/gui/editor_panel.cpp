@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 #include "common/action_unit.h"
+#include "common/text.h"
 
 namespace aucast::gui {
 namespace {
@@ -13,7 +15,8 @@ namespace {
 constexpr float kStep = 0.05F;
 
 std::string title_of(const AuEntry& entry) {
-  return std::to_string(entry.number) + "  " + entry.name + (entry.own ? "  (yours)" : "");
+  const std::string title = std::to_string(entry.number) + "  " + au_name(entry.number, entry.name);
+  return entry.own ? tr("editor.yours", title) : title;
 }
 
 const AuEntry* entry_of(const GuiModel& model, int number) {
@@ -31,21 +34,20 @@ void name_field(const Look& look, const GuiModel& model, int number, EditorForm&
     form.name = {};
     name.copy(form.name.data(), form.name.size() - 1);
   }
-  label(look, "Name");
-  ImGui::InputTextWithHint("##auname", "what it shows", form.name.data(), form.name.size());
+  label(look, tr("editor.name"));
+  ImGui::InputTextWithHint("##auname", tr("editor.name_hint"), form.name.data(), form.name.size());
 }
 
 /// What can be done with a saved AU.
 void au_file_buttons(const GuiModel& model, GuiCommands& commands) {
   const AuEntry* entry = entry_of(model, model.editor.au);
   const bool known = entry != nullptr;
-  if (wide_button("Export...", 0, 2, known)) commands.push_back(Browse{Purpose::ExportAu});
-  const char* remove = known && !entry->shipped ? "Delete" : "As it came";
+  if (wide_button(tr("button.export"), 0, 2, known)) commands.push_back(Browse{Purpose::ExportAu});
+  const char* remove = known && !entry->shipped ? tr("button.delete") : tr("editor.as_it_came");
   if (wide_button(remove, 1, 2, known && entry->own)) commands.push_back(RemoveAu{entry->number});
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-    ImGui::SetTooltip("%s", known && !entry->shipped
-                                ? "takes this AU out of your copy of the face"
-                                : "gives your copy the AU that the player came with");
+    ImGui::SetTooltip(
+        "%s", known && !entry->shipped ? tr("editor.delete_tip") : tr("editor.as_it_came_tip"));
   }
 }
 
@@ -55,7 +57,7 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
   for (const AuEntry& entry : *model.known_aus) {
     if (entry.number == number) shown = title_of(entry);
   }
-  if (number >= 0 && shown == none) shown = std::to_string(number) + "  (new)";
+  if (number >= 0 && shown == none) shown = tr("editor.new", number);
   if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) return false;
   bool chosen = false;
   for (const AuEntry& entry : *model.known_aus) {
@@ -66,7 +68,9 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
     if (ImGui::IsItemHovered() && !entry.muscles.empty()) {
       ImGui::BeginTooltip();
       ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-      if (!entry.looks.empty()) ImGui::TextUnformatted(entry.looks.c_str());
+      if (!entry.looks.empty()) {
+        ImGui::TextUnformatted(au_looks(entry.number, entry.looks).c_str());
+      }
       quiet_text(entry.muscles);
       ImGui::PopTextWrapPos();
       ImGui::EndTooltip();
@@ -78,23 +82,25 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
 
 void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCommands& commands) {
   const EditorView& editor = model.editor;
-  heading(look, editor.unsaved ? "Action Unit  (not saved)" : "Action Unit");
-  label(look, "Edit");
+  heading(look, editor.unsaved ? tr("editor.title_unsaved") : tr("editor.title"));
+  label(look, tr("editor.edit"));
   int number = editor.au;
-  if (au_combo("##edit", model, "choose one", number)) {
+  if (au_combo("##edit", model, tr("editor.choose_one"), number)) {
     form.save_as = -1;
     commands.push_back(LoadAu{number});
   }
   for (const AuEntry& entry : *model.known_aus) {
     if (entry.number != editor.au) continue;
-    if (!entry.looks.empty()) ImGui::TextWrapped("%s", entry.looks.c_str());
+    if (!entry.looks.empty()) {
+      ImGui::TextWrapped("%s", au_looks(entry.number, entry.looks).c_str());
+    }
     quiet_text(entry.muscles);
   }
-  if (wide_button("Undo", 0, 4, editor.can_undo)) commands.push_back(Undo{});
-  if (wide_button("Redo", 1, 4, editor.can_redo)) commands.push_back(Redo{});
-  if (wide_button("Revert", 2, 4, editor.unsaved)) commands.push_back(RevertAu{});
-  if (wide_button("Neutral", 3, 4, true)) commands.push_back(NeutralFace{});
-  label(look, "Save as AU");
+  if (wide_button(tr("button.undo"), 0, 4, editor.can_undo)) commands.push_back(Undo{});
+  if (wide_button(tr("button.redo"), 1, 4, editor.can_redo)) commands.push_back(Redo{});
+  if (wide_button(tr("button.revert"), 2, 4, editor.unsaved)) commands.push_back(RevertAu{});
+  if (wide_button(tr("button.neutral"), 3, 4, true)) commands.push_back(NeutralFace{});
+  label(look, tr("editor.save_as"));
   int target = std::max(0, form.save_as >= 0 ? form.save_as : editor.au);
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -104,7 +110,7 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   const bool unnamed = target > 0 && !facs_name(target);
   ImGui::SameLine();
   ImGui::BeginDisabled(target < 1);
-  if (ImGui::Button("Save", ImVec2((width - gap) / 2, 0))) {
+  if (ImGui::Button(tr("button.save"), ImVec2((width - gap) / 2, 0))) {
     commands.push_back(SaveAu{target, unnamed ? form.name.data() : ""});
   }
   ImGui::EndDisabled();
@@ -112,8 +118,7 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   au_file_buttons(model, commands);
   // Always something, so that the muscles stay where they are.
   if (editor.saved_to.empty()) {
-    quiet_text(
-        "Saving goes into your own copy of the face; the one that came with the player stays.");
+    quiet_text(tr("editor.where"));
   } else if (editor.save_failed) {
     toned_text(Tone::Bad, editor.saved_to);
   } else {
@@ -143,7 +148,8 @@ void channel_slider(const Look& look, const char* id, int channel, float value, 
     commands.push_back(SetChannel{channel, wanted, belongs_to_drag()});
   }
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-    ImGui::SetTooltip("0 to %g; control and click to type", static_cast<double>(maximum));
+    ImGui::SetTooltip("%s",
+                      tr("panel.type_tip", number_text(static_cast<double>(maximum))).c_str());
   }
   ImGui::SameLine(0, gap);
   if (ImGui::Button("+", step_size))
@@ -177,7 +183,7 @@ void channel_row(const Look& look, const ChannelRow& row, GuiCommands& commands)
   ImGui::PushClipRect(at, ImVec2(at.x + 158 * look.scale, at.y + 100 * look.scale), true);
   ImGui::TextUnformatted(row.name.c_str());
   ImGui::PopClipRect();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.name.c_str());
+  tip(row.name);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 150 * look.scale);
   const float width = ImGui::GetContentRegionAvail().x;
   channel_slider(look, row.right < 0 ? "centre" : "both", row.left, row.left_value, row.maximum,
@@ -193,9 +199,9 @@ bool in_use(const ChannelGroup& group) {
 }
 
 void muscles(const Look& look, const GuiModel& model, EditorForm& form, GuiCommands& commands) {
-  heading(look, "Muscles");
+  heading(look, tr("editor.muscles"));
   bool linked = model.editor.linked;
-  if (ImGui::Checkbox("left and right together", &linked)) commands.push_back(SetLinked{linked});
+  if (ImGui::Checkbox(tr("panel.linked"), &linked)) commands.push_back(SetLinked{linked});
   // What another AU drives is opened, so that it is there to be changed.
   const bool another = std::exchange(form.opened_for, model.editor.au) != model.editor.au;
   for (const ChannelGroup& group : model.editor.groups) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 #include "common/text.h"
 
 namespace aucast::gui {
@@ -27,10 +28,10 @@ int expression_buttons(const ExpressionsView& expressions, ExpressionKind kind,
     if (button.kind != kind) continue;
     const bool chosen = static_cast<int>(i) == expressions.chosen;
     ImGui::PushID(static_cast<int>(i));
-    if (wide_button(button.label.c_str(), place++ % kColumns, kColumns, true, chosen)) {
+    if (wide_button(data_word(button.label).c_str(), place++ % kColumns, kColumns, true, chosen)) {
       commands.push_back(ShowExpression{i});
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_words(button).c_str());
+    tip(in_words(button));
     ImGui::PopID();
   }
   return place;
@@ -38,7 +39,8 @@ int expression_buttons(const ExpressionsView& expressions, ExpressionKind kind,
 
 /// Whether the label, an AU's packet or the source have the words; case does not matter.
 bool is_meant(const ExpressionButton& button, const std::string& words) {
-  return lowered(button.label + "\n" + in_words(button)).find(words) != std::string::npos;
+  return lowered(button.label + "\n" + data_word(button.label) + "\n" + in_words(button))
+             .find(words) != std::string::npos;
 }
 
 void found_expressions(const ExpressionsView& expressions, const std::string& words,
@@ -49,13 +51,13 @@ void found_expressions(const ExpressionsView& expressions, const std::string& wo
     if (button.kind != ExpressionKind::Other || !is_meant(button, words)) continue;
     any = true;
     const bool chosen = static_cast<int>(i) == expressions.chosen;
-    if (ImGui::Selectable(button.label.c_str(), chosen)) {
+    if (ImGui::Selectable(data_word(button.label).c_str(), chosen)) {
       commands.push_back(ShowExpression{i});
       ImGui::CloseCurrentPopup();
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_words(button).c_str());
+    tip(in_words(button));
   }
-  if (!any) quiet_text("none has these words");
+  if (!any) quiet_text(tr("expression.none_found"));
 }
 
 /// Other sets of AUs for the same emotions: what the buttons leave free of their last line.
@@ -64,56 +66,55 @@ void more_expressions(const Look& look, const ExpressionsView& expressions, int 
   const auto chosen = static_cast<std::size_t>(expressions.chosen);
   const bool is_other = chosen < expressions.buttons.size() &&
                         expressions.buttons[chosen].kind == ExpressionKind::Other;
-  if (buttons % kColumns != 0) ImGui::SameLine();
+  if (buttons % kColumns != 0 && has_room_beside(70 * look.scale)) ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  const char* shown = is_other ? expressions.buttons[chosen].label.c_str() : "more";
-  if (!ImGui::BeginCombo("##more", shown, ImGuiComboFlags_HeightLarge)) return;
+  const std::string shown =
+      is_other ? data_word(expressions.buttons[chosen].label) : tr("expression.more");
+  if (!ImGui::BeginCombo("##more", shown.c_str(), ImGuiComboFlags_HeightLarge)) return;
   if (ImGui::IsWindowAppearing()) {
     form.search[0] = 0;
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(260 * look.scale);
-  ImGui::InputTextWithHint("##search", "search: a word, AUs, an author", form.search.data(),
+  ImGui::InputTextWithHint("##search", tr("expression.search_hint"), form.search.data(),
                            form.search.size());
   found_expressions(expressions, lowered(form.search.data()), commands);
   ImGui::EndCombo();
 }
 
 void strength(const Look& look, const ExpressionsView& expressions, GuiCommands& commands) {
-  label(look, "Strength");
+  label(look, tr("expression.strength"));
   int percent = expressions.percent;
   if (percent_slider("##strength", -1, percent)) {
     commands.push_back(ChangeStrength{percent, belongs_to_drag()});
   }
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("of all intensities of an expression; control and click to type");
-  }
+  tip(tr("expression.strength_tip"));
 }
 
 void expressions(const Look& look, const GuiModel& model, ExpressionForm& form,
                  GuiCommands& commands) {
   const ExpressionsView& all = model.expressions;
-  heading(look, "Expressions");
+  heading(look, tr("expression.title"));
   const int buttons = expression_buttons(all, ExpressionKind::Main, commands);
   more_expressions(look, all, buttons, form, commands);
   strength(look, all, commands);
-  heading(look, "Waters' macros");
+  heading(look, tr("expression.macros"));
   expression_buttons(all, ExpressionKind::Macro, commands);
 }
 
 void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  heading(look, "On the way there");
+  heading(look, tr("expression.way"));
   TransitionSettings settings = model.transition;
   using playback::Interpolation;
   auto way = settings.cosine ? Interpolation::Cosine : Interpolation::Linear;
   bool changed = in_between(look, "way", way);
   settings.cosine = way == Interpolation::Cosine;
-  label(look, "Frames");
+  label(look, tr("expression.frames"));
   if (ImGui::InputInt("##frames", &settings.frames, 1, 10)) {
     settings.frames = std::clamp(settings.frames, 1, 500);
     changed = true;
   }
-  label(look, "Each in ms");
+  label(look, tr("expression.each_ms"));
   if (ImGui::InputInt("##frame", &settings.frame_ms, 1, 10)) {
     settings.frame_ms = std::clamp(settings.frame_ms, 1, 1000);
     changed = true;
@@ -124,7 +125,7 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
 /// Several AUs at once, as mixer and rules make a face of them.
 void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
               GuiCommands& commands) {
-  heading(look, "Action Units together");
+  heading(look, tr("expression.together"));
   // The AUs of an expression are where they can be changed.
   if (form.taken != model.expressions.aus) {
     form.taken = model.expressions.aus;
@@ -138,11 +139,11 @@ void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
   const bool entered = ImGui::InputTextWithHint(
       "##compound", "1,2,5B,L12:40", form.aus.data(), form.aus.size(),
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("AUs as in a packet; mixer and rules are applied");
+  tip(tr("expression.together_tip"));
   ImGui::SameLine();
-  const bool pressed = ImGui::Button("Show", ImVec2(-1, 0));
+  const bool pressed = ImGui::Button(tr("button.show"), ImVec2(-1, 0));
   if ((pressed || entered) && form.aus[0] != 0) commands.push_back(ShowAus{form.aus.data()});
-  if (!model.editor.compound.empty()) au_table(look, "asked", model.editor.compound);
+  if (!model.editor.compound.empty()) au_table(look, tr("expression.asked"), model.editor.compound);
 }
 
 }  // namespace

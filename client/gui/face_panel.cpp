@@ -4,6 +4,7 @@
 #include <cfloat>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -15,11 +16,11 @@ constexpr float kShape = static_cast<float>(kThumbnailHeight) / kThumbnailWidth;
 const char* heading_of(FaceKind kind) {
   switch (kind) {
     case FaceKind::Shipped:
-      return "Shipped";
+      return tr("face.shipped");
     case FaceKind::Own:
-      return "Your own copies";
+      return tr("face.own");
     case FaceKind::Elsewhere:
-      return "From a folder";
+      return tr("face.folder");
   }
   return "";
 }
@@ -67,7 +68,7 @@ bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
 }  // namespace
 
 void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands) {
-  heading(look, "Face");
+  heading(look, tr("face.title"));
   form.wanted.clear();
   const FacesView& faces = model.faces;
   if (faces.entries == nullptr) return;
@@ -89,7 +90,7 @@ void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiComma
       commands.push_back(ShowFace{face.folder});
     before = &face;
   }
-  if (wide_button("Faces of another folder...", 0, 1, true)) {
+  if (wide_button(tr("face.other"), 0, 1, true)) {
     commands.push_back(Browse{Purpose::LookForFaces});
   }
 }

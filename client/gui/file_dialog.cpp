@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -12,27 +13,27 @@ namespace {
 const char* title_of(Purpose purpose) {
   switch (purpose) {
     case Purpose::PlayStream:
-      return "Open a stream file or a recogniser's table";
+      return tr("file.play");
     case Purpose::ComposeStream:
-      return "Open a stream file to work on";
+      return tr("file.compose");
     case Purpose::SaveStream:
-      return "Save the composed stream";
+      return tr("file.save_stream");
     case Purpose::ExportKeyframes:
-      return "Export the keyframes played";
+      return tr("file.export_keyframes");
     case Purpose::ExportTable:
-      return "Export the AUs played as a table";
+      return tr("file.export_table");
     case Purpose::ExportMesh:
-      return "Export this face as a mesh";
+      return tr("file.export_mesh");
     case Purpose::ExportGlb:
-      return "Export face and movement as glTF";
+      return tr("file.export_glb");
     case Purpose::ExportAu:
-      return "Export the Action Unit";
+      return tr("file.export_au");
     case Purpose::PictureFolder:
-      return "The folder for pictures and videos";
+      return tr("file.picture_folder");
     case Purpose::GalleryFolder:
-      return "The folder for the gallery";
+      return tr("file.gallery_folder");
     case Purpose::LookForFaces:
-      return "Open a folder with faces";
+      return tr("file.faces");
   }
   return "File";
 }
@@ -53,7 +54,7 @@ void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiC
   }
   ImGui::SameLine();
   const auto parent = std::filesystem::path(view.folder).parent_path();
-  if (ImGui::Button("Up", ImVec2(up, 0))) commands.push_back(EnterFolder{parent.string()});
+  if (ImGui::Button(tr("file.up"), ImVec2(up, 0))) commands.push_back(EnterFolder{parent.string()});
 }
 
 /// One click chooses a file; a second one on it takes it. A folder opens at the first.
@@ -79,7 +80,7 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
         if (ImGui::IsMouseDoubleClicked(0)) commands.push_back(ChooseFile{entry.name});
       }
     }
-    if (view.entries.empty()) ImGui::TextDisabled("Nothing here.");
+    if (view.entries.empty()) ImGui::TextDisabled("%s", tr("file.empty"));
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();
@@ -89,7 +90,7 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
 /// Why it was not done; empty: nothing is wrong.
 std::string objection(const BrowserView& view) {
   if (!view.problem.empty()) return view.problem;
-  return view.replaces.empty() ? std::string() : view.replaces + " is there already.";
+  return view.replaces.empty() ? std::string() : tr("file.there", view.replaces);
 }
 
 /// What decide() takes: the buttons stay where they are when there is an objection.
@@ -105,25 +106,23 @@ float height_of_decision(const BrowserView& view) {
 
 /// What a recogniser's table may need to be told; closed until somebody looks for it.
 void table_settings(const Look& look, const TableSettings& now, GuiCommands& commands) {
-  if (!ImGui::TreeNodeEx("Tables of recognisers",
+  if (!ImGui::TreeNodeEx(tr("file.tables"),
                          ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
     return;
   }
   TableSettings settings = now;
   bool changed = false;
   const auto number = [&](const char* name, const char* id, int& value, int most, int step,
-                          const char* tip) {
+                          const char* help) {
     label(look, name);
     changed |= ImGui::InputInt(id, &value, step, 10 * step);
     value = std::clamp(value, 0, most);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+    tip(help);
   };
-  number("Pictures/s", "##fps", settings.fps, 1000, 1,
-         "of the video, for a table without times (--fps); 0: the table's own times");
-  number("Keyframes/s", "##rate", settings.rate, 100, 1, "0: one for each row");
-  number("Gain %", "##gain", settings.gain_percent, 1000, 10, "of all AUs; 0: as they are");
-  number("Quiet, s", "##quiet", settings.quiet_s, 60, 1,
-         "the face is quiet for so long at first, and what it shows then is taken off; 0: none");
+  number(tr("file.fps"), "##fps", settings.fps, 1000, 1, tr("file.fps_tip"));
+  number(tr("file.rate"), "##rate", settings.rate, 100, 1, tr("file.rate_tip"));
+  number(tr("file.gain"), "##gain", settings.gain_percent, 1000, 10, tr("file.gain_tip"));
+  number(tr("file.quiet"), "##quiet", settings.quiet_s, 60, 1, tr("file.quiet_tip"));
   if (changed) commands.push_back(ChangeTable{settings});
 }
 
@@ -131,19 +130,19 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
   const bool saving = is_saving(view.purpose);
   bool entered = false;
   if (saving) {
-    label(look, "Name");
+    label(look, tr("file.name"));
     entered = ImGui::InputText("##name", form.name.data(), form.name.size(),
                                ImGuiInputTextFlags_EnterReturnsTrue);
   }
   const std::string text = objection(view);
   if (!text.empty()) toned_text(view.problem.empty() ? Tone::Waiting : Tone::Bad, text);
   const bool folder = is_folder(view.purpose);
-  const char* action = folder                  ? "This folder"
-                       : !saving               ? "Open"
-                       : view.replaces.empty() ? "Save"
-                                               : "Replace it";
+  const char* action = folder                  ? tr("file.this_folder")
+                       : !saving               ? tr("button.open")
+                       : view.replaces.empty() ? tr("button.save")
+                                               : tr("file.replace");
   const bool named = folder || form.name[0] != 0;
-  if (wide_button("Cancel", 0, 2, true)) commands.push_back(CloseBrowser{});
+  if (wide_button(tr("button.cancel"), 0, 2, true)) commands.push_back(CloseBrowser{});
   const bool pressed = wide_button(action, 1, 2, named, named);
   if (named && (pressed || entered)) {
     commands.push_back(ChooseFile{folder ? "." : form.name.data()});

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -25,15 +26,15 @@ bool text_field(const char* id, const char* hint, const std::string& now, std::a
 
 bool folder_field(const Look& look, GallerySettings& settings, GalleryForm& form,
                   GuiCommands& commands) {
-  label(look, "Folder");
+  label(look, tr("gallery.folder"));
   const float button = 70 * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
                           ImGui::GetStyle().ItemSpacing.x);
-  const bool changed = text_field("##folder", "where the pictures go", settings.folder, form.folder,
-                                  form.folder_taken);
+  const bool changed = text_field("##folder", tr("gallery.folder_hint"), settings.folder,
+                                  form.folder, form.folder_taken);
   if (changed) settings.folder = form.folder.data();
   ImGui::SameLine();
-  if (ImGui::Button("Choose", ImVec2(button, 0))) {
+  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
     commands.push_back(Browse{Purpose::GalleryFolder});
   }
   return changed;
@@ -41,7 +42,7 @@ bool folder_field(const Look& look, GallerySettings& settings, GalleryForm& form
 
 bool sections(const Look& look, GallerySettings& settings) {
   bool changed = false;
-  label(look, "Pictures of");
+  label(look, tr("gallery.pictures_of"));
   const float left = ImGui::GetCursorPosX();
   const float half = (ImGui::GetWindowContentRegionMax().x - left) / 2;
   for (std::size_t i = 0; i < kGallerySections.size(); ++i) {
@@ -50,28 +51,26 @@ bool sections(const Look& look, GallerySettings& settings) {
     } else {
       ImGui::SetCursorPosX(left);
     }
-    changed |= ImGui::Checkbox(kGallerySections[i].text, &settings.sections[i]);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kGallerySections[i].tip);
+    changed |= ImGui::Checkbox(tr(kGallerySections[i].text), &settings.sections[i]);
+    tip(tr(kGallerySections[i].tip));
   }
   return changed;
 }
 
 bool sweeps(const Look& look, GallerySettings& settings, GalleryForm& form) {
   if (!settings.sections.back()) return false;
-  label(look, "Sweeps of");
+  label(look, tr("gallery.sweeps_of"));
   const bool changed = text_field("##sweeps", "12  6,12  happiness  all", settings.sweeps,
                                   form.sweeps, form.sweeps_taken);
   if (changed) settings.sweeps = form.sweeps.data();
   if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip(
-        "AUs and expressions with blanks between them; each goes from the neutral "
-        "face to its apex and back");
+    ImGui::SetTooltip(tr("gallery.sweeps_of_tip"));
   }
   return changed;
 }
 
 bool size(const Look& look, GallerySettings& settings) {
-  label(look, "Size");
+  label(look, tr("gallery.size"));
   const float by = ImGui::CalcTextSize(" x ").x;
   const float each = (ImGui::GetContentRegionAvail().x - by) / 2;
   ImGui::SetNextItemWidth(each);
@@ -87,12 +86,12 @@ bool size(const Look& look, GallerySettings& settings) {
 }
 
 void progress(const GalleryView& view) {
-  std::string text = view.ending ? "ending ..." : "beginning ...";
+  std::string text = view.ending ? tr("gallery.ending") : tr("gallery.beginning");
   float share = 0;
   if (view.total > 0) {
     share = static_cast<float>(view.drawn) / static_cast<float>(view.total);
     if (!view.ending) {
-      text = std::to_string(view.drawn) + " of " + std::to_string(view.total) + " pictures";
+      text = tr("gallery.progress", view.drawn, view.total);
     }
   }
   ImGui::ProgressBar(share, ImVec2(-1, 0), text.c_str());
@@ -112,7 +111,7 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
   const FloatingStyle floating(look);
   bool shown = true;
-  if (ImGui::Begin("Gallery", &shown, kFlags)) {
+  if (ImGui::Begin(with_id(tr("gallery.title"), "gallery").c_str(), &shown, kFlags)) {
     GallerySettings settings = view.settings;
     ImGui::BeginDisabled(view.running);
     bool changed = folder_field(look, settings, form, commands);
@@ -121,7 +120,7 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
     changed |= size(look, settings);
     ImGui::EndDisabled();
     if (changed) commands.push_back(GalleryCommand(ChangeGallery{settings}));
-    quiet_text("Pictures of the face that is shown, with index.html and manifest.csv.");
+    quiet_text(tr("gallery.help"));
     const std::string wrong = problem(settings);
     // Always a line, so that no button moves when it begins.
     if (view.running) {
@@ -134,11 +133,11 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
       quiet_text(wrong.empty() ? " " : wrong);
       ImGui::SetCursorPosY(top + ImGui::GetFrameHeightWithSpacing());
     }
-    if (wide_button("Cancel", 0, 2, view.running && !view.ending)) {
+    if (wide_button(tr("button.cancel"), 0, 2, view.running && !view.ending)) {
       commands.push_back(GalleryCommand(CancelGallery{}));
     }
     const bool may_begin = !view.running && wrong.empty();
-    if (wide_button("Make them", 1, 2, may_begin, may_begin)) {
+    if (wide_button(tr("gallery.make"), 1, 2, may_begin, may_begin)) {
       commands.push_back(GalleryCommand(BeginGallery{}));
     }
   }

@@ -22,10 +22,10 @@ std::vector<std::string> wanted_sweeps(const GallerySettings& settings) {
 }
 
 std::string problem(const GallerySettings& settings) {
-  if (settings.folder.empty()) return "Choose a folder for the pictures.";
-  if (wanted_sections(settings).empty()) return "Choose what is to be drawn.";
+  if (settings.folder.empty()) return tr("gallery.no_folder");
+  if (wanted_sections(settings).empty()) return tr("gallery.no_section");
   if (settings.sections.back() && wanted_sweeps(settings).empty()) {
-    return "Name the AUs or expressions to sweep.";
+    return tr("gallery.no_sweep");
   }
   return {};
 }

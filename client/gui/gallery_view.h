@@ -6,22 +6,24 @@
 #include <variant>
 #include <vector>
 
+#include "client/gui/texts.h"
+
 namespace aucast::gui {
 
 /// A section of a gallery: as `gallery --only` has it, and in words, short and longer.
 struct GallerySection {
   const char* name;
-  const char* text;
-  const char* tip;
+  TextKey text;
+  TextKey tip;
 };
 inline constexpr std::array<GallerySection, 7> kGallerySections = {{
-    {"aus", "Action Units", "each AU that the face has"},
-    {"prototypes", "Emotions", "the prototypes of emotions"},
-    {"combinations", "Combinations", "AUs that change each other, with and without rules"},
-    {"appendix-a", "Appendix A", "the AUs of the thesis' appendix A"},
-    {"appendix-b", "Appendix B", "the expressions of the thesis' appendix B"},
-    {"coverage", "Coverage", "which AUs the face has, as a table without pictures"},
-    {"sweeps", "Sweeps", "from the neutral face to an apex and back, as pictures and video"},
+    {"aus", "gallery.aus", "gallery.aus_tip"},
+    {"prototypes", "gallery.prototypes", "gallery.prototypes_tip"},
+    {"combinations", "gallery.combinations", "gallery.combinations_tip"},
+    {"appendix-a", "gallery.appendix_a", "gallery.appendix_a_tip"},
+    {"appendix-b", "gallery.appendix_b", "gallery.appendix_b_tip"},
+    {"coverage", "gallery.coverage", "gallery.coverage_tip"},
+    {"sweeps", "gallery.sweeps", "gallery.sweeps_tip"},
 }};
 
 /// What a gallery is made of.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -35,9 +36,10 @@ constexpr std::array<FontFiles, 2> kFonts = {{
 
 /// Loads the first pair that is there; else ImGui's own font, which has one weight. Returns the
 /// bold one.
-ImFont* load_fonts(float scale) {
+ImFont* load_fonts(float scale, const ImVector<ImWchar>& letters) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   ImFontConfig config;
+  config.GlyphRanges = letters.Data;
   config.OversampleH = 3;
   config.OversampleV = 2;
   for (const FontFiles& files : kFonts) {
@@ -53,7 +55,19 @@ ImFont* load_fonts(float scale) {
   return atlas.AddFontDefault(&config);
 }
 
+/// Those of the Latin languages, and what the language in use has besides.
+ImVector<ImWchar> letters_of(const DisplayView& display) {
+  ImFontGlyphRangesBuilder builder;
+  builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
+  for (const std::string& text : all_texts()) builder.AddText(text.c_str());
+  for (const LanguageEntry& one : display.languages) builder.AddText(one.name.c_str());
+  ImVector<ImWchar> letters;
+  builder.BuildRanges(&letters);
+  return letters;
+}
+
 void set_style(float scale) {
+  ImGui::GetStyle() = ImGuiStyle();
   ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowRounding = 0;
@@ -132,8 +146,8 @@ void state_line(const Look& look, const GuiModel& model) {
   ImGui::TextUnformatted(remote.state.c_str());
   ImGui::PopFont();
   // On the same line, so that nothing below moves when a face is edited.
-  const std::string beside = model.editor.active     ? "shown: your expression"
-                             : model.composer.active ? "shown: your keyframe"
+  const std::string beside = model.editor.active     ? tr("panel.your_expression")
+                             : model.composer.active ? tr("panel.your_keyframe")
                                                      : remote.keyframe;
   if (!beside.empty()) {
     ImGui::SameLine();
@@ -142,36 +156,23 @@ void state_line(const Look& look, const GuiModel& model) {
 }
 
 struct KeyHelp {
-  const char* key;
-  const char* meaning;
+  TextKey key;
+  TextKey meaning;
 };
 constexpr std::array<KeyHelp, 26> kKeys = {{
-    {"Space", "pause and resume"},
-    {"Left, Right", "5 s back, on (files)"},
-    {"Home, End", "to the beginning, the end"},
-    {"PgUp, PgDn", "a keyframe back, on"},
-    {", .", "a frame back, on"},
-    {"[ ]", "slower, faster"},
-    {"l", "loop: begin, end, none"},
-    {"L", "repeat the whole file"},
-    {"m", "no sound, sound"},
-    {"9, 0", "softer, louder"},
-    {"c", "captions and title over the face"},
-    {"o", "open a stream file or a table"},
-    {"Tab", "hide and show the panel"},
-    {"h", "the face alone"},
-    {"f", "full screen"},
-    {"s", "save a picture"},
-    {"v", "begin and end a video"},
-    {"Ctrl+z, Ctrl+y", "undo, redo (editor, composer)"},
-    {"Ctrl+s", "save (editor, composer)"},
-    {"r", "reset the view"},
-    {"?", "this list"},
-    {"Esc", "close what is open, leave full screen"},
-    {"q", "leave"},
-    {"left drag", "turn the face"},
-    {"right drag", "move the face"},
-    {"wheel", "zoom"},
+    {"keys.space", "keys.does_pause"},       {"keys.left_right", "keys.does_seek"},
+    {"keys.home_end", "keys.does_ends"},     {"keys.pages", "keys.does_keyframe"},
+    {"keys.frame", "keys.does_frame"},       {"keys.speed", "keys.does_speed"},
+    {"keys.loop", "keys.does_loop"},         {"keys.repeat", "keys.does_repeat"},
+    {"keys.mute", "keys.does_mute"},         {"keys.volume", "keys.does_volume"},
+    {"keys.captions", "keys.does_captions"}, {"keys.open", "keys.does_open"},
+    {"keys.tab", "keys.does_panel"},         {"keys.bare", "keys.does_bare"},
+    {"keys.full", "keys.does_full"},         {"keys.picture", "keys.does_picture"},
+    {"keys.video", "keys.does_video"},       {"keys.undo", "keys.does_undo"},
+    {"keys.save", "keys.does_save"},         {"keys.reset", "keys.does_reset"},
+    {"keys.list", "keys.does_list"},         {"keys.escape", "keys.does_close"},
+    {"keys.leave", "keys.does_leave"},       {"keys.left_drag", "keys.does_turn"},
+    {"keys.right_drag", "keys.does_move"},   {"keys.wheel", "keys.does_zoom"},
 }};
 
 /// In the middle of what the panel leaves free.
@@ -182,35 +183,35 @@ void key_list(const Look& look, float width, bool& shown) {
                                       ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoSavedSettings;
   const FloatingStyle floating(look);
-  if (ImGui::Begin("Keys", &shown, kFlags)) {
+  if (ImGui::Begin(with_id(tr("keys.title"), "keys").c_str(), &shown, kFlags)) {
     for (const KeyHelp& line : kKeys) {
-      ImGui::TextUnformatted(line.key);
+      ImGui::TextUnformatted(tr(line.key));
       ImGui::SameLine(120 * look.scale);
-      toned_line(Tone::Quiet, line.meaning);
+      toned_line(Tone::Quiet, tr(line.meaning));
     }
   }
   ImGui::End();
 }
 
 void leave_question(const Look& look, GuiCommands& commands) {
-  const char* const title = "Leave without saving?";
+  const std::string whole_title = with_id(tr("leave.title"), "leave");
+  const char* const title = whole_title.c_str();
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   const FloatingStyle floating(look);
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  ImGui::TextUnformatted(
-      "There are changes that are not saved: in the expression or the composer.");
+  ImGui::TextUnformatted(tr("leave.why"));
   ImGui::Spacing();
   // The key that asked is not an answer.
   const bool escaped = !ImGui::IsWindowAppearing() &&
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  if (ImGui::Button("Stay") || escaped) {
+  if (ImGui::Button(tr("leave.stay")) || escaped) {
     commands.push_back(Leave{false});
     ImGui::CloseCurrentPopup();
   }
   ImGui::SameLine();
-  if (ImGui::Button("Leave without saving")) {
+  if (ImGui::Button(tr("leave.leave"))) {
     commands.push_back(Leave{true});
     ImGui::CloseCurrentPopup();
   }
@@ -247,6 +248,9 @@ bool begin_tab(const Look& look, const char* name, bool chosen) {
 
 struct Gui::State {
   Look look;
+  float screen_scale = 1;
+  DisplayView display;  ///< what font and style were made for
+  ImVector<ImWchar> letters;
   RemoteForm remote;
   ExpressionForm expression;
   EditorForm editor;
@@ -268,8 +272,18 @@ struct Gui::State {
   [[nodiscard]] float panel_width() const {
     return std::min(kPanelWidth * look.scale, ImGui::GetIO().DisplaySize.x);
   }
+  void make_style();
   void side_panel(const GuiModel& model, GuiCommands& commands);
 };
+
+void Gui::State::make_style() {
+  look.scale = screen_scale * static_cast<float>(display.settings.text_percent) / 100;
+  letters = letters_of(display);
+  ImGui::GetIO().Fonts->Clear();
+  look.bold = load_fonts(look.scale, letters);
+  ImGui::GetIO().Fonts->Build();
+  set_style(look.scale);
+}
 
 void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -283,11 +297,12 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
     state_line(look, model);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 22 * look.scale);
     if (ImGui::SmallButton("?")) keys = !keys;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the keys");
+    tip(tr("panel.keys_tip"));
     ImGui::Spacing();
     if (begin_tabs(look)) {
-      const auto tab = [this](const char* name, const auto& contents, bool chosen = false) {
-        if (!begin_tab(look, name, chosen)) return;
+      const auto tab = [this](const char* id, const char* name, const auto& contents,
+                              bool chosen = false) {
+        if (!begin_tab(look, with_id(name, id).c_str(), chosen)) return;
         // As wide whether it scrolls or not: the scroll bar has its place in the margin.
         const float room = ImGui::GetContentRegionAvail().x;
         ImGui::SetNextWindowContentSize(ImVec2(room - kScrollBar / 2 * look.scale, 0));
@@ -299,15 +314,16 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
         ImGui::EndChild();
         ImGui::EndTabItem();
       };
-      tab("Play", [&] { remote_panel(look, model, remote, commands); });
-      tab("Expression", [&] { expression_panel(look, model, expression, commands); });
-      tab("Editor", [&] { editor_panel(look, model, editor, commands); });
-      tab("Compose", [&] { composer_panel(look, model, composer, commands); });
-      tab("View", [&] { rendering_panel(look, model, face, commands); });
+      tab("play", tr("tab.play"), [&] { remote_panel(look, model, remote, commands); });
+      tab("expression", tr("tab.expression"),
+          [&] { expression_panel(look, model, expression, commands); });
+      tab("editor", tr("tab.editor"), [&] { editor_panel(look, model, editor, commands); });
+      tab("compose", tr("tab.compose"), [&] { composer_panel(look, model, composer, commands); });
+      tab("view", tr("tab.view"), [&] { rendering_panel(look, model, face, commands); });
       // Who begins with the camera sees its tab.
       const bool begins = !std::exchange(drawn, true) && model.mirror.wanted;
       tab(
-          "Camera", [&] { mirror_panel(look, model, mirror, commands); }, begins);
+          "camera", tr("tab.camera"), [&] { mirror_panel(look, model, mirror, commands); }, begins);
       ImGui::EndTabBar();
     }
   }
@@ -334,14 +350,23 @@ Gui::Gui(float scale) : state_(std::make_unique<State>()) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
-  state_->look.scale = scale;
-  state_->look.bold = load_fonts(scale);
-  ImGui::GetIO().Fonts->Build();
-  set_style(scale);
+  state_->screen_scale = scale;
+  state_->make_style();
 }
 
 Gui::~Gui() {
   ImGui::DestroyContext();
+}
+
+bool Gui::prepare(const DisplayView& display) {
+  DisplayView& made_for = state_->display;
+  const bool alike = made_for.language == display.language &&
+                     made_for.languages == display.languages &&
+                     made_for.settings.text_percent == display.settings.text_percent;
+  if (alike) return false;
+  made_for = display;
+  state_->make_style();
+  return true;
 }
 
 void Gui::draw(const GuiModel& model, GuiCommands& commands) {

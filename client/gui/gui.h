@@ -22,6 +22,10 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
+  /// Makes font and style for this language and size of letters, if they are for others. True: the
+  /// texture of the font must be made anew before the backends begin their frame.
+  [[nodiscard]] bool prepare(const DisplayView& display);
+
   /// One frame, after the backends have begun theirs; what is to be drawn is then ImGui's draw
   /// data. What the user asked for goes to the end of `commands`.
   void draw(const GuiModel& model, GuiCommands& commands);

@@ -70,6 +70,9 @@ struct Redo {};
 struct ChangeRendering {
   RenderingSettings settings;
 };
+struct ChangeDisplay {
+  DisplaySettings settings;
+};
 struct LookFrom {
   View view = View::Front;
 };
@@ -134,9 +137,9 @@ using EditorCommand =
 
 using GuiCommand =
     std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand, MirrorCommand,
-                 GalleryCommand, ChangePictures, ChangeAnimation, ChangeRendering, AskStreams,
-                 LookFrom, Leave, Browse, EnterFolder, ChooseFile, ChangeTable, ShowFace,
-                 CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
+                 GalleryCommand, ChangePictures, ChangeAnimation, ChangeRendering, ChangeDisplay,
+                 AskStreams, LookFrom, Leave, Browse, EnterFolder, ChooseFile, ChangeTable,
+                 ShowFace, CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

@@ -8,6 +8,7 @@
 
 #include "client/face/muscle_mixer.h"
 #include "client/gui/composer_view.h"
+#include "client/gui/display_settings.h"
 #include "client/gui/file_browser.h"
 #include "client/gui/gallery_view.h"
 #include "client/gui/mirror_view.h"
@@ -255,6 +256,19 @@ struct FacesView {
   friend bool operator==(const FacesView&, const FacesView&) = default;
 };
 
+struct LanguageEntry {
+  std::string code;  ///< "fr"
+  std::string name;  ///< "Français"
+  friend bool operator==(const LanguageEntry&, const LanguageEntry&) = default;
+};
+
+struct DisplayView {
+  DisplaySettings settings;
+  std::string language;  ///< the code of the one that is used
+  std::vector<LanguageEntry> languages;
+  friend bool operator==(const DisplayView&, const DisplayView&) = default;
+};
+
 struct GuiModel {
   RemoteSettings remote_settings;   ///< those in force; the form begins with them
   std::vector<std::string> recent;  ///< addresses that answered, the last one first
@@ -280,6 +294,7 @@ struct GuiModel {
   ExpressionsView expressions;
   TransitionSettings transition;
   RenderingView rendering;
+  DisplayView display;
   bool asks_to_leave = false;  ///< there are unsaved changes and the user wants to go
   friend bool operator==(const GuiModel&, const GuiModel&) = default;
 };

@@ -117,6 +117,12 @@ void read_pictures(Fields fields, PictureSettings& pictures) {
   fields.finish();
 }
 
+void read_display(Fields fields, DisplaySettings& display) {
+  fields.take("language", display.language);
+  fields.take("text_percent", display.text_percent, kTextPercentMin, kTextPercentMax);
+  fields.finish();
+}
+
 std::string line(std::string_view key, int value) {
   return toml_line(key, std::to_string(value));
 }
@@ -160,6 +166,9 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
   }
   if (const auto* table = reader.table_if("rendering")) {
     read_rendering({*table, problems}, settings.rendering);
+  }
+  if (const auto* table = reader.table_if("window")) {
+    read_display({*table, problems}, settings.display);
   }
   if (const auto* table = reader.table_if("pictures")) {
     read_pictures({*table, problems}, settings.pictures);
@@ -212,6 +221,8 @@ std::string format_settings(const KeptSettings& settings) {
   const PictureSettings& pictures = settings.pictures;
   text += "\n[pictures]\n" + line("folder", pictures.folder) + line("name", pictures.pattern) +
           line("width", pictures.width) + line("height", pictures.height);
+  text += "\n[window]\n" + line("language", settings.display.language) +
+          line("text_percent", settings.display.text_percent);
   return text;
 }
 

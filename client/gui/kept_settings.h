@@ -20,6 +20,7 @@ struct KeptSettings {
   TransitionSettings transition;
   RenderingSettings rendering;
   PictureSettings pictures;
+  DisplaySettings display;
   friend bool operator==(const KeptSettings&, const KeptSettings&) = default;
 };
 

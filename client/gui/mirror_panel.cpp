@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -27,17 +28,17 @@ void fill_mirror_form(const MirrorView& mirror, MirrorForm& form) {
 
 void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form,
                     GuiCommands& commands) {
-  heading(look, "Your camera");
-  label(look, "Camera");
+  heading(look, tr("camera.title"));
+  label(look, tr("camera.source"));
   const bool off = mirror.phase == Phase::Off;
   ImGui::BeginDisabled(!off);
   ImGui::InputTextWithHint("##source", "camera, camera:/dev/video2", form.source.data(),
                            form.source.size());
   ImGui::EndDisabled();
-  if (wide_button("Start", 0, 2, off, off)) {
+  if (wide_button(tr("camera.start"), 0, 2, off, off)) {
     commands.push_back(MirrorCommand(StartMirror{form.source.data()}));
   }
-  if (wide_button("Stop", 1, 2, !off && mirror.phase != Phase::Ending)) {
+  if (wide_button(tr("camera.stop"), 1, 2, !off && mirror.phase != Phase::Ending)) {
     commands.push_back(MirrorCommand(StopMirror{}));
   }
 }
@@ -67,8 +68,8 @@ void say_in_the_middle(const char* text, ImVec2 at, ImVec2 size) {
 /// In place of a picture: why there is none. Nothing below moves when there is more to say.
 void no_picture(const Look& look, const MirrorView& mirror, ImVec2 at, ImVec2 size) {
   if (mirror.trouble.empty()) {
-    say_in_the_middle(mirror.phase == Phase::Starting ? "opening the camera ..." : "no picture", at,
-                      size);
+    say_in_the_middle(
+        mirror.phase == Phase::Starting ? tr("camera.opening") : tr("camera.no_picture"), at, size);
     return;
   }
   const float margin = 12 * look.scale;
@@ -101,25 +102,25 @@ void picture(const Look& look, const MirrorView& mirror, MirrorForm& form) {
                          ImVec2(1 - left, 1), IM_COL32_WHITE, rounding);
     if (form.landmarks) draw_landmarks(look, *seen, from, size, form.as_mirror);
   }
-  ImGui::Checkbox("as a mirror", &form.as_mirror);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("left is left; otherwise as others see you");
+  ImGui::Checkbox(tr("camera.as_mirror"), &form.as_mirror);
+  tip(tr("camera.as_mirror_tip"));
   ImGui::SameLine();
-  ImGui::Checkbox("landmarks", &form.landmarks);
+  ImGui::Checkbox(tr("camera.landmarks"), &form.landmarks);
   if (seen != nullptr && seen->points.empty()) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    toned_line(Tone::Waiting, "no face is seen");
+    toned_line(Tone::Waiting, tr("camera.no_face"));
   }
 }
 
 std::string name_of_bind(const std::string& bind) {
-  if (bind == kOnlyHere) return "this computer only";
-  if (bind == kEverywhere) return "all of this computer's";
+  if (bind == kOnlyHere) return tr("camera.only_here");
+  if (bind == kEverywhere) return tr("camera.everywhere");
   return bind;
 }
 
 void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& form) {
-  label(look, "Address");
+  label(look, tr("camera.address"));
   const float port_width = 64 * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - port_width -
                           ImGui::GetStyle().ItemInnerSpacing.x);
@@ -136,20 +137,21 @@ void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& fo
   ImGui::SetNextItemWidth(port_width);
   ImGui::InputInt("##liveport", &form.port, 0);
   form.port = std::clamp(form.port, 0, 65535);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("the TCP port; 0: any free one");
+  tip(tr("camera.port_tip"));
 }
 
 void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiCommands& commands) {
-  heading(look, "Others");
+  heading(look, tr("camera.others"));
   const bool live = mirror.phase == Phase::Live;
   const bool can = mirror.phase == Phase::Private;
   ImGui::BeginDisabled(live);
   address_and_port(look, mirror, form);
   ImGui::EndDisabled();
-  if (wide_button("Go live", 0, 2, can, can)) {
+  if (wide_button(tr("camera.go_live"), 0, 2, can, can)) {
     commands.push_back(MirrorCommand(GoLive{form.bind, form.port}));
   }
-  if (wide_button("End", 1, 2, live, live)) commands.push_back(MirrorCommand(GoPrivate{}));
+  if (wide_button(tr("camera.end"), 1, 2, live, live))
+    commands.push_back(MirrorCommand(GoPrivate{}));
   if (mirror.seen != nullptr && !mirror.trouble.empty()) {
     toned_text(Tone::Bad, mirror.trouble);
   } else if (live) {
@@ -157,7 +159,7 @@ void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiC
   } else {
     quiet_text(audience_text(mirror));
   }
-  quiet_text("Pictures stay on this computer: what others get are Action Units.");
+  quiet_text(tr("camera.private_note"));
 }
 
 /// From the middle to both sides; the subject's left is where it is in the picture.
@@ -172,10 +174,7 @@ void bar(const Look& look, const AuBar& one, float width, bool as_mirror) {
                one.label.c_str());
   ImGui::PopClipRect();
   ImGui::Dummy(ImVec2(width, text_height + height + 2 * look.scale));
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("%s\nleft %d %%, right %d %%", one.label.c_str(), one.left_percent,
-                      one.right_percent);
-  }
+  tip(tr("camera.sides", one.label, one.left_percent, one.right_percent));
   const float top = at.y + text_height + look.scale;
   const float middle = at.x + width / 2;
   list.AddRectFilled(ImVec2(at.x, top), ImVec2(at.x + width, top + height),
@@ -191,9 +190,9 @@ void bar(const Look& look, const AuBar& one, float width, bool as_mirror) {
 }
 
 void face_bars(const Look& look, const MirrorView& mirror, bool as_mirror) {
-  heading(look, "Action Units");
+  heading(look, tr("camera.aus"));
   if (mirror.seen == nullptr || mirror.seen->aus.empty()) {
-    quiet_text(mirror.seen == nullptr ? "None yet." : "Without a face there are none.");
+    quiet_text(mirror.seen == nullptr ? tr("camera.none_yet") : tr("camera.none_without"));
     return;
   }
   const std::vector<AuBar> bars = au_bars(mirror.seen->aus);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "client/gui/texts.h"
+
 namespace aucast::gui {
 namespace {
 
@@ -10,13 +12,13 @@ namespace {
 /// or down.
 struct Pair {
   int first;
-  const char* label;
+  TextKey label;
 };
-constexpr std::array<Pair, 5> kPairs = {{{51, "51 52 Head Left, Right"},
-                                         {53, "53 54 Head Up, Down"},
-                                         {55, "55 56 Head Tilt"},
-                                         {61, "61 62 Eyes Left, Right"},
-                                         {63, "63 64 Eyes Up, Down"}}};
+constexpr std::array<Pair, 5> kPairs = {{{51, "camera.turn"},
+                                         {53, "camera.nod"},
+                                         {55, "camera.tilt"},
+                                         {61, "camera.eyes_turn"},
+                                         {63, "camera.eyes_nod"}}};
 
 /// The pair that the number is of; null: it stands alone.
 const Pair* pair_of(int number) {
@@ -27,8 +29,8 @@ const Pair* pair_of(int number) {
 }
 
 std::string label_of(int number, const Pair* pair) {
-  if (pair != nullptr) return pair->label;
-  return std::to_string(number) + " " + std::string(facs_name(number).value_or(""));
+  if (pair != nullptr) return tr(pair->label);
+  return std::to_string(number) + " " + au_name(number);
 }
 
 }  // namespace
@@ -56,20 +58,19 @@ std::string audience_text(const MirrorView& view) {
   using Phase = MirrorView::Phase;
   switch (view.phase) {
     case Phase::Off:
-      return "The camera is off.";
+      return tr("camera.is_off");
     case Phase::Starting:
-      return "The camera is being opened ...";
+      return tr("camera.is_starting");
     case Phase::Ending:
-      return "The camera is being closed ...";
+      return tr("camera.is_ending");
     case Phase::Private:
-      return "Only you see this face.";
+      return tr("camera.is_private");
     case Phase::Live:
       break;
   }
-  const std::string who = view.watching == 0   ? "nobody watches yet"
-                          : view.watching == 1 ? "1 watches"
-                                               : std::to_string(view.watching) + " watch";
-  return "Live at " + view.live + ", " + who + ".";
+  if (view.watching == 0) return tr("camera.live_nobody", view.live);
+  if (view.watching == 1) return tr("camera.live_one", view.live);
+  return tr("camera.live_many", view.live, view.watching);
 }
 
 }  // namespace aucast::gui

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -34,8 +35,8 @@ bool sentence(const Look& look, const char* id, const Notice& notice, float widt
 std::string trouble_of(const RemoteView& remote) {
   std::string text = remote.detail;
   const char* face = "";
-  if (remote.stale) face = "The face is the last one received.";
-  if (remote.eased) face = "Nothing has come for a while: the face has gone to neutral.";
+  if (remote.stale) face = tr("notice.last_face");
+  if (remote.eased) face = tr("notice.eased");
   if (*face != 0) text += std::string(text.empty() ? "" : "\n") + face;
   return text;
 }

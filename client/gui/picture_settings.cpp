@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "client/gui/texts.h"
 #include "common/text.h"
 
 namespace aucast::gui {
@@ -27,7 +28,7 @@ std::string in_a_name(std::string word) {
 }
 
 Error wrong(const std::string& what) {
-  return {ErrorKind::Usage, "the name of pictures: " + what};
+  return {ErrorKind::Usage, tr("pattern.wrong", what)};
 }
 
 }  // namespace
@@ -47,21 +48,20 @@ Result<std::string> picture_name(std::string_view pattern, const PictureWords& w
     pattern.remove_prefix(open);
     if (pattern.empty()) break;
     const std::size_t close = pattern.find('}');
-    if (close == std::string_view::npos) return wrong("a { without its }");
+    if (close == std::string_view::npos) return wrong(tr("pattern.open", "{", "}"));
     const std::string_view word = pattern.substr(1, close - 1);
     const auto found = std::find_if(known.begin(), known.end(),
                                     [word](const auto& one) { return one.first == word; });
     if (found == known.end()) {
-      return wrong("{" + escaped(std::string(word)) +
-                   "} stands for nothing; there are {number}, {face}, {stream}, {keyframe}, {aus} "
-                   "and {date}");
+      return wrong(tr("pattern.unknown", "{" + escaped(std::string(word)) + "}",
+                      "{number}, {face}, {stream}, {keyframe}, {aus}, {date}"));
     }
     name += in_a_name(found->second);
     pattern.remove_prefix(close + 1);
   }
-  if (name.empty()) return wrong("it is empty");
-  if (name.find('/') != std::string::npos) return wrong("a / belongs into the folder");
-  if (name.front() == '.') return wrong("a file that begins with a point is hidden");
+  if (name.empty()) return wrong(tr("pattern.empty"));
+  if (name.find('/') != std::string::npos) return wrong(tr("pattern.folder"));
+  if (name.front() == '.') return wrong(tr("pattern.hidden"));
   return name;
 }
 

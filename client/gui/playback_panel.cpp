@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 #include "client/playback/local_playback.h"
-#include "common/text.h"
 
 namespace aucast::gui {
 namespace {
@@ -71,7 +71,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float r, unsigned col
   }
 }
 
-bool icon_button(const Look& look, const char* id, Icon icon, const char* tip) {
+bool icon_button(const Look& look, const char* id, Icon icon, const char* help) {
   const float height = ImGui::GetFrameHeight();
   const bool roomy = ImGui::GetWindowWidth() > kRoomy * look.scale;
   const ImVec2 size(height * (roomy ? 1.5F : 1.0F), height);
@@ -80,7 +80,7 @@ bool icon_button(const Look& look, const char* id, Icon icon, const char* tip) {
   const bool small = icon == Icon::FrameBack || icon == Icon::FrameOn;
   draw_icon(*ImGui::GetWindowDrawList(), icon, ImVec2(at.x + size.x / 2, at.y + size.y / 2),
             (small ? 3.5F : 5.5F) * look.scale, ImGui::GetColorU32(ImGuiCol_Text));
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+  tip(help);
   ImGui::SameLine(0, roomy ? -1.0F : 4 * look.scale);
   return pressed;
 }
@@ -140,7 +140,7 @@ void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
     done = pointer;
     if (pointed != local.position) commands.push_back(LocalCommand(Seek{pointed}));
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", time_text(pointed).c_str());
+  tip(time_text(pointed));
   const float thick = 3 * look.scale;
   const float middle = at.y + height / 2;
   draw_track(look, local, ImVec2(at.x + radius, middle - thick),
@@ -148,21 +148,22 @@ void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
 }
 
 void steps(const Look& look, const LocalView& local, GuiCommands& commands) {
-  if (icon_button(look, "##kb", Icon::KeyframeBack, "a keyframe back (PgUp)")) {
+  if (icon_button(look, "##kb", Icon::KeyframeBack, tr("play.keyframe_back"))) {
     commands.push_back(LocalCommand(StepKeyframe{-1}));
   }
-  if (icon_button(look, "##fb", Icon::FrameBack, "a frame back (,)")) {
+  if (icon_button(look, "##fb", Icon::FrameBack, tr("play.frame_back"))) {
     commands.push_back(LocalCommand(StepFrame{-1}));
   }
   if (local.playing) {
-    if (icon_button(look, "##pause", Icon::Pause, "pause (Space)")) commands.push_back(Pause{});
+    if (icon_button(look, "##pause", Icon::Pause, tr("play.pause_tip")))
+      commands.push_back(Pause{});
   } else {
-    if (icon_button(look, "##play", Icon::Play, "play (Space)")) commands.push_back(Resume{});
+    if (icon_button(look, "##play", Icon::Play, tr("play.play_tip"))) commands.push_back(Resume{});
   }
-  if (icon_button(look, "##fo", Icon::FrameOn, "a frame on (.)")) {
+  if (icon_button(look, "##fo", Icon::FrameOn, tr("play.frame_on"))) {
     commands.push_back(LocalCommand(StepFrame{1}));
   }
-  if (icon_button(look, "##ko", Icon::KeyframeOn, "a keyframe on (PgDn)")) {
+  if (icon_button(look, "##ko", Icon::KeyframeOn, tr("play.keyframe_on"))) {
     commands.push_back(LocalCommand(StepKeyframe{1}));
   }
 }
@@ -178,31 +179,31 @@ void speed_choice(const Look& look, const LocalView& local, GuiCommands& command
     }
     ImGui::EndCombo();
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("speed ([ and ])");
+  tip(tr("play.speed_tip"));
 }
 
 void loop_button(const Look& look, const LocalView& local, GuiCommands& commands) {
-  const char* text = "Loop A";
-  const char* tip = "a loop begins here (l)";
+  const char* text = tr("play.loop_a");
+  const char* help = tr("play.loop_a_tip");
   if (local.loop_begin) {
-    text = local.loop_end ? "No loop" : "Loop B";
-    tip = local.loop_end ? "plays on to the end (l)" : "the loop ends here (l)";
+    text = local.loop_end ? tr("play.no_loop") : tr("play.loop_b");
+    help = local.loop_end ? tr("play.no_loop_tip") : tr("play.loop_b_tip");
   }
   if (ImGui::Button(text, ImVec2(kLoopWidth * look.scale, 0))) {
     commands.push_back(LocalCommand(MarkLoop{}));
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+  tip(help);
 }
 
 void repeat_button(const Look& look, const LocalView& local, GuiCommands& commands) {
   if (local.repeats) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
   }
-  if (ImGui::Button("Repeat", ImVec2(kRepeatWidth * look.scale, 0))) {
+  if (ImGui::Button(tr("play.repeat"), ImVec2(kRepeatWidth * look.scale, 0))) {
     commands.push_back(LocalCommand(ToggleRepeat{}));
   }
   if (local.repeats) ImGui::PopStyleColor();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("the whole file again and again (L)");
+  tip(tr("play.repeat_tip"));
 }
 
 }  // namespace
@@ -262,7 +263,7 @@ void put(const std::string& text, std::array<char, N>& field) {
 /// Closed until somebody looks for it.
 void where_they_go(const Look& look, const PictureSettings& now, RecordForm& form,
                    GuiCommands& commands) {
-  if (!ImGui::TreeNodeEx("Where pictures and videos go",
+  if (!ImGui::TreeNodeEx(tr("play.where"),
                          ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
     return;
   }
@@ -273,18 +274,18 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
     form.filled = true;
   }
   PictureSettings wanted = now;
-  label(look, "Folder");
+  label(look, tr("play.folder"));
   const float button = 66 * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
                           ImGui::GetStyle().ItemSpacing.x);
-  ImGui::InputTextWithHint("##picturefolder", "the current one", form.folder.data(),
+  ImGui::InputTextWithHint("##picturefolder", tr("play.folder_hint"), form.folder.data(),
                            form.folder.size());
   if (ImGui::IsItemDeactivatedAfterEdit()) wanted.folder = form.folder.data();
   ImGui::SameLine();
-  if (ImGui::Button("Choose", ImVec2(button, 0))) {
+  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
     commands.push_back(Browse{Purpose::PictureFolder});
   }
-  label(look, "Name");
+  label(look, tr("play.name"));
   if (ImGui::InputText("##picturename", form.name.data(), form.name.size())) {
     const auto name = picture_name(form.name.data(), {}, 1);
     form.complaint = name ? std::string() : name.error().message;
@@ -294,19 +295,20 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
     ImGui::SetTooltip("{number} {face} {stream} {keyframe} {aus} {date}");
   }
   if (!form.complaint.empty()) toned_text(Tone::Bad, form.complaint);
-  label(look, "Size");
+  label(look, tr("play.size"));
   int kind = now.width == 0 ? 0 : now.width == 1920 && now.height == 1080 ? 1 : 2;
-  constexpr std::array kSizes = {"Window", "1920 x 1080", "Other"};
-  if (choice("size", kSizes, kind)) {
+  const std::array<const char*, 3> sizes = {tr("play.size_window"), "1920 x 1080",
+                                            tr("play.size_other")};
+  if (choice("size", sizes, kind)) {
     wanted.width = kind == 0 ? 0 : kind == 1 ? 1920 : 800;
     wanted.height = kind == 0 ? 0 : kind == 1 ? 1080 : 1000;
   }
   if (kind == 2) {
-    label(look, "Width");
+    label(look, tr("play.width"));
     if (ImGui::InputInt("##picturewidth", &wanted.width, 10, 100)) {
       wanted.width = std::clamp(wanted.width, kPictureSideMin, kPictureSideMax);
     }
-    label(look, "Height");
+    label(look, tr("play.height"));
     if (ImGui::InputInt("##pictureheight", &wanted.height, 10, 100)) {
       wanted.height = std::clamp(wanted.height, kPictureSideMin, kPictureSideMax);
     }
@@ -322,10 +324,10 @@ void export_menu(bool played, GuiCommands& commands) {
   const auto item = [&](const char* text, Purpose purpose, bool enabled) {
     if (ImGui::MenuItem(text, nullptr, false, enabled)) commands.push_back(Browse{purpose});
   };
-  item("What was played, as a stream file (TXT)", Purpose::ExportKeyframes, played);
-  item("Its AUs, as a table (CSV)", Purpose::ExportTable, played);
-  item("Face and movement, as glTF (GLB)", Purpose::ExportGlb, true);
-  item("The face of this moment, as a mesh (OBJ)", Purpose::ExportMesh, true);
+  item(tr("play.export_keyframes"), Purpose::ExportKeyframes, played);
+  item(tr("play.export_table"), Purpose::ExportTable, played);
+  item(tr("play.export_glb"), Purpose::ExportGlb, true);
+  item(tr("play.export_mesh"), Purpose::ExportMesh, true);
   ImGui::EndPopup();
 }
 
@@ -333,33 +335,30 @@ void export_menu(bool played, GuiCommands& commands) {
 
 void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiCommands& commands) {
   const bool recording = !model.recording.empty();
-  if (wide_button("Picture", 0, 4, true)) commands.push_back(TakePicture{});
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("a PNG of the face (s)");
-  if (wide_button(recording ? "End video" : "Video", 1, 4, true, recording)) {
+  if (wide_button(tr("play.picture"), 0, 4, true)) commands.push_back(TakePicture{});
+  tip(tr("play.picture_tip"));
+  if (wide_button(recording ? tr("play.end_video") : tr("play.video"), 1, 4, true, recording)) {
     commands.push_back(ToggleVideo{});
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("an MP4 of what is shown from now on (v)");
-  if (wide_button("Gallery...", 2, 4, true, model.gallery.running)) {
+  tip(tr("play.video_tip"));
+  if (wide_button(tr("play.gallery"), 2, 4, true, model.gallery.running)) {
     commands.push_back(GalleryCommand(OpenGallery{}));
   }
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("pictures of many AUs and expressions of this face, and sweeps");
-  }
-  if (wide_button("Export...", 3, 4, true)) ImGui::OpenPopup("export");
+  tip(tr("play.gallery_tip"));
+  if (wide_button(tr("button.export"), 3, 4, true)) ImGui::OpenPopup("export");
   export_menu(!model.remote.keyframe.empty(), commands);
-  if (recording) quiet_text("recording " + model.recording);
+  if (recording) quiet_text(tr("play.recording", model.recording));
   where_they_go(look, model.pictures, form, commands);
 }
 
 void file_part(const GuiModel& model, GuiCommands& commands) {
-  if (wide_button("Open a file...", 0, 2, true)) commands.push_back(Browse{Purpose::PlayStream});
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("a stream file or a recogniser's table (o); or drop it on the window");
-  }
+  if (wide_button(tr("button.open_file"), 0, 2, true))
+    commands.push_back(Browse{Purpose::PlayStream});
+  tip(tr("play.open_tip"));
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
   ImGui::BeginDisabled(model.recent_files.empty());
-  if (ImGui::BeginCombo("##files", "Recent files")) {
+  if (ImGui::BeginCombo("##files", tr("play.recent"))) {
     for (const std::string& file : model.recent_files) {
       if (ImGui::Selectable(file.c_str())) commands.push_back(OpenStream{file});
     }
@@ -367,8 +366,8 @@ void file_part(const GuiModel& model, GuiCommands& commands) {
   }
   ImGui::EndDisabled();
   if (model.local.open) {
-    quiet_text(model.local.name + ", " + counted(model.local.ends->size(), "keyframe") + ", " +
-               time_text(model.local.total));
+    quiet_text(tr("play.file", model.local.name, keyframes_text(model.local.ends->size()),
+                  time_text(model.local.total)));
   }
 }
 

@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "client/gui/panels.h"
-#include "common/action_unit.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
 
-constexpr std::array kMixers = {"Maximum", "Average"};
 constexpr std::array kRules = {"facs", "kumar2010", "none"};
 
 void write(const std::string& text, std::span<char> out) {
@@ -37,14 +36,13 @@ void number(const Look& look, const char* name, const char* id, int& value) {
 
 /// One field for host, port and stream, with the last ones in a list.
 bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
-  label(look, "Address");
+  label(look, tr("play.address"));
   const float arrow = ImGui::GetFrameHeight();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - arrow - gap);
   const std::string before = form.address.data();
   const bool entered = ImGui::InputTextWithHint(
-      "##address", "HOST, HOST:PORT, aucast://HOST/STREAM", form.address.data(),
-      form.address.size(),
+      "##address", tr("play.address_hint"), form.address.data(), form.address.size(),
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (before != form.address.data()) form.wrong = take_address(form.address.data(), form.settings);
   ImGui::SameLine(0, gap);
@@ -64,15 +62,15 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
 
 /// What the server has, asked when the list is opened; the chosen one is connected to.
 void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
-  label(look, "Stream");
+  label(look, tr("play.stream"));
   const std::string& chosen = form.settings.stream;
-  if (!ImGui::BeginCombo("##stream", chosen.empty() ? "the server's first" : chosen.c_str()))
+  if (!ImGui::BeginCombo("##stream", chosen.empty() ? tr("play.first_stream") : chosen.c_str()))
     return;
   const bool good = !form.wrong && !problem(form.settings);
   if (ImGui::IsWindowAppearing() && good) commands.push_back(AskStreams{form.settings});
   const StreamsView& streams = model.streams;
-  if (!good) ImGui::TextDisabled("no address");
-  if (streams.asking) ImGui::TextDisabled("asking ...");
+  if (!good) ImGui::TextDisabled("%s", tr("play.no_address"));
+  if (streams.asking) ImGui::TextDisabled("%s", tr("play.asking"));
   if (!streams.problem.empty()) quiet_text(streams.problem);
   for (const std::string& name : streams.names) {
     if (!ImGui::Selectable(name.c_str(), name == chosen)) continue;
@@ -97,21 +95,21 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
   const bool corrected = form.settings != model.remote_settings;
   const bool lost = running && !remote.detail.empty();
   const bool may_connect = (!running || corrected || lost) && !wrong;
-  const bool pressed = wide_button("Connect", 0, 3, may_connect, may_connect);
+  const bool pressed = wide_button(tr("play.connect"), 0, 3, may_connect, may_connect);
   if ((pressed && may_connect) || (entered && !wrong)) commands.push_back(Connect{form.settings});
   const bool resumes = running && paused;
-  if (wide_button(resumes ? "Resume" : "Pause", 1, 3, running && !connecting)) {
+  if (wide_button(resumes ? tr("play.resume") : tr("play.pause"), 1, 3, running && !connecting)) {
     if (resumes) {
       commands.push_back(Resume{});
     } else {
       commands.push_back(Pause{});
     }
   }
-  if (wide_button("Stop", 2, 3, running)) commands.push_back(Stop{});
+  if (wide_button(tr("play.stop"), 2, 3, running)) commands.push_back(Stop{});
 }
 
 void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
-  heading(look, "Server");
+  heading(look, tr("play.server"));
   const bool entered = address(look, model, form);
   stream(look, model, form, commands);
   const auto wrong = form.wrong ? form.wrong : problem(form.settings);
@@ -127,41 +125,40 @@ void said(const Look& look, const char* name, const std::string& value) {
 }
 
 void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
-  heading(look, "Buffers");
+  heading(look, tr("play.buffers"));
   const RemoteView& remote = model.remote;
-  buffer_bar(look, "Receiver", remote.receiver);
-  buffer_bar(look, "Playout", remote.playout);
+  buffer_bar(look, tr("play.receiver"), remote.receiver);
+  buffer_bar(look, tr("play.playout"), remote.playout);
   if (!remote.receiver_history.empty()) {
-    label(look, "Last 30 s");
+    label(look, tr("play.last_30"));
     const PlotLine line{&remote.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
     static_cast<void>(plot(look, {&line, 1}, 34 * look.scale,
                            static_cast<float>(remote.receiver.threshold_percent) / 100));
   }
   if (!remote.in.empty()) {
-    said(look, "Received", remote.in);
-    said(look, "Sent", remote.out);
-    said(look, "Protocol", remote.protocol);
-    if (!remote.delay.empty()) said(look, "Delay", remote.delay);
+    said(look, tr("play.received"), remote.in);
+    said(look, tr("play.sent"), remote.out);
+    said(look, tr("play.protocol"), remote.protocol);
+    if (!remote.delay.empty()) said(look, tr("play.delay"), remote.delay);
   }
-  if (ImGui::TreeNodeEx("For the next connection",
+  if (ImGui::TreeNodeEx(tr("play.next_connection"),
                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
-    number(look, "Buffer", "##buffer", form.settings.buffer);
-    number(look, "Playout", "##playout", form.settings.playout);
-    number(look, "Threshold %", "##threshold", form.settings.threshold_percent);
-    number(look, "Speed ms", "##speed", form.settings.speed_ms);
+    number(look, tr("play.buffer"), "##buffer", form.settings.buffer);
+    number(look, tr("play.playout"), "##playout", form.settings.playout);
+    number(look, tr("play.threshold"), "##threshold", form.settings.threshold_percent);
+    number(look, tr("play.speed_ms"), "##speed", form.settings.speed_ms);
     if (remote.timed && form.settings.speed_ms > 0) {
-      toned_text(Tone::Waiting,
-                 "The keyframes of this stream have times of their own: the speed does nothing.");
+      toned_text(Tone::Waiting, tr("play.timed"));
     } else {
-      quiet_text("Speed is for keyframes without a time of their own; 0: the server's.");
+      quiet_text(tr("play.speed_help"));
     }
-    label(look, "When lost");
-    ImGui::Checkbox("connect again", &form.settings.reconnect);
-    label(look, "Protection");
+    label(look, tr("play.when_lost"));
+    ImGui::Checkbox(tr("play.again"), &form.settings.reconnect);
+    label(look, tr("play.protection"));
     if (ImGui::Checkbox("TLS", &form.settings.tls)) {
       write(address_text(form.settings), form.address);
     }
-    label(look, "Token file");
+    label(look, tr("play.token_file"));
     ImGui::InputText("##token", form.token_file.data(), form.token_file.size());
     form.settings.token_file = form.token_file.data();
   }
@@ -178,15 +175,13 @@ void intensities(const Look& look, const RemoteView& remote, bool& large) {
     const AuTrace& trace = remote.au_history[i];
     lines.push_back({&trace.values, colour_of_line(i), std::to_string(trace.number)});
   }
-  quiet_text("The strongest, last 30 s");
+  quiet_text(tr("play.strongest"));
   if (plot(look, lines, (large ? kLarge : kSmall) * look.scale, 0)) large = !large;
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip(large ? "a click makes it smaller" : "a click makes it larger");
+  tip(large ? tr("play.smaller") : tr("play.larger"));
   if (!large) return;
   for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
     const int number = remote.au_history[i].number;
-    const auto name = facs_name(number);
-    const std::string text = std::to_string(number) + "  " + (name ? std::string(*name) : "");
+    const std::string text = std::to_string(number) + "  " + au_name(number);
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of_line(i));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
@@ -194,35 +189,37 @@ void intensities(const Look& look, const RemoteView& remote, bool& large) {
 }
 
 void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  heading(look, "Animation");
+  heading(look, tr("play.animation"));
   AnimationSettings settings = model.animation;
   bool changed = false;
-  label(look, "Mixer");
+  label(look, tr("play.mixer"));
+  const std::array<const char*, 2> mixers = {tr("play.maximum"), tr("play.average")};
   int mixer = settings.mixer == face::Mixer::Average ? 1 : 0;
-  if (choice("mixer", kMixers, mixer)) {
+  if (choice("mixer", mixers, mixer)) {
     settings.mixer = mixer == 1 ? face::Mixer::Average : face::Mixer::Maximum;
     changed = true;
   }
   changed |= in_between(look, "interpolation", settings.interpolation);
-  label(look, "Rules");
+  label(look, tr("play.rules"));
   const auto found = std::find(kRules.begin(), kRules.end(), settings.rules);
+  const std::array<const char*, 3> words = {kRules[0], kRules[1], tr("play.no_rules")};
   int rules = found == kRules.end() ? -1 : static_cast<int>(found - kRules.begin());
-  if (choice("rules", kRules, rules)) {
+  if (choice("rules", words, rules)) {
     settings.rules = kRules[static_cast<std::size_t>(rules)];
     changed = true;
   }
-  if (found == kRules.end()) quiet_text("from " + settings.rules);
+  if (found == kRules.end()) quiet_text(tr("play.rules_from", settings.rules));
   if (changed) commands.push_back(ChangeAnimation{settings});
 }
 
 void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
-  heading(look, "Action Units");
+  heading(look, tr("play.aus"));
   intensities(look, model.remote, form.large_chart);
   if (model.remote.aus.empty()) {
-    quiet_text(model.remote.keyframe.empty() ? "None yet." : "The neutral face.");
+    quiet_text(model.remote.keyframe.empty() ? tr("play.none_yet") : tr("play.neutral_face"));
     return;
   }
-  au_table(look, "received", model.remote.aus);
+  au_table(look, tr("play.au_received"), model.remote.aus);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "client/gui/texts.h"
+
 namespace aucast::gui {
 namespace {
 
@@ -10,18 +12,18 @@ constexpr int kSetsMax = 10'000;
 constexpr int kSpeedMax = 1000;
 constexpr std::size_t kAddressMax = 253;
 
-std::optional<std::string> outside(std::string_view what, int value, int low, int high) {
+std::optional<std::string> outside(TextKey what, int value, int low, int high) {
   if (value >= low && value <= high) return std::nullopt;
-  return std::string(what) + " must be " + std::to_string(low) + " to " + std::to_string(high);
+  return tr("address.outside", tr(what), low, high);
 }
 
 std::optional<std::string> problem_of_host(const std::string& host, int port) {
-  if (host.empty()) return "enter the address of an au-transmitter";
-  if (host.size() > kAddressMax) return "this address is too long";
+  if (host.empty()) return tr("address.missing");
+  if (host.size() > kAddressMax) return tr("address.too_long");
   for (const char c : host) {
-    if (c <= ' ' || c > '~') return "an address has no blanks and only plain letters";
+    if (c <= ' ' || c > '~') return tr("address.letters");
   }
-  return outside("the port", port, 1, kPortMax);
+  return outside("address.port", port, 1, kPortMax);
 }
 
 std::string host_text(const std::string& host, int port) {
@@ -37,13 +39,13 @@ std::optional<std::string> problem(const RemoteSettings& settings) {
   for (const protocol::Endpoint& other : settings.others) {
     if (auto wrong = problem_of_host(other.host, other.port)) return wrong;
   }
-  if (auto wrong = outside("the buffer", settings.buffer, 1, kSetsMax)) return wrong;
-  if (auto wrong = outside("the playout buffer", settings.playout, 1, kSetsMax)) return wrong;
+  if (auto wrong = outside("address.buffer", settings.buffer, 1, kSetsMax)) return wrong;
+  if (auto wrong = outside("address.playout", settings.playout, 1, kSetsMax)) return wrong;
   if (settings.playout > settings.buffer) {
-    return "the playout buffer must not be larger than the buffer";
+    return tr("address.playout_larger");
   }
-  if (auto wrong = outside("the threshold", settings.threshold_percent, 1, 100)) return wrong;
-  return outside("the speed", settings.speed_ms, 0, kSpeedMax);
+  if (auto wrong = outside("address.threshold", settings.threshold_percent, 1, 100)) return wrong;
+  return outside("address.speed", settings.speed_ms, 0, kSpeedMax);
 }
 
 std::string address_text(const RemoteSettings& settings) {
@@ -59,13 +61,13 @@ std::string address_text(const RemoteSettings& settings) {
 std::optional<std::string> take_address(std::string_view text, RemoteSettings& settings) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
-  if (text.empty()) return "enter the address of an au-transmitter";
+  if (text.empty()) return tr("address.missing");
   std::string whole(text);
   if (!protocol::is_stream_address(text)) whole.insert(0, "aucast://");
   const auto address = protocol::parse_stream_address(whole);
   if (!address) {
     if (protocol::is_stream_address(text)) return address.error().message;
-    return "this is no address: use HOST, HOST:PORT or aucast://HOST/STREAM";
+    return tr("address.no_address");
   }
   settings.address = address->hosts.front().host;
   settings.port = address->hosts.front().port;

@@ -4,43 +4,46 @@
 #include <array>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
 
-constexpr std::array kGrounds = {"Studio", "Black", "Grey", "White", "None"};
+constexpr std::array<TextKey, 5> kGrounds = {"view.studio", "view.black", "view.grey", "view.white",
+                                             "view.none"};
 
 struct LayerLabel {
-  const char* text;
+  TextKey text;
   bool view::Layers::*member;
 };
-constexpr std::array<LayerLabel, 8> kLayers = {{{"Textured", &view::Layers::textured},
-                                                {"Wireframe", &view::Layers::wireframe},
-                                                {"Polygons", &view::Layers::polygons},
-                                                {"Vertices", &view::Layers::vertices},
-                                                {"Transparent", &view::Layers::transparent},
-                                                {"Muscles", &view::Layers::muscles},
-                                                {"Jaw tags", &view::Layers::jaw_tags},
-                                                {"Eye tags", &view::Layers::eye_tags}}};
+constexpr std::array<LayerLabel, 8> kLayers = {{{"view.textured", &view::Layers::textured},
+                                                {"view.wireframe", &view::Layers::wireframe},
+                                                {"view.polygons", &view::Layers::polygons},
+                                                {"view.vertices", &view::Layers::vertices},
+                                                {"view.transparent", &view::Layers::transparent},
+                                                {"view.muscles", &view::Layers::muscles},
+                                                {"view.jaw_tags", &view::Layers::jaw_tags},
+                                                {"view.eye_tags", &view::Layers::eye_tags}}};
 
 void camera(const Look& look, GuiCommands& commands) {
-  heading(look, "Camera");
-  if (wide_button("Front", 0, 3, true)) commands.push_back(LookFrom{View::Front});
-  if (wide_button("Three-quarter", 1, 3, true)) commands.push_back(LookFrom{View::ThreeQuarter});
-  if (wide_button("Profile", 2, 3, true)) commands.push_back(LookFrom{View::Profile});
-  quiet_text("Left drag turns, right drag moves, wheel zooms.");
+  heading(look, tr("view.camera"));
+  if (wide_button(tr("view.front"), 0, 3, true)) commands.push_back(LookFrom{View::Front});
+  if (wide_button(tr("view.three_quarter"), 1, 3, true))
+    commands.push_back(LookFrom{View::ThreeQuarter});
+  if (wide_button(tr("view.profile"), 2, 3, true)) commands.push_back(LookFrom{View::Profile});
+  quiet_text(tr("view.mouse"));
 }
 
 /// Any combination; what is transparent needs a surface.
 bool layers(const Look& look, view::Layers& shown) {
-  heading(look, "Show");
+  heading(look, tr("view.show"));
   bool changed = false;
   const float half = ImGui::GetContentRegionAvail().x / 2;
   for (std::size_t i = 0; i < kLayers.size(); ++i) {
     if (i % 2 == 1) ImGui::SameLine(half + ImGui::GetStyle().WindowPadding.x);
     const bool useless = kLayers[i].member == &view::Layers::transparent && !shown.surface();
     ImGui::BeginDisabled(useless);
-    changed |= ImGui::Checkbox(kLayers[i].text, &(shown.*kLayers[i].member));
+    changed |= ImGui::Checkbox(tr(kLayers[i].text), &(shown.*kLayers[i].member));
     ImGui::EndDisabled();
   }
   return changed;
@@ -56,7 +59,7 @@ bool usual_view(RenderingSettings& settings) {
   usual.light_pitch_deg = first.light_pitch_deg;
   usual.light_percent = first.light_percent;
   const bool empty = view::format_layers(settings.layers).empty();
-  if (!wide_button("Usual view", 0, 1, usual != settings, empty)) return false;
+  if (!wide_button(tr("view.usual"), 0, 1, usual != settings, empty)) return false;
   settings = usual;
   return true;
 }
@@ -68,17 +71,23 @@ bool slider(const Look& look, const char* name, const char* id, int& value, int 
 }
 
 bool light(const Look& look, RenderingSettings& settings) {
-  heading(look, "Background and light");
+  heading(look, tr("view.light"));
   bool changed = false;
-  label(look, "Background");
+  label(look, tr("view.background"));
   int ground = static_cast<int>(settings.ground);
-  if (choice("ground", kGrounds, ground)) {
+  std::array<const char*, kGrounds.size()> grounds{};
+  std::transform(kGrounds.begin(), kGrounds.end(), grounds.begin(),
+                 [](TextKey key) { return tr(key); });
+  if (choice("ground", grounds, ground)) {
     settings.ground = static_cast<Ground>(ground);
     changed = true;
   }
-  changed |= slider(look, "Light, aside", "##yaw", settings.light_yaw_deg, -180, 180, "%d deg");
-  changed |= slider(look, "Light, up", "##pitch", settings.light_pitch_deg, -80, 80, "%d deg");
-  changed |= slider(look, "Strength", "##strength", settings.light_percent, 0, 200, "%d %%");
+  changed |=
+      slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg, -180, 180, "%d deg");
+  changed |=
+      slider(look, tr("view.light_up"), "##pitch", settings.light_pitch_deg, -80, 80, "%d deg");
+  changed |=
+      slider(look, tr("view.strength"), "##strength", settings.light_percent, 0, 200, "%d %%");
   return changed;
 }
 
@@ -92,17 +101,17 @@ bool number(const Look& look, const char* name, const char* id, int& value, int 
 }
 
 bool blinking(const Look& look, RenderingSettings& settings) {
-  heading(look, "Blinking");
+  heading(look, tr("view.blinking"));
   bool changed = false;
-  label(look, "Blinks");
+  label(look, tr("view.blinks"));
   changed |= ImGui::Checkbox("##blinking", &settings.blinking);
   if (!settings.blinking) return changed;
   playback::BlinkOptions& blink = settings.blink;
-  changed |= number(look, "Every ms", "##interval", blink.interval_ms, 500, 60'000, 100);
-  changed |= number(look, "Closing ms", "##closing", blink.closing_ms, 25, 500, 25);
+  changed |= number(look, tr("view.every_ms"), "##interval", blink.interval_ms, 500, 60'000, 100);
+  changed |= number(look, tr("view.closing_ms"), "##closing", blink.closing_ms, 25, 500, 25);
   changed |= in_between(look, "lids", blink.interpolation);
   int seed = static_cast<int>(std::min<std::uint64_t>(blink.seed, 999'999));
-  if (number(look, "Seed", "##seed", seed, 0, 999'999, 1)) {
+  if (number(look, tr("view.seed"), "##seed", seed, 0, 999'999, 1)) {
     blink.seed = static_cast<std::uint64_t>(seed);
     changed = true;
   }
@@ -110,12 +119,29 @@ bool blinking(const Look& look, RenderingSettings& settings) {
 }
 
 void pace(const Look& look, const RenderingView& rendering) {
-  heading(look, "Pace");
-  if (rendering.pace.empty()) quiet_text("Nothing has moved yet.");
+  heading(look, tr("view.pace"));
+  if (rendering.pace.empty()) quiet_text(tr("view.nothing_moved"));
   for (const PaceRow& row : rendering.pace) {
     label(look, row.name.c_str());
     ImGui::TextUnformatted(row.value.c_str());
   }
+}
+
+void display(const Look& look, const DisplayView& view, GuiCommands& commands) {
+  if (view.languages.empty()) return;
+  heading(look, tr("view.window"));
+  label(look, tr("view.language"));
+  const auto used = std::find_if(view.languages.begin(), view.languages.end(),
+                                 [&](const auto& one) { return one.code == view.language; });
+  const bool known = used != view.languages.end();
+  if (!ImGui::BeginCombo("##language", known ? used->name.c_str() : view.language.c_str())) return;
+  for (const LanguageEntry& one : view.languages) {
+    if (!ImGui::Selectable(one.name.c_str(), one.code == view.language)) continue;
+    DisplaySettings settings = view.settings;
+    settings.language = one.code;
+    commands.push_back(ChangeDisplay{settings});
+  }
+  ImGui::EndCombo();
 }
 
 }  // namespace
@@ -130,6 +156,7 @@ void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
   changed |= usual_view(settings);
   changed |= blinking(look, settings);
   if (changed) commands.push_back(ChangeRendering{settings});
+  display(look, model.display, commands);
   pace(look, model.rendering);
 }
 

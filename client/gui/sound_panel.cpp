@@ -4,6 +4,7 @@
 #include <array>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -14,7 +15,6 @@ constexpr float kLoud = 0.75F;
 constexpr float kTooLoud = 0.94F;
 constexpr float kCaptionMargin = 24;
 constexpr float kCaptionWidthMax = 640;
-constexpr const char* kUsualDevice = "the usual one";
 
 /// A bar from soft to loud, green, amber and red.
 void level_meter(const Look& look, int percent) {
@@ -24,7 +24,7 @@ void level_meter(const Look& look, int percent) {
   const float height = kMeterHeight * look.scale;
   ImGui::Dummy(ImVec2(width, ImGui::GetFrameHeight()));
   at.y += (ImGui::GetFrameHeight() - height) / 2;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("how loud what plays is, before the volume");
+  tip(tr("sound.meter_tip"));
   const float rounding = 2 * look.scale;
   list.AddRectFilled(at, ImVec2(at.x + width, at.y + height), ImGui::GetColorU32(ImGuiCol_FrameBg),
                      rounding);
@@ -45,11 +45,11 @@ void level_meter(const Look& look, int percent) {
 }
 
 void device_choice(const Look& look, const SoundView& sound, GuiCommands& commands) {
-  label(look, "Device");
-  const char* shown = sound.device.empty() ? kUsualDevice : sound.device.c_str();
+  label(look, tr("sound.device"));
+  const char* shown = sound.device.empty() ? tr("sound.usual_device") : sound.device.c_str();
   if (!ImGui::BeginCombo("##device", shown)) return;
   if (ImGui::IsWindowAppearing()) commands.push_back(SoundCommand(ListDevices{}));
-  if (ImGui::Selectable(kUsualDevice, sound.device.empty())) {
+  if (ImGui::Selectable(tr("sound.usual_device"), sound.device.empty())) {
     commands.push_back(SoundCommand(ChooseDevice{}));
   }
   for (const std::string& device : sound.devices) {
@@ -90,8 +90,8 @@ void written(const Look& look, const char* id, const std::string& text, float x,
 void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) {
   const SoundView& sound = model.sound;
   if (sound.there || !sound.devices.empty()) {
-    heading(look, "Sound");
-    label(look, "Volume");
+    heading(look, tr("sound.title"));
+    label(look, tr("sound.volume"));
     const float mute_width = 64 * look.scale;
     const float width =
         ImGui::GetContentRegionAvail().x - mute_width - ImGui::GetStyle().ItemSpacing.x;
@@ -99,20 +99,20 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) 
     if (percent_slider("##volume", width, volume)) {
       commands.push_back(SoundCommand(SetVolume{volume}));
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("softer and louder (9 and 0)");
+    tip(tr("sound.volume_tip"));
     ImGui::SameLine();
-    if (ImGui::Button(sound.muted ? "Unmute" : "Mute", ImVec2(mute_width, 0))) {
+    if (ImGui::Button(sound.muted ? tr("sound.unmute") : tr("sound.mute"), ImVec2(mute_width, 0))) {
       commands.push_back(SoundCommand(ToggleMute{}));
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("no sound, sound (m)");
-    label(look, "Level");
+    tip(tr("sound.mute_tip"));
+    label(look, tr("sound.level"));
     level_meter(look, sound.level_percent);
     device_choice(look, sound, commands);
   }
   if (model.spoken.title.empty() && model.spoken.caption.empty() && model.spoken.shown) return;
   bool shown = model.spoken.shown;
-  label(look, "Captions");
-  if (ImGui::Checkbox("and title over the face", &shown)) {
+  label(look, tr("sound.captions"));
+  if (ImGui::Checkbox(tr("sound.captions_on"), &shown)) {
     commands.push_back(SoundCommand(ToggleCaptions{}));
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("c");

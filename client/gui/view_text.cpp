@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <optional>
 
+#include "client/gui/texts.h"
+
 namespace aucast::gui {
 namespace {
 
@@ -34,6 +36,30 @@ bool names(const std::vector<int>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
+std::string shares(const std::vector<face::AuShare>& all) {
+  std::string text;
+  for (const face::AuShare& one : all) {
+    const std::string share = std::to_string(one.number) + " " + std::to_string(one.percent) + " %";
+    text = text.empty() ? share : tr("rule.and", text, share);
+  }
+  return text;
+}
+
+std::string outcome(const std::vector<face::AuShare>& all) {
+  std::string text;
+  for (const face::AuShare& one : all) {
+    text += (text.empty() ? "" : ", ") + std::to_string(one.number) + " ";
+    text += one.percent > 0 ? std::to_string(one.percent) + " %" : std::string(tr("rule.gone"));
+  }
+  return text;
+}
+
+/// "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone".
+std::string in_words(const face::RuleExplained& one) {
+  return tr("rule.what", data_word(std::string(face::name(one.rule->kind))), shares(one.before),
+            outcome(one.after));
+}
+
 /// The rules that have to do with an AU on a side, each once: "opposition: 51 100 % and 52 40 %:
 /// 51 60 %, 52 gone".
 std::string reasons(int number, Side side, std::span<const face::RuleExplained> rules) {
@@ -42,7 +68,7 @@ std::string reasons(int number, Side side, std::span<const face::RuleExplained> 
     const bool on_this_side = side == Side::Both || one.side == Side::Both || one.side == side;
     const bool about_it = names(one.rule->sources, number) || names(one.rule->targets, number);
     if (!on_this_side || !about_it) continue;
-    const std::string why = std::string(face::name(one.rule->kind)) + ": " + one.what;
+    const std::string why = in_words(one);
     if (text.find(why) != std::string::npos) continue;
     if (!text.empty()) text += "; ";
     text += why;
@@ -54,7 +80,7 @@ AuRow row_of(int number, Side side, float received, float shown,
              std::span<const face::RuleExplained> rules) {
   AuRow row;
   row.label = (side == Side::Left ? "L" : side == Side::Right ? "R" : "") + std::to_string(number);
-  row.name = facs_name(number).value_or("");
+  row.name = au_name(number);
   row.received_percent = percent_of(received);
   row.shown_percent = percent_of(shown);
   if (row.received_percent != row.shown_percent) row.why = reasons(number, side, rules);
@@ -81,21 +107,42 @@ Activity activity_of(PlaybackState state, const playback::SourceStatus& status) 
   return Activity::Over;
 }
 
+std::string state_name(PlaybackState state) {
+  switch (state) {
+    case PlaybackState::Buffering:
+    case PlaybackState::Playing:
+      return tr("state.playing");
+    case PlaybackState::Paused:
+      return tr("state.paused");
+    case PlaybackState::Stalled:
+      return tr("state.stalled");
+    case PlaybackState::Stale:
+      return tr("state.stale");
+    case PlaybackState::Ended:
+      return tr("state.ended");
+    case PlaybackState::Stopped:
+      return tr("state.stopped");
+    case PlaybackState::Lost:
+      return tr("state.lost");
+  }
+  return {};
+}
+
 std::string state_in_words(PlaybackState state, const playback::SourceStatus& status,
                            const playback::BufferOptions& buffers) {
   if (awaits_connection(state, status)) {
-    return status.reconnects > 0 ? "reconnecting" : "connecting";
+    return tr(status.reconnects > 0 ? TextKey("state.reconnecting") : TextKey("state.connecting"));
   }
   if (state == PlaybackState::Stalled && !status.connected && status.reconnects > 0 &&
       status.end == EndReason::NotEnded) {
-    return "reconnecting";
+    return tr("state.reconnecting");
   }
   if (state == PlaybackState::Buffering) {
     const std::size_t threshold = playback::threshold_of(buffers);
     const std::size_t there = std::min(threshold, status.receiver_fill + status.playout_fill);
-    return "buffering " + std::to_string(there * 100 / threshold) + " %";
+    return tr("state.buffering", there * 100 / threshold);
   }
-  return std::string(playback::name(state));
+  return state_name(state);
 }
 
 std::string bytes_text(double bytes) {
@@ -107,9 +154,9 @@ std::string bit_rate_text(double bytes_a_second) {
 }
 
 std::string traffic_text(std::uint64_t bytes, double rate, double mean) {
-  std::string text = bytes_text(static_cast<double>(bytes));
-  if (rate > 0) return text + ", " + bit_rate_text(rate);
-  if (mean > 0) return text + ", mean " + bit_rate_text(mean);
+  const std::string text = bytes_text(static_cast<double>(bytes));
+  if (rate > 0) return tr("state.rate", text, bit_rate_text(rate));
+  if (mean > 0) return tr("state.mean", text, bit_rate_text(mean));
   return text;
 }
 
@@ -123,7 +170,7 @@ std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,
     AuRow row = row_of(number, side, before, after, rules);
     if (!recordings.contains(number)) {
       row.shown_percent = 0;
-      row.why = "this face has no AU " + std::to_string(number);
+      row.why = tr("state.no_au", number);
     }
     rows.push_back(std::move(row));
   };

@@ -20,6 +20,9 @@ namespace aucast::gui {
 [[nodiscard]] Activity activity_of(playback::PlaybackState state,
                                    const playback::SourceStatus& status);
 
+/// "playing", "paused"; what is buffered is about to play.
+[[nodiscard]] std::string state_name(playback::PlaybackState state);
+
 /// "connecting", "reconnecting", "buffering 42 %", "playing", "paused", "stalled", "ended",
 /// "stopped", "lost"; the percentage is of what must be there before playing begins.
 [[nodiscard]] std::string state_in_words(playback::PlaybackState state,

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "client/gui/panels.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -12,20 +13,21 @@ constexpr std::size_t kFilesShown = 4;
 constexpr float kWidth = 300;
 
 void contents(const GuiModel& model, GuiCommands& commands) {
-  if (wide_button("Play a sample", 0, 2, !model.sample.empty(), !model.sample.empty())) {
+  if (wide_button(tr("play.sample"), 0, 2, !model.sample.empty(), !model.sample.empty())) {
     commands.push_back(OpenStream{model.sample});
   }
-  if (wide_button("Open a file...", 1, 2, true)) commands.push_back(Browse{Purpose::PlayStream});
+  if (wide_button(tr("button.open_file"), 1, 2, true))
+    commands.push_back(Browse{Purpose::PlayStream});
   for (std::size_t i = 0; i < std::min(model.recent_files.size(), kFilesShown); ++i) {
     const std::filesystem::path file = model.recent_files[i];
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable(file.filename().string().c_str())) {
       commands.push_back(OpenStream{file.string()});
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.string().c_str());
+    tip(file.string());
     ImGui::PopID();
   }
-  quiet_text("Or connect to a server, at the right. ? lists the keys.");
+  quiet_text(tr("play.or_connect"));
 }
 
 }  // namespace

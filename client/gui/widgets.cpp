@@ -6,6 +6,7 @@
 #include <array>
 
 #include "client/gui/label_places.h"
+#include "client/gui/texts.h"
 
 namespace aucast::gui {
 namespace {
@@ -84,10 +85,10 @@ void toned_text(Tone tone, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-void heading(const Look& look, const char* text) {
+void heading(const Look& look, const std::string& text) {
   ImGui::Dummy(ImVec2(0, 5 * look.scale));
   ImGui::PushFont(look.bold);
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(text.c_str());
   ImGui::PopFont();
   ImGui::Dummy(ImVec2(0, 0));
 }
@@ -99,6 +100,14 @@ void label(const Look& look, const char* text) {
   ImGui::SetNextItemWidth(-1);
 }
 
+void tip(const std::string& text) {
+  if (!text.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+}
+
+std::string with_id(const char* text, const char* id) {
+  return std::string(text) + "###" + id;
+}
+
 void quiet_text(const std::string& text) {
   const std::string lines = in_lines(text, ImGui::GetContentRegionAvail().x - 1);
   ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Quiet));
@@ -108,12 +117,20 @@ void quiet_text(const std::string& text) {
   ImGui::PopStyleColor();
 }
 
+bool has_room_beside(float width) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float left = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x;
+  return left + width <= right + 0.5F;
+}
+
 bool wide_button(const char* text, int share, int shares, bool enabled, bool important) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
   const auto count = static_cast<float>(shares);
-  const float each = (width - gap * (count - 1)) / count;
-  if (share > 0) ImGui::SameLine();
+  const float even = (width - gap * (count - 1)) / count;
+  const float needed = ImGui::CalcTextSize(text).x + ImGui::GetStyle().FramePadding.x;
+  const float each = std::min(std::max(even, needed), width);
+  if (share > 0 && has_room_beside(each)) ImGui::SameLine();
   if (important) {
     const ImVec4 lighter = ImGui::GetStyleColorVec4(ImGuiCol_PlotLinesHovered);
     ImGui::PushStyleColor(ImGuiCol_Button, accent());
@@ -141,9 +158,9 @@ void sides_heading() {
     ImGui::SetCursorPosX(column + (half - ImGui::CalcTextSize(text).x) / 2);
     quiet_text(text);
   };
-  centred("right, the subject's", left);
+  centred(tr("panel.right_side"), left);
   ImGui::SameLine();
-  centred("left, the subject's", left + half + gap);
+  centred(tr("panel.left_side"), left + half + gap);
 }
 
 bool percent_slider(const char* id, float width, int& value) {
@@ -253,10 +270,10 @@ unsigned colour_of_line(std::size_t index) {
 void au_table(const Look& look, const char* given, const std::vector<AuRow>& rows) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg;
   if (!ImGui::BeginTable("aus", 4, kFlags)) return;
-  ImGui::TableSetupColumn("AU", 0, 34 * look.scale);
-  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn(tr("panel.au"), 0, 34 * look.scale);
+  ImGui::TableSetupColumn(tr("panel.au_name"), ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn(given, 0, 58 * look.scale);
-  ImGui::TableSetupColumn("shown", 0, 46 * look.scale);
+  ImGui::TableSetupColumn(tr("panel.shown"), 0, 46 * look.scale);
   ImGui::TableHeadersRow();
   for (const AuRow& row : rows) {
     ImGui::TableNextRow();
@@ -299,10 +316,10 @@ bool choice_of(const char* id, const char* const* words, int count, int& chosen)
 }
 
 bool in_between(const Look& look, const char* id, playback::Interpolation& way) {
-  constexpr std::array kWays = {"Linear", "Cosine"};
-  label(look, "In between");
+  const std::array<const char*, 2> ways = {tr("panel.linear"), tr("panel.cosine")};
+  label(look, tr("panel.in_between"));
   int chosen = way == playback::Interpolation::Cosine ? 1 : 0;
-  if (!choice(id, kWays, chosen)) return false;
+  if (!choice(id, ways, chosen)) return false;
   way = chosen == 1 ? playback::Interpolation::Cosine : playback::Interpolation::Linear;
   return true;
 }

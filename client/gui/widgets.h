@@ -40,12 +40,18 @@ void toned_line(Tone tone, const std::string& text);
 void toned_text(Tone tone, const std::string& text);
 
 /// A heading with room above it.
-void heading(const Look& look, const char* text);
+void heading(const Look& look, const std::string& text);
 /// A label at the left; what comes next stands at the panel's column for values and fills the rest.
 void label(const Look& look, const char* text);
 void quiet_text(const std::string& text);
+/// Says more about the item before, while the pointer or the focus is on it.
+void tip(const std::string& text);
+/// A text for a widget that is known by `id` in every language.
+[[nodiscard]] std::string with_id(const char* text, const char* id);
+/// Something so wide fits on the line of the item before.
+[[nodiscard]] bool has_room_beside(float width);
 /// A button that fills its share of the line: `share` of `shares`, drawn as disabled unless
-/// `enabled`.
+/// `enabled`. One whose text needs more takes it, and goes to the next line where there is no room.
 [[nodiscard]] bool wide_button(const char* text, int share, int shares, bool enabled,
                                bool important = false);
 /// Whether a change of the item before belongs to the press of the mouse that began it: the press

@@ -5,6 +5,7 @@
 
 #include "client/app/stream_files.h"
 #include "client/app/window/composition_file.h"
+#include "client/gui/texts.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
@@ -13,18 +14,17 @@ namespace aucast::app {
 namespace {
 
 std::string time_of(const gui::ComposedKeyframe& keyframe) {
-  return keyframe.ms ? std::to_string(*keyframe.ms) + " ms" : "untimed";
+  return keyframe.ms ? std::to_string(*keyframe.ms) + " ms" : gui::tr("said.no_time");
 }
 
 std::string total_of(const gui::Composer::Keyframes& keyframes) {
-  if (keyframes.empty()) return "no keyframes yet";
+  if (keyframes.empty()) return gui::tr("said.no_keyframes");
   const auto untimed = static_cast<std::uint32_t>(protocol::kDefaultKeyframeTime.count());
   std::uint64_t ms = 0;
   for (const auto& keyframe : keyframes) ms += keyframe->ms.value_or(untimed);
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%zu keyframe%s, %.2f s", keyframes.size(),
-                keyframes.size() == 1 ? "" : "s", static_cast<double>(ms) / 1000);
-  return text.data();
+  std::array<char, 32> time{};
+  std::snprintf(time.data(), time.size(), "%.2f", static_cast<double>(ms) / 1000);
+  return gui::tr("said.total", gui::keyframes_text(keyframes.size()), time.data());
 }
 
 std::vector<gui::PadPoint> pad_of(const std::vector<Expression>& expressions) {

@@ -29,6 +29,11 @@ class ComposerSession {
   void take(const AuFrame& aus);
   /// The mapping has changed, or its face.
   void remake();
+  /// What it says is to be in the language that is used now.
+  void change_language() {
+    rows_ = nullptr;
+    list_keyframes();
+  }
   /// Reads a stream file in place of what is there, which undo brings back.
   [[nodiscard]] Result<void> load(const std::filesystem::path& file);
   /// Returns a sentence about where it went.

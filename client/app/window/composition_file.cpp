@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "client/gui/texts.h"
 #include "common/files.h"
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
@@ -21,7 +22,7 @@ gui::ComposedKeyframe composed(const playback::TimedAus& keyframe) {
 
 Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes) {
   if (keyframes.empty()) {
-    return Error{ErrorKind::Failed, "there are no keyframes to save: add one first"};
+    return Error{ErrorKind::Failed, gui::tr("said.nothing_to_save")};
   }
   protocol::StreamFile stream;
   for (const auto& keyframe : keyframes) {
@@ -50,11 +51,12 @@ Result<std::string> save_stream(const gui::Composer::Keyframes& keyframes,
     if (*before != *text) {
       const auto written = write_file_atomically(file.string() + "~", *before);
       if (!written) return written.error();
-      kept = "; the version before is " + file.filename().string() + "~";
+      kept = file.filename().string() + "~";
     }
   }
   if (const auto written = write_file_atomically(file, *text); !written) return written.error();
-  return "saved in " + file.string() + kept;
+  if (kept.empty()) return gui::tr("said.saved", file.string());
+  return gui::tr("said.saved_kept", file.string(), kept);
 }
 
 }  // namespace aucast::app

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "client/gui/channel_groups.h"
+#include "client/gui/texts.h"
 #include "client/gui/view_text.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
@@ -172,8 +173,7 @@ Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
   editor_.saved(wanted.number);
   list_aus();
   saved_face_ = std::filesystem::absolute(file->parent_path()).lexically_normal().string();
-  return "AU" + std::to_string(wanted.number) + " saved in " + file->string() +
-         ", in your copy of the face, with which the window begins from now on";
+  return gui::tr("said.au_saved", wanted.number, file->string());
 }
 
 bool EditorSession::remove_au(int number, Instant now) {
@@ -188,14 +188,12 @@ bool EditorSession::remove_au(int number, Instant now) {
   editor_.recorded_anew(number);
   list_aus();
   save_failed_ = false;
-  saved_to_ = "AU" + std::to_string(number) +
-              (shipped ? " is as it came with the player; Undo and Save bring yours back"
-                       : " is deleted; Undo and Save bring it back");
+  saved_to_ = shipped ? gui::tr("said.au_shipped", number) : gui::tr("said.au_deleted", number);
   return true;
 }
 
 Result<std::string> EditorSession::export_au(const std::filesystem::path& file) const {
-  if (!editor_.au()) return Error{ErrorKind::Usage, "no AU is being edited"};
+  if (!editor_.au()) return Error{ErrorKind::Usage, gui::tr("said.no_au")};
   return own_.export_to(*editor_.au(), file);
 }
 

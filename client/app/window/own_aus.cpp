@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "client/gui/texts.h"
 #include "client/gui/user_face.h"
 #include "common/files.h"
 #include "common/text.h"
@@ -80,13 +81,13 @@ Result<void> OwnAus::remove(int number) {
 Result<std::string> OwnAus::export_to(int number, const std::filesystem::path& file) const {
   const auto recording = mapping_.recordings.find(number);
   if (recording == mapping_.recordings.end()) {
-    return Error{ErrorKind::Usage, "AU" + std::to_string(number) + " has no recording"};
+    return Error{ErrorKind::Usage, gui::tr("said.au_without", number)};
   }
   const gui::Drive drive = gui::drive_of(mapping_.face, recording->second.activation);
   const auto written =
       write_file_atomically(file, gui::aus_text(number, drive, recording->second.note));
   if (!written) return written.error();
-  return "AU" + std::to_string(number) + " exported to " + file.string();
+  return gui::tr("said.au_exported", number, file.string());
 }
 
 }  // namespace aucast::app

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "client/gui/texts.h"
+
 namespace aucast::app {
 namespace {
 
@@ -29,11 +31,11 @@ std::optional<std::vector<gui::PaceRow>> PaceMeter::add(const FrameTimes& times,
   const double elapsed = seconds(now - std::exchange(begin_, now));
   const FrameTimes sum = std::exchange(sum_, {});
   frames_ = 0;
-  return std::vector<gui::PaceRow>{{"Frames a second", decimal(kFrames / elapsed, 0, "")},
-                                   {"Activations", mean_ms(sum.mix)},
-                                   {"Deforming", mean_ms(sum.deform)},
-                                   {"Face", mean_ms(sum.face)},
-                                   {"Panels", mean_ms(sum.panels)}};
+  return std::vector<gui::PaceRow>{{gui::tr("said.pace_rate"), decimal(kFrames / elapsed, 0, "")},
+                                   {gui::tr("said.pace_mix"), mean_ms(sum.mix)},
+                                   {gui::tr("said.pace_deform"), mean_ms(sum.deform)},
+                                   {gui::tr("said.pace_face"), mean_ms(sum.face)},
+                                   {gui::tr("said.pace_panels"), mean_ms(sum.panels)}};
 }
 
 }  // namespace aucast::app

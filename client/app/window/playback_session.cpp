@@ -9,6 +9,7 @@
 #include "client/app/steady.h"
 #include "client/app/window/composition_file.h"
 #include "client/gui/kept_settings.h"
+#include "client/gui/texts.h"
 #include "client/gui/view_text.h"
 #include "client/net/remote_source.h"
 #include "common/log.h"
@@ -215,11 +216,11 @@ Result<std::string> PlaybackSession::export_to(const std::filesystem::path& file
     }
   }
   if (keyframes.empty()) {
-    return Error{ErrorKind::Failed, "nothing has been played that could be exported"};
+    return Error{ErrorKind::Failed, gui::tr("said.nothing_played")};
   }
   auto saved = save_stream(keyframes, file);
   if (!saved) return saved;
-  return counted(keyframes.size(), "keyframe") + " " + *saved;
+  return gui::tr("said.exported_stream", gui::keyframes_text(keyframes.size()), *saved);
 }
 
 std::vector<playback::TimedAus> PlaybackSession::played() const {
@@ -326,7 +327,7 @@ std::string PlaybackSession::title() const {
   if (playback_ == nullptr) return title;
   if (seekable() != nullptr) return name_ + " - " + title;
   const playback::SourceStatus status = playback_->status();
-  title += " - " + std::string(playback::name(playback_->state()));
+  title += " - " + gui::state_name(playback_->state());
   // What plays on from the buffers has not ended, whatever the server said.
   if (over() && !status.detail.empty()) title += ": " + status.detail;
   return title;
@@ -336,11 +337,13 @@ void PlaybackSession::describe_traffic(const playback::SourceStatus& status,
                                        gui::RemoteView& view) const {
   const PlaybackHistory::Rates rates = running() ? history_.rates() : PlaybackHistory::Rates{};
   const PlaybackHistory::Rates means = history_.mean_rates();
-  view.in = counted(status.packets_received, "packet") + ", " +
-            gui::traffic_text(status.bytes_received, rates.in, means.in);
+  const std::string in = gui::traffic_text(status.bytes_received, rates.in, means.in);
+  view.in = status.packets_received == 1 ? gui::tr("state.packet", in)
+                                         : gui::tr("state.packets", status.packets_received, in);
   view.out = gui::traffic_text(status.bytes_sent, rates.out, means.out);
-  view.protocol = status.negotiated ? "level 2" : "classic";
-  if (status.live) view.protocol += ", live";
+  view.protocol =
+      gui::tr(status.negotiated ? gui::TextKey("state.level") : gui::TextKey("state.classic"));
+  if (status.live) view.protocol = gui::tr("state.live", view.protocol);
 }
 
 std::vector<gui::AuRow> PlaybackSession::au_rows() const {
@@ -352,7 +355,7 @@ std::vector<gui::AuRow> PlaybackSession::au_rows() const {
 
 gui::RemoteView PlaybackSession::remote_view() const {
   gui::RemoteView view;
-  view.state = "no connection";
+  view.state = gui::tr("state.none");
   view.receiver.capacity = buffers_.receiver_capacity;
   view.receiver.threshold_percent = buffers_.threshold_percent;
   view.playout.capacity = buffers_.playout_capacity;
@@ -363,10 +366,12 @@ gui::RemoteView PlaybackSession::remote_view() const {
   view.state = gui::state_in_words(state, status, buffers_);
   view.aus = au_rows();
   const std::uint64_t keyframe = playback_->progress().keyframe;
-  if (keyframe > 0) view.keyframe = "keyframe " + std::to_string(keyframe);
+  if (keyframe > 0) view.keyframe = gui::tr("state.keyframe", keyframe);
   if (const auto* whole = seekable()) {
     view.local = true;
-    if (keyframe > 0) view.keyframe += " of " + std::to_string(whole->keyframes().size());
+    if (keyframe > 0) {
+      view.keyframe = gui::tr("state.keyframe_of", keyframe, whole->keyframes().size());
+    }
     return view;
   }
   // Without an end a detail says why it is tried again.

@@ -1,5 +1,7 @@
 #include "client/app/window/session_video.h"
 
+#include "client/gui/texts.h"
+
 namespace aucast::app {
 
 std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written) {
@@ -40,7 +42,7 @@ Result<std::string> SessionVideo::finish() {
   const auto sound = sound_->file();
   if (!sound) return sound.error();
   if (auto finished = encoder_->finish(*sound); !finished) return finished.error();
-  return "video saved: " + std::filesystem::absolute(file_).lexically_normal().string();
+  return gui::tr("said.video", std::filesystem::absolute(file_).lexically_normal().string());
 }
 
 }  // namespace aucast::app

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "client/app/sound_device.h"
+#include "client/gui/texts.h"
 #include "client/sound/openal_out.h"
 #include "common/log.h"
 #include "common/overloaded.h"
@@ -53,7 +54,7 @@ void SoundSession::advanced(Instant now) {
   if (const auto place = player_.heard_place()) spoken_.move_to(*player_.playback(), *place);
   if (player_.sound().take_loss()) {
     has_device_ = false;
-    notices_.say("the sound device plays no more", true, now);
+    notices_.say(gui::tr("said.device_lost"), true, now);
     spdlog::warn("the sound device plays no more; going on without it");
   }
 }
@@ -71,7 +72,9 @@ void SoundSession::apply(const gui::SoundCommand& command, Instant now) {
       [&](const gui::ChooseDevice& one) { choose_device(one.name, now); },
       [&](const gui::ToggleCaptions&) {
         shows_spoken_ = !shows_spoken_;
-        notices_.say(shows_spoken_ ? "with captions" : "without captions", false, now);
+        notices_.say(gui::tr(shows_spoken_ ? gui::TextKey("said.captions")
+                                           : gui::TextKey("said.no_captions")),
+                     false, now);
       }};
   std::visit(carry_out, command);
 }
@@ -94,7 +97,8 @@ void SoundSession::choose_device(const std::string& name, Instant now) {
 void SoundSession::toggle_mute(Instant now) {
   muted_ = !muted_;
   player_.sound().set_muted(muted_);
-  notices_.say(muted_ ? "muted" : "volume " + std::to_string(volume_) + " %", false, now);
+  notices_.say(muted_ ? std::string(gui::tr("said.muted")) : gui::tr("said.volume", volume_), false,
+               now);
 }
 
 void SoundSession::change_volume(int by, Instant now) {
@@ -102,7 +106,7 @@ void SoundSession::change_volume(int by, Instant now) {
   muted_ = false;
   player_.sound().set_volume(volume_);
   player_.sound().set_muted(muted_);
-  notices_.say("volume " + std::to_string(volume_) + " %", false, now);
+  notices_.say(gui::tr("said.volume", volume_), false, now);
 }
 
 gui::SoundView SoundSession::sound_view() const {

@@ -23,6 +23,10 @@ WindowOverlay::~WindowOverlay() {
 
 void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands) {
   upload_picture(model.mirror);
+  if (gui_.prepare(model.display)) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
   // What only input needs is not put on the screen: there it would take the time of a picture each.
   do {
     ImGui_ImplOpenGL3_NewFrame();

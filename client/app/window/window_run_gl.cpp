@@ -26,6 +26,7 @@
 #include "client/app/window/window_style.h"
 #include "client/gui/panels.h"
 #include "client/gui/redraw.h"
+#include "client/gui/texts.h"
 #include "client/render/window.h"
 #include "common/log.h"
 #include "common/overloaded.h"
@@ -295,7 +296,7 @@ class WindowRun {
     if (const auto written = view::write_png(*image, *file, texts); !written) {
       return complain(written.error());
     }
-    tell("picture saved: " + std::filesystem::absolute(*file).lexically_normal().string());
+    tell(gui::tr("said.picture", std::filesystem::absolute(*file).lexically_normal().string()));
   }
 
   void toggle_video() {

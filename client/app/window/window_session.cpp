@@ -13,7 +13,9 @@
 #include "client/app/gallery/gallery_plan.h"
 #include "client/app/steady.h"
 #include "client/app/stream_files.h"
+#include "client/app/window/language_choice.h"
 #include "client/app/window/window_style.h"
+#include "client/gui/texts.h"
 #include "client/gui/user_face.h"
 #include "client/net/stream_list.h"
 #include "common/log.h"
@@ -108,13 +110,16 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   if (!file.empty()) gui::remember_file(recent_files_, whole_path(file));
   rendering_ = settings.rendering;
   pictures_ = settings.pictures;
+  change_display(settings.display, now);
+  display_.languages = languages_in(assets_.data_folder);
   // Nobody wants to begin with an empty view.
   if (!shows_something(rendering_.layers)) rendering_.layers = {};
 }
 
 gui::KeptSettings WindowSession::kept() const {
-  return {playback_.remote_settings(), playback_.recent(), faces_.next(), recent_files_, animation_,
-          editor_.transition(),        rendering_,         pictures_};
+  return {
+      playback_.remote_settings(), playback_.recent(), faces_.next(), recent_files_,    animation_,
+      editor_.transition(),        rendering_,         pictures_,     display_.settings};
 }
 
 void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now) {
@@ -215,6 +220,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::ChangePictures& one) { pictures_ = one.settings; },
       [&](const gui::ChangeAnimation& one) { change_animation(one.settings, now); },
       [&](const gui::ChangeRendering& one) { rendering_ = one.settings; },
+      [&](const gui::ChangeDisplay& one) { change_display(one.settings, now); },
       [&](const gui::Leave& one) {
         asks_to_leave_ = false;
         leaving_ = one.really;
@@ -266,7 +272,7 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
     auto keyframes = composer_.keyframes();
     if (keyframes.empty()) return;
     const std::filesystem::path file = composer_.file();
-    const std::string name = file.empty() ? "composed stream" : file.filename().string();
+    const std::string name = file.empty() ? gui::tr("said.composed") : file.filename().string();
     playback_.open(std::move(keyframes), name, now);
     shown_ = Shown::Playback;
   }
@@ -291,6 +297,21 @@ void WindowSession::change_animation(const gui::AnimationSettings& settings, Ins
   mapping_.mixer = settings.mixer;
   playback_.remake(settings.interpolation);
   composer_.remake();
+}
+
+/// A locale whose language there is not is no mistake of the user's.
+void WindowSession::change_display(const gui::DisplaySettings& settings, Instant now) {
+  display_.settings = settings;
+  const bool chosen = !settings.language.empty();
+  const std::string code = chosen ? settings.language : language_of_locale();
+  if (code == display_.language) return;
+  if (const auto used = choose_language(assets_.data_folder, code)) {
+    display_.language = code;
+    composer_.change_language();
+  } else if (chosen || used.error().kind != ErrorKind::Usage) {
+    spdlog::warn("{}", used.error().message);
+    say(used.error().message, true, now);
+  }
 }
 
 /// What was saved is what is shown, and what the next start shows. A copy that was there may have
@@ -459,7 +480,7 @@ Result<std::string> WindowSession::look_for_faces(const std::filesystem::path& f
     return std::string();
   }
   if (gui::faces_in(folder).empty()) {
-    return Error{ErrorKind::BadData, "no face in this folder: a face is a folder with face.toml"};
+    return Error{ErrorKind::BadData, gui::tr("said.no_face")};
   }
   faces_.look_in(folder);
   return std::string();
@@ -507,6 +528,7 @@ gui::GuiModel WindowSession::model() const {
   model.faces = faces_.view();
   model.gallery = gallery_.view();
   model.pictures = pictures_;
+  model.display = display_;
   model.browser = browser_.view();
   model.notice = notices_.view();
   model.animation = animation_;

@@ -92,6 +92,7 @@ class WindowSession {
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return rendering_; }
+  [[nodiscard]] const gui::DisplaySettings& display() const { return display_.settings; }
   [[nodiscard]] const gui::PictureSettings& pictures() const { return pictures_; }
   /// A new file for a picture or a video of what is shown.
   [[nodiscard]] Result<std::filesystem::path> picture_file(const std::string& ending) const;
@@ -115,6 +116,7 @@ class WindowSession {
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
   void change_animation(const gui::AnimationSettings& settings, Instant now);
+  void change_display(const gui::DisplaySettings& settings, Instant now);
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] std::string name_of_stream() const;
@@ -145,6 +147,7 @@ class WindowSession {
   ExportSession export_;
   gui::RenderingSettings rendering_;
   gui::PictureSettings pictures_;
+  gui::DisplayView display_{{}, "en", {}};
   gui::FileBrowser browser_;
   std::filesystem::path own_folder_ = ".";  ///< where the user saved last
   std::filesystem::path last_folder_;       ///< where a stream was opened last

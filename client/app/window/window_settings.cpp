@@ -42,6 +42,10 @@ void copy_given(const std::set<std::string>& given, const KeptSettings& from, Ke
       "--interpolation", [](auto& s) -> auto& { return s.animation.interpolation; });
   copy(
       "--show", [](auto& s) -> auto& { return s.rendering.layers; });
+  copy(
+      "--language", [](auto& s) -> auto& { return s.display.language; });
+  copy(
+      "--text-size", [](auto& s) -> auto& { return s.display.text_percent; });
   for (const char* option : {"--idle", "--blink"}) {
     copy(
         option, [](auto& s) -> auto& { return s.rendering.blinking; });
@@ -65,6 +69,7 @@ KeptSettings settings_of(const PlayerOptions& options) {
   settings.remote.stream = playback.stream;
   settings.remote.tls = playback.security_options.tls;
   settings.animation = {options.face.mixer, options.face.rules, playback.interpolation};
+  settings.display = options.display;
   settings.rendering.layers = options.output.layers;
   settings.rendering.blinking = playback.blink.has_value();
   settings.rendering.blink = playback.blink.value_or(settings.rendering.blink);
