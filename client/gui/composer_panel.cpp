@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 
@@ -35,8 +36,9 @@ void file_buttons(const ComposerView& composer, GuiCommands& commands) {
 void timeline(const Look& look, const ComposerView& composer, GuiCommands& commands) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8 * look.scale, 6 * look.scale));
-  const bool visible = ImGui::BeginChild("timeline", ImVec2(0, kTimelineHeight * look.scale), false,
-                                         ImGuiWindowFlags_AlwaysUseWindowPadding);
+  const bool visible =
+      ImGui::BeginChild("timeline", ImVec2(0, kTimelineHeight * look.scale), false,
+                        ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   if (visible) {
@@ -104,7 +106,10 @@ void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommand
 void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, kPadHeight * look.scale);
-  ImGui::InvisibleButton("##pad", size);
+  {
+    const MouseOnly mouse;  // the buttons below do the same by keys
+    ImGui::InvisibleButton("##pad", size);
+  }
   const bool active = ImGui::IsItemActive();
   const bool continued = belongs_to_drag();
   const ImVec2 to(from.x + size.x, from.y + size.y);
@@ -240,10 +245,12 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
   if (composer.rows == nullptr || composer.pad == nullptr || model.known_aus == nullptr) return;
   timeline_part(look, composer, commands);
   const bool chosen = composer.chosen >= 0;
-  heading(look, chosen ? tr("compose.keyframe", composer.chosen + 1) : tr("compose.new_keyframe"));
+  heading(look, chosen ? tr("compose.keyframe", composer.chosen + 1) : tr("compose.new_keyframe"),
+          tr("tip.keyframe"));
   const char* add = chosen ? tr("compose.double") : tr("compose.add");
   if (wide_button(add, 0, 5, true, !chosen)) ask(commands, AddKeyframe{});
   if (wide_button(tr("button.neutral"), 1, 5, true)) ask(commands, ComposeNeutral{});
+  tip(tr("tip.neutral"));
   if (wide_button(tr("compose.take"), 2, 5, composer.can_take)) ask(commands, ComposeShown{});
   tip(tr("compose.take_tip"));
   if (wide_button(tr("button.undo"), 3, 5, composer.can_undo)) ask(commands, UndoComposing{});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 
@@ -53,11 +54,12 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
   const float height = kRow * look.scale;
   const auto rows = static_cast<float>(local.curves->size());
   make_outlines(local, static_cast<std::size_t>(std::max(2.0F, right - left)), form);
+  const MouseOnly mouse;  // Left, Right and the like seek by keys
   const bool pressed = ImGui::InvisibleButton("##curves", ImVec2(width, rows * height));
   const bool hovered = ImGui::IsItemHovered();
-  const float mouse = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
+  const float pointer = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
   const Duration pointed(
-      std::llround(static_cast<double>(mouse) * static_cast<double>(local.total.count())));
+      std::llround(static_cast<double>(pointer) * static_cast<double>(local.total.count())));
   const Duration place = hovered ? pointed : local.position;
   if (pressed) commands.push_back(LocalCommand(Seek{pointed}));
   ImDrawList& list = *ImGui::GetWindowDrawList();

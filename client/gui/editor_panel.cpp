@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 #include "common/action_unit.h"
@@ -61,7 +62,7 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
   if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) return false;
   bool chosen = false;
   for (const AuEntry& entry : *model.known_aus) {
-    if (ImGui::Selectable(title_of(entry).c_str(), entry.number == number)) {
+    if (list_item(title_of(entry), entry.number == number)) {
       number = entry.number;
       chosen = true;
     }
@@ -82,7 +83,7 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
 
 void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCommands& commands) {
   const EditorView& editor = model.editor;
-  heading(look, editor.unsaved ? tr("editor.title_unsaved") : tr("editor.title"));
+  heading(look, editor.unsaved ? tr("editor.title_unsaved") : tr("editor.title"), tr("tip.au"));
   label(look, tr("editor.edit"));
   int number = editor.au;
   if (au_combo("##edit", model, tr("editor.choose_one"), number)) {
@@ -100,6 +101,7 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   if (wide_button(tr("button.redo"), 1, 4, editor.can_redo)) commands.push_back(Redo{});
   if (wide_button(tr("button.revert"), 2, 4, editor.unsaved)) commands.push_back(RevertAu{});
   if (wide_button(tr("button.neutral"), 3, 4, true)) commands.push_back(NeutralFace{});
+  tip(tr("tip.neutral"));
   label(look, tr("editor.save_as"));
   int target = std::max(0, form.save_as >= 0 ? form.save_as : editor.au);
   const float width = ImGui::GetContentRegionAvail().x;
@@ -144,6 +146,7 @@ void channel_slider(const Look& look, const char* id, int channel, float value, 
     commands.push_back(SetChannel{channel, stepped(value, -kStep), false});
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(width - 2 * (step_size.x + gap));
+  const SliderScope slider;
   if (ImGui::SliderFloat("##value", &wanted, 0, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
     commands.push_back(SetChannel{channel, wanted, belongs_to_drag()});
   }
@@ -199,7 +202,7 @@ bool in_use(const ChannelGroup& group) {
 }
 
 void muscles(const Look& look, const GuiModel& model, EditorForm& form, GuiCommands& commands) {
-  heading(look, tr("editor.muscles"));
+  heading(look, tr("editor.muscles"), tr("tip.muscles"));
   bool linked = model.editor.linked;
   if (ImGui::Checkbox(tr("panel.linked"), &linked)) commands.push_back(SetLinked{linked});
   // What another AU drives is opened, so that it is there to be changed.

@@ -85,6 +85,10 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"keys.does_volume", "softer, louder"},
     {"keys.does_captions", "captions and title over the face"},
     {"keys.does_open", "open a stream file or a table"},
+    {"keys.use", "Enter, Space"},
+    {"keys.panel", "p"},
+    {"keys.does_focus", "the next control (Shift: the one before)"},
+    {"keys.does_use", "use it; arrows move, Esc hides the focus"},
     {"keys.does_panel", "hide and show the panel"},
     {"keys.does_bare", "the face alone"},
     {"keys.does_full", "full screen"},
@@ -367,6 +371,7 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"view.seed", "Seed"},
     {"view.window", "Window"},
     {"view.language", "Language"},
+    {"view.text_size", "Text size %"},
     {"view.pace", "Pace"},
     {"view.nothing_moved", "Nothing has moved yet."},
     {"sound.title", "Sound"},
@@ -466,6 +471,43 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"said.pace_deform", "Deforming"},
     {"said.pace_face", "Face"},
     {"said.pace_panels", "Panels"},
+    {"tip.au",
+     "Action Unit: a movement of the face that FACS (2002) names by a number, such as 12, the "
+     "corners of the lips pulled up"},
+    {"tip.receiver",
+     "the Receiver buffer: sets of AUs as they came, against the jitter of a network (what comes "
+     "late or in bursts); the mark is the threshold"},
+    {"tip.playout", "the Playout buffer: the sets that are about to be played"},
+    {"tip.buffer", "how many sets the Receiver buffer holds"},
+    {"tip.threshold", "so full the buffer must be before playing begins, and again after a stall"},
+    {"tip.last_30",
+     "how full the Receiver buffer was; at the bottom nothing is left to play and the face stalls: "
+     "an underrun"},
+    {"tip.delay", "how long a live keyframe waits before it is played, so that jitter is not seen"},
+    {"tip.protocol",
+     "classic is level 1, the protocol of the thesis; level 2 has intensities, sides and times"},
+    {"tip.tls",
+     "Transport Layer Security: what is sent can be neither read nor changed on its way"},
+    {"tip.token", "a file with the secret that the server asks for"},
+    {"tip.mixer",
+     "what AUs that move the same muscle make of it together: the strongest counts (maximum), or "
+     "all of them (average)"},
+    {"tip.rules",
+     "co-occurrence rules: how AUs act on each other, such as 51 and 52, of which a face shows "
+     "one"},
+    {"tip.in_between",
+     "interpolation: from one keyframe to the next evenly, or with a soft beginning and end"},
+    {"tip.keyframe", "a set of AUs and the time in which the face reaches it"},
+    {"tip.neutral", "the neutral face: no AU and no muscle"},
+    {"tip.macros", "muscles contracted directly, without AUs, as in the program of Waters (1987)"},
+    {"tip.muscles", "contraction: 0 is at rest"},
+    {"tip.frames",
+     "pictures from the face as it is to the expression; times what each takes is how long it "
+     "lasts"},
+    {"tip.seed", "the same number gives the same blinks again"},
+    {"tip.landmarks", "the points of the face that the recogniser has found"},
+    {"tip.live", "who watches sees your face of this moment"},
+    {"tip.level_meter", "of the sound, from 48 dB below the most there can be"},
 });
 
 }  // namespace aucast::gui

@@ -51,7 +51,7 @@ void found_expressions(const ExpressionsView& expressions, const std::string& wo
     if (button.kind != ExpressionKind::Other || !is_meant(button, words)) continue;
     any = true;
     const bool chosen = static_cast<int>(i) == expressions.chosen;
-    if (ImGui::Selectable(data_word(button.label).c_str(), chosen)) {
+    if (list_item(data_word(button.label), chosen)) {
       commands.push_back(ShowExpression{i});
       ImGui::CloseCurrentPopup();
     }
@@ -98,7 +98,7 @@ void expressions(const Look& look, const GuiModel& model, ExpressionForm& form,
   const int buttons = expression_buttons(all, ExpressionKind::Main, commands);
   more_expressions(look, all, buttons, form, commands);
   strength(look, all, commands);
-  heading(look, tr("expression.macros"));
+  heading(look, tr("expression.macros"), tr("tip.macros"));
   expression_buttons(all, ExpressionKind::Macro, commands);
 }
 
@@ -109,7 +109,7 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   auto way = settings.cosine ? Interpolation::Cosine : Interpolation::Linear;
   bool changed = in_between(look, "way", way);
   settings.cosine = way == Interpolation::Cosine;
-  label(look, tr("expression.frames"));
+  label(look, tr("expression.frames"), tr("tip.frames"));
   if (ImGui::InputInt("##frames", &settings.frames, 1, 10)) {
     settings.frames = std::clamp(settings.frames, 1, 500);
     changed = true;
@@ -125,7 +125,7 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
 /// Several AUs at once, as mixer and rules make a face of them.
 void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
               GuiCommands& commands) {
-  heading(look, tr("expression.together"));
+  heading(look, tr("expression.together"), tr("tip.au"));
   // The AUs of an expression are where they can be changed.
   if (form.taken != model.expressions.aus) {
     form.taken = model.expressions.aus;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 
@@ -43,6 +44,7 @@ bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
   const float rounding = ImGui::GetStyle().FrameRounding;
   const bool chosen = ImGui::InvisibleButton(
       face.folder.c_str(), ImVec2(width, height + ImGui::GetTextLineHeightWithSpacing()));
+  mark_focus();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto found = form.textures.find(face.folder);
   const std::uintptr_t texture = found == form.textures.end() ? 0 : found->second;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 
@@ -57,27 +59,30 @@ void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiC
   if (ImGui::Button(tr("file.up"), ImVec2(up, 0))) commands.push_back(EnterFolder{parent.string()});
 }
 
-/// One click chooses a file; a second one on it takes it. A folder opens at the first.
+/// One click chooses a file; a second one on it takes it, and so does Enter. A folder opens at the
+/// first.
 void entry_list(const Look& look, const BrowserView& view, FileForm& form, float height,
                 GuiCommands& commands) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8 * look.scale, 6 * look.scale));
   if (ImGui::BeginChild("entries", ImVec2(0, height), false,
-                        ImGuiWindowFlags_AlwaysUseWindowPadding)) {
+                        ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened)) {
     for (const FileEntry& entry : view.entries) {
       const bool chosen = !entry.folder && entry.name == form.name.data();
       const std::string shown = entry.folder ? entry.name + "/" : entry.name;
       ImGui::PushStyleColor(ImGuiCol_Text, entry.folder ? ImGui::GetColorU32(ImGuiCol_PlotLines)
                                                         : ImGui::GetColorU32(ImGuiCol_Text));
-      const bool clicked =
-          ImGui::Selectable(shown.c_str(), chosen, ImGuiSelectableFlags_AllowDoubleClick);
+      const bool clicked = list_item(shown, chosen, ImGuiSelectableFlags_AllowDoubleClick);
+      if (std::exchange(form.to_first, false)) focus_here(false);
       ImGui::PopStyleColor();
       if (!clicked) continue;
       if (entry.folder) {
         commands.push_back(EnterFolder{entry.name});
       } else {
         set_text(form.name, entry.name);
-        if (ImGui::IsMouseDoubleClicked(0)) commands.push_back(ChooseFile{entry.name});
+        const bool takes =
+            ImGui::IsMouseDoubleClicked(0) || (used_by_keys() && !is_saving(view.purpose));
+        if (takes) commands.push_back(ChooseFile{entry.name});
       }
     }
     if (view.entries.empty()) ImGui::TextDisabled("%s", tr("file.empty"));
@@ -166,6 +171,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     form.shown_folder = view.folder;
     set_text(form.folder, view.folder);
     if (!is_saving(view.purpose)) form.name[0] = 0;
+    form.to_first = !is_saving(view.purpose);
   }
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float width = std::min(560 * look.scale, screen.x - 20);

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 
@@ -17,6 +18,8 @@ namespace {
 
 constexpr float kFontSize = 15;
 constexpr float kPanelWidth = 380;
+/// With large letters it does not take more of the window, unless it does so with small ones.
+constexpr float kPanelShareMax = 0.7F;
 /// Half of the panel's margin, which is what ImGui lets things use of it.
 constexpr float kScrollBar = 8;
 constexpr float kTabPadding = 5;
@@ -114,6 +117,7 @@ void set_style(float scale) {
   // The accent, also of what the panels draw themselves.
   colours[ImGuiCol_PlotLines] = ImVec4(0.43F, 0.66F, 0.78F, 1);
   colours[ImGuiCol_PlotLinesHovered] = ImVec4(0.54F, 0.76F, 0.87F, 1);
+  colours[ImGuiCol_NavHighlight] = ImVec4(0.95F, 0.77F, 0.36F, 1);
   colours[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.5F);
 }
 
@@ -159,14 +163,15 @@ struct KeyHelp {
   TextKey key;
   TextKey meaning;
 };
-constexpr std::array<KeyHelp, 26> kKeys = {{
+constexpr std::array<KeyHelp, 28> kKeys = {{
     {"keys.space", "keys.does_pause"},       {"keys.left_right", "keys.does_seek"},
     {"keys.home_end", "keys.does_ends"},     {"keys.pages", "keys.does_keyframe"},
     {"keys.frame", "keys.does_frame"},       {"keys.speed", "keys.does_speed"},
     {"keys.loop", "keys.does_loop"},         {"keys.repeat", "keys.does_repeat"},
     {"keys.mute", "keys.does_mute"},         {"keys.volume", "keys.does_volume"},
     {"keys.captions", "keys.does_captions"}, {"keys.open", "keys.does_open"},
-    {"keys.tab", "keys.does_panel"},         {"keys.bare", "keys.does_bare"},
+    {"keys.tab", "keys.does_focus"},         {"keys.use", "keys.does_use"},
+    {"keys.panel", "keys.does_panel"},       {"keys.bare", "keys.does_bare"},
     {"keys.full", "keys.does_full"},         {"keys.picture", "keys.does_picture"},
     {"keys.video", "keys.does_video"},       {"keys.undo", "keys.does_undo"},
     {"keys.save", "keys.does_save"},         {"keys.reset", "keys.does_reset"},
@@ -251,6 +256,7 @@ struct Gui::State {
   float screen_scale = 1;
   DisplayView display;  ///< what font and style were made for
   ImVector<ImWchar> letters;
+  KeyboardFocus focus;
   RemoteForm remote;
   ExpressionForm expression;
   EditorForm editor;
@@ -270,7 +276,9 @@ struct Gui::State {
   [[nodiscard]] bool shows_bar() const { return !bare && !hidden; }
   [[nodiscard]] bool shows_panel() const { return panel && shows_bar(); }
   [[nodiscard]] float panel_width() const {
-    return std::min(kPanelWidth * look.scale, ImGui::GetIO().DisplaySize.x);
+    const float window = ImGui::GetIO().DisplaySize.x;
+    const float usual = std::min(kPanelWidth * screen_scale, window);
+    return std::min(kPanelWidth * look.scale, std::max(usual, kPanelShareMax * window));
   }
   void make_style();
   void side_panel(const GuiModel& model, GuiCommands& commands);
@@ -308,7 +316,8 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
         ImGui::SetNextWindowContentSize(ImVec2(room - kScrollBar / 2 * look.scale, 0));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
         const bool visible =
-            ImGui::BeginChild("contents", ImVec2(room + kScrollBar * look.scale, 0));
+            ImGui::BeginChild("contents", ImVec2(room + kScrollBar * look.scale, 0), false,
+                              ImGuiWindowFlags_NavFlattened);
         ImGui::PopStyleVar();  // or what pops up from here would have none either
         if (visible) contents();
         ImGui::EndChild();
@@ -370,7 +379,9 @@ bool Gui::prepare(const DisplayView& display) {
 }
 
 void Gui::draw(const GuiModel& model, GuiCommands& commands) {
+  state_->focus.before_frame();
   ImGui::NewFrame();
+  state_->focus.begin();
   state_->face.wanted.clear();
   close_popup_by_escape();
   if (state_->hidden) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
@@ -387,6 +398,7 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   file_dialog(state_->look, model, state_->file, commands);
   if (state_->keys) key_list(state_->look, free, state_->keys);
   if (model.asks_to_leave) leave_question(state_->look, commands);
+  state_->focus.end();
   ImGui::Render();
 }
 
@@ -421,6 +433,14 @@ void Gui::set_hidden(bool hidden) {
 
 void Gui::toggle_keys() {
   state_->keys = !state_->keys;
+}
+
+bool Gui::focus_shown() const {
+  return state_->focus.shown();
+}
+
+bool Gui::hide_focus() {
+  return state_->focus.hide();
 }
 
 bool Gui::close_keys() {

@@ -46,6 +46,10 @@ class Gui {
   void set_full_screen(bool full_screen);
   /// Panel, bar and pointer are out of the way for now.
   void set_hidden(bool hidden);
+  /// The focus of the keyboard is shown: arrows, Space and the like are for what has it.
+  [[nodiscard]] bool focus_shown() const;
+  /// False when it was not shown.
+  bool hide_focus();
   void toggle_keys();
   /// Hides the list of keys; false when it was not shown.
   bool close_keys();

@@ -106,6 +106,7 @@ void picture(const Look& look, const MirrorView& mirror, MirrorForm& form) {
   tip(tr("camera.as_mirror_tip"));
   ImGui::SameLine();
   ImGui::Checkbox(tr("camera.landmarks"), &form.landmarks);
+  tip(tr("tip.landmarks"));
   if (seen != nullptr && seen->points.empty()) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -129,7 +130,7 @@ void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& fo
     choices.insert(choices.end(), mirror.addresses.begin(), mirror.addresses.end());
     choices.emplace_back(kEverywhere);
     for (const std::string& choice : choices) {
-      if (ImGui::Selectable(name_of_bind(choice).c_str(), choice == form.bind)) form.bind = choice;
+      if (list_item(name_of_bind(choice), choice == form.bind)) form.bind = choice;
     }
     ImGui::EndCombo();
   }
@@ -150,6 +151,7 @@ void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiC
   if (wide_button(tr("camera.go_live"), 0, 2, can, can)) {
     commands.push_back(MirrorCommand(GoLive{form.bind, form.port}));
   }
+  tip(tr("tip.live"));
   if (wide_button(tr("camera.end"), 1, 2, live, live))
     commands.push_back(MirrorCommand(GoPrivate{}));
   if (mirror.seen != nullptr && !mirror.trouble.empty()) {
@@ -190,7 +192,7 @@ void bar(const Look& look, const AuBar& one, float width, bool as_mirror) {
 }
 
 void face_bars(const Look& look, const MirrorView& mirror, bool as_mirror) {
-  heading(look, tr("camera.aus"));
+  heading(look, tr("camera.aus"), tr("tip.au"));
   if (mirror.seen == nullptr || mirror.seen->aus.empty()) {
     quiet_text(mirror.seen == nullptr ? tr("camera.none_yet") : tr("camera.none_without"));
     return;

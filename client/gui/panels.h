@@ -126,6 +126,7 @@ struct FileForm {
   std::array<char, 256> name{};
   std::string shown_folder;  ///< of the model that was taken over
   std::string shown_name;
+  bool to_first = false;  ///< the focus goes to the first entry
 };
 
 /// The file dialog, while the model has one open.

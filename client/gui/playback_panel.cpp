@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 #include "client/playback/local_playback.h"
@@ -16,6 +17,7 @@ constexpr float kLoopWidth = 76;
 constexpr float kRepeatWidth = 66;
 /// With less room the bar leaves out what there are keys for.
 constexpr float kRoomy = 560;
+constexpr float kNarrow = 340;
 /// More marks than this would be a grey band.
 constexpr float kMarksApart = 5;
 
@@ -129,6 +131,7 @@ void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
   const float radius = 7 * look.scale;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
+  const MouseOnly mouse;  // Left, Right and the like seek by keys
   ImGui::InvisibleButton("##seek", ImVec2(width, height));
   const float inner = std::max(width - 2 * radius, 1.0F);
   const double total = seconds(local.total);
@@ -147,6 +150,15 @@ void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
              ImVec2(at.x + radius + inner, middle + thick), done);
 }
 
+void pause_button(const Look& look, const LocalView& local, GuiCommands& commands) {
+  if (local.playing) {
+    if (icon_button(look, "##pause", Icon::Pause, tr("play.pause_tip")))
+      commands.push_back(Pause{});
+  } else {
+    if (icon_button(look, "##play", Icon::Play, tr("play.play_tip"))) commands.push_back(Resume{});
+  }
+}
+
 void steps(const Look& look, const LocalView& local, GuiCommands& commands) {
   if (icon_button(look, "##kb", Icon::KeyframeBack, tr("play.keyframe_back"))) {
     commands.push_back(LocalCommand(StepKeyframe{-1}));
@@ -154,12 +166,7 @@ void steps(const Look& look, const LocalView& local, GuiCommands& commands) {
   if (icon_button(look, "##fb", Icon::FrameBack, tr("play.frame_back"))) {
     commands.push_back(LocalCommand(StepFrame{-1}));
   }
-  if (local.playing) {
-    if (icon_button(look, "##pause", Icon::Pause, tr("play.pause_tip")))
-      commands.push_back(Pause{});
-  } else {
-    if (icon_button(look, "##play", Icon::Play, tr("play.play_tip"))) commands.push_back(Resume{});
-  }
+  pause_button(look, local, commands);
   if (icon_button(look, "##fo", Icon::FrameOn, tr("play.frame_on"))) {
     commands.push_back(LocalCommand(StepFrame{1}));
   }
@@ -173,7 +180,7 @@ void speed_choice(const Look& look, const LocalView& local, GuiCommands& command
   if (ImGui::BeginCombo("##speed", speed_text(local.speed_percent).c_str(),
                         ImGuiComboFlags_HeightLarge)) {
     for (const int percent : playback::LocalPlayback::kSpeeds) {
-      if (ImGui::Selectable(speed_text(percent).c_str(), percent == local.speed_percent)) {
+      if (list_item(speed_text(percent), percent == local.speed_percent)) {
         commands.push_back(LocalCommand(SetSpeed{percent}));
       }
     }
@@ -221,7 +228,12 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * look.scale, 8 * look.scale));
   if (ImGui::Begin("transport", nullptr, kFlags)) {
     seek_bar(look, local, commands);
-    steps(look, local, commands);
+    const bool narrow = width < kNarrow * look.scale;
+    if (narrow) {
+      pause_button(look, local, commands);
+    } else {
+      steps(look, local, commands);
+    }
     ImGui::AlignTextToFramePadding();
     const bool roomy = width > kRoomy * look.scale;
     std::string text = time_text(local.position);
@@ -239,10 +251,12 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
       ImGui::TextDisabled("%s", local.name.c_str());
       ImGui::PopClipRect();
     }
-    ImGui::SameLine(std::max(right, 0.0F));
-    speed_choice(look, local, commands);
-    ImGui::SameLine();
-    loop_button(look, local, commands);
+    if (!narrow) {
+      ImGui::SameLine(std::max(right, 0.0F));
+      speed_choice(look, local, commands);
+      ImGui::SameLine();
+      loop_button(look, local, commands);
+    }
     if (roomy) {
       ImGui::SameLine();
       repeat_button(look, local, commands);
@@ -360,7 +374,7 @@ void file_part(const GuiModel& model, GuiCommands& commands) {
   ImGui::BeginDisabled(model.recent_files.empty());
   if (ImGui::BeginCombo("##files", tr("play.recent"))) {
     for (const std::string& file : model.recent_files) {
-      if (ImGui::Selectable(file.c_str())) commands.push_back(OpenStream{file});
+      if (list_item(file, false)) commands.push_back(OpenStream{file});
     }
     ImGui::EndCombo();
   }

@@ -29,8 +29,8 @@ void fill_form(const RemoteSettings& settings, RemoteForm& form) {
 }
 
 /// A whole number that is typed or stepped; the limits are checked by problem().
-void number(const Look& look, const char* name, const char* id, int& value) {
-  label(look, name);
+void number(const Look& look, const char* name, const char* id, int& value, const char* help = "") {
+  label(look, name, help);
   ImGui::InputInt(id, &value, 1, 10);
 }
 
@@ -50,7 +50,7 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
   if (ImGui::BeginCombo("##recent", "", ImGuiComboFlags_NoPreview)) {
     for (const std::string& recent : model.recent) {
       RemoteSettings chosen = form.settings;
-      if (ImGui::Selectable(recent.c_str()) && !take_address(recent, chosen)) {
+      if (list_item(recent, false) && !take_address(recent, chosen)) {
         fill_form(chosen, form);
       }
     }
@@ -73,7 +73,7 @@ void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   if (streams.asking) ImGui::TextDisabled("%s", tr("play.asking"));
   if (!streams.problem.empty()) quiet_text(streams.problem);
   for (const std::string& name : streams.names) {
-    if (!ImGui::Selectable(name.c_str(), name == chosen)) continue;
+    if (!list_item(name, name == chosen)) continue;
     RemoteSettings settings = form.settings;
     settings.stream = name;
     fill_form(settings, form);
@@ -118,8 +118,9 @@ void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
 }
 
 /// A fact, in less room than something to set.
-void said(const Look& look, const char* name, const std::string& value) {
+void said(const Look& look, const char* name, const std::string& value, const char* help = "") {
   quiet_text(name);
+  tip(help);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 112 * look.scale);
   quiet_text(value);
 }
@@ -127,10 +128,10 @@ void said(const Look& look, const char* name, const std::string& value) {
 void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
   heading(look, tr("play.buffers"));
   const RemoteView& remote = model.remote;
-  buffer_bar(look, tr("play.receiver"), remote.receiver);
-  buffer_bar(look, tr("play.playout"), remote.playout);
+  buffer_bar(look, tr("play.receiver"), remote.receiver, tr("tip.receiver"));
+  buffer_bar(look, tr("play.playout"), remote.playout, tr("tip.playout"));
   if (!remote.receiver_history.empty()) {
-    label(look, tr("play.last_30"));
+    label(look, tr("play.last_30"), tr("tip.last_30"));
     const PlotLine line{&remote.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
     static_cast<void>(plot(look, {&line, 1}, 34 * look.scale,
                            static_cast<float>(remote.receiver.threshold_percent) / 100));
@@ -138,14 +139,15 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
   if (!remote.in.empty()) {
     said(look, tr("play.received"), remote.in);
     said(look, tr("play.sent"), remote.out);
-    said(look, tr("play.protocol"), remote.protocol);
-    if (!remote.delay.empty()) said(look, tr("play.delay"), remote.delay);
+    said(look, tr("play.protocol"), remote.protocol, tr("tip.protocol"));
+    if (!remote.delay.empty()) said(look, tr("play.delay"), remote.delay, tr("tip.delay"));
   }
   if (ImGui::TreeNodeEx(tr("play.next_connection"),
                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
-    number(look, tr("play.buffer"), "##buffer", form.settings.buffer);
-    number(look, tr("play.playout"), "##playout", form.settings.playout);
-    number(look, tr("play.threshold"), "##threshold", form.settings.threshold_percent);
+    number(look, tr("play.buffer"), "##buffer", form.settings.buffer, tr("tip.buffer"));
+    number(look, tr("play.playout"), "##playout", form.settings.playout, tr("tip.playout"));
+    number(look, tr("play.threshold"), "##threshold", form.settings.threshold_percent,
+           tr("tip.threshold"));
     number(look, tr("play.speed_ms"), "##speed", form.settings.speed_ms);
     if (remote.timed && form.settings.speed_ms > 0) {
       toned_text(Tone::Waiting, tr("play.timed"));
@@ -154,11 +156,11 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
     }
     label(look, tr("play.when_lost"));
     ImGui::Checkbox(tr("play.again"), &form.settings.reconnect);
-    label(look, tr("play.protection"));
+    label(look, tr("play.protection"), tr("tip.tls"));
     if (ImGui::Checkbox("TLS", &form.settings.tls)) {
       write(address_text(form.settings), form.address);
     }
-    label(look, tr("play.token_file"));
+    label(look, tr("play.token_file"), tr("tip.token"));
     ImGui::InputText("##token", form.token_file.data(), form.token_file.size());
     form.settings.token_file = form.token_file.data();
   }
@@ -192,7 +194,7 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
   heading(look, tr("play.animation"));
   AnimationSettings settings = model.animation;
   bool changed = false;
-  label(look, tr("play.mixer"));
+  label(look, tr("play.mixer"), tr("tip.mixer"));
   const std::array<const char*, 2> mixers = {tr("play.maximum"), tr("play.average")};
   int mixer = settings.mixer == face::Mixer::Average ? 1 : 0;
   if (choice("mixer", mixers, mixer)) {
@@ -200,7 +202,7 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
     changed = true;
   }
   changed |= in_between(look, "interpolation", settings.interpolation);
-  label(look, tr("play.rules"));
+  label(look, tr("play.rules"), tr("tip.rules"));
   const auto found = std::find(kRules.begin(), kRules.end(), settings.rules);
   const std::array<const char*, 3> words = {kRules[0], kRules[1], tr("play.no_rules")};
   int rules = found == kRules.end() ? -1 : static_cast<int>(found - kRules.begin());
@@ -213,7 +215,7 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
 }
 
 void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
-  heading(look, tr("play.aus"));
+  heading(look, tr("play.aus"), tr("tip.au"));
   intensities(look, model.remote, form.large_chart);
   if (model.remote.aus.empty()) {
     quiet_text(model.remote.keyframe.empty() ? tr("play.none_yet") : tr("play.neutral_face"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr std::array<TextKey, 5> kGrounds = {"view.studio", "view.black", "view.grey", "view.white",
                                              "view.none"};
+
+constexpr int kTextStep = 25;
 
 struct LayerLabel {
   TextKey text;
@@ -67,6 +70,7 @@ bool usual_view(RenderingSettings& settings) {
 bool slider(const Look& look, const char* name, const char* id, int& value, int least, int most,
             const char* format) {
   label(look, name);
+  const SliderScope scope;
   return ImGui::SliderInt(id, &value, least, most, format, ImGuiSliderFlags_AlwaysClamp);
 }
 
@@ -93,8 +97,8 @@ bool light(const Look& look, RenderingSettings& settings) {
 
 /// A whole number kept in its range, typed or stepped.
 bool number(const Look& look, const char* name, const char* id, int& value, int least, int most,
-            int step) {
-  label(look, name);
+            int step, const char* help = "") {
+  label(look, name, help);
   const bool changed = ImGui::InputInt(id, &value, step, 10 * step);
   if (changed) value = std::clamp(value, least, most);
   return changed;
@@ -111,7 +115,7 @@ bool blinking(const Look& look, RenderingSettings& settings) {
   changed |= number(look, tr("view.closing_ms"), "##closing", blink.closing_ms, 25, 500, 25);
   changed |= in_between(look, "lids", blink.interpolation);
   int seed = static_cast<int>(std::min<std::uint64_t>(blink.seed, 999'999));
-  if (number(look, tr("view.seed"), "##seed", seed, 0, 999'999, 1)) {
+  if (number(look, tr("view.seed"), "##seed", seed, 0, 999'999, 1, tr("tip.seed"))) {
     blink.seed = static_cast<std::uint64_t>(seed);
     changed = true;
   }
@@ -127,21 +131,29 @@ void pace(const Look& look, const RenderingView& rendering) {
   }
 }
 
-void display(const Look& look, const DisplayView& view, GuiCommands& commands) {
-  if (view.languages.empty()) return;
-  heading(look, tr("view.window"));
+void language(const Look& look, const DisplayView& view, DisplaySettings& settings) {
   label(look, tr("view.language"));
   const auto used = std::find_if(view.languages.begin(), view.languages.end(),
                                  [&](const auto& one) { return one.code == view.language; });
   const bool known = used != view.languages.end();
   if (!ImGui::BeginCombo("##language", known ? used->name.c_str() : view.language.c_str())) return;
   for (const LanguageEntry& one : view.languages) {
-    if (!ImGui::Selectable(one.name.c_str(), one.code == view.language)) continue;
-    DisplaySettings settings = view.settings;
-    settings.language = one.code;
-    commands.push_back(ChangeDisplay{settings});
+    if (list_item(one.name, one.code == view.language)) settings.language = one.code;
   }
   ImGui::EndCombo();
+}
+
+void display(const Look& look, const DisplayView& view, GuiCommands& commands) {
+  if (view.languages.empty()) return;
+  heading(look, tr("view.window"));
+  DisplaySettings settings = view.settings;
+  language(look, view, settings);
+  label(look, tr("view.text_size"));
+  if (ImGui::InputInt("##textsize", &settings.text_percent, kTextStep, 2 * kTextStep,
+                      ImGuiInputTextFlags_EnterReturnsTrue)) {
+    settings.text_percent = std::clamp(settings.text_percent, kTextPercentMin, kTextPercentMax);
+  }
+  if (settings != view.settings) commands.push_back(ChangeDisplay{settings});
 }
 
 }  // namespace

@@ -49,11 +49,11 @@ void device_choice(const Look& look, const SoundView& sound, GuiCommands& comman
   const char* shown = sound.device.empty() ? tr("sound.usual_device") : sound.device.c_str();
   if (!ImGui::BeginCombo("##device", shown)) return;
   if (ImGui::IsWindowAppearing()) commands.push_back(SoundCommand(ListDevices{}));
-  if (ImGui::Selectable(tr("sound.usual_device"), sound.device.empty())) {
+  if (list_item(tr("sound.usual_device"), sound.device.empty())) {
     commands.push_back(SoundCommand(ChooseDevice{}));
   }
   for (const std::string& device : sound.devices) {
-    if (ImGui::Selectable(device.c_str(), device == sound.device)) {
+    if (list_item(device, device == sound.device)) {
       commands.push_back(SoundCommand(ChooseDevice{device}));
     }
   }
@@ -105,7 +105,7 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) 
       commands.push_back(SoundCommand(ToggleMute{}));
     }
     tip(tr("sound.mute_tip"));
-    label(look, tr("sound.level"));
+    label(look, tr("sound.level"), tr("tip.level_meter"));
     level_meter(look, sound.level_percent);
     device_choice(look, sound, commands);
   }

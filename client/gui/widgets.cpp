@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/label_places.h"
 #include "client/gui/texts.h"
 
@@ -12,6 +13,8 @@ namespace aucast::gui {
 namespace {
 
 constexpr float kLabelWidth = 112;
+/// In letters.
+constexpr float kTipWidth = 26;
 
 ImVec4 accent() {
   return ImGui::GetStyleColorVec4(ImGuiCol_PlotLines);
@@ -85,23 +88,30 @@ void toned_text(Tone tone, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-void heading(const Look& look, const std::string& text) {
+void heading(const Look& look, const std::string& text, const char* help) {
   ImGui::Dummy(ImVec2(0, 5 * look.scale));
   ImGui::PushFont(look.bold);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopFont();
+  tip(help);
   ImGui::Dummy(ImVec2(0, 0));
 }
 
-void label(const Look& look, const char* text) {
+void label(const Look& look, const char* text, const char* help) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
+  tip(help);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelWidth * look.scale);
   ImGui::SetNextItemWidth(-1);
 }
 
 void tip(const std::string& text) {
-  if (!text.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+  if (text.empty() || !ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(kTipWidth * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
 }
 
 std::string with_id(const char* text, const char* id) {
@@ -115,6 +125,13 @@ void quiet_text(const std::string& text) {
   ImGui::TextUnformatted(lines.data(), lines.data() + lines.size());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
+}
+
+bool list_item(const std::string& text, bool chosen, int flags) {
+  const bool pressed = ImGui::Selectable(text.c_str(), chosen, flags);
+  if (chosen && ImGui::IsWindowAppearing()) ImGui::SetItemDefaultFocus();
+  if (type_ahead().finds(text)) focus_here(true);
+  return pressed;
 }
 
 bool has_room_beside(float width) {
@@ -164,13 +181,15 @@ void sides_heading() {
 }
 
 bool percent_slider(const char* id, float width, int& value) {
+  const SliderScope slider;
   ImGui::SetNextItemWidth(width);
   return ImGui::SliderInt(id, &value, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);
 }
 
-void buffer_bar(const Look& look, const char* name, const BufferLevel& level) {
+void buffer_bar(const Look& look, const char* name, const BufferLevel& level, const char* help) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(name);
+  tip(help);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelWidth * look.scale);
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight());
@@ -224,6 +243,7 @@ bool plot(const Look& look, std::span<const PlotLine> lines, float height, float
   const ImVec2 to(from.x + size.x, from.y + size.y);
   ImGui::PushID(static_cast<int>(from.y));
   const bool clicked = ImGui::InvisibleButton("##plot", size);
+  mark_focus();
   ImGui::PopID();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg),
@@ -317,7 +337,7 @@ bool choice_of(const char* id, const char* const* words, int count, int& chosen)
 
 bool in_between(const Look& look, const char* id, playback::Interpolation& way) {
   const std::array<const char*, 2> ways = {tr("panel.linear"), tr("panel.cosine")};
-  label(look, tr("panel.in_between"));
+  label(look, tr("panel.in_between"), tr("tip.in_between"));
   int chosen = way == playback::Interpolation::Cosine ? 1 : 0;
   if (!choice(id, ways, chosen)) return false;
   way = chosen == 1 ? playback::Interpolation::Cosine : playback::Interpolation::Linear;

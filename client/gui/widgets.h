@@ -40,14 +40,17 @@ void toned_line(Tone tone, const std::string& text);
 void toned_text(Tone tone, const std::string& text);
 
 /// A heading with room above it.
-void heading(const Look& look, const std::string& text);
+/// `help`: of the word, while the pointer is on it.
+void heading(const Look& look, const std::string& text, const char* help = "");
 /// A label at the left; what comes next stands at the panel's column for values and fills the rest.
-void label(const Look& look, const char* text);
+void label(const Look& look, const char* text, const char* help = "");
 void quiet_text(const std::string& text);
 /// Says more about the item before, while the pointer or the focus is on it.
 void tip(const std::string& text);
 /// A text for a widget that is known by `id` in every language.
 [[nodiscard]] std::string with_id(const char* text, const char* id);
+/// A line of a list, which typing its beginning finds; `flags` of ImGui's Selectable.
+[[nodiscard]] bool list_item(const std::string& text, bool chosen, int flags = 0);
 /// Something so wide fits on the line of the item before.
 [[nodiscard]] bool has_room_beside(float width);
 /// A button that fills its share of the line: `share` of `shares`, drawn as disabled unless
@@ -63,7 +66,7 @@ void sides_heading();
 /// A slider of 0 to 100 %; true when it changed `value`.
 [[nodiscard]] bool percent_slider(const char* id, float width, int& value);
 /// A buffer as a bar with its fill and the mark of its threshold.
-void buffer_bar(const Look& look, const char* name, const BufferLevel& level);
+void buffer_bar(const Look& look, const char* name, const BufferLevel& level, const char* help);
 /// A line of a plot; values in [0,1], oldest first.
 struct PlotLine {
   const std::vector<float>* values = nullptr;

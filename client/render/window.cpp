@@ -91,8 +91,8 @@ Key key_of(int code, int modifiers) {
       return control ? Key::Redo : Key::None;
     case GLFW_KEY_R:
       return Key::R;
-    case GLFW_KEY_TAB:
-      return Key::Tab;
+    case GLFW_KEY_P:
+      return Key::P;
     case GLFW_KEY_LEFT:
       return Key::Left;
     case GLFW_KEY_RIGHT:

@@ -23,7 +23,7 @@ enum class Key : int {
   S,
   R,
   Question,
-  Tab,
+  P,
   Left,
   Right,
   Home,

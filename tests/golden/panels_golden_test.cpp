@@ -18,6 +18,7 @@
 #include "client/app/window/window_session.h"
 #include "client/face/face_folder.h"
 #include "client/gui/gui.h"
+#include "client/gui/texts.h"
 #include "client/render/offscreen_context.h"
 #include "client/render/offscreen_target.h"
 #include "tests/golden/baseline.h"
@@ -53,11 +54,12 @@ class Replay : public testing::Test {
     if (gui_) ImGui_ImplOpenGL3_Shutdown();
     gui_.reset();
     target_.reset();
+    gui::use_english();
   }
 
   void open(float scale, std::unique_ptr<playback::Playback> playback) {
     scale_ = scale;
-    auto target = render::OffscreenTarget::create(scaled(kWidth), scaled(kHeight));
+    auto target = render::OffscreenTarget::create(scaled(kWidth), scaled(height_));
     ASSERT_TRUE(target) << target.error().message;
     target_ = std::move(*target);
     options_.playback.endpoint = "lecture.example.org";
@@ -137,16 +139,20 @@ class Replay : public testing::Test {
   void frame(bool pixels) {
     if (pixels) {
       target_->bind();
-      glViewport(0, 0, scaled(kWidth), scaled(kHeight));
+      glViewport(0, 0, scaled(kWidth), scaled(height_));
       glClearColor(0, 0, 0, 1);
       glClear(GL_COLOR_BUFFER_BIT);
     }
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(kWidth * scale_, kHeight * scale_);
+    io.DisplaySize = ImVec2(kWidth * scale_, static_cast<float>(height_) * scale_);
     io.DeltaTime = 1.0F / 60;
+    gui::GuiModel model = session_->model();
+    if (gui_->prepare(model.display)) {
+      ImGui_ImplOpenGL3_DestroyFontsTexture();
+      ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
     ImGui_ImplOpenGL3_NewFrame();
     gui::GuiCommands commands;
-    gui::GuiModel model = session_->model();
     if (dress_) dress_(model);
     gui_->draw(model, commands);
     if (pixels) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -161,6 +167,7 @@ class Replay : public testing::Test {
   app::PlayerStats stats_;
   test::ManualClock clock_;
   float scale_ = 1;
+  int height_ = kHeight;
   std::optional<app::WindowSession> session_;
   std::function<void(gui::GuiModel&)> dress_;  ///< what only a network would bring
   std::unique_ptr<render::OffscreenContext> context_;
@@ -230,6 +237,27 @@ TEST_F(Replay, AtTwiceTheScaleAllIsTwiceAsFine) {
   const view::Image fine = panel();
   EXPECT_EQ(fine.width, 2 * 380);
   test::expect_as_baseline(fine, "panel_view_twice", kTolerance, kShareMax);
+}
+
+TEST_F(Replay, InFrenchAllHasRoom) {
+  dress_ = as_from_a_server;
+  open(1, small_stream());
+  session_->apply(gui::ChangeDisplay{{"fr", 100}}, clock_.now());
+  replay("at 0\nat 250\nat 250\nat 250\nat 250\nat 250\nat 250\n");
+  EXPECT_EQ(session_->model().remote.state, "lecture");
+  test::expect_as_baseline(panel(), "panel_play_french", kTolerance, kShareMax);
+  replay("click 620 54\n");
+  test::expect_as_baseline(panel(), "panel_compose_french", kTolerance, kShareMax);
+}
+
+TEST_F(Replay, LettersOfTwiceTheSizeHaveRoomInASmallWindow) {
+  dress_ = as_from_a_server;
+  height_ = 600;
+  open(1, small_stream());
+  session_->apply(gui::ChangeDisplay{{"en", 200}}, clock_.now());
+  replay("at 0\nat 250\nat 250\n");
+  EXPECT_EQ(gui_->covered_width(), 560);
+  test::expect_as_baseline(overlay(), "panel_play_large", kTolerance, kShareMax);
 }
 
 /// What the user makes goes into a folder that is gone afterwards; pictures say "/home/anna".

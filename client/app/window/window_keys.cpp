@@ -32,7 +32,7 @@ const auto kKeys = std::to_array<KeyRow>({
     {Key::Escape, WindowAct::CloseNearest},
     {Key::F, WindowAct::ToggleFullScreen},
     {Key::H, WindowAct::ToggleBare},
-    {Key::Tab, WindowAct::TogglePanel},
+    {Key::P, WindowAct::TogglePanel},
     {Key::Question, WindowAct::ToggleKeys},
     {Key::R, gui::LookFrom{gui::View::Front}},
     {Key::S, gui::TakePicture{}},

@@ -11,6 +11,17 @@
 
 namespace aucast::app {
 
+namespace {
+
+/// Keys of playback that are the panels' while the focus is shown there.
+bool is_of_focus(render::Key key) {
+  using render::Key;
+  return key == Key::Space || key == Key::Left || key == Key::Right || key == Key::Home ||
+         key == Key::End || key == Key::PageUp || key == Key::PageDown;
+}
+
+}  // namespace
+
 WindowOverlay::WindowOverlay(render::Window& window) : window_(window), gui_(window.scale()) {
   ImGui_ImplGlfw_InitForOpenGL(window.native(), false);  // feed() hands on what happens
   ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -87,7 +98,9 @@ void WindowOverlay::take(const render::InputEvent& event) {
       ImGui_ImplGlfw_WindowFocusCallback(window, event.code);
       break;
   }
-  if (event.meaning != render::Key::None && !gui_.wants_keys()) keys_.push_back(event.meaning);
+  const bool walks = gui_.focus_shown() && is_of_focus(event.meaning);
+  if (event.meaning == render::Key::None || walks || gui_.wants_keys()) return;
+  keys_.push_back(event.meaning);
 }
 
 /// A drag that began on the face turns the view with the left button and moves it with the right.

@@ -1,0 +1,250 @@
+// The panels by keyboard alone: keys as ImGui has them, without a display.
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "client/gui/gui.h"
+#include "client/gui/keyboard_focus.h"
+#include "client/gui/texts.h"
+
+namespace aucast::gui {
+namespace {
+
+GuiModel small_model() {
+  GuiModel model;
+  model.remote.state = "no connection";
+  model.remote_settings.address = "lecture.example.org";
+  model.known_aus = std::make_shared<const std::vector<AuEntry>>(
+      std::vector<AuEntry>{{12, "Lip Corner Puller", "zygomaticus major 1", "A smile."}});
+  model.expressions.buttons = {{"Happiness", "6,12"}, {"Anger", "4,5,7,23"}};
+  model.composer.rows = std::make_shared<const std::vector<TimelineRow>>();
+  model.composer.pad = std::make_shared<const std::vector<PadPoint>>();
+  model.faces.entries = std::make_shared<const std::vector<FaceEntry>>();
+  model.recent = {"10.0.0.7"};
+  model.sample = "talk.txt";
+  return model;
+}
+
+class Keyboard : public testing::Test {
+ protected:
+  void SetUp() override {
+    gui_ = std::make_unique<Gui>(1.0F);
+    ImGuiIO& io = ImGui::GetIO();
+    for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+    unsigned char* pixels = nullptr;
+    int width = 0;
+    int height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    io.DisplaySize = ImVec2(800, 800);
+    io.DeltaTime = 1.0F / 60;
+    frames(3);
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) gui_->draw(model_, commands_);
+  }
+  void press(ImGuiKey key, bool shift = false) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyShift = shift;
+    io.KeysDown[key] = true;
+    frames(1);
+    io.KeysDown[key] = false;
+    frames(3);
+    io.KeyShift = false;
+  }
+  void type(const char* text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text);
+    frames(3);
+  }
+  static ImGuiID focus() { return ImGui::GetCurrentContext()->NavId; }
+  static ImGuiWindow* contents() {
+    for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+      if (std::string(window->Name).find("/contents_") != std::string::npos && window->WasActive) {
+        return window;
+      }
+    }
+    return nullptr;
+  }
+  static ImGuiID id_of(const char* label) {
+    ImGuiWindow* const window = contents();
+    return window == nullptr ? 0 : window->GetID(label);
+  }
+  /// Tab until what has this label has the focus; false when it never does.
+  bool go_to(const char* label) {
+    for (int i = 0; i < 200; ++i) {
+      if (focus() == id_of(label)) return true;
+      press(ImGuiKey_Tab);
+    }
+    return false;
+  }
+  bool go_to_tab(const char* name) {
+    ImGuiTabBar* bar = nullptr;
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    for (int i = 0; i < context.TabBars.GetMapSize(); ++i) bar = context.TabBars.TryGetMapData(i);
+    if (bar == nullptr) return false;
+    for (int i = 0; i < 200; ++i) {
+      for (const ImGuiTabItem& item : bar->Tabs) {
+        const bool meant = std::string(bar->GetTabName(&item)).starts_with(name);
+        if (!meant || item.ID != focus()) continue;
+        press(ImGuiKey_Enter);
+        frames(3);
+        return bar->SelectedTabId == item.ID;
+      }
+      press(ImGuiKey_Tab);
+    }
+    return false;
+  }
+  template <typename Command>
+  std::optional<Command> asked() {
+    for (const GuiCommand& command : commands_) {
+      if (const auto* found = command_if<Command>(command)) return *found;
+    }
+    return std::nullopt;
+  }
+
+  GuiModel model_ = small_model();
+  GuiCommands commands_;
+  std::unique_ptr<Gui> gui_;
+};
+
+TEST_F(Keyboard, TabShowsTheFocusAndEscapeOrAClickHidesIt) {
+  EXPECT_FALSE(gui_->focus_shown());
+  press(ImGuiKey_Tab);
+  EXPECT_TRUE(gui_->focus_shown());
+  EXPECT_NE(focus(), 0U);
+  EXPECT_TRUE(gui_->hide_focus());
+  EXPECT_FALSE(gui_->hide_focus());
+  press(ImGuiKey_Tab);
+  ImGui::GetIO().MouseDown[0] = true;
+  frames(2);
+  ImGui::GetIO().MouseDown[0] = false;
+  EXPECT_FALSE(gui_->focus_shown());
+}
+
+TEST_F(Keyboard, ShiftAndTabGoBackToWhereTabCameFrom) {
+  std::vector<ImGuiID> there;
+  for (int i = 0; i < 30; ++i) {
+    press(ImGuiKey_Tab);
+    there.push_back(focus());
+  }
+  for (std::size_t i = there.size() - 1; i-- > 0;) {
+    press(ImGuiKey_Tab, true);
+    EXPECT_EQ(focus(), there[i]) << i;
+  }
+}
+
+TEST_F(Keyboard, AServerIsConnectedTo) {
+  ASSERT_TRUE(go_to("##address"));
+  type("venus");
+  press(ImGuiKey_Enter);
+  const auto connect = asked<Connect>();
+  ASSERT_TRUE(connect);
+  EXPECT_EQ(connect->settings.address, "venus");
+}
+
+TEST_F(Keyboard, AButtonIsPressedByEnterAndBySpace) {
+  ASSERT_TRUE(go_to(tr("play.connect")));
+  press(ImGuiKey_Space);
+  EXPECT_TRUE(asked<Connect>());
+  commands_.clear();
+  press(ImGuiKey_Enter);
+  EXPECT_TRUE(asked<Connect>());
+}
+
+TEST_F(Keyboard, AnExpressionIsChosenAndItsStrengthSet) {
+  ASSERT_TRUE(go_to_tab("Expression"));
+  bool chosen = false;
+  for (int i = 0; i < 60 && !chosen; ++i) {
+    press(ImGuiKey_Tab);
+    press(ImGuiKey_Space);
+    chosen = asked<ShowExpression>().has_value();
+  }
+  EXPECT_TRUE(chosen);
+  if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) press(ImGuiKey_Escape);
+  ASSERT_TRUE(go_to("##strength"));
+  EXPECT_EQ(ImGui::GetCurrentContext()->ActiveId, 0U) << "nothing is typed in yet";
+  press(ImGuiKey_Space);
+  press(ImGuiKey_LeftArrow);
+  const auto strength = asked<ChangeStrength>();
+  ASSERT_TRUE(strength);
+  EXPECT_LT(strength->percent, 100);
+}
+
+TEST_F(Keyboard, AFileIsFoundByItsFirstLettersAndOpened) {
+  model_.browser.open = true;
+  model_.browser.folder = "/streams";
+  model_.browser.entries = {{"lectures", true}, {"smile.txt"}, {"talk.txt"}, {"tired.txt"}};
+  frames(4);
+  type("t");
+  type("i");
+  press(ImGuiKey_Enter);
+  const auto file = asked<ChooseFile>();
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->file, "tired.txt");
+}
+
+TEST_F(Keyboard, ArrowsWalkThroughTheFiles) {
+  model_.browser.open = true;
+  model_.browser.folder = "/streams";
+  model_.browser.entries = {{"smile.txt"}, {"talk.txt"}, {"tired.txt"}};
+  frames(4);
+  press(ImGuiKey_DownArrow);
+  press(ImGuiKey_Enter);
+  const auto file = asked<ChooseFile>();
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->file, "talk.txt");
+}
+
+struct TabWidgets {
+  const char* tab;
+  std::vector<TextKey> labels;
+};
+
+TEST_F(Keyboard, TabReachesWhatEachTabHas) {
+  const std::vector<TabWidgets> tabs = {
+      {"Play", {"play.connect", "button.open_file", "play.picture", "button.export", "play.where"}},
+      {"Expression", {"button.show"}},
+      {"Editor", {"button.neutral", "panel.linked"}},
+      {"Compose", {"button.new", "button.open_dots", "compose.add", "button.neutral"}},
+      {"View", {"face.other", "view.front", "view.profile", "view.muscles"}},
+      {"Camera", {"camera.start", "camera.as_mirror", "camera.landmarks"}}};
+  for (const TabWidgets& tab : tabs) {
+    ASSERT_TRUE(go_to_tab(tab.tab)) << tab.tab;
+    std::set<ImGuiID> reached;
+    const ImGuiID first = focus();
+    for (int i = 0; i < 150; ++i) {
+      press(ImGuiKey_Tab);
+      reached.insert(focus());
+      if (focus() == first) break;
+    }
+    EXPECT_EQ(focus(), first) << tab.tab << ": Tab comes around";
+    for (const TextKey label : tab.labels) {
+      EXPECT_TRUE(reached.contains(id_of(tr(label)))) << tab.tab << ": " << tr(label);
+    }
+    EXPECT_GT(reached.size(), tab.labels.size()) << tab.tab;
+  }
+}
+
+TEST_F(Keyboard, TheFocusGoesOnToWhatLiesOverTheFace) {
+  const ImGuiWindow* const welcome = ImGui::FindWindowByName("welcome");
+  ASSERT_NE(welcome, nullptr);
+  bool seen = false;
+  for (int i = 0; i < 100 && !seen; ++i) {
+    press(ImGuiKey_Tab);
+    seen = ImGui::GetCurrentContext()->NavWindow == welcome;
+  }
+  EXPECT_TRUE(seen);
+  press(ImGuiKey_Tab, true);
+  EXPECT_NE(ImGui::GetCurrentContext()->NavWindow, welcome);
+}
+
+}  // namespace
+}  // namespace aucast::gui
