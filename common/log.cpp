@@ -64,12 +64,11 @@ std::string json_text(std::string_view message, std::size_t room) {
   std::string text;
   for (const char byte : message) {
     const auto code = static_cast<unsigned char>(byte);
-    std::string written(1, byte);
-    if (byte == '"' || byte == '\\') {
-      written = {'\\', byte};
-    } else if (code < 0x20 || code >= 0x7f) {
-      written = "\\" + escaped(written);
-    }
+    const bool is_told = byte == '"' || byte == '\\';
+    const bool is_plain = code >= 0x20 && code < 0x7f;
+    const std::string itself(1, byte);
+    const std::string written =
+        is_told ? "\\" + itself : (is_plain ? itself : "\\" + escaped(itself));
     if (text.size() + written.size() > room) break;
     text += written;
   }
