@@ -51,6 +51,7 @@ void PlayerStats::take(const playback::SourceStatus& status) {
   live = status.live;
   if (live && !live_delay_target) live_delay_target = status.delay;
   keyframes_dropped = status.keyframes_dropped;
+  voice_left_out = status.voice_left_out;
   captions_left_out = status.captions_left_out;
   reconnects = status.reconnects;
   if (status.end != playback::EndReason::NotEnded) end_reason = name(status.end);
@@ -86,6 +87,7 @@ std::string to_json(const PlayerStats& stats) {
   json["live_delay_max_ms"] = delay(stats.live_delay.longest);
   json["live_delay_target_ms"] = delay(stats.live_delay_target.value_or(Duration::zero()));
   json["keyframes_dropped"] = stats.keyframes_dropped;
+  json["voice_left_out"] = stats.voice_left_out;
   json["captions_left_out"] = stats.captions_left_out;
   json["reconnects"] = stats.reconnects;
   add_sound(stats.sound, json);

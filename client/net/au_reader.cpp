@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "protocol/limits.h"
-#include "protocol/voice_packet.h"
 
 namespace aucast::net {
 namespace {
@@ -16,16 +15,13 @@ using playback::TimedAus;
 using protocol::SessionFailed;
 
 constexpr std::size_t kWindowAsked = 64;
-/// Answers wait so long for each other, and until so much of the window is owed.
-constexpr Milliseconds kAnswersLate{250};
-constexpr std::size_t kWindowPartOwed = 4;
 
-/// `answers`: without, the window is 0.
+/// `answered`: without, the window is 0.
 protocol::ClientSessionOptions session_options(const AuReaderOptions& options, bool negotiate,
-                                               bool answers) {
+                                               bool answered) {
   protocol::ClientSessionOptions session;
   session.negotiate = negotiate;
-  if (answers) {
+  if (answered) {
     session.hello.window =
         static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity));
   } else {
@@ -75,7 +71,7 @@ constexpr int kBusyCode = 503;
 }  // namespace
 
 void AuReader::begin_session() {
-  protocol::ClientSessionOptions again = session_options(options_, negotiate_, answers_);
+  protocol::ClientSessionOptions again = session_options(options_, negotiate_, answered_);
   if (!status_.live) {
     again.hello.from_ms = static_cast<std::uint64_t>((clock_ - clock_shift_).count());
   }
@@ -85,8 +81,8 @@ void AuReader::begin_session() {
 AuReader::AuReader(AuReaderOptions options)
     : options_(std::move(options)),
       negotiate_(!options_.classic),
-      answers_(!options_.buffers.low_delay),
-      session_(session_options(options_, negotiate_, answers_)),
+      answered_(!options_.buffers.low_delay),
+      session_(session_options(options_, negotiate_, answered_)),
       buffers_(options_.buffers),
       timing_(options_.buffers) {}
 
@@ -126,11 +122,9 @@ Reaction AuReader::time(Instant now) {
 std::optional<Instant> AuReader::deadline() const {
   // What waits for room is not silence of the server's.
   if (status_.end != EndReason::NotEnded || !waiting_.empty()) return std::nullopt;
-  auto deadline = session_.deadline();
-  if (gathers_answers()) {
-    deadline = std::min(deadline.value_or(Instant::max()), owed_since_ + kAnswersLate);
-  }
-  return deadline;
+  const auto deadline = session_.deadline();
+  const auto due = ledger_.deadline(session_, wishes(), now_);
+  return due ? std::min(deadline.value_or(Instant::max()), *due) : deadline;
 }
 
 Reaction AuReader::unreachable(std::string reason) {
@@ -161,7 +155,7 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   buffers_.set_live(std::nullopt);
   packets_before_ += session_.packets_received();
   bytes_before_ += session_.payload_bytes();
-  owed_ = 0;
+  ledger_.forget();
   negotiate_ = !options_.classic;
   begin_session();
   timing_.begin_again();
@@ -193,8 +187,7 @@ bool AuReader::wants_bytes() const {
 }
 
 bool AuReader::digests() const {
-  return status_.end == EndReason::NotEnded && kept_.size() < kept_max() &&
-         owed_ < protocol::kOwedAnswersMax;
+  return status_.end == EndReason::NotEnded && kept_.size() < kept_max() && ledger_.has_room();
 }
 
 /// Packet by packet, so that each is answered before the session counts the next as sent ahead.
@@ -227,13 +220,13 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   TimedAus keyframe{event.aus, std::nullopt};
   if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
   const Milliseconds time = keyframe.duration.value_or(status_.keyframe_time);
-  keyframe.spoken = status_.live && voice_end_ > clock_;
+  keyframe.spoken = status_.live && spoken_.voice_end() > clock_;
   clock_ += time;
   keyframe.place = clock_;
   keyframe.span = time;
   if (status_.live) note_live(event, keyframe);
 
-  if (owed_++ == 0) owed_since_ = now_;
+  ledger_.owe(now_);
   if (!settled_ && negotiate_ && !negotiated() && !first_) {
     first_ = keyframe;
   } else {
@@ -245,9 +238,9 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
-  if (!answers_ && !event.hello.live) {
+  if (!answered_ && !event.hello.live) {
     // Only a live stream goes without answers; a recorded one would come packet by packet.
-    answers_ = true;
+    answered_ = true;
     connect_anew(reaction);
     return;
   }
@@ -269,21 +262,13 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
 
 void AuReader::handle(const protocol::DeliverVoice& event, Reaction& reaction) {
   reaction.changed = true;
-  const std::string& opus = event.packet.opus;
-  if (voice_bytes_ + opus.size() > kVoiceQueueBytesMax) return;
-  const Milliseconds place = event.packet.place + clock_shift_;
-  voice_end_ = place + protocol::opus_duration(opus).value_or(Milliseconds::zero());
-  voice_bytes_ += opus.size();
-  voice_.push_back({place, opus});
+  spoken_.add(playback::Voice{event.packet.place + clock_shift_, event.packet.opus});
 }
 
 void AuReader::handle(const protocol::DeliverCaption& event, Reaction& reaction) {
   reaction.changed = true;
-  if (captions_.size() == kCaptionsMax) {
-    ++status_.captions_left_out;
-    return;
-  }
-  captions_.push_back({Milliseconds(event.caption.place_ms) + clock_shift_, event.caption.text});
+  spoken_.add(
+      playback::Caption{Milliseconds(event.caption.place_ms) + clock_shift_, event.caption.text});
 }
 
 void AuReader::handle(const protocol::StreamEnded& /*event*/, Reaction& reaction) {
@@ -303,7 +288,7 @@ void AuReader::connect_anew(Reaction& reaction) {
   reaction.changed = true;
   reaction.next = Reaction::Next::Reconnect;
   first_.reset();
-  owed_ = 0;
+  ledger_.forget();
   status_.connected = false;
   begin_session();
 }
@@ -341,58 +326,11 @@ void AuReader::store_kept() {
 }
 
 void AuReader::answer(std::string& send) {
-  if (status_.end != EndReason::NotEnded) return;
-  if (negotiated()) {
-    answer_negotiated(send);
-  } else {
-    answer_classic(send);
-  }
+  if (status_.end == EndReason::NotEnded) send += ledger_.speak(session_, wishes(), now_);
 }
 
-void AuReader::answer_classic(std::string& send) {
-  if (session_.paused()) {
-    if (user_paused_ || !kept_.empty()) return;
-    say_resume(send);  // answers the keyframe that -1 had left open
-    --owed_;
-  }
-  while (owed_ > 0) {
-    if (user_paused_ || (!kept_.empty() && owed_ == 1)) {
-      say_pause(send);
-      return;
-    }
-    send += session_.answer_received();
-    --owed_;
-  }
-}
-
-/// Each answer that goes alone has the server's system acknowledge it: with a voice, which goes
-/// over thin links, several go at once.
-bool AuReader::gathers_answers() const {
-  const auto window = static_cast<std::size_t>(std::max(session_.window(), 0));
-  return status_.voice && negotiated() && !user_paused_ && !session_.paused() && kept_.empty() &&
-         owed_ > 0 && owed_ < window / kWindowPartOwed && now_ < owed_since_ + kAnswersLate;
-}
-
-void AuReader::answer_negotiated(std::string& send) {
-  if (gathers_answers()) return;
-  const bool hold = user_paused_ || !kept_.empty();
-  // First the pause, then the answers: the other way round each answer would let one more packet
-  // go than there is room for.
-  if (hold && !session_.paused()) say_pause(send);
-  for (; owed_ > 0; --owed_) send += session_.answer_received();
-  if (!hold && session_.paused()) say_resume(send);
-}
-
-void AuReader::say_pause(std::string& send) {
-  const std::string words = session_.pause();
-  if (!words.empty()) ++status_.pauses_sent;
-  send += words;
-}
-
-void AuReader::say_resume(std::string& send) {
-  const std::string words = session_.resume();
-  if (!words.empty()) ++status_.resumes_sent;
-  send += words;
+AnswerLedger::Wishes AuReader::wishes() const {
+  return {user_paused_, !kept_.empty(), status_.voice};
 }
 
 bool AuReader::negotiated() const {
@@ -422,18 +360,11 @@ std::optional<TimedAus> AuReader::take() {
 }
 
 std::optional<playback::Voice> AuReader::take_voice() {
-  if (stopped_ || voice_.empty()) return std::nullopt;
-  playback::Voice voice = std::move(voice_.front());
-  voice_.pop_front();
-  voice_bytes_ -= voice.opus.size();
-  return voice;
+  return stopped_ ? std::nullopt : spoken_.take_voice();
 }
 
 std::optional<playback::Caption> AuReader::take_caption() {
-  if (stopped_ || captions_.empty()) return std::nullopt;
-  playback::Caption caption = std::move(captions_.front());
-  captions_.pop_front();
-  return caption;
+  return stopped_ ? std::nullopt : spoken_.take_caption();
 }
 
 bool AuReader::ready() const {
@@ -442,12 +373,7 @@ bool AuReader::ready() const {
 
 bool AuReader::has_words() const {
   if (status_.end != EndReason::NotEnded || !status_.connected) return false;
-  if (!waiting_.empty() && digests()) return true;
-  if (gathers_answers()) return false;
-  if (negotiated()) return owed_ > 0 || session_.paused() != (user_paused_ || !kept_.empty());
-  if (user_paused_) return !session_.paused() && owed_ > 0;
-  if (!kept_.empty() || !session_.paused()) return owed_ > (kept_.empty() ? 0 : 1);
-  return true;
+  return (!waiting_.empty() && digests()) || ledger_.has_words(session_, wishes(), now_);
 }
 
 void AuReader::set_paused(bool paused) {
@@ -471,6 +397,10 @@ playback::SourceStatus AuReader::status() const {
   status.packets_received = packets_before_ + session_.packets_received();
   status.bytes_received = bytes_before_ + session_.payload_bytes();
   status.keyframes_dropped = buffers_.dropped();
+  status.voice_left_out = spoken_.voice_left_out();
+  status.captions_left_out = spoken_.captions_left_out();
+  status.pauses_sent = ledger_.pauses_sent();
+  status.resumes_sent = ledger_.resumes_sent();
   status.delay = buffers_.delay();
   if (status_.live && options_.buffers.low_delay) {
     status.delay = timing_.low_delay();

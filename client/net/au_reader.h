@@ -9,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "client/net/answer_ledger.h"
 #include "client/net/back_off.h"
 #include "client/net/live_timing.h"
+#include "client/net/spoken_queue.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "common/time.h"
@@ -93,11 +95,7 @@ class AuReader {
   [[nodiscard]] std::optional<playback::TimedAus> take();
   /// KeyframeSource's.
   [[nodiscard]] std::optional<playback::Voice> take_voice();
-  /// Bytes of voice that wait to be taken; what comes on top is left out. At 24 kbit/s an hour.
-  static constexpr std::size_t kVoiceQueueBytesMax = std::size_t{11} << 20U;
   [[nodiscard]] std::optional<playback::Caption> take_caption();
-  /// Captions that wait to be taken; what comes on top is left out and counted.
-  static constexpr std::size_t kCaptionsMax = 10'000;
   /// True when take() would return a keyframe, or no more will ever come.
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
@@ -126,11 +124,7 @@ class AuReader {
   void take_in(const playback::TimedAus& keyframe);
   void store_kept();
   void answer(std::string& send);
-  void answer_classic(std::string& send);
-  void answer_negotiated(std::string& send);
-  [[nodiscard]] bool gathers_answers() const;
-  void say_pause(std::string& send);
-  void say_resume(std::string& send);
+  [[nodiscard]] AnswerLedger::Wishes wishes() const;
   [[nodiscard]] bool negotiated() const;
   [[nodiscard]] std::size_t kept_max() const;
   [[nodiscard]] bool begin_again(Reaction& reaction, const std::string& reason);
@@ -138,15 +132,14 @@ class AuReader {
 
   AuReaderOptions options_;
   bool negotiate_;
-  bool answers_;  ///< the next hello asks for a window
+  bool answered_;  ///< the next hello asks for a window
   protocol::ClientSession session_;
   playback::KeyframeBuffers buffers_;
   std::optional<playback::TimedAus> first_;  ///< kept aside until the server is known to go on
   bool settled_ = false;                     ///< the server is known to go on
   std::deque<playback::TimedAus> kept_;      ///< case A: came when both buffers were full
   std::string waiting_;                      ///< received bytes that wait for room in kept_
-  std::size_t owed_ = 0;                     ///< keyframes not yet answered by `1` or -3
-  Instant owed_since_{};
+  AnswerLedger ledger_;
   bool user_paused_ = false;
   bool stopped_ = false;           ///< by leave()
   playback::SourceStatus status_;  ///< without what status() asks the other members for
@@ -155,10 +148,7 @@ class AuReader {
   LiveTiming timing_;
   Milliseconds clock_{0};        ///< the times of all keyframes received, over all connections
   Milliseconds clock_shift_{0};  ///< from this connection's places to it
-  Milliseconds voice_end_{0};    ///< on that clock, of the voice received
-  std::deque<playback::Voice> voice_;
-  std::size_t voice_bytes_ = 0;
-  std::deque<playback::Caption> captions_;
+  SpokenQueue spoken_;           ///< its places are on that clock
   BackOff back_off_;
   std::size_t busy_in_a_row_ = 0;     ///< hosts that had no room, or not the stream yet
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost

@@ -63,7 +63,8 @@ struct SourceStatus {
   bool captions = false;                ///< captions come with it
   std::string title;                    ///< of the stream; empty: none
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
-  std::uint64_t captions_left_out = 0;  ///< more had come than may wait
+  std::uint64_t voice_left_out = 0;     ///< packets that nobody took and there was no room for
+  std::uint64_t captions_left_out = 0;  ///< likewise
   Milliseconds delay{0};                ///< buffered, by time (live, --buffer auto or Nms);
                                         ///< --live: from arrival until the face is there
   Milliseconds buffered{0};             ///< what is there, in the stream's own time

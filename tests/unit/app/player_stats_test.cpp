@@ -35,7 +35,8 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   status.resumes_sent = 1;
   status.live = true;
   status.keyframes_dropped = 4;
-  status.captions_left_out = 6;
+  status.voice_left_out = 6;
+  status.captions_left_out = 7;
   status.reconnects = 5;
   PlayerStats stats;
   stats.take(status);
@@ -46,7 +47,8 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   EXPECT_EQ(json["resumes_sent"], 1);
   EXPECT_EQ(json["live"], true);
   EXPECT_EQ(json["keyframes_dropped"], 4);
-  EXPECT_EQ(json["captions_left_out"], 6);
+  EXPECT_EQ(json["voice_left_out"], 6);
+  EXPECT_EQ(json["captions_left_out"], 7);
   EXPECT_EQ(json["reconnects"], 5);
   EXPECT_EQ(json["live_delay_p50_ms"], nullptr) << "nothing was played";
   EXPECT_EQ(json["end_reason"], "unreachable");

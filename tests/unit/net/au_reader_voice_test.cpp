@@ -125,19 +125,19 @@ TEST_F(ReaderVoice, CaptionsAreAskedForAndKeptWithTheirPlaces) {
 
 TEST_F(ReaderVoice, CaptionsThatNobodyTakesHaveALimit) {
   connect("text=1");
-  for (std::size_t sent = 0; sent <= AuReader::kCaptionsMax; ++sent) {
+  for (std::size_t sent = 0; sent <= SpokenQueue::kCaptionsMax; ++sent) {
     feed(protocol::encode(protocol::Caption{sent, "one"}));
   }
   std::size_t taken = 0;
   while (reader_.take_caption()) ++taken;
-  EXPECT_EQ(taken, AuReader::kCaptionsMax);
+  EXPECT_EQ(taken, SpokenQueue::kCaptionsMax);
   EXPECT_EQ(reader_.status().captions_left_out, 1U);
 }
 
 TEST_F(ReaderVoice, WhatNobodyTakesHasALimit) {
   connect("voice=opus");
   const std::string large = kOpus + std::string(1000, 'x');
-  const std::size_t fit = AuReader::kVoiceQueueBytesMax / large.size();
+  const std::size_t fit = SpokenQueue::kVoiceBytesMax / large.size();
   feed(protocol::encode(protocol::VoiceData{0, large}));
   for (std::size_t sent = 0; sent <= fit; ++sent) {
     feed(protocol::encode(protocol::VoiceData{std::nullopt, large}));
@@ -145,6 +145,7 @@ TEST_F(ReaderVoice, WhatNobodyTakesHasALimit) {
   std::size_t taken = 0;
   while (reader_.take_voice()) ++taken;
   EXPECT_EQ(taken, fit);
+  EXPECT_EQ(reader_.status().voice_left_out, 2U);
 }
 
 TEST_F(ReaderVoice, AnswersWaitForEachOtherWhereThereIsAVoice) {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "client/playback/keyframe_source.h"
+#include "common/time.h"
+
+namespace aucast::net {
+
+/// Voice and captions that have come and wait to be taken. What comes when there is no room is left
+/// out and counted. Thread: none of its own.
+class SpokenQueue {
+ public:
+  /// Bytes of voice; at 24 kbit/s an hour.
+  static constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
+  static constexpr std::size_t kCaptionsMax = 10'000;
+
+  void add(playback::Voice voice);
+  void add(playback::Caption caption);
+  [[nodiscard]] std::optional<playback::Voice> take_voice();
+  [[nodiscard]] std::optional<playback::Caption> take_caption();
+
+  /// Where the voice ends that was kept last.
+  [[nodiscard]] Milliseconds voice_end() const { return voice_end_; }
+  [[nodiscard]] std::uint64_t voice_left_out() const { return voice_left_out_; }
+  [[nodiscard]] std::uint64_t captions_left_out() const { return captions_left_out_; }
+
+ private:
+  std::deque<playback::Voice> voice_;
+  std::size_t voice_bytes_ = 0;
+  Milliseconds voice_end_{0};
+  std::deque<playback::Caption> captions_;
+  std::uint64_t voice_left_out_ = 0;  ///< packets
+  std::uint64_t captions_left_out_ = 0;
+};
+
+}  // namespace aucast::net
