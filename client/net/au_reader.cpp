@@ -301,6 +301,7 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
   const bool elsewhere = busy_in_a_row_ > 0 && busy_in_a_row_ < options_.hosts;
   if ((lost || elsewhere) && begin_again(reaction, options_.peer + ": " + event.reason)) return;
   reaction.next = Reaction::Next::Close;
+  status_.refusal = event.code;
   end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));
 }
 

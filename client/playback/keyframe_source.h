@@ -54,6 +54,7 @@ struct SourceStatus {
   bool connected = false;
   EndReason end = EndReason::NotEnded;  ///< set as soon as nothing more will arrive
   std::string detail;                   ///< a sentence about the end, for the user
+  std::optional<int> refusal;           ///< Refused: the server's code
   std::size_t receiver_fill = 0;
   std::size_t playout_fill = 0;
   Milliseconds keyframe_time{250};      ///< the server's default for untimed packets

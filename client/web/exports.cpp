@@ -210,6 +210,12 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_detail() {
   return kept(text, playback != nullptr ? playback->status().detail : std::string());
 }
 
+/// The code with which the server refused; 0: it did not.
+EMSCRIPTEN_KEEPALIVE int aucast_refusal() {
+  const auto* const playback = page()->playback();
+  return playback != nullptr ? playback->status().refusal.value_or(0) : 0;
+}
+
 EMSCRIPTEN_KEEPALIVE double aucast_reconnects() {
   const auto* const playback = page()->playback();
   return playback != nullptr ? static_cast<double>(playback->status().reconnects) : 0;

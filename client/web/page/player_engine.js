@@ -24,6 +24,9 @@ export function socketUrl(server) {
   return url;
 }
 
+/// The code of PROTOCOL.md.
+const TOKEN_REFUSED = 401;
+
 /// A token is shown to nobody on the way: only over TLS, or to this computer.
 function mayShowToken(url) {
   return url.protocol === 'wss:' ||
@@ -276,7 +279,7 @@ export class PlayerEngine {
   get state() { return this.call('aucast_state'); }
   get detail() { return this.call('aucast_detail'); }
   /// The server wants a token, and the one it was shown, if any, is wrong.
-  get tokenRefused() { return this.detail.includes(': the server refused: 401 '); }
+  get tokenRefused() { return this.core._aucast_refusal() === TOKEN_REFUSED; }
   /// To the server that was played last.
   get maySendToken() { return mayShowToken(new URL(this.browser.url)); }
   get connected() { return this.core._aucast_connected() !== 0; }

@@ -354,6 +354,7 @@ TEST(AuReader, TellsOfARefusal) {
   reading.feed("{error 404 no such stream}");
   const auto status = reading.reader.status();
   EXPECT_EQ(status.end, EndReason::Refused);
+  EXPECT_EQ(status.refusal, 404);
   EXPECT_NE(status.detail.find("server:4650: the server refused"), std::string::npos)
       << status.detail;
   EXPECT_NE(status.detail.find("no such stream"), std::string::npos) << status.detail;
