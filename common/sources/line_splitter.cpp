@@ -6,6 +6,7 @@
 namespace aucast::sources {
 
 std::optional<LineSplitter::Line> LineSplitter::next() {
+  if (fed_.empty()) return std::nullopt;
   if (std::exchange(after_return_, false) && fed_.starts_with('\n')) fed_.remove_prefix(1);
   const std::size_t feed = fed_.find_first_of("\r\n");
   const std::string_view piece = fed_.substr(0, feed);
@@ -26,6 +27,7 @@ bool LineSplitter::drop_partial() {
 
 void LineSplitter::restart() {
   drop_partial();
+  after_return_ = false;
   number_ = 0;
 }
 

@@ -46,6 +46,7 @@ struct Track {
   Found found;
   Timeline timeline;
   FaceMoments moments;
+  bool has_begun = false;
   double last_seconds = 0;
   double last_sure = 0;
 };
@@ -233,7 +234,7 @@ void RecordingReader::take(const Observation& row, Track& track) {
     return;
   }
   // Who comes late was neutral until then.
-  if (found.rows == 1 && *moment > 0) {
+  if (!std::exchange(track.has_begun, true) && *moment > 0) {
     static_cast<void>(track.timeline.add(0, update_of({}, found.scale, false)));
   }
   if (!track.timeline.add(*moment, update_of(row, found.scale, sure(row)))) ++found.left_out;

@@ -144,6 +144,19 @@ TEST(Recording, AllFacesAreStreamsOnOneClock) {
   EXPECT_NE(found_lines(faces->at(1).found).find("face 1 in 2 rows (this one)"), std::string::npos);
 }
 
+TEST(Recording, AFaceWhoseFirstRowHasNoTimeComesLateToo) {
+  std::string text = three_faces();
+  const std::string row = "2,1,0.2,";
+  text.replace(text.find(row), row.size(), "2,1,,");
+  RecordingOptions options;
+  options.all_faces = true;
+  const auto faces = read_faces(text, "f", options);
+  ASSERT_TRUE(faces) << faces.error().message;
+  ASSERT_EQ(faces->size(), 2U);
+  EXPECT_EQ(protocol::format_stream_file(faces->at(1).stream),
+            "Beg_Stream\n0;300\n12;300\nEnd_Stream\n");
+}
+
 TEST(Recording, EachOfAllFacesIsWhatFaceIdGives) {
   RecordingOptions all;
   all.all_faces = true;
