@@ -287,6 +287,7 @@ void AuReader::connect_anew(Reaction& reaction) {
   reaction = {};
   reaction.changed = true;
   reaction.next = Reaction::Next::Reconnect;
+  if (first_) clock_ -= first_->span;
   first_.reset();
   ledger_.forget();
   status_.connected = false;

@@ -145,6 +145,17 @@ TEST(AuReader, StartsAgainInClassicAndShowsNothingTwice) {
   EXPECT_EQ(reading.reader.status().packets_received, 3U);
 }
 
+TEST(AuReader, WhatWasDroppedAtTheStartTookNoTime) {
+  Reading reading(kEager);
+  reading.feed("{1}");
+  reading.close();
+  static_cast<void>(reading.reader.connected(reading.clock.now()));
+  reading.feed("{1}{2}{-2}");
+  const auto first = reading.reader.take();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->place, first->span);
+}
+
 TEST(AuReader, DoesNotReconnectTwice) {
   Reading reading(kEager);
   reading.feed("{1}");
