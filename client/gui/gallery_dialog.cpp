@@ -63,9 +63,7 @@ bool sweeps(const Look& look, GallerySettings& settings, GalleryForm& form) {
   const bool changed = text_field("##sweeps", "12  6,12  happiness  all", settings.sweeps,
                                   form.sweeps, form.sweeps_taken);
   if (changed) settings.sweeps = form.sweeps.data();
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip(tr("gallery.sweeps_of_tip"));
-  }
+  tip(tr("gallery.sweeps_of_tip"));
   return changed;
 }
 
