@@ -22,8 +22,8 @@ struct BufferOptions {
                                         ///< and is reached at its own TimedAus::due
 };
 
-/// Buffers of a player that waits for what the link needs (--buffer auto, the page): sets for the
-/// 60 s of the longest delay at 30 a second.
+/// Buffers of a player that waits for what the link needs (--buffer auto): sets for the 60 s of
+/// the longest delay at 30 a second.
 [[nodiscard]] constexpr BufferOptions buffers_by_time() {
   BufferOptions options;
   options.receiver_capacity = 2000;

@@ -16,7 +16,8 @@ net::AuReaderOptions reader_options(std::string server, std::string stream, std:
   options.voice = voice;
   options.captions = true;
   options.reconnect = true;
-  options.buffers = playback::buffers_by_time();
+  options.buffers.by_time = true;
+  options.buffers.adapt = true;
   return options;
 }
 
