@@ -479,6 +479,7 @@ for (const name of ['chromium', 'firefox']) {
     test('everything is reached by the keyboard, in the order in which it stands', async () => {
       const tab = await openTab(browser, server.at('http', '?stream=lecture&muted'), { untouched: true });
       await tab.waitForSelector('aucast-player >>> .caption:not([hidden])');
+      await tab.waitForSelector('aucast-player >>> select:not([hidden])');  // the server's answer
       await tab.bringToFront();
       const tabbed = async () => {
         await tab.keyboard.press('Tab');
