@@ -40,22 +40,15 @@ HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms)
   return granted;
 }
 
-/// Sets out with the first keyframe that ends after `from_ms`, and returns the place where it
-/// begins. A live stream has no other place than now.
+/// Sets out where a client begins that asks for `from_ms`, and returns that place. A live stream
+/// has no other place than now.
 std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
-  if (from_ms == 0 || stream_.live()) return 0;
-  const auto& times = recorded().times;
-  if (loops()) from_ms = place_in_turn(recorded(), from_ms);
-  std::uint64_t begin = 0;
-  for (next_packet_ = 0; from_ms > 0 && next_packet_ < times.size(); ++next_packet_) {
-    const std::uint64_t time = times[next_packet_].count();
-    if (begin + time > from_ms) break;
-    begin += time;
-  }
-  next_answered_ = next_packet_;
+  if (stream_.live()) return 0;
+  const auto [keyframe, begin] = entry_at(recorded(), from_ms, loops());
+  next_packet_ = next_answered_ = keyframe;
   sent_to_ = answered_to_ = Milliseconds(begin);
   const Soundtrack* const sound = soundtrack();
-  if (sound == nullptr) return begin;
+  if (sound == nullptr || begin == 0) return begin;
   // The packet that is sounding at the beginning, and the caption that stands there, belong to it.
   if (sound->voice) {
     const auto voice = sound->voice->packets();

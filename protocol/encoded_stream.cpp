@@ -28,16 +28,20 @@ std::size_t held_bytes(const EncodedStream& stream) {
          stream.times.size() * sizeof(KeyframeTime);
 }
 
-std::uint64_t place_in_turn(const EncodedStream& stream, std::uint64_t place_ms) {
-  const auto there = static_cast<std::uint64_t>(length_of(stream).count());
-  const std::uint64_t turn = stream.duration_ms.value_or(there);
-  return turn == 0 ? 0 : place_ms % turn;
-}
-
-bool reaches(const EncodedStream& stream, std::uint64_t from_ms, bool loop) {
-  if (loop) from_ms = place_in_turn(stream, from_ms);
-  if (from_ms == 0 || stream.extent != Extent::Growing) return true;
-  return static_cast<std::uint64_t>(length_of(stream).count()) > from_ms;
+Entry entry_at(const EncodedStream& stream, std::uint64_t from_ms, bool loop) {
+  if (loop) {
+    const auto there = static_cast<std::uint64_t>(length_of(stream).count());
+    const std::uint64_t turn = stream.duration_ms.value_or(there);
+    from_ms = turn == 0 ? 0 : from_ms % turn;
+  }
+  Entry entry;
+  for (const KeyframeTime time : stream.times) {
+    const std::uint64_t end_ms = entry.begin_ms + time.count();
+    if (entry.begin_ms >= from_ms || end_ms > from_ms) break;
+    entry.begin_ms = end_ms;
+    ++entry.keyframe;
+  }
+  return entry;
 }
 
 void StreamEncoder::add(const Keyframe& keyframe) {

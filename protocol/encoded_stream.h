@@ -46,12 +46,15 @@ struct EncodedStream {
 /// Memory that its packets and times take.
 [[nodiscard]] std::size_t held_bytes(const EncodedStream& stream);
 
-/// Where in one turn of a stream in a loop that place is, which counts on from turn to turn.
-[[nodiscard]] std::uint64_t place_in_turn(const EncodedStream& stream, std::uint64_t place_ms);
+/// Where a client begins in a stream.
+struct Entry {
+  std::size_t keyframe = 0;  ///< the index of its first one; the number of all if that is not there
+  std::uint64_t begin_ms = 0;
+};
 
-/// Whether the keyframe is there that a client begins with which asks for `from_ms`; a stream that
-/// grows may not have it yet.
-[[nodiscard]] bool reaches(const EncodedStream& stream, std::uint64_t from_ms, bool loop);
+/// For a client that asks for `from_ms`: the first keyframe that ends after it, or takes no time
+/// and stands there. `loop`: the place counts on from turn to turn.
+[[nodiscard]] Entry entry_at(const EncodedStream& stream, std::uint64_t from_ms, bool loop);
 
 /// Encodes a recorded stream keyframe by keyframe and holds nothing but packets and times. Untimed
 /// keyframes last `keyframe_ms`; `classic_min` as in encode_classic(). A stream of plain numbers

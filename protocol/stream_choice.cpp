@@ -33,6 +33,12 @@ std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
   return std::nullopt;
 }
 
+/// A stream that grows may not have the keyframe yet that a client begins with.
+bool is_here(const EncodedStream& stream, std::uint64_t from_ms, bool loops) {
+  return stream.extent != Extent::Growing ||
+         entry_at(stream, from_ms, loops).keyframe < stream.times.size();
+}
+
 }  // namespace
 
 StreamChoice choose_stream(const ServerCatalogue& catalogue,
@@ -74,7 +80,7 @@ StreamChoice choose_stream(const ServerCatalogue& catalogue,
   const RecordedStream* const recorded = stream.recorded();
   const bool ready =
       stream.live() ||
-      (recorded != nullptr && reaches(*recorded->encoded, asked ? asked->from_ms : 0, loops));
+      (recorded != nullptr && is_here(*recorded->encoded, asked ? asked->from_ms : 0, loops));
   if (!ready) choice.state = State::NotYet;
   return choice;
 }

@@ -1,5 +1,6 @@
 #include "server/upstream/relayed_stream.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "protocol/codec.h"
@@ -24,6 +25,13 @@ const char* end_of(bool loop) {
 
 /// How many keyframes are kept between two looks at the memory that is left.
 constexpr std::size_t kKeptBetweenLooks = 4096;
+
+/// Those that take no time.
+std::size_t keyframes_at_the_end(const protocol::EncodedStream& stream) {
+  const auto takes_time = [](protocol::KeyframeTime time) { return time.count() > 0; };
+  const auto last = std::find_if(stream.times.rbegin(), stream.times.rend(), takes_time);
+  return static_cast<std::size_t>(last - stream.times.rbegin());
+}
 
 }  // namespace
 
@@ -96,6 +104,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   shared_->servers = hello.servers;
   if (begun()) {
     if (recorded_ && !whole()) recorded_->extent = Extent::Growing;
+    if (recorded_) sent_again_ = keyframes_at_the_end(*recorded_);
     if (feed_) shift_ = feed_->end_of_newest();
     return std::nullopt;
   }
@@ -146,6 +155,11 @@ std::optional<std::string> RelayedStream::add(const protocol::DeliverKeyframe& k
 std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& keyframe,
                                                std::uint32_t time_ms) {
   protocol::EncodedStream& stream = *recorded_;
+  if (time_ms == 0 && sent_again_ > 0) {
+    --sent_again_;
+    return std::nullopt;
+  }
+  sent_again_ = 0;
   if (place_ms_ + time_ms > stream.duration_ms.value_or(0)) {
     return "it sends more than the " + ms_text(stream.duration_ms.value_or(0)) +
            " that it announced";

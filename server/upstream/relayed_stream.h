@@ -79,6 +79,7 @@ class RelayedStream {
   std::shared_ptr<protocol::EncodedStream> recorded_;  ///< of a recorded one
   bool changes_ = false;  ///< of a recorded one the changes-only form is kept too
   std::uint64_t place_ms_ = 0;
+  std::size_t sent_again_ = 0;  ///< keyframes of 0 ms that the parent may begin with, and are here
   std::shared_ptr<protocol::Soundtrack> sound_;  ///< of a recorded stream; null: it has none
   std::shared_ptr<protocol::VoiceTrack> voice_;  ///< of that; null: it has captions only
   std::size_t caption_bytes_ = 0;                ///< of that

@@ -146,6 +146,13 @@ TEST_F(RelayedSession, FromWaitsUntilTheStreamHasGrownSoFar) {
   EXPECT_EQ(wake(), "{hello v=2 window=8 stream=talk duration=120 keyframe=250 from=40}{2;40}");
 }
 
+TEST_F(RelayedSession, FromWaitsForNoMoreThanAKeyframeThatTakesNoTime) {
+  auto stream = grow();
+  append(*stream, "{2;0}", 0);
+  EXPECT_EQ(hear("{hello v=2 window=8 from=40}"),
+            "{hello v=2 window=8 stream=talk duration=120 keyframe=250 from=40}{2;0}");
+}
+
 TEST_F(RelayedSession, ALoopBeginsAgainOnlyWhenTheStreamIsWhole) {
   catalogue_.loop = true;
   auto stream = grow();

@@ -182,6 +182,20 @@ TEST_F(RelayOfTalk, ARecordedStreamGoesOnWithTheNextParentWhereItWasCutOff) {
   EXPECT_TRUE(stream_.whole());
 }
 
+TEST_F(RelayOfTalk, KeyframesThatTakeNoTimeAreKeptOnceAfterALoss) {
+  connect();
+  hear(kRecorded);
+  hear("{1;0}");
+  connect();
+  hear("{hello v=2 window=256 delta=1 stream=talk duration=120 keyframe=40}{1;0}{2;120}{3;0}");
+  connect();
+  hear("{hello v=2 window=256 delta=1 stream=talk duration=120 keyframe=40 from=120}");
+  hear("{3;0}{4;0}{-2}");
+  EXPECT_EQ(packets(kept().negotiated),
+            (std::vector<std::string>{"{1;0}", "{2;120}", "{3;0}", "{4;0}"}));
+  EXPECT_TRUE(stream_.whole());
+}
+
 TEST_F(RelayOfTalk, ALiveStreamGoesOnWithAFullPacketOfTheNextParent) {
   connect();
   hear(kLive);
