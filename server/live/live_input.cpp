@@ -58,8 +58,18 @@ Result<int> LiveInput::open_path() const {
   const int descriptor = path_ == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
                                       : ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor >= 0) return descriptor;
-  return Error{ErrorKind::Unreadable,
-               at_place(path_.string(), "cannot be read: " + system_reason(errno))};
+  return unreadable();
+}
+
+/// Of the call that has just failed.
+Error LiveInput::unreadable() const {
+  return {ErrorKind::Unreadable,
+          at_place(path_.string(), "cannot be read: " + system_reason(errno))};
+}
+
+void LiveInput::note_failure(Error failure) {
+  if (!failure_) spdlog::error("{}", failure.message);
+  failure_ = std::move(failure);
 }
 
 void LiveInput::take(int descriptor) {
@@ -130,9 +140,9 @@ void LiveInput::await() {
 void LiveInput::read_stream() {
   const ssize_t got = ::read(stream_.native_handle(), chunk_.data(), chunk_.size());
   if (got > 0) {
-    events_.on_bytes({chunk_.data(), static_cast<std::size_t>(got)});
+    pass_on({chunk_.data(), static_cast<std::size_t>(got)});
   } else if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
-    if (got < 0) spdlog::warn("{}: cannot be read: {}", path_.string(), system_reason(errno));
+    if (got < 0) note_failure(unreadable());
     stream_ended();
   }
   await();
@@ -154,16 +164,18 @@ void LiveInput::stream_ended() {
   if (descriptor) {
     take(*descriptor);
   } else {
-    spdlog::warn("{}; nothing more comes of it", descriptor.error().message);
+    note_failure(descriptor.error());
     ended_ = true;
   }
   events_.on_end();
 }
 
-void LiveInput::note_read(std::string_view bytes) {
+void LiveInput::pass_on(std::string_view bytes) {
+  failure_.reset();
   position_ += static_cast<std::int64_t>(bytes.size());
   tail_ += bytes.substr(bytes.size() - std::min(bytes.size(), kTailBytes));
   if (tail_.size() > kTailBytes) tail_.erase(0, tail_.size() - kTailBytes);
+  events_.on_bytes(bytes);
 }
 
 void LiveInput::read_file() {
@@ -175,10 +187,9 @@ void LiveInput::read_file() {
   // stdin has its own place, which whoever gave it to us may have chosen.
   const ssize_t got = path_ == "-" ? ::read(file_, chunk_.data(), chunk_.size())
                                    : ::pread(file_, chunk_.data(), chunk_.size(), position_);
+  if (got < 0) note_failure(unreadable());
   if (got > 0) {
-    const std::string_view bytes(chunk_.data(), static_cast<std::size_t>(got));
-    note_read(bytes);
-    events_.on_bytes(bytes);
+    pass_on({chunk_.data(), static_cast<std::size_t>(got)});
     await();
   } else if (!follow_) {
     ended_ = true;
@@ -222,6 +233,7 @@ std::string LiveInput::changed() const {
   std::string now(tail_.size(), '\0');
   const auto begin = position_ - static_cast<std::int64_t>(tail_.size());
   const ssize_t got = ::pread(file_, now.data(), now.size(), begin);
+  if (got < 0) return "";  // to read on will not do either, and that is said
   if (got < static_cast<ssize_t>(tail_.size())) return "it got shorter";
   return now == tail_ ? "" : "it was rewritten";
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,8 @@ namespace aucast::server {
 
 /// The bytes of a source that is still being written: stdin (the path "-"), a FIFO, which is opened
 /// again whenever its writer has gone, or a growing file. A file that got shorter, was replaced or
-/// has other bytes where it was read already is read anew from its beginning.
+/// has other bytes where it was read already is read anew from its beginning. What cannot be read
+/// is said once; a FIFO and a growing file are tried again, anything else has ended.
 /// Thread: that of the io_context, which must outlive it.
 class LiveInput {
  public:
@@ -52,6 +54,8 @@ class LiveInput {
   [[nodiscard]] bool has_past() const { return file_ >= 0; }
   /// Nothing comes any more: stdin has ended, or a FIFO cannot be opened again.
   [[nodiscard]] bool ended() const { return ended_; }
+  /// Why it could not be read the last time; nothing if it could.
+  [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
 
  private:
   [[nodiscard]] Result<int> open_path() const;
@@ -65,7 +69,9 @@ class LiveInput {
   [[nodiscard]] bool replaced() const;
   [[nodiscard]] std::string changed() const;
   void begin_anew(const std::string& why);
-  void note_read(std::string_view bytes);
+  void pass_on(std::string_view bytes);
+  [[nodiscard]] Error unreadable() const;
+  void note_failure(Error failure);
 
   asio::io_context& io_;
   std::filesystem::path path_;
@@ -83,6 +89,7 @@ class LiveInput {
   bool stopped_ = false;
   bool waiting_ = false;
   bool ended_ = false;
+  std::optional<Error> failure_;
   /// Cleared on destruction; handlers that still come see it.
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };

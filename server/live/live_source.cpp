@@ -79,6 +79,17 @@ void LiveSource::stop() {
   if (voice_) voice_->stop();
 }
 
+Result<void> LiveSource::finish() {
+  if (auto recorded = streams_.finish_record(); !recorded) return recorded;
+  if (input_.failure()) return *input_.failure();
+  if (voice_ && voice_->failure()) return *voice_->failure();
+  if (streams_.over() && streams_.nothing_came()) {
+    return Error{ErrorKind::BadData,
+                 streams_.served().front().name + ": the source ended before a keyframe came"};
+  }
+  return {};
+}
+
 /// Reads on when there is room, and waits for what is due next.
 void LiveSource::go_on() {
   if (stopped_) return;

@@ -42,6 +42,9 @@ class LiveSource {
   [[nodiscard]] Result<void> start();
   void stop();
 
+  /// What went wrong without stopping anything. Waits until the records are written.
+  [[nodiscard]] Result<void> finish();
+
   [[nodiscard]] LiveStreams& streams() { return streams_; }
   [[nodiscard]] const LiveStreams& streams() const { return streams_; }
 

@@ -156,13 +156,8 @@ void RunningSources::describe(Status& status) const {
 Result<void> RunningSources::finish() {
   std::optional<Error> first;
   for (const auto& source : live_) {
-    LiveStreams& streams = source->streams();
     // Every record is finished, whatever has become of another.
-    if (auto recorded = streams.finish_record(); !recorded && !first) first = recorded.error();
-    if (streams.over() && streams.nothing_came() && !first) {
-      first = Error{ErrorKind::BadData,
-                    streams.served().front().name + ": the source ended before a keyframe came"};
-    }
+    if (auto finished = source->finish(); !finished && !first) first = finished.error();
   }
   if (first) return *first;
   return {};

@@ -65,6 +65,32 @@ TEST_F(LiveSourceTest, OfAFollowedFileTheLastLineIsSent) {
   EXPECT_EQ(newest(), "{12:20;100}");
 }
 
+/// Opens like a file, and every attempt to read it fails.
+constexpr const char* kUnreadable = "/proc/self/mem";
+
+TEST_F(LiveSourceTest, WhatCannotBeReadHasEndedAndIsAnError) {
+  LiveSource& source = open(kUnreadable, false);
+  ASSERT_TRUE(source.start());
+  EXPECT_TRUE(test::run_until(io_, [&source] { return source.streams().nothing_came(); }));
+  const auto finished = source.finish();
+  ASSERT_FALSE(finished);
+  EXPECT_EQ(finished.error().kind, ErrorKind::Unreadable);
+  EXPECT_TRUE(finished.error().message.starts_with("/proc/self/mem: cannot be read: "));
+}
+
+TEST_F(LiveSourceTest, AFollowedFileThatCannotBeReadIsTriedAgain) {
+  const auto path = folder_.path() / "growing.txt";
+  std::filesystem::create_symlink(kUnreadable, path);
+  LiveSource& source = open(path, true);
+  ASSERT_TRUE(source.start());
+  EXPECT_TRUE(test::run_until(io_, [&source] { return !source.finish(); }));
+  std::filesystem::remove(path);
+  folder_.write("growing.txt", "12:10;100\n");
+  EXPECT_TRUE(test::run_until(io_, [this] { return !newest().empty(); }));
+  EXPECT_EQ(newest(), "{12:10;100}");
+  EXPECT_TRUE(source.finish());
+}
+
 TEST_F(LiveSourceTest, WhatIsNotThereIsAnError) {
   EXPECT_FALSE(open(folder_.path() / "none", true).start());
 }
