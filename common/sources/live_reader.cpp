@@ -101,10 +101,6 @@ std::vector<LiveMessage> LiveReader::take_messages() {
   return std::exchange(messages_, {});
 }
 
-std::string LiveReader::header() const {
-  return table_ ? table_->header + '\n' : "";
-}
-
 void LiveReader::say_of_run(bool warning, std::string text) {
   ++complaints_;
   understood_ = 0;
@@ -252,7 +248,7 @@ void LiveReader::read_row(const LineSplitter::Line& line, double now) {
     table_->format->scan(csv);
     table_->format->read(csv, table_->row);
     if (!csv.has_errors()) {
-      if (take_row(now)) understood();
+      if (take_row(line.text, now)) understood();
       return;
     }
   }
@@ -260,13 +256,15 @@ void LiveReader::read_row(const LineSplitter::Line& line, double now) {
 }
 
 /// False when the row was left out, which was said.
-bool LiveReader::take_row(double now) {
+bool LiveReader::take_row(const std::string& line, double now) {
   if (std::string note = table_->format->note(); note != table_->note) {
     say(at_place(file_, table_->csv.line(), 0, note + " from now on"));
     table_->note = std::move(note);
   }
   const bool sure = is_sure(table_->row, options_.recording.confidence_min);
-  if (!is_chosen(sure, now)) return true;
+  const std::int64_t face = table_->names.of(table_->row);
+  if (sure) note_face(face, line);
+  if (!is_chosen(face, sure, now)) return true;
   const auto moment = moment_of_row(now);
   if (!moment) {
     complain(at_place(file_, table_->csv.line(), 0,
@@ -285,14 +283,15 @@ bool LiveReader::take_row(double now) {
   return true;
 }
 
+/// After as many as can be followed, the others are no news.
+void LiveReader::note_face(std::int64_t id, const std::string& line) {
+  if (!options_.recording.all_faces || faces_seen_.size() > kFacesMax) return;
+  if (!faces_seen_.insert(id).second) return;
+  new_faces_.push_back({id, table_->header + '\n' + line + '\n'});
+}
+
 /// The face that was asked for, or the first one that is seen, until it is gone.
-bool LiveReader::is_chosen(bool sure, double now) {
-  const std::int64_t id = table_->names.of(table_->row);
-  // Who says anything only; after as many as can be followed, the others are no news.
-  if (options_.recording.all_faces && sure && faces_seen_.size() <= kFacesMax &&
-      faces_seen_.insert(id).second) {
-    new_faces_.push_back(id);
-  }
+bool LiveReader::is_chosen(std::int64_t id, bool sure, double now) {
   if (options_.recording.face) return id == *face_;
   if (!face_ || (id != *face_ && sure && now - face_seen_ > kHoldSeconds + kEaseSeconds)) {
     if (face_) say(file_ + ": face " + std::to_string(id) + " from now on");

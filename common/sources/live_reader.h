@@ -31,6 +31,12 @@ struct LiveMessage {
   std::string text;  ///< "file:line:column: reason", or a sentence that begins with the file
 };
 
+/// A face that is for a reader of its own.
+struct NewFace {
+  std::int64_t id = 0;
+  std::string beginning;  ///< for that reader: the names of the columns, and the face's first row
+};
+
 /// A live source, byte by byte: tables of every recogniser and lines of stream files, told by their
 /// first line. Pure: bytes and seconds on any steady clock go in, keyframes and messages come out.
 ///
@@ -70,11 +76,8 @@ class LiveReader {
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
   [[nodiscard]] std::vector<LiveMessage> take_messages();
-  /// With all_faces: the faces that are seen for the first time since the last call. Each is for a
-  /// reader of its own, which begins with header().
-  [[nodiscard]] std::vector<std::int64_t> take_new_faces() { return std::exchange(new_faces_, {}); }
-  /// The line that names the columns, with its end; empty when there is none.
-  [[nodiscard]] std::string header() const;
+  /// With all_faces: the faces that are seen for the first time since the last call.
+  [[nodiscard]] std::vector<NewFace> take_new_faces() { return std::exchange(new_faces_, {}); }
   /// The neutral face, once, when it was asked for and has been measured.
   [[nodiscard]] std::optional<MeasuredNeutral> take_neutral() { return timeline_.take_neutral(); }
   /// Other settings from the next row on; what was measured stays measured.
@@ -88,10 +91,11 @@ class LiveReader {
   [[nodiscard]] bool read_text(const LineSplitter::Line& line, double now);
   void play_text(const protocol::Keyframe& keyframe, double now);
   void read_row(const LineSplitter::Line& line, double now);
-  [[nodiscard]] bool take_row(double now);
+  [[nodiscard]] bool take_row(const std::string& line, double now);
   [[nodiscard]] bool is_no_text(const LineSplitter::Line& line);
   void understood();
-  [[nodiscard]] bool is_chosen(bool sure, double now);
+  void note_face(std::int64_t id, const std::string& line);
+  [[nodiscard]] bool is_chosen(std::int64_t id, bool sure, double now);
   void settle_scale();
   [[nodiscard]] std::optional<double> moment_of_row(double now);
   [[nodiscard]] double arrival_step(double now, double usual);
@@ -114,7 +118,7 @@ class LiveReader {
   std::optional<std::int64_t> face_;  ///< the one that is followed
   double face_seen_ = 0;
   std::set<std::int64_t> faces_seen_;
-  std::vector<std::int64_t> new_faces_;
+  std::vector<NewFace> new_faces_;
   std::string beginning_;  ///< the first lines of what is no table
   std::size_t beginning_lines_ = 0;
   std::optional<std::string> labels_;  ///< what they are said to be, when they are labels

@@ -70,17 +70,17 @@ void LiveStreams::feed(std::string_view bytes, Instant at) {
 /// A face that is new on a line is read from that line on.
 void LiveStreams::read_line_by_line(std::string_view bytes, double now) {
   while (!bytes.empty()) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size() - 1) + 1;
+    const std::size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size() - 1) + 1;
     const std::string_view line = bytes.substr(0, end);
     for (const auto& stream : streams_) stream->reader().feed(line, now);
-    add_faces(line, now);
+    add_faces(now);
     bytes.remove_prefix(end);
   }
 }
 
-void LiveStreams::add_faces(std::string_view line, double now) {
+void LiveStreams::add_faces(double now) {
   const std::filesystem::path& path = options_.each.path;
-  for (const std::int64_t face : first().reader().take_new_faces()) {
+  for (const auto& [face, beginning] : first().reader().take_new_faces()) {
     if (streams_.size() > kFacesMax) {
       if (std::exchange(more_faces_said_, true)) return;
       spdlog::warn("{}: face {} and what others come get no stream: there are {}",
@@ -92,8 +92,7 @@ void LiveStreams::add_faces(std::string_view line, double now) {
     reading.recording.face = face;
     add(face_stream_name(stream_name(path), face), reading, false);
     LiveStream& stream = *streams_.back();
-    stream.reader().feed(first().reader().header(), now);
-    stream.reader().feed(line, now);
+    stream.reader().feed(beginning, now);
     if (auto recorded = record(stream, false); !recorded) {
       not_recorded_ = recorded.error();
       spdlog::error("{}", not_recorded_->message);

@@ -86,7 +86,7 @@ class LiveStreams {
   [[nodiscard]] LiveStream& first() const { return *streams_.front(); }
   void add(std::string name, const sources::LiveOptions& reading, bool with_voice);
   void read_line_by_line(std::string_view bytes, double now);
-  void add_faces(std::string_view line, double now);
+  void add_faces(double now);
   [[nodiscard]] Result<void> record(LiveStream& stream, bool first);
   void go_on(double now);
   void say();

@@ -1,6 +1,7 @@
 // What becomes of a live source, without a file and a clock: the test is who writes, and the time.
 #include "server/live/live_streams.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -196,6 +197,28 @@ TEST_F(LiveStreamsTest, EveryFaceGetsAStreamFromItsFirstRowOn) {
   EXPECT_EQ(served[2].name, "face-7");
   ASSERT_NE(served[2].live()->newest(), nullptr);
   EXPECT_EQ(served[2].live()->newest()->full, "{12:40;40}");
+}
+
+TEST_F(LiveStreamsTest, TheFirstRowOfAFaceMayComeInTwoPieces) {
+  options_.each.reader.recording.all_faces = true;
+  fed(kOpenFace2Header);
+  const std::string row = smile(1, "0.00", 2, "7");
+  fed(row.substr(0, row.size() / 2));
+  fed(row.substr(row.size() / 2));
+  ASSERT_EQ(new_faces_, 1);
+  ASSERT_NE(streams().served()[1].live()->newest(), nullptr);
+  EXPECT_EQ(streams().served()[1].live()->newest()->full, "{12:40;40}");
+}
+
+TEST_F(LiveStreamsTest, RowsThatEndInAReturnAreReadOneByOneToo) {
+  options_.each.reader.recording.all_faces = true;
+  std::string table = kOpenFace2Header + smile(1, "0.00", 1, "0") + smile(2, "0.00", 2, "7") +
+                      smile(3, "0.04", 3, "7");
+  std::replace(table.begin(), table.end(), '\n', '\r');
+  fed(table);
+  ASSERT_EQ(new_faces_, 2);
+  after(40ms);
+  EXPECT_EQ(streams().served()[2].live()->newest()->full, "{12:60;40}");
 }
 
 TEST_F(LiveStreamsTest, ManyFacesGetNoMoreStreamsThanAreToldApart) {
