@@ -458,6 +458,8 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"said.nothing_played", "nothing has been played that could be exported"},
     {"said.exported_stream", "{keyframes} {saved}"},
     {"said.exported_table", "{keyframes} as a table in {file}"},
+    {"said.exported_first",
+     "{exported}\nonly the first {kept} of {all} keyframes: no more of a server's stream are kept"},
     {"said.exported_mesh", "this face as a mesh in {file}"},
     {"said.glb_before", "the GLB file before is still being written"},
     {"said.glb_writing", "writing {file} ..."},

@@ -9,13 +9,15 @@
 
 #include "client/app/player_options.h"
 #include "client/app/window/background_work.h"
+#include "client/app/window/played.h"
 #include "client/face/face.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
 
 namespace aucast::app {
 
-/// Files of what the window shows and plays, for other programs. Each sentence says where one went.
+/// Files of what the window shows and plays, for other programs. Each sentence says where one went,
+/// and that it is not all if it is not.
 /// Thread: the player's.
 class ExportSession {
  public:
@@ -25,17 +27,19 @@ class ExportSession {
                                                     const std::string& name)>;
   explicit ExportSession(MakeGlb make) : make_(std::move(make)) {}
 
-  /// The AUs of the keyframes as a table (au_table.h). Failed without a keyframe.
-  [[nodiscard]] static Result<std::string> table(std::span<const playback::TimedAus> keyframes,
+  /// What was played as a stream file (save_stream()). Failed without a keyframe.
+  [[nodiscard]] static Result<std::string> stream(const Played& played,
+                                                  const std::filesystem::path& file);
+  /// Its AUs as a table (au_table.h). Failed without a keyframe.
+  [[nodiscard]] static Result<std::string> table(const Played& played,
                                                  const std::filesystem::path& file);
   /// The skin of a face with these activations, as Wavefront OBJ.
   [[nodiscard]] static Result<std::string> mesh(const face::Face& face,
                                                 std::span<const float> activations,
                                                 const std::filesystem::path& file);
-  /// The face of the options and the keyframes as its animation, if there are any, begins to be
+  /// The face of the options, and what was played as its animation, if there is any, begins to be
   /// written. Failed while another one is.
-  [[nodiscard]] Result<std::string> glb(PlayerOptions options,
-                                        std::vector<playback::TimedAus> keyframes,
+  [[nodiscard]] Result<std::string> glb(PlayerOptions options, Played played,
                                         const std::string& name, const std::filesystem::path& file);
   /// What became of the GLB file, once.
   [[nodiscard]] std::optional<Result<std::string>> advance() { return work_.take_outcome(); }

@@ -7,7 +7,6 @@
 #include "client/app/live_text.h"
 #include "client/app/remote_options.h"
 #include "client/app/steady.h"
-#include "client/app/window/composition_file.h"
 #include "client/gui/kept_settings.h"
 #include "client/gui/texts.h"
 #include "client/gui/view_text.h"
@@ -22,8 +21,6 @@ namespace {
 
 using playback::PlaybackState;
 
-/// An hour of a live stream at 25 a second.
-constexpr std::size_t kKeyframesKept = 90'000;
 /// Buffers and bytes change without anything moving: so often they are looked at.
 constexpr Milliseconds kLookEvery{50};
 constexpr Milliseconds kIdle{250};
@@ -75,7 +72,7 @@ void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::st
   sound_.begin_again();
   meter_.begin_again();
   explained_.clear();
-  received_.clear();
+  received_ = {};
   history_.clear();
   answered_ = false;
   timed_ = false;
@@ -171,9 +168,8 @@ void PlaybackSession::begun(const playback::KeyframeBegun& keyframe, Instant at)
   explain();
   timed_ = keyframe.target.duration.has_value();
   // A file can be asked again; the easing to neutral was not received.
-  if (seekable() != nullptr || playback_->eased() || received_.size() >= kKeyframesKept) return;
-  received_.push_back(std::make_shared<const gui::ComposedKeyframe>(gui::ComposedKeyframe{
-      keyframe.target.aus, static_cast<std::uint32_t>(keyframe.duration.count())}));
+  if (seekable() != nullptr || playback_->eased()) return;
+  received_.add({keyframe.target.aus, keyframe.duration});
 }
 
 void PlaybackSession::explain() {
@@ -208,29 +204,11 @@ std::unique_ptr<playback::Playback> PlaybackSession::finish(Instant now) {
   return std::move(playback_);
 }
 
-Result<std::string> PlaybackSession::export_to(const std::filesystem::path& file) const {
-  gui::Composer::Keyframes keyframes = received_;
-  if (const auto* whole = seekable()) {
-    for (const playback::TimedAus& one : whole->keyframes()) {
-      keyframes.push_back(std::make_shared<const gui::ComposedKeyframe>(composed(one)));
-    }
-  }
-  if (keyframes.empty()) {
-    return Error{ErrorKind::Failed, gui::tr("said.nothing_played")};
-  }
-  auto saved = save_stream(keyframes, file);
-  if (!saved) return saved;
-  return gui::tr("said.exported_stream", gui::keyframes_text(keyframes.size()), *saved);
-}
-
-std::vector<playback::TimedAus> PlaybackSession::played() const {
-  if (const auto* whole = seekable()) return {whole->keyframes().begin(), whole->keyframes().end()};
-  std::vector<playback::TimedAus> keyframes;
-  for (const auto& one : received_) {
-    keyframes.push_back({one->aus, std::nullopt});
-    if (one->ms) keyframes.back().duration = Milliseconds(*one->ms);
-  }
-  return keyframes;
+Played PlaybackSession::played() const {
+  const auto* whole = seekable();
+  if (whole == nullptr) return received_;
+  const auto& keyframes = whole->keyframes();
+  return {{keyframes.begin(), keyframes.end()}, keyframes.size()};
 }
 
 // === What the panels ask for.

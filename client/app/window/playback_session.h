@@ -9,8 +9,8 @@
 #include "client/app/player_options.h"
 #include "client/app/window/notices.h"
 #include "client/app/window/playback_history.h"
+#include "client/app/window/played.h"
 #include "client/app/window/sound_session.h"
-#include "client/gui/composer.h"
 #include "client/gui/gui_commands.h"
 #include "client/net/remote_source.h"
 #include "client/playback/seekable_playback.h"
@@ -51,12 +51,9 @@ class PlaybackSession {
   void change_face();
   /// Stops what plays, completes the statistics and hands out what played last; may be null.
   [[nodiscard]] std::unique_ptr<playback::Playback> finish(Instant now);
-  /// Saves what is played, from its beginning: all of a stream loaded in full, of a server's stream
-  /// the keyframes that have begun so far (at most an hour at 25 a second). Returns a sentence for
-  /// the user that says how many there are and where.
-  [[nodiscard]] Result<std::string> export_to(const std::filesystem::path& file) const;
-  /// The same keyframes, with the times that they have.
-  [[nodiscard]] std::vector<playback::TimedAus> played() const;
+  /// All of a stream loaded in full; of a server's stream the keyframes that have begun so far, if
+  /// they are not too many to be kept.
+  [[nodiscard]] Played played() const;
 
   void set_remote(const gui::RemoteSettings& settings, std::vector<std::string> recent);
   /// The server that a form names and how to reach it. Error when a file of certificate or token
@@ -115,7 +112,7 @@ class PlaybackSession {
   std::string name_;                             ///< of a stream loaded in full
   std::shared_ptr<const gui::AuCurves> curves_;  ///< of the same
   std::vector<face::RuleExplained> explained_;   ///< the rules that fired in this keyframe
-  gui::Composer::Keyframes received_;            ///< of a server's stream: those begun so far
+  Played received_;                              ///< of a server's stream
   PlaybackHistory history_;
   bool answered_ = false;  ///< the server has sent something
   bool timed_ = false;     ///< the keyframe under way came with a time of its own

@@ -451,7 +451,7 @@ Result<std::string> WindowSession::use_file(const std::filesystem::path& file, I
     case gui::Purpose::SaveStream:
       return composer_.save(file);
     case gui::Purpose::ExportKeyframes:
-      return playback_.export_to(file);
+      return ExportSession::stream(playback_.played(), file);
     case gui::Purpose::ExportTable:
       return ExportSession::table(playback_.played(), file);
     case gui::Purpose::ExportMesh:

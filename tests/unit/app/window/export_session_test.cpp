@@ -31,19 +31,39 @@ TEST(AuTable, HasARowForEachKeyframeAndAColumnForEachAuThatOccurs) {
   EXPECT_EQ(format_au_table({}, Milliseconds(250)), "time_s,duration_s\n");
 }
 
-TEST(ExportSession, WritesTableAndMesh) {
+TEST(ExportSession, WritesTableStreamAndMesh) {
   const test::TempFolder folder;
   EXPECT_FALSE(ExportSession::table({}, folder.path() / "none.csv"));
-  const std::vector<playback::TimedAus> one = {keyframe({{12, Side::Both, 80}}, 500)};
+  const Played one = {{keyframe({{12, Side::Both, 80}}, 500)}, 1};
   const auto table = ExportSession::table(one, folder.path() / "a.csv");
   ASSERT_TRUE(table) << table.error().message;
   EXPECT_EQ(folder.read("a.csv"), "time_s,duration_s,AU12\n0.500,0.500,80\n");
   EXPECT_EQ(*table, "1 keyframe as a table in " + (folder.path() / "a.csv").string());
+  const auto stream = ExportSession::stream(one, folder.path() / "a.txt");
+  ASSERT_TRUE(stream) << stream.error().message;
+  EXPECT_EQ(folder.read("a.txt"), "Beg_Stream\n12:80;500\nEnd_Stream\n");
   const face::Face face = face::test::small_face();
   ASSERT_TRUE(ExportSession::mesh(face, face::test::only(face, "jaw", 2), folder.path() / "a.obj"));
   ASSERT_TRUE(ExportSession::mesh(face, face::test::only(face, "jaw", 0), folder.path() / "b.obj"));
   EXPECT_NE(folder.read("a.obj").find("\nf "), std::string::npos);
   EXPECT_NE(folder.read("a.obj"), folder.read("b.obj")) << "as it is shown";
+}
+
+TEST(ExportSession, SaysHowMuchIsMissing) {
+  const test::TempFolder folder;
+  Played played;
+  for (std::size_t i = 0; i < Played::kKept; ++i) played.add(keyframe({}, 1));
+  const std::string cut = "only the first";
+  const auto all = ExportSession::table(played, folder.path() / "a.csv");
+  ASSERT_TRUE(all) << all.error().message;
+  EXPECT_EQ(all->find(cut), std::string::npos) << *all;
+  played.add(keyframe({}, 1));
+  const auto table = ExportSession::table(played, folder.path() / "a.csv");
+  ASSERT_TRUE(table) << table.error().message;
+  EXPECT_NE(table->find(cut + " 90000 of 90001 keyframes"), std::string::npos) << *table;
+  const auto stream = ExportSession::stream({{keyframe({}, 1)}, 2}, folder.path() / "a.txt");
+  ASSERT_TRUE(stream) << stream.error().message;
+  EXPECT_NE(stream->find(cut + " 1 of 2 keyframes"), std::string::npos) << *stream;
 }
 
 TEST(ExportSession, AGlbFileIsWrittenInTheBackgroundOneAtATime) {
@@ -54,7 +74,7 @@ TEST(ExportSession, AGlbFileIsWrittenInTheBackgroundOneAtATime) {
     end.wait();
     return options.exported.glb().string() + " " + name + " " + std::to_string(keyframes.size());
   });
-  const std::vector<playback::TimedAus> one = {keyframe({{12, Side::Both, 80}}, 500)};
+  const Played one = {{keyframe({{12, Side::Both, 80}}, 500)}, 3};
   ASSERT_TRUE(session.glb({}, one, "talk", "/x/talk.glb"));
   EXPECT_TRUE(session.running());
   const auto second = session.glb({}, one, "talk", "/x/other.glb");
@@ -67,7 +87,8 @@ TEST(ExportSession, AGlbFileIsWrittenInTheBackgroundOneAtATime) {
     std::this_thread::yield();
   }
   ASSERT_TRUE(*outcome);
-  EXPECT_EQ(**outcome, "/x/talk.glb talk 1");
+  EXPECT_TRUE((*outcome)->starts_with("/x/talk.glb talk 1\nonly the first 1 of 3 keyframes"))
+      << **outcome;
   EXPECT_FALSE(session.running());
 }
 
