@@ -184,18 +184,18 @@ Result<void> VideoEncoder::State::give_up() {
 /// By a second ffmpeg, which copies the pictures: one that is fed both through pipes takes them in
 /// turns of its own choosing, and then each waits for the other.
 Result<void> VideoEncoder::State::add_sound(const std::filesystem::path& sound) {
-  auto silent = create_temporary_beside(path);
-  if (!silent) return silent.error();
-  std::error_code error;
-  std::filesystem::rename(temporary, *silent, error);
+  auto whole = create_temporary_beside(path);
+  if (!whole) return whole.error();
+  const std::filesystem::path silent = std::exchange(temporary, std::move(*whole));
   bool missing = false;
-  auto started = Child::start(muxing_arguments(format, *silent, sound, temporary), missing);
+  auto started = Child::start(muxing_arguments(format, silent, sound, temporary), missing);
   if (started) {
     ffmpeg = std::move(*started);
     if (ffmpeg->wait() != 0) started = give_up().error();
     ffmpeg.reset();
   }
-  std::filesystem::remove(*silent, error);
+  std::error_code ignored;
+  std::filesystem::remove(silent, ignored);
   if (started) return {};
   return started.error();
 }
@@ -272,6 +272,7 @@ Result<void> VideoEncoder::finish(const std::filesystem::path& sound) {
   if (!sound.empty() && state.format != Format::Gif) {
     if (auto added = state.add_sound(sound); !added) {
       state.failure = added.error();
+      std::filesystem::remove(state.temporary, error);
       return added;
     }
   }
