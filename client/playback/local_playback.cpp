@@ -126,11 +126,10 @@ void LocalPlayback::mark_loop(Instant now) {
     loop_begin_ = at;
   } else if (!loop_end_ && at != *loop_begin_) {
     // Whoever goes back before the second mark means the part between both.
-    const auto [first, last] = std::minmax(at, *loop_begin_);
-    const Duration begin = first;
+    const auto [first, last] = std::minmax({at, *loop_begin_});
+    loop_begin_ = first;
     loop_end_ = last;
-    loop_begin_ = begin;
-    if (at == last) anchor(begin, now);
+    if (at == last) anchor(first, now);
   } else {
     loop_begin_.reset();
     loop_end_.reset();
