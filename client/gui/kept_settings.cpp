@@ -246,14 +246,18 @@ LoadedSettings load_settings(const fs::path& file) {
     loaded.settings = std::move(*parsed);
     return loaded;
   }
+  // What could not be read may be in the best of order.
+  loaded.may_write = false;
   fs::path aside = file;
   aside += ".broken";
-  std::error_code failed;
-  fs::rename(file, aside, failed);
-  loaded.may_write = !failed;
-  loaded.complaint =
-      parsed.error().message + "; the usual settings are used, " +
-      (failed ? "and nothing will be written there" : "that file is now " + aside.string());
+  if (text) {
+    std::error_code failed;
+    fs::rename(file, aside, failed);
+    loaded.may_write = !failed;
+  }
+  loaded.complaint = parsed.error().message + "; the usual settings are used, " +
+                     (loaded.may_write ? "that file is now " + aside.string()
+                                       : "and nothing will be written there");
   return loaded;
 }
 

@@ -1,5 +1,7 @@
 #include "client/gui/kept_settings.h"
 
+#include <sys/stat.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,15 +105,29 @@ TEST(KeptSettings, ABrokenFileIsPutAsideAndSaid) {
   EXPECT_EQ(read_file(folder.path() / "face-player.toml.broken").value(), text);
 }
 
-TEST(KeptSettings, WhatCannotBeReadNorMovedIsNotWrittenTo) {
+TEST(KeptSettings, WhatIsWrongAndCannotBeMovedIsNotWrittenTo) {
   const test::TempFolder folder;
-  const auto file = folder.path() / "face-player.toml";
-  std::filesystem::create_directory(file);  // unreadable as a file
-  // In its way stands a folder that is not empty: it cannot be renamed either.
+  const auto file = folder.write("face-player.toml", "[remote]\nport = many\n");
+  // In its way stands a folder that is not empty.
   std::filesystem::create_directories(folder.path() / "face-player.toml.broken" / "x");
   const LoadedSettings loaded = load_settings(file);
   EXPECT_FALSE(loaded.may_write);
   EXPECT_FALSE(loaded.complaint.empty());
+}
+
+TEST(KeptSettings, WhatCannotBeReadStaysWhereItIs) {
+  const test::TempFolder folder;
+  const auto fifo = folder.path() / "fifo.toml";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  const auto large = folder.write("large.toml", std::string((std::size_t{1} << 20U) + 1, '\n'));
+  for (const auto& file : {fifo, large}) {
+    const LoadedSettings loaded = load_settings(file);
+    EXPECT_FALSE(loaded.may_write) << file;
+    EXPECT_NE(loaded.complaint.find("nothing will be written there"), std::string::npos)
+        << loaded.complaint;
+    EXPECT_TRUE(std::filesystem::exists(file)) << file;
+    EXPECT_FALSE(std::filesystem::exists(file.string() + ".broken")) << file;
+  }
 }
 
 TEST(KeptSettings, FilesAndTheFaceAreRememberedToo) {
