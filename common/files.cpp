@@ -116,15 +116,25 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-/// A device or a FIFO has no "beside it" and nothing to lose: it is written directly.
-bool is_special(const fs::file_status& status) {
-  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+/// Why what is there cannot be written, ever; empty: perhaps it can.
+std::string_view objection(const fs::file_status& status) {
+  if (fs::is_directory(status)) return "it is a folder";
+  return fs::is_socket(status) ? "it is a socket" : "";
 }
 
-Result<void> write_special(const fs::path& path, std::string_view bytes) {
+/// A device or a FIFO has no "beside it" and nothing to lose: it is written directly.
+bool is_special(const fs::file_status& status) {
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+Result<void> write_special(const fs::path& path, const fs::file_status& status,
+                           std::string_view bytes) {
   // Opened without blocking, so that a FIFO without a reader is an error and not a wait.
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-  if (file.get() < 0) return unwritable(path, system_reason(errno));
+  if (file.get() < 0) {
+    const bool alone = errno == ENXIO && fs::is_fifo(status);
+    return unwritable(path, alone ? "nobody reads it" : system_reason(errno));
+  }
   static_cast<void>(::fcntl(file.get(), F_SETFL, O_WRONLY));
   if (!write_all(file.get(), bytes) || !file.close()) {
     return unwritable(path, system_reason(errno));
@@ -198,8 +208,8 @@ Result<std::string> read_standard_input(std::size_t bytes_max) {
 Result<void> write_file_atomically(const fs::path& path, std::string_view bytes) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) return unwritable(path, "it is a folder");
-  if (is_special(status)) return write_special(path, bytes);
+  if (const auto why = objection(status); !why.empty()) return unwritable(path, why);
+  if (is_special(status)) return write_special(path, status, bytes);
   auto temporary = open_temporary_beside(path);
   if (!temporary) return temporary.error();
   const int file = temporary->file.get();
@@ -214,7 +224,9 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view bytes)
 Result<void> check_writable(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
+  if (const auto why = objection(status); !why.empty()) return unwritable(path, why);
   if (is_special(status)) {
+    // Not opened: to close a FIFO again would be the end to whoever reads it.
     if (::access(path.c_str(), W_OK) == 0) return {};
     return unwritable(path, system_reason(errno));
   }
@@ -230,7 +242,8 @@ void ignore_file_size_signal() {
 
 Result<fs::path> create_temporary_beside(const fs::path& path) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return unwritable(path, "it is a folder");
+  const auto why = objection(fs::status(path, ignored));
+  if (!why.empty()) return unwritable(path, why);
   auto temporary = open_temporary_beside(path);
   if (!temporary) return temporary.error();
   return std::move(temporary->path);

@@ -42,7 +42,8 @@ struct SecretFile {
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes);
 
-/// Whether write_file_atomically() would work now. Changes nothing.
+/// Whether write_file_atomically() would work now, of a FIFO as soon as somebody reads it. Changes
+/// nothing, and is no end to who reads a FIFO already.
 [[nodiscard]] Result<void> check_writable(const std::filesystem::path& path);
 
 /// From here on a write beyond the file size limit (RLIMIT_FSIZE) fails with EFBIG, as one to a

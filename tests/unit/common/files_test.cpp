@@ -1,6 +1,10 @@
 #include "common/files.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -145,6 +149,34 @@ TEST(WriteFileAtomically, NeverWaitsForTheReaderOfAFifo) {
   const auto nobody = write_file_atomically(fifo, "new");
   ASSERT_FALSE(nobody.has_value());
   EXPECT_EQ(nobody.error().kind, ErrorKind::Failed);
+  EXPECT_TRUE(nobody.error().message.ends_with("cannot be written: nobody reads it"));
+}
+
+TEST(CheckWritable, TheReaderOfAFifoMayComeLater) {
+  const test::TempFolder folder;
+  const auto fifo = folder.path() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  EXPECT_TRUE(check_writable(fifo).has_value());
+  const int reader = ::open(fifo.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  EXPECT_TRUE(check_writable(fifo).has_value());
+  pollfd state{reader, POLLIN, 0};
+  EXPECT_EQ(::poll(&state, 1, 0), 0) << "no writer came and went";
+  ::close(reader);
+}
+
+TEST(CheckWritable, ASocketIsNeverWrittenTo) {
+  const test::TempFolder folder;
+  const std::string path = (folder.path() / "socket").string();
+  const int listener = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof(address.sun_path) - 1);
+  ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+  const auto can = check_writable(path);
+  ASSERT_FALSE(can.has_value());
+  EXPECT_TRUE(can.error().message.ends_with("it is a socket"));
+  ::close(listener);
 }
 
 TEST(CheckWritable, ChangesNothing) {
