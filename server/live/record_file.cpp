@@ -46,30 +46,35 @@ std::string objection(int descriptor) {
 
 }  // namespace
 
-RecordFile::RecordFile(std::filesystem::path path, const RecordForm& form, int descriptor)
-    : path_(std::move(path)), form_(form), descriptor_(descriptor) {}
+RecordFile::RecordFile(std::filesystem::path path, const RecordForm& form, int descriptor,
+                       bool made)
+    : path_(std::move(path)), form_(form), descriptor_(descriptor), made_(made) {}
 
 RecordFile::RecordFile(RecordFile&& other) noexcept
     : path_(std::move(other.path_)),
       form_(other.form_),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      made_(other.made_),
       end_(other.end_) {}
 
 RecordFile::~RecordFile() {
   if (descriptor_ < 0) return;
-  if (end_ == 0) ::unlink(path_.c_str());
+  if (made_ && end_ == 0) ::unlink(path_.c_str());
   ::close(descriptor_);
 }
 
 Result<RecordFile> RecordFile::create(const std::filesystem::path& path, const RecordForm& form) {
   // Not blocking: a FIFO that nobody reads would be waited for.
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0644);
+  constexpr int kFlags = O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK;
+  int descriptor = ::open(path.c_str(), kFlags | O_EXCL, 0644);
+  const bool made = descriptor >= 0;
+  if (!made) descriptor = ::open(path.c_str(), kFlags, 0644);
   if (descriptor < 0) return cannot_record(path, system_reason(errno));
   if (const std::string why = objection(descriptor); !why.empty()) {
     ::close(descriptor);
     return cannot_record(path, why);
   }
-  return RecordFile(path, form, descriptor);
+  return RecordFile(path, form, descriptor, made);
 }
 
 Error RecordFile::failed() const {

@@ -32,7 +32,7 @@ class RecordFile {
   RecordFile& operator=(RecordFile&&) = delete;
   RecordFile(const RecordFile&) = delete;
   RecordFile& operator=(const RecordFile&) = delete;
-  /// A file that nothing was added to is removed.
+  /// A file that was made here and that nothing was added to is removed.
   ~RecordFile();
 
   /// A piece. When it fails, the file stays what it was.
@@ -41,12 +41,13 @@ class RecordFile {
   [[nodiscard]] Result<void> sync();
 
  private:
-  RecordFile(std::filesystem::path path, const RecordForm& form, int descriptor);
+  RecordFile(std::filesystem::path path, const RecordForm& form, int descriptor, bool made);
   [[nodiscard]] Error failed() const;
 
   std::filesystem::path path_;
   RecordForm form_;
   int descriptor_ = -1;
+  bool made_;             ///< there was none before
   std::int64_t end_ = 0;  ///< where the tail stands; 0: nothing was added yet
 };
 

@@ -41,6 +41,12 @@ TEST_F(RecordFileTest, WithoutALineThereIsNoFile) {
   EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
+TEST_F(RecordFileTest, AnEmptyFileThatWasThereStays) {
+  folder_.write("kept.txt", "");
+  EXPECT_TRUE(RecordFile::create(path_));
+  EXPECT_TRUE(std::filesystem::exists(path_));
+}
+
 TEST_F(RecordFileTest, WhatIsThereIsNeverWrittenOver) {
   folder_.write("kept.txt", "yesterday");
   EXPECT_EQ(RecordFile::create(path_).error(),
