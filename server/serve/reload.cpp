@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <asio/post.hpp>
 
@@ -31,7 +32,6 @@ Result<void> Reload::read_credentials() {
 
 void Reload::start() {
   const auto read = read_credentials();
-  failed_ = !read;
   if (!read) {
     spdlog::error("{}; the certificates and token in use stay", read.error().message);
   } else {
@@ -39,13 +39,14 @@ void Reload::start() {
   }
   programme_.condition_sources_anew();
   if (running_) {
-    again_ = true;
+    next_failed_ = !read;
   } else {
-    read_sources();
+    read_sources(!read);
   }
 }
 
-void Reload::read_sources() {
+void Reload::read_sources(bool failed) {
+  failed_ = failed;
   // Thrown when the system has no thread left.
   try {
     thread_ = std::jthread([this] { load(); });
@@ -71,7 +72,7 @@ void Reload::done(Result<Repertoire> loaded) {
   running_ = false;
   if (programme_.stopped()) return;
   on_done_(take_over(std::move(loaded)));
-  if (std::exchange(again_, false)) read_sources();
+  if (const auto failed = std::exchange(next_failed_, std::nullopt)) read_sources(*failed);
 }
 
 bool Reload::take_over(Result<Repertoire> loaded) {

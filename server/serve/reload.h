@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <thread>
 
 #include <asio/io_context.hpp>
@@ -43,7 +44,7 @@ class Reload {
   [[nodiscard]] std::uint64_t failures() const { return failures_; }
 
  private:
-  void read_sources();
+  void read_sources(bool failed);
   void load();  ///< on the thread of its own
   void done(Result<Repertoire> loaded);
   [[nodiscard]] bool take_over(Result<Repertoire> loaded);
@@ -56,9 +57,9 @@ class Reload {
   OnDone on_done_;
   std::uint64_t successes_ = 0;
   std::uint64_t failures_ = 0;
-  bool failed_ = false;  ///< the certificates and token of the latest order could not be read
+  bool failed_ = false;  ///< the certificates and token of the order that is carried out
   bool running_ = false;
-  bool again_ = false;
+  std::optional<bool> next_failed_;  ///< the same of the latest order that came meanwhile
   std::jthread thread_;
 };
 

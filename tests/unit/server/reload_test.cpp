@@ -109,6 +109,17 @@ TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {
   EXPECT_EQ(reload.successes(), 2U);
 }
 
+TEST_F(ReloadTest, EachOfTwoOrdersCountsWithItsOwnToken) {
+  files_.token = folder_.write("token", "0123456789abcdef\n");
+  Reload& reload = make([] { return only("b"); });
+  reload.start();
+  std::filesystem::remove(files_.token);
+  reload.start();
+  run();
+  EXPECT_EQ(reload.successes(), 1U);
+  EXPECT_EQ(reload.failures(), 1U);
+}
+
 TEST_F(ReloadTest, WhatIsReadAfterTheEndIsNotTakenOver) {
   Reload& reload = make([] { return only("b"); });
   reload.start();
