@@ -35,7 +35,7 @@ void for_each_moment(const pipeline::AuMapping& mapping,
       const double mu = takes_ms == 0 ? 1.0 : into_ms / static_cast<double>(takes_ms);
       pipeline.at(std::clamp(mu, 0.0, 1.0), shown);
       idle.apply(sampling.idle, seconds, shown.activations);
-      at_moment(seconds, shown);
+      if (!at_moment(seconds, shown)) return;
     }
     pipeline.at(1, reached);
     begin_ms += takes_ms;

@@ -28,7 +28,8 @@ struct Sampling {
 [[nodiscard]] std::size_t moment_count(std::span<const playback::TimedAus> keyframes,
                                        const Sampling& sampling);
 
-using AtMoment = std::function<void(double seconds, const pipeline::FaceState& face)>;
+/// Says whether to go on.
+using AtMoment = std::function<bool(double seconds, const pipeline::FaceState& face)>;
 
 /// The face at n / fps seconds from the neutral face on, to the end of the last keyframe: the same
 /// faces as on the pictures of a film.

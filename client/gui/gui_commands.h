@@ -111,6 +111,8 @@ struct ChangePictures {
   PictureSettings settings;
 };
 struct TakePicture {};
+/// The file that is being written in the background is not wanted any more.
+struct CancelExport {};
 /// Begins a video of what is shown, or ends it.
 struct ToggleVideo {};
 
@@ -135,11 +137,11 @@ using EditorCommand =
     std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
                  SaveAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
-using GuiCommand =
-    std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand, MirrorCommand,
-                 GalleryCommand, ChangePictures, ChangeAnimation, ChangeRendering, ChangeDisplay,
-                 AskStreams, LookFrom, Leave, Browse, EnterFolder, ChooseFile, ChangeTable,
-                 ShowFace, CloseBrowser, OpenStream, CloseNotice, TakePicture, ToggleVideo>;
+using GuiCommand = std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand,
+                                MirrorCommand, GalleryCommand, ChangePictures, ChangeAnimation,
+                                ChangeRendering, ChangeDisplay, AskStreams, LookFrom, Leave, Browse,
+                                EnterFolder, ChooseFile, ChangeTable, ShowFace, CloseBrowser,
+                                OpenStream, CloseNotice, CancelExport, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

@@ -269,6 +269,14 @@ struct DisplayView {
   friend bool operator==(const DisplayView&, const DisplayView&) = default;
 };
 
+/// The file for other programs that is being written in the background.
+struct ExportView {
+  std::string file;     ///< empty: none
+  int percent = 0;      ///< of the movement in it
+  bool ending = false;  ///< it was cancelled and is not over yet
+  friend bool operator==(const ExportView&, const ExportView&) = default;
+};
+
 struct GuiModel {
   RemoteSettings remote_settings;   ///< those in force; the form begins with them
   std::vector<std::string> recent;  ///< addresses that answered, the last one first
@@ -291,6 +299,7 @@ struct GuiModel {
   ComposerView composer;
   std::shared_ptr<const std::vector<AuEntry>> known_aus;  ///< always there
   std::string recording;                                  ///< the video being recorded; empty: none
+  ExportView exported;
   ExpressionsView expressions;
   TransitionSettings transition;
   RenderingView rendering;

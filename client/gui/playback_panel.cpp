@@ -333,14 +333,20 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
 }
 
 /// What other programs can read.
-void export_menu(bool played, GuiCommands& commands) {
+void export_menu(const GuiModel& model, GuiCommands& commands) {
   if (!ImGui::BeginPopup("export")) return;
   const auto item = [&](const char* text, Purpose purpose, bool enabled) {
     if (ImGui::MenuItem(text, nullptr, false, enabled)) commands.push_back(Browse{purpose});
   };
+  const bool played = !model.remote.keyframe.empty();
   item(tr("play.export_keyframes"), Purpose::ExportKeyframes, played);
   item(tr("play.export_table"), Purpose::ExportTable, played);
-  item(tr("play.export_glb"), Purpose::ExportGlb, true);
+  const ExportView& now = model.exported;
+  if (now.file.empty()) {
+    item(tr("play.export_glb"), Purpose::ExportGlb, true);
+  } else if (ImGui::MenuItem(tr("play.cancel_glb"), nullptr, false, !now.ending)) {
+    commands.push_back(CancelExport{});
+  }
   item(tr("play.export_mesh"), Purpose::ExportMesh, true);
   ImGui::EndPopup();
 }
@@ -360,8 +366,10 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
   }
   tip(tr("play.gallery_tip"));
   if (wide_button(tr("button.export"), 3, 4, true)) ImGui::OpenPopup("export");
-  export_menu(!model.remote.keyframe.empty(), commands);
+  export_menu(model, commands);
   if (recording) quiet_text(tr("play.recording", model.recording));
+  const ExportView& exported = model.exported;
+  if (!exported.file.empty()) quiet_text(tr("play.writing", exported.file, exported.percent));
   where_they_go(look, model.pictures, form, commands);
 }
 

@@ -73,21 +73,27 @@ std::string glb_summary(const ExportOptions& given, std::size_t bytes,
   return lines + text.data();
 }
 
-/// The stream as an animation; what it looks at is measured too.
-glb::Motion motion_of(const pipeline::AuMapping& mapping,
-                      const std::vector<playback::TimedAus>& keyframes,
-                      const glb::Sampling& sampling, const glb::MorphTargets& targets,
-                      const glb::FaceRig& rig, glb::Drift& drift) {
-  glb::Motion motion;
+/// The stream as an animation; what it looks at is measured too. Nothing when it was stopped.
+std::optional<glb::Motion> motion_of(const pipeline::AuMapping& mapping,
+                                     const std::vector<playback::TimedAus>& keyframes,
+                                     const glb::Sampling& sampling,
+                                     const glb::MorphTargets& targets, const glb::FaceRig& rig,
+                                     glb::Drift& drift, const OnMoment& on_moment) {
+  std::optional<glb::Motion> motion(std::in_place);
   const std::size_t count = glb::moment_count(keyframes, sampling);
   const std::size_t every = (count + kMeasuredMax - 1) / kMeasuredMax;
   glb::for_each_moment(
       mapping, keyframes, sampling, [&](double seconds, const pipeline::FaceState& state) {
-        if (motion.seconds.size() % every == 0) drift.add(state);
-        motion.seconds.push_back(static_cast<float>(seconds));
+        if (on_moment && !on_moment(motion->seconds.size(), count)) {
+          motion.reset();
+          return false;
+        }
+        if (motion->seconds.size() % every == 0) drift.add(state);
+        motion->seconds.push_back(static_cast<float>(seconds));
         const std::vector<std::uint8_t> weights = targets.weights(mapping.face, state);
-        motion.weights.insert(motion.weights.end(), weights.begin(), weights.end());
-        motion.joints.push_back(rig.pose(state.activations));
+        motion->weights.insert(motion->weights.end(), weights.begin(), weights.end());
+        motion->joints.push_back(rig.pose(state.activations));
+        return true;
       });
   return motion;
 }
@@ -111,7 +117,7 @@ Result<void> check_length(const std::vector<playback::TimedAus>& keyframes,
 }
 
 Result<std::string> export_glb(const Assets& assets, const PlayerOptions& options,
-                               const ExportedStream& stream) {
+                               const ExportedStream& stream, const OnMoment& on_moment) {
   const ExportOptions& given = options.exported;
   if (auto writable = check_writable(given.glb()); !writable) return writable.error();
   const face::Face& face = assets.face;
@@ -131,7 +137,9 @@ Result<std::string> export_glb(const Assets& assets, const PlayerOptions& option
   if (stream.keyframes.empty()) {
     glb::add_random_faces(mapping, kRandomFaces, kRandomSeed, drift);
   } else {
-    motion = motion_of(mapping, stream.keyframes, sampling_of(options), targets, rig, drift);
+    motion =
+        motion_of(mapping, stream.keyframes, sampling_of(options), targets, rig, drift, on_moment);
+    if (!motion) return Error{ErrorKind::Failed, "stopped; no GLB file was written"};
     motion->name = stream.name;
   }
   const glb::Motion* const moves = motion ? &*motion : nullptr;

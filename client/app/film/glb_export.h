@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,9 +23,15 @@ struct ExportedStream {
 [[nodiscard]] Result<void> check_length(const std::vector<playback::TimedAus>& keyframes,
                                         const PlayerOptions& options, const std::string& place);
 
+/// Told of each moment of the animation that is done, and how many there are; says whether to go
+/// on.
+using OnMoment = std::function<bool(std::size_t done, std::size_t total)>;
+
 /// Writes the face, and the animation that a stream gives it, as the GLB file of the options.
 /// Returns what is in it and how far it is from the face that face-player draws, in two lines.
+/// Stopped by `on_moment` it fails and writes nothing.
 [[nodiscard]] Result<std::string> export_glb(const Assets& assets, const PlayerOptions& options,
-                                             const ExportedStream& stream);
+                                             const ExportedStream& stream,
+                                             const OnMoment& on_moment = {});
 
 }  // namespace aucast::app

@@ -1,6 +1,7 @@
 #include "client/app/window/background_work.h"
 
 #include <chrono>
+#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -11,16 +12,22 @@ namespace aucast::app {
 
 BackgroundWork::~BackgroundWork() {
   cancel();
-  if (outcome_.valid()) outcome_.wait();
+  wait();
 }
 
 Result<void> BackgroundWork::begin(Work work) {
   AUCAST_CHECK(!running());
   course_ = std::make_unique<Course>();
   try {
-    outcome_ = std::async(std::launch::async, [work = std::move(work), course = course_.get()] {
-      return work(*course);
-    });
+    outcome_ =
+        std::async(std::launch::async,
+                   [work = std::move(work), course = course_.get()]() -> Result<std::string> {
+                     try {
+                       return work(*course);
+                     } catch (const std::exception& failure) {
+                       return Error{ErrorKind::Failed, failure.what()};
+                     }
+                   });
   } catch (const std::system_error& failure) {
     return Error{ErrorKind::Failed, shortage_text(failure)};
   }

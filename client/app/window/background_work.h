@@ -31,7 +31,7 @@ class BackgroundWork {
     std::atomic<std::size_t> total_{0};
     std::atomic<bool> cancelled_{false};
   };
-  /// Returns a sentence about what was made.
+  /// Returns a sentence about what was made. What it throws is a failure.
   using Work = std::function<Result<std::string>(Course&)>;
 
   BackgroundWork() = default;
@@ -44,6 +44,10 @@ class BackgroundWork {
   [[nodiscard]] Result<void> begin(Work work);
   /// Asks the work to end soon.
   void cancel();
+  /// Waits until it is over.
+  void wait() const {
+    if (running()) outcome_.wait();
+  }
   [[nodiscard]] bool running() const { return outcome_.valid(); }
   [[nodiscard]] bool cancelled() const { return course_ != nullptr && course_->cancelled_; }
   /// What has been done, and of how much; 0 of 0 while that is not known.

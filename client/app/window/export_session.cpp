@@ -13,8 +13,10 @@
 namespace aucast::app {
 namespace {
 
-std::string exported(std::string sentence, std::size_t kept, std::uint64_t all) {
-  return kept < all ? gui::tr("said.exported_first", sentence, kept, all) : sentence;
+/// A second line where keyframes are missing.
+std::string missing(const Played& played) {
+  const std::size_t kept = played.keyframes.size();
+  return kept == played.begun ? "" : "\n" + gui::tr("said.exported_first", kept, played.begun);
 }
 
 Error nothing_played() {
@@ -31,8 +33,8 @@ Result<std::string> ExportSession::stream(const Played& played, const std::files
   }
   const auto saved = save_stream(keyframes, file);
   if (!saved) return saved;
-  return exported(gui::tr("said.exported_stream", gui::keyframes_text(keyframes.size()), *saved),
-                  keyframes.size(), played.begun);
+  return gui::tr("said.exported_stream", gui::keyframes_text(keyframes.size()), *saved) +
+         missing(played);
 }
 
 Result<std::string> ExportSession::table(const Played& played, const std::filesystem::path& file) {
@@ -41,8 +43,8 @@ Result<std::string> ExportSession::table(const Played& played, const std::filesy
   const auto written = write_file_atomically(
       file, format_au_table(played.keyframes, protocol::kDefaultKeyframeTime));
   if (!written) return written.error();
-  return exported(gui::tr("said.exported_table", gui::keyframes_text(count), file.string()), count,
-                  played.begun);
+  return gui::tr("said.exported_table", gui::keyframes_text(count), file.string()) +
+         missing(played);
 }
 
 Result<std::string> ExportSession::mesh(const face::Face& face, std::span<const float> activations,
@@ -58,15 +60,28 @@ Result<std::string> ExportSession::glb(PlayerOptions options, Played played,
                                        const std::string& name, const std::filesystem::path& file) {
   if (work_.running()) return Error{ErrorKind::Failed, gui::tr("said.glb_before")};
   options.exported.files = {file};
+  // The words are those of now: the thread must not read them while the language changes.
   const auto begun =
-      work_.begin([make = make_, options = std::move(options), played = std::move(played),
-                   name](BackgroundWork::Course&) -> Result<std::string> {
-        auto made = make(options, played.keyframes, name);
-        if (!made) return made;
-        return exported(*std::move(made), played.keyframes.size(), played.begun);
+      work_.begin([make = make_, options = std::move(options), missing = missing(played),
+                   keyframes = std::move(played.keyframes), name](BackgroundWork::Course& course) {
+        auto made = make(options, keyframes, name, course);
+        return made ? Result<std::string>(*made + missing) : made;
       });
   if (!begun) return begun.error();
-  return gui::tr("said.glb_writing", file.string());
+  file_ = file.string();
+  return gui::tr("said.glb_writing", file_);
+}
+
+std::optional<Result<std::string>> ExportSession::advance() {
+  auto outcome = work_.take_outcome();
+  if (outcome && !*outcome && work_.cancelled()) return gui::tr("said.glb_cancelled", file_);
+  return outcome;
+}
+
+gui::ExportView ExportSession::view() const {
+  if (!work_.running()) return {};
+  return {file_, work_.total() == 0 ? 0 : static_cast<int>(100 * work_.done() / work_.total()),
+          work_.cancelled()};
 }
 
 }  // namespace aucast::app

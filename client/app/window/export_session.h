@@ -11,6 +11,7 @@
 #include "client/app/window/background_work.h"
 #include "client/app/window/played.h"
 #include "client/face/face.h"
+#include "client/gui/gui_model.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
 
@@ -22,9 +23,9 @@ namespace aucast::app {
 class ExportSession {
  public:
   /// Writes a GLB file (film/glb_export.h), on another thread.
-  using MakeGlb = std::function<Result<std::string>(const PlayerOptions& options,
-                                                    std::vector<playback::TimedAus> keyframes,
-                                                    const std::string& name)>;
+  using MakeGlb = std::function<Result<std::string>(
+      const PlayerOptions& options, const std::vector<playback::TimedAus>& keyframes,
+      const std::string& name, BackgroundWork::Course& course)>;
   explicit ExportSession(MakeGlb make) : make_(std::move(make)) {}
 
   /// What was played as a stream file (save_stream()). Failed without a keyframe.
@@ -41,12 +42,15 @@ class ExportSession {
   /// written. Failed while another one is.
   [[nodiscard]] Result<std::string> glb(PlayerOptions options, Played played,
                                         const std::string& name, const std::filesystem::path& file);
+  /// The GLB file is not wanted any more.
+  void cancel() { work_.cancel(); }
   /// What became of the GLB file, once.
-  [[nodiscard]] std::optional<Result<std::string>> advance() { return work_.take_outcome(); }
-  [[nodiscard]] bool running() const { return work_.running(); }
+  [[nodiscard]] std::optional<Result<std::string>> advance();
+  [[nodiscard]] gui::ExportView view() const;
 
  private:
   MakeGlb make_;
+  std::string file_;  ///< of the GLB file that is or was written
   BackgroundWork work_;
 };
 

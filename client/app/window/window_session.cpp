@@ -49,11 +49,15 @@ Result<std::string> gallery_of(const PlayerOptions& options, BackgroundWork::Cou
 /// With a face of its own, because the window's may become another one meanwhile.
 Result<std::string> glb_of(const PlayerOptions& options,
                            const std::vector<playback::TimedAus>& keyframes,
-                           const std::string& name) {
+                           const std::string& name, BackgroundWork::Course& course) {
   const auto assets = load_assets(options.face);
   if (!assets) return assets.error();
   if (auto fits = check_length(keyframes, options, name); !fits) return fits.error();
-  return export_glb(**assets, options, {keyframes, name, {}});
+  return export_glb(**assets, options, {keyframes, name, {}},
+                    [&course](std::size_t done, std::size_t total) {
+                      course.reached(done, total);
+                      return !course.cancelled();
+                    });
 }
 
 /// As part of a file's name.
@@ -190,7 +194,8 @@ Duration WindowSession::idle_time(Instant now) const {
   const auto at_most = [&](Instant next, Duration least) {
     time = std::min(time, std::max(next - now, least));
   };
-  if (lister_.view().asking || mirror_.running() || gallery_.view().running || export_.running())
+  if (lister_.view().asking || mirror_.running() || gallery_.view().running ||
+      !export_.view().file.empty())
     at_most(now, kFrameMax);
   if (!notices_.view().text.empty()) at_most(notices_.until(), kFrameMax);
   if (const auto next = editor_.next_frame_at(now)) at_most(*next, Duration::zero());
@@ -246,6 +251,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
         if (!face) say(face.error().message, true, now);
       },
       [&](const gui::CloseNotice&) { notices_.clear(); },
+      [&](const gui::CancelExport&) { export_.cancel(); },
       [&](const gui::AskStreams& one) { ask_streams(one.settings, now); },
       [](const gui::LookFrom&) {},
       [](const gui::TakePicture&) {},
@@ -539,6 +545,7 @@ gui::GuiModel WindowSession::model() const {
   model.composer.can_take = shown_ != Shown::Composer && aus_shown().has_value();
   model.known_aus = editor_.known_aus();
   model.recording = recording_;
+  model.exported = export_.view();
   model.expressions = editor_.expressions();
   model.transition = editor_.transition();
   model.rendering.settings = rendering_;

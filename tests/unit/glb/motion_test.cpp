@@ -30,6 +30,7 @@ std::vector<Moment> moments(const std::vector<playback::TimedAus>& keyframes, in
   for_each_moment(mapping, keyframes, sampling,
                   [&](double seconds, const pipeline::FaceState& state) {
                     all.push_back({seconds, state.aus.left[12]});
+                    return true;
                   });
   EXPECT_EQ(all.size(), moment_count(keyframes, sampling));
   return all;
@@ -65,8 +66,20 @@ TEST(ForEachMoment, BlinksComeOnTop) {
                   [&](double, const pipeline::FaceState& state) {
                     closed =
                         std::max(closed, state.activations[*face.channel_index("left_lid_close")]);
+                    return true;
                   });
   EXPECT_GT(closed, 0.5F);
+}
+
+TEST(ForEachMoment, EndsWhereItIsToldTo) {
+  const face::Face face = small_face();
+  const pipeline::AuMapping mapping{face, face.recordings, {}, face::Mixer::Maximum};
+  int seen = 0;
+  const auto three = [&seen](double, const pipeline::FaceState&) { return ++seen < 3; };
+  const std::vector keyframes{keyframe(12, 1, Milliseconds(500)),
+                              keyframe(12, 0, Milliseconds(500))};
+  for_each_moment(mapping, keyframes, {}, three);
+  EXPECT_EQ(seen, 3);
 }
 
 }  // namespace

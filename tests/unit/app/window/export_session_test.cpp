@@ -1,6 +1,7 @@
 #include "client/app/window/export_session.h"
 
 #include <future>
+#include <stdexcept>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -17,6 +18,13 @@ playback::TimedAus keyframe(std::initializer_list<AuTerm> terms, int ms) {
   playback::TimedAus timed{frame_from_terms({terms.begin(), terms.size()}), std::nullopt};
   if (ms >= 0) timed.duration = Milliseconds(ms);
   return timed;
+}
+
+Result<std::string> outcome_of(ExportSession& session) {
+  while (true) {
+    if (auto outcome = session.advance()) return *outcome;
+    std::this_thread::yield();
+  }
 }
 
 TEST(AuTable, HasARowForEachKeyframeAndAColumnForEachAuThatOccurs) {
@@ -70,26 +78,51 @@ TEST(ExportSession, AGlbFileIsWrittenInTheBackgroundOneAtATime) {
   std::promise<void> may_end;
   std::shared_future<void> end = may_end.get_future().share();
   ExportSession session([end](const PlayerOptions& options, const auto& keyframes,
-                              const std::string& name) -> Result<std::string> {
+                              const std::string& name,
+                              BackgroundWork::Course& course) -> Result<std::string> {
+    course.reached(1, 4);
     end.wait();
     return options.exported.glb().string() + " " + name + " " + std::to_string(keyframes.size());
   });
   const Played one = {{keyframe({{12, Side::Both, 80}}, 500)}, 3};
   ASSERT_TRUE(session.glb({}, one, "talk", "/x/talk.glb"));
-  EXPECT_TRUE(session.running());
+  EXPECT_EQ(session.view().file, "/x/talk.glb");
   const auto second = session.glb({}, one, "talk", "/x/other.glb");
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().message.find("still being written"), std::string::npos);
   may_end.set_value();
-  std::optional<Result<std::string>> outcome;
-  while (!outcome) {
-    outcome = session.advance();
-    std::this_thread::yield();
-  }
-  ASSERT_TRUE(*outcome);
-  EXPECT_TRUE((*outcome)->starts_with("/x/talk.glb talk 1\nonly the first 1 of 3 keyframes"))
-      << **outcome;
-  EXPECT_FALSE(session.running());
+  const auto outcome = outcome_of(session);
+  ASSERT_TRUE(outcome);
+  EXPECT_TRUE(outcome->starts_with("/x/talk.glb talk 1\nonly the first 1 of 3 keyframes"))
+      << *outcome;
+  EXPECT_EQ(session.view(), gui::ExportView{});
+}
+
+TEST(ExportSession, AGlbFileCanBeCancelled) {
+  ExportSession session([](const PlayerOptions&, const auto&, const std::string&,
+                           BackgroundWork::Course& course) -> Result<std::string> {
+    course.reached(1, 4);
+    while (!course.cancelled()) std::this_thread::yield();
+    return Error{ErrorKind::Failed, "stopped"};
+  });
+  ASSERT_TRUE(session.glb({}, {}, "talk", "/x/talk.glb"));
+  while (session.view().percent != 25) std::this_thread::yield();
+  EXPECT_FALSE(session.view().ending);
+  session.cancel();
+  EXPECT_TRUE(session.view().ending || session.view().file.empty());
+  const auto outcome = outcome_of(session);
+  ASSERT_TRUE(outcome) << "the user wanted it";
+  EXPECT_EQ(*outcome, "cancelled: /x/talk.glb was not written");
+}
+
+TEST(ExportSession, WhatIsThrownInTheBackgroundIsAFailure) {
+  ExportSession session(
+      [](const PlayerOptions&, const auto&, const std::string&,
+         BackgroundWork::Course&) -> Result<std::string> { throw std::length_error("too long"); });
+  ASSERT_TRUE(session.glb({}, {}, "talk", "/x/talk.glb"));
+  const auto outcome = outcome_of(session);
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().message, "too long");
 }
 
 }  // namespace
