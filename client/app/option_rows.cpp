@@ -16,8 +16,6 @@ using Where = OptionRow::Where;
 constexpr int kSizeMax = 8192;
 constexpr double kSecondsMax = 86'400;
 
-/// Sets that there is room for when the buffer is measured by time.
-
 template <typename Number>
 bool read_whole(std::string_view text, Number low, Number high, Number& out) {
   const auto value = number_of<Number>(text);
@@ -115,7 +113,7 @@ Complaint read_buffer(const std::string& word, playback::BufferOptions& buffers)
   if (word != "auto" && !timed) {
     return "is neither auto, nor a time of 0ms to 60000ms, nor 1 to 10000 sets";
   }
-  buffers.receiver_capacity = playback::buffers_by_time().receiver_capacity;
+  buffers.receiver_capacity = playback::kReceiverSetsByTime;
   buffers.by_time = true;
   if (timed) {
     buffers.live_delay = Milliseconds(time_ms);

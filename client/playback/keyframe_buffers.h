@@ -22,15 +22,9 @@ struct BufferOptions {
                                         ///< and is reached at its own TimedAus::due
 };
 
-/// Buffers of a player that waits for what the link needs (--buffer auto): sets for the 60 s of
-/// the longest delay at 30 a second.
-[[nodiscard]] constexpr BufferOptions buffers_by_time() {
-  BufferOptions options;
-  options.receiver_capacity = 2000;
-  options.by_time = true;
-  options.adapt = true;
-  return options;
-}
+/// The Receiver buffer of --buffer auto and --buffer Nms, in sets: for the 60 s of the longest
+/// delay at 30 a second.
+inline constexpr std::size_t kReceiverSetsByTime = 2000;
 
 /// What has to be in the Receiver buffer before the Playout buffer is filled, in sets: the
 /// threshold's share of it, rounded up.

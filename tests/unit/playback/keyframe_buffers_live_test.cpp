@@ -239,7 +239,11 @@ TEST_F(LiveBuffers, BeginWhenTheReceiverIsFullHoweverLongTheDelay) {
 }
 
 TEST(TimedBuffers, HoldTheLongestAdaptedDelayOfAPicturesRate) {
-  KeyframeBuffers buffers(buffers_by_time());
+  BufferOptions options;
+  options.receiver_capacity = kReceiverSetsByTime;
+  options.by_time = true;
+  options.adapt = true;
+  KeyframeBuffers buffers(options);
   buffers.set_live(33ms);
   buffers.set_delay(10s);
   int stored = 0;
