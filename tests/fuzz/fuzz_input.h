@@ -39,4 +39,16 @@ class Script {
   std::string_view rest_;
 };
 
+/// An input that a target takes whole and in pieces, to the same end.
+struct PiecedInput {
+  std::string_view bytes;
+  std::size_t piece = 1;  ///< how long they are, 1 to 256
+};
+
+/// The first byte of an input is the length of its pieces.
+[[nodiscard]] inline PiecedInput pieced(const std::uint8_t* data, std::size_t size) {
+  const std::string_view input = text_of(data, size);
+  return {input.substr(std::min<std::size_t>(1, size)), 1U + Script(input).byte()};
+}
+
 }  // namespace aucast::fuzz

@@ -82,10 +82,7 @@ void read_orders(std::string_view bytes) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  aucast::fuzz::Script script(aucast::fuzz::text_of(data, size));
-  const std::size_t piece = 1U + script.byte();
-  const std::string_view bytes =
-      aucast::fuzz::text_of(data, size).substr(std::min<std::size_t>(1, size));
+  const auto [bytes, piece] = aucast::fuzz::pieced(data, size);
   AUCAST_CHECK(read(bytes, std::string_view::npos) == read(bytes, piece));
   read_orders(bytes);
   return 0;

@@ -59,10 +59,7 @@ void check_frames(std::string_view wire, bool closes) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  aucast::fuzz::Script script(aucast::fuzz::text_of(data, size));
-  const std::size_t piece = 1U + script.byte();
-  const std::string_view wire =
-      aucast::fuzz::text_of(data, size).substr(std::min<std::size_t>(1, size));
+  const auto [wire, piece] = aucast::fuzz::pieced(data, size);
   const Heard whole = hear(wire, std::string_view::npos);
   AUCAST_CHECK(whole == hear(wire, piece));
   AUCAST_CHECK(whole.text.size() <= wire.size());

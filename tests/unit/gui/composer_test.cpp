@@ -2,19 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/composed.h"
+
 namespace aucast::gui {
 namespace {
 
 class ComposerTest : public testing::Test {
  protected:
-  /// A timeline of AU 1, 2, 3 ... at 100 %.
-  void make(int count) {
-    for (int number = 1; number <= count; ++number) {
-      composer_.set_aus({}, false);
-      composer_.set_au(number, 100, 100, false);
-      composer_.add();
-    }
-  }
   /// The AUs of the timeline, one digit each.
   [[nodiscard]] std::string order() const {
     std::string text;
@@ -40,7 +34,7 @@ TEST_F(ComposerTest, ANewFaceIsAddedAtTheEnd) {
 }
 
 TEST_F(ComposerTest, AChosenKeyframeIsChangedInItsPlace) {
-  make(3);
+  test::compose(composer_, 3);
   composer_.choose(1);
   composer_.set_aus({}, false);
   composer_.set_au(9, 50, 50, false);
@@ -54,7 +48,7 @@ TEST_F(ComposerTest, AChosenKeyframeIsChangedInItsPlace) {
 }
 
 TEST_F(ComposerTest, KeyframesAreMovedDoubledAndRemoved) {
-  make(3);
+  test::compose(composer_, 3);
   composer_.move(-1);
   EXPECT_EQ(order(), "123") << "nothing is chosen";
   composer_.choose(2);
@@ -81,7 +75,7 @@ TEST_F(ComposerTest, KeyframesAreMovedDoubledAndRemoved) {
 }
 
 TEST_F(ComposerTest, WhatIsNotThereIsIgnored) {
-  make(1);
+  test::compose(composer_, 1);
   const auto revision = composer_.revision();
   composer_.choose(5);
   composer_.set_au(0, 50, 50, false);
@@ -93,7 +87,7 @@ TEST_F(ComposerTest, WhatIsNotThereIsIgnored) {
 }
 
 TEST_F(ComposerTest, EveryStepCanBeTakenBackAndDoneAgain) {
-  make(2);
+  test::compose(composer_, 2);
   composer_.choose(0);
   composer_.set_au(7, 10, 10, false);
   composer_.set_au(7, 20, 20, true);
@@ -110,7 +104,7 @@ TEST_F(ComposerTest, EveryStepCanBeTakenBackAndDoneAgain) {
 }
 
 TEST_F(ComposerTest, AnotherStreamIsAStepToo) {
-  make(2);
+  test::compose(composer_, 2);
   composer_.begin_anew();
   EXPECT_TRUE(composer_.keyframes().empty());
   EXPECT_FALSE(composer_.unsaved());
@@ -126,7 +120,7 @@ TEST_F(ComposerTest, AnotherStreamIsAStepToo) {
 }
 
 TEST_F(ComposerTest, SavedIsWhatTheFileHas) {
-  make(2);
+  test::compose(composer_, 2);
   EXPECT_TRUE(composer_.unsaved());
   composer_.saved("a.txt");
   EXPECT_FALSE(composer_.unsaved());
@@ -140,7 +134,7 @@ TEST_F(ComposerTest, SavedIsWhatTheFileHas) {
 }
 
 TEST_F(ComposerTest, ANewFaceWaitsWhileAnotherIsLookedAt) {
-  make(1);
+  test::compose(composer_, 1);
   composer_.set_au(12, 70, 70, false);
   composer_.choose(0);
   composer_.choose(std::nullopt);

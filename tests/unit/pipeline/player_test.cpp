@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "client/playback/seekable_playback.h"
@@ -55,6 +56,14 @@ class PlayerTest : public ::testing::Test {
     playback_ = std::move(whole);
     player_.open(playback_.get());
     return seekable;
+  }
+  /// `whole`: as a file that is all there, otherwise as what a source brings.
+  void play(bool whole, std::vector<TimedAus> keyframes) {
+    if (whole) {
+      play_whole(std::move(keyframes));
+    } else {
+      play_source(std::move(keyframes));
+    }
   }
   /// The jaw after so much more time.
   float jaw_after(int ms) {
@@ -161,11 +170,7 @@ TEST_F(PlayerTest, AnotherMappingIsSeenAtOnce) {
   for (const bool whole : {false, true}) {
     mapping_.recordings = face_.recordings;
     player_.set_face(std::vector<float>{0});
-    if (whole) {
-      play_whole({keyframe(26, 100), keyframe(27, 100)});
-    } else {
-      play_source({keyframe(26, 100), keyframe(27, 100)});
-    }
+    play(whole, {keyframe(26, 100), keyframe(27, 100)});
     jaw_after(0);
     EXPECT_FLOAT_EQ(jaw_after(50), 2);
     mapping_.recordings[26].activation[0] = 1;
@@ -180,11 +185,7 @@ TEST_F(PlayerTest, AnotherFaceStandsWhereTheOneBeforeDid) {
     mapping_.recordings = face_.recordings;
     player_.change_face();
     player_.set_face(std::vector<float>{0});
-    if (whole) {
-      play_whole({keyframe(26, 100), keyframe(27, 100)});
-    } else {
-      play_source({keyframe(26, 100), keyframe(27, 100)});
-    }
+    play(whole, {keyframe(26, 100), keyframe(27, 100)});
     jaw_after(0);
     jaw_after(100);
     jaw_after(50);
@@ -201,11 +202,7 @@ TEST_F(PlayerTest, AdvancingAllocatesNothing) {
   for (const bool whole : {false, true}) {
     std::vector<TimedAus> keyframes;
     for (int i = 0; i < 20; ++i) keyframes.push_back(keyframe(26 + i % 2, 20));
-    if (whole) {
-      play_whole(keyframes);
-    } else {
-      play_source(keyframes);
-    }
+    play(whole, keyframes);
     jaw_after(0);
     const std::size_t before = test::allocations();
     for (int i = 0; i < 35; ++i) jaw_after(10);

@@ -4,6 +4,7 @@
 
 #include "common/files.h"
 #include "protocol/stream_file.h"
+#include "tests/support/composed.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::app {
@@ -11,15 +12,6 @@ namespace {
 
 class CompositionFile : public testing::Test {
  protected:
-  /// A timeline of AU 1, 2, 3 ... at 100 %.
-  void make(int count) {
-    for (int number = 1; number <= count; ++number) {
-      composer_.set_aus({}, false);
-      composer_.set_au(number, 100, 100, false);
-      composer_.add();
-    }
-  }
-
   gui::Composer composer_;
 };
 
@@ -51,7 +43,7 @@ TEST_F(CompositionFile, EveryAuWithBothSidesIsServable) {
 TEST_F(CompositionFile, SavingKeepsTheVersionBefore) {
   const test::TempFolder folder;
   const auto file = folder.write("mine.txt", "# a note\nBeg_Stream\n1\nEnd_Stream\n");
-  make(1);
+  test::compose(composer_, 1);
   auto saved = save_stream(composer_.keyframes(), file);
   ASSERT_TRUE(saved) << saved.error().message;
   EXPECT_NE(saved->find("mine.txt~"), std::string::npos);
@@ -63,7 +55,7 @@ TEST_F(CompositionFile, SavingKeepsTheVersionBefore) {
 }
 
 TEST_F(CompositionFile, AFolderThatIsNotThereIsSaid) {
-  make(1);
+  test::compose(composer_, 1);
   const auto saved = save_stream(composer_.keyframes(), "/no/such/folder/x.txt");
   ASSERT_FALSE(saved.has_value());
   EXPECT_EQ(saved.error().kind, ErrorKind::Failed);
