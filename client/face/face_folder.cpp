@@ -169,17 +169,6 @@ Result<void> load_muscles(const std::filesystem::path& path, Face& face) {
   return problems.result();
 }
 
-Result<void> load_aus(const std::filesystem::path& path, Face& face) {
-  const auto document = read_toml(path);
-  if (!document) return document.error();
-  Problems problems(path.string());
-  TableReader reader(*document, problems);
-  const auto finder = [&face](std::string_view name) { return channels_named(face, name); };
-  face.recordings = read_recordings(reader, face, finder, drive_names(face), problems);
-  reader.finish();
-  return problems.result();
-}
-
 /// A muscle may not take the name of another channel, such as jaw.
 Result<void> check_channel_names(const Face& face, const std::filesystem::path& path) {
   std::set<std::string_view> names;
@@ -193,6 +182,18 @@ Result<void> check_channel_names(const Face& face, const std::filesystem::path& 
 }
 
 }  // namespace
+
+Result<AuRecordings> load_aus(const std::filesystem::path& path, const Face& face) {
+  const auto document = read_toml(path);
+  if (!document) return document.error();
+  Problems problems(path.string());
+  TableReader reader(*document, problems);
+  const auto finder = [&face](std::string_view name) { return channels_named(face, name); };
+  AuRecordings recordings = read_recordings(reader, face, finder, drive_names(face), problems);
+  reader.finish();
+  if (auto read = problems.result(); !read) return read.error();
+  return recordings;
+}
 
 Side side_at(float x) {
   constexpr float kCentral = 0.05F;
@@ -222,7 +223,9 @@ Result<Face> load_face_folder(const std::filesystem::path& folder) {
   if (auto result = check_channel_names(face, folder / muscles_file); !result) {
     return result.error();
   }
-  if (auto loaded = load_aus(folder / aus_file, face); !loaded) return loaded.error();
+  auto recordings = load_aus(folder / aus_file, face);
+  if (!recordings) return recordings.error();
+  face.recordings = std::move(*recordings);
   return face;
 }
 

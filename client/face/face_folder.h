@@ -12,6 +12,9 @@ namespace aucast::face {
 /// Reads a folder of our own format (face.toml inside; data/faces/README.md).
 [[nodiscard]] Result<Face> load_face_folder(const std::filesystem::path& folder);
 
+/// Reads an AU file (data/faces/README.md) for a face of our own format.
+[[nodiscard]] Result<AuRecordings> load_aus(const std::filesystem::path& path, const Face& face);
+
 /// The side on which something at `x` sits: Both within 0.05 units of the middle.
 [[nodiscard]] Side side_at(float x);
 

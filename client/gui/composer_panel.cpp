@@ -14,7 +14,7 @@
 namespace aucast::gui {
 namespace {
 
-constexpr float kTimelineHeight = 118;
+constexpr float kTimelineHeight = 196;
 constexpr float kPadHeight = 138;
 constexpr float kSnap = 5;
 constexpr int kAuColumns = 9;
@@ -33,7 +33,34 @@ void file_buttons(const ComposerView& composer, GuiCommands& commands) {
   if (wide_button(tr("button.save_as"), 3, 4, any)) commands.push_back(Browse{Purpose::SaveStream});
 }
 
-void timeline(const Look& look, const ComposerView& composer, GuiCommands& commands) {
+/// A keyframe as a line: its face, its AUs and the time to reach it.
+void timeline_row(const Look& look, const ComposerView& composer, int index, Thumbnails& pictures,
+                  GuiCommands& commands) {
+  const TimelineRow& row = (*composer.rows)[static_cast<std::size_t>(index)];
+  const float height = kKeyframeHeight * look.scale;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool chosen = index == composer.chosen;
+  if (ImGui::Selectable("##row", chosen, 0, ImVec2(0, height))) {
+    ask(commands, ChooseKeyframe{chosen ? -1 : index});
+  }
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const float picture = at.x + kKeyframeWidth * look.scale;
+  draw_thumbnail(pictures, row.aus, at, ImVec2(picture, at.y + height));
+  const float line = at.y + (height - ImGui::GetTextLineHeight()) / 2;
+  const float left = picture + 8 * look.scale;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x -
+                      ImGui::CalcTextSize(row.time.c_str()).x;
+  ImGui::SetCursorScreenPos(ImVec2(left, line));
+  ImGui::PushClipRect(at, ImVec2(right - 10 * look.scale, at.y + height), true);
+  ImGui::TextUnformatted((std::to_string(index + 1) + "   " + row.aus).c_str());
+  ImGui::PopClipRect();
+  ImGui::SetCursorScreenPos(ImVec2(right, line));
+  toned_line(Tone::Quiet, row.time);
+  ImGui::SetCursorScreenPos(below);
+}
+
+void timeline(const Look& look, const ComposerView& composer, Thumbnails& pictures,
+              GuiCommands& commands) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8 * look.scale, 6 * look.scale));
   const bool visible =
@@ -47,22 +74,8 @@ void timeline(const Look& look, const ComposerView& composer, GuiCommands& comma
     clipper.Begin(static_cast<int>(composer.rows->size()));
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const TimelineRow& row = (*composer.rows)[static_cast<std::size_t>(i)];
         ImGui::PushID(i);
-        const std::string text = std::to_string(i + 1) + "   " + row.aus;
-        if (ImGui::Selectable("##row", i == composer.chosen)) {
-          ask(commands, ChooseKeyframe{i == composer.chosen ? -1 : i});
-        }
-        ImGui::SameLine(0, 0);
-        const float right =
-            ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(row.time.c_str()).x;
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float end = ImGui::GetWindowPos().x + right - 10 * look.scale;
-        ImGui::PushClipRect(at, ImVec2(end, at.y + 100), true);
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopClipRect();
-        ImGui::SameLine(right);
-        toned_line(Tone::Quiet, row.time);
+        timeline_row(look, composer, i, pictures, commands);
         ImGui::PopID();
       }
     }
@@ -70,7 +83,8 @@ void timeline(const Look& look, const ComposerView& composer, GuiCommands& comma
   ImGui::EndChild();
 }
 
-void timeline_part(const Look& look, const ComposerView& composer, GuiCommands& commands) {
+void timeline_part(const Look& look, const ComposerView& composer, Thumbnails& pictures,
+                   GuiCommands& commands) {
   std::string name = std::filesystem::path(composer.file).filename().string();
   if (name.empty()) name = tr("compose.new_stream");
   heading(look, composer.unsaved ? tr("compose.unsaved", name) : name);
@@ -78,7 +92,7 @@ void timeline_part(const Look& look, const ComposerView& composer, GuiCommands& 
     ImGui::SetTooltip("%s", composer.file.c_str());
   }
   file_buttons(composer, commands);
-  timeline(look, composer, commands);
+  timeline(look, composer, pictures, commands);
   const bool chosen = composer.chosen >= 0;
   const int last = static_cast<int>(composer.rows->size()) - 1;
   if (wide_button(tr("compose.play"), 0, 4, last >= 0)) ask(commands, PlayComposition{});
@@ -243,7 +257,7 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
                     GuiCommands& commands) {
   const ComposerView& composer = model.composer;
   if (composer.rows == nullptr || composer.pad == nullptr || model.known_aus == nullptr) return;
-  timeline_part(look, composer, commands);
+  timeline_part(look, composer, form.pictures, commands);
   const bool chosen = composer.chosen >= 0;
   heading(look, chosen ? tr("compose.keyframe", composer.chosen + 1) : tr("compose.new_keyframe"),
           tr("tip.keyframe"));

@@ -39,13 +39,15 @@ void name_field(const Look& look, const GuiModel& model, int number, EditorForm&
   ImGui::InputTextWithHint("##auname", tr("editor.name_hint"), form.name.data(), form.name.size());
 }
 
-/// What can be done with a saved AU.
+/// What can be done with saved AUs.
 void au_file_buttons(const GuiModel& model, GuiCommands& commands) {
   const AuEntry* entry = entry_of(model, model.editor.au);
   const bool known = entry != nullptr;
-  if (wide_button(tr("button.export"), 0, 2, known)) commands.push_back(Browse{Purpose::ExportAu});
+  if (wide_button(tr("button.import"), 0, 3, true)) commands.push_back(Browse{Purpose::ImportAus});
+  tip(tr("editor.import_tip"));
+  if (wide_button(tr("button.export"), 1, 3, known)) commands.push_back(Browse{Purpose::ExportAu});
   const char* remove = known && !entry->shipped ? tr("button.delete") : tr("editor.as_it_came");
-  if (wide_button(remove, 1, 2, known && entry->own)) commands.push_back(RemoveAu{entry->number});
+  if (wide_button(remove, 2, 3, known && entry->own)) commands.push_back(RemoveAu{entry->number});
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     ImGui::SetTooltip(
         "%s", known && !entry->shipped ? tr("editor.delete_tip") : tr("editor.as_it_came_tip"));

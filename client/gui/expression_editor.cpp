@@ -34,15 +34,17 @@ void ExpressionEditor::set(std::size_t channel, float activation, bool continued
   history_.step(std::move(next), continued);
 }
 
+/// The neutral face for an AU that has none.
+std::vector<float> ExpressionEditor::recording_of(int au) const {
+  const auto found = recordings_.find(au);
+  if (found != recordings_.end()) return found->second.activation;
+  return std::vector<float>(face_.channels.size());
+}
+
 void ExpressionEditor::load(int au) {
   State next;
   next.au = au;
-  const auto found = recordings_.find(au);
-  if (found != recordings_.end()) {
-    next.activations = found->second.activation;
-  } else {
-    next.activations.assign(face_.channels.size(), 0.0F);
-  }
+  next.activations = recording_of(au);
   next.stored = next.activations;
   history_.step(std::move(next));
 }
@@ -67,7 +69,7 @@ void ExpressionEditor::revert() {
 void ExpressionEditor::recorded_anew(int au) {
   load(au);
   history_.change_others([&](State& state) {
-    if (state.au == au) state.stored = history_.now().stored;
+    if (state.au) state.stored = recording_of(*state.au);
   });
 }
 

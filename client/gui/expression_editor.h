@@ -43,8 +43,8 @@ class ExpressionEditor {
   void revert();
   /// What is shown has been saved as `au`.
   void saved(int au);
-  /// The recording of an AU has become another one, or has gone, and is what is shown now. A step
-  /// that is taken back brings what was there as a change that is not saved.
+  /// The recordings of AUs have become others, or have gone; that of `au` is what is shown now. A
+  /// step that is taken back brings what was there as a change that is not saved.
   void recorded_anew(int au);
   /// The face has become another one; `before` are the names of the channels that it had. What is
   /// not saved goes along by the names of the channels, in every step; the rest is as the
@@ -54,6 +54,8 @@ class ExpressionEditor {
   void redo() { history_.redo(); }
 
  private:
+  [[nodiscard]] std::vector<float> recording_of(int au) const;
+
   struct State {
     std::vector<float> activations;
     std::vector<float> stored;  ///< what the file has

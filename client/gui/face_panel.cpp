@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFacesInARow = 3;
 /// Height of a thumbnail by its width.
-constexpr float kShape = static_cast<float>(kThumbnailHeight) / kThumbnailWidth;
+constexpr float kShape = static_cast<float>(kFaceHeight) / kFaceWidth;
 
 const char* heading_of(FaceKind kind) {
   switch (kind) {
@@ -37,7 +37,8 @@ void name_below(const Look& look, const std::string& name, ImVec2 at, float widt
 }
 
 /// A picture with its name; true when it was chosen.
-bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width, FaceForm& form) {
+bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
+               Thumbnails& pictures) {
   const float height = width * kShape;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 to(at.x + width, at.y + height);
@@ -46,15 +47,7 @@ bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
       face.folder.c_str(), ImVec2(width, height + ImGui::GetTextLineHeightWithSpacing()));
   mark_focus();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto found = form.textures.find(face.folder);
-  const std::uintptr_t texture = found == form.textures.end() ? 0 : found->second;
-  if (ImGui::IsItemVisible() && texture == 0) form.wanted.push_back(face.folder);
-  if (texture != 0) {
-    list.AddImageRounded(reinterpret_cast<ImTextureID>(texture), at, to, ImVec2(0, 0), ImVec2(1, 1),
-                         IM_COL32_WHITE, rounding);
-  } else {
-    list.AddRectFilled(at, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
-  }
+  if (ImGui::IsItemVisible()) draw_thumbnail(pictures, face.folder, at, to);
   const ImGuiCol frame = shown ? ImGuiCol_PlotLinesHovered : ImGuiCol_Border;
   if (shown || ImGui::IsItemHovered()) {
     list.AddRect(at, to, ImGui::GetColorU32(frame), rounding, 0,
@@ -69,9 +62,9 @@ bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
 
 }  // namespace
 
-void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands) {
+void face_part(const Look& look, const GuiModel& model, Thumbnails& pictures,
+               GuiCommands& commands) {
   heading(look, tr("face.title"));
-  form.wanted.clear();
   const FacesView& faces = model.faces;
   if (faces.entries == nullptr) return;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -88,7 +81,7 @@ void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiComma
     in_row = first ? 0 : (in_row + 1) % kFacesInARow;
     if (in_row > 0) ImGui::SameLine(0, gap);
     const bool shown = face.folder == faces.shown;
-    if (face_tile(look, face, shown, width, form) && !shown)
+    if (face_tile(look, face, shown, width, pictures) && !shown)
       commands.push_back(ShowFace{face.folder});
     before = &face;
   }

@@ -29,7 +29,9 @@ std::vector<FileEntry> entries_of(const fs::path& folder, std::error_code& error
 }  // namespace
 
 bool is_saving(Purpose purpose) {
-  return purpose != Purpose::PlayStream && purpose != Purpose::ComposeStream && !is_folder(purpose);
+  const bool opening = purpose == Purpose::PlayStream || purpose == Purpose::ComposeStream ||
+                       purpose == Purpose::ImportAus;
+  return !opening && !is_folder(purpose);
 }
 
 bool is_folder(Purpose purpose) {

@@ -17,6 +17,7 @@ enum class Purpose : std::uint8_t {
   ExportMesh,       ///< where the mesh of the face that is shown goes
   ExportGlb,        ///< where face and movement go
   ExportAu,         ///< where an AU goes
+  ImportAus,        ///< a file of AUs to be taken over
   PictureFolder,    ///< where pictures and videos go
   GalleryFolder,    ///< where a gallery goes
   LookForFaces,     ///< a folder with faces, or one that is a face

@@ -30,6 +30,8 @@ const char* title_of(Purpose purpose) {
       return tr("file.export_glb");
     case Purpose::ExportAu:
       return tr("file.export_au");
+    case Purpose::ImportAus:
+      return tr("file.import_aus");
     case Purpose::PictureFolder:
       return tr("file.picture_folder");
     case Purpose::GalleryFolder:

@@ -264,7 +264,7 @@ struct Gui::State {
   NoticeForm notice;
   ComposerForm composer;
   MirrorForm mirror;
-  FaceForm face;
+  Thumbnails faces;
   GalleryForm gallery;
   bool panel = true;
   bool bare = false;         ///< the user wants the face alone
@@ -328,7 +328,7 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
           [&] { expression_panel(look, model, expression, commands); });
       tab("editor", tr("tab.editor"), [&] { editor_panel(look, model, editor, commands); });
       tab("compose", tr("tab.compose"), [&] { composer_panel(look, model, composer, commands); });
-      tab("view", tr("tab.view"), [&] { rendering_panel(look, model, face, commands); });
+      tab("view", tr("tab.view"), [&] { rendering_panel(look, model, faces, commands); });
       // Who begins with the camera sees its tab.
       const bool begins = !std::exchange(drawn, true) && model.mirror.wanted;
       tab(
@@ -382,7 +382,8 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   state_->focus.before_frame();
   ImGui::NewFrame();
   state_->focus.begin();
-  state_->face.wanted.clear();
+  state_->faces.seen.clear();
+  state_->composer.pictures.seen.clear();
   close_popup_by_escape();
   if (state_->hidden) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
   if (state_->shows_panel()) state_->side_panel(model, commands);
@@ -406,12 +407,12 @@ void Gui::set_camera_texture(std::uintptr_t texture) {
   state_->mirror.texture = texture;
 }
 
-void Gui::set_face_texture(const std::string& folder, std::uintptr_t texture) {
-  state_->face.textures[folder] = texture;
+Thumbnails& Gui::faces() {
+  return state_->faces;
 }
 
-const std::vector<std::string>& Gui::wanted_faces() const {
-  return state_->face.wanted;
+Thumbnails& Gui::keyframes() {
+  return state_->composer.pictures;
 }
 
 void Gui::toggle_panel() {

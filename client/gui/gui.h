@@ -7,6 +7,7 @@
 
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
+#include "client/gui/thumbnails.h"
 
 namespace aucast::gui {
 
@@ -34,10 +35,10 @@ class Gui {
   /// none.
   void set_camera_texture(std::uintptr_t texture);
 
-  /// The same of the picture of the face in this folder.
-  void set_face_texture(const std::string& folder, std::uintptr_t texture);
-  /// The folders of those faces that are seen and have no picture yet, as of the last draw().
-  [[nodiscard]] const std::vector<std::string>& wanted_faces() const;
+  /// The pictures of faces, by folder.
+  [[nodiscard]] Thumbnails& faces();
+  /// The pictures of keyframes, by their AUs as in a packet.
+  [[nodiscard]] Thumbnails& keyframes();
 
   void toggle_panel();
   /// Nothing but the face, or panel and bar again.

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
+#include "client/gui/thumbnails.h"
 #include "client/gui/widgets.h"
 #include "protocol/limits.h"
 
@@ -74,7 +74,8 @@ void editor_panel(const Look& look, const GuiModel& model, EditorForm& form, Gui
 
 /// What belongs to the composer's widgets.
 struct ComposerForm {
-  bool linked = true;  ///< one slider for both sides
+  bool linked = true;   ///< one slider for both sides
+  Thumbnails pictures;  ///< of keyframes, by their AUs as in a packet
 };
 
 /// Faces made of AUs, put in a row as a stream.
@@ -146,20 +147,11 @@ struct MirrorForm {
 /// The Camera tab: one's own face, and who else may see it.
 void mirror_panel(const Look& look, const GuiModel& model, MirrorForm& form, GuiCommands& commands);
 
-/// Of a face, in pixels at scale 1; drawn at twice that.
-inline constexpr int kThumbnailWidth = 112;
-inline constexpr int kThumbnailHeight = 128;
+/// The faces to choose from, their pictures by folder.
+void face_part(const Look& look, const GuiModel& model, Thumbnails& pictures,
+               GuiCommands& commands);
 
-/// The pictures of faces to choose from.
-struct FaceForm {
-  std::map<std::string, std::uintptr_t> textures;  ///< by folder
-  std::vector<std::string> wanted;                 ///< folders of those that are seen and have none
-};
-
-/// The faces to choose from.
-void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
-
-void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
+void rendering_panel(const Look& look, const GuiModel& model, Thumbnails& pictures,
                      GuiCommands& commands);
 
 }  // namespace aucast::gui

@@ -120,10 +120,14 @@ bool is_own_face(const fs::path& face_folder, const fs::path& user_faces) {
   }
 }
 
-Result<fs::path> save_au(const fs::path& face_folder, int number, const Drive& drive,
-                         const std::string& name) {
+Result<fs::path> save_aus(const fs::path& face_folder, const std::vector<SavedAu>& aus) {
   return change_aus(face_folder, [&](const std::string& text, const std::string& file) {
-    return with_au(text, file, number, drive, name);
+    Result<std::string> changed = text;
+    for (const SavedAu& au : aus) {
+      changed = with_au(*changed, file, au.number, au.drive, au.name);
+      if (!changed) break;
+    }
+    return changed;
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "client/gui/aus_file.h"
 #include "client/gui/gui_model.h"
@@ -34,12 +35,16 @@ namespace aucast::gui {
 [[nodiscard]] bool is_own_face(const std::filesystem::path& face_folder,
                                const std::filesystem::path& user_faces);
 
-/// Saves one AU in the AU file of a face of our own format and returns that file; `name`: its note,
-/// empty: as it is. The version before stays beside it with a ~ at its end. What was there is
-/// untouched when this fails.
-[[nodiscard]] Result<std::filesystem::path> save_au(const std::filesystem::path& face_folder,
-                                                    int number, const Drive& drive,
-                                                    const std::string& name = {});
+/// An AU to be saved.
+struct SavedAu {
+  int number = 0;
+  Drive drive;
+  std::string name;  ///< its note; empty: as it is
+};
+/// Saves AUs in the AU file of a face of our own format and returns that file. The version before
+/// stays beside it with a ~ at its end. What was there is untouched when this fails.
+[[nodiscard]] Result<std::filesystem::path> save_aus(const std::filesystem::path& face_folder,
+                                                     const std::vector<SavedAu>& aus);
 /// Takes one AU out of that file, in the same way.
 [[nodiscard]] Result<std::filesystem::path> remove_au(const std::filesystem::path& face_folder,
                                                       int number);

@@ -76,6 +76,19 @@ FloatingStyle::~FloatingStyle() {
   ImGui::PopStyleVar(2);
 }
 
+void draw_thumbnail(Thumbnails& pictures, const std::string& name, const ImVec2& from,
+                    const ImVec2& to) {
+  pictures.seen.push_back(name);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const auto found = pictures.textures.find(name);
+  if (found == pictures.textures.end()) {
+    return list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+  }
+  list.AddImageRounded(reinterpret_cast<ImTextureID>(found->second), from, to, ImVec2(0, 0),
+                       ImVec2(1, 1), IM_COL32_WHITE, rounding);
+}
+
 void toned_line(Tone tone, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tone));
   ImGui::TextUnformatted(text.c_str());

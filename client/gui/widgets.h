@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "client/gui/gui_model.h"
+#include "client/gui/thumbnails.h"
 
 struct ImFont;
+struct ImVec2;
 
 namespace aucast::gui {
 
@@ -34,6 +36,9 @@ class FloatingStyle {
   FloatingStyle& operator=(const FloatingStyle&) = delete;
 };
 
+/// The picture of this name between two corners on the screen; a plain ground while there is none.
+void draw_thumbnail(Thumbnails& pictures, const std::string& name, const ImVec2& from,
+                    const ImVec2& to);
 /// A line in the tone's colour.
 void toned_line(Tone tone, const std::string& text);
 /// The same, broken into as many lines as it needs.

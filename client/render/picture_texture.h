@@ -5,6 +5,7 @@
 #include <span>
 
 #include "client/render/gl_objects.h"
+#include "client/view/image.h"
 
 namespace aucast::render {
 
@@ -14,9 +15,13 @@ class PictureTexture {
  public:
   /// `rgb`: 3 * width * height bytes, rows from the top, none of them 0.
   void show(std::size_t width, std::size_t height, std::span<const std::uint8_t> rgb);
+  /// The alpha is left out; the picture is not empty.
+  void show(const view::Image& image);
   [[nodiscard]] GLuint id() const { return texture_.id(); }
 
  private:
+  void upload(std::size_t width, std::size_t height, GLenum format, const std::uint8_t* bytes);
+
   Texture texture_;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "client/face/face_folder.h"
 #include "client/gui/channel_groups.h"
 #include "client/gui/texts.h"
 #include "client/gui/view_text.h"
@@ -171,9 +172,33 @@ Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
   const auto file = own_.save(wanted.number, editor_.activations(), wanted.name);
   if (!file) return file.error();
   editor_.saved(wanted.number);
-  list_aus();
-  saved_face_ = std::filesystem::absolute(file->parent_path()).lexically_normal().string();
+  saved_in(*file);
   return gui::tr("said.au_saved", wanted.number, file->string());
+}
+
+void EditorSession::saved_in(const std::filesystem::path& file) {
+  list_aus();
+  saved_face_ = std::filesystem::absolute(file.parent_path()).lexically_normal().string();
+}
+
+Result<std::string> EditorSession::import_aus(const std::filesystem::path& file) {
+  auto recordings = face::load_aus(file, mapping_.face);
+  if (!recordings) return recordings.error();
+  recordings->erase(0);  // the face at rest, which is no AU
+  if (recordings->empty()) {
+    return Error{ErrorKind::BadData, file.string() + ": " + gui::tr("said.no_aus")};
+  }
+  const auto saved = own_.take(*recordings);
+  if (!saved) return saved.error();
+  transition_.reset();
+  show_none_of_them();
+  editor_.recorded_anew(recordings->begin()->first);
+  saved_in(*saved);
+  std::string numbers;
+  for (const auto& [number, recording] : *recordings) {
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+  }
+  return gui::tr("said.aus_imported", numbers, saved->string());
 }
 
 bool EditorSession::remove_au(int number, Instant now) {

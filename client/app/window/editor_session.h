@@ -36,6 +36,10 @@ class EditorSession {
   /// Writes the AU that is being edited to a file, as it is saved. Returns a sentence about it.
   [[nodiscard]] Result<std::string> export_au(const std::filesystem::path& file) const;
 
+  /// Takes the AUs of a file of AUs over as one's own, and shows the first. Returns a sentence about
+  /// where they went.
+  [[nodiscard]] Result<std::string> import_aus(const std::filesystem::path& file);
+
   /// The expression on its way, or what is being edited.
   [[nodiscard]] std::vector<float> activations(Instant now) const;
   /// When activations() change next; nullopt while they stay the same.
@@ -66,6 +70,7 @@ class EditorSession {
   bool remove_au(int number, Instant now);
   void go_to(std::vector<float> target, bool continued, Instant now);
   [[nodiscard]] Result<std::string> save_recording(const gui::SaveAu& wanted);
+  void saved_in(const std::filesystem::path& file);
   void list_aus();
 
   const Assets& assets_;

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <future>
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "client/face/face.h"
+#include "client/gui/thumbnails.h"
 #include "client/render/picture_texture.h"
 #include "common/result.h"
 
@@ -25,16 +24,14 @@ class FaceThumbnails {
   FaceThumbnails(const FaceThumbnails&) = delete;
   FaceThumbnails& operator=(const FaceThumbnails&) = delete;
 
-  /// Goes on towards pictures of the faces in these folders, one after the other. True when there
-  /// is a new one; another framebuffer is bound then.
-  [[nodiscard]] bool advance(const std::vector<std::string>& wanted);
+  /// Goes on towards pictures of the faces that are seen, by their folders, one after the other.
+  /// True when there is a new one; another framebuffer is bound then.
+  [[nodiscard]] bool advance(gui::Thumbnails& pictures);
   /// A face is being read.
   [[nodiscard]] bool busy() const { return reading_.valid(); }
-  /// The texture of a face by its folder; 0: there is none, or none yet.
-  [[nodiscard]] std::uintptr_t texture(const std::string& folder) const;
 
  private:
-  void draw(const face::Face& face);
+  [[nodiscard]] std::unique_ptr<render::PictureTexture> draw(const face::Face& face) const;
 
   std::filesystem::path data_folder_;
   int width_;

@@ -15,11 +15,11 @@ FaceThumbnails::FaceThumbnails(std::filesystem::path data_folder, int width, int
 
 FaceThumbnails::~FaceThumbnails() = default;
 
-bool FaceThumbnails::advance(const std::vector<std::string>& wanted) {
+bool FaceThumbnails::advance(gui::Thumbnails& pictures) {
   if (!reading_.valid()) {
-    const auto next = std::find_if(wanted.begin(), wanted.end(),
+    const auto next = std::find_if(pictures.seen.begin(), pictures.seen.end(),
                                    [this](const auto& one) { return !textures_.contains(one); });
-    if (next == wanted.end()) return false;
+    if (next == pictures.seen.end()) return false;
     folder_ = *next;
     try {
       reading_ = std::async(std::launch::async, [folder = folder_, data = data_folder_] {
@@ -32,32 +32,21 @@ bool FaceThumbnails::advance(const std::vector<std::string>& wanted) {
   }
   if (reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
   const Result<face::Face> face = reading_.get();
-  textures_[folder_] = nullptr;
-  if (!face) return false;
-  draw(*face);
+  auto& texture = textures_[folder_] = face ? draw(*face) : nullptr;
+  if (texture == nullptr) return false;
+  pictures.textures[folder_] = texture->id();
   return true;
 }
 
-void FaceThumbnails::draw(const face::Face& face) {
+std::unique_ptr<render::PictureTexture> FaceThumbnails::draw(const face::Face& face) const {
   auto view = FaceView::create_at_rest(face);
-  if (!view || !(*view)->prepare(width_, height_, Sharpness::Still)) return;
+  if (!view || !(*view)->prepare(width_, height_, Sharpness::Still)) return nullptr;
   view::Style style;
   style.scale = 0.5F;
   const view::Image image = (*view)->picture(viewpoint_preset("front", face), style);
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(image.rgba.size() / 4 * 3);
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    rgb.insert(rgb.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(i),
-               image.rgba.begin() + static_cast<std::ptrdiff_t>(i) + 3);
-  }
   auto texture = std::make_unique<render::PictureTexture>();
-  texture->show(static_cast<std::size_t>(image.width), static_cast<std::size_t>(image.height), rgb);
-  textures_[folder_] = std::move(texture);
-}
-
-std::uintptr_t FaceThumbnails::texture(const std::string& folder) const {
-  const auto found = textures_.find(folder);
-  return found == textures_.end() || found->second == nullptr ? 0 : found->second->id();
+  texture->show(image);
+  return texture;
 }
 
 }  // namespace aucast::app

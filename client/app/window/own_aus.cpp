@@ -48,23 +48,37 @@ bool OwnAus::has(int number) const {
 
 Result<std::filesystem::path> OwnAus::save(int number, const std::vector<float>& activations,
                                            const std::string& name) {
+  face::AuRecording recording;
+  recording.number = number;
+  recording.activation = activations;
+  recording.note = name;
+  return take({{number, std::move(recording)}});
+}
+
+Result<std::filesystem::path> OwnAus::take(const face::AuRecordings& recordings) {
   auto faces = folder_of_own_faces();
   if (!faces) return faces.error();
   auto folder = gui::writable_face(assets_.face_folder, *faces);
   if (!folder) return folder.error();
-  auto file = gui::save_au(*folder, number, gui::drive_of(mapping_.face, activations), name);
+  std::vector<gui::SavedAu> aus;
+  for (const auto& [number, recording] : recordings) {
+    aus.push_back({number, gui::drive_of(mapping_.face, recording.activation), recording.note});
+  }
+  auto file = gui::save_aus(*folder, aus);
   if (!file) return file.error();
-  face::AuRecording& recording = mapping_.recordings[number];
-  recording.number = number;
-  recording.activation = activations;
-  if (!name.empty()) recording.note = name;
+  for (const auto& [number, taken] : recordings) {
+    face::AuRecording& recording = mapping_.recordings[number];
+    recording.number = number;
+    recording.activation = taken.activation;
+    if (!taken.note.empty()) recording.note = taken.note;
+  }
   return file;
 }
 
 Result<void> OwnAus::remove(int number) {
   const auto shipped = shipped_.find(number);
   const bool came_so = shipped != shipped_.end();
-  auto file = came_so ? gui::save_au(assets_.face_folder, number, shipped->second)
+  auto file = came_so ? gui::save_aus(assets_.face_folder, {{number, shipped->second, {}}})
                       : gui::remove_au(assets_.face_folder, number);
   if (!file) return file.error();
   if (!came_so) {

@@ -30,6 +30,8 @@ class OwnAus {
   [[nodiscard]] Result<std::filesystem::path> save(int number,
                                                    const std::vector<float>& activations,
                                                    const std::string& name);
+  /// The same with several AUs, all of them or none.
+  [[nodiscard]] Result<std::filesystem::path> take(const face::AuRecordings& recordings);
   /// One's own AU goes; one that came with the player is as it came again. Only where has().
   [[nodiscard]] Result<void> remove(int number);
   /// Writes a file of AUs with this one alone. Returns a sentence about where it went.

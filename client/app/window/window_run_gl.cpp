@@ -17,6 +17,7 @@
 #include "client/app/start_times.h"
 #include "client/app/steady.h"
 #include "client/app/window/face_thumbnails.h"
+#include "client/app/window/keyframe_thumbnails.h"
 #include "client/app/window/onset_log.h"
 #include "client/app/window/pace_meter.h"
 #include "client/app/window/video_recorder.h"
@@ -86,10 +87,10 @@ class WindowRun {
     start_times_.passed("face in OpenGL");
     overlay_ = std::make_unique<WindowOverlay>(*window_);
     const auto larger = [this](int size) {
-      return static_cast<int>(static_cast<float>(2 * size) * window_->scale());
+      return static_cast<int>(static_cast<float>(size) * thumbnail_scale());
     };
-    thumbnails_ = std::make_unique<FaceThumbnails>(
-        assets_.data_folder, larger(gui::kThumbnailWidth), larger(gui::kThumbnailHeight));
+    face_thumbnails_ = std::make_unique<FaceThumbnails>(
+        assets_.data_folder, larger(gui::kFaceWidth), larger(gui::kFaceHeight));
     if (auto icon = view::read_png(assets_.data_folder / "icons" / "aucast.png")) {
       window_->set_icon(std::move(*icon));
     }
@@ -108,7 +109,7 @@ class WindowRun {
     }
     if (video_.running())
       idle = std::min<Duration>(idle, std::chrono::milliseconds(1000 / SessionVideo::kFps));
-    if (thumbnails_->busy()) idle = std::min<Duration>(idle, kFrameMax);
+    if (face_thumbnails_->busy()) idle = std::min<Duration>(idle, kFrameMax);
     window_->poll(waits_for_frames() ? 0 : seconds(idle));
     handle_closing(stopped_from_outside);
     handle_drops();
@@ -223,19 +224,22 @@ class WindowRun {
     }
     view_ = std::move(*view);
     shown_activations_.clear();
+    keyframe_thumbnails_.forget(overlay_->gui().keyframes());
     view::Viewpoint& viewpoint = window_->viewpoint();
     const view::Viewpoint now = viewpoint_preset(name_of(gui::View::Front), assets_.face);
     viewpoint.target += now.target - usual.target;
     viewpoint.half_height *= now.half_height / usual.half_height;
   }
 
+  [[nodiscard]] float thumbnail_scale() const { return 2 * window_->scale(); }
+
   void make_thumbnails() {
-    gui::Gui& gui = overlay_->gui();
-    const std::vector<std::string> wanted = gui.wanted_faces();
-    if (!thumbnails_->advance(wanted)) return;
-    for (const std::string& folder : wanted) {
-      if (const auto texture = thumbnails_->texture(folder)) gui.set_face_texture(folder, texture);
-    }
+    const bool face = face_thumbnails_->advance(overlay_->gui().faces());
+    const bool keyframe = keyframe_thumbnails_.advance(
+        overlay_->gui().keyframes(), [this](const auto& aus) { return session_.face_of(aus); },
+        assets_.face, *view_, thumbnail_scale());
+    if (keyframe) view_->pose(shown_activations_);
+    if (!face && !keyframe) return;
     window_->bind_framebuffer();
     frames_due_ = gui::kFramesAfterChange;
   }
@@ -401,7 +405,8 @@ class WindowRun {
   WindowSession session_;
   std::unique_ptr<render::Window> window_;
   std::unique_ptr<FaceView> view_;
-  std::unique_ptr<FaceThumbnails> thumbnails_;
+  std::unique_ptr<FaceThumbnails> face_thumbnails_;
+  KeyframeThumbnails keyframe_thumbnails_;
   std::unique_ptr<WindowOverlay> overlay_;
   std::vector<float> shown_activations_;
   gui::GuiModel shown_model_;

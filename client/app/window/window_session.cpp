@@ -20,6 +20,7 @@
 #include "client/net/stream_list.h"
 #include "common/log.h"
 #include "common/overloaded.h"
+#include "protocol/codec.h"
 
 namespace aucast::app {
 namespace {
@@ -169,6 +170,12 @@ const std::vector<float>& WindowSession::activations(Instant now) {
   if (rendering_.blinking) idle.blink = rendering_.blink;
   idle_->apply(idle, seconds(now.time_since_epoch()), activations_);
   return activations_;
+}
+
+std::vector<float> WindowSession::face_of(const std::string& aus) const {
+  std::vector<float> activations(mapping_.face.channels.size());
+  if (const auto frame = protocol::parse_au_set(aus)) mapping_.apply(*frame, activations);
+  return activations;
 }
 
 std::optional<AuFrame> WindowSession::aus_shown() const {
@@ -417,19 +424,23 @@ std::string WindowSession::name_of_stream() const {
   return keyframe_shown() > 0 ? playback_.remote_settings().stream : std::string();
 }
 
+/// The folder that such a file was in last.
+std::filesystem::path& WindowSession::folder_for(gui::Purpose purpose) {
+  const bool stream = purpose == gui::Purpose::PlayStream || purpose == gui::Purpose::ComposeStream;
+  return stream ? last_folder_ : own_folder_;
+}
+
 void WindowSession::browse(gui::Purpose purpose) {
   if (purpose == gui::Purpose::LookForFaces) {
     return browser_.open(purpose, assets_.face_folder.parent_path());
   }
-  if (gui::is_folder(purpose)) return browser_.open(purpose, own_folder_);
-  if (!gui::is_saving(purpose)) return browser_.open(purpose, last_folder_);
-  browser_.open(purpose, own_folder_, new_name(purpose));
+  browser_.open(purpose, folder_for(purpose),
+                gui::is_saving(purpose) ? new_name(purpose) : std::string());
 }
 
 void WindowSession::choose_file(const std::string& name, Instant now) {
   std::filesystem::path file;
   if (!browser_.view().open || !browser_.choose(name, file)) return;
-  const bool saving = gui::is_saving(browser_.view().purpose);
   const Result<std::string> used = use_file(file, now);
   if (!used) return browser_.refuse(used.error().message);
   const gui::Purpose purpose = browser_.view().purpose;
@@ -438,8 +449,8 @@ void WindowSession::choose_file(const std::string& name, Instant now) {
     if (purpose != gui::Purpose::LookForFaces) own_folder_ = file;
     return;
   }
-  (saving ? own_folder_ : last_folder_) = folder_of(file);
-  if (saving) say(*used, false, now);
+  folder_for(purpose) = folder_of(file);
+  if (!used->empty()) say(*used, false, now);
 }
 
 /// What the dialog was opened for; a sentence about what was saved.
@@ -466,6 +477,13 @@ Result<std::string> WindowSession::use_file(const std::filesystem::path& file, I
       return export_.glb(options_as_shown(), playback_.played(), name_of_stream(), file);
     case gui::Purpose::ExportAu:
       return editor_.export_au(file);
+    case gui::Purpose::ImportAus: {
+      auto imported = editor_.import_aus(file);
+      if (!imported) return imported;
+      show_edited(Shown::Editor, now);
+      show_saved_face(now);
+      return imported;
+    }
     case gui::Purpose::PictureFolder:
       pictures_.folder = file.string();
       return std::string();

@@ -67,6 +67,8 @@ class WindowSession {
 
   /// The face of this moment; one activation per channel. Overwritten by the next call.
   [[nodiscard]] const std::vector<float>& activations(Instant now);
+  /// The face of these AUs as in a packet, one activation per channel.
+  [[nodiscard]] std::vector<float> face_of(const std::string& aus) const;
   /// The AUs that the face of this moment is made of, rules applied; nothing when it is made of
   /// muscles.
   [[nodiscard]] std::optional<AuFrame> aus_shown() const;
@@ -121,6 +123,7 @@ class WindowSession {
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] std::string name_of_stream() const;
   [[nodiscard]] std::string new_name(gui::Purpose purpose) const;
+  [[nodiscard]] std::filesystem::path& folder_for(gui::Purpose purpose);
   void browse(gui::Purpose purpose);
   [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
                                                    Instant now);

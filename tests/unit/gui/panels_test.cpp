@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <set>
 #include <variant>
@@ -412,6 +414,36 @@ TEST_F(Panels, LeavingWithUnsavedChangesIsAQuestion) {
   const view::Image before = picture();
   model_.asks_to_leave = true;
   EXPECT_NE(picture().rgba, before.rgba);
+}
+
+TEST_F(Panels, KeyframesHavePicturesWhereTheyAreSeen) {
+  model_.composer.pad = std::make_shared<const std::vector<PadPoint>>();
+  std::vector<TimelineRow> rows;
+  for (int number = 1; number <= 60; ++number) {
+    rows.push_back({std::to_string(number), "500 ms"});
+  }
+  model_.composer.rows = std::make_shared<const std::vector<TimelineRow>>(rows);
+  EXPECT_TRUE(gui_->keyframes().seen.empty()) << "another tab is shown";
+  static_cast<void>(click(637, 54));  // the tab
+  const std::vector<std::string> seen = gui_->keyframes().seen;
+  ASSERT_GT(seen.size(), 2U);
+  EXPECT_LT(seen.size(), 10U) << "those that are scrolled away cost nothing";
+  EXPECT_EQ(seen.front(), "1");
+  const std::size_t plain = bright_pixels(picture(), 400, kWidth);
+  GLuint white = 0;
+  glGenTextures(1, &white);
+  glBindTexture(GL_TEXTURE_2D, white);
+  const std::array<std::uint8_t, 4> pixel{255, 255, 255, 255};
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gui_->keyframes().textures[seen.front()] = white;
+  constexpr std::size_t kOfOne =
+      9 * kKeyframeWidth * kKeyframeHeight / 10;  // its corners are round
+  EXPECT_GT(bright_pixels(picture(), 400, kWidth), plain + kOfOne);
+  const auto chosen = find_by_clicking<ChooseKeyframe>(560, 100, 300);
+  ASSERT_TRUE(chosen.has_value());
+  EXPECT_EQ(chosen->keyframe, 0);
+  glDeleteTextures(1, &white);
 }
 
 }  // namespace

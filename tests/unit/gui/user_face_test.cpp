@@ -65,7 +65,7 @@ TEST_F(UserFace, TheUsersOwnFaceIsWrittenWhereItIs) {
 
 TEST_F(UserFace, SavingKeepsThePreviousVersionAndNothingElse) {
   const std::string before = folder_.read("shipped/plain/aus.toml");
-  const auto file = save_au(shipped_, 77, {{"jaw", 1.5F}});
+  const auto file = save_aus(shipped_, {{77, {{"jaw", 1.5F}}, {}}});
   ASSERT_TRUE(file) << file.error().message;
   EXPECT_EQ(*file, shipped_ / "aus.toml");
   EXPECT_EQ(folder_.read("shipped/plain/aus.toml~"), before);
@@ -80,7 +80,7 @@ TEST_F(UserFace, SavingKeepsThePreviousVersionAndNothingElse) {
 
 TEST_F(UserFace, AnAuIsNamedAndRemoved) {
   const std::string before = folder_.read("shipped/plain/aus.toml");
-  ASSERT_TRUE(save_au(shipped_, 77, {{"jaw", 1.5F}}, "yawn"));
+  ASSERT_TRUE(save_aus(shipped_, {{77, {{"jaw", 1.5F}}, "yawn"}}));
   const auto face = face::load_face(shipped_, folder_.path());
   ASSERT_TRUE(face) << face.error().message;
   EXPECT_EQ(face->recordings.at(77).note, "yawn");
@@ -91,8 +91,8 @@ TEST_F(UserFace, AnAuIsNamedAndRemoved) {
 
 TEST_F(UserFace, SavingTheSameAgainKeepsTheOlderVersion) {
   const std::string before = folder_.read("shipped/plain/aus.toml");
-  ASSERT_TRUE(save_au(shipped_, 77, {{"jaw", 1.5F}}));
-  ASSERT_TRUE(save_au(shipped_, 77, {{"jaw", 1.5F}}));
+  ASSERT_TRUE(save_aus(shipped_, {{77, {{"jaw", 1.5F}}, {}}}));
+  ASSERT_TRUE(save_aus(shipped_, {{77, {{"jaw", 1.5F}}, {}}}));
   EXPECT_EQ(folder_.read("shipped/plain/aus.toml~"), before);
 }
 
@@ -100,7 +100,7 @@ TEST_F(UserFace, SavingTheSameAgainKeepsTheOlderVersion) {
 TEST_F(UserFace, AFailedSavingLeavesTheFileAsItWas) {
   const std::string before = folder_.read("shipped/plain/aus.toml");
   fs::create_directory(shipped_ / "aus.toml~");
-  const auto file = save_au(shipped_, 77, {{"jaw", 1.5F}});
+  const auto file = save_aus(shipped_, {{77, {{"jaw", 1.5F}}, {}}});
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().kind, ErrorKind::Failed);
   EXPECT_NE(file.error().message.find("aus.toml~"), std::string::npos) << file.error().message;
@@ -117,7 +117,7 @@ TEST_F(UserFace, ACopyThatCannotBeMadeIsSaid) {
 
 TEST_F(UserFace, AClassicFaceHasNoAusOfItsOwn) {
   fs::remove(shipped_ / "face.toml");
-  const auto file = save_au(shipped_, 77, {});
+  const auto file = save_aus(shipped_, {{77, {}, {}}});
   ASSERT_FALSE(file);
   EXPECT_NE(file.error().message.find("is a classic face"), std::string::npos);
 }

@@ -43,7 +43,7 @@ void write_face(const test::TempFolder& folder) {
 }
 
 Result<void> save_an_au(const fs::path& folder) {
-  return outcome(gui::save_au(folder, 77, {{"jaw", 1.5F}}));
+  return outcome(gui::save_aus(folder, {{77, {{"jaw", 1.5F}}, {}}}));
 }
 
 void write_stream(const test::TempFolder& folder) {

@@ -229,5 +229,61 @@ TEST_F(FaceSessionTest, AnAuIsExportedAsAFileOfAus) {
       << folder.read("au26.toml");
 }
 
+TEST_F(FaceSessionTest, AusOfAFileBecomeOnesOwn) {
+  const test::TempFolder folder;
+  const auto file = folder.write("two.toml",
+                                 "[[au]]\nnumber = 12\ndrive = { jaw = 2.5 }\n\n"
+                                 "[[au]]\nnumber = 77\nnote = \"yawn\"\ndrive = { jaw = 3.5 }\n");
+  ask(gui::LoadAu{12});
+  ask(gui::Browse{gui::Purpose::ImportAus});
+  ask(gui::ChooseFile{file.string()});
+  EXPECT_FALSE(model().browser.open) << model().browser.problem;
+  EXPECT_EQ(model().notice.text.find("AU 12, 77 imported into "), 0U) << model().notice.text;
+  EXPECT_TRUE(model().editor.active);
+  EXPECT_EQ(model().editor.au, 12);
+  EXPECT_FALSE(model().editor.unsaved);
+  EXPECT_FLOAT_EQ(shown("jaw"), 2.5F);
+  EXPECT_TRUE(entry_of(model(), 12).own);
+  EXPECT_EQ(entry_of(model(), 77).name, "yawn");
+  const fs::path copy = home_.path() / "aucast" / "faces" / "default";
+  EXPECT_EQ(model().faces.shown, copy.string());
+  EXPECT_EQ(session_->kept().face, copy.string()) << "the next start shows it";
+  const auto saved = face::load_face(copy, assets_->data_folder);
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(saved->recordings.at(77).note, "yawn");
+  ask(gui::Undo{});
+  EXPECT_TRUE(model().editor.unsaved) << "what was there is now a change";
+}
+
+TEST_F(FaceSessionTest, AFileOfAusThatIsNoneIsRefusedWhole) {
+  const test::TempFolder folder;
+  const auto refused = [&](const std::string& text) {
+    ask(gui::Browse{gui::Purpose::ImportAus});
+    ask(gui::ChooseFile{folder.write("aus.toml", text).string()});
+    EXPECT_TRUE(model().browser.open);
+    const std::string problem = model().browser.problem;
+    ask(gui::CloseBrowser{});
+    return problem;
+  };
+  const std::string known = "[[au]]\nnumber = 77\ndrive = { jaw = 3.5 }\n";
+  EXPECT_NE(refused(known + "[[au]]\nnumber = 78\ndrive = { wing = 1 }\n").find("aus.toml:6:"),
+            std::string::npos);
+  EXPECT_NE(refused("[[au]]\nnumber = 0\ndrive = { jaw = 1 }\n").find("no AU in this file"),
+            std::string::npos);
+  EXPECT_NE(refused("Beg_Stream\n").find("aus.toml:1:"), std::string::npos);
+  EXPECT_EQ(entry_of(model(), 77).number, 0);
+  EXPECT_FALSE(fs::exists(home_.path() / "aucast" / "faces" / "default"));
+}
+
+TEST_F(FaceSessionTest, AThumbnailIsOfTheFaceAsItWouldBeShown) {
+  const std::size_t jaw = *assets_->face.channel_index("jaw");
+  const float open = session_->face_of("27").at(jaw);
+  EXPECT_GT(open, 0);
+  EXPECT_FLOAT_EQ(session_->face_of("27:50").at(jaw), open / 2);
+  ask(gui::SetChannel{static_cast<int>(jaw), 0.5F, false});
+  ask(gui::SaveAu{27});
+  EXPECT_FLOAT_EQ(session_->face_of("27").at(jaw), 0.5F) << "as it is recorded now";
+}
+
 }  // namespace
 }  // namespace aucast::app
