@@ -14,10 +14,11 @@
 namespace aucast::gui {
 namespace {
 
-constexpr float kTimelineHeight = 196;
+constexpr float kTimelineHeight = 144;
+constexpr float kTimelineMargin = 6;
 constexpr float kPadHeight = 138;
 constexpr float kSnap = 5;
-constexpr int kAuColumns = 9;
+constexpr int kAuColumns = 11;
 
 void ask(GuiCommands& commands, ComposerCommand command) {
   commands.push_back(std::move(command));
@@ -43,9 +44,10 @@ void timeline_row(const Look& look, const ComposerView& composer, int index, Thu
   if (ImGui::Selectable("##row", chosen, 0, ImVec2(0, height))) {
     ask(commands, ChooseKeyframe{chosen ? -1 : index});
   }
+  const bool visible = ImGui::IsItemVisible();
   const ImVec2 below = ImGui::GetCursorScreenPos();
   const float picture = at.x + kKeyframeWidth * look.scale;
-  draw_thumbnail(pictures, row.aus, at, ImVec2(picture, at.y + height));
+  if (visible) draw_thumbnail(pictures, row.aus, at, ImVec2(picture, at.y + height));
   const float line = at.y + (height - ImGui::GetTextLineHeight()) / 2;
   const float left = picture + 8 * look.scale;
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x -
@@ -59,23 +61,43 @@ void timeline_row(const Look& look, const ComposerView& composer, int index, Thu
   ImGui::SetCursorScreenPos(below);
 }
 
-void timeline(const Look& look, const ComposerView& composer, Thumbnails& pictures,
+/// From one row of the timeline to the next.
+float row_height(const Look& look) {
+  return kKeyframeHeight * look.scale + ImGui::GetStyle().ItemSpacing.y;
+}
+
+/// What was added or chosen otherwise than by a click, as by Undo, is scrolled to.
+void scroll_to_news(const Look& look, const ComposerView& composer, ComposerForm& form) {
+  const int rows = static_cast<int>(composer.rows->size());
+  const bool added = rows == std::exchange(form.rows, rows) + 1;  // and not loaded
+  const bool other = std::exchange(form.chosen, composer.chosen) != composer.chosen;
+  if (!added && !(other && composer.chosen >= 0)) return;
+  const int row = composer.chosen >= 0 ? composer.chosen : rows - 1;
+  const float top = static_cast<float>(row) * row_height(look);
+  const float room = ImGui::GetWindowHeight() - 2 * kTimelineMargin * look.scale;
+  const float lowest = top + row_height(look) - room;
+  ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::min(lowest, top), top));
+}
+
+void timeline(const Look& look, const ComposerView& composer, ComposerForm& form,
               GuiCommands& commands) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8 * look.scale, 6 * look.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2(8 * look.scale, kTimelineMargin * look.scale));
   const bool visible =
       ImGui::BeginChild("timeline", ImVec2(0, kTimelineHeight * look.scale), false,
                         ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   if (visible) {
+    scroll_to_news(look, composer, form);
     if (composer.rows->empty()) quiet_text(tr("compose.empty"));
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(composer.rows->size()));
+    clipper.Begin(static_cast<int>(composer.rows->size()), row_height(look));
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
         ImGui::PushID(i);
-        timeline_row(look, composer, i, pictures, commands);
+        timeline_row(look, composer, i, form.pictures, commands);
         ImGui::PopID();
       }
     }
@@ -83,7 +105,7 @@ void timeline(const Look& look, const ComposerView& composer, Thumbnails& pictur
   ImGui::EndChild();
 }
 
-void timeline_part(const Look& look, const ComposerView& composer, Thumbnails& pictures,
+void timeline_part(const Look& look, const ComposerView& composer, ComposerForm& form,
                    GuiCommands& commands) {
   std::string name = std::filesystem::path(composer.file).filename().string();
   if (name.empty()) name = tr("compose.new_stream");
@@ -92,7 +114,7 @@ void timeline_part(const Look& look, const ComposerView& composer, Thumbnails& p
     ImGui::SetTooltip("%s", composer.file.c_str());
   }
   file_buttons(composer, commands);
-  timeline(look, composer, pictures, commands);
+  timeline(look, composer, form, commands);
   const bool chosen = composer.chosen >= 0;
   const int last = static_cast<int>(composer.rows->size()) - 1;
   if (wide_button(tr("compose.play"), 0, 4, last >= 0)) ask(commands, PlayComposition{});
@@ -257,7 +279,7 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
                     GuiCommands& commands) {
   const ComposerView& composer = model.composer;
   if (composer.rows == nullptr || composer.pad == nullptr || model.known_aus == nullptr) return;
-  timeline_part(look, composer, form.pictures, commands);
+  timeline_part(look, composer, form, commands);
   const bool chosen = composer.chosen >= 0;
   heading(look, chosen ? tr("compose.keyframe", composer.chosen + 1) : tr("compose.new_keyframe"),
           tr("tip.keyframe"));

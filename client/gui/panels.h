@@ -76,6 +76,8 @@ void editor_panel(const Look& look, const GuiModel& model, EditorForm& form, Gui
 struct ComposerForm {
   bool linked = true;   ///< one slider for both sides
   Thumbnails pictures;  ///< of keyframes, by their AUs as in a packet
+  int rows = 0;         ///< of the timeline, and the one chosen, as of the last frame
+  int chosen = -1;
 };
 
 /// Faces made of AUs, put in a row as a stream.

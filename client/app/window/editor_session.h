@@ -36,8 +36,8 @@ class EditorSession {
   /// Writes the AU that is being edited to a file, as it is saved. Returns a sentence about it.
   [[nodiscard]] Result<std::string> export_au(const std::filesystem::path& file) const;
 
-  /// Takes the AUs of a file of AUs over as one's own, and shows the first. Returns a sentence about
-  /// where they went.
+  /// Takes the AUs of a file of AUs over as one's own, and shows the first. Returns a sentence
+  /// about where they went.
   [[nodiscard]] Result<std::string> import_aus(const std::filesystem::path& file);
 
   /// The expression on its way, or what is being edited.

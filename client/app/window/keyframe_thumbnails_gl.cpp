@@ -11,7 +11,7 @@ namespace {
 /// More than are ever seen at once, and little memory.
 constexpr std::size_t kKeptMax = 200;
 /// Of the portrait's height: hair and shirt say nothing about a keyframe.
-constexpr float kShown = 0.72F;
+constexpr float kShown = 0.6F;
 
 }  // namespace
 

@@ -444,6 +444,13 @@ TEST_F(Panels, KeyframesHavePicturesWhereTheyAreSeen) {
   ASSERT_TRUE(chosen.has_value());
   EXPECT_EQ(chosen->keyframe, 0);
   glDeleteTextures(1, &white);
+  rows.push_back({"61", "500 ms"});
+  model_.composer.rows = std::make_shared<const std::vector<TimelineRow>>(rows);
+  static_cast<void>(picture());
+  EXPECT_EQ(gui_->keyframes().seen.back(), "61") << "what was added is scrolled to";
+  model_.composer.chosen = 29;
+  static_cast<void>(picture());
+  EXPECT_EQ(gui_->keyframes().seen.front(), "29") << "its edge, above the one chosen";
 }
 
 }  // namespace
