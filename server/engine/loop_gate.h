@@ -15,7 +15,8 @@ namespace aucast::server {
 /// What the library tells: to the bus' owner, and to the bus itself.
 struct LibraryEvents {
   Bus::Events owner;
-  std::function<void(const std::string& why)> on_given_up;  ///< the connection is closed for good
+  /// The connection of this number is closed for good.
+  std::function<void(int connection, const std::string& why)> on_given_up;
 };
 
 /// The way from the threads of a library to our event loop: what is posted is carried out there, in

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -11,13 +12,13 @@
 #include "common/link/host.h"
 #include "common/log.h"
 #include "common/text.h"
+#include "common/time.h"
 #include "server/engine/loop_gate.h"
 #include "server/engine/nats_loader.h"
 
 namespace aucast::server {
 namespace {
 
-constexpr int kRefusedSeconds = 4;
 constexpr std::size_t kSaidMax = 200;  ///< of what the library says, in the log
 
 NatsServers servers_of(const NatsOptions& options) {
@@ -40,10 +41,11 @@ NatsServers servers_of(const NatsOptions& options) {
   return servers;
 }
 
-/// Posts what the library tells to the loop, nothing else.
+/// Posts what the library tells of a connection to the loop, nothing else.
 class Poster final : public NatsListener {
  public:
-  explicit Poster(std::shared_ptr<LoopGate> gate) : gate_(std::move(gate)) {}
+  Poster(std::shared_ptr<LoopGate> gate, int connection)
+      : gate_(std::move(gate)), connection_(connection) {}
 
   void on_connected(const std::string& server) override {
     gate_->post([server](const LibraryEvents& events) { events.owner.on_connected(server); }, 0);
@@ -63,22 +65,25 @@ class Poster final : public NatsListener {
         text.size());
   }
   void on_given_up(const std::string& why) override {
-    gate_->post([why](const LibraryEvents& events) { events.on_given_up(why); }, 0);
+    gate_->post([why, connection = connection_](
+                    const LibraryEvents& events) { events.on_given_up(connection, why); },
+                0);
   }
 
  private:
   std::shared_ptr<LoopGate> gate_;
+  int connection_;
 };
 
 class NatsBus final : public Bus {
  public:
-  NatsBus(asio::io_context& io, const NatsModule& module, NatsServers servers, Events events)
+  NatsBus(asio::io_context& io, const NatsModule& module, NatsServers servers, Events events,
+          std::chrono::milliseconds refused_pause)
       : module_(&module),
         servers_(std::move(servers)),
-        gate_(std::make_shared<LoopGate>(
-            io, LibraryEvents{std::move(events),
-                              [this](const std::string& why) { on_given_up(why); }})),
-        listener_(std::make_shared<Poster>(gate_)),
+        refused_pause_(refused_pause),
+        events_(std::move(events)),
+        gate_(std::make_shared<LoopGate>(io, library_events())),
         timer_(io) {}
   ~NatsBus() override;
 
@@ -89,17 +94,25 @@ class NatsBus final : public Bus {
   [[nodiscard]] std::string own_subject() const override { return own_subject_; }
 
  private:
-  [[nodiscard]] Result<void> connect();
+  using Made = Result<std::unique_ptr<NatsConnection>>;
+
+  [[nodiscard]] LibraryEvents library_events();
+  [[nodiscard]] std::shared_ptr<Poster> new_listener();
+  void use(std::unique_ptr<NatsConnection> connection);
   void add_subscription(const std::string& subject);
-  void on_given_up(const std::string& why);
+  void on_connected(const std::string& server);
+  void ask_again_later(const std::string& why);
   void connect_anew();
 
   const NatsModule* module_;
   NatsServers servers_;
+  const std::chrono::milliseconds refused_pause_;
+  Events events_;
   std::shared_ptr<LoopGate> gate_;
-  std::shared_ptr<Poster> listener_;
   asio::steady_timer timer_;
+  int connections_ = 0;                         ///< made so far; the last is the present one
   std::unique_ptr<NatsConnection> connection_;  ///< null: between one that is closed and the next
+  std::string connected_early_;  ///< the server that was told before there was a connection
   std::vector<std::string> subjects_;
   std::string own_subject_;
 };
@@ -109,25 +122,64 @@ NatsBus::~NatsBus() {
   timer_.cancel();
 }
 
+LibraryEvents NatsBus::library_events() {
+  return {{events_.on_message, [this](const std::string& server) { on_connected(server); },
+           [this] {
+             connected_early_.clear();
+             events_.on_disconnected();
+           }},
+          [this](int connection, const std::string& why) {
+            if (connection == connections_) ask_again_later(why);
+          }};
+}
+
+std::shared_ptr<Poster> NatsBus::new_listener() {
+  return std::make_shared<Poster>(gate_, ++connections_);
+}
+
+/// Nothing can be said yet over a connection that is still on its way to us.
+void NatsBus::on_connected(const std::string& server) {
+  if (connection_) {
+    events_.on_connected(server);
+  } else {
+    connected_early_ = server;
+  }
+}
+
 /// The library gives up for ever when it is refused twice in the same way; we do not: who may come
 /// in may be changed at the servers.
-void NatsBus::on_given_up(const std::string& why) {
+void NatsBus::ask_again_later(const std::string& why) {
   spdlog::warn("NATS refuses us: {}; it is asked again in {} s", escaped(why, kSaidMax),
-               kRefusedSeconds);
-  timer_.expires_after(std::chrono::seconds(kRefusedSeconds));
+               seconds(refused_pause_));
+  timer_.expires_after(refused_pause_);
   // A wait that is over already cannot be cancelled any more.
   timer_.async_wait([this, gate = gate_](const std::error_code& error) {
     if (!error && gate->is_open()) connect_anew();
   });
 }
 
+/// In a thread that nobody waits for, as servers that do not answer take their time.
 void NatsBus::connect_anew() {
   connection_.reset();
-  if (auto connected = connect(); !connected) {
-    on_given_up(connected.error().message);
-    return;
+  const auto connect = [this, gate = gate_, module = module_, servers = servers_,
+                        listener = new_listener()] {
+    auto made = std::make_shared<Made>(module->connect(servers, listener));
+    gate->post(
+        [this, made](const LibraryEvents&) {
+          if (*made) {
+            use(std::move(**made));
+          } else {
+            ask_again_later(made->error().message);
+          }
+        },
+        0);
+  };
+  // Thrown when the system has no thread left.
+  try {
+    std::thread(connect).detach();
+  } catch (const std::system_error& failure) {
+    ask_again_later(shortage_text(failure));
   }
-  for (const std::string& subject : subjects_) add_subscription(subject);
 }
 
 Result<void> NatsBus::open() {
@@ -137,25 +189,27 @@ Result<void> NatsBus::open() {
                  "NATS gives no subject of our own: " + escaped(subject.error().message, kSaidMax)};
   }
   own_subject_ = *std::move(subject);
-  auto connected = connect();
-  if (connected) return {};
-  if (connected.error().kind == ErrorKind::Network) {
-    on_given_up(connected.error().message);
-    return {};
+  // Network: it was refused, and why. Where nobody answers it goes on by itself.
+  auto made = module_->connect(servers_, new_listener());
+  if (made) {
+    use(*std::move(made));
+  } else if (made.error().kind == ErrorKind::Network) {
+    ask_again_later(made.error().message);
+  } else {
+    return Error{made.error().kind,
+                 "NATS does not take these options: " + escaped(made.error().message, kSaidMax)};
   }
-  return Error{connected.error().kind,
-               "NATS does not take these options: " + escaped(connected.error().message, kSaidMax)};
+  return {};
 }
 
-/// Network: it was refused, and why. Where nobody answers it goes on by itself.
-Result<void> NatsBus::connect() {
-  auto connection = module_->connect(servers_, listener_);
-  if (!connection) return connection.error();
-  connection_ = *std::move(connection);
+void NatsBus::use(std::unique_ptr<NatsConnection> connection) {
+  connection_ = std::move(connection);
   if (!connection_->is_connected()) {
     spdlog::warn("no server of NATS answers yet; they are tried on");
   }
-  return {};
+  for (const std::string& subject : subjects_) add_subscription(subject);
+  const std::string server = std::exchange(connected_early_, {});
+  if (!server.empty()) events_.on_connected(server);
 }
 
 void NatsBus::subscribe(const std::string& subject) {
@@ -166,7 +220,7 @@ void NatsBus::subscribe(const std::string& subject) {
 void NatsBus::add_subscription(const std::string& subject) {
   // Who hears nothing is as good as refused.
   if (auto done = connection_->subscribe(subject); !done) {
-    on_given_up("no subscription to " + subject + ": " + done.error().message);
+    ask_again_later("no subscription to " + subject + ": " + done.error().message);
   }
 }
 
@@ -184,7 +238,14 @@ Result<std::unique_ptr<Bus>> open_nats_bus(asio::io_context& io, const NatsOptio
                                            Bus::Events events) {
   const auto module = load_nats_module(nats_module_folders());
   if (!module) return module.error();
-  auto bus = std::make_unique<NatsBus>(io, **module, servers_of(options), std::move(events));
+  return open_nats_bus(io, **module, servers_of(options), std::move(events));
+}
+
+Result<std::unique_ptr<Bus>> open_nats_bus(asio::io_context& io, const NatsModule& module,
+                                           NatsServers servers, Bus::Events events,
+                                           std::chrono::milliseconds refused_pause) {
+  auto bus =
+      std::make_unique<NatsBus>(io, module, std::move(servers), std::move(events), refused_pause);
   if (auto opened = bus->open(); !opened) return opened.error();
   return std::unique_ptr<Bus>(std::move(bus));
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include <asio/io_context.hpp>
 
 #include "common/result.h"
 #include "server/engine/bus.h"
+#include "server/engine/nats_library.h"
 #include "server/engine/nats_options.h"
 
 namespace aucast::server {
@@ -17,5 +19,11 @@ namespace aucast::server {
 [[nodiscard]] Result<std::unique_ptr<Bus>> open_nats_bus(asio::io_context& io,
                                                          const NatsOptions& options,
                                                          Bus::Events events);
+
+/// The same with a module that is loaded. After a refusal it is asked again, `refused_pause` later
+/// and in a thread of its own, so that a server that does not answer keeps nobody waiting.
+[[nodiscard]] Result<std::unique_ptr<Bus>> open_nats_bus(
+    asio::io_context& io, const NatsModule& module, NatsServers servers, Bus::Events events,
+    std::chrono::milliseconds refused_pause = std::chrono::seconds(4));
 
 }  // namespace aucast::server

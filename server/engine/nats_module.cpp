@@ -14,8 +14,7 @@
 namespace aucast::server {
 namespace {
 
-/// What is held open for a server that does not answer: the loop waits meanwhile, at the start and
-/// with each question after a refusal.
+/// For each server that does not answer; at the start the loop waits meanwhile.
 constexpr int kConnectMs = 1'000;
 constexpr int kReconnectMs = 250;  ///< between two rounds of all servers
 constexpr int kReconnectJitterMs = 100;

@@ -1,0 +1,79 @@
+// A bus over a module of the test's own, which decides when a server answers.
+#include "server/engine/nats_bus.h"
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <semaphore>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <asio/executor_work_guard.hpp>
+#include <asio/post.hpp>
+
+#include "common/log.h"
+#include "tests/support/run_until.h"
+
+namespace aucast::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::atomic<int> asked{0};
+std::counting_semaphore<1> answers{0};
+std::vector<std::string> subscribed;  ///< of the loop's thread
+
+class OpenConnection final : public NatsConnection {
+ public:
+  [[nodiscard]] bool is_connected() const override { return true; }
+  [[nodiscard]] Result<void> subscribe(const std::string& subject) override {
+    subscribed.push_back(subject);
+    return {};
+  }
+  [[nodiscard]] Result<void> publish(const Bus::Message& /*message*/) override { return {}; }
+};
+
+/// Refuses the first time; then is connected, but takes its time to say so.
+Result<std::unique_ptr<NatsConnection>> connect(const NatsServers& /*servers*/,
+                                                const std::shared_ptr<NatsListener>& listener) {
+  if (++asked == 1) return Error{ErrorKind::Network, "not you"};
+  listener->on_connected("hub");
+  if (!answers.try_acquire_for(10s)) return Error{ErrorKind::Network, "nobody let it go on"};
+  return std::unique_ptr<NatsConnection>(std::make_unique<OpenConnection>());
+}
+
+Result<std::string> new_subject() {
+  return std::string("mine");
+}
+
+TEST(NatsBus, TheLoopGoesRoundWhileAServerThatRefusedIsAskedAgain) {
+  const auto level_before = spdlog::get_level();
+  spdlog::set_level(spdlog::level::off);
+  const NatsModule module{"", connect, new_subject};
+  asio::io_context io;
+  const auto work = asio::make_work_guard(io);  // a server always has some
+  std::vector<std::string> told;
+  auto bus = open_nats_bus(io, module, {},
+                           {[](const Bus::Message&) {},
+                            [&told](const std::string& server) {
+                              told.push_back(server + " with " + std::to_string(subscribed.size()));
+                            },
+                            [] {}},
+                           1ms);
+  ASSERT_TRUE(bus);
+  (*bus)->subscribe("talk");
+  ASSERT_TRUE(test::run_until(io, [] { return asked == 2; }));
+  bool went_round = false;
+  asio::post(io, [&went_round] { went_round = true; });
+  EXPECT_TRUE(test::run_until(io, [&went_round] { return went_round; }));
+  EXPECT_TRUE(told.empty()) << "nothing can be said yet";
+  answers.release();
+  EXPECT_TRUE(test::run_until(io, [&told] { return !told.empty(); }));
+  EXPECT_EQ(told, std::vector<std::string>{"hub with 1"});
+  bus->reset();
+  spdlog::set_level(level_before);
+}
+
+}  // namespace
+}  // namespace aucast::server
