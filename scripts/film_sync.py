@@ -86,7 +86,7 @@ def darkness(film, options):
     return dark
 
 
-def offsets(film, options):
+def shifts(film, options):
     """For each moment: how early the face is, in ms."""
     dark = darkness(film, options)
     sound = array.array("h", decoded(film, "-ac", "1", "-ar", str(SOUND_RATE), "-f", "s16le"))
@@ -121,7 +121,7 @@ def main():
         if film is None:
             write_talk(folder, int(options.minutes * 60 / PERIOD))
             film = record(options, folder)
-        found = offsets(film, options)
+        found = shifts(film, options)
     if not found:
         sys.exit("nothing was found in the film")
     print(f"{len(found)} moments: the face is early by {found[0]:.1f} ms at first and "

@@ -22,12 +22,12 @@ void add_sound(const sound::SoundCounts& sound, nlohmann::ordered_json& json) {
   json["sound_underruns"] = sound.underruns;
   json["sound_drift_ppm"] =
       sound.drift_ppm ? nlohmann::ordered_json(std::round(*sound.drift_ppm * 10) / 10) : nullptr;
-  const auto offset = [&sound](Duration time) {
-    return sound.offset.count > 0 ? nlohmann::ordered_json(milliseconds(time)) : nullptr;
+  const auto shift = [&sound](Duration time) {
+    return sound.shift.count > 0 ? nlohmann::ordered_json(milliseconds(time)) : nullptr;
   };
-  json["face_to_sound_p50_ms"] = offset(sound.offset.median);
-  json["face_to_sound_p5_ms"] = offset(sound.offset.low);
-  json["face_to_sound_p95_ms"] = offset(sound.offset.high);
+  json["face_to_sound_p50_ms"] = shift(sound.shift.median);
+  json["face_to_sound_p5_ms"] = shift(sound.shift.low);
+  json["face_to_sound_p95_ms"] = shift(sound.shift.high);
 }
 
 }  // namespace

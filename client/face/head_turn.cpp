@@ -52,7 +52,7 @@ void HeadTurn::take(const Pose& pose, BlockSet& moved) {
   for (std::size_t i = 0; i < 3; ++i) {
     motion_.axes[i] = widened(rotation[static_cast<glm::length_t>(i)]);
   }
-  motion_.offset = widened(centre - rotation * head_.pivot);
+  motion_.translation = widened(centre - rotation * head_.pivot);
   moved |= carried_;
 }
 
@@ -62,9 +62,9 @@ void HeadTurn::turn_rigidly(const VertexBlock& from, VertexBlock& to) const {
     const Four x = four_at(from.x, i);
     const Four y = four_at(from.y, i);
     const Four z = four_at(from.z, i);
-    set_four(to.x, i, motion_.offset.x + right.x * x + up.x * y + front.x * z);
-    set_four(to.y, i, motion_.offset.y + right.y * x + up.y * y + front.y * z);
-    set_four(to.z, i, motion_.offset.z + right.z * x + up.z * y + front.z * z);
+    set_four(to.x, i, motion_.translation.x + right.x * x + up.x * y + front.x * z);
+    set_four(to.y, i, motion_.translation.y + right.y * x + up.y * y + front.y * z);
+    set_four(to.z, i, motion_.translation.z + right.z * x + up.z * y + front.z * z);
   }
 }
 

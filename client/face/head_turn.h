@@ -57,7 +57,7 @@ class HeadTurn {
       Four z{};
     };
     std::array<Point, 3> axes;
-    Point offset;
+    Point translation;
   };
 
   void turn_rigidly(const VertexBlock& from, VertexBlock& to) const;

@@ -14,7 +14,7 @@ namespace aucast::face {
 inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 // Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
-// displacement(m, P, a) is the offset P' - P of point P of the rest face at activation a (0..2;
+// displacement(m, P, a) is the shift P' - P of point P of the rest face at activation a (0..2;
 // classic folders 0..4): zero outside the zone of influence, linear in a up to a cap.
 
 /// Pulls skin towards the attachment inside a cone. P' = P - (P - v1) min(a G, cap) A r with
@@ -90,7 +90,7 @@ struct Muscle {
   bool yields_to_lids = false;
 };
 
-/// The offset of `point` from its place at rest, at `activation` >= 0. Masks are not applied.
+/// The shift of `point` from its place at rest, at `activation` >= 0. Masks are not applied.
 [[nodiscard]] glm::vec3 displacement(const MuscleShape& shape, const glm::vec3& point,
                                      float activation);
 

@@ -22,8 +22,8 @@ class PullTable {
     Pull pull{};
   };
 
-  /// A pull of an active muscle: its place and its muscle's in their tables, as byte offsets, which
-  /// saves multiplications.
+  /// A pull of an active muscle: its place and its muscle's in their tables, as byte positions,
+  /// which saves multiplications.
   struct Acting {
     std::uint32_t pull = 0;
     std::uint32_t muscle = 0;

@@ -30,8 +30,8 @@ float contrast(bool grey) {
 /// How light strand `x` is at `y`, in [-1, 1]: pieces, each with places of its own.
 float lightness(int x, int y) {
   const auto strand = static_cast<std::uint32_t>(x);
-  const float offset = 0.5F * kPieces * (1 + scattered(strand + 90'000U));
-  const float place = static_cast<float>(y) / kPieceHeight + offset;
+  const float shift = 0.5F * kPieces * (1 + scattered(strand + 90'000U));
+  const float place = static_cast<float>(y) / kPieceHeight + shift;
   const auto piece = [&](float at) {
     return scattered(strand * 131U + static_cast<std::uint32_t>(at) % kPieces);
   };

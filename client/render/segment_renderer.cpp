@@ -5,10 +5,10 @@
 namespace aucast::render {
 namespace {
 
-void per_segment(GLuint slot, GLint components, std::size_t offset) {
+void per_segment(GLuint slot, GLint components, std::size_t position) {
   glEnableVertexAttribArray(slot);
   glVertexAttribPointer(slot, components, GL_FLOAT, GL_FALSE, sizeof(view::Segment),
-                        reinterpret_cast<const void*>(offset));
+                        reinterpret_cast<const void*>(position));
   glVertexAttribDivisor(slot, 1);
 }
 

@@ -8,7 +8,7 @@
 namespace aucast::sound {
 
 /// How far the face is from the sound that is heard with it; above 0 the face is early.
-struct OffsetSummary {
+struct ShiftSummary {
   std::uint64_t count = 0;  ///< 0: nothing was measured
   Duration median{};        ///< all to a tenth of a millisecond
   Duration low{};           ///< 5 % are below
@@ -16,11 +16,11 @@ struct OffsetSummary {
 };
 
 /// Counts such distances. Thread: none of its own.
-class OffsetMeter {
+class ShiftMeter {
  public:
   /// Beyond a second it counts as a second.
-  void add(Duration offset);
-  [[nodiscard]] OffsetSummary summary() const;
+  void add(Duration shift);
+  [[nodiscard]] ShiftSummary summary() const;
 
  private:
   [[nodiscard]] Duration below(double part) const;

@@ -137,7 +137,7 @@ void SoundPlayer::face_shown() {
   if (!sounds_ || playback_ == nullptr || heard_ == 0 || starved_) return;
   const auto passing = playback_->passing();
   if (!passing || passing->speed == 0) return;
-  offsets_.add(shown_ - moment_of(std::clamp(out_->heard(), heard_, written_)));
+  shifts_.add(shown_ - moment_of(std::clamp(out_->heard(), heard_, written_)));
 }
 
 bool SoundPlayer::take_loss() {
@@ -165,7 +165,7 @@ SoundCounts SoundPlayer::counts() const {
   }
   counts.underruns = underruns_;
   counts.drift_ppm = line_.drift_ppm();
-  counts.offset = offsets_.summary();
+  counts.shift = shifts_.summary();
   return counts;
 }
 

@@ -11,7 +11,7 @@
 
 #include "client/playback/playback.h"
 #include "client/sound/heard_line.h"
-#include "client/sound/offset_meter.h"
+#include "client/sound/shift_meter.h"
 #include "client/sound/sound_mixer.h"
 #include "client/sound/sound_out.h"
 #include "client/sound/voice_track.h"
@@ -25,7 +25,7 @@ struct SoundCounts {
   std::uint64_t underruns = 0;        ///< times that the device ran out of sound
   std::optional<double> drift_ppm{};  ///< what the device's clock gains on the steady clock, in
                                       ///< parts of a million; nothing if it has not run for 10 s
-  OffsetSummary offset;               ///< of the face from the sound that is heard
+  ShiftSummary shift;                 ///< of the face from the sound that is heard
 };
 
 /// Plays the sound of a playback and tells the time by what is heard of it. Playback is advanced to
@@ -97,7 +97,7 @@ class SoundPlayer {
   std::vector<float> samples_;
   Tap tap_;
   HeardLine line_;
-  OffsetMeter offsets_;
+  ShiftMeter shifts_;
   SoundCounts before_;  ///< of what was opened before
   std::uint64_t underruns_ = 0;
   bool sounds_ = false;

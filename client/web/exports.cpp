@@ -197,9 +197,9 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_sound_counts() {
   const auto ms = [](aucast::Duration time) { return 1000 * aucast::seconds(time); };
   std::ostringstream json;
   json << R"({"packets":)" << counts.voice.packets << R"(,"late":)" << counts.voice.too_late
-       << R"(,"underruns":)" << counts.underruns << R"(,"faces":)" << counts.offset.count
-       << R"(,"offsetMs":)" << ms(counts.offset.median) << R"(,"offsetLowMs":)"
-       << ms(counts.offset.low) << R"(,"offsetHighMs":)" << ms(counts.offset.high) << "}";
+       << R"(,"underruns":)" << counts.underruns << R"(,"faces":)" << counts.shift.count
+       << R"(,"shiftMs":)" << ms(counts.shift.median) << R"(,"shiftLowMs":)" << ms(counts.shift.low)
+       << R"(,"shiftHighMs":)" << ms(counts.shift.high) << "}";
   return kept(text, json.str());
 }
 

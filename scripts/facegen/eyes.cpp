@@ -59,9 +59,9 @@ Part make_eye(const Identity& who, int side) {
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kEyeSectors; ++i) {
       const double angle = 2 * kPi * i / kEyeSectors;
-      const Vec3 offset{radius * std::cos(angle), radius * std::sin(angle), z};
+      const Vec3 shift{radius * std::cos(angle), radius * std::sin(angle), z};
       ring.push_back(
-          eye.add(centre + offset, eye_colour(who, radius, i, angle, -side * std::cos(angle))));
+          eye.add(centre + shift, eye_colour(who, radius, i, angle, -side * std::cos(angle))));
     }
     if (inner.empty()) {
       for (std::size_t i = 0; i < ring.size(); ++i) {

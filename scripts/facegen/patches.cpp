@@ -172,20 +172,20 @@ void add_nostril_patch(LayoutBuilder& builder) {
     Ring inner;
     for (int spoke = 0; spoke < kSpokes; ++spoke) {
       const double angle = radians(135 - 45.0 * spoke);
-      const Vec3 offset = along * std::sin(angle) + across * std::cos(angle);
+      const Vec3 shift = along * std::sin(angle) + across * std::cos(angle);
       const Vec3& from = builder.position(border[static_cast<std::size_t>(spoke)]);
       // In front it is round: straight, it is a box from the front.
       const Vec3 arch{0, 0.07 * power(std::max(0.0, std::sin(angle)), 4), 0};
       const auto place = [&]() -> Vec3 {
         switch (ring) {
           case 1:
-            return on_skin(who, mix(from, centre + offset, 0.55)) + arch * 0.5;
+            return on_skin(who, mix(from, centre + shift, 0.55)) + arch * 0.5;
           case 2:
-            return on_skin(who, centre + offset) + arch;
+            return on_skin(who, centre + shift) + arch;
           case 3:
-            return centre + offset * 0.92 + arch + Vec3{0, 0.12, -0.03};
+            return centre + shift * 0.92 + arch + Vec3{0, 0.12, -0.03};
           default:
-            return centre + offset * 0.75 + Vec3{0, 0.45, -0.12};
+            return centre + shift * 0.75 + Vec3{0, 0.45, -0.12};
         }
       };
       inner.push_back(builder.add(place(), Patch::Nostril, ring, spoke));

@@ -94,8 +94,8 @@ for (const name of ['chromium', 'firefox']) {
         const sound = player.engine.soundCounts;
         return { ...counts, ...sound, packets: sound.packets - earlier, captions: window.captions };
       });
-      t.diagnostic(`face before sound: ${heard.offsetMs} ms (5 %: ${heard.offsetLowMs}, 95 %: ` +
-                   `${heard.offsetHighMs}) over ${heard.faces} pictures, ` +
+      t.diagnostic(`face before sound: ${heard.shiftMs} ms (5 %: ${heard.shiftLowMs}, 95 %: ` +
+                   `${heard.shiftHighMs}) over ${heard.faces} pictures, ` +
                    `${heard.underruns} underruns`);
       assert.equal(heard.packets, Number(sent));
       assert.deepEqual([heard.decoded, heard.failed], [Number(sent), 0]);

@@ -121,7 +121,7 @@ TEST(FlatBuffer, ReadsHalves) {
 const std::vector<std::uint8_t> kFlexMap{
     'a', 0,    'b',  0,     // keys
     2,   7,    0xfe,        // a vector of integers
-    2,   8,    7,           // offsets of both keys, at place 8
+    2,   8,    7,           // positions of both keys, at place 8
     2,   1,    2,           // where the keys are, their width, how many values
     3,   9,    4,    0x2c,  // 3; the vector; the types of both
     4,   0x24, 1};          // the root: how far back, a map, one byte

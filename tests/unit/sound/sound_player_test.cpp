@@ -141,9 +141,9 @@ TEST_F(SoundPlayerTest, TheFaceShownIsThatOfTheSampleHeard) {
     tick();
     ASSERT_NEAR(shown_ms(), heard_ms(), 1) << i;
   }
-  const OffsetSummary offset = player_.counts().offset;
-  EXPECT_GT(offset.count, 900U);
-  EXPECT_NEAR(seconds(offset.median), 0, 0.001);
+  const ShiftSummary shift = player_.counts().shift;
+  EXPECT_GT(shift.count, 900U);
+  EXPECT_NEAR(seconds(shift.median), 0, 0.001);
 }
 
 TEST_F(SoundPlayerTest, TheSoundIsTheClockWhateverItsPace) {
