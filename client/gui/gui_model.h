@@ -269,6 +269,13 @@ struct DisplayView {
   friend bool operator==(const DisplayView&, const DisplayView&) = default;
 };
 
+/// Names of files.
+struct VideoView {
+  std::string recording;   ///< empty: none is being recorded
+  std::string completing;  ///< what was recorded before; empty: its file is there
+  friend bool operator==(const VideoView&, const VideoView&) = default;
+};
+
 /// The file for other programs that is being written in the background.
 struct ExportView {
   std::string file;     ///< empty: none
@@ -298,7 +305,7 @@ struct GuiModel {
   EditorView editor;
   ComposerView composer;
   std::shared_ptr<const std::vector<AuEntry>> known_aus;  ///< always there
-  std::string recording;                                  ///< the video being recorded; empty: none
+  VideoView video;
   ExportView exported;
   ExpressionsView expressions;
   TransitionSettings transition;

@@ -354,10 +354,11 @@ void export_menu(const GuiModel& model, GuiCommands& commands) {
 }  // namespace
 
 void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiCommands& commands) {
-  const bool recording = !model.recording.empty();
+  const bool recording = !model.video.recording.empty();
   if (wide_button(tr("play.picture"), 0, 4, true)) commands.push_back(TakePicture{});
   tip(tr("play.picture_tip"));
-  if (wide_button(recording ? tr("play.end_video") : tr("play.video"), 1, 4, true, recording)) {
+  if (wide_button(recording ? tr("play.end_video") : tr("play.video"), 1, 4,
+                  model.video.completing.empty(), recording)) {
     commands.push_back(ToggleVideo{});
   }
   tip(tr("play.video_tip"));
@@ -367,7 +368,8 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
   tip(tr("play.gallery_tip"));
   if (wide_button(tr("button.export"), 3, 4, true)) ImGui::OpenPopup("export");
   export_menu(model, commands);
-  if (recording) quiet_text(tr("play.recording", model.recording));
+  if (recording) quiet_text(tr("play.recording", model.video.recording));
+  if (!model.video.completing.empty()) quiet_text(tr("play.completing", model.video.completing));
   const ExportView& exported = model.exported;
   if (!exported.file.empty()) quiet_text(tr("play.writing", exported.file, exported.percent));
   where_they_go(look, model.pictures, form, commands);

@@ -69,7 +69,7 @@ Result<std::string> ExportSession::glb(PlayerOptions options, Played played,
       });
   if (!begun) return begun.error();
   file_ = file.string();
-  return gui::tr("said.glb_writing", file_);
+  return gui::tr("said.writing", file_);
 }
 
 std::optional<Result<std::string>> ExportSession::advance() {

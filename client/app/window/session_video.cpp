@@ -1,7 +1,5 @@
 #include "client/app/window/session_video.h"
 
-#include "client/gui/texts.h"
-
 namespace aucast::app {
 
 std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written) {
@@ -38,11 +36,10 @@ Result<void> SessionVideo::show(const view::Image& picture, Instant now) {
   return {};
 }
 
-Result<std::string> SessionVideo::finish() {
+Result<void> SessionVideo::finish() {
   const auto sound = sound_->file();
   if (!sound) return sound.error();
-  if (auto finished = encoder_->finish(*sound); !finished) return finished.error();
-  return gui::tr("said.video", std::filesystem::absolute(file_).lexically_normal().string());
+  return encoder_->finish(*sound);
 }
 
 }  // namespace aucast::app

@@ -3,9 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
 
 #include "client/app/window/video_sound.h"
 #include "client/view/image.h"
@@ -37,8 +35,8 @@ class SessionVideo {
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
   /// VideoSound's.
   void hear(Instant heard_at, std::span<const float> samples) { sound_->add(heard_at, samples); }
-  /// Completes the file. Returns a sentence for the user that says where it is.
-  [[nodiscard]] Result<std::string> finish();
+  /// Completes the file, which takes a while, on whichever thread.
+  [[nodiscard]] Result<void> finish();
 
  private:
   SessionVideo() = default;

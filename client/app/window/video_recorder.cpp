@@ -3,15 +3,20 @@
 #include <span>
 #include <utility>
 
+#include "client/gui/texts.h"
+
 namespace aucast::app {
 
 Result<void> VideoRecorder::begin(int width, int height, Instant now) {
+  // It has no name yet, which this one would get too.
+  if (completing()) return Error{ErrorKind::Failed, gui::tr("said.video_before")};
   const auto file = session_.picture_file(".mp4");
   if (!file) return file.error();
   auto video = SessionVideo::open(*file, width, height, now);
   if (!video) return video.error();
   video_ = std::move(*video);
-  session_.set_recording(video_->file().filename().string());
+  file_ = std::filesystem::absolute(*file).lexically_normal();
+  tell_session();
   session_.set_sound_tap([this](Instant heard_at, std::span<const float> samples) {
     video_->hear(heard_at, samples);
   });
@@ -27,14 +32,39 @@ Result<void> VideoRecorder::record(const Picture& picture, Instant now) {
 }
 
 Result<std::string> VideoRecorder::end() {
-  return let_go()->finish();
+  const std::shared_ptr<SessionVideo> video = let_go();
+  const auto complete = [video]() -> Result<std::string> {
+    if (auto finished = video->finish(); !finished) return finished.error();
+    return std::string();
+  };
+  if (!work_.begin([complete](BackgroundWork::Course&) { return complete(); })) {
+    return sentence(complete());
+  }
+  tell_session();
+  return gui::tr("said.writing", file_.string());
 }
 
-/// The session knows of no video any more.
+std::optional<Result<std::string>> VideoRecorder::ended() {
+  const auto outcome = work_.take_outcome();
+  if (!outcome) return std::nullopt;
+  tell_session();
+  return sentence(*outcome);
+}
+
+Result<std::string> VideoRecorder::sentence(const Result<std::string>& outcome) const {
+  return outcome ? gui::tr("said.video", file_.string()) : outcome;
+}
+
 std::unique_ptr<SessionVideo> VideoRecorder::let_go() {
   session_.set_sound_tap({});
-  session_.set_recording({});
-  return std::move(video_);
+  auto video = std::move(video_);
+  tell_session();
+  return video;
+}
+
+void VideoRecorder::tell_session() {
+  const std::string name = file_.filename().string();
+  session_.set_video({running() ? name : "", completing() ? name : ""});
 }
 
 }  // namespace aucast::app

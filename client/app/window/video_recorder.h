@@ -1,9 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "client/app/window/background_work.h"
 #include "client/app/window/session_video.h"
 #include "client/app/window/window_session.h"
 #include "client/view/image.h"
@@ -25,18 +28,28 @@ class VideoRecorder {
   VideoRecorder& operator=(const VideoRecorder&) = delete;
 
   [[nodiscard]] bool running() const { return video_ != nullptr; }
-  /// Only when none is running.
+  /// Only when none is running. Failed while the one before is being completed.
   [[nodiscard]] Result<void> begin(int width, int height, Instant now);
   /// Adds a picture when the video lacks one at `now`. A video that fails is over.
   [[nodiscard]] Result<void> record(const Picture& picture, Instant now);
-  /// Completes the video that is running. Returns a sentence for the user that says where it is.
+  /// The video that is running is over, and is completed on another thread. Returns a sentence for
+  /// the user about it.
   [[nodiscard]] Result<std::string> end();
+  [[nodiscard]] bool completing() const { return work_.running(); }
+  /// What became of it, once: a sentence that says where it is.
+  [[nodiscard]] std::optional<Result<std::string>> ended();
+  /// Waits until it is completed.
+  void wait() const { work_.wait(); }
 
  private:
+  [[nodiscard]] Result<std::string> sentence(const Result<std::string>& outcome) const;
   std::unique_ptr<SessionVideo> let_go();
+  void tell_session();
 
   WindowSession& session_;
+  std::filesystem::path file_;  ///< of the video that runs or ran last
   std::unique_ptr<SessionVideo> video_;
+  BackgroundWork work_;
 };
 
 }  // namespace aucast::app

@@ -109,7 +109,7 @@ class WindowRun {
     }
     if (video_.running())
       idle = std::min<Duration>(idle, std::chrono::milliseconds(1000 / SessionVideo::kFps));
-    if (face_thumbnails_->busy()) idle = std::min<Duration>(idle, kFrameMax);
+    if (face_thumbnails_->busy() || video_.completing()) idle = std::min<Duration>(idle, kFrameMax);
     window_->poll(waits_for_frames() ? 0 : seconds(idle));
     handle_closing(stopped_from_outside);
     handle_drops();
@@ -120,6 +120,7 @@ class WindowRun {
     make_thumbnails();
     draw();
     record();
+    tell_of_video();
     handle_keys();
     for (const gui::GuiCommand& command : commands_) carry_out(command);
     commands_.clear();
@@ -138,6 +139,8 @@ class WindowRun {
   [[nodiscard]] std::unique_ptr<playback::Playback> finish() {
     keep_settings();
     if (video_.running()) end_video();
+    video_.wait();
+    tell_of_video();
     return session_.finish(steady_now());
   }
 
@@ -315,9 +318,16 @@ class WindowRun {
   }
 
   void end_video() {
-    const auto ended = video_.end();
-    if (!ended) return complain(ended.error());
-    tell(*ended);
+    const auto ending = video_.end();
+    if (!ending) return complain(ending.error());
+    tell(*ending);
+  }
+
+  void tell_of_video() {
+    const auto ended = video_.ended();
+    if (!ended) return;
+    if (!*ended) return complain(ended->error());
+    tell(**ended);
   }
 
   void record() {

@@ -562,7 +562,7 @@ gui::GuiModel WindowSession::model() const {
   model.composer.active = shown_ == Shown::Composer;
   model.composer.can_take = shown_ != Shown::Composer && aus_shown().has_value();
   model.known_aus = editor_.known_aus();
-  model.recording = recording_;
+  model.video = video_;
   model.exported = export_.view();
   model.expressions = editor_.expressions();
   model.transition = editor_.transition();

@@ -100,8 +100,8 @@ class WindowSession {
   [[nodiscard]] Result<std::filesystem::path> picture_file(const std::string& ending) const;
   /// A sentence for the user, for a while.
   void say(std::string text, bool bad, Instant now) { notices_.say(std::move(text), bad, now); }
-  /// The file of the video being recorded, for the panel; empty: none.
-  void set_recording(std::string file) { recording_ = std::move(file); }
+  /// For the panel.
+  void set_video(gui::VideoView video) { video_ = std::move(video); }
   /// The pace of drawing, for the panel.
   void set_pace(std::vector<gui::PaceRow> pace) { pace_ = std::move(pace); }
 
@@ -154,7 +154,7 @@ class WindowSession {
   gui::FileBrowser browser_;
   std::filesystem::path own_folder_ = ".";  ///< where the user saved last
   std::filesystem::path last_folder_;       ///< where a stream was opened last
-  std::string recording_;
+  gui::VideoView video_;
   gui::TableSettings table_;
   std::string sample_;
   std::vector<std::string> recent_files_;

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/fake_ffmpeg.h"
 #include "tests/support/process.h"
 #include "tests/support/temp_folder.h"
 
@@ -66,11 +67,6 @@ std::size_t files_in(const test::TempFolder& folder) {
 }
 
 /// A folder with a program called ffmpeg that does what the script says.
-void fake_ffmpeg(const test::TempFolder& folder, const std::string& script) {
-  const auto file = folder.write("ffmpeg", "#!/bin/sh\n" + script + "\n");
-  ASSERT_EQ(::chmod(file.c_str(), 0755), 0);
-}
-
 TEST(VideoEncoder, WritesEachKind) {
   const test::TempFolder folder;
   const struct {
@@ -197,9 +193,7 @@ TEST(VideoEncoder, SaysWhatToInstallWhenThereIsNoFfmpeg) {
 
 TEST(VideoEncoder, ReportsTheLastWordsOfADyingFfmpeg) {
   const test::TempFolder folder;
-  const test::TempFolder programs;
-  fake_ffmpeg(programs, "echo 'no room\033[2J left' >&2; exit 9");
-  const PathVariable path(programs.path().string() + ":" + std::getenv("PATH"));
+  const test::FakeFfmpeg fake("echo 'no room\033[2J left' >&2; exit 9");
   auto encoder = VideoEncoder::open(folder.path() / "a.mp4", 640, 480, 25);
   ASSERT_TRUE(encoder.has_value());
   Result<void> result;
@@ -219,9 +213,7 @@ TEST(VideoEncoder, ReportsTheLastWordsOfADyingFfmpeg) {
 
 TEST(VideoEncoder, ReportsAnFfmpegThatFailsAtTheEnd) {
   const test::TempFolder folder;
-  const test::TempFolder programs;
-  fake_ffmpeg(programs, "cat > /dev/null; kill -9 $$");
-  const PathVariable path(programs.path().string() + ":" + std::getenv("PATH"));
+  const test::FakeFfmpeg fake("cat > /dev/null; kill -9 $$");
   folder.write("a.mp4", "what was there before");
   const auto done = write_video(folder.path() / "a.mp4", 64, 48, 25, 2);
   ASSERT_FALSE(done.has_value());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/fake_ffmpeg.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"
 
@@ -40,19 +41,57 @@ TEST_F(VideoRecorderTest, TheFileIsThereWhenTheVideoHasEnded) {
   const auto begun = recorder.begin(64, 64, clock_.now());
   ASSERT_TRUE(begun) << begun.error().message;
   EXPECT_TRUE(recorder.running());
-  const std::string name = model().recording;
+  const std::string name = model().video.recording;
   EXPECT_TRUE(name.ends_with(".mp4")) << name;
   for (int frame = 0; frame < 10; ++frame) {
     ASSERT_TRUE(record(recorder));
     clock_.advance(Milliseconds(20));
   }
   EXPECT_EQ(pictures_, 5) << "one for each 40 ms";
-  const auto ended = recorder.end();
+  ASSERT_TRUE(recorder.end());
+  recorder.wait();
+  const auto ended = *recorder.ended();
   ASSERT_TRUE(ended) << ended.error().message;
   EXPECT_NE(ended->find(name), std::string::npos) << *ended;
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / name));
   EXPECT_FALSE(recorder.running());
-  EXPECT_EQ(model().recording, "");
+  EXPECT_EQ(model().video, gui::VideoView{});
+  EXPECT_FALSE(recorder.ended()) << "said once";
+}
+
+TEST_F(VideoRecorderTest, AVideoIsCompletedWhileTheWindowGoesOn) {
+  const std::string may_end = (folder_.path() / "may_end").string();
+  const test::FakeFfmpeg slow("cat > /dev/null; until [ -e '" + may_end +
+                              "' ]; do sleep 0.01; done");
+  VideoRecorder recorder(*session_);
+  ASSERT_TRUE(recorder.begin(64, 64, clock_.now()));
+  ASSERT_TRUE(record(recorder));
+  const std::string name = model().video.recording;
+  ASSERT_TRUE(recorder.end());
+  EXPECT_FALSE(recorder.ended());
+  EXPECT_EQ(model().video.recording, "");
+  EXPECT_EQ(model().video.completing, name);
+  EXPECT_FALSE(recorder.begin(64, 64, clock_.now())) << "it would have the same name";
+  folder_.write("may_end", "");
+  recorder.wait();
+  const auto ended = recorder.ended();
+  ASSERT_TRUE(ended);
+  ASSERT_TRUE(*ended) << ended->error().message;
+  EXPECT_EQ(model().video, gui::VideoView{});
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / name));
+  EXPECT_TRUE(recorder.begin(64, 64, clock_.now()));
+}
+
+TEST_F(VideoRecorderTest, AVideoThatCannotBeCompletedIsSaid) {
+  const test::FakeFfmpeg failing("cat > /dev/null; echo 'no room' >&2; exit 9");
+  VideoRecorder recorder(*session_);
+  ASSERT_TRUE(recorder.begin(64, 64, clock_.now()));
+  ASSERT_TRUE(record(recorder));
+  ASSERT_TRUE(recorder.end());
+  recorder.wait();
+  const auto ended = *recorder.ended();
+  ASSERT_FALSE(ended);
+  EXPECT_NE(ended.error().message.find("no room"), std::string::npos) << ended.error().message;
 }
 
 TEST_F(VideoRecorderTest, AVideoThatFailsIsOver) {
@@ -63,7 +102,7 @@ TEST_F(VideoRecorderTest, AVideoThatFailsIsOver) {
   clock_.advance(Milliseconds(40));
   EXPECT_EQ(record(recorder).error().message, "no picture");
   EXPECT_FALSE(recorder.running());
-  EXPECT_EQ(model().recording, "");
+  EXPECT_EQ(model().video.recording, "");
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing is left behind";
 }
 
