@@ -11,12 +11,19 @@ out=${1:-$root/client/gui/pictures}
 mkdir -p "$out"
 
 if [ -z "${AUCAST_SCREEN:-}" ]; then
-    AUCAST_SCREEN=1 xvfb-run -a -s "-screen 0 1280x800x24 -noreset" "$0" "$out"
-    AUCAST_SCREEN=2 xvfb-run -a -s "-screen 0 2560x1600x24 -noreset" "$0" "$out"
+    AUCAST_SCREEN=usual xvfb-run -a -s "-screen 0 1280x800x24 -noreset" "$0" "$out"
+    AUCAST_SCREEN=twice xvfb-run -a -s "-screen 0 2560x1600x24 -noreset" "$0" "$out"
+    AUCAST_SCREEN=small xvfb-run -a -s "-screen 0 800x600x24 -noreset" "$0" "$out"
     exit
 fi
 
-scale=$AUCAST_SCREEN
+scale=1
+width=1280
+name=
+case $AUCAST_SCREEN in
+    twice) scale=2 width=2560 name=_twice ;;
+    small) width=800 name=_small ;;
+esac
 work=$(mktemp -d)
 data=/tmp/aucast  # is seen in the picture of the file dialog
 mkdir "$data"     # not what somebody else has there
@@ -44,12 +51,16 @@ for i in $(seq 100); do
     [ -z "$port" ] || break
     sleep 0.1
 done
+if [ -z "$port" ]; then
+    cat "$work/server.txt" >&2
+    exit 1
+fi
 "$bin/face-player" "127.0.0.1:$port" --data "$data" --speed 1000 &
 player=$!
 
-# Places are those of a window of 1280 x 800.
+# Places are those of a window of 1280 x 800; the panel is as far from the right everywhere.
 click() {
-    xdotool mousemove $(($1 * scale)) $(($2 * scale))
+    xdotool mousemove $((width - (1280 - $1) * scale)) $(($2 * scale))
     sleep 0.3
     xdotool click 1
     settle
@@ -66,7 +77,7 @@ settle() {
     done
 }
 shot() {
-    xdotool mousemove $((600 * scale)) $((20 * scale))
+    xdotool mousemove $((width / 4)) $((20 * scale))
     sleep 1
     case $1 in play | camera) ;; *) settle ;; esac  # what plays does not stand still
     import -window root "$work/shot.png"
@@ -74,8 +85,6 @@ shot() {
     [ "$scale" -eq 1 ] || mogrify -gravity East -crop 760x1600+0+0 +repage "$work/shot.png"
     convert "$work/shot.png" -colors 256 -strip "PNG8:$out/$1$name.png"
 }
-name=
-[ "$scale" -eq 1 ] || name=_twice
 sleep 14
 shot play
 # The Expression tab: Happiness. It pauses what plays.
@@ -83,6 +92,13 @@ click 996 54
 click 1070 154
 shot expression
 [ "$scale" -eq 1 ] || exit 0
+if [ "$AUCAST_SCREEN" = small ]; then
+    click 1117 54
+    click 1119 460
+    click 955 394
+    shot compose
+    exit
+fi
 # The Editor tab, AU 12 from the list.
 click 1057 54
 click 1135 123
@@ -90,12 +106,12 @@ click 1135 368
 shot editor
 # The Compose tab: a smile of AUs 6 and 12, then surprise from the pad.
 click 1117 54
-click 1087 571
-click 955 596
-click 955 368
-click 1119 434
-click 955 368
-click 980 156
+click 1056 597
+click 1246 597
+click 955 394
+click 1119 460
+click 955 394
+click 980 170
 shot compose
 # Over the face: the file dialog and the list of keys.
 xdotool key o
