@@ -35,7 +35,7 @@ PACKAGES = ("curl", "dbus", "init-system-helpers", "linux-image-cloud-amd64", "o
 SECONDS_MAX = 1200  # for the guest, from its start to its end
 DISK_BYTES = 2 << 30
 
-# What README.md, "As a service", has an operator type, before the first boot.
+# What server/GUIDE.md, "As a service", has an operator type, before the first boot.
 AS_THE_README_SAYS = """set -e
 dpkg -i /opt/packages/*.deb
 install -D /usr/share/doc/aucast/au-transmitter.toml /etc/aucast/au-transmitter.toml
