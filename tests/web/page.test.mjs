@@ -7,8 +7,8 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 
-import { auTransmitter, differing, facePlayer, launch, openTab, ownTime, root, serve, serveFiles,
-         setsOf, touch, untilState } from './support.mjs';
+import { auTransmitter, differing, facePlayer, launch, openPage, openTab, ownTime, root, serve,
+         serveFiles, setsOf, touch, untilState } from './support.mjs';
 
 const DOWNLOAD_MAX = 1_100_000;
 const YARDSTICK_TURNS = 45_000_000;
@@ -235,6 +235,31 @@ for (const name of ['chromium', 'firefox']) {
       assert.deepEqual(told, [[false, false, 100], [false, true, 100], [false, false, 98],
                               [false, false, 96], [false, false, 98]]);
       assert.deepEqual(tab.faults, []);
+      await tab.close();
+    });
+
+    test('a face that could not be loaded is loaded when it is asked for again', async () => {
+      let refused = 3;
+      const prepare = async tab => {
+        await tab.setRequestInterception(true);
+        tab.on('request', request => {
+          if (!request.url().endsWith('/data/parts.json') || refused-- <= 0) request.continue();
+          else request.respond({ status: 503 });
+        });
+      };
+      const tab = await openPage(browser, server.at('http', '?show=6,12'), { ...small, prepare });
+      const outcomes = await tab.evaluate(async () => {
+        const player = document.querySelector('aucast-player');
+        const of = promise => promise.then(() => player.aus, error => error.message);
+        const first = await of(player.ready);
+        const called = await of(player.show('4'));
+        player.setAttribute('show', '12');
+        await Promise.resolve();
+        const changed = await of(player.ready);
+        return [first, called, changed, await of(player.show('26'))];
+      });
+      const refusal = 'data/parts.json is not there (503)';
+      assert.deepEqual(outcomes, [refusal, refusal, refusal, '26']);
       await tab.close();
     });
 

@@ -24,7 +24,8 @@ const WORDS = {
 };
 
 class AucastPlayer extends HTMLElement {
-  static observedAttributes = ['stream', 'server', 'show', 'layers', 'muted', 'volume', 'captions'];
+  static observedAttributes = ['face', 'stream', 'server', 'show', 'layers', 'muted', 'volume',
+                               'captions'];
 
   constructor() {
     super();
@@ -53,8 +54,9 @@ class AucastPlayer extends HTMLElement {
     this.asked = '';  // the stream that was to be played last
     this.wantsDraw = true;
     this.resumes = false;  // when it comes back to the page
-    this.ready = new Promise((resolve, reject) => { this.settle = { resolve, reject }; });
-    this.ready.catch(() => {});  // told in words and by the event 'error'
+    this.failed = false;  // to load the face
+    this.expectFace();
+    this.listenToContext();
   }
 
   // === What a page calls.
@@ -62,7 +64,7 @@ class AucastPlayer extends HTMLElement {
   /// Shows a set of AUs, `6,12:80`; needs no server. Throws for anything else.
   async show(aus) {
     ++this.wishes;
-    await this.ready;
+    await this.load({ wished: true });
     this.engine.show(String(aus));
     this.engine.advance();
     this.tell();
@@ -73,7 +75,7 @@ class AucastPlayer extends HTMLElement {
   async play(stream = this.getAttribute('stream') ?? '') {
     const wish = ++this.wishes;
     this.asked = stream;
-    await this.ready;
+    await this.load({ wished: true });
     await this.engine.loadVoice();
     if (wish !== this.wishes) return;  // something else was asked for since
     this.engine.play(this.server, stream, this.token);
@@ -83,7 +85,7 @@ class AucastPlayer extends HTMLElement {
 
   async stop() {
     ++this.wishes;
-    await this.ready;
+    await this.load({ wished: true });
     this.engine.stop();
     this.tell();
   }
@@ -93,13 +95,13 @@ class AucastPlayer extends HTMLElement {
 
   /// The names of the server's streams.
   async streams() {
-    await this.ready;
+    await this.load();
     return this.engine.streams(this.server, this.token);
   }
 
   /// A PNG of the face, as large as it is here, as a Blob.
   async picture(width = this.canvas.width, height = this.canvas.height) {
-    await this.ready;
+    await this.load();
     const canvas = document.createElement('canvas');
     canvas.width = width;
     canvas.height = height;
@@ -168,7 +170,10 @@ class AucastPlayer extends HTMLElement {
     } else if (name === 'captions') {
       this.captions.show(now !== 'off');
     } else if (!this.engine) {
-      return;  // start() reads them all
+      // start() reads them all, those that are changed together with this one too.
+      queueMicrotask(() => this.load());
+    } else if (name === 'face') {
+      return;
     } else if (name === 'layers') {
       this.setLayersText(now);
     } else if (name === 'show') {
@@ -195,29 +200,54 @@ class AucastPlayer extends HTMLElement {
     }
   }
 
-  async start() {
+  expectFace() {
+    this.ready = new Promise((resolve, reject) => { this.settle = { resolve, reject }; });
+    this.ready.catch(() => {});  // told in words and by the event 'error'
+  }
+
+  /// The promise of the face, which is tried anew if it could not be loaded. `wished`: somebody says
+  /// what it is to do then.
+  load({ wished = false } = {}) {
+    if (this.failed && this.isConnected) this.start(wished);
+    return this.ready;
+  }
+
+  /// Loads the face, and does what the attributes say unless something else is `wished`.
+  async start(wished = false) {
+    if (this.failed) this.expectFace();
+    this.failed = false;
     this.starting = true;
     try {
-      this.say('Loading the face');
-      this.engine = await PlayerEngine.create(this.canvas, this.getAttribute('face') ?? 'default',
-                                              { voice: this.server !== '' });
-      this.listenToContext();
-      this.sound.apply();
-      const layers = this.getAttribute('layers');
-      if (layers) this.engine.setLayers(layers);
-      this.resize();
-      this.say('');
-      await this.engine.make();
-      this.draw();
+      await this.loadFace();
       this.settle.resolve();
-      if (this.hasAttribute('show')) await this.show(this.getAttribute('show'));
-      this.resumes = this.server !== '';
-      if (this.resumes && this.isConnected) await this.play();
     } catch (error) {
+      this.engine = null;
+      this.failed = true;
       this.settle.reject(error);
       this.fail(error);
     }
     this.starting = false;
+    if (this.failed || wished) return;
+    try {
+      if (this.hasAttribute('show')) await this.show(this.getAttribute('show'));
+      this.resumes = this.server !== '';
+      if (this.resumes && this.isConnected) await this.play();
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  async loadFace() {
+    this.say('Loading the face');
+    this.engine = await PlayerEngine.create(this.canvas, this.getAttribute('face') ?? 'default',
+                                            { voice: this.server !== '' });
+    this.sound.apply();
+    const layers = this.getAttribute('layers');
+    if (layers) this.engine.setLayers(layers);
+    this.resize();
+    this.say('');
+    await this.engine.make();
+    this.draw();
   }
 
   fail(error) {
@@ -386,7 +416,7 @@ class AucastPlayer extends HTMLElement {
     });
     this.canvas.addEventListener('webglcontextrestored', async () => {
       try {
-        await this.engine.renew();
+        await this.engine?.renew();
         this.say('');
         this.draw();
       } catch (error) {
