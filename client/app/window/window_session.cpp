@@ -28,14 +28,6 @@ namespace {
 constexpr const char* kComposedName = "composed.txt";
 constexpr const char* kExportedName = "exported.txt";
 
-std::string whole_path(const std::filesystem::path& file) {
-  return std::filesystem::absolute(file).lexically_normal().string();
-}
-
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
 bool shows_something(const view::Layers& layers) {
   return std::any_of(view::kLayerNames.begin(), view::kLayerNames.end(),
                      [&](const view::LayerName& layer) { return layers.*layer.member; });
@@ -90,12 +82,12 @@ WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
       idle_(assets.face),
       gallery_(gallery_of),
       export_(glb_of),
-      last_folder_(assets.data_folder / "streams") {
+      files_(assets.data_folder / "streams") {
   rendering_.blinking = options.playback.blink.has_value();
   rendering_.blink = options.playback.blink.value_or(playback::BlinkOptions{});
   rendering_.layers = options.output.layers;
   const std::filesystem::path& file = options.playback.file;
-  if (!file.empty()) last_folder_ = folder_of(file);
+  if (!file.empty()) files_.opened(file);
   std::error_code ignored;
   const std::filesystem::path sample = assets.data_folder / "streams" / "talk.txt";
   if (std::filesystem::exists(sample, ignored)) sample_ = sample.string();
@@ -110,9 +102,9 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   playback_.set_remote(settings.remote, settings.recent);
   editor_.set_transition(settings.transition);
   faces_.remember(settings.face);
-  recent_files_ = settings.recent_files;
+  files_.set_recent(settings.recent_files);
   const std::filesystem::path& file = options_.playback.file;
-  if (!file.empty()) gui::remember_file(recent_files_, whole_path(file));
+  if (!file.empty()) files_.opened(file);
   rendering_ = settings.rendering;
   pictures_ = settings.pictures;
   change_display(settings.display, now);
@@ -123,7 +115,7 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
 
 gui::KeptSettings WindowSession::kept() const {
   return {
-      playback_.remote_settings(), playback_.recent(), faces_.next(), recent_files_,    animation_,
+      playback_.remote_settings(), playback_.recent(), faces_.next(), files_.recent(),  animation_,
       editor_.transition(),        rendering_,         pictures_,     display_.settings};
 }
 
@@ -238,9 +230,15 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
         leaving_ = one.really;
       },
       [&](const gui::Browse& one) { browse(one.purpose); },
-      [&](const gui::EnterFolder& one) { browser_.enter(one.folder); },
-      [&](const gui::ChooseFile& one) { choose_file(one.file, now); },
-      [&](const gui::CloseBrowser&) { browser_.close(); },
+      [&](const gui::EnterFolder& one) { files_.enter(one.folder); },
+      [&](const gui::ChooseFile& one) {
+        const std::string said =
+            files_.choose(one.file, [&](gui::Purpose purpose, const std::filesystem::path& file) {
+              return use_file(purpose, file, now);
+            });
+        if (!said.empty()) say(said, false, now);
+      },
+      [&](const gui::CloseBrowser&) { files_.close(); },
       [&](const gui::OpenStream& one) {
         const std::filesystem::path file = one.file;
         if (file.filename() == "face.toml") {
@@ -248,9 +246,9 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
           return face ? void() : say(face.error().message, true, now);
         }
         const auto played = play(one.file, now);
-        if (played) return browser_.close();
-        if (browser_.view().open) return browser_.refuse(played.error().message);
-        say(played.error().message, true, now);
+        if (played) return files_.close();
+        const std::string& why = played.error().message;
+        if (!files_.refuse(why)) say(why, true, now);
       },
       [&](const gui::ChangeTable& one) { table_ = one.settings; },
       [&](const gui::ShowFace& one) {
@@ -291,7 +289,7 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
   }
   if (std::holds_alternative<gui::SaveComposition>(command)) {
     const std::filesystem::path file = composer_.file();
-    if (file.empty()) return browser_.open(gui::Purpose::SaveStream, own_folder_, kComposedName);
+    if (file.empty()) return files_.browse(gui::Purpose::SaveStream, kComposedName);
     const auto saved = composer_.save(file);
     say(saved ? *saved : saved.error().message, !saved, now);
   }
@@ -389,8 +387,7 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   if (!opened) return opened.error();
   notices_.clear();
   if (!opened->found.empty()) say(opened->found, false, now);
-  last_folder_ = folder_of(file);
-  gui::remember_file(recent_files_, whole_path(file));
+  files_.opened(file);
   playback_.open(std::move(opened->keyframes), file.filename().string(), now);
   playback_.play_beside(file, now);
   shown_ = Shown::Playback;
@@ -424,38 +421,17 @@ std::string WindowSession::name_of_stream() const {
   return keyframe_shown() > 0 ? playback_.remote_settings().stream : std::string();
 }
 
-/// The folder that such a file was in last.
-std::filesystem::path& WindowSession::folder_for(gui::Purpose purpose) {
-  const bool stream = purpose == gui::Purpose::PlayStream || purpose == gui::Purpose::ComposeStream;
-  return stream ? last_folder_ : own_folder_;
-}
-
 void WindowSession::browse(gui::Purpose purpose) {
   if (purpose == gui::Purpose::LookForFaces) {
-    return browser_.open(purpose, assets_.face_folder.parent_path());
+    return files_.look_for_faces(assets_.face_folder.parent_path());
   }
-  browser_.open(purpose, folder_for(purpose),
-                gui::is_saving(purpose) ? new_name(purpose) : std::string());
-}
-
-void WindowSession::choose_file(const std::string& name, Instant now) {
-  std::filesystem::path file;
-  if (!browser_.view().open || !browser_.choose(name, file)) return;
-  const Result<std::string> used = use_file(file, now);
-  if (!used) return browser_.refuse(used.error().message);
-  const gui::Purpose purpose = browser_.view().purpose;
-  browser_.close();
-  if (gui::is_folder(purpose)) {
-    if (purpose != gui::Purpose::LookForFaces) own_folder_ = file;
-    return;
-  }
-  folder_for(purpose) = folder_of(file);
-  if (!used->empty()) say(*used, false, now);
+  files_.browse(purpose, new_name(purpose));
 }
 
 /// What the dialog was opened for; a sentence about what was saved.
-Result<std::string> WindowSession::use_file(const std::filesystem::path& file, Instant now) {
-  switch (browser_.view().purpose) {
+Result<std::string> WindowSession::use_file(gui::Purpose purpose, const std::filesystem::path& file,
+                                            Instant now) {
+  switch (purpose) {
     case gui::Purpose::PlayStream: {
       if (auto played = play(file, now); !played) return played.error();
       return std::string();
@@ -548,12 +524,12 @@ gui::GuiModel WindowSession::model() const {
   model.spoken = playback_.sound().spoken_view();
   model.table = table_;
   model.sample = sample_;
-  model.recent_files = recent_files_;
+  model.recent_files = files_.recent();
   model.faces = faces_.view();
   model.gallery = gallery_.view();
   model.pictures = pictures_;
   model.display = display_;
-  model.browser = browser_.view();
+  model.browser = files_.view();
   model.notice = notices_.view();
   model.animation = animation_;
   model.editor = editor_.view();

@@ -14,12 +14,12 @@
 #include "client/app/window/editor_session.h"
 #include "client/app/window/export_session.h"
 #include "client/app/window/face_session.h"
+#include "client/app/window/file_session.h"
 #include "client/app/window/gallery_session.h"
 #include "client/app/window/mirror_session.h"
 #include "client/app/window/notices.h"
 #include "client/app/window/playback_session.h"
 #include "client/app/window/stream_lister.h"
-#include "client/gui/file_browser.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
 #include "client/gui/kept_settings.h"
@@ -29,7 +29,7 @@ namespace aucast::app {
 
 /// What happens in the window, without the window. Hands each command to the session that it is
 /// about, decides whose face is shown, and owns what the sessions have in common: how AUs become a
-/// face, notices, the file dialog, settings, leaving. Time is handed in.
+/// face, notices, settings, leaving. Time is handed in.
 /// Assets, options and stats must outlive it; the assets' face becomes another one when the user
 /// wants it. Thread: the player's.
 class WindowSession {
@@ -123,13 +123,12 @@ class WindowSession {
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] std::string name_of_stream() const;
   [[nodiscard]] std::string new_name(gui::Purpose purpose) const;
-  [[nodiscard]] std::filesystem::path& folder_for(gui::Purpose purpose);
   void browse(gui::Purpose purpose);
   [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
                                                    Instant now);
-  void choose_file(const std::string& name, Instant now);
   [[nodiscard]] Result<void> play(const std::filesystem::path& file, Instant now);
-  [[nodiscard]] Result<std::string> use_file(const std::filesystem::path& file, Instant now);
+  [[nodiscard]] Result<std::string> use_file(gui::Purpose purpose,
+                                             const std::filesystem::path& file, Instant now);
 
   Assets& assets_;
   FaceSession faces_;
@@ -151,13 +150,10 @@ class WindowSession {
   gui::RenderingSettings rendering_;
   gui::PictureSettings pictures_;
   gui::DisplayView display_{{}, "en", {}};
-  gui::FileBrowser browser_;
-  std::filesystem::path own_folder_ = ".";  ///< where the user saved last
-  std::filesystem::path last_folder_;       ///< where a stream was opened last
+  FileSession files_;
   gui::VideoView video_;
   gui::TableSettings table_;
   std::string sample_;
-  std::vector<std::string> recent_files_;
   std::vector<gui::PaceRow> pace_;
   bool asks_to_leave_ = false;
   bool leaving_ = false;
