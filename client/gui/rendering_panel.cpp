@@ -87,9 +87,8 @@ bool light(const Look& look, RenderingSettings& settings) {
     changed = true;
   }
   changed |=
-      slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg, -180, 180, "%d deg");
-  changed |=
-      slider(look, tr("view.light_up"), "##pitch", settings.light_pitch_deg, -80, 80, "%d deg");
+      slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg, -180, 180, "%d°");
+  changed |= slider(look, tr("view.light_up"), "##pitch", settings.light_pitch_deg, -80, 80, "%d°");
   changed |=
       slider(look, tr("view.strength"), "##strength", settings.light_percent, 0, 200, "%d %%");
   return changed;
