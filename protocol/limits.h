@@ -42,7 +42,7 @@ inline constexpr std::chrono::milliseconds kGraceMin{100};   ///< shortest wait 
 inline constexpr std::chrono::milliseconds kGraceMax{3000};  ///< longest
 inline constexpr int kGraceRoundTrips = 3;                   ///< in between: round trips it takes
 inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};    ///< from its { to its }
-inline constexpr std::chrono::milliseconds kWrongTokenTime{1000};  ///< before it is refused
+inline constexpr std::chrono::milliseconds kWrongTokenWait{1000};  ///< before it is refused
 inline constexpr std::chrono::milliseconds kTlsHandshakeTimeMax{10'000};
 inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};  ///< reading after the last packet
 inline constexpr std::size_t kDrainBytesMax = 65536;             ///< read meanwhile
@@ -75,8 +75,9 @@ inline constexpr int kAcceptsInARow = 16;
 inline constexpr std::chrono::milliseconds kAcceptPause{200};
 /// Clients that are told that there is no room for them, at a time; what is more is just closed.
 inline constexpr std::size_t kRefusalsMax = 64;
-/// Wrong tokens that an address may show within kWrongTokenTime; then it must wait.
+/// Wrong tokens that an address may show within so long; then it must wait.
 inline constexpr std::size_t kWrongTokensMax = 8;
+inline constexpr std::chrono::milliseconds kWrongTokensTime{1000};
 /// Longest wait of a client for a stream that a relay does not have yet: it would give up itself
 /// after 10 s of silence, and nobody would be told why.
 inline constexpr std::chrono::milliseconds kStreamWaitMax{8000};

@@ -282,7 +282,7 @@ bool ServerSession::State::may_show(std::string_view token, const TokenWords& wo
 void ServerSession::State::deny(const TokenWords& words) {
   refused_token = &words;
   phase = Phase::WrongToken;
-  deadline = now + kWrongTokenTime;
+  deadline = now + kWrongTokenWait;
   token_count.add_wrong(now);
 }
 

@@ -14,7 +14,7 @@ bool WrongTokens::may_try(std::uint64_t address, Instant now) {
 }
 
 void WrongTokens::add(std::uint64_t address, Instant now) {
-  guesses_.push_back({now + kWrongTokenTime, address});
+  guesses_.push_back({now + kWrongTokensTime, address});
   ++of_address_[address];
 }
 

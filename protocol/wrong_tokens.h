@@ -9,7 +9,7 @@
 
 namespace aucast::protocol {
 
-/// The wrong tokens of the last kWrongTokenTime, by the address that they came from: after
+/// The wrong tokens of the last kWrongTokensTime, by the address that they came from: after
 /// kWrongTokensMax of them no token from there is compared, not even the right one. Connections
 /// that were closed since count too, or guessing would be as fast as connecting.
 /// Thread: none of its own.

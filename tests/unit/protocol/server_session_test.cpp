@@ -458,7 +458,7 @@ TEST_F(Server, AnAddressHasSoManyWrongTokensASecondWhetherOrNotItStays) {
   EXPECT_EQ(said(1, "{streams token=word}"), "send {error 503") << "which was right must not show";
   EXPECT_EQ(said(1, "{hello}"), "send {error 401") << "no token is no guess";
   EXPECT_EQ(said(2, "{hello token=word}"), "send {hello v=2") << "others do not wait";
-  now_ += kWrongTokenTime - 1ms;
+  now_ += kWrongTokenWait - 1ms;
   EXPECT_EQ(said(1, "{hello token=word}"), "send {error 503");
   now_ += 1ms;
   EXPECT_EQ(said(1, "{hello token=word}"), "send {hello v=2");
