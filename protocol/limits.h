@@ -50,7 +50,6 @@ inline constexpr std::size_t kDrainBytesMax = 65536;             ///< read meanw
 inline constexpr std::chrono::milliseconds kFullKeyframeEvery{10'000};
 /// Live: keyframe time that may be under way to one client; bounds its window.
 inline constexpr std::chrono::milliseconds kLiveWindowTime{2000};
-inline constexpr std::size_t kReportedErrorsMax = 20;  ///< listed one by one, of one stream file
 
 // What our programs bound beside the protocol; other programs may choose for themselves.
 

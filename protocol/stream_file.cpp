@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "common/error_list.h"
 #include "common/text.h"
 #include "common/text_file.h"
 #include "protocol/codec.h"
-#include "protocol/error_list.h"
 #include "protocol/limits.h"
 
 namespace aucast::protocol {

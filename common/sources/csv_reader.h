@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/error_list.h"
 #include "common/result.h"
-#include "protocol/error_list.h"
 
 namespace aucast::sources {
 
@@ -87,7 +87,7 @@ class CsvReader {
   std::string header_;
   std::vector<std::string> columns_;
   std::vector<std::string_view> cells_;
-  protocol::ErrorList errors_;
+  ErrorList errors_;
 };
 
 /// Whether a line before a table is none of it: "sep=;" for spreadsheets, a comment from '#' on, or

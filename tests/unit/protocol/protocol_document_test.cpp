@@ -177,7 +177,6 @@ const std::map<std::string, std::int64_t>& all_limits() {
       {"kDrainBytesMax", kDrainBytesMax},
       {"kFullKeyframeEvery", kFullKeyframeEvery.count()},
       {"kLiveWindowTime", kLiveWindowTime.count()},
-      {"kReportedErrorsMax", kReportedErrorsMax},
       {"kKeepAliveIdle", kKeepAliveIdle.count()},
       {"kKeepAliveInterval", kKeepAliveInterval.count()},
       {"kKeepAliveProbes", kKeepAliveProbes},

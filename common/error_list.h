@@ -7,7 +7,10 @@
 
 #include "common/result.h"
 
-namespace aucast::protocol {
+namespace aucast {
+
+/// Errors of one file that are listed one by one.
+inline constexpr std::size_t kReportedErrorsMax = 20;
 
 /// What is wrong with a file: the first kReportedErrorsMax errors with their places, and how many
 /// more there are. `file` must outlive it.
@@ -29,4 +32,4 @@ class ErrorList {
   std::size_t count_ = 0;
 };
 
-}  // namespace aucast::protocol
+}  // namespace aucast

@@ -1,11 +1,10 @@
-#include "protocol/error_list.h"
+#include "common/error_list.h"
 
 #include <utility>
 
 #include "common/text.h"
-#include "protocol/limits.h"
 
-namespace aucast::protocol {
+namespace aucast {
 
 void ErrorList::add(std::size_t line, std::size_t column, std::string_view reason) {
   ++count_;
@@ -27,4 +26,4 @@ std::vector<std::string> ErrorList::take() {
   return std::exchange(first_, {});
 }
 
-}  // namespace aucast::protocol
+}  // namespace aucast

@@ -1,10 +1,8 @@
-#include "protocol/error_list.h"
+#include "common/error_list.h"
 
 #include <gtest/gtest.h>
 
-#include "protocol/limits.h"
-
-namespace aucast::protocol {
+namespace aucast {
 namespace {
 
 TEST(ErrorList, NamesThePlacesOfTheFirstAndCountsTheRest) {
@@ -23,4 +21,4 @@ TEST(ErrorList, NamesThePlacesOfTheFirstAndCountsTheRest) {
 }
 
 }  // namespace
-}  // namespace aucast::protocol
+}  // namespace aucast
