@@ -64,50 +64,17 @@ inline constexpr std::chrono::milliseconds kUnansweredTimeMax{60'000};
 inline constexpr std::size_t kReadBytesMax = 1024;  ///< read from a client in its turn
 /// What waits for a client's socket before nothing more is read from it.
 inline constexpr std::size_t kOutputBytesMax = 65536;
-/// What fits in one packet of the network; more does not wait for --batch.
-inline constexpr std::size_t kBatchBytesMax = 1200;
-/// Connections taken before the clients have their turn: one at a time would take a loop of
-/// events each, which is long while thousands are sent something.
-inline constexpr int kAcceptsInARow = 16;
-/// With no descriptor left: long enough to leave the processor to the clients, short enough not to
-/// be felt by new ones.
-inline constexpr std::chrono::milliseconds kAcceptPause{200};
-/// Clients that are told that there is no room for them, at a time; what is more is just closed.
-inline constexpr std::size_t kRefusalsMax = 64;
 /// Wrong tokens that an address may show within so long; then it must wait.
 inline constexpr std::size_t kWrongTokensMax = 8;
 inline constexpr std::chrono::milliseconds kWrongTokensTime{1000};
 /// Longest wait of a client for a stream that a relay does not have yet: it would give up itself
 /// after 10 s of silence, and nobody would be told why.
 inline constexpr std::chrono::milliseconds kStreamWaitMax{8000};
-/// Of a recorded stream that a relay holds.
-inline constexpr std::size_t kRelayedBytesMax = std::size_t{1} << 30U;
-/// Keyframes, voice packets and captions of a live stream within a second, beyond which its sender
-/// floods a relay.
-inline constexpr std::uint32_t kRelayedPerSecondMax = 2000;
-/// For a host's name, connection and TLS: the next one shall not wait long for one that is dead.
-inline constexpr std::chrono::milliseconds kDialTimeMax{5000};
-/// When all hosts have failed: the first wait, and the longest, of those that double.
-inline constexpr std::chrono::milliseconds kRedialWaitFirst{1000};
-inline constexpr std::chrono::milliseconds kRedialWaitMax{5000};
-inline constexpr std::chrono::milliseconds kNextHostWaitMax{100};  ///< before another one is tried
-inline constexpr std::chrono::milliseconds kPublishAnswerTimeMax{10'000};  ///< to who brings one
-/// Until a recorded stream that was brought whole is offered again.
-inline constexpr std::chrono::milliseconds kOfferAgain{30'000};
 inline constexpr std::size_t kPublisherFileBytesMax = 65536;  ///< the file of --accept-push
-inline constexpr std::size_t kPushedStreamsMax = 64;          ///< brought by publishers, at a time
-inline constexpr std::size_t kClientLogLinesPerSecond = 300;  ///< about single clients
-inline constexpr std::size_t kHttpConnectionsMax = 32;        ///< at a time; more are closed
-inline constexpr std::size_t kHttpHeadBytesMax = 4096;        ///< ours need a hundred
-inline constexpr std::chrono::milliseconds kHttpTimeMax{5000};
 
 inline constexpr std::size_t kWebFrameBytesMax = 65536;  ///< payload of a client's WebSocket frame
 inline constexpr std::chrono::milliseconds kWebPingIdle{25'000};  ///< proxies wait for 60 s
 inline constexpr std::chrono::milliseconds kWebPongTimeMax{30'000};
-inline constexpr std::size_t kWebConnectionsMax = 256;  ///< that are no WebSocket, at a time
-inline constexpr std::size_t kWebHeadBytesMax = 8192;   ///< browsers send cookies of others, too
-/// Longest time in which nothing of a file is taken by who asked for it.
-inline constexpr std::chrono::milliseconds kWebStallTimeMax{20'000};
 
 /// Keyframes that a classic server may send ahead of the answers while the user pauses.
 inline constexpr std::size_t kOwedAnswersMax = 128;

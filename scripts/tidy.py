@@ -45,7 +45,7 @@ MAY_INCLUDE = {
     "server/engine": SERVER | {"server/settings", "server/status", "server/upstream"},
     "server/preview": SERVER,
     "server/push": SERVER | {"server/settings", "server/status", "server/upstream"},
-    "server/http": SERVER,
+    "server/http": SERVER | {"server/settings"},
     "server/status": SERVER | {"server/settings", "server/http"},
     "server/web": SERVER | {"server/settings", "server/status", "server/http"},
     "server/serve": SERVER | {"server/settings", "server/voice", "server/streams", "server/live",

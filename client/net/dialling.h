@@ -4,7 +4,7 @@
 
 #include "client/net/remote_source.h"
 #include "common/link/dialler.h"
-#include "protocol/link_limits.h"
+#include "protocol/connection_limits.h"
 
 namespace aucast::net {
 

@@ -9,6 +9,7 @@
 #include "protocol/limits.h"
 #include "protocol/server_chain.h"
 #include "protocol/stream_choice.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 
@@ -104,7 +105,7 @@ void Publisher::on_moment() {
 }
 
 void Publisher::flush_soon() {
-  if (options_.batch.count() == 0 || publication_->waiting_bytes() > protocol::kBatchBytesMax) {
+  if (options_.batch.count() == 0 || publication_->waiting_bytes() > kBatchBytesMax) {
     flush();
     return;
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 namespace {
@@ -18,7 +18,7 @@ HttpExchange::~HttpExchange() {
 }
 
 void HttpExchange::on_open() {
-  link_->wake_at(link_->now() + protocol::kHttpTimeMax);
+  link_->wake_at(link_->now() + kHttpTimeMax);
 }
 
 void HttpExchange::on_bytes(std::string_view bytes) {
@@ -62,7 +62,7 @@ void HttpExchange::send_more() {
   if (rest.empty()) {
     link_->finish();
   } else {
-    link_->wake_at(link_->now() + protocol::kWebStallTimeMax);
+    link_->wake_at(link_->now() + kWebStallTimeMax);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "common/link/host.h"
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 
@@ -25,7 +25,7 @@ std::shared_ptr<link::Link> Introduction::release() {
 
 void Introduction::on_open() {
   link_->write(session_.hello());
-  link_->wake_at(link_->now() + protocol::kPublishAnswerTimeMax);
+  link_->wake_at(link_->now() + kPublishAnswerTimeMax);
 }
 
 void Introduction::on_bytes(std::string_view bytes) {
@@ -38,7 +38,7 @@ void Introduction::on_peer_end() {
 
 void Introduction::on_time() {
   answer(PublishSession::Failed{"nothing came from it within " +
-                                link::time_text(protocol::kPublishAnswerTimeMax)});
+                                link::time_text(kPublishAnswerTimeMax)});
 }
 
 void Introduction::on_closed(const link::Ending& ending) {

@@ -6,7 +6,7 @@
 #include <asio/post.hpp>
 
 #include "common/log.h"
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 #include "server/upstream/repeated.h"
 
 namespace aucast::server {
@@ -44,7 +44,7 @@ std::optional<protocol::ErrorReply> PushedStreams::refusal(
     if (!slot->reception.connected() || same) return std::nullopt;
     return protocol::ErrorReply{409, "another publisher sends the stream '" + hello.publish + "'"};
   }
-  const bool room = slots_.size() < protocol::kPushedStreamsMax ||
+  const bool room = slots_.size() < kPushedStreamsMax ||
                     std::any_of(slots_.begin(), slots_.end(),
                                 [](const auto& slot) { return !slot->reception.connected(); });
   if (room) return std::nullopt;
@@ -80,7 +80,7 @@ void PushedStreams::add(const std::string& name) {
 
 /// The oldest that nobody sends, if there are too many.
 void PushedStreams::make_room() {
-  if (slots_.size() < protocol::kPushedStreamsMax) return;
+  if (slots_.size() < kPushedStreamsMax) return;
   const auto idle = std::find_if(slots_.begin(), slots_.end(),
                                  [](const auto& slot) { return !slot->reception.connected(); });
   if (idle == slots_.end()) return;

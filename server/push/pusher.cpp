@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "common/log.h"
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 
@@ -74,7 +74,7 @@ void Pusher::on_served(const ClientRecord& record, const std::string& why) {
   }
   if (record.end_reason == EndReason(protocol::CloseConnection::Why::Finished)) {
     if (record.packets > 0) spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
-    redialler_.again_in(protocol::kOfferAgain);
+    redialler_.again_in(kOfferAgain);
   } else {
     ++losses_;
     redialler_.failed(why);

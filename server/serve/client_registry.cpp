@@ -4,7 +4,7 @@
 
 #include "common/link/listener.h"
 #include "common/log.h"
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 
@@ -14,7 +14,7 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
   const AddressKey address = address_key(peer.address());
   const protocol::Admission admission = admission_of(address);
   const bool refused = admission != protocol::Admission::Welcome;
-  if (refused && refused_ >= protocol::kRefusalsMax) {
+  if (refused && refused_ >= kRefusalsMax) {
     ++unheard_;
     spdlog::debug("a client too many was not even heard: {}", link::endpoint_text(peer));
     return;

@@ -6,6 +6,7 @@
 
 #include "common/log.h"
 #include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 
@@ -192,8 +193,7 @@ void Connection::flush() {
 /// Whether what there is to write waits for more. The first packet, which a player is waiting for,
 /// and the last words do not.
 bool Connection::gathers() {
-  const bool may =
-      !finishing_ && session_->sent().packets > 1 && gathered_.size() < protocol::kBatchBytesMax;
+  const bool may = !finishing_ && session_->sent().packets > 1 && gathered_.size() < kBatchBytesMax;
   if (!may) {
     gathered_until_.reset();
     return false;

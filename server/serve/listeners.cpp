@@ -7,7 +7,8 @@
 #include "common/log.h"
 #include "common/text.h"
 #include "protocol/codec.h"
-#include "protocol/link_limits.h"
+#include "protocol/connection_limits.h"
+#include "server/settings/limits.h"
 #include "server/status/service_manager.h"
 
 namespace aucast::server {
@@ -20,8 +21,8 @@ Listeners::Listeners(asio::io_context& io, const TransmitterOptions& options,
       options_(options),
       certificates_(certificates),
       hooks_(std::move(hooks)),
-      tcp_(io, protocol::kAcceptLimits),
-      guests_(io, protocol::kAcceptLimits) {}
+      tcp_(io, kAcceptLimits),
+      guests_(io, kAcceptLimits) {}
 
 Result<void> Listeners::open() {
   if (auto opened = open_tcp(); !opened) return opened;

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 
@@ -12,18 +12,18 @@ bool ClientLog::may_say(Instant now) {
     lines_ = 0;
     say_left_out();
   }
-  if (lines_ == protocol::kClientLogLinesPerSecond && !spdlog::should_log(spdlog::level::debug)) {
+  if (lines_ == kClientLogLinesPerSecond && !spdlog::should_log(spdlog::level::debug)) {
     ++left_out_;
     return false;
   }
-  if (lines_ < protocol::kClientLogLinesPerSecond) ++lines_;
+  if (lines_ < kClientLogLinesPerSecond) ++lines_;
   return true;
 }
 
 void ClientLog::say_left_out() {
   if (left_out_ == 0) return;
   spdlog::warn("{} lines about clients were left out here, for there were more than {} in a second",
-               left_out_, protocol::kClientLogLinesPerSecond);
+               left_out_, kClientLogLinesPerSecond);
   left_out_ = 0;
 }
 

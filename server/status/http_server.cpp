@@ -4,17 +4,18 @@
 
 #include "common/link/tcp_link.h"
 #include "common/web/origin.h"
-#include "protocol/link_limits.h"
+#include "protocol/connection_limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 
 using asio::ip::tcp;
 
 HttpServer::HttpServer(asio::io_context& io, Answer answer)
-    : listener_(io, protocol::kAcceptLimits),
+    : listener_(io, kAcceptLimits),
       answer_(std::move(answer)),
-      exchanges_(protocol::kHttpConnectionsMax,
-                 {protocol::kHttpHeadBytesMax,
+      exchanges_(kHttpConnectionsMax,
+                 {kHttpHeadBytesMax,
                   [this](HttpExchange& exchange, const web::HttpRequest& request) {
                     exchange.reply({this->answer(request), nullptr}, request.head);
                   },

@@ -6,15 +6,15 @@ namespace aucast::server {
 
 Milliseconds HostTurns::next() {
   current_ = (current_ + 1) % hosts_;
-  if (++failures_ % hosts_ != 0) return shortened(protocol::kNextHostWaitMax);
+  if (++failures_ % hosts_ != 0) return shortened(kNextHostWaitMax);
   const Milliseconds wait = wait_;
-  wait_ = std::min<Milliseconds>(wait_ * 2, protocol::kRedialWaitMax);
+  wait_ = std::min<Milliseconds>(wait_ * 2, kRedialWaitMax);
   return shortened(wait);
 }
 
 void HostTurns::worked() {
   failures_ = 0;
-  wait_ = protocol::kRedialWaitFirst;
+  wait_ = kRedialWaitFirst;
 }
 
 /// By up to a half.

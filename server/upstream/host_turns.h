@@ -5,7 +5,7 @@
 #include <random>
 
 #include "common/time.h"
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 
@@ -32,7 +32,7 @@ class HostTurns {
   std::minstd_rand random_;
   std::size_t current_ = 0;
   std::size_t failures_ = 0;  ///< in a row
-  Milliseconds wait_ = protocol::kRedialWaitFirst;
+  Milliseconds wait_ = kRedialWaitFirst;
 };
 
 }  // namespace aucast::server

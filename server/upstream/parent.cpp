@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 namespace {
@@ -142,9 +142,8 @@ bool Parent::floods(const std::string& what) {
     second_begin_ = now;
     in_second_ = 0;
   }
-  if (++in_second_ <= protocol::kRelayedPerSecondMax) return false;
-  leave("it sends more than " + std::to_string(protocol::kRelayedPerSecondMax) + " " + what +
-        " a second");
+  if (++in_second_ <= kRelayedPerSecondMax) return false;
+  leave("it sends more than " + std::to_string(kRelayedPerSecondMax) + " " + what + " a second");
   return true;
 }
 

@@ -8,8 +8,8 @@
 #include "common/link/host.h"
 #include "common/log.h"
 #include "common/text.h"
-#include "protocol/limits.h"
-#include "protocol/link_limits.h"
+#include "protocol/connection_limits.h"
+#include "server/settings/limits.h"
 #include "server/upstream/repeated.h"
 
 namespace aucast::server {
@@ -44,7 +44,7 @@ void Redialler::dial() {
   link::DialOptions dial;
   dial.host = host.host;
   dial.port = host.port;
-  dial.time_max = protocol::kDialTimeMax;
+  dial.time_max = kDialTimeMax;
   dial.tls = options_.tls;
   dial.secret = options_.secret;
   dial.secret_remedy = "use aucasts://";

@@ -5,6 +5,7 @@
 
 #include "protocol/codec.h"
 #include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 namespace {
@@ -185,9 +186,8 @@ void RelayedStream::show_recorded() {
 std::optional<std::string> RelayedStream::no_room() {
   const std::uint64_t bytes =
       held_bytes(*recorded_) + (voice_ ? voice_->bytes() : 0) + caption_bytes_;
-  if (bytes > protocol::kRelayedBytesMax) {
-    return "its recording has more than " + std::to_string(protocol::kRelayedBytesMax >> 30U) +
-           " GiB";
+  if (bytes > kRelayedBytesMax) {
+    return "its recording has more than " + std::to_string(kRelayedBytesMax >> 30U) + " GiB";
   }
   if (looks_++ % kKeptBetweenLooks > 0) return std::nullopt;
   // As much again is taken for a moment when the buffers grow.

@@ -10,7 +10,8 @@
 #include "common/text.h"
 #include "common/web/http.h"
 #include "common/web/upgrade.h"
-#include "protocol/link_limits.h"
+#include "protocol/connection_limits.h"
+#include "server/settings/limits.h"
 #include "server/web/web_gate.h"
 
 namespace aucast::server {
@@ -24,12 +25,12 @@ constexpr std::string_view kWebSocketPath = "/aucast";
 }  // namespace
 
 WebServer::WebServer(asio::io_context& io, const WebOptions& options, Hooks hooks)
-    : listener_(io, protocol::kAcceptLimits),
+    : listener_(io, kAcceptLimits),
       options_(options),
       hooks_(std::move(hooks)),
       exchanges_(
-          protocol::kWebConnectionsMax,
-          {protocol::kWebHeadBytesMax,
+          kWebConnectionsMax,
+          {kWebHeadBytesMax,
            [this](HttpExchange& exchange, const web::HttpRequest& request) {
              answer(exchange, request);
            },

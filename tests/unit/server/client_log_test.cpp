@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <spdlog/sinks/ostream_sink.h>
 
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 
 namespace aucast::server {
 namespace {
@@ -54,7 +54,7 @@ class ClientLogTest : public ::testing::Test {
   std::shared_ptr<spdlog::logger> before_;
 };
 
-constexpr std::uint64_t kMost = protocol::kClientLogLinesPerSecond;
+constexpr std::uint64_t kMost = kClientLogLinesPerSecond;
 
 TEST_F(ClientLogTest, OrdinaryTrafficIsSaidWhole) {
   for (int second = 0; second < 5; ++second) say(second * 1s, kMost);

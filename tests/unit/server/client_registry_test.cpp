@@ -9,6 +9,7 @@
 
 #include "protocol/limits.h"
 #include "protocol/live_replay.h"
+#include "server/settings/limits.h"
 #include "tests/support/fake_link.h"
 #include "tests/unit/server/talk_fixture.h"
 
@@ -88,11 +89,11 @@ TEST_F(ClientRegistryTest, OnlySoManyRefusalsAtATimeAreHeard) {
   options_.max_clients = 1;
   const auto inside = knock();
   std::vector<std::shared_ptr<FakeLink>> refused;
-  for (std::size_t i = 0; i < protocol::kRefusalsMax; ++i) refused.push_back(knock());
+  for (std::size_t i = 0; i < kRefusalsMax; ++i) refused.push_back(knock());
   EXPECT_NE(refused.back(), nullptr);
   EXPECT_EQ(knock(), nullptr);
   EXPECT_EQ(status().connects_unheard, 1U);
-  EXPECT_EQ(status().connects, 1U + protocol::kRefusalsMax);
+  EXPECT_EQ(status().connects, 1U + kRefusalsMax);
   refused.front()->end({});
   EXPECT_NE(knock(), nullptr);
 }

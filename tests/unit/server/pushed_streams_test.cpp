@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/log.h"
-#include "protocol/limits.h"
 #include "server/push/introduction.h"
+#include "server/settings/limits.h"
 #include "tests/support/fake_link.h"
 #include "tests/support/run_until.h"
 
@@ -128,13 +128,13 @@ TEST_F(PushedStreamsTest, ARecordedStreamStaysAndIsReplacedByAnother) {
 
 TEST_F(PushedStreamsTest, ThereIsRoomForSoManyAtATime) {
   std::vector<std::shared_ptr<FakeLink>> links;
-  for (std::size_t i = 0; i < protocol::kPushedStreamsMax; ++i) {
+  for (std::size_t i = 0; i < kPushedStreamsMax; ++i) {
     links.push_back(bring("s" + std::to_string(i)));
   }
   EXPECT_EQ(refusal_of("more"), 503);
   links[5]->end({link::Ending::Why::Lost, "reset"});
   links.push_back(bring("more"));
-  EXPECT_EQ(names().size(), protocol::kPushedStreamsMax);
+  EXPECT_EQ(names().size(), kPushedStreamsMax);
   EXPECT_EQ(names().back(), "more");
   EXPECT_EQ(refusal_of("s5"), 503);
 }
@@ -181,7 +181,7 @@ TEST_F(IntroductionTest, HandsTheLinkOnWhenItIsTaken) {
 }
 
 TEST_F(IntroductionTest, WaitsNoLongerThanItMust) {
-  link_->advance(protocol::kPublishAnswerTimeMax);
+  link_->advance(kPublishAnswerTimeMax);
   EXPECT_EQ(why_, "nothing came from it within 10 s");
   EXPECT_TRUE(link_->closed());
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/limits.h"
+#include "server/settings/limits.h"
 #include "server/upstream/host_turns.h"
 #include "server/upstream/parent.h"
 #include "server/upstream/relayed_stream.h"
@@ -306,7 +306,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveKeyframesIsLeft) {
   connect();
   hear(kLive);
   std::string many;
-  for (std::uint32_t count = 0; count < protocol::kRelayedPerSecondMax; ++count) many += "{1;0}";
+  for (std::uint32_t count = 0; count < kRelayedPerSecondMax; ++count) many += "{1;0}";
   hear(many);
   EXPECT_FALSE(outcome_);
   hear("{1;0}");
@@ -317,7 +317,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveVoiceIsLeft) {
   connect();
   hear("{hello v=2 window=50 delta=1 stream=talk live=1 voice=opus}{1;0}{a@0 WAEC}");
   std::string many;
-  for (std::uint32_t count = 2; count < protocol::kRelayedPerSecondMax; ++count) many += "{a WAM}";
+  for (std::uint32_t count = 2; count < kRelayedPerSecondMax; ++count) many += "{a WAM}";
   hear(many);
   EXPECT_FALSE(outcome_);
   hear("{a WAM}");
@@ -370,10 +370,10 @@ TEST_F(RelayOfTalk, TakesTheNameOfTheParentsFirstStream) {
 TEST(HostTurns, TakeTheNextAtOnceAndWaitWhenAllHaveFailed) {
   HostTurns turns(3, 1);
   EXPECT_EQ(turns.current(), 0U);
-  EXPECT_LE(turns.next(), protocol::kNextHostWaitMax);
+  EXPECT_LE(turns.next(), kNextHostWaitMax);
   EXPECT_EQ(turns.current(), 1U);
-  EXPECT_LE(turns.next(), protocol::kNextHostWaitMax);
-  EXPECT_GE(turns.next(), protocol::kRedialWaitFirst / 2);
+  EXPECT_LE(turns.next(), kNextHostWaitMax);
+  EXPECT_GE(turns.next(), kRedialWaitFirst / 2);
   EXPECT_EQ(turns.current(), 0U);
 }
 
@@ -382,12 +382,12 @@ TEST(HostTurns, WaitLongerEachRoundUpToTheMost) {
   Milliseconds most{0};
   for (int round = 0; round < 20; ++round) {
     const Milliseconds wait = turns.next();
-    EXPECT_LE(wait, protocol::kRedialWaitMax);
+    EXPECT_LE(wait, kRedialWaitMax);
     most = std::max(most, wait);
   }
-  EXPECT_GT(most, protocol::kRedialWaitMax / 2);
+  EXPECT_GT(most, kRedialWaitMax / 2);
   turns.worked();
-  EXPECT_LE(turns.next(), protocol::kRedialWaitFirst);
+  EXPECT_LE(turns.next(), kRedialWaitFirst);
 }
 
 TEST(HostTurns, ComeAtDifferentMomentsForDifferentServers) {

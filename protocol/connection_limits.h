@@ -11,8 +11,6 @@ inline constexpr link::Limits kLinkLimits{
     kKeepAliveIdle,       kKeepAliveInterval, kKeepAliveProbes, kUnansweredTimeMax,
     kWebFrameBytesMax,    kWebPingIdle,       kWebPongTimeMax};
 
-inline constexpr link::AcceptLimits kAcceptLimits{kAcceptsInARow, kAcceptPause};
-
 static_assert(link::kReadBytes == kReadBytesMax);
 
 }  // namespace aucast::protocol
