@@ -8,21 +8,17 @@
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
-namespace {
+namespace {}  // namespace
 
-using Failure = SessionFailed::Why;
-
-}  // namespace
-
-std::string_view name(Failure why) {
+std::string_view name(SessionFailed::Why why) {
   switch (why) {
-    case Failure::Lost:
+    case SessionFailed::Why::Lost:
       return "lost";
-    case Failure::ProtocolError:
+    case SessionFailed::Why::ProtocolError:
       return "protocol error";
-    case Failure::Refused:
+    case SessionFailed::Why::Refused:
       return "refused";
-    case Failure::Silent:
+    case SessionFailed::Why::Silent:
       return "silent";
   }
   return "unknown";
@@ -57,7 +53,7 @@ struct ClientSession::State {
 
   [[nodiscard]] std::vector<ClientEvent> take_events() { return std::exchange(events, {}); }
   void finish(ClientEvent last);
-  void fail(Failure why, std::string reason, std::optional<int> code = std::nullopt);
+  void fail(SessionFailed::Why why, std::string reason, std::optional<int> code = std::nullopt);
   void handle(const Keyframe& keyframe);
   void handle(const End&);
   void handle(const HelloGranted& hello);
@@ -77,7 +73,8 @@ void ClientSession::State::finish(ClientEvent last) {
   events.push_back(std::move(last));
 }
 
-void ClientSession::State::fail(Failure why, std::string reason, std::optional<int> code) {
+void ClientSession::State::fail(SessionFailed::Why why, std::string reason,
+                                std::optional<int> code) {
   if (stopped) {
     finish(StreamEnded{});
   } else {
@@ -92,9 +89,9 @@ void ClientSession::State::handle(const Keyframe& keyframe) {
   ++packets_received;
   payload_bytes += decoder.taken_bytes();
   if (keyframe.changes_only && (!granted.delta || first)) {
-    fail(Failure::ProtocolError, granted.delta
-                                     ? "the first packet of the server names only changes"
-                                     : "the server sent changes only, which was not agreed");
+    fail(SessionFailed::Why::ProtocolError,
+         granted.delta ? "the first packet of the server names only changes"
+                       : "the server sent changes only, which was not agreed");
     return;
   }
   if (keyframe.changes_only) {
@@ -147,7 +144,7 @@ std::optional<std::string> ClientSession::State::objection(const HelloGranted& h
 
 void ClientSession::State::handle(const HelloGranted& hello) {
   if (const auto reason = objection(hello)) {
-    fail(Failure::ProtocolError, *reason);
+    fail(SessionFailed::Why::ProtocolError, *reason);
     return;
   }
   phase = Phase::Streaming;
@@ -164,21 +161,22 @@ void ClientSession::State::handle(const HelloGranted& hello) {
 
 void ClientSession::State::handle(const ErrorReply& error) {
   // The decoder lets nothing but printable text through.
-  fail(Failure::Refused, "the server refused: " + std::to_string(error.code) + ' ' + error.text,
-       error.code);
+  fail(SessionFailed::Why::Refused,
+       "the server refused: " + std::to_string(error.code) + ' ' + error.text, error.code);
 }
 
 void ClientSession::State::handle(const StreamList&) {
-  fail(Failure::ProtocolError, "the server sent a list of streams that was not asked for");
+  fail(SessionFailed::Why::ProtocolError,
+       "the server sent a list of streams that was not asked for");
 }
 
 void ClientSession::State::handle(const VoiceData& voice) {
   ++voice_packets;
   sound_bytes += decoder.taken_bytes();
   if (granted.voice.empty()) {
-    fail(Failure::ProtocolError, "the server sent voice, which was not agreed");
+    fail(SessionFailed::Why::ProtocolError, "the server sent voice, which was not agreed");
   } else if (!voice.place_ms && !voice_to) {
-    fail(Failure::ProtocolError, "the server's first voice packet has no place");
+    fail(SessionFailed::Why::ProtocolError, "the server's first voice packet has no place");
   } else if (!stopped) {
     const Milliseconds place = voice.place_ms ? Milliseconds(*voice.place_ms) : *voice_to;
     voice_to = place + opus_duration(voice.opus).value_or(Milliseconds{0});
@@ -189,7 +187,7 @@ void ClientSession::State::handle(const VoiceData& voice) {
 void ClientSession::State::handle(const Caption& caption) {
   sound_bytes += decoder.taken_bytes();
   if (!granted.text) {
-    fail(Failure::ProtocolError, "the server sent captions, which were not agreed");
+    fail(SessionFailed::Why::ProtocolError, "the server sent captions, which were not agreed");
   } else if (!stopped) {
     events.emplace_back(DeliverCaption{caption});
   }
@@ -211,7 +209,7 @@ void ClientSession::State::lose(std::string_view broke) {
                           ? "the connection ended within a packet"
                           : "the connection ended before the end of the stream, {-2}";
     if (!broke.empty()) how.append(": ").append(broke);
-    fail(Failure::Lost, std::move(how));
+    fail(SessionFailed::Why::Lost, std::move(how));
   }
 }
 
@@ -240,9 +238,10 @@ std::vector<ClientEvent> ClientSession::on_bytes(std::string_view& bytes, Instan
   } else if (const auto packet = state.decoder.next(bytes)) {
     std::visit([&state](const auto& kind) { state.handle(kind); }, *packet);
   } else if (const auto& error = state.decoder.error()) {
-    state.fail(Failure::ProtocolError, "the server sent what is not the protocol: " +
-                                           error->reason + " (" + std::string(name(error->fault)) +
-                                           " at byte " + std::to_string(error->position) + ")");
+    state.fail(SessionFailed::Why::ProtocolError,
+               "the server sent what is not the protocol: " + error->reason + " (" +
+                   std::string(name(error->fault)) + " at byte " + std::to_string(error->position) +
+                   ")");
   }
   return state.take_events();
 }
@@ -257,7 +256,7 @@ std::vector<ClientEvent> ClientSession::on_closed(Instant, std::string_view brok
 std::vector<ClientEvent> ClientSession::on_time(Instant now) {
   if (state_->deadline && now >= *state_->deadline) {
     const auto silence = std::chrono::duration_cast<Milliseconds>(state_->options.silence_max);
-    state_->fail(Failure::Silent,
+    state_->fail(SessionFailed::Why::Silent,
                  "nothing came from the server within " + std::to_string(silence.count()) + " ms");
   }
   return state_->take_events();

@@ -12,14 +12,14 @@ namespace {
 using tls::Channel;
 using Why = Ending::Why;
 
-Why why_of(Channel::Failure failure) {
-  switch (failure) {
-    case Channel::Failure::NotTls:
+Why why_of(Channel::Why why) {
+  switch (why) {
+    case Channel::Why::NotTls:
       return Why::NotTls;
-    case Channel::Failure::Untrusted:
+    case Channel::Why::Untrusted:
       return Why::Untrusted;
-    case Channel::Failure::None:
-    case Channel::Failure::Broken:
+    case Channel::Why::None:
+    case Channel::Why::Broken:
       break;
   }
   return Why::TlsFailed;
@@ -59,8 +59,7 @@ class TlsLink final : public ChannelLink<Channel> {
     flush();
     if (!listening()) return;
     if (!good) {
-      fail(why_of(channel_.failure()), channel_.reason(),
-           channel_.failure() == Channel::Failure::NotTls);
+      fail(why_of(channel_.why()), channel_.reason(), channel_.why() == Channel::Why::NotTls);
     } else if (channel_.ended()) {
       tell_peer_end();
     }

@@ -180,10 +180,10 @@ bool Channel::looks_like_tls(std::string_view wire) const {
 }
 
 bool Channel::received(std::string_view wire, std::string& plain) {
-  if (failure_ != Failure::None) return false;
+  if (why_ != Why::None) return false;
   if (wire.empty()) return true;
   if (!std::exchange(heard_, true) && !looks_like_tls(wire)) {
-    failure_ = Failure::NotTls;
+    why_ = Why::NotTls;
     reason_ = peer_->server
                   ? "the client does not speak TLS, as this server wants (--tls)"
                   : "the server does not speak TLS; leave out --tls (of aucasts:// the s), or "
@@ -192,7 +192,7 @@ bool Channel::received(std::string_view wire, std::string& plain) {
   }
   BIO_write(SSL_get_rbio(ssl_.get()), wire.data(), length_of(wire));
   if (!ready()) shake_hands();
-  while (ready() && failure_ == Failure::None && !ended_) {
+  while (ready() && why_ == Why::None && !ended_) {
     std::array<char, 4096> bytes;
     ERR_clear_error();
     const int count = SSL_read(ssl_.get(), bytes.data(), static_cast<int>(bytes.size()));
@@ -208,7 +208,7 @@ bool Channel::received(std::string_view wire, std::string& plain) {
       fail();
     }
   }
-  return failure_ == Failure::None;
+  return why_ == Why::None;
 }
 
 void Channel::shake_hands() {
@@ -225,7 +225,7 @@ void Channel::fail() {
   const int reason = ERR_GET_REASON(code);
   const char* const text = ERR_reason_error_string(code);
   const std::string said = text == nullptr ? "no cause is known" : text;
-  failure_ = Failure::Untrusted;
+  why_ = Why::Untrusted;
   if (reason == SSL_R_CERTIFICATE_VERIFY_FAILED) {
     reason_ = peer_->verdict;
   } else if (reason == SSL_R_PEER_DID_NOT_RETURN_A_CERTIFICATE) {
@@ -235,20 +235,20 @@ void Channel::fail() {
                             : "the server wants a certificate of ours that it believes: " + said +
                                   "; --tls-cert and --tls-key show one";
   } else {
-    failure_ = Failure::Broken;
+    why_ = Why::Broken;
     reason_ = "it broke off: " + said;
   }
 }
 
 void Channel::send(std::string_view plain) {
-  if (failure_ != Failure::None || plain.empty()) return;
+  if (why_ != Why::None || plain.empty()) return;
   ERR_clear_error();
   // The BIO takes everything, so it is always written whole.
   if (SSL_write(ssl_.get(), plain.data(), length_of(plain)) <= 0) fail();
 }
 
 void Channel::end() {
-  if (failure_ != Failure::None || !ready()) return;
+  if (why_ != Why::None || !ready()) return;
   ERR_clear_error();
   SSL_shutdown(ssl_.get());
   ERR_clear_error();

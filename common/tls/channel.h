@@ -20,7 +20,7 @@ namespace aucast::tls {
 class Channel {
  public:
   /// Why a failed channel failed, as far as the owner's next step goes.
-  enum class Failure : std::uint8_t {
+  enum class Why : std::uint8_t {
     None,
     NotTls,     ///< the peer's first bytes are none of TLS
     Untrusted,  ///< a certificate is not believed, by us or by the peer
@@ -46,7 +46,7 @@ class Channel {
   [[nodiscard]] bool ready() const;
   /// The peer has said its last word.
   [[nodiscard]] bool ended() const;
-  [[nodiscard]] Failure failure() const { return failure_; }
+  [[nodiscard]] Why why() const { return why_; }
   /// A sentence about the failure; peer text escaped.
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
@@ -64,7 +64,7 @@ class Channel {
   std::unique_ptr<ssl_st, Free> ssl_;
   bool heard_ = false;  ///< anything has come
   bool ended_ = false;
-  Failure failure_ = Failure::None;
+  Why why_ = Why::None;
   std::string reason_;
 };
 

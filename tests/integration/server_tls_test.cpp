@@ -134,7 +134,7 @@ TEST_F(ServerTls, WantsClientsCertificates) {
   TlsClient none(server.address(), context_);
   none.shake_hands();
   EXPECT_EQ(none.receive_all(), "");
-  EXPECT_EQ(none.channel().failure(), tls::Channel::Failure::Untrusted);
+  EXPECT_EQ(none.channel().why(), tls::Channel::Why::Untrusted);
   none.raw().end_sending();
   EXPECT_EQ(server.terminate(), 0);
   EXPECT_NE(server.log().find("the client showed no certificate"), std::string::npos);

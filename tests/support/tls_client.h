@@ -55,7 +55,7 @@ class TlsClient {
 
  private:
   bool step() {
-    if (channel_.ended() || channel_.failure() != tls::Channel::Failure::None) return false;
+    if (channel_.ended() || channel_.why() != tls::Channel::Why::None) return false;
     const std::string wire = client_.receive(1);
     if (wire.empty()) return false;
     channel_.received(wire, received_);

@@ -15,7 +15,7 @@ namespace {
 
 using test::Authority;
 using test::Certificate;
-using Failure = Channel::Failure;
+using Why = Channel::Why;
 
 Context server_of(const Certificate& own, const std::string& client_authorities = {}) {
   auto made = Context::for_server({own.file, own.key, client_authorities});
@@ -71,8 +71,8 @@ class TlsChannel : public ::testing::Test {
   }
 };
 
-void expect_reason(const Channel& channel, Failure failure, const std::string& text) {
-  EXPECT_EQ(channel.failure(), failure);
+void expect_reason(const Channel& channel, Why why, const std::string& text) {
+  EXPECT_EQ(channel.why(), why);
   EXPECT_NE(channel.reason().find(text), std::string::npos) << channel.reason();
 }
 
@@ -104,8 +104,8 @@ TEST_F(TlsChannel, CarriesBytesBothWaysHoweverTheyAreCut) {
     pair.settle(portion);
     EXPECT_EQ(pair.at_server, "{hello v=2}1");
     EXPECT_TRUE(pair.server.ended());
-    EXPECT_EQ(pair.server.failure(), Failure::None);
-    EXPECT_EQ(pair.client.failure(), Failure::None);
+    EXPECT_EQ(pair.server.why(), Why::None);
+    EXPECT_EQ(pair.client.why(), Why::None);
   }
 }
 
@@ -114,24 +114,23 @@ TEST_F(TlsChannel, BelievesAnAddressThatTheCertificateIsFor) {
 }
 
 TEST_F(TlsChannel, RefusesAnotherNameOrAddress) {
-  expect_reason(meet(own_, "other.example", authority_.file()), Failure::Untrusted,
+  expect_reason(meet(own_, "other.example", authority_.file()), Why::Untrusted,
                 "the server's certificate is for face.example, 10.1.2.3, not for other.example");
-  expect_reason(meet(own_, "10.1.2.4", authority_.file()), Failure::Untrusted, "not for 10.1.2.4");
+  expect_reason(meet(own_, "10.1.2.4", authority_.file()), Why::Untrusted, "not for 10.1.2.4");
 }
 
 TEST_F(TlsChannel, RefusesAnUnknownAuthority) {
   const Authority stranger("wrong");
   expect_reason(meet(own_, "face.example", stranger.file(), "does not accept this server's"),
-                Failure::Untrusted, "authority that is not known here; --tls-ca FILE");
+                Why::Untrusted, "authority that is not known here; --tls-ca FILE");
 }
 
 TEST_F(TlsChannel, RefusesWhatHasExpiredOrIsNotYetValid) {
   const Certificate old = authority_.issue("old", "DNS:face.example", -20, 10);
-  expect_reason(meet(old, "face.example", authority_.file()), Failure::Untrusted,
+  expect_reason(meet(old, "face.example", authority_.file()), Why::Untrusted,
                 "the server's certificate has expired on ");
   const Certificate young = authority_.issue("young", "DNS:face.example", 5, 10);
-  expect_reason(meet(young, "face.example", authority_.file()), Failure::Untrusted,
-                "is not valid yet");
+  expect_reason(meet(young, "face.example", authority_.file()), Why::Untrusted, "is not valid yet");
 }
 
 TEST_F(TlsChannel, AsksForTheClientsCertificate) {
@@ -143,28 +142,28 @@ TEST_F(TlsChannel, AsksForTheClientsCertificate) {
   Pair right{Channel(server), Channel(client_of(authority_.file(), known), "face.example")};
   right.settle();
   EXPECT_TRUE(right.server.ready());
-  EXPECT_EQ(right.client.failure(), Failure::None);
+  EXPECT_EQ(right.client.why(), Why::None);
 
   Pair none{Channel(server), Channel(client_of(authority_.file()), "face.example")};
   none.settle();
-  expect_reason(none.server, Failure::Untrusted, "showed no certificate (--tls-client-ca)");
-  expect_reason(none.client, Failure::Untrusted, "the server wants a certificate of ours");
+  expect_reason(none.server, Why::Untrusted, "showed no certificate (--tls-client-ca)");
+  expect_reason(none.client, Why::Untrusted, "the server wants a certificate of ours");
 
   Pair wrong{Channel(server), Channel(client_of(authority_.file(), unknown), "face.example")};
   wrong.settle();
-  expect_reason(wrong.server, Failure::Untrusted,
+  expect_reason(wrong.server, Why::Untrusted,
                 "the client's certificate comes from an authority that is not known here");
-  expect_reason(wrong.client, Failure::Untrusted, "the server wants a certificate of ours");
+  expect_reason(wrong.client, Why::Untrusted, "the server wants a certificate of ours");
 }
 
 TEST_F(TlsChannel, SaysWhenThePeerSpeaksPlain) {
   std::string plain;
   Channel server(server_of(own_));
   EXPECT_FALSE(server.received("{hello v=2}", plain));
-  expect_reason(server, Failure::NotTls, "the client does not speak TLS");
+  expect_reason(server, Why::NotTls, "the client does not speak TLS");
   Channel client(client_of(authority_.file()), "face.example");
   EXPECT_FALSE(client.received("{1,6,12}", plain));
-  expect_reason(client, Failure::NotTls, "the server does not speak TLS");
+  expect_reason(client, Why::NotTls, "the server does not speak TLS");
   EXPECT_EQ(plain, "");
 }
 
@@ -195,7 +194,7 @@ TEST_F(TlsChannel, DamageOnTheWayIsNoticed) {
   std::string plain;
   EXPECT_FALSE(pair.client.received(wire, plain));
   EXPECT_EQ(plain, "");
-  EXPECT_EQ(pair.client.failure(), Failure::Broken);
+  EXPECT_EQ(pair.client.why(), Why::Broken);
 }
 
 }  // namespace
