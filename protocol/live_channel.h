@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/time.h"
+#include "protocol/encoded_track.h"
 #include "protocol/packet.h"
 #include "protocol/recent.h"
-#include "protocol/voice_track.h"
 
 namespace aucast::protocol {
 

@@ -5,9 +5,9 @@
 
 #include "common/time.h"
 #include "protocol/encoded_stream.h"
+#include "protocol/encoded_track.h"
 #include "protocol/live_channel.h"
 #include "protocol/live_clock.h"
-#include "protocol/voice_track.h"
 
 namespace aucast::protocol {
 

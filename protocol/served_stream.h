@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "protocol/encoded_stream.h"
+#include "protocol/encoded_track.h"
 #include "protocol/live_channel.h"
 #include "protocol/upstream_stream.h"
-#include "protocol/voice_track.h"
 
 namespace aucast::protocol {
 

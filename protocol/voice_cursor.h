@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/time.h"
-#include "protocol/voice_track.h"
+#include "protocol/encoded_track.h"
 
 namespace aucast::protocol {
 

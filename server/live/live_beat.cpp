@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/log.h"
-#include "protocol/voice_track.h"
+#include "protocol/encoded_track.h"
 
 namespace aucast::server {
 namespace {

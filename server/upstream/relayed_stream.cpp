@@ -124,7 +124,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   recorded_->extent = Extent::Growing;
   shared_->loop = hello.loop;
   changes_ = hello.delta;
-  if (voice) voice_ = std::make_shared<protocol::VoiceTrack>();
+  if (voice) voice_ = std::make_shared<protocol::EncodedTrack>();
   if (voice || hello.text) {
     sound_ = std::make_shared<protocol::Soundtrack>();
     sound_->voice = voice_;

@@ -13,9 +13,9 @@
 #include "common/time.h"
 #include "protocol/client_session.h"
 #include "protocol/encoded_stream.h"
+#include "protocol/encoded_track.h"
 #include "protocol/live_feed.h"
 #include "protocol/upstream_stream.h"
-#include "protocol/voice_track.h"
 
 namespace aucast::server {
 
@@ -80,9 +80,9 @@ class RelayedStream {
   bool changes_ = false;  ///< of a recorded one the changes-only form is kept too
   std::uint64_t place_ms_ = 0;
   std::size_t sent_again_ = 0;  ///< keyframes of 0 ms that the parent may begin with, and are here
-  std::shared_ptr<protocol::Soundtrack> sound_;  ///< of a recorded stream; null: it has none
-  std::shared_ptr<protocol::VoiceTrack> voice_;  ///< of that; null: it has captions only
-  std::size_t caption_bytes_ = 0;                ///< of that
+  std::shared_ptr<protocol::Soundtrack> sound_;    ///< of a recorded stream; null: it has none
+  std::shared_ptr<protocol::EncodedTrack> voice_;  ///< of that; null: it has captions only
+  std::size_t caption_bytes_ = 0;                  ///< of that
   std::uint64_t looks_ = 0;  ///< at whether there is room for more of a recorded stream
   Milliseconds shift_{0};    ///< live: from the clock of the connection to that of the feed
 };

@@ -29,12 +29,12 @@ VoiceTracks::~VoiceTracks() {
   if (thread_.joinable()) thread_.join();
 }
 
-std::shared_ptr<const protocol::VoiceTrack> VoiceTracks::track_of(const VoiceFile& file) {
+std::shared_ptr<const protocol::EncodedTrack> VoiceTracks::track_of(const VoiceFile& file) {
   std::erase_if(tracks_, [](const auto& entry) { return entry.second.expired(); });
   for (const auto& [known, held] : tracks_) {
     if (auto track = held.lock(); track && known == file) return track;
   }
-  auto track = std::make_shared<protocol::VoiceTrack>();
+  auto track = std::make_shared<protocol::EncodedTrack>();
   tracks_.emplace_back(file, track);
   const std::lock_guard lock(mutex_);
   if (stopped_) return track;

@@ -13,7 +13,7 @@
 #include <asio/io_context.hpp>
 
 #include "common/voice/voice_encoder.h"
-#include "protocol/voice_track.h"
+#include "protocol/encoded_track.h"
 #include "server/voice/voice_file.h"
 
 namespace aucast::server {
@@ -34,7 +34,7 @@ class VoiceTracks {
 
   /// The voice of a file, which grows from now on. As long as anybody holds it, an equal file has
   /// the same voice.
-  [[nodiscard]] std::shared_ptr<const protocol::VoiceTrack> track_of(const VoiceFile& file);
+  [[nodiscard]] std::shared_ptr<const protocol::EncodedTrack> track_of(const VoiceFile& file);
   /// Something is being encoded: a disk that hangs would hold up the destructor.
   [[nodiscard]] bool running() const;
   /// Nothing more is encoded.
@@ -43,7 +43,7 @@ class VoiceTracks {
  private:
   struct Job {
     VoiceFile file;
-    std::weak_ptr<protocol::VoiceTrack> track;
+    std::weak_ptr<protocol::EncodedTrack> track;
     std::optional<VoiceReader> reader;  ///< opened when its turn has come
   };
 
@@ -56,7 +56,7 @@ class VoiceTracks {
   asio::io_context& io_;
   voice::VoiceSettings settings_;
   std::function<void()> on_grown_;
-  std::vector<std::pair<VoiceFile, std::weak_ptr<protocol::VoiceTrack>>> tracks_;
+  std::vector<std::pair<VoiceFile, std::weak_ptr<protocol::EncodedTrack>>> tracks_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Job> jobs_;   ///< under mutex_

@@ -46,7 +46,7 @@ class Watch {
 
 /// A voice with a gap and a tail, and two captions.
 std::shared_ptr<const Soundtrack> spoken_words() {
-  auto voice = std::make_shared<VoiceTrack>();
+  auto voice = std::make_shared<EncodedTrack>();
   for (const int place : {0, 60, 200, 400}) voice->add({Milliseconds(place), "\x58\x01"});
   voice->finish();
   return std::make_shared<const Soundtrack>(Soundtrack{voice, {{0, "a"}, {260, ""}}});

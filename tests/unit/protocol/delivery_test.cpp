@@ -43,7 +43,7 @@ class VoiceInTheMaking : public ::testing::Test {
     return bytes;
   }
 
-  std::shared_ptr<VoiceTrack> track_ = std::make_shared<VoiceTrack>();
+  std::shared_ptr<EncodedTrack> track_ = std::make_shared<EncodedTrack>();
   ServedStream stream_;
   std::optional<Delivery> delivery_;
 };

@@ -70,7 +70,7 @@ TEST(LiveReplay, ALoopGoesOnCountingAndHasNoLength) {
 }
 
 TEST(LiveReplay, InALoopEachTurnsVoiceBeginsAtItsBeginning) {
-  auto voice = std::make_shared<VoiceTrack>();
+  auto voice = std::make_shared<EncodedTrack>();
   for (const int place : {0, 60, 180}) voice->add({Milliseconds(place), "\x58\x01"});
   voice->finish();
   LiveReplay replay(stream_of(times(2, 100)), true, kReplayBegin,

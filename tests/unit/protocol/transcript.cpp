@@ -89,7 +89,7 @@ void add_sound(ServedStream& stream, const Line& line, const std::vector<std::st
         {static_cast<std::uint64_t>(place),
          line.rest.substr(std::min(words.front().size() + 1, line.rest.size()))});
   } else {
-    VoiceTrack track = sound.voice ? *sound.voice : VoiceTrack{};
+    EncodedTrack track = sound.voice ? *sound.voice : EncodedTrack{};
     Milliseconds at(place);
     for (std::size_t i = 1; i < words.size(); ++i) {
       const std::string opus = from_base64(words[i]).value_or("");
@@ -97,7 +97,7 @@ void add_sound(ServedStream& stream, const Line& line, const std::vector<std::st
       at += opus_duration(opus).value_or(Milliseconds{0});
     }
     track.finish();
-    sound.voice = std::make_shared<const VoiceTrack>(std::move(track));
+    sound.voice = std::make_shared<const EncodedTrack>(std::move(track));
   }
   recorded.sound = std::make_shared<const Soundtrack>(std::move(sound));
 }

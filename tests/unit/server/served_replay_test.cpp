@@ -32,7 +32,7 @@ std::shared_ptr<const protocol::EncodedStream> face() {
 /// A packet of 75 bytes for each 60 ms of them.
 std::shared_ptr<const protocol::Soundtrack> voice() {
   const std::string opus = "\x58" + std::string(74, 'x');
-  auto track = std::make_shared<protocol::VoiceTrack>();
+  auto track = std::make_shared<protocol::EncodedTrack>();
   for (Milliseconds at{0}; at < 10s; at += 60ms) track->add({at, opus});
   track->finish();
   protocol::Soundtrack sound;

@@ -144,7 +144,7 @@ TEST_F(RelayOfTalk, KeepsTheVoiceOfARecordedStreamOnce) {
   connect();
   hear(kSpoken + "}{a@0 CP/+}{t@0 SGk}{1}");
   ASSERT_NE(stream_.shared()->recorded()->sound, nullptr);
-  const protocol::VoiceTrack& voice = *stream_.shared()->recorded()->sound->voice;
+  const protocol::EncodedTrack& voice = *stream_.shared()->recorded()->sound->voice;
   EXPECT_EQ(voice.packets().size(), 1U);
   EXPECT_EQ(voice.encoded_until(), Milliseconds(40));
   EXPECT_FALSE(voice.complete());

@@ -183,7 +183,7 @@ TEST_F(VoiceFileTest, CheckTellsLengthsAndSilence) {
 
 class VoiceTracksTest : public VoiceFileTest {
  protected:
-  void run_until_complete(const protocol::VoiceTrack& track) {
+  void run_until_complete(const protocol::EncodedTrack& track) {
     while (!track.complete() && io_.run_one_for(10s) > 0) {
     }
     EXPECT_TRUE(track.complete());

@@ -26,7 +26,7 @@ struct EncodedVoice {
 /// The voice of a recorded stream, encoded once and shared by all clients. It grows while the sound
 /// is still being encoded. Places count from the stream's beginning.
 /// Thread: that of the sessions.
-class VoiceTrack {
+class EncodedTrack {
  public:
   /// The next packet. Its place is at the end of the one before or later.
   void add(const VoicePacket& packet);
@@ -52,9 +52,9 @@ class VoiceTrack {
 
 /// What goes with a recorded stream's keyframes for clients that ask for it.
 struct Soundtrack {
-  std::shared_ptr<const VoiceTrack> voice{};  ///< null: there is none
-  std::vector<Caption> captions{};            ///< their places never fall
-  bool captions_come = false;                 ///< a relay may still receive some
+  std::shared_ptr<const EncodedTrack> voice{};  ///< null: there is none
+  std::vector<Caption> captions{};              ///< their places never fall
+  bool captions_come = false;                   ///< a relay may still receive some
 
   [[nodiscard]] bool has_captions() const { return captions_come || !captions.empty(); }
 };

@@ -1,4 +1,4 @@
-#include "protocol/voice_track.h"
+#include "protocol/encoded_track.h"
 
 #include "common/check.h"
 #include "protocol/codec.h"
@@ -10,7 +10,7 @@ EncodedVoice::EncodedVoice(const VoicePacket& packet)
       end(packet.place + opus_duration(packet.opus).value_or(Milliseconds{0})),
       continued(encode(VoiceData{std::nullopt, packet.opus})) {}
 
-void VoiceTrack::add(const VoicePacket& packet) {
+void EncodedTrack::add(const VoicePacket& packet) {
   AUCAST_CHECK(packets_.empty() || packet.place >= packets_.back().end);
   packets_.emplace_back(packet);
   bytes_ += packets_.back().continued.size();
