@@ -148,6 +148,16 @@ void apply_terms(AuFrame& frame, std::span<const AuTerm> terms) {
   }
 }
 
+AuFrame between(const AuFrame& from, const AuFrame& to, double share) {
+  const auto part = static_cast<float>(share);
+  AuFrame frame;
+  for (std::size_t number = 0; number < kAuCount; ++number) {
+    frame.left[number] = std::lerp(from.left[number], to.left[number], part);
+    frame.right[number] = std::lerp(from.right[number], to.right[number], part);
+  }
+  return frame;
+}
+
 AuFrame frame_from_terms(std::span<const AuTerm> terms) {
   AuFrame frame;
   apply_terms(frame, terms);

@@ -58,6 +58,9 @@ struct SidedName {
   return side == Side::Left ? Side::Right : side == Side::Right ? Side::Left : side;
 }
 
+/// The frame `share` of the way between two, with a share from 0 to 1.
+[[nodiscard]] AuFrame between(const AuFrame& from, const AuFrame& to, double share);
+
 /// The frame that the terms describe. A repeated AU and side: the last wins; AU 0 adds nothing; 0
 /// percent is absent.
 [[nodiscard]] AuFrame frame_from_terms(std::span<const AuTerm> terms);

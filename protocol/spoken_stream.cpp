@@ -1,7 +1,6 @@
 #include "protocol/spoken_stream.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "common/check.h"
@@ -9,16 +8,6 @@
 
 namespace aucast::protocol {
 namespace {
-
-AuFrame between(const AuFrame& from, const AuFrame& to, double mu) {
-  AuFrame frame;
-  const auto share = static_cast<float>(mu);
-  for (std::size_t au = 0; au < frame.left.size(); ++au) {
-    frame.left[au] = std::lerp(from.left[au], to.left[au], share);
-    frame.right[au] = std::lerp(from.right[au], to.right[au], share);
-  }
-  return frame;
-}
 
 /// Encodes keyframes of any time in pieces.
 class Cutter {

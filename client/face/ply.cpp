@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/check.h"
+#include "common/srgb.h"
 #include "common/text.h"
 
 namespace aucast::face {
@@ -31,18 +32,6 @@ struct MapRange {
 constexpr MapRange kMapRanges[] = {{"muscle", 0, 1},    {"jaw", 0, 1},
                                    {"head", 0, 1},      {"lid_angle", -1.5707964F, 1.5707964F},
                                    {"occlusion", 0, 1}, {"gloss", 0, 4}};
-
-float linear_of_srgb(std::uint8_t byte) {
-  const float value = static_cast<float>(byte) / 255.0F;
-  return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
-}
-
-std::uint8_t srgb_of_linear(float linear) {
-  const float clamped = std::clamp(linear, 0.0F, 1.0F);
-  const float value =
-      clamped <= 0.0031308F ? clamped * 12.92F : 1.055F * std::pow(clamped, 1.0F / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(value * 255.0F));
-}
 
 template <typename T>
 T read_at(std::string_view bytes, std::size_t position) {
@@ -445,8 +434,7 @@ std::string format_ply(const FaceMesh& mesh, std::span<const Polygon> polygons) 
       const std::size_t i = mesh.parts[part].vertex_begin + k;
       for (int axis = 0; axis < 3; ++axis) append(bytes, mesh.positions[i][axis]);
       for (int c = 0; c < 3; ++c) append(bytes, srgb_of_linear(mesh.colours[i][c]));
-      append(bytes, static_cast<std::uint8_t>(
-                        std::lround(std::clamp(mesh.colours[i][3], 0.0F, 1.0F) * 255.0F)));
+      append(bytes, byte_of_share(mesh.colours[i][3]));
       append(bytes, static_cast<std::uint8_t>(part));
       for (const auto& [map_name, map] : maps) append(bytes, (*map)[i]);
     }

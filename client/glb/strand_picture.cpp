@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "common/srgb.h"
+
 namespace aucast::glb {
 namespace {
 
@@ -41,14 +43,6 @@ float lightness(int x, int y) {
   return std::clamp(0.3F * scattered(strand) + 0.45F * along + 0.4F * tuft, -1.0F, 1.0F);
 }
 
-std::uint8_t byte(float share) {
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0F, 1.0F)));
-}
-
-float to_srgb(float linear) {
-  return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
-}
-
 }  // namespace
 
 view::Image strand_picture(bool grey) {
@@ -58,8 +52,8 @@ view::Image strand_picture(bool grey) {
       const float light = (1 + contrast(grey) * lightness(x, y)) / strand_picture_gain(grey);
       const float length = 0.75F + 0.22F * scattered(static_cast<std::uint32_t>(x) + 7'000U);
       const auto at = static_cast<std::size_t>(4 * (y * kWidth + x));
-      std::fill_n(picture.rgba.begin() + static_cast<std::ptrdiff_t>(at), 3, byte(to_srgb(light)));
-      picture.rgba[at + 3] = byte(length);
+      std::fill_n(picture.rgba.begin() + static_cast<std::ptrdiff_t>(at), 3, srgb_of_linear(light));
+      picture.rgba[at + 3] = byte_of_share(length);
     }
   }
   return picture;

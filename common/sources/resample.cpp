@@ -9,16 +9,6 @@
 namespace aucast::sources {
 namespace {
 
-AuFrame between(const AuFrame& from, const AuFrame& to, double share) {
-  const auto part = static_cast<float>(share);
-  AuFrame frame;
-  for (std::size_t number = 0; number < kAuCount; ++number) {
-    frame.left[number] = from.left[number] + (to.left[number] - from.left[number]) * part;
-    frame.right[number] = from.right[number] + (to.right[number] - from.right[number]) * part;
-  }
-  return frame;
-}
-
 /// A stream read as a curve over time; moments are asked for in ascending order.
 class Curve {
  public:

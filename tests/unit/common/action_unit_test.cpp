@@ -84,6 +84,15 @@ TEST(FacsNumber, IsFoundByEveryNameAndByNothingElse) {
   }
 }
 
+TEST(Between, EndsAtBothFramesAndKeepsSidesApart) {
+  const AuFrame from = frame_from_terms(Terms{{12, Side::Left, 20}});
+  const AuFrame to = frame_from_terms(Terms{{12, Side::Both, 80}, {4, Side::Right, 30}});
+  EXPECT_EQ(between(from, to, 0), from);
+  EXPECT_EQ(between(from, to, 1), to);
+  EXPECT_EQ(canonical_terms(between(from, to, 0.5)),
+            (Terms{{4, Side::Right, 15}, {12, Side::Left, 50}, {12, Side::Right, 40}}));
+}
+
 TEST(PercentOf, RoundsAndCuts) {
   EXPECT_EQ(percent_of(0.004F), 0);
   EXPECT_EQ(percent_of(0.005F), 1);
