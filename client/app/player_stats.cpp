@@ -36,9 +36,9 @@ void PlayerStats::take(const playback::Playback& playback) {
   keyframes_played = playback.keyframes_played();
   stalls = playback.stalls();
   media_seconds = seconds(playback.media_time());
-  live_delay = playback.delays().all();
+  delay_measured = playback.delays().all();
   const playback::DelaySummary meant = playback.delays_meant().all();
-  if (meant.keyframes > 0) live_delay_target = meant.median;
+  if (meant.keyframes > 0) delay_aimed_at = meant.median;
 }
 
 void PlayerStats::take(const playback::SourceStatus& status) {
@@ -49,7 +49,7 @@ void PlayerStats::take(const playback::SourceStatus& status) {
   resumes_sent = status.resumes_sent;
   negotiated = status.negotiated;
   live = status.live;
-  if (live && !live_delay_target) live_delay_target = status.delay;
+  if (live && !delay_aimed_at) delay_aimed_at = status.delay;
   keyframes_dropped = status.keyframes_dropped;
   voice_left_out = status.voice_left_out;
   captions_left_out = status.captions_left_out;
@@ -79,13 +79,13 @@ std::string to_json(const PlayerStats& stats) {
   json["first_frame_ms"] = stats.first_frame_ms;
   json["protocol_level"] = stats.negotiated ? 2 : 1;
   json["live"] = stats.live;
-  const bool measured = stats.live_delay.keyframes > 0;
+  const bool measured = stats.delay_measured.keyframes > 0;
   const auto delay = [measured](Duration time) {
     return measured ? nlohmann::ordered_json(milliseconds(time)) : nlohmann::ordered_json();
   };
-  json["live_delay_p50_ms"] = delay(stats.live_delay.median);
-  json["live_delay_max_ms"] = delay(stats.live_delay.longest);
-  json["live_delay_target_ms"] = delay(stats.live_delay_target.value_or(Duration::zero()));
+  json["live_delay_p50_ms"] = delay(stats.delay_measured.median);
+  json["live_delay_max_ms"] = delay(stats.delay_measured.longest);
+  json["live_delay_target_ms"] = delay(stats.delay_aimed_at.value_or(Duration::zero()));
   json["keyframes_dropped"] = stats.keyframes_dropped;
   json["voice_left_out"] = stats.voice_left_out;
   json["captions_left_out"] = stats.captions_left_out;

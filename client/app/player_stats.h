@@ -30,12 +30,12 @@ struct PlayerStats {
   bool negotiated = false;    ///< level 2
   bool live = false;
   /// Live: from the arrival of a keyframe until the face had reached it.
-  playback::DelaySummary live_delay;
-  std::optional<Duration> live_delay_target;  ///< what was aimed at: the usual, or that of the end
-  std::uint64_t keyframes_dropped = 0;        ///< live: to catch up
-  std::uint64_t voice_left_out = 0;           ///< packets that there was no room for
-  std::uint64_t captions_left_out = 0;        ///< likewise
-  std::uint64_t reconnects = 0;               ///< attempts after a loss
+  playback::DelaySummary delay_measured;
+  std::optional<Duration> delay_aimed_at;  ///< what was aimed at: the usual, or that of the end
+  std::uint64_t keyframes_dropped = 0;     ///< live: to catch up
+  std::uint64_t voice_left_out = 0;        ///< packets that there was no room for
+  std::uint64_t captions_left_out = 0;     ///< likewise
+  std::uint64_t reconnects = 0;            ///< attempts after a loss
   sound::SoundCounts sound;
   std::string end_reason = "failed";  ///< a name of EndReason, or failed for what went wrong here
   std::string detail;
