@@ -26,9 +26,9 @@ STRENGTH = {12: (0.8, 1.9), 45: (1, 1)}  # shipped heads smile less broadly than
 STRENGTH_OTHERWISE = (0.75, 1.3)
 # What some people do more than the shipped heads, up to: a smile and parted lips bare the upper teeth
 # without 10, and cheeks and smile draw the brows down without 4.
-MORE = {12: {"levator_labii": 0.5, "nasalis": 0.5, "depressor_supercilii": 0.3},
+MORE = {12: {"levator_labii": 0.5, "nasalis": 0.5, "depressor_supercilii": 0.25},
         25: {"levator_labii": 1.2, "depressor_labii": 0.8, "jaw": 0.3},
-        6: {"depressor_supercilii": 0.45, "procerus": 0.15},
+        6: {"depressor_supercilii": 0.4, "procerus": 0.15},
         64: {"lid_close": 0.3}}
 HEAD = 51  # the first AU of head and eyes, which turn alike on everybody
 NEUTRAL_PICTURES = 6
