@@ -23,6 +23,35 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
   return end_b == b.end();
 }
 
+/// A face may use files of another one, as the people that come with the player share their
+/// muscles. A copy of `from` stands alone: it has such files in its own folder.
+Result<void> make_whole(const fs::path& copy, const fs::path& from) {
+  const fs::path description = copy / "face.toml";
+  if (!fs::exists(description)) return {};
+  const auto document = read_toml(description);
+  if (!document) return document.error();
+  auto text = read_file(description);
+  if (!text) return text.error();
+  for (const char* key : {"mesh", "muscles", "aus"}) {
+    const TomlValue* named = document->find(key);
+    if (named == nullptr) continue;
+    const fs::path file = fs::path(named->text).lexically_normal();
+    if (file.is_relative() && *file.begin() != "..") continue;
+    std::string name = file.filename().string();
+    if (fs::exists(copy / name)) name = file.parent_path().filename().string() + "_" + name;
+    fs::copy_file(from / file, copy / name);
+    std::size_t line = 0;
+    for (std::size_t i = 1; i < named->place.line; ++i) line = text->find('\n', line) + 1;
+    const std::size_t at = text->find(named->text, line);
+    if (at == std::string::npos) {
+      return Error{ErrorKind::BadData, at_place(description.string(), named->place.line,
+                                                named->place.column, "is written with escapes")};
+    }
+    text->replace(at, named->text.size(), name);
+  }
+  return write_file_atomically(description, *text);
+}
+
 /// The file name that face.toml gives for its AUs.
 Result<fs::path> aus_file_of(const fs::path& face_folder) {
   const fs::path description = face_folder / "face.toml";
@@ -98,9 +127,14 @@ Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user
     fs::create_directories(user_faces);
     fs::remove_all(unfinished);
     fs::copy(from, unfinished, fs::copy_options::recursive);
+    const Result<void> whole = make_whole(unfinished, from);
     // Shipped files may be read-only; a copy is there to be changed.
     for (const auto& entry : fs::recursive_directory_iterator(unfinished)) {
       fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);
+    }
+    if (!whole) {
+      fs::remove_all(unfinished);
+      return whole.error();
     }
     fs::rename(unfinished, copy);
     return copy;

@@ -331,12 +331,12 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
 TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   open(1, nullptr);
   // The tab; AUs 12 and 6, of which 6 is drawn down; added. Then a face from the pad, added.
-  replay("click 637 54\nclick 475 596\nclick 607 571\ndrag 773 781 650 781\nclick 475 368\n");
+  replay("click 637 54\nclick 766 597\nclick 576 597\ndrag 773 756 650 756\nclick 475 394\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 1U);
-  replay("click 639 434\nclick 766 399\nclick 475 368\n");
+  replay("click 639 460\nclick 766 425\nclick 475 394\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 2U);
   // The first is moved behind the second, which is taken back.
-  replay("click 500 156\nclick 651 278\n");
+  replay("click 560 170\nclick 651 304\n");
   EXPECT_EQ(session_->model().composer.chosen, 1);
   replay("undo\n");
   test::expect_as_baseline(panel(), "panel_compose", kTolerance, kShareMax);
@@ -347,14 +347,14 @@ TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   EXPECT_EQ(folder_.read("streams/composed.txt"),
             "Beg_Stream\n6:11,12;500\n1,2,5:25,26;550\nEnd_Stream\n");
   EXPECT_FALSE(session_->model().composer.unsaved);
-  replay("click 475 278\nat 10\nat 250\n");
+  replay("click 475 304\nat 10\nat 250\n");
   EXPECT_EQ(session_->model().remote.state, "playing");
   EXPECT_GT(shown("left_zygomaticus_major"), 0.3F);
 }
 
 TEST_F(Making, TheComposerAtTwiceTheScale) {
   open(2, nullptr);
-  replay("click 637 54\nclick 475 596\nclick 607 571\nclick 475 368\nclick 639 434\n");
+  replay("click 637 54\nclick 766 597\nclick 576 597\nclick 475 394\nclick 639 460\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 1U);
   test::expect_as_baseline(panel(), "panel_compose_twice", kTolerance, kShareMax);
 }

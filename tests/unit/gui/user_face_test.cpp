@@ -57,6 +57,29 @@ TEST_F(UserFace, AShippedFaceIsCopiedOnce) {
   EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 1);
 }
 
+TEST_F(UserFace, ACopyHasWhatItsFaceTakesFromAnother) {
+  const fs::path other = shipped_.parent_path() / "other";
+  fs::create_directories(other);
+  fs::copy(shipped_ / "mesh.ply", other / "mesh.ply");
+  std::string text = folder_.read("shipped/plain/face.toml");
+  for (const std::string file : {"muscles.toml", "aus.toml"}) {
+    text.replace(text.find('"' + file), 1, "\"../plain/");
+  }
+  folder_.write("shipped/other/face.toml", text);
+  ASSERT_TRUE(face::load_face(other, folder_.path()));
+  const auto copy = writable_face(other, mine_);
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_EQ(folder_.read("home/aucast/faces/other/face.toml"),
+            folder_.read("shipped/plain/face.toml"));
+  const auto file = save_aus(*copy, {{77, {{"jaw", 1.5F}}, {}}});
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_EQ(*file, *copy / "aus.toml");
+  const auto face = face::load_face(*copy, folder_.path());
+  ASSERT_TRUE(face) << face.error().message;
+  EXPECT_TRUE(face->recordings.contains(77));
+  EXPECT_FALSE(face::load_face(other, folder_.path())->recordings.contains(77));
+}
+
 TEST_F(UserFace, TheUsersOwnFaceIsWrittenWhereItIs) {
   const auto copy = writable_face(shipped_, mine_);
   ASSERT_TRUE(copy);
