@@ -138,8 +138,10 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
   bool entered = false;
   if (saving) {
     label(look, tr("file.name"));
-    entered = ImGui::InputText("##name", form.name.data(), form.name.size(),
-                               ImGuiInputTextFlags_EnterReturnsTrue);
+    if (std::exchange(form.to_name, false)) ImGui::SetKeyboardFocusHere();
+    entered =
+        ImGui::InputText("##name", form.name.data(), form.name.size(),
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   }
   const std::string text = objection(view);
   if (!text.empty()) toned_text(view.problem.empty() ? Tone::Waiting : Tone::Bad, text);
@@ -174,6 +176,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     set_text(form.folder, view.folder);
     if (!is_saving(view.purpose)) form.name[0] = 0;
     form.to_first = !is_saving(view.purpose);
+    form.to_name = is_saving(view.purpose);
   }
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float width = std::min(560 * look.scale, screen.x - 20);

@@ -131,8 +131,9 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
       quiet_text(wrong.empty() ? " " : wrong);
       ImGui::SetCursorPosY(top + ImGui::GetFrameHeightWithSpacing());
     }
-    if (wide_button(tr("button.cancel"), 0, 2, view.running && !view.ending)) {
-      commands.push_back(GalleryCommand(CancelGallery{}));
+    if (wide_button(tr("button.cancel"), 0, 2, !view.ending)) {
+      commands.push_back(view.running ? GalleryCommand(CancelGallery{})
+                                      : GalleryCommand(CloseGallery{}));
     }
     const bool may_begin = !view.running && wrong.empty();
     if (wide_button(tr("gallery.make"), 1, 2, may_begin, may_begin)) {

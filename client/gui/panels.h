@@ -130,6 +130,7 @@ struct FileForm {
   std::string shown_folder;  ///< of the model that was taken over
   std::string shown_name;
   bool to_first = false;  ///< the focus goes to the first entry
+  bool to_name = false;   ///< the focus goes to the name
 };
 
 /// The file dialog, while the model has one open.

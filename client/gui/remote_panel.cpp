@@ -235,8 +235,9 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
   sound_part(look, model, commands);
   if (!model.remote.local) buffers(look, model, form);
   animation(look, model, commands);
-  action_units(look, model, form);
   curves_part(look, model, form.curves, commands);
+  // Last: it grows and shrinks while it plays.
+  action_units(look, model, form);
 }
 
 }  // namespace aucast::gui

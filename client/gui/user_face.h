@@ -20,8 +20,8 @@ namespace aucast::gui {
                                                               const char* home);
 
 /// The folder to write to for the face in `face_folder`: itself when it lies in `user_faces`, else
-/// user_faces/NAME, copied now unless it is there. A copy appears whole or not at all, and has in it
-/// what its face.toml takes from other folders.
+/// user_faces/NAME, copied now unless it is there. A copy appears whole or not at all, and has in
+/// it what its face.toml takes from other folders.
 [[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
                                                           const std::filesystem::path& user_faces);
 

@@ -191,6 +191,29 @@ TEST_F(Keyboard, AFileIsFoundByItsFirstLettersAndOpened) {
   EXPECT_EQ(file->file, "tired.txt");
 }
 
+TEST_F(Keyboard, ANewFileIsSavedByEnterAndTypingNamesItAnew) {
+  model_.browser.open = true;
+  model_.browser.purpose = Purpose::ExportAu;
+  model_.browser.folder = "/faces";
+  model_.browser.name = "au12.toml";
+  frames(4);
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>().has_value());
+  EXPECT_EQ(asked<ChooseFile>()->file, "au12.toml");
+  commands_.clear();
+  model_.browser = {};
+  frames(2);
+  model_.browser.open = true;
+  model_.browser.purpose = Purpose::ExportAu;
+  model_.browser.folder = "/faces";
+  model_.browser.name = "au12.toml";
+  frames(4);
+  type("smile.toml");
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>().has_value());
+  EXPECT_EQ(asked<ChooseFile>()->file, "smile.toml");
+}
+
 TEST_F(Keyboard, ArrowsWalkThroughTheFiles) {
   model_.browser.open = true;
   model_.browser.folder = "/streams";
