@@ -8,7 +8,6 @@
 #include "client/app/film/obj_writer.h"
 #include "client/app/film/picture_maker.h"
 #include "client/app/film/picture_notes.h"
-#include "client/app/film/shot.h"
 #include "client/face/au_blender.h"
 #include "client/face/face_deformer.h"
 #include "client/face/side_word.h"
@@ -92,12 +91,8 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options, c
     if (auto written = write_file_atomically(pose.obj, text); !written) return written;
   }
   if (!pose.png.empty()) {
-    auto maker = PictureMaker::create(
-        assets.face, options.output.width, options.output.height,
-        viewpoint_preset(pose.camera, assets.face),
-        backdrop(options.output.background, options.output.transparent), Sharpness::Still);
+    auto maker = PictureMaker::create(assets.face, options.output, pose.camera, Sharpness::Still);
     if (!maker) return maker.error();
-    (*maker)->show(options.output.layers);
     const auto texts = texts_of({assets.face, aus, assets.rules.name, options.face.mixer,
                                  options.output.layers, pose.camera, activations});
     return view::write_png((*maker)->picture(activations), pose.png, texts);

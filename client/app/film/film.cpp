@@ -10,7 +10,6 @@
 #include "client/app/film/film_sound.h"
 #include "client/app/film/picture_maker.h"
 #include "client/app/film/picture_sinks.h"
-#include "client/app/film/shot.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
 #include "client/pipeline/idle_face.h"
@@ -95,13 +94,9 @@ class Film {
     if (!sinks) return sinks.error();
     sinks_ = std::move(*sinks);
     const bool sheet_alone = options_.output.frames.empty() && options_.output.record.empty();
-    auto maker =
-        PictureMaker::create(assets_.face, options_.output.width, options_.output.height,
-                             viewpoint_preset("front", assets_.face),
-                             backdrop(options_.output.background, options_.output.transparent),
-                             sheet_alone ? Sharpness::Still : Sharpness::Film);
+    auto maker = PictureMaker::create(assets_.face, options_.output, "front",
+                                      sheet_alone ? Sharpness::Still : Sharpness::Film);
     if (!maker) return maker.error();
-    (*maker)->show(options_.output.layers);
     maker_ = std::move(*maker);
     return {};
   }

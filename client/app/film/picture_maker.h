@@ -2,12 +2,12 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "client/app/film/face_view.h"
+#include "client/app/player_options.h"
 #include "client/face/face.h"
 #include "client/view/image.h"
-#include "client/view/scene.h"
-#include "client/view/style.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -17,15 +17,14 @@ namespace aucast::app {
 /// The face must outlive it. Thread: the one that made it.
 class PictureMaker {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(
-      const face::Face& face, int width, int height, const view::Viewpoint& viewpoint,
-      const view::Background& behind, Sharpness sharpness);
+  /// Size, ground and layers are those of `output`; `camera`: a preset of viewpoints.
+  [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(const face::Face& face,
+                                                                    const OutputOptions& output,
+                                                                    std::string_view camera,
+                                                                    Sharpness sharpness);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
-
-  /// What is drawn of the face from now on; in the beginning the textured surface.
-  void show(const view::Layers& layers);
 
   /// Same activations, same bytes.
   [[nodiscard]] view::Image picture(std::span<const float> activations);

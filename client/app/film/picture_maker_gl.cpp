@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "client/app/film/face_view.h"
+#include "client/app/film/shot.h"
 #include "client/render/offscreen_context.h"
 
 namespace aucast::app {
@@ -27,29 +27,25 @@ struct PictureMaker::State {
 PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(state)) {}
 PictureMaker::~PictureMaker() = default;
 
-Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& face, int width,
-                                                           int height,
-                                                           const view::Viewpoint& viewpoint,
-                                                           const view::Background& behind,
+Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& face,
+                                                           const OutputOptions& output,
+                                                           std::string_view camera,
                                                            Sharpness sharpness) {
   auto context = render::OffscreenContext::create();
   if (!context) return context.error();
   auto view = FaceView::create(face);
   if (!view) return view.error();
-  if (auto prepared = (*view)->prepare(width, height, sharpness); !prepared) {
+  if (auto prepared = (*view)->prepare(output.width, output.height, sharpness); !prepared) {
     return prepared.error();
   }
   auto state = std::make_unique<State>();
-  state->viewpoint = viewpoint;
-  state->style.background = behind;
-  state->style.scale = scale_of(height);
+  state->viewpoint = viewpoint_preset(camera, face);
+  state->style.background = backdrop(output.background, output.transparent);
+  state->style.scale = scale_of(output.height);
+  state->style.layers = output.layers;
   state->context = std::move(*context);
   state->view = std::move(*view);
   return std::unique_ptr<PictureMaker>(new PictureMaker(std::move(state)));
-}
-
-void PictureMaker::show(const view::Layers& layers) {
-  state_->style.layers = layers;
 }
 
 view::Image PictureMaker::picture(std::span<const float> activations) {

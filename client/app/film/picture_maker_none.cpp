@@ -7,14 +7,11 @@ struct PictureMaker::State {};
 PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(state)) {}
 PictureMaker::~PictureMaker() = default;
 
-Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face&, int, int,
-                                                           const view::Viewpoint&,
-                                                           const view::Background&, Sharpness) {
+Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face&, const OutputOptions&,
+                                                           std::string_view, Sharpness) {
   return Error{ErrorKind::Failed,
                "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no pictures"};
 }
-
-void PictureMaker::show(const view::Layers&) {}
 
 view::Image PictureMaker::picture(std::span<const float>) {
   return {};

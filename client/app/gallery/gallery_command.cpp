@@ -14,7 +14,6 @@
 #include "client/app/film/picture_maker.h"
 #include "client/app/film/picture_notes.h"
 #include "client/app/film/picture_sinks.h"
-#include "client/app/film/shot.h"
 #include "client/app/gallery/gallery_manifest.h"
 #include "client/app/gallery/gallery_page.h"
 #include "client/app/gallery/gallery_plan.h"
@@ -92,12 +91,9 @@ class GalleryWriter {
   }
 
   Result<void> draw_all() {
-    auto maker = PictureMaker::create(
-        assets_.face, options_.output.width, options_.output.height,
-        viewpoint_preset(options_.pose.camera, assets_.face),
-        backdrop(options_.output.background, options_.output.transparent), Sharpness::Still);
+    auto maker =
+        PictureMaker::create(assets_.face, options_.output, options_.pose.camera, Sharpness::Still);
     if (!maker) return maker.error();
-    (*maker)->show(options_.output.layers);
     maker_ = std::move(*maker);
     const std::size_t stills = plan_.sweeps.empty() ? plan_.pictures.size() : plan_.sweeps[0].begin;
     for (std::size_t i = 0; i < stills; ++i) {
