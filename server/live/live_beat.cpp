@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/earlier.h"
 #include "common/log.h"
 #include "protocol/encoded_track.h"
 
@@ -86,8 +87,7 @@ void LiveBeat::wait(Instant earliest) {
   std::optional<Instant> next;
   for (const Playing& playing : playing_) {
     const auto replay = playing.replay.lock();
-    const auto at = replay ? replay->next_at() : std::nullopt;
-    if (at && (!next || *at < *next)) next = at;
+    if (replay) next = earlier(next, replay->next_at());
   }
   if (!next || stopped_) return;
   timer_.expires_at(std::max(*next, earliest));

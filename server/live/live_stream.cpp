@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/earlier.h"
 #include "common/log.h"
 #include "common/sources/hold.h"
 #include "common/sources/source_reader.h"
@@ -202,18 +203,13 @@ double LiveStream::patience() const {
 
 std::optional<double> LiveStream::next() const {
   std::optional<double> next = thinning_.due();
-  const auto earlier = [&next](std::optional<double> at) {
-    if (at) next = std::min(next.value_or(*at), *at);
-  };
-  if (const auto due = queue_.due()) {
-    earlier(due);
-    return next;
-  }
-  earlier(reader_.idle_due());
+  if (const auto due = queue_.due()) return earlier(next, due);
+  const auto perhaps = [&next](double at) { next = earlier(next, std::optional(at)); };
+  next = earlier(next, reader_.idle_due());
   const auto since = silent_since();
-  if (since && !silence_said_) earlier(*since + sources::kHoldSeconds);
-  if (since && options_.timeout.count() > 0 && !feed_->ended()) earlier(*since + patience());
-  if (clock_begin_) earlier(beat());
+  if (since && !silence_said_) perhaps(*since + sources::kHoldSeconds);
+  if (since && options_.timeout.count() > 0 && !feed_->ended()) perhaps(*since + patience());
+  if (clock_begin_) perhaps(beat());
   return next;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/earlier.h"
 #include "common/log.h"
 #include "common/sources/profile.h"
 #include "common/sources/source_reader.h"
@@ -181,7 +182,7 @@ std::optional<Instant> LiveStreams::next() const {
   if (catching_up_) return std::nullopt;
   std::optional<double> next;
   for (const auto& stream : streams_) {
-    if (const auto at = stream->next()) next = std::min(next.value_or(*at), *at);
+    next = earlier(next, stream->next());
   }
   if (!next) return std::nullopt;
   return just_after(*next);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/earlier.h"
 #include "server/live/steady_seconds.h"
 
 namespace aucast::server {
@@ -41,12 +42,9 @@ bool ServedReplay::advance(Instant now) {
 }
 
 std::optional<Instant> ServedReplay::next_at() const {
-  std::optional<Instant> next = replay_.next_at();
-  if (const auto due = thinning_.due(); due && feed_) {
-    const Instant at = just_after(*due);
-    next = std::min(next.value_or(at), at);
-  }
-  return next;
+  std::optional<Instant> thinned;
+  if (const auto due = thinning_.due(); due && feed_) thinned = just_after(*due);
+  return earlier(replay_.next_at(), thinned);
 }
 
 void ServedReplay::take_sound(double now) {

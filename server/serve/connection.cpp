@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "common/earlier.h"
 #include "common/log.h"
 #include "protocol/limits.h"
 #include "server/settings/limits.h"
@@ -268,13 +269,8 @@ void Connection::go_on() {
     if (finishing_) return;
     flush();
   }
-  std::optional<Instant> next = session_->deadline();
-  const auto sooner = [&next](std::optional<Instant> other) {
-    if (other && (!next || *other < *next)) next = other;
-  };
-  sooner(patience_ends());
-  sooner(gathered_until_);
-  link_->wake_at(next);
+  const std::optional<Instant> patience = earlier(session_->deadline(), patience_ends());
+  link_->wake_at(earlier(patience, gathered_until_));
 }
 
 /// When --client-timeout runs out: for an answer, which anything the client says puts off, or for
