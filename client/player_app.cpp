@@ -24,6 +24,7 @@
 #include "client/playback/seekable_playback.h"
 #include "common/files.h"
 #include "common/log.h"
+#include "common/standard_output.h"
 
 namespace aucast::app {
 namespace {
@@ -210,6 +211,11 @@ Result<void> run(PlayerOptions options) {
   return play_and_count(options);
 }
 
+int report(const Error& error) {
+  print_error("face-player: " + error.message);
+  return exit_code(error);
+}
+
 }  // namespace
 
 int run_player(std::vector<std::string> arguments) {
@@ -218,17 +224,13 @@ int run_player(std::vector<std::string> arguments) {
   const bool page = arguments == std::vector<std::string>{"--help-man"};
   const std::optional<std::string> script = page ? manual_page() : completion(arguments);
   if (script) {
-    std::fputs(script->c_str(), stdout);
-    return std::fflush(stdout) == 0 ? 0 : 1;
+    if (const auto printed = print_now(*script); !printed) return report(printed.error());
+    return 0;
   }
   auto options = parse_player_options(std::move(arguments));
   Result<void> done = options ? run(std::move(*options)) : Result<void>(options.error());
-  if (done && std::fflush(stdout) != 0) {
-    done = Error{ErrorKind::Failed, "standard output cannot be written"};
-  }
-  if (done) return 0;
-  print_error("face-player: " + done.error().message);
-  return exit_code(done.error());
+  if (done) done = print_now();
+  return done ? 0 : report(done.error());
 }
 
 }  // namespace aucast::app

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +17,7 @@
 #include "common/files.h"
 #include "common/log.h"
 #include "common/result.h"
+#include "common/standard_output.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
@@ -42,13 +42,6 @@ int report(const Error& error) {
   const char* prefix = error.kind == ErrorKind::BadData ? "" : "au-transmitter: ";
   print_error(prefix + error.message);
   return exit_code(error);
-}
-
-/// Prints to stdout now: whoever started us may wait for it behind a pipe.
-Result<void> print(const std::string& text) {
-  errno = 0;
-  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
-  return Error{ErrorKind::Failed, "stdout: cannot be written: " + system_reason(errno)};
 }
 
 /// Those that are live when they are served; --check reads all of them whole.
@@ -112,7 +105,7 @@ Result<std::string> check_pushes(const TransmitterOptions& options) {
 int check(const TransmitterOptions& options) {
   const auto pushes = check_pushes(options);
   if (!pushes) return report(pushes.error());
-  if (const auto printed = print(*pushes); !printed) return report(printed.error());
+  if (const auto printed = print_now(*pushes); !printed) return report(printed.error());
   const auto sources = load(options);
   if (!sources) return report(sources.error());
   if (const auto saved = save_profile_of(options.source.signal, *sources); !saved) {
@@ -127,8 +120,8 @@ int check(const TransmitterOptions& options) {
     }
     const VoiceSummary* const spoken = voice ? &*voice : nullptr;
     const auto printed =
-        print(options.estimate ? estimate_report(source, options.batch, spoken)
-                               : check_report(source, options.keyframe_ms, spoken));
+        print_now(options.estimate ? estimate_report(source, options.batch, spoken)
+                                   : check_report(source, options.keyframe_ms, spoken));
     if (!printed) return report(printed.error());
   }
   return 0;
@@ -198,8 +191,8 @@ int serve_until_signal(const TransmitterOptions& options, Repertoire repertoire)
         if (!options.stats.empty()) {
           if (auto can = check_writable(options.stats); !can) return can;
         }
-        return print("listening on " + where.address + "\n" +
-                     (where.web.empty() ? "" : "web on " + where.web + "\n"));
+        return print_now("listening on " + where.address + "\n" +
+                         (where.web.empty() ? "" : "web on " + where.web + "\n"));
       },
       [&options] { return load_repertoire(options); });
   if (!served) return report(served.error());
@@ -222,7 +215,7 @@ int convert(std::vector<std::string> arguments) {
   const auto converted = run_convert(std::move(arguments), seen ? SayProgress(say) : nullptr);
   if (progress) std::fputs("\r\033[K", stderr);
   if (!converted) return report(converted.error());
-  if (const auto printed = print(converted->text); !printed) return report(printed.error());
+  if (const auto printed = print_now(converted->text); !printed) return report(printed.error());
   std::fputs(converted->said.c_str(), stderr);
   return 0;
 }
@@ -237,17 +230,17 @@ int run_transmitter(std::vector<std::string> arguments) {
   }
   // For the build, which installs both.
   if (arguments == std::vector<std::string>{"--help-man"}) {
-    const auto printed = print(manual_page());
+    const auto printed = print_now(manual_page());
     return printed ? 0 : report(printed.error());
   }
   if (const auto script = completion(arguments)) {
-    const auto printed = print(*script);
+    const auto printed = print_now(*script);
     return printed ? 0 : report(printed.error());
   }
   const auto command = read_command_line(std::move(arguments), surroundings_of_process());
   if (!command) return report(command.error());
   if (!command->text.empty()) {
-    const auto printed = print(command->text);
+    const auto printed = print_now(command->text);
     return printed ? 0 : report(printed.error());
   }
   const TransmitterOptions& options = command->options;

@@ -14,6 +14,7 @@
 #include "common/manual.h"
 #include "common/options.h"
 #include "common/result.h"
+#include "common/standard_output.h"
 #include "common/text.h"
 #include "common/voice/sound_file.h"
 #include "common/voice/voice_encoder.h"
@@ -290,22 +291,23 @@ Result<void> obey(std::vector<std::string> arguments, Options& options) {
   return run(options);
 }
 
+int report(const Error& error) {
+  std::fprintf(stderr, "au-speaker: %s\n", printable(error.message).c_str());
+  return exit_code(error);
+}
+
 }  // namespace
 
 int run_speaker(std::vector<std::string> arguments) {
   ignore_file_size_signal();
   if (const auto text = asked_text(arguments)) {
-    std::fputs(text->c_str(), stdout);
-    return std::fflush(stdout) == 0 ? 0 : 1;
+    if (const auto printed = print_now(*text); !printed) return report(printed.error());
+    return 0;
   }
   Options options;
   auto done = obey(std::move(arguments), options);
-  if (done && std::fflush(stdout) != 0) {
-    done = Error{ErrorKind::Failed, "standard output cannot be written"};
-  }
-  if (done) return 0;
-  std::fprintf(stderr, "au-speaker: %s\n", done.error().message.c_str());
-  return exit_code(done.error());
+  if (done) done = print_now();
+  return done ? 0 : report(done.error());
 }
 
 }  // namespace aucast::speaker

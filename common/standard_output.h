@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "common/result.h"
+
+namespace aucast {
+
+/// Writes `text` to stdout now: whoever started us may wait for it behind a pipe. Failed, with the
+/// cause, when it or something printed before cannot be written.
+[[nodiscard]] Result<void> print_now(std::string_view text = {});
+
+}  // namespace aucast
