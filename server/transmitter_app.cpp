@@ -84,7 +84,7 @@ Result<void> save_profile_of(const SignalOptions& options, const std::vector<Sou
   return save_profile(options, measured->found->neutral);
 }
 
-/// What is said of the streams that are brought, from here or here.
+/// What is said of the streams that are brought, from here or to here.
 Result<std::string> check_pushes(const TransmitterOptions& options) {
   const PushSettings& push = options.push;
   for (const std::string& address : push.addresses) {

@@ -25,9 +25,10 @@ class VoiceTrack final : public SoundTrack {
 
   struct Counts {
     std::uint64_t packets = 0;
-    std::uint64_t bytes = 0;     ///< of Opus
-    std::uint64_t gaps = 0;      ///< times that the voice has faded out: pauses of who speaks, too
-    std::uint64_t too_late = 0;  ///< packets that were not heard, because their time had passed
+    std::uint64_t bytes = 0;  ///< of Opus
+    std::uint64_t gaps = 0;   ///< times that the voice has faded out: pauses of who speaks, too
+    /// Packets that were not heard: their time had passed, or there was no room for them.
+    std::uint64_t too_late = 0;
   };
 
   /// One Opus packet whose sound begins at `place`.

@@ -13,7 +13,7 @@
 namespace aucast::server {
 namespace {
 
-/// What cannot be asked of these sources.
+/// What --record cannot keep.
 Result<void> check_record(const TransmitterOptions& options) {
   if (options.record.empty()) return {};
   const bool any_live = std::any_of(options.sources.begin(), options.sources.end(),
