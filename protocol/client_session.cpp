@@ -8,7 +8,6 @@
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
-namespace {}  // namespace
 
 std::string_view name(SessionFailed::Why why) {
   switch (why) {
@@ -46,8 +45,6 @@ struct ClientSession::State {
   AuFrame running;  ///< what a changes-only packet changes
   HelloGranted granted;
   std::optional<Milliseconds> voice_to{};  ///< the end of the last voice packet
-  std::uint64_t voice_packets = 0;
-  std::uint64_t sound_bytes = 0;
   std::optional<Instant> deadline;
   std::vector<ClientEvent> events;
 
@@ -171,8 +168,6 @@ void ClientSession::State::handle(const StreamList&) {
 }
 
 void ClientSession::State::handle(const VoiceData& voice) {
-  ++voice_packets;
-  sound_bytes += decoder.taken_bytes();
   if (granted.voice.empty()) {
     fail(SessionFailed::Why::ProtocolError, "the server sent voice, which was not agreed");
   } else if (!voice.place_ms && !voice_to) {
@@ -185,7 +180,6 @@ void ClientSession::State::handle(const VoiceData& voice) {
 }
 
 void ClientSession::State::handle(const Caption& caption) {
-  sound_bytes += decoder.taken_bytes();
   if (!granted.text) {
     fail(SessionFailed::Why::ProtocolError, "the server sent captions, which were not agreed");
   } else if (!stopped) {
@@ -330,14 +324,6 @@ std::uint64_t ClientSession::packets_received() const {
 
 std::uint64_t ClientSession::payload_bytes() const {
   return state_->payload_bytes;
-}
-
-std::uint64_t ClientSession::voice_packets() const {
-  return state_->voice_packets;
-}
-
-std::uint64_t ClientSession::sound_bytes() const {
-  return state_->sound_bytes;
 }
 
 }  // namespace aucast::protocol

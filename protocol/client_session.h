@@ -104,8 +104,6 @@ class ClientSession {
   [[nodiscard]] std::size_t unanswered() const;
   [[nodiscard]] std::uint64_t packets_received() const;  ///< keyframes
   [[nodiscard]] std::uint64_t payload_bytes() const;     ///< their bytes as received
-  [[nodiscard]] std::uint64_t voice_packets() const;
-  [[nodiscard]] std::uint64_t sound_bytes() const;  ///< of voice packets and captions
 
  private:
   struct State;

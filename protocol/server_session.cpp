@@ -572,10 +572,6 @@ std::string_view ServerSession::stream_name() const {
   return state_->delivery.stream().name;
 }
 
-const std::optional<HelloAsked>& ServerSession::hello() const {
-  return state_->asked;
-}
-
 const EncodedStream* ServerSession::recorded() const {
   const RecordedStream* const recorded = state_->delivery.stream().recorded();
   return recorded == nullptr ? nullptr : recorded->encoded.get();

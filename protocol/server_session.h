@@ -134,8 +134,6 @@ class ServerSession {
   /// True while this session sends keyframes of a live stream.
   [[nodiscard]] bool live() const;
   [[nodiscard]] std::string_view stream_name() const;
-  /// What the client asked for; nothing in classic.
-  [[nodiscard]] const std::optional<HelloAsked>& hello() const;
   /// Null when the stream is live.
   [[nodiscard]] const EncodedStream* recorded() const;
   [[nodiscard]] const SentCounts& sent() const;
