@@ -38,8 +38,9 @@ std::string language_of_locale() {
 std::vector<gui::LanguageEntry> languages_in(const std::filesystem::path& data) {
   std::vector<gui::LanguageEntry> languages{{kEnglishCode, "English"}};
   std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_in(data), failed)) {
-    const std::filesystem::path& file = entry.path();
+  for (std::filesystem::directory_iterator at(folder_in(data), failed), end; !failed && at != end;
+       at.increment(failed)) {
+    const std::filesystem::path& file = at->path();
     if (file.extension() != ".toml") continue;
     const auto language = gui::load_language(file);
     if (language) languages.push_back({file.stem().string(), language->name});

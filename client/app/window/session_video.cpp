@@ -15,7 +15,6 @@ Result<std::unique_ptr<SessionVideo>> SessionVideo::open(const std::filesystem::
   auto sound = VideoSound::open(file, begin);
   if (!sound) return sound.error();
   std::unique_ptr<SessionVideo> video(new SessionVideo);
-  video->file_ = file;
   video->width_ = width;
   video->height_ = height;
   video->begin_ = begin;

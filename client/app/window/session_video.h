@@ -26,7 +26,6 @@ class SessionVideo {
                                                                   int width, int height,
                                                                   Instant begin);
 
-  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   /// True when the video lacks a picture at `now`.
@@ -41,7 +40,6 @@ class SessionVideo {
  private:
   SessionVideo() = default;
 
-  std::filesystem::path file_;
   int width_ = 0;
   int height_ = 0;
   Instant begin_{};
