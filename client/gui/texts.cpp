@@ -127,7 +127,8 @@ Result<Language> load_language(const std::filesystem::path& file) {
 
 void use_language(Language language) {
   static std::deque<Language> kept;
-  used() = &kept.emplace_back(std::move(language));
+  const auto before = std::find(kept.begin(), kept.end(), language);
+  used() = before != kept.end() ? &*before : &kept.emplace_back(std::move(language));
 }
 
 void use_english() {

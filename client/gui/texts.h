@@ -61,6 +61,8 @@ struct Language {
   std::map<int, std::string> au_names;  ///< those of FACS
   std::map<int, std::string> au_looks;
   std::map<std::string, std::string> words;  ///< of the data files, by the English: "Happiness"
+
+  bool operator==(const Language&) const = default;
 };
 
 /// Reads a file of data/languages. BadData "file:line:column: ..." when a text is missing, is one

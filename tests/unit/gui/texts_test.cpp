@@ -104,6 +104,14 @@ TEST_F(Texts, AreOfTheLanguageInUse) {
   EXPECT_STREQ(tr("button.save"), "Save");
 }
 
+TEST_F(Texts, ALanguageIsKeptOnceHoweverOftenItIsChosen) {
+  use_french();
+  const char* const before = tr("button.save");
+  use_english();
+  use_french();
+  EXPECT_EQ(static_cast<const void*>(tr("button.save")), static_cast<const void*>(before));
+}
+
 TEST_F(Texts, AValueWithBracesIsNotFilledAgain) {
   EXPECT_EQ(tr("file.there", "{file}{}"), "{file}{} is there already.");
 }
