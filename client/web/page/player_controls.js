@@ -43,9 +43,9 @@ export class Controls {
     this.mute.hidden = this.volume.hidden = true;
     this.caption = button('Captions', () => this.toggleCaptions());
     this.caption.hidden = true;
-    this.picture = button('Picture', () => this.keepPicture());
+    this.picture = button('Picture', () => this.keepPicture().catch(error => player.fail(error)));
     this.picture.title = 'Save a picture of the face';
-    this.screen = button('Full screen', () => this.fullScreen());
+    this.screen = button('Full screen', () => this.fullScreen().catch(error => player.fail(error)));
     this.bar.append(this.choice, this.name, this.pause, this.mute, this.volume, this.caption,
                     this.text, this.picture, this.screen);
     player.foot.append(this.words, this.bar);
@@ -162,11 +162,11 @@ export class Controls {
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
   }
 
-  fullScreen() {
+  async fullScreen() {
     if (document.fullscreenElement) {
-      document.exitFullscreen();
+      await document.exitFullscreen();
     } else {
-      this.player.requestFullscreen();
+      await this.player.requestFullscreen();
     }
   }
 }
