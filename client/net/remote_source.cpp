@@ -15,7 +15,6 @@
 #include "client/net/connection.h"
 #include "client/net/dialling.h"
 #include "common/link/host.h"
-#include "common/text.h"
 
 namespace aucast::net {
 namespace {
@@ -72,13 +71,8 @@ class RemoteSource::Network {
   }
 
   void dial() {
-    // Thrown when the system has no thread left.
-    try {
-      dialler_.dial(dial_options(options_, turn_),
-                    [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
-    } catch (const std::system_error& failure) {
-      connection_.fail(shortage_text(failure), false);
-    }
+    dialler_.dial(dial_options(options_, turn_),
+                  [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
   }
 
   void on_dialled(link::Dialled dialled) {

@@ -45,7 +45,7 @@ Result<Names> ask(const RemoteOptions& options) {
 }  // namespace
 
 Result<std::vector<std::string>> list_streams(const RemoteOptions& options) {
-  // Asio throws when the system has no thread or descriptor left for it.
+  // Asio throws when the system has no descriptor left for it.
   try {
     return ask(options);
   } catch (const std::system_error& failure) {

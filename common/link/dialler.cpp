@@ -27,10 +27,9 @@ void Dialler::dial(DialOptions options, OnDialled on_dialled) {
   next_address_ = 0;
   first_failure_.clear();
 
-  // First what may be refused for want of a thread: then nothing has begun yet.
   lookup_.start(options_.host, options_.port, [this](const std::string& failure, Addresses found) {
     if (!failure.empty()) {
-      fail(failure, "check the host's name");
+      end(DialFailure{false, failure});
       return;
     }
     addresses_ = std::move(found);

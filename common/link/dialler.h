@@ -55,8 +55,7 @@ class Dialler {
   Dialler(const Dialler&) = delete;
   Dialler& operator=(const Dialler&) = delete;
 
-  /// Calls `on_dialled` once, never from within dial(), unless cancelled or replaced before. Throws
-  /// std::system_error when the system has no thread left to look the name up.
+  /// Calls `on_dialled` once, never from within dial(), unless cancelled or replaced before.
   void dial(DialOptions options, OnDialled on_dialled);
   void cancel();
 

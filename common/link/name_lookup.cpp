@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -40,15 +41,17 @@ struct NameLookup::Request : std::enable_shared_from_this<Request> {
 
 namespace {
 
-/// Blocks. Returns the failure in words.
+constexpr const char* kIsTheNameRight = "; check the host's name";
+
+/// Blocks. Returns the failure with its remedy.
 std::string look_up(const std::string& host, std::uint16_t port, Addresses& found) {
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
   wanted.ai_flags = AI_ADDRCONFIG | AI_NUMERICSERV;
   addrinfo* list = nullptr;
   const int failure = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &wanted, &list);
-  if (failure == EAI_SYSTEM) return system_reason(errno);
-  if (failure != 0) return ::gai_strerror(failure);
+  if (failure == EAI_SYSTEM) return system_reason(errno) + kIsTheNameRight;
+  if (failure != 0) return std::string(::gai_strerror(failure)) + kIsTheNameRight;
   for (const addrinfo* one = list; one != nullptr; one = one->ai_next) {
     asio::ip::tcp::endpoint endpoint;
     if (one->ai_addrlen > endpoint.capacity()) continue;
@@ -57,7 +60,7 @@ std::string look_up(const std::string& host, std::uint16_t port, Addresses& foun
     found.push_back(endpoint);
   }
   ::freeaddrinfo(list);
-  return found.empty() ? "it has no address" : "";
+  return found.empty() ? std::string("it has no address") + kIsTheNameRight : std::string();
 }
 
 }  // namespace
@@ -81,11 +84,16 @@ void NameLookup::start(const std::string& host, std::uint16_t port, OnFound on_f
     request_->answer({}, std::move(known));
     return;
   }
-  std::thread([request = request_, host, port] {
-    Addresses found;
-    std::string failure = look_up(host, port, found);
-    request->answer(std::move(failure), std::move(found));
-  }).detach();
+  // Thrown when the system has no thread left.
+  try {
+    std::thread([request = request_, host, port] {
+      Addresses found;
+      std::string failure = look_up(host, port, found);
+      request->answer(std::move(failure), std::move(found));
+    }).detach();
+  } catch (const std::system_error& failure) {
+    request_->answer(shortage_text(failure), {});
+  }
 }
 
 void NameLookup::cancel() {

@@ -20,7 +20,7 @@ using Addresses = std::vector<asio::ip::tcp::endpoint>;
 /// that nobody waits for, and what comes too late is dropped.
 class NameLookup {
  public:
-  /// `failure`: the system's words; empty when there are addresses.
+  /// `failure`: cause and remedy; empty when there are addresses.
   using OnFound = std::function<void(const std::string& failure, Addresses found)>;
 
   explicit NameLookup(asio::io_context& io) : io_(io) {}
@@ -29,8 +29,7 @@ class NameLookup {
   NameLookup& operator=(const NameLookup&) = delete;
 
   /// Calls `on_found` in the thread of the io_context, never from within start(), unless cancelled
-  /// before. One at a time: a new one cancels the one before. Throws std::system_error when the
-  /// system has no thread left.
+  /// before. One at a time: a new one cancels the one before.
   void start(const std::string& host, std::uint16_t port, OnFound on_found);
   void cancel();
 

@@ -7,7 +7,6 @@
 
 #include "common/link/host.h"
 #include "common/log.h"
-#include "common/text.h"
 #include "protocol/connection_limits.h"
 #include "server/settings/limits.h"
 #include "server/upstream/repeated.h"
@@ -50,13 +49,7 @@ void Redialler::dial() {
   dial.secret_remedy = "use aucasts://";
   dial.limits = protocol::kLinkLimits;
   dial.held_back_max = options_.held_back_max;
-  // Thrown when the system has no thread left.
-  try {
-    dialler_.dial(std::move(dial),
-                  [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
-  } catch (const std::system_error& failure) {
-    failed(shortage_text(failure));
-  }
+  dialler_.dial(std::move(dial), [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
 }
 
 void Redialler::on_dialled(link::Dialled dialled) {

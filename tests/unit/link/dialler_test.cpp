@@ -1,5 +1,6 @@
 #include "common/link/dialler.h"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -62,6 +63,34 @@ TEST_F(DiallerTest, SaysCauseAndRemedy) {
   EXPECT_TRUE(
       failure("localhost", deaf_.port).starts_with("Connection refused; is au-transmitter"));
   EXPECT_NE(failure("no-such-host.invalid", 1).find("; check the host's name"), std::string::npos);
+}
+
+/// No thread can be had whose stack is larger than the address space.
+class NoThreads {
+ public:
+  NoThreads() {
+    ::pthread_getattr_default_np(&before_);
+    pthread_attr_t attributes;
+    ::pthread_getattr_default_np(&attributes);
+    ::pthread_attr_setstacksize(&attributes, std::size_t{1} << 60U);
+    ::pthread_setattr_default_np(&attributes);
+    ::pthread_attr_destroy(&attributes);
+  }
+  ~NoThreads() {
+    ::pthread_setattr_default_np(&before_);
+    ::pthread_attr_destroy(&before_);
+  }
+  NoThreads(const NoThreads&) = delete;
+  NoThreads& operator=(const NoThreads&) = delete;
+
+ private:
+  pthread_attr_t before_{};
+};
+
+TEST_F(DiallerTest, ALookUpWithoutAThreadHasFailed) {
+  const NoThreads none;
+  EXPECT_NE(failure("no-such-host.invalid", 1).find("; the system is short of threads"),
+            std::string::npos);
 }
 
 TEST_F(DiallerTest, ASecretGoesToThisComputerOrOverTls) {
