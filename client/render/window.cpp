@@ -275,6 +275,19 @@ bool Window::full_screen() const {
   return glfwGetWindowMonitor(state_->window) != nullptr;
 }
 
+void Window::fit_to_screen() {
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  int room_width = 0;
+  int room_height = 0;
+  glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room_width, &room_height);
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(state_->window, &width, &height);
+  if (width <= room_width && height <= room_height) return;
+  glfwSetWindowSize(state_->window, std::min(width, room_width), std::min(height, room_height));
+}
+
 void Window::toggle_full_screen() {
   GLFWwindow* window = state_->window;
   auto& [x, y, width, height] = state_->windowed;

@@ -80,6 +80,8 @@ class Window {
   /// The next file dropped on the window; empty when there is none.
   [[nodiscard]] std::string next_dropped();
   void set_title(const std::string& title);
+  /// Makes the window smaller where it is larger than the room that the screen has.
+  void fit_to_screen();
   void toggle_full_screen();
   [[nodiscard]] bool full_screen() const;
   /// Binds the window's own framebuffer again.

@@ -79,6 +79,7 @@ class WindowRun {
                                output.size_given ? output.height : kWindowHeight, "AUcast");
     if (!window) return window.error();
     window_ = std::move(*window);
+    if (!output.size_given) window_->fit_to_screen();
     start_times_.passed("window and OpenGL");
     look_from(gui::View::Front);
     auto view = FaceView::create(assets_.face);
