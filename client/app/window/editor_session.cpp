@@ -198,7 +198,9 @@ Result<std::string> EditorSession::import_aus(const std::filesystem::path& file)
   for (const auto& [number, recording] : *recordings) {
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
   }
-  return gui::tr("said.aus_imported", numbers, saved->string());
+  save_failed_ = false;
+  saved_to_ = gui::tr("said.aus_imported", numbers, saved->string());
+  return saved_to_;
 }
 
 bool EditorSession::remove_au(int number, Instant now) {

@@ -239,6 +239,7 @@ TEST_F(FaceSessionTest, AusOfAFileBecomeOnesOwn) {
   ask(gui::ChooseFile{file.string()});
   EXPECT_FALSE(model().browser.open) << model().browser.problem;
   EXPECT_EQ(model().notice.text.find("AU 12, 77 imported into "), 0U) << model().notice.text;
+  EXPECT_EQ(model().editor.saved_to, model().notice.text) << "and not what was saved before";
   EXPECT_TRUE(model().editor.active);
   EXPECT_EQ(model().editor.au, 12);
   EXPECT_FALSE(model().editor.unsaved);
