@@ -92,13 +92,6 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
     form.save_as = -1;
     commands.push_back(LoadAu{number});
   }
-  for (const AuEntry& entry : *model.known_aus) {
-    if (entry.number != editor.au) continue;
-    if (!entry.looks.empty()) {
-      ImGui::TextWrapped("%s", au_looks(entry.number, entry.looks).c_str());
-    }
-    quiet_text(entry.muscles);
-  }
   if (wide_button(tr("button.undo"), 0, 4, editor.can_undo)) commands.push_back(Undo{});
   if (wide_button(tr("button.redo"), 1, 4, editor.can_redo)) commands.push_back(Redo{});
   if (wide_button(tr("button.revert"), 2, 4, editor.unsaved)) commands.push_back(RevertAu{});
@@ -118,8 +111,15 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
     commands.push_back(SaveAu{target, unnamed ? form.name.data() : ""});
   }
   ImGui::EndDisabled();
-  if (unnamed) name_field(look, model, target, form);
   au_file_buttons(model, commands);
+  // Below the buttons, which stay where they are whatever is said.
+  if (unnamed) name_field(look, model, target, form);
+  if (const AuEntry* entry = entry_of(model, editor.au)) {
+    if (!entry->looks.empty()) {
+      ImGui::TextWrapped("%s", au_looks(entry->number, entry->looks).c_str());
+    }
+    quiet_text(entry->muscles);
+  }
   // Always something, so that the muscles stay where they are.
   if (editor.saved_to.empty()) {
     quiet_text(tr("editor.where"));

@@ -315,11 +315,11 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
   EXPECT_EQ(shown("right_cheek_raiser"), dragged) << "left and right together";
   replay("click 770 547\n");
   EXPECT_NEAR(shown("left_cheek_raiser"), dragged + 0.05F, 0.006F);
-  replay("click 475 256\n");
+  replay("click 475 154\n");
   EXPECT_EQ(shown("left_cheek_raiser"), dragged);
   EXPECT_TRUE(session_->model().editor.unsaved);
   test::expect_as_baseline(panel(), "panel_editor", kTolerance, kShareMax);
-  replay("click 727 287\n");
+  replay("click 727 185\n");
   EXPECT_FALSE(session_->model().editor.unsaved);
   const auto mine = face::load_face(folder_.path() / "aucast" / "faces" / "default", {});
   ASSERT_TRUE(mine) << mine.error().message;
