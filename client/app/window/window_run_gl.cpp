@@ -239,9 +239,13 @@ class WindowRun {
 
   void make_thumbnails() {
     const bool face = face_thumbnails_->advance(overlay_->gui().faces());
-    const bool keyframe = keyframe_thumbnails_.advance(
-        overlay_->gui().keyframes(), [this](const auto& aus) { return session_.face_of(aus); },
-        assets_.face, *view_, thumbnail_scale());
+    // A view that has not been posed yet, as of a face that was just dropped, has no pose to go
+    // back to.
+    const bool keyframe =
+        !shown_activations_.empty() &&
+        keyframe_thumbnails_.advance(
+            overlay_->gui().keyframes(), [this](const auto& aus) { return session_.face_of(aus); },
+            assets_.face, *view_, thumbnail_scale());
     if (keyframe) view_->pose(shown_activations_);
     if (!face && !keyframe) return;
     window_->bind_framebuffer();
