@@ -259,12 +259,13 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
 }
 
 OptionRow fps_row(OutputOptions& output) {
-  return {"fps",
-          "N",
-          "",
-          "frame rate, 1-240",
-          "Pictures a second, 1 to 240.",
-          whole(output.fps, 1, 240)};
+  return {
+      "fps",
+      "N",
+      "",
+      "frame rate, 1-240",
+      "Pictures a second, 1 to 240. In the window: of GLB files, and what , and . step by (25).",
+      whole(output.fps, 1, 240)};
 }
 
 std::vector<OptionRow> film_rows(PlayerOptions& options) {

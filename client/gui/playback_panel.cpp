@@ -73,7 +73,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float r, unsigned col
   }
 }
 
-bool icon_button(const Look& look, const char* id, Icon icon, const char* help) {
+bool icon_button(const Look& look, const char* id, Icon icon, const std::string& help) {
   const float height = ImGui::GetFrameHeight();
   const bool roomy = ImGui::GetWindowWidth() > kRoomy * look.scale;
   const ImVec2 size(height * (roomy ? 1.5F : 1.0F), height);
@@ -163,11 +163,11 @@ void steps(const Look& look, const LocalView& local, GuiCommands& commands) {
   if (icon_button(look, "##kb", Icon::KeyframeBack, tr("play.keyframe_back"))) {
     commands.push_back(LocalCommand(StepKeyframe{-1}));
   }
-  if (icon_button(look, "##fb", Icon::FrameBack, tr("play.frame_back"))) {
+  if (icon_button(look, "##fb", Icon::FrameBack, tr("play.frame_back", local.step_fps))) {
     commands.push_back(LocalCommand(StepFrame{-1}));
   }
   pause_button(look, local, commands);
-  if (icon_button(look, "##fo", Icon::FrameOn, tr("play.frame_on"))) {
+  if (icon_button(look, "##fo", Icon::FrameOn, tr("play.frame_on", local.step_fps))) {
     commands.push_back(LocalCommand(StepFrame{1}));
   }
   if (icon_button(look, "##ko", Icon::KeyframeOn, tr("play.keyframe_on"))) {

@@ -25,6 +25,7 @@ struct LocalView {
   std::optional<Duration> loop_begin;
   std::optional<Duration> loop_end;
   bool repeats = false;                      ///< the whole of it
+  int step_fps = 25;                         ///< a step by frame is 1 / step_fps s
   std::shared_ptr<const AuCurves> curves{};  ///< of each AU; null: none are known
   friend bool operator==(const LocalView&, const LocalView&) = default;
 };

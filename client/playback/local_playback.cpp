@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "client/playback/playback_controller.h"
 #include "common/check.h"
 
 namespace aucast::playback {
@@ -84,24 +83,18 @@ void LocalPlayback::step_keyframe(int direction, Instant now) {
   }
 }
 
-void LocalPlayback::step_frame(int direction, Instant now) {
+void LocalPlayback::step_frame(int direction, int fps, Instant now) {
+  AUCAST_CHECK(fps > 0);
   const Duration at = position(now);
   pause(now);
-  // Going back from the very begin of a keyframe is a step inside the one before it.
-  const auto found = direction > 0 ? std::upper_bound(ends_.begin(), ends_.end(), at)
-                                   : std::lower_bound(ends_.begin(), ends_.end(), at);
-  if (found == ends_.end()) return;
-  const Duration begin = found == ends_.begin() ? Duration::zero() : *std::prev(found);
-  const Duration whole = *found - begin;
-  if (whole == Duration::zero()) return;
-  const auto frame = [&](Duration::rep k) { return begin + whole * k / kPositionsPerKeyframe; };
-  Duration::rep k = (at - begin) * kPositionsPerKeyframe / whole;
+  const auto frame = [&](Duration::rep k) { return Duration(std::chrono::seconds(1)) * k / fps; };
+  Duration::rep k = at * fps / Duration(std::chrono::seconds(1));
   if (direction > 0) {
-    while (k < kPositionsPerKeyframe && frame(k) <= at) ++k;
+    while (frame(k) <= at) ++k;
   } else {
     while (k > 0 && frame(k) >= at) --k;
   }
-  anchor(frame(k), now);
+  anchor(std::min(frame(k), total()), now);
 }
 
 void LocalPlayback::set_speed(int percent, Instant now) {

@@ -54,8 +54,9 @@ class LocalPlayback {
   void seek(Duration position, Instant now);
   /// To the next keyframe's end (+1), or to the one before (-1), and stays there.
   void step_keyframe(int direction, Instant now);
-  /// The same by the 50 positions that each keyframe has.
-  void step_frame(int direction, Instant now);
+  /// The same by the pictures of a film of the stream, `fps` a second from its beginning; its end
+  /// is the last one.
+  void step_frame(int direction, int fps, Instant now);
   /// Cut to the limits.
   void set_speed(int percent, Instant now);
   /// To the next of the usual speeds, up (+1) or down (-1).

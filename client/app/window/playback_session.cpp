@@ -7,6 +7,7 @@
 #include "client/app/live_text.h"
 #include "client/app/remote_options.h"
 #include "client/app/steady.h"
+#include "client/app/window/session_video.h"
 #include "client/gui/kept_settings.h"
 #include "client/gui/texts.h"
 #include "client/gui/view_text.h"
@@ -240,6 +241,12 @@ bool PlaybackSession::resume(Instant now) {
   return true;
 }
 
+/// A step is a picture of what is made of the stream: of the window's videos, unless --fps says
+/// what is exported.
+int PlaybackSession::step_fps() const {
+  return options_.output.fps.value_or(SessionVideo::kFps);
+}
+
 bool PlaybackSession::apply_local(const gui::LocalCommand& command, Instant now) {
   auto* const whole = seekable();
   if (whole == nullptr) return false;
@@ -257,7 +264,7 @@ bool PlaybackSession::apply_local(const gui::LocalCommand& command, Instant now)
                                return true;
                              },
                              [&](const gui::StepFrame& one) {
-                               playhead.step_frame(one.direction, now);
+                               playhead.step_frame(one.direction, step_fps(), now);
                                return true;
                              },
                              [&](const gui::SetSpeed& one) {
@@ -385,6 +392,7 @@ gui::LocalView PlaybackSession::local_view() const {
   view.loop_begin = playhead.loop_begin();
   view.loop_end = playhead.loop_end();
   view.repeats = playhead.repeats();
+  view.step_fps = step_fps();
   view.curves = curves_;
   return view;
 }

@@ -88,6 +88,7 @@ class PlaybackSession {
   [[nodiscard]] playback::SeekablePlayback* seekable() const;
   bool connect(const gui::RemoteSettings& settings, Instant now);
   bool resume(Instant now);
+  [[nodiscard]] int step_fps() const;
   bool apply_local(const gui::LocalCommand& command, Instant now);
   void begun(const playback::KeyframeBegun& keyframe, Instant at);
   void explain();

@@ -110,34 +110,41 @@ TEST_F(LocalPlaybackTest, StepsByKeyframeGoToTheNextFaceThatIsReached) {
   EXPECT_EQ(at(), Milliseconds(0));
 }
 
-TEST_F(LocalPlaybackTest, StepsByFrameAreTheFiftyPositionsOfEachKeyframe) {
-  playback_.step_frame(-1, clock_.now());
+TEST_F(LocalPlaybackTest, AStepByFrameIsAPictureOfAFilmHoweverLongTheKeyframes) {
+  const auto step = [this](int direction) { playback_.step_frame(direction, 25, clock_.now()); };
+  step(-1);
   EXPECT_EQ(at(), Milliseconds(0));
-  playback_.step_frame(+1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(2));
-  seek(Milliseconds(98));
-  playback_.step_frame(+1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(100));
-  playback_.step_frame(+1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(104));
-  playback_.step_frame(-1, clock_.now());
-  playback_.step_frame(-1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(98));
-  seek(Milliseconds(3));
-  playback_.step_frame(-1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(2));
-  seek(Milliseconds(600));
-  playback_.step_frame(+1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(600));
-  playback_.step_frame(-1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(594));
+  step(+1);
+  EXPECT_EQ(at(), Milliseconds(40));
+  step(+1);
+  step(+1);
+  EXPECT_EQ(at(), Milliseconds(120)) << "a keyframe ends at 100";
+  step(-1);
+  step(-1);
+  EXPECT_EQ(at(), Milliseconds(40));
+  seek(Milliseconds(43));
+  step(-1);
+  EXPECT_EQ(at(), Milliseconds(40));
+  seek(Milliseconds(43));
+  step(+1);
+  EXPECT_EQ(at(), Milliseconds(80));
 }
 
-TEST_F(LocalPlaybackTest, FiftyStepsAreAWholeKeyframe) {
-  for (int i = 0; i < 50; ++i) playback_.step_frame(+1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(100));
-  for (int i = 0; i < 50; ++i) playback_.step_frame(-1, clock_.now());
-  EXPECT_EQ(at(), Milliseconds(0));
+TEST_F(LocalPlaybackTest, TheLastStepByFrameIsToTheEnd) {
+  seek(Milliseconds(599));
+  playback_.step_frame(+1, 25, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(600));
+  playback_.step_frame(+1, 25, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(600));
+  playback_.step_frame(-1, 25, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(560));
+}
+
+TEST_F(LocalPlaybackTest, StepsByFrameMissNoPictureOfARateThatMillisecondsDoNotDivide) {
+  for (int i = 1; i <= 18; ++i) playback_.step_frame(+1, 30, clock_.now());
+  EXPECT_EQ(at(), Milliseconds(600));
+  for (int i = 1; i <= 17; ++i) playback_.step_frame(-1, 30, clock_.now());
+  EXPECT_EQ(at(), Duration(std::chrono::seconds(1)) / 30);
 }
 
 TEST_F(LocalPlaybackTest, SpeedChangesFromWhereItIs) {
@@ -265,7 +272,7 @@ TEST(LocalPlaybackJumps, AStreamOfNoTimeIsItsLastFace) {
   playback.play(clock.now());
   EXPECT_TRUE(playback.over(clock.now()));
   EXPECT_EQ(playback.place(playback.position(clock.now())), (StreamPlace{1, 1}));
-  playback.step_frame(+1, clock.now());
+  playback.step_frame(+1, 25, clock.now());
   playback.step_keyframe(-1, clock.now());
   EXPECT_EQ(playback.position(clock.now()), Milliseconds(0));
 }
