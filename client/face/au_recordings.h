@@ -15,7 +15,7 @@ namespace aucast::face {
 /// The channels that a name of a drive table means; none when the face has no such channel.
 using ChannelFinder = std::function<std::vector<std::size_t>(std::string_view name)>;
 
-/// Reads the [[au]] tables of an AU file (data/faces/README.md) for the channels of `face`. A name
+/// Reads the [[au]] tables of an AU file (data/faces/FORMAT.md) for the channels of `face`. A name
 /// that means fewer channels wins over one that means more: left_X beside X. What is wrong goes to
 /// the problems, also a name for which `finder` finds no channel, with the nearest of `names`. When
 /// the file is for many faces (`unknown` is given), names without a channel need only be in

@@ -9,10 +9,10 @@
 
 namespace aucast::face {
 
-/// Reads a folder of our own format (face.toml inside; data/faces/README.md).
+/// Reads a folder of our own format (face.toml inside; data/faces/FORMAT.md).
 [[nodiscard]] Result<Face> load_face_folder(const std::filesystem::path& folder);
 
-/// Reads an AU file (data/faces/README.md) for a face of our own format.
+/// Reads an AU file (data/faces/FORMAT.md) for a face of our own format.
 [[nodiscard]] Result<AuRecordings> load_aus(const std::filesystem::path& path, const Face& face);
 
 /// The side on which something at `x` sits: Both within 0.05 units of the middle.

@@ -8,7 +8,7 @@
 
 namespace aucast::face {
 
-/// Reads the [[muscle]] tables of a muscles.toml (data/faces/README.md); mirrored ones become two,
+/// Reads the [[muscle]] tables of a muscles.toml (data/faces/FORMAT.md); mirrored ones become two,
 /// left before right. Masks must be maps of `mesh`. What is wrong goes to the problems.
 [[nodiscard]] std::vector<Muscle> read_muscles(TableReader& document, const FaceMesh& mesh,
                                                Problems& problems);

@@ -24,7 +24,7 @@ inline constexpr std::size_t kPlyPolygonsMax = 2'000'000;
 inline constexpr std::size_t kPlyMapsMax = 100;
 inline constexpr std::size_t kPlyPartsMax = 64;
 
-/// Reads the bytes of a mesh.ply (data/faces/README.md). Quads become two triangles along the
+/// Reads the bytes of a mesh.ply (data/faces/FORMAT.md). Quads become two triangles along the
 /// diagonal from their first corner; triangles are sorted by part, else in the file's order.
 /// `maps` holds what the file holds; `occlusion` and `gloss` are filled with 1 when it has none.
 /// BadData naming `file` and the header's line, or the vertex or polygon (both count from 0).

@@ -10,7 +10,7 @@
 
 namespace aucast::gui {
 
-// Changing one AU in the text of an aus.toml (data/faces/README.md) so that everything else, also
+// Changing one AU in the text of an aus.toml (data/faces/FORMAT.md) so that everything else, also
 // comments and order, stays byte for byte. Pure.
 
 /// One `name = activation` of a drive table.

@@ -19,7 +19,7 @@ struct ArkitCurve {
   double gain = 1;
 };
 
-/// How ARKit's curves are read as AUs: an approximation, so it is data (common/sources/README.md).
+/// How ARKit's curves are read as AUs: an approximation, so it is data (common/sources/FORMATS.md).
 struct ArkitTable {
   std::vector<ArkitCurve> curves;
 };

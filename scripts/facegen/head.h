@@ -10,7 +10,7 @@ namespace aucast::facegen {
 /// All parts of a person's head, skin first, made stage by stage. Deterministic.
 [[nodiscard]] std::vector<Part> make_head(const Identity& who);
 
-/// The bytes of mesh.ply (data/faces/README.md).
+/// The bytes of mesh.ply (data/faces/FORMAT.md).
 [[nodiscard]] std::string head_file(const std::vector<Part>& parts);
 
 }  // namespace aucast::facegen

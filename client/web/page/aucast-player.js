@@ -1,6 +1,6 @@
 // <aucast-player>: a face in a page. What a page loads to have it:
 //   <script type="module" src="aucast-player.js"></script>
-// client/web/README.md has its attributes, events and methods.
+// client/web/GUIDE.md has its attributes, events and methods.
 import { Captions } from './player_captions.js';
 import { Controls } from './player_controls.js';
 import { PlayerEngine } from './player_engine.js';
