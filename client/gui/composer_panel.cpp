@@ -110,9 +110,7 @@ void timeline_part(const Look& look, const ComposerView& composer, ComposerForm&
   std::string name = std::filesystem::path(composer.file).filename().string();
   if (name.empty()) name = tr("compose.new_stream");
   heading(look, composer.unsaved ? tr("compose.unsaved", name) : name);
-  if (!composer.file.empty() && ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("%s", composer.file.c_str());
-  }
+  tip(composer.file);
   file_buttons(composer, commands);
   timeline(look, composer, form, commands);
   const bool chosen = composer.chosen >= 0;

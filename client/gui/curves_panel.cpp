@@ -1,7 +1,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
@@ -56,7 +58,7 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
   make_outlines(local, static_cast<std::size_t>(std::max(2.0F, right - left)), form);
   const MouseOnly mouse;  // Left, Right and the like seek by keys
   const bool pressed = ImGui::InvisibleButton("##curves", ImVec2(width, rows * height));
-  const bool hovered = ImGui::IsItemHovered();
+  const bool hovered = pointed_at();
   const float pointer = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
   const Duration pointed(
       std::llround(static_cast<double>(pointer) * static_cast<double>(local.total.count())));
@@ -92,7 +94,9 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
   if (!hovered) return;
   line_at(pointed, ImGui::GetColorU32(ImGuiCol_Text));
   const std::string name = below < 0 ? std::string() : au_name(below);
-  ImGui::SetTooltip("%s\n%.2f s", name.c_str(), seconds(pointed));
+  std::array<char, 32> time{};
+  std::snprintf(time.data(), time.size(), "%.2f s", seconds(pointed));
+  tip_at_pointer(name + "\n" + time.data());
 }
 
 }  // namespace aucast::gui

@@ -48,10 +48,13 @@ void au_file_buttons(const GuiModel& model, GuiCommands& commands) {
   if (wide_button(tr("button.export"), 1, 3, known)) commands.push_back(Browse{Purpose::ExportAu});
   const char* remove = known && !entry->shipped ? tr("button.delete") : tr("editor.as_it_came");
   if (wide_button(remove, 2, 3, known && entry->own)) commands.push_back(RemoveAu{entry->number});
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-    ImGui::SetTooltip(
-        "%s", known && !entry->shipped ? tr("editor.delete_tip") : tr("editor.as_it_came_tip"));
-  }
+  tip(known && !entry->shipped ? tr("editor.delete_tip") : tr("editor.as_it_came_tip"), true);
+}
+
+/// What a face with it looks like, and what it drives.
+std::string about(const AuEntry& entry) {
+  const std::string looks = entry.looks.empty() ? "" : au_looks(entry.number, entry.looks);
+  return looks + (looks.empty() || entry.muscles.empty() ? "" : "\n") + entry.muscles;
 }
 
 /// The list of all numbers; true when one was chosen.
@@ -68,16 +71,7 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
       number = entry.number;
       chosen = true;
     }
-    if (ImGui::IsItemHovered() && !entry.muscles.empty()) {
-      ImGui::BeginTooltip();
-      ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-      if (!entry.looks.empty()) {
-        ImGui::TextUnformatted(au_looks(entry.number, entry.looks).c_str());
-      }
-      quiet_text(entry.muscles);
-      ImGui::PopTextWrapPos();
-      ImGui::EndTooltip();
-    }
+    tip(about(entry));
   }
   ImGui::EndCombo();
   return chosen;
@@ -152,10 +146,7 @@ void channel_slider(const Look& look, const char* id, int channel, float value, 
   if (ImGui::SliderFloat("##value", &wanted, 0, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
     commands.push_back(SetChannel{channel, wanted, belongs_to_drag()});
   }
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-    ImGui::SetTooltip("%s",
-                      tr("panel.type_tip", number_text(static_cast<double>(maximum))).c_str());
-  }
+  if (!ImGui::IsItemActive()) tip(tr("panel.type_tip", number_text(static_cast<double>(maximum))));
   ImGui::SameLine(0, gap);
   if (ImGui::Button("+", step_size))
     commands.push_back(SetChannel{channel, stepped(value, kStep), false});

@@ -54,9 +54,7 @@ bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
                  (shown ? 2.0F : 1.0F) * look.scale);
   }
   name_below(look, face.name, ImVec2(at.x, to.y + 2 * look.scale), width);
-  if (face.kind != FaceKind::Shipped && ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("%s", face.folder.c_str());
-  }
+  if (face.kind != FaceKind::Shipped) tip(face.folder);
   return chosen;
 }
 
@@ -75,9 +73,7 @@ void face_part(const Look& look, const GuiModel& model, Thumbnails& pictures,
   for (const FaceEntry& face : *faces.entries) {
     const bool first = before == nullptr || before->kind != face.kind;
     if (first) quiet_text(heading_of(face.kind));
-    if (first && face.kind == FaceKind::Elsewhere && ImGui::IsItemHovered()) {
-      ImGui::SetTooltip("%s", faces.elsewhere.c_str());
-    }
+    if (first && face.kind == FaceKind::Elsewhere) tip(faces.elsewhere);
     in_row = first ? 0 : (in_row + 1) % kFacesInARow;
     if (in_row > 0) ImGui::SameLine(0, gap);
     const bool shown = face.folder == faces.shown;

@@ -126,6 +126,15 @@ void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to
   list.AddCircleFilled(knob, 7 * look.scale, ImGui::GetColorU32(ImGuiCol_PlotLinesHovered), 24);
 }
 
+/// Above the bar, at the pointer.
+void time_bubble(float top, const std::string& text) {
+  const float half = ImGui::CalcTextSize(text.c_str()).x / 2 + ImGui::GetStyle().WindowPadding.x;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float x = std::max(half, std::min(io.MousePos.x, io.DisplaySize.x - half));
+  ImGui::SetNextWindowPos(ImVec2(x, top), ImGuiCond_Always, ImVec2(0.5F, 1));
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
 void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
   const float height = 20 * look.scale;
   const float radius = 7 * look.scale;
@@ -143,7 +152,7 @@ void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
     done = pointer;
     if (pointed != local.position) commands.push_back(LocalCommand(Seek{pointed}));
   }
-  tip(time_text(pointed));
+  if (pointed_at() || ImGui::IsItemActive()) time_bubble(at.y, time_text(pointed));
   const float thick = 3 * look.scale;
   const float middle = at.y + height / 2;
   draw_track(look, local, ImVec2(at.x + radius, middle - thick),
@@ -305,9 +314,7 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
     form.complaint = name ? std::string() : name.error().message;
     if (name) wanted.pattern = form.name.data();
   }
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("{number} {face} {stream} {keyframe} {aus} {date}");
-  }
+  tip("{number} {face} {stream} {keyframe} {aus} {date}");
   if (!form.complaint.empty()) toned_text(Tone::Bad, form.complaint);
   label(look, tr("play.size"));
   int kind = now.width == 0 ? 0 : now.width == 1920 && now.height == 1080 ? 1 : 2;

@@ -115,7 +115,7 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) 
   if (ImGui::Checkbox(tr("sound.captions_on"), &shown)) {
     commands.push_back(SoundCommand(ToggleCaptions{}));
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("c");
+  tip("c");
 }
 
 void captions(const Look& look, const GuiModel& model, float width) {

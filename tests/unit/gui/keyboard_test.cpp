@@ -60,6 +60,13 @@ class Keyboard : public testing::Test {
     frames(3);
     io.KeyShift = false;
   }
+  void play_something() {
+    model_.local.open = true;
+    model_.local.total = std::chrono::seconds(10);
+    model_.local.ends =
+        std::make_shared<const std::vector<Duration>>(std::vector<Duration>{model_.local.total});
+    frames(3);
+  }
   void type(const char* text) {
     ImGui::GetIO().AddInputCharactersUTF8(text);
     frames(3);
@@ -101,6 +108,19 @@ class Keyboard : public testing::Test {
       press(ImGuiKey_Tab);
     }
     return false;
+  }
+  /// What is said at this moment about a control; null: nothing.
+  static const ImGuiWindow* tooltip() {
+    const ImGuiWindow* const window = ImGui::FindWindowByName("##Tooltip_00");
+    return window != nullptr && window->Active && !window->Hidden ? window : nullptr;
+  }
+  static ImRect rect_of(const char* name) {
+    const ImGuiWindow* const window = ImGui::FindWindowByName(name);
+    return window == nullptr ? ImRect() : window->Rect();
+  }
+  void point_at(float x, float y) {
+    ImGui::GetIO().MousePos = ImVec2(x, y);
+    frames(3);
   }
   template <typename Command>
   std::optional<Command> asked() {
@@ -254,6 +274,57 @@ TEST_F(Keyboard, TabReachesWhatEachTabHas) {
     }
     EXPECT_GT(reached.size(), tab.labels.size()) << tab.tab;
   }
+}
+
+TEST_F(Keyboard, WhatIsSaidOfAControlHidesNoOther) {
+  const ImRect panel = rect_of("panel");
+  int said = 0;
+  for (float y = panel.Min.y; y < panel.Max.y; y += 12) {
+    for (const float x : {panel.Min.x + 40, panel.Max.x - 40}) {
+      point_at(x, y);
+      if (tooltip() == nullptr) continue;
+      ++said;
+      EXPECT_FALSE(tooltip()->Rect().Overlaps(panel)) << x << " " << y;
+      EXPECT_TRUE(ImRect(0, 0, 800, 800).Contains(tooltip()->Rect())) << x << " " << y;
+    }
+  }
+  EXPECT_GT(said, 3);
+  ASSERT_TRUE(go_to_tab("Expression"));
+  said = 0;
+  for (int i = 0; i < 60; ++i) {
+    press(ImGuiKey_Tab);
+    if (tooltip() == nullptr) continue;
+    ++said;
+    EXPECT_FALSE(tooltip()->Rect().Overlaps(panel));
+  }
+  EXPECT_GT(said, 1);
+}
+
+TEST_F(Keyboard, WhatIsSaidOfAButtonOfTheBarStandsAboveTheBar) {
+  play_something();
+  const ImRect bar = rect_of("transport");
+  point_at(bar.Min.x + 30, bar.Max.y - 20);
+  ASSERT_NE(tooltip(), nullptr);
+  EXPECT_FALSE(tooltip()->Rect().Overlaps(bar));
+}
+
+TEST_F(Keyboard, ATimeStandsOverTheBarOnlyWhereThePointerIs) {
+  play_something();
+  const ImRect bar = rect_of("transport");
+  point_at(bar.GetCenter().x, bar.Min.y + 18);
+  ASSERT_NE(tooltip(), nullptr);
+  point_at(100, 100);
+  EXPECT_EQ(tooltip(), nullptr);
+  // As after a click on it, when keys are used next.
+  press(ImGuiKey_Tab);
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  ImGuiWindow* const window = ImGui::FindWindowByName("transport");
+  ImGui::FocusWindow(window);
+  ImGui::SetFocusID(window->GetID("##seek"), window);
+  context.NavDisableHighlight = false;
+  context.NavDisableMouseHover = true;
+  frames(3);
+  EXPECT_EQ(tooltip(), nullptr);
 }
 
 TEST_F(Keyboard, TheFocusGoesOnToWhatLiesOverTheFace) {
