@@ -19,6 +19,8 @@ void add_sound(const sound::SoundCounts& sound, nlohmann::ordered_json& json) {
   json["voice_bytes"] = sound.voice.bytes;
   json["voice_gaps"] = sound.voice.gaps;
   json["voice_late"] = sound.voice.too_late;
+  json["voice_out_of_order"] = sound.voice.out_of_order;
+  json["voice_unreadable"] = sound.voice.unreadable;
   json["sound_underruns"] = sound.underruns;
   json["sound_drift_ppm"] =
       sound.drift_ppm ? nlohmann::ordered_json(std::round(*sound.drift_ppm * 10) / 10) : nullptr;
@@ -87,7 +89,7 @@ std::string to_json(const PlayerStats& stats) {
   json["live_delay_max_ms"] = delay(stats.delay_measured.longest);
   json["live_delay_target_ms"] = delay(stats.delay_aimed_at.value_or(Duration::zero()));
   json["keyframes_dropped"] = stats.keyframes_dropped;
-  json["voice_left_out"] = stats.voice_left_out;
+  json["voice_left_out"] = stats.voice_left_out + stats.sound.voice.left_out;
   json["captions_left_out"] = stats.captions_left_out;
   json["reconnects"] = stats.reconnects;
   add_sound(stats.sound, json);

@@ -33,7 +33,7 @@ struct PlayerStats {
   playback::DelaySummary delay_measured;
   std::optional<Duration> delay_aimed_at;  ///< what was aimed at: the usual, or that of the end
   std::uint64_t keyframes_dropped = 0;     ///< live: to catch up
-  std::uint64_t voice_left_out = 0;        ///< packets that there was no room for
+  std::uint64_t voice_left_out = 0;        ///< packets that the source had no room for
   std::uint64_t captions_left_out = 0;     ///< likewise
   std::uint64_t reconnects = 0;            ///< attempts after a loss
   sound::SoundCounts sound;

@@ -156,13 +156,7 @@ void SoundPlayer::set_muted(bool muted) {
 
 SoundCounts SoundPlayer::counts() const {
   SoundCounts counts = before_;
-  if (voice_) {
-    const VoiceTrack::Counts& voice = voice_->counts();
-    counts.voice.packets += voice.packets;
-    counts.voice.bytes += voice.bytes;
-    counts.voice.gaps += voice.gaps;
-    counts.voice.too_late += voice.too_late;
-  }
+  if (voice_) counts.voice += voice_->counts();
   counts.underruns = underruns_;
   counts.drift_ppm = line_.drift_ppm();
   counts.shift = shifts_.summary();

@@ -16,16 +16,33 @@ constexpr std::int64_t kRunUp = std::int64_t{300} * kSamplesPerMs;
 
 }  // namespace
 
+VoiceTrack::Counts& VoiceTrack::Counts::operator+=(const Counts& more) {
+  packets += more.packets;
+  bytes += more.bytes;
+  gaps += more.gaps;
+  too_late += more.too_late;
+  left_out += more.left_out;
+  out_of_order += more.out_of_order;
+  unreadable += more.unreadable;
+  return *this;
+}
+
 void VoiceTrack::add(Milliseconds place, std::string opus) {
-  const auto duration = protocol::opus_duration(opus);
-  if (!duration) return;
   ++counts_.packets;
   counts_.bytes += opus.size();
+  const auto duration = protocol::opus_duration(opus);
+  if (!duration) {
+    ++counts_.unreadable;
+    return;
+  }
   const std::int64_t begin = place.count() * kSamplesPerMs;
   const std::int64_t end = begin + duration->count() * kSamplesPerMs;
-  const bool in_order = waiting_.empty() || begin >= waiting_.back().end;
-  if (!in_order || waiting_bytes_ + opus.size() > kWaitingBytesMax) {
-    ++counts_.too_late;
+  if (!waiting_.empty() && begin < waiting_.back().end) {
+    ++counts_.out_of_order;
+    return;
+  }
+  if (waiting_bytes_ + opus.size() > kWaitingBytesMax) {
+    ++counts_.left_out;
     return;
   }
   waiting_bytes_ += opus.size();
@@ -75,6 +92,10 @@ void VoiceTrack::decode_until(std::int64_t end) {
 /// What lies before the end of what is decoded has been heard as silence already.
 void VoiceTrack::append(const Packet& packet) {
   const std::span<const float> sound = decoder_.decode(packet.opus);
+  if (sound.empty()) {
+    ++counts_.unreadable;
+    return;
+  }
   const std::int64_t from = decoded_end();
   const std::int64_t heard = from - packet.begin;
   if (heard >= static_cast<std::int64_t>(sound.size())) {

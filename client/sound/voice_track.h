@@ -27,8 +27,13 @@ class VoiceTrack final : public SoundTrack {
     std::uint64_t packets = 0;
     std::uint64_t bytes = 0;  ///< of Opus
     std::uint64_t gaps = 0;   ///< times that the voice has faded out: pauses of who speaks, too
-    /// Packets that were not heard: their time had passed, or there was no room for them.
-    std::uint64_t too_late = 0;
+    // Packets that were not heard:
+    std::uint64_t too_late = 0;      ///< their time had passed
+    std::uint64_t left_out = 0;      ///< there was no room for them
+    std::uint64_t out_of_order = 0;  ///< they began before the end of one that waits
+    std::uint64_t unreadable = 0;    ///< they are no Opus
+
+    Counts& operator+=(const Counts& more);
   };
 
   /// One Opus packet whose sound begins at `place`.

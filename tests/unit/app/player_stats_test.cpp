@@ -40,6 +40,7 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   status.reconnects = 5;
   PlayerStats stats;
   stats.take(status);
+  stats.sound.voice = {.too_late = 8, .left_out = 100, .out_of_order = 9, .unreadable = 10};
   const auto json = nlohmann::json::parse(to_json(stats));
   EXPECT_EQ(json["packets_received"], 3);
   EXPECT_EQ(json["bytes_received"], 57);
@@ -47,7 +48,10 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   EXPECT_EQ(json["resumes_sent"], 1);
   EXPECT_EQ(json["live"], true);
   EXPECT_EQ(json["keyframes_dropped"], 4);
-  EXPECT_EQ(json["voice_left_out"], 6);
+  EXPECT_EQ(json["voice_left_out"], 106) << "by the source and by the sound";
+  EXPECT_EQ(json["voice_late"], 8);
+  EXPECT_EQ(json["voice_out_of_order"], 9);
+  EXPECT_EQ(json["voice_unreadable"], 10);
   EXPECT_EQ(json["captions_left_out"], 7);
   EXPECT_EQ(json["reconnects"], 5);
   EXPECT_EQ(json["live_delay_p50_ms"], nullptr) << "nothing was played";

@@ -144,20 +144,26 @@ TEST(VoiceTrack, KeepsNoMoreThanItsLimitOfWhatNobodyReads) {
   for (std::size_t i = 0; i < fit + 10; ++i) {
     track.add(Milliseconds(60 * static_cast<int>(i)), opus);
   }
-  EXPECT_EQ(track.counts().too_late, 10U);
+  EXPECT_EQ(track.counts().left_out, 10U);
+  EXPECT_EQ(track.counts().too_late, 0U);
 }
 
 TEST(VoiceTrack, WhatIsNoOpusPacketOrOutOfOrderIsLeftOut) {
   VoiceTrack track;
   track.add(Milliseconds(0), "");
-  EXPECT_EQ(track.counts().packets, 0U);
+  EXPECT_EQ(track.counts().unreadable, 1U);
   const auto all = packets(0.5);
   add(track, all);
   track.add(Milliseconds(0), all[0].opus);
-  EXPECT_EQ(track.counts().too_late, 1U);
+  EXPECT_EQ(track.counts().out_of_order, 1U);
   track.add(Milliseconds(6000), std::string(1, '\x08') + std::string(50, '\xff'));
   EXPECT_GT(loudest(read(track, 0, 500)), 0.1F);
   for (const float sample : read(track, 6000, 60)) EXPECT_TRUE(std::isfinite(sample));
+  // Two frames of the same length in an odd number of bytes.
+  track.add(Milliseconds(7000), std::string(1, '\x09') + std::string(3, '\xff'));
+  (void)read(track, 7000, 60);
+  EXPECT_EQ(track.counts().unreadable, 2U);
+  EXPECT_EQ(track.counts().too_late, 0U);
 }
 
 }  // namespace
