@@ -5,39 +5,14 @@
 
 #include <cerrno>
 #include <cstring>
-#include <mutex>
-#include <system_error>
-#include <thread>
 #include <utility>
-
-#include <asio/post.hpp>
 
 #include "common/link/host.h"
 #include "common/own_computer.h"
 #include "common/text.h"
+#include "common/thread.h"
 
 namespace aucast::link {
-
-/// Shared with the thread, which may outlive everybody else.
-struct NameLookup::Request : std::enable_shared_from_this<Request> {
-  std::mutex mutex;
-  asio::io_context* io = nullptr;  ///< guarded by mutex; nothing: cancelled
-  OnFound on_found;                ///< of the io_context's thread
-
-  /// In the thread of the io_context, unless it was cancelled.
-  void answer(std::string failure, Addresses found) {
-    const std::lock_guard lock(mutex);
-    if (io == nullptr) return;
-    asio::post(*io,
-               [self = shared_from_this(), failure = std::move(failure), found = std::move(found)] {
-                 {
-                   const std::lock_guard again(self->mutex);
-                   if (self->io == nullptr) return;
-                 }
-                 self->on_found(failure, found);
-               });
-  }
-};
 
 namespace {
 
@@ -77,29 +52,27 @@ Addresses known_addresses(const std::string& host, std::uint16_t port) {
 
 void NameLookup::start(const std::string& host, std::uint16_t port, OnFound on_found) {
   cancel();
-  request_ = std::make_shared<Request>();
-  request_->io = &io_;
-  request_->on_found = std::move(on_found);
+  gate_ = std::make_shared<LoopGate>(io_);
+  on_found_ = std::move(on_found);
+  const auto answer = [this, gate = gate_](std::string failure, Addresses found) {
+    gate->post([this, failure = std::move(failure), found = std::move(found)] {
+      std::exchange(on_found_, {})(failure, found);
+    });
+  };
   if (Addresses known = known_addresses(host, port); !known.empty()) {
-    request_->answer({}, std::move(known));
+    answer({}, std::move(known));
     return;
   }
-  // Thrown when the system has no thread left.
-  try {
-    std::thread([request = request_, host, port] {
-      Addresses found;
-      std::string failure = look_up(host, port, found);
-      request->answer(std::move(failure), std::move(found));
-    }).detach();
-  } catch (const std::system_error& failure) {
-    request_->answer(shortage_text(failure), {});
-  }
+  const auto started = start_unattended([answer, host, port] {
+    Addresses found;
+    std::string failure = look_up(host, port, found);
+    answer(std::move(failure), std::move(found));
+  });
+  if (!started) answer(started.error().message, {});
 }
 
 void NameLookup::cancel() {
-  if (!request_) return;
-  const std::lock_guard lock(request_->mutex);
-  request_->io = nullptr;
+  if (gate_) gate_->close();
 }
 
 }  // namespace aucast::link

@@ -9,6 +9,8 @@
 #include <asio/io_context.hpp>
 #include <asio/ip/tcp.hpp>
 
+#include "common/link/loop_gate.h"
+
 namespace aucast::link {
 
 using Addresses = std::vector<asio::ip::tcp::endpoint>;
@@ -34,10 +36,9 @@ class NameLookup {
   void cancel();
 
  private:
-  struct Request;
-
   asio::io_context& io_;
-  std::shared_ptr<Request> request_;
+  std::shared_ptr<LoopGate> gate_;  ///< of the look-up that is under way; null: none was
+  OnFound on_found_;
 };
 
 }  // namespace aucast::link

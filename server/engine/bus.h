@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -34,6 +35,8 @@ class Bus {
   virtual void publish(const Message& message) = 0;
   /// A subject of our own, to which answers may go.
   [[nodiscard]] virtual std::string own_subject() const = 0;
+  /// Messages that came faster than they were worked on, and had no room to wait.
+  [[nodiscard]] virtual std::uint64_t left_out() const = 0;
 };
 
 using OpenBus = std::function<Result<std::unique_ptr<Bus>>(Bus::Events)>;

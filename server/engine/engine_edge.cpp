@@ -45,6 +45,13 @@ void EngineEdge::stop() {
   reception_.stop();
 }
 
+void EngineEdge::describe(Status& status) const {
+  Upstream::describe(status);
+  if (!status.engine) status.engine.emplace();
+  if (bus_) status.engine->messages_left_out += bus_->left_out();
+  status.engine->batches_left_out += follower_.left_out();
+}
+
 void EngineEdge::on_message(const Bus::Message& message) {
   if (stopped_) return;
   const Instant now = steady_clock::now();

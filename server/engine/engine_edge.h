@@ -29,6 +29,7 @@ class EngineEdge final : public Upstream {
   [[nodiscard]] Result<void> start() override;
   void stop() override;
   [[nodiscard]] const Reception& reception() const override { return reception_; }
+  void describe(Status& status) const override;
 
  private:
   void on_message(const Bus::Message& message);

@@ -113,7 +113,6 @@ void Follower::take_state(const Message& message, Instant now) {
 void Follower::take_since(const Message& message, Instant now) {
   if (message.origin != origin_ || message.after != last_) return;
   heard_at_ = now;
-  if (message.seq > last_) ++mended_;
   pass(message);
   drain();
   answered(now);
@@ -145,6 +144,7 @@ void Follower::keep(Message message) {
   while (waiting_.size() > kWaitingMax || waiting_bytes_ > kWaitingBytesMax) {
     waiting_bytes_ -= waiting_.front().packets.size();
     waiting_.pop_front();
+    ++left_out_;
   }
 }
 

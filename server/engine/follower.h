@@ -24,7 +24,7 @@ class Follower {
   static constexpr Milliseconds kAskFirst{250};   ///< until the question is asked again, ...
   static constexpr Milliseconds kAskMax{4'000};   ///< ... twice as long each time, up to this
   static constexpr Milliseconds kSayEvery{60'000};
-  /// Batches that wait for an answer; older ones are dropped.
+  /// Batches that wait for an answer; the oldest are dropped for more, and counted.
   static constexpr std::size_t kWaitingMax = 128;
   static constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 20U;
 
@@ -63,7 +63,8 @@ class Follower {
   [[nodiscard]] std::vector<Event> on_time(Instant now);
   [[nodiscard]] std::optional<Instant> deadline() const;
 
-  [[nodiscard]] std::uint64_t mended() const { return mended_; }  ///< holes, by what was kept
+  /// Batches that waited for an answer when there was no room for more.
+  [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
 
  private:
   using Message = protocol::EngineMessage;
@@ -100,7 +101,7 @@ class Follower {
   unsigned asked_ = 0;           ///< times since what began has lasted a while
   std::deque<Message> waiting_;  ///< came while an answer was wanted
   std::size_t waiting_bytes_ = 0;
-  std::uint64_t mended_ = 0;
+  std::uint64_t left_out_ = 0;
   Complaint garbage_;
   Complaint other_origin_;
   Complaint refused_;

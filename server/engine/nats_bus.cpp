@@ -1,19 +1,21 @@
 #include "server/engine/nats_bus.h"
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include <asio/steady_timer.hpp>
 
 #include "common/link/host.h"
+#include "common/link/loop_gate.h"
 #include "common/log.h"
 #include "common/text.h"
+#include "common/thread.h"
 #include "common/time.h"
-#include "server/engine/loop_gate.h"
 #include "server/engine/nats_loader.h"
 
 namespace aucast::server {
@@ -41,37 +43,52 @@ NatsServers servers_of(const NatsOptions& options) {
   return servers;
 }
 
-/// Posts what the library tells of a connection to the loop, nothing else.
+void warn_of_full() {
+  spdlog::warn(
+      "NATS brings more than this computer works on: what does not fit into {} MiB is left out, "
+      "and "
+      "counted in the status (messages_left_out)",
+      link::LoopGate::kBytesMax >> 20U);
+}
+
+/// What the library tells, once it has come to the loop.
+struct LibraryEvents {
+  Bus::Events owner;
+  /// The connection of this number is closed for good.
+  std::function<void(int connection, const std::string& why)> on_given_up;
+};
+
+/// Posts what the library tells of a connection to the loop, nothing else. `events` are called
+/// there, and live until the gate is closed.
 class Poster final : public NatsListener {
  public:
-  Poster(std::shared_ptr<LoopGate> gate, int connection)
-      : gate_(std::move(gate)), connection_(connection) {}
+  Poster(std::shared_ptr<link::LoopGate> gate, const LibraryEvents& events, int connection)
+      : gate_(std::move(gate)), events_(events), connection_(connection) {}
 
   void on_connected(const std::string& server) override {
-    gate_->post([server](const LibraryEvents& events) { events.owner.on_connected(server); }, 0);
+    gate_->post([&events = events_, server] { events.owner.on_connected(server); });
   }
   void on_disconnected() override {
-    gate_->post([](const LibraryEvents& events) { events.owner.on_disconnected(); }, 0);
+    gate_->post([&events = events_] { events.owner.on_disconnected(); });
   }
   void on_message(Bus::Message message) override {
     const std::size_t bytes = message.bytes.size();
-    gate_->post([message = std::move(message)](
-                    const LibraryEvents& events) { events.owner.on_message(message); },
-                bytes);
+    gate_->post(
+        [&events = events_, message = std::move(message)] { events.owner.on_message(message); },
+        bytes);
   }
   void on_error(const std::string& text) override {
-    gate_->post(
-        [text](const LibraryEvents&) { spdlog::warn("NATS says: {}", escaped(text, kSaidMax)); },
-        text.size());
+    gate_->post([text] { spdlog::warn("NATS says: {}", escaped(text, kSaidMax)); }, text.size());
   }
   void on_given_up(const std::string& why) override {
-    gate_->post([why, connection = connection_](
-                    const LibraryEvents& events) { events.on_given_up(connection, why); },
-                0);
+    gate_->post([&events = events_, connection = connection_, why] {
+      events.on_given_up(connection, why);
+    });
   }
 
  private:
-  std::shared_ptr<LoopGate> gate_;
+  std::shared_ptr<link::LoopGate> gate_;
+  const LibraryEvents& events_;
   int connection_;
 };
 
@@ -83,7 +100,8 @@ class NatsBus final : public Bus {
         servers_(std::move(servers)),
         refused_pause_(refused_pause),
         events_(std::move(events)),
-        gate_(std::make_shared<LoopGate>(io, library_events())),
+        library_events_(library_events()),
+        gate_(std::make_shared<link::LoopGate>(io, [] { warn_of_full(); })),
         timer_(io) {}
   ~NatsBus() override;
 
@@ -92,6 +110,7 @@ class NatsBus final : public Bus {
   void subscribe(const std::string& subject) override;
   void publish(const Message& message) override;
   [[nodiscard]] std::string own_subject() const override { return own_subject_; }
+  [[nodiscard]] std::uint64_t left_out() const override { return gate_->left_out(); }
 
  private:
   using Made = Result<std::unique_ptr<NatsConnection>>;
@@ -108,7 +127,8 @@ class NatsBus final : public Bus {
   NatsServers servers_;
   const std::chrono::milliseconds refused_pause_;
   Events events_;
-  std::shared_ptr<LoopGate> gate_;
+  const LibraryEvents library_events_;
+  std::shared_ptr<link::LoopGate> gate_;
   asio::steady_timer timer_;
   int connections_ = 0;                         ///< made so far; the last is the present one
   std::unique_ptr<NatsConnection> connection_;  ///< null: between one that is closed and the next
@@ -134,7 +154,7 @@ LibraryEvents NatsBus::library_events() {
 }
 
 std::shared_ptr<Poster> NatsBus::new_listener() {
-  return std::make_shared<Poster>(gate_, ++connections_);
+  return std::make_shared<Poster>(gate_, library_events_, ++connections_);
 }
 
 /// Nothing can be said yet over a connection that is still on its way to us.
@@ -158,28 +178,20 @@ void NatsBus::ask_again_later(const std::string& why) {
   });
 }
 
-/// In a thread that nobody waits for, as servers that do not answer take their time.
 void NatsBus::connect_anew() {
   connection_.reset();
   const auto connect = [this, gate = gate_, module = module_, servers = servers_,
                         listener = new_listener()] {
     auto made = std::make_shared<Made>(module->connect(servers, listener));
-    gate->post(
-        [this, made](const LibraryEvents&) {
-          if (*made) {
-            use(std::move(**made));
-          } else {
-            ask_again_later(made->error().message);
-          }
-        },
-        0);
+    gate->post([this, made] {
+      if (*made) {
+        use(std::move(**made));
+      } else {
+        ask_again_later(made->error().message);
+      }
+    });
   };
-  // Thrown when the system has no thread left.
-  try {
-    std::thread(connect).detach();
-  } catch (const std::system_error& failure) {
-    ask_again_later(shortage_text(failure));
-  }
+  if (auto started = start_unattended(connect); !started) ask_again_later(started.error().message);
 }
 
 Result<void> NatsBus::open() {

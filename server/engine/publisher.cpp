@@ -154,7 +154,15 @@ bool Publisher::may_answer() {
     second_begin_ = now;
     answers_ = 0;
   }
-  return ++answers_ <= kAnswersPerSecond;
+  if (++answers_ <= kAnswersPerSecond) return true;
+  ++unanswered_;
+  return false;
+}
+
+void Publisher::describe(Status& status) const {
+  if (!status.engine) status.engine.emplace();
+  if (bus_) status.engine->messages_left_out += bus_->left_out();
+  status.engine->questions_left_out += unanswered_;
 }
 
 }  // namespace aucast::server

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "protocol/server_session.h"
 #include "server/engine/bus.h"
 #include "server/engine/publication.h"
+#include "server/status/status.h"
 
 namespace aucast::server {
 
@@ -30,7 +32,8 @@ class Publisher {
 
   static constexpr Milliseconds kBeat{
       500};  ///< without anything new it says so often that it lives
-  static constexpr std::size_t kAnswersPerSecond = 1'000;  ///< more questions are left unanswered
+  static constexpr std::size_t kAnswersPerSecond =
+      1'000;  ///< more questions are left out, and counted
 
   Publisher(asio::io_context& io, Options options, Catalogue catalogue);
   Publisher(const Publisher&) = delete;
@@ -42,6 +45,8 @@ class Publisher {
   void on_moment();
   /// Tells who watches that it has ended.
   void stop();
+  /// Adds how it goes.
+  void describe(Status& status) const;
 
  private:
   [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> channel();
@@ -66,6 +71,7 @@ class Publisher {
   asio::steady_timer beat_timer_;
   Instant second_begin_{};
   std::size_t answers_ = 0;  ///< in that second
+  std::uint64_t unanswered_ = 0;
   bool stopped_ = false;
 };
 

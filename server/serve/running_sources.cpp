@@ -148,9 +148,7 @@ void RunningSources::condition_anew() {
 }
 
 void RunningSources::describe(Status& status) const {
-  for (const auto& upstream : upstreams_) {
-    status.upstreams.push_back(upstream->reception().status());
-  }
+  for (const auto& upstream : upstreams_) upstream->describe(status);
 }
 
 Result<void> RunningSources::finish() {

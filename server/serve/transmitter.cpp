@@ -207,6 +207,7 @@ class Transmitter {
     programme_.describe(status);
     clients_.describe(status, now);
     for (const auto& pusher : pushers_) status.pushes.push_back(pusher->status());
+    if (publisher_) publisher_->describe(status);
     return status;
   }
 

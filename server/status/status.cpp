@@ -143,6 +143,11 @@ std::vector<std::string> status_lines(const Status& status) {
                     (push.sending ? "taken" : "not taken") + ", connections " +
                     text(push.connects) + ", lost " + text(push.losses));
   }
+  if (status.engine) {
+    lines.push_back("status: NATS: left out " + text(status.engine->messages_left_out) +
+                    " messages, " + text(status.engine->batches_left_out) + " batches, " +
+                    text(status.engine->questions_left_out) + " questions");
+  }
   return lines;
 }
 
@@ -191,6 +196,13 @@ std::string metrics_text(const Status& status) {
           status.reload_failures);
   add_upstreams(text, status.upstreams);
   add_pushes(text, status.pushes);
+  if (status.engine) {
+    Family family(text, "aucast_engine_left_out_total", "counter",
+                  "What NATS brought and there was no room or time for.");
+    family.sample(std::to_string(status.engine->messages_left_out), "what=\"messages\"");
+    family.sample(std::to_string(status.engine->batches_left_out), "what=\"batches\"");
+    family.sample(std::to_string(status.engine->questions_left_out), "what=\"questions\"");
+  }
   return text;
 }
 
@@ -215,34 +227,39 @@ std::string status_json(const Status& status) {
                       {"connects", push.connects},
                       {"losses", push.losses}});
   }
-  const Json all = {{"program", "au-transmitter"},
-                    {"version", version_number()},
-                    {"protocol", protocol::kProtocolVersion},
-                    {"up_seconds", status.up_seconds},
-                    {"live", status.live},
-                    {"stopping", status.stopping},
-                    {"streams", status.streams},
-                    {"clients", status.clients},
-                    {"clients_web", status.clients_web},
-                    {"clients_paused", status.clients_paused},
-                    {"clients_behind", status.clients_behind},
-                    {"connects", status.connects},
-                    {"connects_unheard", status.connects_unheard},
-                    {"accept_failures", status.accept_failures},
-                    {"disconnects", std::move(disconnects)},
-                    {"packets", status.sent.packets},
-                    {"packets_merged", status.sent.packets_merged},
-                    {"bytes", status.sent.bytes},
-                    {"bytes_total", status.sent.bytes_total},
-                    {"voice_packets", status.sent.voice_packets},
-                    {"sound_bytes", status.sent.sound_bytes},
-                    {"queue_bytes", status.queue_bytes},
-                    {"queue_seconds", status.queue_seconds},
-                    {"lag_seconds", status.lag_seconds},
-                    {"reloads", status.reloads},
-                    {"reload_failures", status.reload_failures},
-                    {"upstreams", std::move(upstreams)},
-                    {"pushes", std::move(pushes)}};
+  Json all = {{"program", "au-transmitter"},
+              {"version", version_number()},
+              {"protocol", protocol::kProtocolVersion},
+              {"up_seconds", status.up_seconds},
+              {"live", status.live},
+              {"stopping", status.stopping},
+              {"streams", status.streams},
+              {"clients", status.clients},
+              {"clients_web", status.clients_web},
+              {"clients_paused", status.clients_paused},
+              {"clients_behind", status.clients_behind},
+              {"connects", status.connects},
+              {"connects_unheard", status.connects_unheard},
+              {"accept_failures", status.accept_failures},
+              {"disconnects", std::move(disconnects)},
+              {"packets", status.sent.packets},
+              {"packets_merged", status.sent.packets_merged},
+              {"bytes", status.sent.bytes},
+              {"bytes_total", status.sent.bytes_total},
+              {"voice_packets", status.sent.voice_packets},
+              {"sound_bytes", status.sent.sound_bytes},
+              {"queue_bytes", status.queue_bytes},
+              {"queue_seconds", status.queue_seconds},
+              {"lag_seconds", status.lag_seconds},
+              {"reloads", status.reloads},
+              {"reload_failures", status.reload_failures},
+              {"upstreams", std::move(upstreams)},
+              {"pushes", std::move(pushes)}};
+  if (status.engine) {
+    all["engine"] = {{"messages_left_out", status.engine->messages_left_out},
+                     {"batches_left_out", status.engine->batches_left_out},
+                     {"questions_left_out", status.engine->questions_left_out}};
+  }
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct PushStatus {
   std::uint64_t losses = 0;  ///< of those
 };
 
+/// What an engine brought that was not worked on.
+struct EngineStatus {
+  std::uint64_t messages_left_out = 0;   ///< no room to wait for the event loop
+  std::uint64_t batches_left_out = 0;    ///< no room to wait for what was missing before them
+  std::uint64_t questions_left_out = 0;  ///< more than are answered in a second
+};
+
 /// How a transmitter is at one moment: what SIGUSR1 logs and --http answers.
 struct Status {
   double up_seconds = 0;
@@ -52,6 +60,7 @@ struct Status {
   std::uint64_t reload_failures = 0;      ///< something was not taken over
   std::vector<UpstreamStatus> upstreams;  ///< one for each stream of another server
   std::vector<PushStatus> pushes;         ///< one for each --push
+  std::optional<EngineStatus> engine;     ///< nothing: none is in use
 };
 
 /// For the log; the first line says the most.

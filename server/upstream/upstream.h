@@ -19,6 +19,8 @@ class Upstream {
   virtual void stop() = 0;
   /// What has come, under the name that the address gives it, if any.
   [[nodiscard]] virtual const Reception& reception() const = 0;
+  /// Adds how it goes.
+  virtual void describe(Status& status) const { status.upstreams.push_back(reception().status()); }
 };
 
 }  // namespace aucast::server

@@ -12,6 +12,7 @@
 #include <asio/executor_work_guard.hpp>
 #include <asio/post.hpp>
 
+#include "common/link/loop_gate.h"
 #include "common/log.h"
 #include "tests/support/run_until.h"
 
@@ -22,6 +23,7 @@ using namespace std::chrono_literals;
 
 std::atomic<int> asked{0};
 std::counting_semaphore<1> answers{0};
+std::shared_ptr<NatsListener> library;
 std::vector<std::string> subscribed;  ///< of the loop's thread
 
 class OpenConnection final : public NatsConnection {
@@ -37,6 +39,7 @@ class OpenConnection final : public NatsConnection {
 /// Refuses the first time; then is connected, but takes its time to say so.
 Result<std::unique_ptr<NatsConnection>> connect(const NatsServers& /*servers*/,
                                                 const std::shared_ptr<NatsListener>& listener) {
+  library = listener;
   if (++asked == 1) return Error{ErrorKind::Network, "not you"};
   listener->on_connected("hub");
   if (!answers.try_acquire_for(10s)) return Error{ErrorKind::Network, "nobody let it go on"};
@@ -71,6 +74,10 @@ TEST(NatsBus, TheLoopGoesRoundWhileAServerThatRefusedIsAskedAgain) {
   answers.release();
   EXPECT_TRUE(test::run_until(io, [&told] { return !told.empty(); }));
   EXPECT_EQ(told, std::vector<std::string>{"hub with 1"});
+  EXPECT_EQ((*bus)->left_out(), 0U);
+  const std::string much(link::LoopGate::kBytesMax / 2, 'x');
+  for (int i = 0; i < 5; ++i) library->on_message({"talk", "", much});
+  EXPECT_EQ((*bus)->left_out(), 3U) << "there is room for two";
   bus->reset();
   spdlog::set_level(level_before);
 }

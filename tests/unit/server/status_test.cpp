@@ -101,5 +101,16 @@ TEST(Status, TellsOfStreamsOfOtherServers) {
   EXPECT_EQ(json["upstreams"][0]["bytes"], 2000);
 }
 
+TEST(Status, TellsWhatAnEngineBroughtThatWasLeftOut) {
+  Status status;
+  EXPECT_FALSE(nlohmann::json::parse(status_json(status)).contains("engine"));
+  status.engine = {3, 2, 1};
+  EXPECT_EQ(status_lines(status).back(),
+            "status: NATS: left out 3 messages, 2 batches, 1 questions");
+  EXPECT_NE(metrics_text(status).find("\naucast_engine_left_out_total{what=\"batches\"} 2\n"),
+            std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(status_json(status))["engine"]["questions_left_out"], 1);
+}
+
 }  // namespace
 }  // namespace aucast::server

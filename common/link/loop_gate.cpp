@@ -1,0 +1,43 @@
+#include "common/link/loop_gate.h"
+
+#include <utility>
+
+#include <asio/post.hpp>
+
+namespace aucast::link {
+
+void LoopGate::post(Work work, std::size_t bytes) {
+  state_.with([&](State& state) {
+    if (state.io == nullptr) return;
+    if (state.waiting_bytes + bytes <= kBytesMax) {
+      pass(state, std::move(work), bytes);
+    } else if (++state.left_out == 1) {
+      pass(state, on_full_, 0);
+    }
+  });
+}
+
+void LoopGate::pass(State& state, Work work, std::size_t bytes) {
+  state.waiting_bytes += bytes;
+  asio::post(*state.io, [self = shared_from_this(), work = std::move(work), bytes] {
+    const bool open = self->state_.with([bytes](State& now) {
+      now.waiting_bytes -= bytes;
+      return now.io != nullptr;
+    });
+    if (open) work();
+  });
+}
+
+void LoopGate::close() {
+  state_.with([](State& state) { state.io = nullptr; });
+}
+
+bool LoopGate::is_open() const {
+  return state_.with([](const State& state) { return state.io != nullptr; });
+}
+
+std::uint64_t LoopGate::left_out() const {
+  return state_.with([](const State& state) { return state.left_out; });
+}
+
+}  // namespace aucast::link

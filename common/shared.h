@@ -1,0 +1,61 @@
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+#include "common/time.h"
+
+namespace aucast {
+
+/// What several threads touch: nobody reaches it but in an `act`, one at a time. An act is short
+/// and waits for nothing. Every object of ours that has a lock is one of these.
+template <typename T>
+class Shared {
+ public:
+  template <typename... Parts>
+  explicit Shared(Parts&&... parts) : value_{std::forward<Parts>(parts)...} {}
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+
+  template <typename Act>
+  auto with(Act act) {
+    const std::lock_guard lock(mutex_);
+    return act(value_);
+  }
+  template <typename Act>
+  auto with(Act act) const {
+    const std::lock_guard lock(mutex_);
+    return act(value_);
+  }
+  /// The same, after which those who wait look again.
+  template <typename Act>
+  auto change(Act act) {
+    const std::lock_guard lock(mutex_);
+    changed_.notify_all();
+    return act(value_);
+  }
+  void wake() { changed_.notify_all(); }
+
+  /// Waits until `ready`, then acts.
+  template <typename Ready, typename Act>
+  auto wait(Ready ready, Act act) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return ready(std::as_const(value_)); });
+    return act(value_);
+  }
+  /// The same, at `until` at the latest.
+  template <typename Ready, typename Act>
+  auto wait_until(Instant until, Ready ready, Act act) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_until(lock, until, [&] { return ready(std::as_const(value_)); });
+    return act(value_);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  T value_;
+};
+
+}  // namespace aucast
