@@ -114,6 +114,13 @@ double under_chin(const Vec3& p) {
          smooth_step(-5.0, -5.6, p.y - 0.25 * (p.z - 3.5));
 }
 
+/// The shadow that the jaw casts on the front of the neck, deepest close below it: the ambient
+/// light that is baked does not know the lamp above.
+double below_jaw(const Vec3& p) {
+  return smooth_step(-8.6, -6.2, p.y) * smooth_step(-4.6, -5.6, p.y - 0.25 * (p.z - 3.5)) *
+         smooth_step(0.0, 2.2, p.z) * bell(p.x, 2.6);
+}
+
 /// Nose and forehead shine a little more than the rest, neck and back of the head less.
 double shine(const Vec3& p) {
   double s = 0.85;
@@ -134,6 +141,7 @@ void paint_skin(const Identity& who, Skin& skin) {
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
     c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
+    c *= Vec3{1} - Vec3{0.26, 0.34, 0.36} * below_jaw(p);
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
     c *= Vec3{1} - Vec3{1.5, 2.2, 2.2} * std::max(0.0, fold_depth(who, p));
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));

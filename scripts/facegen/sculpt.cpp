@@ -94,9 +94,9 @@ double neck(const Form& form, const Vec3& p) {
   const double wide = form.neck_width;
   const Vec3 behind_ear{2.75 * wide, -0.6, 0.4};
   const Vec3 pit{0.95 * wide, -10.8, 3.3 * wide - 1.85};
-  const double rope = round_cone(p, behind_ear, pit, 0.76 * wide, 0.46 * wide);
+  const double rope = round_cone(p, behind_ear, pit, 0.78 * wide, 0.52 * wide);
   const Vec3 larynx{0, -6.8, 3.75 * wide - 1.15};
-  return melt(melt(neck_column(form, p), rope, 0.52),
+  return melt(melt(neck_column(form, p), rope, 0.36),
               ellipsoid(p - larynx, Vec3{0.55, 1.1, 0.5} + form.larynx), 0.9);
 }
 

@@ -2,6 +2,7 @@
 
 #include "scripts/facegen/palette.h"
 #include "scripts/facegen/sculpt.h"
+#include "scripts/facegen/weights.h"
 
 namespace aucast::facegen {
 namespace {
@@ -79,6 +80,7 @@ Part make_shirt(const Identity& who) {
     above = std::move(ring);
   }
   hang(shirt);
+  shirt.fill(Map::Head, kShoulders);
   return shirt;
 }
 

@@ -132,7 +132,7 @@ double jaw_field(const Vec3& p) {
 
 double head_field(const Vec3& p) {
   // The plus matters: with the slope the other way the chin is squashed when the head turns.
-  return smooth_step(-9.0, -3.9, p.y + 0.45 * (p.z - 1));
+  return mix(kShoulders, 1.0, smooth_step(-9.0, -3.9, p.y + 0.45 * (p.z - 1)));
 }
 
 void weigh_by_position(const Identity& who, Vertex& vertex) {

@@ -10,7 +10,10 @@ namespace aucast::facegen {
 /// Share of the jaw's turn in the open skin.
 [[nodiscard]] double jaw_field(const Vec3& p);
 
-/// Share of the head's turn: 1 on the head, fading down the neck to 0 at the collar.
+/// Share of the head's turn that the shoulders have.
+inline constexpr double kShoulders = 0.13;
+
+/// Share of the head's turn: 1 on the head, fading down the neck to that of the shoulders.
 [[nodiscard]] double head_field(const Vec3& p);
 
 /// Sets all maps of a vertex that lies on the face without belonging to the layout, as brows do.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 #include <map>
 #include <set>
 #include <utility>
@@ -109,6 +110,21 @@ TEST_F(DefaultFaceMesh, MovesHairWithTheSkullAlone) {
       ASSERT_EQ(head[i], 1);
       ASSERT_LT(glm::length(positions[i] - face().mesh.positions[i]), 1e-5F) << "AU" << number;
     }
+  }
+}
+
+TEST_F(DefaultFaceMesh, TheShouldersFollowATurnOfTheHeadALittle) {
+  const face::MeshPart& shirt = part("shirt");
+  const auto turned = posed(51);
+  const auto from_pivot = [this](const glm::vec3& place) {
+    const glm::vec3 arm = place - face().head->pivot;
+    return glm::degrees(std::atan2(arm.x, arm.z));
+  };
+  for (std::uint32_t i = shirt.vertex_begin; i < shirt.vertex_begin + shirt.vertex_count; ++i) {
+    const float turn = from_pivot(turned[i]) - from_pivot(face().mesh.positions[i]);
+    const float degrees = turn - 360 * std::round(turn / 360);
+    ASSERT_GT(degrees, 2) << "vertex " << i;
+    ASSERT_LT(degrees, 8) << "vertex " << i;
   }
 }
 
