@@ -132,7 +132,8 @@ void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommand
   ImGui::SetNextItemWidth(-1);
   int ms = std::max(composer.ms, 0);
   ImGui::BeginDisabled(composer.ms < 0);
-  if (ImGui::InputInt("##ms", &ms, 50, 500)) ask(commands, ComposeTime{std::max(ms, 0), false});
+  if (number_field("##ms", ms, {.near = 50, .far = 500}))
+    ask(commands, ComposeTime{std::max(ms, 0), false});
   ImGui::EndDisabled();
 }
 

@@ -9,11 +9,14 @@
 #include "client/gui/texts.h"
 #include "common/action_unit.h"
 #include "common/text.h"
+#include "common/text_file.h"
 
 namespace aucast::gui {
 namespace {
 
 constexpr float kStep = 0.05F;
+/// What most AUs need; the rest is scrolled to.
+constexpr float kSaidLines = 6;
 
 std::string title_of(const AuEntry& entry) {
   const std::string title = std::to_string(entry.number) + "  " + au_name(entry.number, entry.name);
@@ -27,16 +30,35 @@ const AuEntry* entry_of(const GuiModel& model, int number) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// The field of a name, for numbers that FACS gives none.
-void name_field(const Look& look, const GuiModel& model, int number, EditorForm& form) {
+/// The field of a name, which is the user's for numbers that FACS gives none.
+void name_field(const Look& look, const GuiModel& model, int number, bool unnamed,
+                EditorForm& form) {
   if (std::exchange(form.named, number) != number) {
     const AuEntry* entry = entry_of(model, number);
-    const std::string name = entry == nullptr ? "" : entry->name;
+    const std::string own = entry == nullptr ? "" : entry->name;
+    const std::string name = unnamed ? own : au_name(number);
     form.name = {};
     name.copy(form.name.data(), form.name.size() - 1);
   }
   label(look, tr("editor.name"));
-  ImGui::InputTextWithHint("##auname", tr("editor.name_hint"), form.name.data(), form.name.size());
+  ImGui::BeginDisabled(!unnamed);
+  if (std::exchange(form.to_name, false)) ImGui::SetKeyboardFocusHere();
+  const char* hint = number > 0 ? tr("editor.name_hint") : "";
+  ImGui::InputTextWithHint("##auname", hint, form.name.data(), form.name.size());
+  ImGui::EndDisabled();
+}
+
+/// What is known of an AU, in a place that is as high for each, so that nothing below moves.
+void said_of_au(const AuEntry* entry) {
+  const float height = kSaidLines * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
+  if (ImGui::BeginChild("said", ImVec2(0, height), false, ImGuiWindowFlags_NavFlattened) &&
+      entry != nullptr) {
+    if (!entry->looks.empty()) {
+      ImGui::TextWrapped("%s", au_looks(entry->number, entry->looks).c_str());
+    }
+    quiet_text(entry->muscles);
+  }
+  ImGui::EndChild();
 }
 
 /// What can be done with saved AUs.
@@ -96,32 +118,22 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SetNextItemWidth((width - gap) / 2);
-  if (ImGui::InputInt("##as", &target, 1, 10)) form.save_as = std::clamp(target, 1, kAuNumberMax);
+  if (number_field("##as", target, {.least = 1, .most = kAuNumberMax}))
+    form.save_as = std::clamp(target, 1, kAuNumberMax);
   target = form.save_as >= 0 ? form.save_as : editor.au;
   const bool unnamed = target > 0 && !facs_name(target);
   ImGui::SameLine();
   ImGui::BeginDisabled(target < 1);
   if (ImGui::Button(tr("button.save"), ImVec2((width - gap) / 2, 0))) {
-    commands.push_back(SaveAu{target, unnamed ? form.name.data() : ""});
+    const std::string_view name = trimmed(form.name.data(), " ");
+    form.to_name = unnamed && name.empty();
+    commands.push_back(SaveAu{target, unnamed ? std::string(name) : std::string()});
   }
   ImGui::EndDisabled();
+  name_field(look, model, target, unnamed, form);
   au_file_buttons(model, commands);
-  // Below the buttons, which stay where they are whatever is said.
-  if (unnamed) name_field(look, model, target, form);
-  if (const AuEntry* entry = entry_of(model, editor.au)) {
-    if (!entry->looks.empty()) {
-      ImGui::TextWrapped("%s", au_looks(entry->number, entry->looks).c_str());
-    }
-    quiet_text(entry->muscles);
-  }
-  // Always something, so that the muscles stay where they are.
-  if (editor.saved_to.empty()) {
-    quiet_text(tr("editor.where"));
-  } else if (editor.save_failed) {
-    toned_text(Tone::Bad, editor.saved_to);
-  } else {
-    quiet_text(editor.saved_to);
-  }
+  said_of_au(entry_of(model, editor.au));
+  quiet_text(tr("editor.where"));
 }
 
 /// In hundredths, as it is shown: a file should not say 1.1499999.
@@ -137,20 +149,18 @@ void channel_slider(const Look& look, const char* id, int channel, float value, 
   const float gap = 2 * look.scale;
   float wanted = value;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
-  ImGui::PushButtonRepeat(true);
-  if (ImGui::Button("-", step_size))
+  const ImGuiID owner = ImGui::GetID("##value");
+  if (step_button("-", step_size, owner))
     commands.push_back(SetChannel{channel, stepped(value, -kStep), false});
   ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(width - 2 * (step_size.x + gap));
-  const SliderScope slider;
-  if (ImGui::SliderFloat("##value", &wanted, 0, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
+  const float room = width - 2 * (step_size.x + gap);
+  if (slider("##value", room, wanted, 0.0F, maximum, "%.2f")) {
     commands.push_back(SetChannel{channel, wanted, belongs_to_drag()});
   }
   if (!ImGui::IsItemActive()) tip(tr("panel.type_tip", number_text(static_cast<double>(maximum))));
   ImGui::SameLine(0, gap);
-  if (ImGui::Button("+", step_size))
+  if (step_button("+", step_size, owner))
     commands.push_back(SetChannel{channel, stepped(value, kStep), false});
-  ImGui::PopButtonRepeat();
   ImGui::PopStyleVar();
   ImGui::PopID();
 }

@@ -46,7 +46,8 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"panel.au", "AU"},
     {"panel.au_name", "Name"},
     {"panel.shown", "shown"},
-    {"panel.type_tip", "0 to {most}; control and click to type"},
+    {"panel.type_tip",
+     "0 to {most}; control and click to type; by keys: Space, then Left and Right"},
     {"keys.title", "Keys"},
     {"keys.space", "Space"},
     {"keys.left_right", "Left, Right"},
@@ -150,7 +151,10 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"expression.more", "more"},
     {"expression.search_hint", "search: a word, AUs, an author"},
     {"expression.strength", "Strength"},
-    {"expression.strength_tip", "of all intensities of an expression; control and click to type"},
+    {"expression.strength_tip",
+     "of all intensities of an expression; control and click to type; by keys: Space, then Left "
+     "and "
+     "Right"},
     {"expression.title", "Expressions"},
     {"expression.macros", "Waters' macros"},
     {"expression.way", "On the way there"},
@@ -257,6 +261,9 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"camera.live_nobody", "Live at {address}, nobody watches yet."},
     {"camera.live_one", "Live at {address}, 1 watches."},
     {"camera.live_many", "Live at {address}, {count} watch."},
+    {"notice.ended",
+     "{server} has ended the stream: that was its last keyframe, or the server was stopped.\n"
+     "Connect asks it again; the list beside the address has the last servers."},
     {"notice.last_face", "The face is the last one received."},
     {"notice.eased", "Nothing has come for a while: the face has gone to neutral."},
     {"play.keyframe_back", "a keyframe back (PgUp)"},
@@ -458,6 +465,7 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"said.au_saved",
      "AU{number} saved in {file}, in your copy of the face, with which the window begins from now "
      "on"},
+    {"said.au_unnamed", "AU{number} is not saved: give it a name first, FACS has none for it"},
     {"said.au_shipped", "AU{number} is as it came with the player; Undo and Save bring yours back"},
     {"said.au_deleted", "AU{number} is deleted; Undo and Save bring it back"},
     {"said.aus_imported",

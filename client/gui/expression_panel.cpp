@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
@@ -110,12 +111,12 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   bool changed = in_between(look, "way", way);
   settings.cosine = way == Interpolation::Cosine;
   label(look, tr("expression.frames"), tr("tip.frames"));
-  if (ImGui::InputInt("##frames", &settings.frames, 1, 10)) {
+  if (number_field("##frames", settings.frames, {.least = 1, .most = 500})) {
     settings.frames = std::clamp(settings.frames, 1, 500);
     changed = true;
   }
   label(look, tr("expression.each_ms"));
-  if (ImGui::InputInt("##frame", &settings.frame_ms, 1, 10)) {
+  if (number_field("##frame", settings.frame_ms, {.least = 1, .most = 1000})) {
     settings.frame_ms = std::clamp(settings.frame_ms, 1, 1000);
     changed = true;
   }
@@ -126,13 +127,13 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
 void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
               GuiCommands& commands) {
   heading(look, tr("expression.together"), tr("tip.au"));
-  // The AUs of an expression are where they can be changed.
-  if (form.taken != model.expressions.aus) {
-    form.taken = model.expressions.aus;
-    if (!form.taken.empty()) {
-      form.aus.fill(0);
-      form.taken.copy(form.aus.data(), form.aus.size() - 1);
-    }
+  // The AUs of an expression are where they can be changed; one that is made of muscles has none.
+  const ExpressionsView& all = model.expressions;
+  const int chosen = std::exchange(form.chosen, all.chosen);
+  const bool other = chosen != all.chosen && all.chosen >= 0;
+  if (std::exchange(form.taken, all.aus) != all.aus || other) {
+    if (!all.aus.empty() || other) form.aus.fill(0);
+    all.aus.copy(form.aus.data(), form.aus.size() - 1);
   }
   const float button = 70 * look.scale;
   ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));

@@ -122,7 +122,7 @@ void table_settings(const Look& look, const TableSettings& now, GuiCommands& com
   const auto number = [&](const char* name, const char* id, int& value, int most, int step,
                           const char* help) {
     label(look, name);
-    changed |= ImGui::InputInt(id, &value, step, 10 * step);
+    changed |= number_field(id, value, {.near = step, .far = 10 * step, .most = most});
     value = std::clamp(value, 0, most);
     tip(help);
   };

@@ -448,6 +448,13 @@ bool Gui::close_keys() {
   return std::exchange(state_->keys, false);
 }
 
+bool Gui::close_notice() {
+  NoticeForm& form = state_->notice;
+  if (form.shown.empty()) return false;
+  form.closed = std::exchange(form.shown, {});
+  return true;
+}
+
 float Gui::covered_width() const {
   return state_->shows_panel() && !state_->full_screen ? state_->panel_width() : 0;
 }

@@ -54,6 +54,8 @@ class Gui {
   void toggle_keys();
   /// Hides the list of keys; false when it was not shown.
   bool close_keys();
+  /// Closes what is said about the connection; false when there was nothing.
+  bool close_notice();
   /// Width of what the panel takes of the window at its right, in its units; 0 when it is hidden or
   /// lies over the face.
   [[nodiscard]] float covered_width() const;

@@ -62,12 +62,13 @@ inline constexpr std::size_t kTracesMax = 6;
 
 struct RemoteView {
   Activity activity = Activity::Idle;
-  std::string state;   ///< in words: "buffering 42 %"
-  std::string detail;  ///< why it ended, a sentence; empty unless it went wrong
-  bool stale = false;  ///< the face shown is the last of a lost connection
-  bool eased = false;  ///< nothing came for long: the face has gone to neutral
-  bool timed = false;  ///< keyframes come with times of their own: the speed does nothing
-  bool local = false;  ///< a stream file: no buffers, no bytes
+  std::string state;     ///< in words: "buffering 42 %"
+  std::string detail;    ///< why it ended, a sentence; empty unless it went wrong
+  std::string ended_by;  ///< the server that has ended the stream: "host:port"; empty: none has
+  bool stale = false;    ///< the face shown is the last of a lost connection
+  bool eased = false;    ///< nothing came for long: the face has gone to neutral
+  bool timed = false;    ///< keyframes come with times of their own: the speed does nothing
+  bool local = false;    ///< a stream file: no buffers, no bytes
   BufferLevel receiver;
   BufferLevel playout;
   std::vector<float> receiver_history;  ///< fill in [0,1] over the last half minute, oldest first
@@ -114,8 +115,6 @@ struct EditorView {
   bool unsaved = false;
   bool can_undo = false;
   bool can_redo = false;
-  std::string saved_to;  ///< where the last saving went, or why it failed
-  bool save_failed = false;
   std::vector<AuRow> compound;  ///< the AUs that were last put together; empty: none
   friend bool operator==(const EditorView&, const EditorView&) = default;
 };

@@ -32,13 +32,15 @@ bool sentence(const Look& look, const char* id, const Notice& notice, float widt
   return clicked;
 }
 
-std::string trouble_of(const RemoteView& remote) {
-  std::string text = remote.detail;
+/// How the connection stands, where that is not what was asked for.
+Notice of_connection(const RemoteView& remote) {
   const char* face = "";
   if (remote.stale) face = tr("notice.last_face");
   if (remote.eased) face = tr("notice.eased");
+  std::string text = remote.detail;
   if (*face != 0) text += std::string(text.empty() ? "" : "\n") + face;
-  return text;
+  if (!text.empty() || remote.ended_by.empty()) return {text, true};
+  return {tr("notice.ended", remote.ended_by), false};
 }
 
 }  // namespace
@@ -50,10 +52,12 @@ void notices(const Look& look, const GuiModel& model, float width, NoticeForm& f
   if (!model.notice.text.empty() && sentence(look, "notice", model.notice, width, bottom)) {
     commands.push_back(CloseNotice{});
   }
-  const Notice trouble{trouble_of(model.remote), true};
-  if (trouble.text != form.trouble) form.trouble.clear();
-  if (trouble.text.empty() || !form.trouble.empty()) return;
-  if (sentence(look, "trouble", trouble, width, bottom)) form.trouble = trouble.text;
+  const Notice now = of_connection(model.remote);
+  if (now.text != form.closed) form.closed.clear();
+  form.shown.clear();
+  if (now.text.empty() || !form.closed.empty()) return;
+  form.shown = now.text;
+  if (sentence(look, "trouble", now, width, bottom)) form.closed = now.text;
 }
 
 }  // namespace aucast::gui

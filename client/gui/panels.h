@@ -54,6 +54,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, Gui
 struct ExpressionForm {
   std::array<char, 512> aus{};    ///< to be shown together
   std::string taken;              ///< the AUs of the expression that were put there last
+  int chosen = -1;                ///< the expression whose AUs they are
   std::array<char, 64> search{};  ///< among the expressions without a button
 };
 
@@ -66,6 +67,7 @@ struct EditorForm {
   int save_as = -1;             ///< number for "save as"; -1: the AU being edited
   std::array<char, 64> name{};  ///< for an AU that FACS does not name
   int named = -1;               ///< the AU whose name was put there
+  bool to_name = false;         ///< the focus goes to the name
   int opened_for = -1;          ///< the AU whose muscles were opened
 };
 
@@ -114,9 +116,10 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands);
 /// Over the face: the stream's title above, what is being said below.
 void captions(const Look& look, const GuiModel& model, float width);
 
-/// What was read and clicked away.
+/// What is said about the connection.
 struct NoticeForm {
-  std::string trouble;
+  std::string shown;   ///< empty: nothing
+  std::string closed;  ///< what was read and clicked away
 };
 
 /// Over the face: what is wrong with the connection, and for a while what was just done.

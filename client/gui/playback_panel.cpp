@@ -283,6 +283,8 @@ void put(const std::string& text, std::array<char, N>& field) {
   text.copy(field.data(), N - 1);
 }
 
+constexpr Steps kSideSteps{10, 100, kPictureSideMin, kPictureSideMax};
+
 /// Closed until somebody looks for it.
 void where_they_go(const Look& look, const PictureSettings& now, RecordForm& form,
                    GuiCommands& commands) {
@@ -326,11 +328,11 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
   }
   if (kind == 2) {
     label(look, tr("play.width"));
-    if (ImGui::InputInt("##picturewidth", &wanted.width, 10, 100)) {
+    if (number_field("##picturewidth", wanted.width, kSideSteps)) {
       wanted.width = std::clamp(wanted.width, kPictureSideMin, kPictureSideMax);
     }
     label(look, tr("play.height"));
-    if (ImGui::InputInt("##pictureheight", &wanted.height, 10, 100)) {
+    if (number_field("##pictureheight", wanted.height, kSideSteps)) {
       wanted.height = std::clamp(wanted.height, kPictureSideMin, kPictureSideMax);
     }
   }

@@ -22,7 +22,7 @@ void write(const std::string& text, std::span<char> out) {
 
 void fill_form(const RemoteSettings& settings, RemoteForm& form) {
   form.settings = settings;
-  write(address_text(settings), form.address);
+  write(server_text(settings), form.address);
   write(settings.token_file, form.token_file);
   form.wrong.reset();
   form.filled = true;
@@ -31,7 +31,7 @@ void fill_form(const RemoteSettings& settings, RemoteForm& form) {
 /// A whole number that is typed or stepped; the limits are checked by problem().
 void number(const Look& look, const char* name, const char* id, int& value, const char* help = "") {
   label(look, name, help);
-  ImGui::InputInt(id, &value, 1, 10);
+  static_cast<void>(number_field(id, value, {}));
 }
 
 /// One field for host, port and stream, with the last ones in a list.
@@ -158,7 +158,7 @@ void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
     ImGui::Checkbox(tr("play.again"), &form.settings.reconnect);
     label(look, tr("play.protection"), tr("tip.tls"));
     if (ImGui::Checkbox("TLS", &form.settings.tls)) {
-      write(address_text(form.settings), form.address);
+      write(server_text(form.settings), form.address);
     }
     label(look, tr("play.token_file"), tr("tip.token"));
     ImGui::InputText("##token", form.token_file.data(), form.token_file.size());

@@ -58,6 +58,12 @@ std::string address_text(const RemoteSettings& settings) {
   return settings.stream.empty() ? text : text + "/" + settings.stream;
 }
 
+std::string server_text(const RemoteSettings& settings) {
+  RemoteSettings server = settings;
+  server.stream.clear();
+  return address_text(server);
+}
+
 std::optional<std::string> take_address(std::string_view text, RemoteSettings& settings) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);

@@ -35,8 +35,10 @@ struct RemoteSettings {
 /// aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM] when a stream or other hosts are named,
 /// aucasts:// for TLS.
 [[nodiscard]] std::string address_text(const RemoteSettings& settings);
-/// The other way round, also HOST[:PORT]/STREAM; into address, port, others, stream and tls. What
-/// is wrong with the text, as a sentence; nothing then is changed.
+/// The same without the stream, which has a field of its own.
+[[nodiscard]] std::string server_text(const RemoteSettings& settings);
+/// address_text() the other way round, also HOST[:PORT]/STREAM; into address, port, others, stream
+/// and tls. What is wrong with the text, as a sentence; nothing then is changed.
 [[nodiscard]] std::optional<std::string> take_address(std::string_view text,
                                                       RemoteSettings& settings);
 

@@ -67,11 +67,10 @@ bool usual_view(RenderingSettings& settings) {
   return true;
 }
 
-bool slider(const Look& look, const char* name, const char* id, int& value, int least, int most,
-            const char* format) {
+bool named_slider(const Look& look, const char* name, const char* id, int& value, int least,
+                  int most, const char* format) {
   label(look, name);
-  const SliderScope scope;
-  return ImGui::SliderInt(id, &value, least, most, format, ImGuiSliderFlags_AlwaysClamp);
+  return slider(id, -1, value, least, most, format);
 }
 
 bool light(const Look& look, RenderingSettings& settings) {
@@ -87,10 +86,11 @@ bool light(const Look& look, RenderingSettings& settings) {
     changed = true;
   }
   changed |=
-      slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg, -180, 180, "%d°");
-  changed |= slider(look, tr("view.light_up"), "##pitch", settings.light_pitch_deg, -80, 80, "%d°");
+      named_slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg, -180, 180, "%d°");
   changed |=
-      slider(look, tr("view.strength"), "##strength", settings.light_percent, 0, 200, "%d %%");
+      named_slider(look, tr("view.light_up"), "##pitch", settings.light_pitch_deg, -80, 80, "%d°");
+  changed |= named_slider(look, tr("view.strength"), "##strength", settings.light_percent, 0, 200,
+                          "%d %%");
   return changed;
 }
 
@@ -98,7 +98,7 @@ bool light(const Look& look, RenderingSettings& settings) {
 bool number(const Look& look, const char* name, const char* id, int& value, int least, int most,
             int step, const char* help = "") {
   label(look, name, help);
-  const bool changed = ImGui::InputInt(id, &value, step, 10 * step);
+  const bool changed = number_field(id, value, {step, 10 * step, least, most});
   if (changed) value = std::clamp(value, least, most);
   return changed;
 }
@@ -148,8 +148,8 @@ void display(const Look& look, const DisplayView& view, GuiCommands& commands) {
   DisplaySettings settings = view.settings;
   language(look, view, settings);
   label(look, tr("view.text_size"));
-  if (ImGui::InputInt("##textsize", &settings.text_percent, kTextStep, 2 * kTextStep,
-                      ImGuiInputTextFlags_EnterReturnsTrue)) {
+  if (number_field("##textsize", settings.text_percent,
+                   {kTextStep, 2 * kTextStep, kTextPercentMin, kTextPercentMax}, true)) {
     settings.text_percent = std::clamp(settings.text_percent, kTextPercentMin, kTextPercentMax);
   }
   if (settings != view.settings) commands.push_back(ChangeDisplay{settings});

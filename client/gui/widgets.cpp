@@ -5,6 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <string_view>
+#include <system_error>
 
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/label_places.h"
@@ -218,7 +223,8 @@ bool wide_button(const char* text, int share, int shares, bool enabled, bool imp
   const float width = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
   const auto count = static_cast<float>(shares);
   const float even = (width - gap * (count - 1)) / count;
-  const float needed = ImGui::CalcTextSize(text).x + ImGui::GetStyle().FramePadding.x;
+  const ImVec2 padding(ImGui::GetStyle().FramePadding.x / 2, ImGui::GetStyle().FramePadding.y);
+  const float needed = ImGui::CalcTextSize(text).x + 2 * padding.x;
   const float each = std::min(std::max(even, needed), width);
   if (share > 0 && has_room_beside(each)) ImGui::SameLine();
   if (important) {
@@ -229,7 +235,10 @@ bool wide_button(const char* text, int share, int shares, bool enabled, bool imp
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.06F, 0.08F, 0.10F, 1));
   }
   ImGui::BeginDisabled(!enabled);
+  // ImGui centres a text only in what its padding leaves free.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
   const bool pressed = ImGui::Button(text, ImVec2(each, 0));
+  ImGui::PopStyleVar();
   ImGui::EndDisabled();
   if (important) ImGui::PopStyleColor(4);
   return pressed;
@@ -253,10 +262,119 @@ void sides_heading() {
   centred(tr("panel.left_side"), left + half + gap);
 }
 
-bool percent_slider(const char* id, float width, int& value) {
+namespace {
+
+/// ImGui writes the number under the grip: here it stands beside, and in the slider only while it
+/// is typed.
+template <typename Number>
+bool slider_of(ImGuiDataType type, const char* id, float width, Number& value,
+               const std::array<Number, 2>& limits, const char* format) {
+  std::array<char, 32> text{};
+  float column = 0;
+  const auto width_of = [&](Number number) {
+    std::snprintf(text.data(), text.size(), format, number);
+    return ImGui::CalcTextSize(text.data()).x;
+  };
+  for (const Number limit : limits) column = std::max(column, width_of(limit));
+  column += ImGui::GetStyle().ItemInnerSpacing.x;
+  const float whole = width < 0 ? ImGui::GetContentRegionAvail().x : width;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float end = at.x + whole - width_of(value);
+  const ImVec2 number(end, at.y + ImGui::GetStyle().FramePadding.y);
+  ImGui::GetWindowDrawList()->AddText(number, ImGui::GetColorU32(ImGuiCol_Text), text.data());
+  const bool typed = ImGui::TempInputIsActive(ImGui::GetID(id));
+  if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
   const SliderScope slider;
-  ImGui::SetNextItemWidth(width);
-  return ImGui::SliderInt(id, &value, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SetNextItemWidth(whole - column);
+  const bool changed = ImGui::SliderScalar(id, type, &value, &limits[0], &limits[1], format,
+                                           ImGuiSliderFlags_AlwaysClamp);
+  if (!typed) ImGui::PopStyleColor();
+  // What comes next on this line comes behind the number.
+  ImGui::GetCurrentWindow()->DC.CursorPosPrevLine.x += column;
+  return changed;
+}
+
+/// A text of nothing but a whole number.
+std::optional<int> whole_number(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+struct Stepped {
+  const Steps& steps;
+  int value = 0;
+};
+
+int step_on(const Steps& steps, int value, int direction) {
+  const int by = ImGui::GetIO().KeyCtrl ? steps.far : steps.near;
+  return std::clamp(value + direction * by, steps.least, steps.most);
+}
+
+/// Up and Down while the number is typed.
+int step_typed(ImGuiInputTextCallbackData* typed) {
+  const auto& stepped = *static_cast<const Stepped*>(typed->UserData);
+  const auto there = static_cast<std::size_t>(typed->BufTextLen);
+  const int value = whole_number({typed->Buf, there}).value_or(stepped.value);
+  const int direction = typed->EventKey == ImGuiKey_UpArrow ? 1 : -1;
+  typed->DeleteChars(0, typed->BufTextLen);
+  typed->InsertChars(0, std::to_string(step_on(stepped.steps, value, direction)).c_str());
+  typed->SelectAll();
+  return 0;
+}
+
+}  // namespace
+
+bool slider(const char* id, float width, int& value, int least, int most, const char* format) {
+  return slider_of<int>(ImGuiDataType_S32, id, width, value, {least, most}, format);
+}
+
+bool slider(const char* id, float width, float& value, float least, float most,
+            const char* format) {
+  return slider_of<float>(ImGuiDataType_Float, id, width, value, {least, most}, format);
+}
+
+bool percent_slider(const char* id, float width, int& value) {
+  return slider(id, width, value, 0, 100, "%d %%");
+}
+
+bool step_button(const char* text, const ImVec2& size, ImGuiID owner) {
+  const MouseOnly mouse;  // the keyboard steps in what it belongs to
+  ImGui::PushButtonRepeat(true);
+  const bool pressed = ImGui::Button(text, size);
+  ImGui::PopButtonRepeat();
+  if (pressed) ImGui::SetFocusID(owner, ImGui::GetCurrentWindow());
+  return pressed;
+}
+
+bool number_field(const char* id, int& value, const Steps& steps, bool when_entered) {
+  const float button = ImGui::GetFrameHeight();
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = ImGui::CalcItemWidth();
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%d", value);
+  Stepped stepped{steps, value};
+  ImGuiInputTextFlags flags = ImGuiInputTextFlags_CharsDecimal | ImGuiInputTextFlags_AutoSelectAll |
+                              ImGuiInputTextFlags_CallbackHistory;
+  if (when_entered) flags |= ImGuiInputTextFlags_EnterReturnsTrue;
+  ImGui::BeginGroup();
+  ImGui::PushID(id);
+  ImGui::SetNextItemWidth(std::max(1.0F, width - 2 * (button + gap)));
+  const int before = value;
+  if (ImGui::InputText("", text.data(), text.size(), flags, step_typed, &stepped)) {
+    value = whole_number(text.data()).value_or(value);
+  }
+  const ImGuiID field = ImGui::GetItemID();
+  for (const int direction : {-1, 1}) {
+    ImGui::SameLine(0, gap);
+    if (step_button(direction < 0 ? "-" : "+", ImVec2(button, button), field)) {
+      value = step_on(steps, value, direction);
+    }
+  }
+  ImGui::PopID();
+  ImGui::EndGroup();
+  return value != before;
 }
 
 void buffer_bar(const Look& look, const char* name, const BufferLevel& level, const char* help) {

@@ -73,6 +73,25 @@ void tip_at_pointer(const std::string& text);
 /// The headings of two columns that share the line, as one sees a face: the subject's right is at
 /// the viewer's left.
 void sides_heading();
+/// A slider with its number beside it, together so wide; below 0: what is left of the line. True
+/// when it changed `value`.
+[[nodiscard]] bool slider(const char* id, float width, int& value, int least, int most,
+                          const char* format);
+[[nodiscard]] bool slider(const char* id, float width, float& value, float least, float most,
+                          const char* format);
+/// "-" or "+" of `owner`, for the mouse: keys step in what has the focus.
+[[nodiscard]] bool step_button(const char* text, const ImVec2& size, unsigned owner);
+/// What a number field steps by, Ctrl held or not, and between which limits.
+struct Steps {
+  int near = 1;
+  int far = 10;
+  int least = 0;
+  int most = 1'000'000;
+};
+/// A whole number that is typed or stepped, by its buttons or by Up and Down; true when it changed
+/// `value`. What is typed may lie outside of the limits. `when_entered`: typing counts at Enter.
+[[nodiscard]] bool number_field(const char* id, int& value, const Steps& steps,
+                                bool when_entered = false);
 /// A slider of 0 to 100 %; true when it changed `value`.
 [[nodiscard]] bool percent_slider(const char* id, float width, int& value);
 /// A buffer as a bar with its fill and the mark of its threshold.

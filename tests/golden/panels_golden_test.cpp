@@ -270,7 +270,7 @@ class Making : public Replay {
     std::filesystem::create_directory(folder_.path() / "streams");
     std::filesystem::current_path(folder_.path() / "streams");
     dress_ = [this](gui::GuiModel& model) {
-      for (std::string* text : {&model.browser.folder, &model.editor.saved_to}) {
+      for (std::string* text : {&model.browser.folder, &model.notice.text}) {
         const std::string here = folder_.path().string();
         for (auto at = text->find(here); at != std::string::npos; at = text->find(here)) {
           text->replace(at, here.size(), "/home/anna");
@@ -309,11 +309,11 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
   EXPECT_EQ(session_->model().editor.au, 12);
   const float before = shown("left_cheek_raiser");
   // The cheeks by drag, one step more by button, which is taken back.
-  replay("drag 672 547 700 547\n");
+  replay("drag 665 578 693 578\n");
   const float dragged = shown("left_cheek_raiser");
   EXPECT_GT(dragged, before + 0.2F);
   EXPECT_EQ(shown("right_cheek_raiser"), dragged) << "left and right together";
-  replay("click 770 547\n");
+  replay("click 770 578\n");
   EXPECT_NEAR(shown("left_cheek_raiser"), dragged + 0.05F, 0.006F);
   replay("click 475 154\n");
   EXPECT_EQ(shown("left_cheek_raiser"), dragged);
@@ -331,7 +331,7 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
 TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   open(1, nullptr);
   // The tab; AUs 12 and 6, of which 6 is drawn down; added. Then a face from the pad, added.
-  replay("click 637 54\nclick 766 597\nclick 576 597\ndrag 773 756 650 756\nclick 475 394\n");
+  replay("click 637 54\nclick 766 597\nclick 576 597\ndrag 726 756 645 756\nclick 475 394\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 1U);
   replay("click 639 460\nclick 766 425\nclick 475 394\n");
   ASSERT_EQ(session_->model().composer.rows->size(), 2U);

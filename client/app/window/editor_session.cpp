@@ -77,7 +77,7 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
       },
       [&](const gui::LoadAu& one) { return edit([&] { editor_.load(one.number); }); },
       [&](const gui::SaveAu& one) {
-        save_au(one);
+        save_au(one, now);
         return false;
       },
       [&](const gui::RemoveAu& one) { return remove_au(one.number, now); },
@@ -161,14 +161,23 @@ void EditorSession::change_face(const std::vector<std::string>& before) {
   editor_.take(target, true);
 }
 
-void EditorSession::save_au(const gui::SaveAu& wanted) {
+void EditorSession::save_au(const gui::SaveAu& wanted, Instant now) {
   const Result<std::string> saved = save_recording(wanted);
   save_failed_ = !saved;
-  saved_to_ = saved ? *saved : saved.error().message;
+  notices_.say(saved ? *saved : saved.error().message, !saved, now);
+}
+
+bool EditorSession::has_name(const gui::SaveAu& wanted) const {
+  const auto before = mapping_.recordings.find(wanted.number);
+  return !wanted.name.empty() || facs_name(wanted.number) ||
+         (before != mapping_.recordings.end() && !before->second.note.empty());
 }
 
 /// Returns a sentence about where it went.
 Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
+  if (!has_name(wanted)) {
+    return Error{ErrorKind::Usage, gui::tr("said.au_unnamed", wanted.number)};
+  }
   const auto file = own_.save(wanted.number, editor_.activations(), wanted.name);
   if (!file) return file.error();
   editor_.saved(wanted.number);
@@ -198,9 +207,7 @@ Result<std::string> EditorSession::import_aus(const std::filesystem::path& file)
   for (const auto& [number, recording] : *recordings) {
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
   }
-  save_failed_ = false;
-  saved_to_ = gui::tr("said.aus_imported", numbers, saved->string());
-  return saved_to_;
+  return gui::tr("said.aus_imported", numbers, saved->string());
 }
 
 bool EditorSession::remove_au(int number, Instant now) {
@@ -214,8 +221,8 @@ bool EditorSession::remove_au(int number, Instant now) {
   show_none_of_them();
   editor_.recorded_anew(number);
   list_aus();
-  save_failed_ = false;
-  saved_to_ = shipped ? gui::tr("said.au_shipped", number) : gui::tr("said.au_deleted", number);
+  notices_.say(shipped ? gui::tr("said.au_shipped", number) : gui::tr("said.au_deleted", number),
+               false, now);
   return true;
 }
 
@@ -258,8 +265,6 @@ gui::EditorView EditorSession::view() const {
   view.unsaved = editor_.unsaved();
   view.can_undo = editor_.can_undo();
   view.can_redo = editor_.can_redo();
-  view.saved_to = saved_to_;
-  view.save_failed = save_failed_;
   view.compound = compound_;
   return view;
 }

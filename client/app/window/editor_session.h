@@ -48,6 +48,8 @@ class EditorSession {
   [[nodiscard]] const std::optional<AuFrame>& aus() const { return aus_; }
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved(); }
+  /// The last saving of an AU.
+  [[nodiscard]] bool save_failed() const { return save_failed_; }
   /// The folder of the face that was saved to; empty: nothing was saved.
   [[nodiscard]] const std::string& saved_face() const { return saved_face_; }
   /// All but `active`, which the caller sets.
@@ -66,7 +68,9 @@ class EditorSession {
   /// The face of these AUs, with what became of each of them.
   [[nodiscard]] std::vector<float> put_together(const AuFrame& aus);
   void show_none_of_them();
-  void save_au(const gui::SaveAu& wanted);
+  void save_au(const gui::SaveAu& wanted, Instant now);
+  /// FACS names it, or the user has.
+  [[nodiscard]] bool has_name(const gui::SaveAu& wanted) const;
   bool remove_au(int number, Instant now);
   void go_to(std::vector<float> target, bool continued, Instant now);
   [[nodiscard]] Result<std::string> save_recording(const gui::SaveAu& wanted);
@@ -81,7 +85,6 @@ class EditorSession {
   gui::ExpressionEditor editor_;
   std::optional<gui::Transition> transition_;
   gui::TransitionSettings transition_settings_;
-  std::string saved_to_;
   bool save_failed_ = false;
   std::string saved_face_;
   std::string complaint_;  ///< about the AUs that were typed last

@@ -77,6 +77,7 @@ void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::st
   history_.clear();
   answered_ = false;
   timed_ = false;
+  own_ = false;
 }
 
 void PlaybackSession::open(std::vector<playback::TimedAus> keyframes, std::string name,
@@ -99,6 +100,7 @@ void PlaybackSession::watch_own(const net::Endpoint& endpoint, Instant now) {
            std::make_unique<net::RemoteSource>(std::move(remote)), how),
        {}, now);
   answered_ = true;  // or it would be remembered
+  own_ = true;
 }
 
 Result<net::RemoteOptions> PlaybackSession::server_of(const gui::RemoteSettings& settings) const {
@@ -366,6 +368,9 @@ gui::RemoteView PlaybackSession::remote_view() const {
   const bool empty = status.receiver_fill + status.playout_fill == 0;
   view.stale = keyframe > 0 && (state == PlaybackState::Lost || (tries_again && empty));
   view.eased = playback_->eased();
+  const bool ended =
+      state == PlaybackState::Ended && status.end == playback::EndReason::EndOfStream;
+  if (ended && !own_) view.ended_by = gui::server_text(remote_settings_);
   view.timed = timed_;
   view.receiver.fill = status.receiver_fill;
   view.playout.fill = status.playout_fill;

@@ -116,6 +116,7 @@ class PlaybackSession {
   Played received_;                              ///< of a server's stream
   PlaybackHistory history_;
   bool answered_ = false;  ///< the server has sent something
+  bool own_ = false;       ///< one's own face, which nobody else ends
   bool timed_ = false;     ///< the keyframe under way came with a time of its own
 };
 

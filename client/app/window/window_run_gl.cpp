@@ -182,6 +182,7 @@ class WindowRun {
   void close_what_is_open() {
     if (overlay_->gui().close_keys()) return;
     if (!shown_model_.notice.text.empty()) return carry_out(gui::CloseNotice{});
+    if (overlay_->gui().close_notice()) return;
     if (shown_model_.gallery.open) return carry_out(gui::GalleryCommand(gui::CloseGallery{}));
     if (overlay_->gui().hide_focus()) return;
     if (window_->full_screen()) toggle_full_screen();

@@ -26,7 +26,6 @@ namespace aucast::app {
 namespace {
 
 constexpr const char* kComposedName = "composed.txt";
-constexpr const char* kExportedName = "exported.txt";
 
 bool shows_something(const view::Layers& layers) {
   return std::any_of(view::kLayerNames.begin(), view::kLayerNames.end(),
@@ -214,7 +213,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::SoundCommand& one) { playback_.sound().apply(one, now); },
       [&](const gui::EditorCommand& one) {
         if (editor_.apply(one, now)) show_edited(Shown::Editor, now);
-        if (gui::command_if<gui::SaveAu>(one) && !editor_.view().save_failed) {
+        if (gui::command_if<gui::SaveAu>(one) && !editor_.save_failed()) {
           show_saved_face(now);
         }
       },
@@ -397,16 +396,17 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
 /// What a new file is called at first.
 std::string WindowSession::new_name(gui::Purpose purpose) const {
   const std::string stream = name_of_stream();
-  const std::string played = stream.empty() ? "exported" : stream;
+  const std::string& face = stream.empty() ? assets_.face.name : stream;
   switch (purpose) {
     case gui::Purpose::ExportKeyframes:
-      return kExportedName;
+      // Beside the stream itself, which is a .txt too.
+      return stream.empty() ? "played.txt" : stream + "_played.txt";
     case gui::Purpose::ExportTable:
-      return played + ".csv";
+      return stream.empty() ? "played.csv" : stream + ".csv";
     case gui::Purpose::ExportMesh:
-      return assets_.face.name + ".obj";
+      return face + ".obj";
     case gui::Purpose::ExportGlb:
-      return stream.empty() ? assets_.face.name + ".glb" : stream + ".glb";
+      return face + ".glb";
     case gui::Purpose::ExportAu:
       return "au" + std::to_string(editor_.au().value_or(0)) + ".toml";
     default:

@@ -327,6 +327,93 @@ TEST_F(Keyboard, ATimeStandsOverTheBarOnlyWhereThePointerIs) {
   EXPECT_EQ(tooltip(), nullptr);
 }
 
+TEST_F(Keyboard, ANumberFieldIsOneStopAndItsArrowsStepIt) {
+  ASSERT_TRUE(go_to_tab("Expression"));
+  ASSERT_TRUE(go_to("##frames"));
+  press(ImGuiKey_UpArrow);
+  auto changed = asked<ChangeTransition>();
+  ASSERT_TRUE(changed);
+  EXPECT_EQ(changed->settings.frames, TransitionSettings().frames + 1);
+  EXPECT_EQ(focus(), id_of("##frames")) << "the arrows are the field's";
+  press(ImGuiKey_Tab);
+  EXPECT_EQ(focus(), id_of("##frame")) << "and not a button of the field";
+  commands_.clear();
+  press(ImGuiKey_DownArrow);
+  changed = asked<ChangeTransition>();
+  ASSERT_TRUE(changed);
+  EXPECT_EQ(changed->settings.frame_ms, TransitionSettings().frame_ms - 1);
+  press(ImGuiKey_Tab, true);
+  EXPECT_EQ(focus(), id_of("##frames"));
+}
+
+TEST_F(Keyboard, NothingMovesBelowWhatIsSaidOfAnAu) {
+  model_.editor.groups = {{"Mouth", {{"zygomaticus major", 2, 0, 1, 0.5F, 0.5F}}}};
+  auto aus = *model_.known_aus;
+  aus.push_back({77, "", "zygomaticus major 1", ""});
+  aus.push_back({26, "Jaw Drop", std::string(900, 'm') + " 1", std::string(300, 'x')});
+  model_.known_aus = std::make_shared<const std::vector<AuEntry>>(aus);
+  ASSERT_TRUE(go_to_tab("Editor"));
+  gui_->hide_focus();
+  std::set<float> heights;
+  for (const int au : {12, 77, 26, -1}) {
+    model_.editor.au = au;
+    model_.notice = {au == 12 ? "AU12 saved" : "", false};
+    frames(4);
+    ASSERT_NE(contents(), nullptr);
+    heights.insert(contents()->ContentSize.y);
+  }
+  EXPECT_EQ(heights.size(), 1U);
+}
+
+TEST_F(Keyboard, AnAuThatFacsDoesNotNameIsAskedForOne) {
+  model_.known_aus =
+      std::make_shared<const std::vector<AuEntry>>(std::vector<AuEntry>{{90, "", "jaw 1", ""}});
+  model_.editor.au = 90;
+  ASSERT_TRUE(go_to_tab("Editor"));
+  ASSERT_TRUE(go_to(tr("button.save")));
+  press(ImGuiKey_Enter);
+  frames(3);
+  EXPECT_EQ(focus(), id_of("##auname"));
+  type("yawn");
+  ASSERT_TRUE(go_to(tr("button.save")));
+  commands_.clear();
+  press(ImGuiKey_Enter);
+  const auto saved = asked<SaveAu>();
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->name, "yawn");
+}
+
+TEST_F(Keyboard, AButtonIsAsWideAsItsText) {
+  ASSERT_TRUE(go_to_tab("Compose"));
+  model_.composer.rows =
+      std::make_shared<const std::vector<TimelineRow>>(std::vector<TimelineRow>{{"12", "1 s"}});
+  model_.composer.chosen = 0;
+  ASSERT_TRUE(go_to(tr("compose.double")));
+  const ImRect button = contents()->NavRectRel[0];
+  EXPECT_GE(button.GetWidth(),
+            ImGui::CalcTextSize(tr("compose.double")).x + ImGui::GetStyle().FramePadding.x - 0.5F);
+}
+
+TEST_F(Keyboard, WhatIsSaidOfTheConnectionIsClosedAndStaysClosed) {
+  const auto said = [] {
+    const ImGuiWindow* const window = ImGui::FindWindowByName("trouble");
+    return window != nullptr && window->Active;
+  };
+  EXPECT_FALSE(gui_->close_notice());
+  model_.remote.detail = "venus cannot be reached";
+  frames(2);
+  EXPECT_TRUE(said());
+  EXPECT_TRUE(gui_->close_notice());
+  EXPECT_FALSE(gui_->close_notice()) << "Esc is for the next thing";
+  frames(2);
+  EXPECT_FALSE(said());
+  model_.remote.detail.clear();
+  model_.remote.ended_by = "venus";
+  frames(2);
+  EXPECT_TRUE(said());
+  EXPECT_TRUE(gui_->close_notice());
+}
+
 TEST_F(Keyboard, TheFocusGoesOnToWhatLiesOverTheFace) {
   const ImGuiWindow* const welcome = ImGui::FindWindowByName("welcome");
   ASSERT_NE(welcome, nullptr);

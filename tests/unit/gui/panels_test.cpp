@@ -147,6 +147,13 @@ std::size_t bright_pixels(const view::Image& picture, int from_x, int to_x) {
   return count;
 }
 
+/// A part of a picture, as wide as it is.
+view::Image rows(const view::Image& picture, int from, int to) {
+  view::Image part = view::make_image(picture.width, to - from);
+  view::paste(part, picture, 0, -from);
+  return part;
+}
+
 TEST_F(Panels, TheSameModelGivesTheSamePicture) {
   const view::Image first = picture();
   end();
@@ -263,6 +270,18 @@ TEST_F(Panels, AStreamOfTheServerIsChosenFromTheList) {
   EXPECT_EQ(connect->settings.stream, "talk");
 }
 
+TEST_F(Panels, TheAddressStaysAsShortAsItIsWhenAStreamIsChosen) {
+  const auto address = [this] {
+    ImGui::GetIO().MousePos = ImVec2(1, 1);
+    return rows(picture(), 110, 136).rgba;
+  };
+  model_.streams.names = {"talk", "lecture"};
+  const auto before = address();
+  static_cast<void>(click(700, 154));
+  ASSERT_TRUE(find_by_clicking<Connect>(600, 170, 200).has_value());
+  EXPECT_EQ(address(), before) << "the stream has a field of its own";
+}
+
 TEST_F(Panels, AtFirstASampleIsOneClickAway) {
   model_.remote = {};
   model_.sample = "/streams/sample.txt";
@@ -316,6 +335,28 @@ TEST_F(Panels, TheAusOfTheChosenExpressionCanBeChanged) {
   const auto show = find_by_clicking<ShowAus>(760, 300, 500);
   ASSERT_TRUE(show.has_value());
   EXPECT_EQ(show->aus, "6:40,12:40");
+}
+
+TEST_F(Panels, AnExpressionOfMusclesLeavesNoAusBehind) {
+  model_.expressions.buttons.push_back({"Fear", "0", ExpressionKind::Macro});
+  static_cast<void>(click(516, 54));  // the tab
+  model_.expressions.chosen = 0;
+  model_.expressions.aus = "6:40,12:40";
+  static_cast<void>(picture());
+  model_.expressions.chosen = 2;
+  model_.expressions.aus.clear();
+  static_cast<void>(picture());
+  EXPECT_FALSE(find_by_clicking<ShowAus>(760, 300, 560).has_value());
+}
+
+TEST_F(Panels, TheGripOfASliderIsNeverOnItsNumber) {
+  static_cast<void>(click(516, 54));  // the tab
+  for (const int percent : {0, 40, 50, 100}) {
+    model_.expressions.percent = percent;
+    const view::Image shown = picture();
+    // All that is bright in the row of the strength is its label and its number.
+    EXPECT_EQ(bright_pixels(rows(shown, 142, 166), 552, 725), 0U) << percent;
+  }
 }
 
 TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {

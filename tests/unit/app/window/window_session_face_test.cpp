@@ -167,8 +167,12 @@ gui::AuEntry entry_of(const gui::GuiModel& model, int number) {
 TEST_F(FaceSessionTest, AnAuOfOnesOwnIsNamedDeletedAndBroughtBack) {
   ask(gui::NeutralFace{});
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::SaveAu{77});
+  EXPECT_TRUE(model().notice.bad) << "FACS has no name for it";
+  EXPECT_NE(model().notice.text.find("AU77"), std::string::npos) << model().notice.text;
+  EXPECT_EQ(entry_of(model(), 77).number, 0) << "it was not saved";
   ask(gui::SaveAu{77, "yawn"});
-  EXPECT_FALSE(model().editor.save_failed) << model().editor.saved_to;
+  EXPECT_FALSE(model().notice.bad) << model().notice.text;
   EXPECT_EQ(entry_of(model(), 77).name, "yawn");
   EXPECT_TRUE(entry_of(model(), 77).own);
   EXPECT_FALSE(entry_of(model(), 77).shipped);
@@ -239,7 +243,6 @@ TEST_F(FaceSessionTest, AusOfAFileBecomeOnesOwn) {
   ask(gui::ChooseFile{file.string()});
   EXPECT_FALSE(model().browser.open) << model().browser.problem;
   EXPECT_EQ(model().notice.text.find("AU 12, 77 imported into "), 0U) << model().notice.text;
-  EXPECT_EQ(model().editor.saved_to, model().notice.text) << "and not what was saved before";
   EXPECT_TRUE(model().editor.active);
   EXPECT_EQ(model().editor.au, 12);
   EXPECT_FALSE(model().editor.unsaved);

@@ -212,7 +212,7 @@ TEST_F(StreamSessionTest, TheFileOfTheCommandLineEndsWithItsStatistics) {
 TEST_F(StreamSessionTest, WhatIsPlayedIsExported) {
   open();
   ask(gui::Browse{gui::Purpose::ExportKeyframes});
-  EXPECT_EQ(model().browser.name, "exported.txt");
+  EXPECT_EQ(model().browser.name, "three_played.txt") << "after the stream";
   const auto file = folder_.path() / "copy.txt";
   ask(gui::ChooseFile{file.string()});
   EXPECT_FALSE(model().browser.open) << model().browser.problem;

@@ -143,6 +143,17 @@ TEST_F(WindowSessionTest, ALostConnectionKeepsTheLastFaceAndSaysSo) {
   EXPECT_FALSE(model().remote.eased);
 }
 
+TEST_F(WindowSessionTest, AStreamThatTheServerEndsSaysWhoHasEndedIt) {
+  open({frame({{26, Side::Both, 100}})});
+  gui::KeptSettings settings;
+  settings.remote.address = "venus";
+  session_->begin_with(settings, {}, clock_.now());
+  go_on(Milliseconds(0));
+  source_->now.end = EndReason::EndOfStream;
+  go_on(Milliseconds(200));
+  EXPECT_EQ(model().remote.ended_by, "venus");
+}
+
 TEST_F(WindowSessionTest, AFaceThatIsLostForLongGoesToNeutralAndSaysSo) {
   options_.playback.hold = Milliseconds(2000);
   open({frame({{26, Side::Both, 100}})});
@@ -387,10 +398,9 @@ TEST_F(WindowSessionTest, AnEditedAuIsSavedInTheUsersFolderAndPlayed) {
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
   EXPECT_TRUE(model().editor.unsaved);
   ask(gui::SaveAu{12});
-  EXPECT_FALSE(model().editor.save_failed) << model().editor.saved_to;
   EXPECT_FALSE(model().editor.unsaved);
   const std::filesystem::path copy = home.path() / "aucast" / "faces" / "default";
-  EXPECT_NE(model().editor.saved_to.find(copy.string()), std::string::npos);
+  EXPECT_NE(model().notice.text.find(copy.string()), std::string::npos);
   EXPECT_EQ(session_->kept().face, copy.string()) << "the next start shows it";
   const auto face = face::load_face(copy, assets_->data_folder);
   ASSERT_TRUE(face) << face.error().message;
@@ -412,8 +422,8 @@ TEST_F(WindowSessionTest, ASavingThatFailsIsSaidAndLosesNothing) {
   ask(gui::LoadAu{12});
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
   ask(gui::SaveAu{12});
-  EXPECT_TRUE(model().editor.save_failed);
-  EXPECT_NE(model().editor.saved_to.find("cannot be copied"), std::string::npos);
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_NE(model().notice.text.find("cannot be copied"), std::string::npos);
   EXPECT_TRUE(model().editor.unsaved);
   EXPECT_EQ(shown("jaw"), 3.5F);
   ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0);
