@@ -151,6 +151,11 @@ TEST(Ply, HeaderErrorsNameTheLine) {
             "m.ply:18: vertices have no property part");
   EXPECT_EQ(error_of(replaced(good, "list uchar uint", "list uchar short")),
             "m.ply:18: faces have exactly the property 'list uchar uint vertex_indices'");
+  EXPECT_EQ(error_of(replaced(good, "property list uchar uint vertex_indices\n", "")),
+            "m.ply:18: the elements vertex and face with their properties must come before "
+            "end_header");
+  EXPECT_EQ(error_of(replaced(good, "element vertex", "elements vertex")),
+            "m.ply:5: unknown header line 'elements'");
   EXPECT_EQ(error_of(replaced(good, "element face", "element edge")),
             "m.ply:17: the elements must be 'vertex N' and then 'face N', once each");
 }

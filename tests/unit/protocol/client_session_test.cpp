@@ -161,7 +161,19 @@ TEST_F(Client, RefusesAHelloThatWasNotAskedSo) {
   start();
   EXPECT_EQ(why("{hello v=2 window=0}"), "the server granted a window of 0, asked was 2");
   start();
-  EXPECT_EQ(why("{hello v=2 delta=1}"), "the server granted changes only, which was not asked for");
+  for (const auto& [word, granted] : {std::pair{"delta=1", "changes only, which was"},
+                                      std::pair{"text=1", "captions, which were"},
+                                      std::pair{"loop=1", "one turn of a loop, which was"},
+                                      std::pair{"voice=opus", "a voice in opus, which was"}}) {
+    start();
+    EXPECT_EQ(why("{hello v=2 " + std::string(word) + "}"),
+              "the server granted " + std::string(granted) + " not asked for");
+  }
+  options_.hello.from_ms = 500;
+  start();
+  EXPECT_EQ(why("{hello v=2 from=501}"), "the server begins at 501 ms, asked was 500");
+  start();
+  EXPECT_EQ(get("{hello v=2 from=480}"), "granted window=1") << "the keyframe under way then";
   start_granted();
   EXPECT_EQ(why("{hello v=2}"), "the server sent a hello where none was due");
   start();
@@ -171,6 +183,17 @@ TEST_F(Client, RefusesAHelloThatWasNotAskedSo) {
   EXPECT_EQ(why("{streams a}"), "the server sent a list of streams that was not asked for");
   start_classic();
   EXPECT_EQ(get("{hello v=2}"), "fail protocol error");
+}
+
+TEST_F(Client, RefusesSoundAndCaptionsThatWereNotAgreed) {
+  start_granted();
+  EXPECT_EQ(why("{t@0 R29vZA}"), "the server sent captions, which were not agreed");
+  start_granted();
+  EXPECT_EQ(why("{a@0 WAE}"), "the server sent voice, which was not agreed");
+  options_.hello.voice = kVoiceCodec;
+  start();
+  EXPECT_EQ(get("{hello v=2 window=2 voice=opus}"), "granted window=2");
+  EXPECT_EQ(why("{a WAE}"), "the server's first voice packet has no place");
 }
 
 TEST_F(Client, WindowZeroMayBeGrantedAsOne) {

@@ -153,6 +153,7 @@ TEST(EngineAddress, SaysWhatIsWrongWithIt) {
   } wrongs[] = {
       {"nats://hub", "it names no stream"},
       {"nats://hub/", "it names no stream"},
+      {"nats://user@hub/talk", "secrets are read from files"},
       {"nats://hub/.talk", "before and after each '.'"},
       {"nats://hub/talk..2", "before and after each '.'"},
       {"nats://hub/ta*k", "a stream's name has"},

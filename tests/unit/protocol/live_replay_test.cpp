@@ -83,6 +83,35 @@ TEST(LiveReplay, InALoopEachTurnsVoiceBeginsAtItsBeginning) {
   EXPECT_EQ(places, (std::vector<Milliseconds>{0ms, 60ms, 200ms, 260ms}));
 }
 
+TEST(LiveReplay, InALoopCaptionsComeInEachTurnWithTheKeyframeInWhichTheyAreDue) {
+  const std::vector<Caption> captions = {
+      {0, "one"}, {150, "two"}, {200, "never: the turn is over"}};
+  LiveReplay replay(stream_of(times(2, 100)), true, kReplayBegin,
+                    std::make_shared<const Soundtrack>(Soundtrack{nullptr, captions}));
+  std::vector<Caption> told;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_TRUE(replay.advance(kReplayBegin + i * 100ms));
+    while (const Caption* const caption = replay.captions().find(told.size())) {
+      told.push_back(*caption);
+    }
+    EXPECT_EQ(told.size(), static_cast<std::size_t>(i) + 1);
+  }
+  EXPECT_EQ(told, (std::vector<Caption>{{0, "one"}, {150, "two"}, {200, "one"}, {350, "two"}}));
+}
+
+TEST(Soundtrack, IsTheSameWhereVoiceAndCaptionsAre) {
+  const auto track = [](std::shared_ptr<const EncodedTrack> voice, std::vector<Caption> captions) {
+    return std::make_shared<const Soundtrack>(Soundtrack{std::move(voice), std::move(captions)});
+  };
+  const auto voice = std::make_shared<const EncodedTrack>();
+  EXPECT_TRUE(same_sound(nullptr, nullptr));
+  EXPECT_FALSE(same_sound(track(voice, {}), nullptr));
+  EXPECT_FALSE(same_sound(nullptr, track(voice, {})));
+  EXPECT_TRUE(same_sound(track(voice, {{0, "one"}}), track(voice, {{0, "one"}})));
+  EXPECT_FALSE(same_sound(track(voice, {{0, "one"}}), track(voice, {{0, "two"}})));
+  EXPECT_FALSE(same_sound(track(voice, {}), track(std::make_shared<const EncodedTrack>(), {})));
+}
+
 TEST(LiveReplay, AWindowIsNeverWorthMoreThanTwoSecondsButTwoMoments) {
   const auto window = [](std::vector<KeyframeTime> of) {
     return LiveReplay(stream_of(std::move(of)), false, kReplayBegin).window_max();
