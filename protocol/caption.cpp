@@ -34,7 +34,7 @@ bool is_title(std::string_view text) {
   return text.size() <= kTitleBytesMax && is_text(text, false);
 }
 
-std::variant<Caption, FieldFault> parse_caption(std::string_view text) {
+std::variant<CaptionData, FieldFault> parse_caption(std::string_view text) {
   auto fields = parse_placed_data(text);
   if (auto* fault = std::get_if<FieldFault>(&fields)) return std::move(*fault);
   auto& [place_ms, bytes, position] = std::get<PlacedData>(fields);
@@ -42,10 +42,10 @@ std::variant<Caption, FieldFault> parse_caption(std::string_view text) {
   if (!is_caption(bytes)) {
     return FieldFault{position, "a caption is UTF-8 without control characters"};
   }
-  return Caption{*place_ms, std::move(bytes)};
+  return CaptionData{*place_ms, std::move(bytes)};
 }
 
-std::string encode(const Caption& caption) {
+std::string encode(const CaptionData& caption) {
   return encode_placed_data('t', caption.place_ms, caption.text);
 }
 

@@ -16,6 +16,6 @@ namespace aucast::protocol {
 [[nodiscard]] bool is_title(std::string_view text);
 
 /// Reads the text() of a finished WordPacket of the word `t`.
-[[nodiscard]] std::variant<Caption, FieldFault> parse_caption(std::string_view text);
+[[nodiscard]] std::variant<CaptionData, FieldFault> parse_caption(std::string_view text);
 
 }  // namespace aucast::protocol

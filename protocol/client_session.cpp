@@ -57,7 +57,7 @@ struct ClientSession::State {
   void handle(const ErrorReply& error);
   void handle(const StreamList&);
   void handle(const VoiceData& voice);
-  void handle(const Caption& caption);
+  void handle(const CaptionData& caption);
   [[nodiscard]] std::optional<std::string> objection(const HelloGranted& hello) const;
   void lose(std::string_view broke);
   [[nodiscard]] bool took_hello_for_garbage() const;
@@ -179,7 +179,7 @@ void ClientSession::State::handle(const VoiceData& voice) {
   }
 }
 
-void ClientSession::State::handle(const Caption& caption) {
+void ClientSession::State::handle(const CaptionData& caption) {
   if (!granted.text) {
     fail(SessionFailed::Why::ProtocolError, "the server sent captions, which were not agreed");
   } else if (!stopped) {

@@ -39,7 +39,7 @@ struct DeliverVoice {
 };
 /// A caption has come, its place on the same clock.
 struct DeliverCaption {
-  Caption caption;
+  CaptionData caption;
 };
 /// The server has granted level 2.
 struct Granted {

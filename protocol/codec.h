@@ -29,7 +29,7 @@ namespace aucast::protocol {
 [[nodiscard]] std::string encode(const StreamsAsked& asked);
 [[nodiscard]] std::string encode(const VoiceData& voice);
 /// {t@PLACE DATA}, or {t@PLACE} of an empty one. The text must be a caption (is_caption()).
-[[nodiscard]] std::string encode(const Caption& caption);
+[[nodiscard]] std::string encode(const CaptionData& caption);
 [[nodiscard]] std::string encode(Code code);
 
 /// The percent of every AU on each side.

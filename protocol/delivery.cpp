@@ -235,7 +235,7 @@ void Delivery::skip_sound_before(Milliseconds place) {
     ++next_voice_;
   }
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
-  while (const Caption* const next = channel.captions().find(next_caption_ + 1)) {
+  while (const CaptionData* const next = channel.captions().find(next_caption_ + 1)) {
     if (Milliseconds(next->place_ms) > place) break;
     ++next_caption_;
   }
@@ -245,7 +245,7 @@ void Delivery::send_live_sound(std::string& out) {
   if (!sounds() || paused_ || held_ || !last_moment_) return;
   const LiveChannel& channel = *stream_.live();
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
-  while (const Caption* const caption = channel.captions().find(next_caption_)) {
+  while (const CaptionData* const caption = channel.captions().find(next_caption_)) {
     if (text_) send_caption(*caption, shift_, out);
     ++next_caption_;
   }
@@ -263,10 +263,10 @@ void Delivery::send_voice(const EncodedVoice& voice, Milliseconds shift, std::st
   sent_.sound_bytes += out.size() - before;
 }
 
-void Delivery::send_caption(const Caption& caption, Milliseconds shift, std::string& out) {
+void Delivery::send_caption(const CaptionData& caption, Milliseconds shift, std::string& out) {
   const auto place = std::max(Milliseconds(caption.place_ms) + shift, Milliseconds{0});
   const std::string packet =
-      encode(Caption{static_cast<std::uint64_t>(place.count()), caption.text});
+      encode(CaptionData{static_cast<std::uint64_t>(place.count()), caption.text});
   sent_.sound_bytes += packet.size();
   out += packet;
 }

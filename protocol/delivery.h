@@ -91,7 +91,7 @@ class Delivery {
   void skip_sound_before(Milliseconds place);
   void send_live_sound(std::string& out);
   void send_voice(const EncodedVoice& voice, Milliseconds shift, std::string& out);
-  void send_caption(const Caption& caption, Milliseconds shift, std::string& out);
+  void send_caption(const CaptionData& caption, Milliseconds shift, std::string& out);
 
   ServedStream stream_;
   bool loop_;

@@ -53,7 +53,7 @@ class EncodedTrack {
 /// What goes with a recorded stream's keyframes for clients that ask for it.
 struct Soundtrack {
   std::shared_ptr<const EncodedTrack> voice{};  ///< null: there is none
-  std::vector<Caption> captions{};              ///< their places never fall
+  std::vector<CaptionData> captions{};          ///< their places never fall
   bool captions_come = false;                   ///< a relay may still receive some
 
   [[nodiscard]] bool has_captions() const { return captions_come || !captions.empty(); }

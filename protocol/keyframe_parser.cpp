@@ -32,7 +32,7 @@ std::optional<ByteFault> KeyframeParser::finish(char end) {
   switch (state_) {
     case State::TermOrTiming:
     case State::AfterAu:
-    case State::AfterLevel:
+    case State::AfterIntensity:
     case State::AfterDuration:
     case State::AfterPlace:
       return std::nullopt;
@@ -86,7 +86,7 @@ void KeyframeParser::end_number() {
       return;
     case State::Percent:
       keyframe_.terms.back().percent = static_cast<std::uint8_t>(number_);
-      state_ = State::AfterLevel;
+      state_ = State::AfterIntensity;
       return;
     case State::Duration:
       keyframe_.duration_ms = static_cast<std::uint32_t>(number_);
@@ -121,11 +121,11 @@ bool KeyframeParser::take_mark(char byte) {
       }
       if (const auto percent = percent_of_letter(byte)) {
         keyframe_.terms.back().percent = *percent;
-        state_ = State::AfterLevel;
+        state_ = State::AfterIntensity;
         return true;
       }
       return join_term(byte);
-    case State::AfterLevel:
+    case State::AfterIntensity:
       return join_term(byte);
     case State::AfterDuration:
       if (byte != '@') return false;
@@ -172,7 +172,7 @@ std::string KeyframeParser::expected(char byte) const {
     case State::Percent:
       return percent_of_letter(byte) ? "a percent (a letter stands without ':', as in 12C)"
                                      : "a percent";
-    case State::AfterLevel:
+    case State::AfterIntensity:
       return separator + " or the end";
     case State::Duration:
       return "a time in milliseconds";

@@ -45,7 +45,7 @@ class KeyframeParser {
     AuNumber,      ///< after a side, or within the number
     AfterAu,
     Percent,
-    AfterLevel,
+    AfterIntensity,
     Duration,
     AfterDuration,
     Place,

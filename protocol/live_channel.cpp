@@ -19,11 +19,11 @@ void LiveChannel::keep(EncodedVoice voice) {
   while (voice_.front().end < past) voice_.pop_front();
 }
 
-void LiveChannel::keep(Caption caption) {
+void LiveChannel::keep(CaptionData caption) {
   captions_.push_back(std::move(caption));
   const Milliseconds now = newest() == nullptr ? Milliseconds{0} : newest()->begin;
   const auto stands = [&] {
-    const Caption* const second = captions_.find(captions_.first_number() + 1);
+    const CaptionData* const second = captions_.find(captions_.first_number() + 1);
     return second == nullptr || Milliseconds(second->place_ms) > now;
   };
   // Who writes captions far ahead of the face costs himself the oldest.

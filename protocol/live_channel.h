@@ -55,7 +55,7 @@ class LiveChannel {
   /// channel's clock and never fall.
   [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
   /// Of the past one: the caption that stands.
-  [[nodiscard]] const Recent<Caption>& captions() const { return captions_; }
+  [[nodiscard]] const Recent<CaptionData>& captions() const { return captions_; }
   /// The largest window to grant: what begins within kLiveWindowTime, but at least two moments.
   [[nodiscard]] std::size_t window_max() const { return window_max_; }
 
@@ -74,7 +74,7 @@ class LiveChannel {
   /// Adds to the voice and drops what is past. One that begins before the end of what is there is
   /// left out.
   void keep(EncodedVoice voice);
-  void keep(Caption caption);
+  void keep(CaptionData caption);
 
   std::vector<LiveMoment> moments_;
   bool ended_ = false;
@@ -85,7 +85,7 @@ class LiveChannel {
   std::size_t window_max_ = 2;
   Sound sound_;
   Recent<EncodedVoice> voice_;
-  Recent<Caption> captions_;
+  Recent<CaptionData> captions_;
 };
 
 }  // namespace aucast::protocol

@@ -34,7 +34,7 @@ void LiveFeed::add_voice(EncodedVoice voice) {
   if (has_voice()) keep(std::move(voice));
 }
 
-void LiveFeed::add_caption(Caption caption) {
+void LiveFeed::add_caption(CaptionData caption) {
   if (has_captions()) keep(std::move(caption));
 }
 

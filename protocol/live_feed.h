@@ -36,7 +36,7 @@ class LiveFeed final : public LiveChannel {
   /// left out. Without effect when the feed has no voice.
   void add_voice(const VoicePacket& packet) { add_voice(EncodedVoice(packet)); }
   void add_voice(EncodedVoice voice);
-  void add_caption(Caption caption);
+  void add_caption(CaptionData caption);
   /// Nothing more comes for now: who is there gets {-2}.
   void end() { ended_ = true; }
 

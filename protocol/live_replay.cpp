@@ -66,10 +66,10 @@ void LiveReplay::go_to(std::uint64_t number) {
 void LiveReplay::play_sound(Milliseconds begin, Milliseconds end) {
   if (!sound_) return;
   for (; next_caption_ < sound_->captions.size(); ++next_caption_) {
-    const Caption& caption = sound_->captions[next_caption_];
+    const CaptionData& caption = sound_->captions[next_caption_];
     const Milliseconds place = Milliseconds(caption.place_ms) + turn_begin_;
     if (place >= end) break;
-    keep(Caption{static_cast<std::uint64_t>(place.count()), caption.text});
+    keep(CaptionData{static_cast<std::uint64_t>(place.count()), caption.text});
   }
   if (!sound_->voice) return;
   const auto voice = sound_->voice->packets();

@@ -37,10 +37,10 @@ struct VoiceData {
 };
 
 /// {t@PLACE DATA}: what is said from this place until the next caption; empty: nothing.
-struct Caption {
+struct CaptionData {
   std::uint64_t place_ms = 0;
   std::string text;  ///< UTF-8 without control characters but line feeds
-  friend bool operator==(const Caption&, const Caption&) = default;
+  friend bool operator==(const CaptionData&, const CaptionData&) = default;
 };
 
 /// The one codec that `voice=` can name.
@@ -104,7 +104,7 @@ struct StreamsAsked {
 enum class Code : std::int8_t { Received = 1, Pause = -1, Resume = -3, Stop = -4 };
 
 using ServerPacket =
-    std::variant<Keyframe, End, HelloGranted, ErrorReply, StreamList, VoiceData, Caption>;
+    std::variant<Keyframe, End, HelloGranted, ErrorReply, StreamList, VoiceData, CaptionData>;
 using ClientPacket = std::variant<Code, HelloAsked, StreamsAsked>;
 
 }  // namespace aucast::protocol

@@ -77,9 +77,9 @@ std::string escaped_for_webvtt(std::string_view text) {
 
 }  // namespace
 
-std::vector<Caption> captions_of(const Speech& speech, const Script& script) {
+std::vector<TimedCaption> captions_of(const Speech& speech, const Script& script) {
   const Characters characters_of_script(script.text);
-  std::vector<Caption> captions;
+  std::vector<TimedCaption> captions;
   bool fresh = true;
   for (std::size_t i = 0; i < speech.words.size(); ++i) {
     const Word& word = speech.words[i];
@@ -99,13 +99,13 @@ std::vector<Caption> captions_of(const Speech& speech, const Script& script) {
     captions.back().end = std::min(next, word.begin + Milliseconds(1500));
     fresh = ends_sentence(text);
   }
-  for (Caption& caption : captions) caption.text = in_lines(std::move(caption.text));
+  for (TimedCaption& caption : captions) caption.text = in_lines(std::move(caption.text));
   return captions;
 }
 
-std::string format_webvtt(const std::vector<Caption>& captions) {
+std::string format_webvtt(const std::vector<TimedCaption>& captions) {
   std::string file = "WEBVTT\n";
-  for (const Caption& caption : captions) {
+  for (const TimedCaption& caption : captions) {
     file += "\n" + clock(caption.begin) + " --> " + clock(caption.end) + "\n" +
             escaped_for_webvtt(caption.text) + "\n";
   }

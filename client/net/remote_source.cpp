@@ -12,8 +12,8 @@
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "client/net/connection.h"
 #include "client/net/dialling.h"
+#include "client/net/server_connection.h"
 #include "common/link/host.h"
 
 namespace aucast::net {
@@ -111,10 +111,10 @@ class RemoteSource::Network {
   link::Dialler dialler_{io_};
   std::size_t turn_ = 0;          ///< which of the servers is dialled
   asio::steady_timer wait_{io_};  ///< before the next attempt
-  Connection connection_{reader,
-                         peer_names(options_),
-                         {[this](Milliseconds wait) { dial_after(wait); }, [this] { end(); },
-                          [this] { tell_player(); }}};
+  ServerConnection connection_{reader,
+                               peer_names(options_),
+                               {[this](Milliseconds wait) { dial_after(wait); }, [this] { end(); },
+                                [this] { tell_player(); }}};
   std::atomic<bool> speak_posted_{false};
   std::jthread thread_;  ///< last: it ends before anything it uses is gone
 };

@@ -42,9 +42,9 @@ struct RemoteOptions {
   std::function<void()> wakeup;
 };
 
-/// The keyframes of a server. A thread of its own dials and runs a Connection. The reader is the
-/// one object that both threads touch; what the player asks of the network thread is posted to it.
-/// A failure shows in status(): Unreachable, ConnectionLost, ProtocolError or Refused, with a
+/// The keyframes of a server. A thread of its own dials and runs a ServerConnection. The reader is
+/// the one object that both threads touch; what the player asks of the network thread is posted to
+/// it. A failure shows in status(): Unreachable, ConnectionLost, ProtocolError or Refused, with a
 /// sentence for the user. What was received before is still given.
 class RemoteSource final : public playback::KeyframeSource {
  public:

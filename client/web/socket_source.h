@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "client/net/connection.h"
+#include "client/net/server_connection.h"
 #include "client/playback/keyframe_source.h"
 #include "client/web/timer.h"
 
@@ -32,7 +32,7 @@ class SocketSource final : public playback::KeyframeSource {
 
   mutable net::SharedReader reader_;
   Timer redial_;
-  net::Connection connection_;
+  net::ServerConnection connection_;
 };
 
 }  // namespace aucast::web

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "common/camera/face_table.h"
-#include "common/mesh/au_reader.h"
 #include "common/mesh/quiet_face.h"
+#include "common/mesh/read_aus.h"
 #include "common/text.h"
 
 namespace aucast::camera {

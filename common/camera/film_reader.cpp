@@ -8,8 +8,8 @@
 
 #include "common/camera/face_table.h"
 #include "common/camera/picture_source.h"
-#include "common/mesh/au_reader.h"
 #include "common/mesh/quiet_face.h"
+#include "common/mesh/read_aus.h"
 #include "common/text.h"
 
 namespace aucast::camera {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "common/mesh/au_reader.h"
+#include "common/mesh/read_aus.h"
 
 namespace aucast::mesh {
 namespace {

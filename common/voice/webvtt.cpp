@@ -143,7 +143,8 @@ Result<std::vector<Cue>> read_cues(std::vector<Line>::const_iterator line,
 
 }  // namespace
 
-Result<std::vector<protocol::Caption>> parse_webvtt(std::string_view text, std::string_view file) {
+Result<std::vector<protocol::CaptionData>> parse_webvtt(std::string_view text,
+                                                        std::string_view file) {
   constexpr std::string_view kSignature = "WEBVTT";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::vector<Line> lines = lines_of(text);
@@ -156,7 +157,7 @@ Result<std::vector<protocol::Caption>> parse_webvtt(std::string_view text, std::
   }
   const auto cues = read_cues(lines.begin() + 1, lines.end(), file);
   if (!cues) return cues.error();
-  std::vector<protocol::Caption> captions;
+  std::vector<protocol::CaptionData> captions;
   for (std::size_t i = 0; i < cues->size(); ++i) {
     const Cue& cue = (*cues)[i];
     if (!captions.empty() && captions.back().place_ms == cue.begin_ms) captions.pop_back();

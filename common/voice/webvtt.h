@@ -12,7 +12,7 @@ namespace aucast::voice {
 /// one that begins while another lasts takes its place, and where none follows at once there is an
 /// empty one. Markup, settings, notes and styles are left out. BadData, with file:line:column, for
 /// what is no WebVTT, a time that is none, and a text that protocol::is_caption() is not true of.
-[[nodiscard]] Result<std::vector<protocol::Caption>> parse_webvtt(std::string_view text,
-                                                                  std::string_view file);
+[[nodiscard]] Result<std::vector<protocol::CaptionData>> parse_webvtt(std::string_view text,
+                                                                      std::string_view file);
 
 }  // namespace aucast::voice

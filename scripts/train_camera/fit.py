@@ -201,7 +201,7 @@ def rise(raw, threshold):
 
 
 def read(weights, thresholds, row, quiet):
-    """{'12': (left, right), ...} of one face, as au_reader.cpp does it."""
+    """{'12': (left, right), ...} of one face, as read_aus.cpp does it."""
     sides = [features_of(numpy.array([inputs_of(row, quiet, left)]))[0] for left in (True, False)]
     left, right = (weights[:, 1:] @ side + weights[:, 0] for side in sides)
     found = {}

@@ -39,7 +39,7 @@ void Publication::collect(const protocol::LiveChannel& channel) {
 
 void Publication::collect_sound(const protocol::LiveChannel& channel) {
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
-  while (const protocol::Caption* const caption = channel.captions().find(next_caption_)) {
+  while (const protocol::CaptionData* const caption = channel.captions().find(next_caption_)) {
     caption_ = encode(*caption);
     waiting_ += caption_;
     ++next_caption_;

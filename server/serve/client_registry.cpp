@@ -20,9 +20,9 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
     return;
   }
   const std::uint64_t number = ++last_number_;
-  auto connection = std::make_shared<Connection>(
+  auto connection = std::make_shared<ClientConnection>(
       open_link(), std::move(catalogue),
-      Connection::Settings{
+      ClientConnection::Settings{
           number, link::endpoint_text(peer), &log_, options_.client_timeout, admission,
           options_.batch, protocol::TokenCount{&wrong_tokens_, address},
           way == Way::WebSocket ? protocol::Silence::Refused : protocol::Silence::Classic,
@@ -40,14 +40,14 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
 void ClientRegistry::serve(std::string peer,
                            std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                            std::shared_ptr<link::Link> link, std::string_view bytes,
-                           Connection::OnClosed on_closed) {
+                           ClientConnection::OnClosed on_closed) {
   const std::uint64_t number = ++last_number_;
-  Connection::Settings settings;
+  ClientConnection::Settings settings;
   settings.number = number;
   settings.peer = std::move(peer);
   settings.client_timeout = options_.client_timeout;
   settings.batch = options_.batch;
-  auto connection = std::make_shared<Connection>(
+  auto connection = std::make_shared<ClientConnection>(
       std::move(link), std::move(catalogue), std::move(settings),
       [this, told = std::move(on_closed)](const ClientRecord& record, const std::string& why) {
         farewell(record);
@@ -83,7 +83,7 @@ void ClientRegistry::farewell(const ClientRecord& record) {
 }
 
 /// A client may leave when it is told something; it takes nobody with it.
-void ClientRegistry::for_each(const std::function<void(Connection&)>& visit,
+void ClientRegistry::for_each(const std::function<void(ClientConnection&)>& visit,
                               std::optional<Way> way) {
   for (auto next = clients_.begin(); next != clients_.end();) {
     const Client client = (next++)->second;
@@ -105,15 +105,15 @@ std::size_t ClientRegistry::count_movable() const {
 }
 
 void ClientRegistry::on_voice() {
-  for_each([](Connection& connection) { connection.on_voice(); });
+  for_each([](ClientConnection& connection) { connection.on_voice(); });
 }
 
 void ClientRegistry::on_moment() {
-  for_each([](Connection& connection) { connection.on_moment(); });
+  for_each([](ClientConnection& connection) { connection.on_moment(); });
 }
 
 void ClientRegistry::stop() {
-  for_each([](Connection& connection) { connection.stop(); });
+  for_each([](ClientConnection& connection) { connection.stop(); });
 }
 
 void ClientRegistry::send_away(std::size_t count) {
@@ -124,11 +124,11 @@ void ClientRegistry::send_away(std::size_t count) {
 }
 
 void ClientRegistry::stop(Way way) {
-  for_each([](Connection& connection) { connection.stop(); }, way);
+  for_each([](ClientConnection& connection) { connection.stop(); }, way);
 }
 
 void ClientRegistry::abort() {
-  for_each([](Connection& connection) { connection.abort(); });
+  for_each([](ClientConnection& connection) { connection.abort(); });
 }
 
 void ClientRegistry::describe(Status& status, Instant now) const {
@@ -138,7 +138,7 @@ void ClientRegistry::describe(Status& status, Instant now) const {
   status.disconnects = stats_.end_reasons();
   status.sent = stats_.totals();
   for (const auto& [number, client] : clients_) {
-    const Connection& connection = *client.connection;
+    const ClientConnection& connection = *client.connection;
     status.sent.add(connection.so_far());
     if (client.way == Way::WebSocket) ++status.clients_web;
     if (connection.paused()) ++status.clients_paused;

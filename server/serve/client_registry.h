@@ -16,7 +16,7 @@
 #include "protocol/server_session.h"
 #include "protocol/wrong_tokens.h"
 #include "server/serve/address_counts.h"
-#include "server/serve/connection.h"
+#include "server/serve/client_connection.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/client_log.h"
 #include "server/status/stats.h"
@@ -36,7 +36,7 @@ class ClientRegistry {
   /// but servers that were dialled from here; told again when these leave.
   /// `on_publisher`: one brings a stream, and is no client any more.
   ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty,
-                 Connection::OnPublisher on_publisher = {})
+                 ClientConnection::OnPublisher on_publisher = {})
       : options_(options),
         stats_(stats),
         on_empty_(std::move(on_empty)),
@@ -61,7 +61,7 @@ class ClientRegistry {
   /// on the link, which is open. No limit of clients counts, and the log is left to `on_closed`.
   void serve(std::string peer, std::shared_ptr<const protocol::ServerCatalogue> catalogue,
              std::shared_ptr<link::Link> link, std::string_view bytes,
-             Connection::OnClosed on_closed);
+             ClientConnection::OnClosed on_closed);
 
   /// A live stream has moved on.
   void on_moment();
@@ -90,7 +90,7 @@ class ClientRegistry {
 
  private:
   struct Client {
-    std::shared_ptr<Connection> connection;
+    std::shared_ptr<ClientConnection> connection;
     bool refused = false;  ///< it is heard only to be told so; never of one that was dialled
     AddressKey address = 0;
     Way way = Way::Tcp;
@@ -98,12 +98,12 @@ class ClientRegistry {
 
   [[nodiscard]] protocol::Admission admission_of(AddressKey address) const;
   void farewell(const ClientRecord& record);
-  void for_each(const std::function<void(Connection&)>& visit, std::optional<Way> way = {});
+  void for_each(const std::function<void(ClientConnection&)>& visit, std::optional<Way> way = {});
 
   const TransmitterOptions& options_;
   Stats& stats_;
   OnEmpty on_empty_;
-  Connection::OnPublisher on_publisher_;
+  ClientConnection::OnPublisher on_publisher_;
   ClientLog log_;
   protocol::WrongTokens wrong_tokens_;
   std::map<std::uint64_t, Client> clients_;  ///< by number

@@ -117,7 +117,7 @@ std::string voice_lines(const VoiceFile& file, const VoiceSummary& voice, Millis
   return text + silence_lines(voice.silences);
 }
 
-std::string caption_lines(const std::vector<protocol::Caption>& captions) {
+std::string caption_lines(const std::vector<protocol::CaptionData>& captions) {
   if (captions.empty()) return {};
   const auto shown = std::count_if(captions.begin(), captions.end(),
                                    [](const auto& caption) { return !caption.text.empty(); });

@@ -29,7 +29,7 @@ struct Source {
   std::optional<VoiceFile> voice{};       ///< not encoded yet
   /// What goes with the voice, if that is not `stream`: protocol::spoken_stream().
   std::shared_ptr<const protocol::EncodedStream> spoken{};
-  std::vector<protocol::Caption> captions{};
+  std::vector<protocol::CaptionData> captions{};
   std::string title{};  ///< empty: none
 };
 

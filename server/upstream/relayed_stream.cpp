@@ -216,7 +216,7 @@ std::optional<std::string> RelayedStream::add(const protocol::DeliverCaption& ca
     auto& captions = sound_->captions;
     if (captions.empty() || caption.caption.place_ms > captions.back().place_ms) {
       captions.push_back(caption.caption);
-      caption_bytes_ += sizeof(protocol::Caption) + caption.caption.text.size();
+      caption_bytes_ += sizeof(protocol::CaptionData) + caption.caption.text.size();
     }
   }
   return std::nullopt;

@@ -24,7 +24,7 @@ struct Companions {
 /// The companions as they are served.
 struct Accompaniment {
   std::optional<VoiceFile> voice;
-  std::vector<protocol::Caption> captions;
+  std::vector<protocol::CaptionData> captions;
 };
 
 /// Looks for the companions of a source and reads the captions. `first`: the source is the one that

@@ -38,7 +38,7 @@ void SpokenText::move_to(playback::Playback& playback, Duration place) {
     return;
   }
   const auto next = std::upper_bound(all_.begin(), all_.end(), place,
-                                     [](Duration at, const protocol::Caption& caption) {
+                                     [](Duration at, const protocol::CaptionData& caption) {
                                        return at < Milliseconds(caption.place_ms);
                                      });
   caption_ = next == all_.begin() ? std::string() : std::prev(next)->text;

@@ -29,8 +29,8 @@ class SpokenText {
   [[nodiscard]] const std::string& caption() const { return caption_; }
 
  private:
-  std::vector<protocol::Caption> all_;  ///< of a file
-  playback::CaptionLine line_;          ///< of a server
+  std::vector<protocol::CaptionData> all_;  ///< of a file
+  playback::CaptionLine line_;              ///< of a server
   std::string title_;
   std::string caption_;
 };

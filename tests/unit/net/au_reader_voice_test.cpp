@@ -109,11 +109,11 @@ TEST_F(ReaderVoice, CaptionsAreAskedForAndKeptWithTheirPlaces) {
   connect("text=1 from=0");
   EXPECT_NE(said_.find("text=1"), std::string::npos) << said_;
   EXPECT_TRUE(reader_.status().captions);
-  feed(protocol::encode(protocol::Caption{0, "one"}) + "{12:50;400}" +
-       protocol::encode(protocol::Caption{500, "zwei \xc3\xa4"}));
+  feed(protocol::encode(protocol::CaptionData{0, "one"}) + "{12:50;400}" +
+       protocol::encode(protocol::CaptionData{500, "zwei \xc3\xa4"}));
   (void)reader_.closed(clock_.now());
   connect("text=1");
-  feed(protocol::encode(protocol::Caption{100, ""}));
+  feed(protocol::encode(protocol::CaptionData{100, ""}));
   for (const auto& [place, text] : {std::pair(0ms, "one"), {500ms, "zwei \xc3\xa4"}, {500ms, ""}}) {
     const auto caption = reader_.take_caption();
     ASSERT_TRUE(caption);
@@ -126,7 +126,7 @@ TEST_F(ReaderVoice, CaptionsAreAskedForAndKeptWithTheirPlaces) {
 TEST_F(ReaderVoice, CaptionsThatNobodyTakesHaveALimit) {
   connect("text=1");
   for (std::size_t sent = 0; sent <= SpokenQueue::kCaptionsMax; ++sent) {
-    feed(protocol::encode(protocol::Caption{sent, "one"}));
+    feed(protocol::encode(protocol::CaptionData{sent, "one"}));
   }
   std::size_t taken = 0;
   while (reader_.take_caption()) ++taken;

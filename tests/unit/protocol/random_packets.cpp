@@ -104,8 +104,8 @@ ServerPacket random_server_packet(Seeded& seeded) {
       return voice;
     }
     case 5:
-      return Caption{static_cast<std::uint64_t>(seeded.integer(0, 1 << 30)),
-                     random_text(seeded, "ab {}\n", 80)};
+      return CaptionData{static_cast<std::uint64_t>(seeded.integer(0, 1 << 30)),
+                         random_text(seeded, "ab {}\n", 80)};
     default:
       return random_keyframe(seeded);
   }

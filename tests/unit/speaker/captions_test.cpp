@@ -41,7 +41,7 @@ TEST(Captions, HaveTwoLinesOfFortyTwoCharactersAtMost) {
   ASSERT_TRUE(script);
   const auto captions = captions_of(words_every(200, *script), *script);
   EXPECT_GT(captions.size(), 5U);
-  for (const Caption& caption : captions) {
+  for (const TimedCaption& caption : captions) {
     if (caption.text.size() > 42) {
       EXPECT_LE(caption.text.find('\n'), 48U) << caption.text;
     }

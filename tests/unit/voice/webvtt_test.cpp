@@ -5,7 +5,7 @@
 namespace aucast::voice {
 namespace {
 
-using Captions = std::vector<protocol::Caption>;
+using Captions = std::vector<protocol::CaptionData>;
 
 Captions read(std::string_view text) {
   const auto read = parse_webvtt(text, "talk.vtt");

@@ -1,4 +1,4 @@
-#include "common/mesh/au_reader.h"
+#include "common/mesh/read_aus.h"
 
 #include <gtest/gtest.h>
 

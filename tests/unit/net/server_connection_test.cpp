@@ -1,5 +1,5 @@
 // The player's connection without a socket: the test is the server, the clock and who dials.
-#include "client/net/connection.h"
+#include "client/net/server_connection.h"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,10 @@ class PlayerConnection : public ::testing::Test {
     options.peer = "server:4650";
     options.buffers = {2, 1, 100};
     reader_.emplace(std::move(options));
-    connection_.emplace(*reader_, "server:4650",
-                        Connection::Owner{[this](Milliseconds wait) { waits_.push_back(wait); },
-                                          [this] { over_ = true; }, [this] { ++changes_; }});
+    connection_.emplace(
+        *reader_, "server:4650",
+        ServerConnection::Owner{[this](Milliseconds wait) { waits_.push_back(wait); },
+                                [this] { over_ = true; }, [this] { ++changes_; }});
     dialled();
   }
   /// A new link for the connection.
@@ -42,7 +43,7 @@ class PlayerConnection : public ::testing::Test {
 
   std::optional<SharedReader> reader_;
   std::shared_ptr<FakeLink> link_;
-  std::optional<Connection> connection_;
+  std::optional<ServerConnection> connection_;
   std::vector<Milliseconds> waits_;
   bool over_ = false;
   int changes_ = 0;
@@ -138,8 +139,9 @@ TEST_F(PlayerConnection, WhatIsFinalIsNotTriedAgain) {
 
 TEST_F(PlayerConnection, AFailedHandshakeIsNoConnection) {
   begin();
-  connection_.emplace(*reader_, "server:4650",
-                      Connection::Owner{[](Milliseconds) {}, [this] { over_ = true; }, [] {}});
+  connection_.emplace(
+      *reader_, "server:4650",
+      ServerConnection::Owner{[](Milliseconds) {}, [this] { over_ = true; }, [] {}});
   link_ = std::make_shared<FakeLink>();
   link_->opens_at_once = false;
   connection_->begin(link_);

@@ -26,7 +26,8 @@ namespace aucast::server {
 /// The session begins when the link opens. A keyframe of a live stream is handed out only when the
 /// link has taken all before it.
 /// Thread: that of the link. Stays alive until a call that the link makes to it has returned.
-class Connection final : public link::LinkUser, public std::enable_shared_from_this<Connection> {
+class ClientConnection final : public link::LinkUser,
+                               public std::enable_shared_from_this<ClientConnection> {
  public:
   /// `why`: a sentence or clause, for who made the connection.
   using OnClosed = std::function<void(const ClientRecord&, const std::string& why)>;
@@ -48,12 +49,12 @@ class Connection final : public link::LinkUser, public std::enable_shared_from_t
   };
 
   /// `on_closed` is called once, when the link is closed.
-  Connection(std::shared_ptr<link::Link> link,
-             std::shared_ptr<const protocol::ServerCatalogue> catalogue, Settings settings,
-             OnClosed on_closed);
-  ~Connection() override;
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
+  ClientConnection(std::shared_ptr<link::Link> link,
+                   std::shared_ptr<const protocol::ServerCatalogue> catalogue, Settings settings,
+                   OnClosed on_closed);
+  ~ClientConnection() override;
+  ClientConnection(const ClientConnection&) = delete;
+  ClientConnection& operator=(const ClientConnection&) = delete;
 
   void start();
   /// In place of start(), of a link that is open and on which `bytes` have come.

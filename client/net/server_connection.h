@@ -44,7 +44,7 @@ class SharedReader {
 /// Carries out on links what an AuReader decides: one link after the other, when connections are
 /// lost. Who makes the links is the owner's business, and so is the wait before the next one.
 /// Thread: that of the links; the reader is shared with the player's.
-class Connection final : public link::LinkUser {
+class ServerConnection final : public link::LinkUser {
  public:
   /// What the connection wants of its owner.
   struct Owner {
@@ -54,10 +54,10 @@ class Connection final : public link::LinkUser {
   };
 
   /// `peer`: HOST:PORT, for messages.
-  Connection(SharedReader& reader, std::string peer, Owner owner);
-  ~Connection() override;
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
+  ServerConnection(SharedReader& reader, std::string peer, Owner owner);
+  ~ServerConnection() override;
+  ServerConnection(const ServerConnection&) = delete;
+  ServerConnection& operator=(const ServerConnection&) = delete;
 
   void begin(std::shared_ptr<link::Link> link);
   /// No link could be made. `final`: another attempt would not change it.

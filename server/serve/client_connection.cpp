@@ -1,4 +1,4 @@
-#include "server/serve/connection.h"
+#include "server/serve/client_connection.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,9 +13,9 @@ namespace aucast::server {
 
 using Why = protocol::CloseConnection::Why;
 
-Connection::Connection(std::shared_ptr<link::Link> link,
-                       std::shared_ptr<const protocol::ServerCatalogue> catalogue,
-                       Settings settings, OnClosed on_closed)
+ClientConnection::ClientConnection(std::shared_ptr<link::Link> link,
+                                   std::shared_ptr<const protocol::ServerCatalogue> catalogue,
+                                   Settings settings, OnClosed on_closed)
     : link_(std::move(link)),
       catalogue_(std::move(catalogue)),
       settings_(std::move(settings)),
@@ -24,52 +24,52 @@ Connection::Connection(std::shared_ptr<link::Link> link,
   record_.peer = settings_.peer;
 }
 
-Connection::~Connection() {
+ClientConnection::~ClientConnection() {
   if (link_) link_->close();
 }
 
-void Connection::start() {
+void ClientConnection::start() {
   say(spdlog::level::info, "client {} {}: connected", record_.number, record_.peer);
   link_->start(*this);
 }
 
-void Connection::take_over(std::string_view bytes) {
+void ClientConnection::take_over(std::string_view bytes) {
   link_->hand_over(*this);
   on_open();
   on_bytes(bytes);
 }
 
-void Connection::on_open() {
+void ClientConnection::on_open() {
   session_.emplace(*catalogue_, link_->round_trip(), link_->now(), settings_.admission,
                    settings_.token_count, settings_.silence);
   go_on();
 }
 
-void Connection::on_bytes(std::string_view bytes) {
+void ClientConnection::on_bytes(std::string_view bytes) {
   const auto alive = shared_from_this();
   owed_since_.reset();
   carry_out(session_->on_bytes(bytes, link_->now()));
   go_on();
 }
 
-void Connection::on_peer_end() {
+void ClientConnection::on_peer_end() {
   const auto alive = shared_from_this();
   carry_out(session_->on_peer_end(link_->now()));
   go_on();
 }
 
-void Connection::on_room() {
+void ClientConnection::on_room() {
   const auto alive = shared_from_this();
   go_on();
 }
 
-void Connection::on_moment() {
+void ClientConnection::on_moment() {
   if (!session_ || finishing_) return;
   carry_out(session_->on_moment(link_->now()));
   go_on();
 }
 
-void Connection::on_voice() {
+void ClientConnection::on_voice() {
   if (!session_ || finishing_) return;
   auto events = session_->on_voice(link_->now());
   if (events.empty()) return;
@@ -77,7 +77,7 @@ void Connection::on_voice() {
   go_on();
 }
 
-void Connection::on_time() {
+void ClientConnection::on_time() {
   const auto alive = shared_from_this();
   const Instant now = link_->now();
   if (const auto due = session_->deadline(); due && now >= *due) {
@@ -92,7 +92,7 @@ void Connection::on_time() {
   go_on();
 }
 
-void Connection::on_closed(const link::Ending& ending) {
+void ClientConnection::on_closed(const link::Ending& ending) {
   const auto alive = shared_from_this();
   if (ending.why == link::Ending::Why::Lost) {
     spdlog::debug("client {} {}: {}", record_.number, record_.peer, ending.reason);
@@ -100,13 +100,13 @@ void Connection::on_closed(const link::Ending& ending) {
   lose();
 }
 
-void Connection::on_failure(const link::Ending& failure) {
+void ClientConnection::on_failure(const link::Ending& failure) {
   const bool frames = failure.why == link::Ending::Why::WebSocketFailed;
   finish_sending();
   note_end(frames ? EndReason(Why::ProtocolError) : EndedHere::TlsFailed, failure.reason, false);
 }
 
-void Connection::stop() {
+void ClientConnection::stop() {
   if (finishing_ || closed_) return;
   if (!session_) {
     note_end(Why::Stopped, "the server stops", true);
@@ -117,13 +117,13 @@ void Connection::stop() {
   go_on();
 }
 
-bool Connection::send_away() {
+bool ClientConnection::send_away() {
   if (!movable()) return false;
   carry_out(session_->send_away(link_->now()));
   return true;
 }
 
-void Connection::abort() {
+void ClientConnection::abort() {
   if (closed_) return;
   if (output_bytes() != 0) {
     say(spdlog::level::warn, "client {} {}: {} bytes were not taken in time", record_.number,
@@ -132,7 +132,7 @@ void Connection::abort() {
   lose();
 }
 
-void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
+void ClientConnection::carry_out(std::vector<protocol::ServerEvent> events) {
   for (protocol::ServerEvent& event : events) {
     if (auto* bytes = std::get_if<protocol::SendBytes>(&event)) {
       send(bytes->bytes);
@@ -149,7 +149,7 @@ void Connection::carry_out(std::vector<protocol::ServerEvent> events) {
 }
 
 /// The connection ends here and goes on elsewhere.
-void Connection::hand_over(const protocol::HelloAsked& hello) {
+void ClientConnection::hand_over(const protocol::HelloAsked& hello) {
   note_end(EndedHere::HandedOver, "it brings the stream '" + hello.publish + "'", true);
   record_.bytes_total = link_->wire_bytes();
   link_->wake_at(std::nullopt);
@@ -163,7 +163,7 @@ void Connection::hand_over(const protocol::HelloAsked& hello) {
 }
 
 /// A player that never heard of times shows a recording of 30 pictures a second at four a second.
-void Connection::note_pace() {
+void ClientConnection::note_pace() {
   if (session_->level() != protocol::Level::Classic || session_->recorded() == nullptr) return;
   const auto length = protocol::classic_length(*session_->recorded());
   if (!length) return;
@@ -173,7 +173,7 @@ void Connection::note_pace() {
       record_.number, record_.peer, protocol::kDefaultKeyframeTime.count(), seconds(*length));
 }
 
-void Connection::send(std::string_view bytes) {
+void ClientConnection::send(std::string_view bytes) {
   if (!sending_since_ && session_->sent().packets > 0) {
     sending_since_ = link_->now();
     note_pace();
@@ -185,7 +185,7 @@ void Connection::send(std::string_view bytes) {
   }
 }
 
-void Connection::flush() {
+void ClientConnection::flush() {
   if (gathered_.empty() || gathers()) return;
   link_->write(gathered_);
   gathered_.clear();
@@ -193,7 +193,7 @@ void Connection::flush() {
 
 /// Whether what there is to write waits for more. The first packet, which a player is waiting for,
 /// and the last words do not.
-bool Connection::gathers() {
+bool ClientConnection::gathers() {
   const bool may = !finishing_ && session_->sent().packets > 1 && gathered_.size() < kBatchBytesMax;
   if (!may) {
     gathered_until_.reset();
@@ -207,14 +207,14 @@ bool Connection::gathers() {
 }
 
 /// The last byte has been handed out. What the peer still says does not matter to the session.
-void Connection::finish_sending() {
+void ClientConnection::finish_sending() {
   if (std::exchange(finishing_, true)) return;
   if (sending_since_) record_.send_time = link_->now() - *sending_since_;
   flush();
   link_->finish();
 }
 
-void Connection::note_end(EndReason end_reason, std::string_view reason, bool in_order) {
+void ClientConnection::note_end(EndReason end_reason, std::string_view reason, bool in_order) {
   if (std::exchange(end_noted_, true)) return;
   record_ = so_far();
   record_.end_reason = end_reason;
@@ -227,13 +227,13 @@ void Connection::note_end(EndReason end_reason, std::string_view reason, bool in
 }
 
 /// Nothing can be sent any more.
-void Connection::lose() {
+void ClientConnection::lose() {
   if (!end_noted_ && session_) carry_out(session_->on_lost(link_->now()));
   if (!end_noted_) note_end(Why::PeerGone, "the connection was lost", true);
   close();
 }
 
-void Connection::close() {
+void ClientConnection::close() {
   if (std::exchange(closed_, true)) return;
   finishing_ = true;
   record_.bytes_total = link_->wire_bytes();
@@ -241,7 +241,7 @@ void Connection::close() {
   on_closed_(record_, why_);
 }
 
-ClientRecord Connection::so_far() const {
+ClientRecord ClientConnection::so_far() const {
   ClientRecord record = record_;
   if (link_) record.bytes_total = link_->wire_bytes();
   if (!session_) return record;
@@ -256,12 +256,12 @@ ClientRecord Connection::so_far() const {
   return record;
 }
 
-std::size_t Connection::output_bytes() const {
+std::size_t ClientConnection::output_bytes() const {
   return link_->unsent_bytes() + gathered_.size();
 }
 
 /// Starts whatever can be done next; called at the end of every call from outside.
-void Connection::go_on() {
+void ClientConnection::go_on() {
   if (finishing_) return;
   flush();
   if (session_->live()) {
@@ -275,7 +275,7 @@ void Connection::go_on() {
 
 /// When --client-timeout runs out: for an answer, which anything the client says puts off, or for
 /// the output, which any byte that is taken does. A paused client owes nothing.
-std::optional<Instant> Connection::patience_ends() {
+std::optional<Instant> ClientConnection::patience_ends() {
   if (settings_.client_timeout.count() == 0) return std::nullopt;
   const bool owes = session_->awaiting_answer();
   if (!owes) owed_since_.reset();

@@ -1,4 +1,4 @@
-#include "client/net/connection.h"
+#include "client/net/server_connection.h"
 
 #include <utility>
 
@@ -7,51 +7,51 @@ namespace aucast::net {
 using playback::EndReason;
 using Why = link::Ending::Why;
 
-Connection::Connection(SharedReader& reader, std::string peer, Owner owner)
+ServerConnection::ServerConnection(SharedReader& reader, std::string peer, Owner owner)
     : reader_(reader), peer_(std::move(peer)), owner_(std::move(owner)) {}
 
-Connection::~Connection() {
+ServerConnection::~ServerConnection() {
   drop_link();
 }
 
-void Connection::begin(std::shared_ptr<link::Link> link) {
+void ServerConnection::begin(std::shared_ptr<link::Link> link) {
   link_ = std::move(link);
   link_->start(*this);
 }
 
-void Connection::fail(const std::string& reason, bool final) {
+void ServerConnection::fail(const std::string& reason, bool final) {
   carry_out(reader_.with([&](AuReader& reader) {
     return final ? reader.refused(EndReason::Refused, reason)
                  : reader.unreachable("cannot reach " + peer_ + ": " + reason);
   }));
 }
 
-void Connection::on_open() {
+void ServerConnection::on_open() {
   open_ = true;
   carry_out(reader_.with(
       [&](AuReader& reader) { return reader.connected(link_->now(), link_->round_trip()); }));
 }
 
-void Connection::on_bytes(std::string_view bytes) {
+void ServerConnection::on_bytes(std::string_view bytes) {
   carry_out(reader_.with([&](AuReader& reader) { return reader.received(bytes, link_->now()); }));
 }
 
-void Connection::on_peer_end() {
+void ServerConnection::on_peer_end() {
   lose({});
 }
 
 /// The reader is told when it has taken what came before.
-void Connection::lose(std::string broke) {
+void ServerConnection::lose(std::string broke) {
   peer_ended_ = true;
   broke_ = std::move(broke);
   carry_out({});
 }
 
-void Connection::on_time() {
+void ServerConnection::on_time() {
   carry_out(reader_.with([&](AuReader& reader) { return reader.time(link_->now()); }));
 }
 
-void Connection::on_closed(const link::Ending& ending) {
+void ServerConnection::on_closed(const link::Ending& ending) {
   if (leaving_) {
     drop_link();
     over_ = true;
@@ -70,12 +70,12 @@ void Connection::on_closed(const link::Ending& ending) {
   }
 }
 
-void Connection::speak(Instant now) {
+void ServerConnection::speak(Instant now) {
   if (!open_ || leaving_) return;
   carry_out(reader_.with([&](AuReader& reader) { return reader.speak(now); }));
 }
 
-void Connection::leave() {
+void ServerConnection::leave() {
   if (over_ || leaving_) return;
   if (!open_ || link_over_) {
     drop_link();
@@ -88,7 +88,7 @@ void Connection::leave() {
   link_->finish();
 }
 
-void Connection::carry_out(const Reaction& reaction) {
+void ServerConnection::carry_out(const Reaction& reaction) {
   if (!reaction.send.empty()) send(reaction.send);
   switch (reaction.next) {
     case Reaction::Next::GoOn: {
@@ -119,12 +119,12 @@ void Connection::carry_out(const Reaction& reaction) {
   if (reaction.changed) owner_.changed();
 }
 
-void Connection::send(std::string_view words) {
+void ServerConnection::send(std::string_view words) {
   bytes_sent_ += words.size();
   link_->write(words);
 }
 
-void Connection::drop_link() {
+void ServerConnection::drop_link() {
   open_ = false;
   link_over_ = false;
   peer_ended_ = false;

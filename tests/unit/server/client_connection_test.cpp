@@ -1,5 +1,5 @@
 // One client of the server, without a socket: the test is the peer and the clock.
-#include "server/serve/connection.h"
+#include "server/serve/client_connection.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ class ConnectionTest : public TalkFixture {
     connection_->on_moment();
   }
   void start() {
-    connection_ = std::make_shared<Connection>(
+    connection_ = std::make_shared<ClientConnection>(
         link_, catalogue_, settings_, [this](const ClientRecord& record, const std::string&) {
           record_ = record;
           connection_.reset();
@@ -52,9 +52,9 @@ class ConnectionTest : public TalkFixture {
 
   ClientLog log_;
   std::shared_ptr<protocol::LiveReplay> live_;
-  Connection::Settings settings_;
+  ClientConnection::Settings settings_;
   std::shared_ptr<FakeLink> link_ = std::make_shared<FakeLink>();
-  std::shared_ptr<Connection> connection_;
+  std::shared_ptr<ClientConnection> connection_;
   std::optional<ClientRecord> record_;
 };
 
