@@ -9,20 +9,6 @@
 
 namespace aucast::protocol {
 
-std::string_view name(SessionFailed::Why why) {
-  switch (why) {
-    case SessionFailed::Why::Lost:
-      return "lost";
-    case SessionFailed::Why::ProtocolError:
-      return "protocol error";
-    case SessionFailed::Why::Refused:
-      return "refused";
-    case SessionFailed::Why::Silent:
-      return "silent";
-  }
-  return "unknown";
-}
-
 struct ClientSession::State {
   enum class Phase : std::uint8_t {
     Idle,     ///< not connected yet

@@ -64,8 +64,6 @@ struct SessionFailed {
 using ClientEvent = std::variant<SendBytes, DeliverKeyframe, DeliverVoice, DeliverCaption, Granted,
                                  StreamEnded, ReconnectClassic, SessionFailed>;
 
-[[nodiscard]] std::string_view name(SessionFailed::Why why);
-
 /// The player's side of one connection as a state machine. No socket and no clock. After
 /// StreamEnded, ReconnectClassic or SessionFailed nothing more comes out.
 /// Thread: none of its own; one session per connection.

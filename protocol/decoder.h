@@ -26,7 +26,6 @@ class PacketDecoder {
   [[nodiscard]] const std::optional<DecodeError>& error() const { return error_; }
   /// True when a packet was begun and not finished.
   [[nodiscard]] bool mid_packet() const { return !error_ && packet_bytes_ > 0; }
-  [[nodiscard]] std::uint64_t bytes_seen() const { return bytes_seen_; }
   /// Size of the last packet from next() as it came: with its braces and the blanks inside.
   [[nodiscard]] std::size_t taken_bytes() const { return taken_bytes_; }
 

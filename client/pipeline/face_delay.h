@@ -19,8 +19,6 @@ class FaceDelay {
   /// What lies before it is forgotten. Something must have been added. Valid until the next call.
   [[nodiscard]] const std::vector<float>& at(Instant at);
   [[nodiscard]] bool empty() const { return faces_.empty(); }
-  /// at() will still give another face, later on.
-  [[nodiscard]] bool moves() const { return faces_.size() > 1; }
   void clear() { faces_.clear(); }
 
  private:

@@ -36,8 +36,6 @@ class FacePipeline {
   [[nodiscard]] FaceState neutral() const;
 
   [[nodiscard]] const AuFrame& received() const { return received_; }
-  /// After the rules.
-  [[nodiscard]] const AuFrame& blended() const { return end_.aus; }
   /// The rules that changed something in this keyframe.
   [[nodiscard]] std::span<const face::RuleFired> fired() const { return fired_; }
   /// Takes effect at once.

@@ -57,13 +57,6 @@ struct Measures {
   std::array<double, kMiddleMeasures> middle{};
   HeadTurn turn;
   double scale = 1;
-
-  [[nodiscard]] double left_of(SideMeasure what) const {
-    return left[static_cast<std::size_t>(what)];
-  }
-  [[nodiscard]] double right_of(SideMeasure what) const {
-    return right[static_cast<std::size_t>(what)];
-  }
 };
 
 /// Of a face that was laid on one whose outer corners of the eyes are 1 apart.

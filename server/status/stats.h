@@ -65,8 +65,6 @@ class Stats {
 
   void add(ClientRecord record);
 
-  [[nodiscard]] const std::deque<ClientRecord>& records() const { return records_; }
-  [[nodiscard]] std::uint64_t clients() const { return totals_.clients; }
   [[nodiscard]] const Totals& totals() const { return totals_; }
   [[nodiscard]] const std::map<std::string, std::uint64_t>& end_reasons() const {
     return end_reasons_;

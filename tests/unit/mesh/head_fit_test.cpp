@@ -70,12 +70,16 @@ TEST(Measures, TellTheSidesApart) {
   head.points[61] = {-0.25, 0.8, 0};
   for (const std::size_t lid : {374U, 380U, 373U}) head.points[lid].y = 0.1;
   const Measures measures = measure(head);
-  EXPECT_NEAR(measures.left_of(SideMeasure::CornerUp), -0.7, kFitTolerance);
-  EXPECT_NEAR(measures.left_of(SideMeasure::CornerOut), 0.3, kFitTolerance);
-  EXPECT_NEAR(measures.right_of(SideMeasure::CornerUp), -0.8, kFitTolerance);
-  EXPECT_NEAR(measures.right_of(SideMeasure::CornerOut), 0.25, kFitTolerance);
-  EXPECT_GT(measures.left_of(SideMeasure::Aperture), 0.3);
-  EXPECT_NEAR(measures.right_of(SideMeasure::Aperture), 0, kFitTolerance);
+  const auto left = [&](SideMeasure what) { return measures.left[static_cast<std::size_t>(what)]; };
+  const auto right = [&](SideMeasure what) {
+    return measures.right[static_cast<std::size_t>(what)];
+  };
+  EXPECT_NEAR(left(SideMeasure::CornerUp), -0.7, kFitTolerance);
+  EXPECT_NEAR(left(SideMeasure::CornerOut), 0.3, kFitTolerance);
+  EXPECT_NEAR(right(SideMeasure::CornerUp), -0.8, kFitTolerance);
+  EXPECT_NEAR(right(SideMeasure::CornerOut), 0.25, kFitTolerance);
+  EXPECT_GT(left(SideMeasure::Aperture), 0.3);
+  EXPECT_NEAR(right(SideMeasure::Aperture), 0, kFitTolerance);
   EXPECT_NEAR(measures.middle[static_cast<std::size_t>(MiddleMeasure::MouthWidth)], 0.55,
               kFitTolerance);
 }

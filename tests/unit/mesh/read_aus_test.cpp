@@ -41,6 +41,9 @@ AuWeights weights() {
 double& left_of(Measures& measures, SideMeasure what) {
   return measures.left[static_cast<std::size_t>(what)];
 }
+double left_of(const Measures& measures, SideMeasure what) {
+  return measures.left[static_cast<std::size_t>(what)];
+}
 double& right_of(Measures& measures, SideMeasure what) {
   return measures.right[static_cast<std::size_t>(what)];
 }
@@ -167,10 +170,10 @@ std::vector<Measures> a_smiling_film() {
 TEST(QuietFace, IsThatOfTheQuietestMomentsWithTheHeadWhereItMostlyIs) {
   const auto film = a_smiling_film();
   const Measures quiet = find_quiet_face(film, weights());
-  EXPECT_NEAR(quiet.left_of(SideMeasure::CornerUp), -0.02, kTolerance);
+  EXPECT_NEAR(left_of(quiet, SideMeasure::CornerUp), -0.02, kTolerance);
   EXPECT_NEAR(quiet.turn.left_rad, 0.25, 0.011);
   // The median of all is somebody who smiles.
-  EXPECT_NEAR(median_face(film, weights()).left_of(SideMeasure::CornerUp), 0.04, kTolerance);
+  EXPECT_NEAR(left_of(median_face(film, weights()), SideMeasure::CornerUp), 0.04, kTolerance);
 }
 
 TEST(QuietFace, HasShutLipsAlsoOfSomebodyWhoKeepsThemParted) {
@@ -197,11 +200,11 @@ TEST(QuietFace, IsFoundWhileSomebodyIsWatched) {
   const AuWeights known = weights();
   RunningQuietFace running(known);
   const auto film = a_smiling_film();
-  EXPECT_EQ(running.watch(0, film[0]).left_of(SideMeasure::CornerUp), -0.02);
+  EXPECT_EQ(left_of(running.watch(0, film[0]), SideMeasure::CornerUp), -0.02);
   double last = 0;
   for (std::size_t picture = 1; picture < film.size(); ++picture) {
-    last = running.watch(0.04 * static_cast<double>(picture), film[picture])
-               .left_of(SideMeasure::CornerUp);
+    last = left_of(running.watch(0.04 * static_cast<double>(picture), film[picture]),
+                   SideMeasure::CornerUp);
   }
   EXPECT_NEAR(last, -0.02, 0.01);
 }

@@ -17,9 +17,7 @@ TEST(FaceDelay, GivesTheFaceOfAMoment) {
   EXPECT_EQ(delay.at(kBegin + Milliseconds(20)).front(), 2);
   EXPECT_FLOAT_EQ(delay.at(kBegin + Milliseconds(25)).front(), 2.5F);
   EXPECT_EQ(delay.at(kBegin + Milliseconds(25)).back(), 1);
-  EXPECT_TRUE(delay.moves());
   EXPECT_EQ(delay.at(kBegin + Milliseconds(200)).front(), 10);
-  EXPECT_FALSE(delay.moves());
 }
 
 TEST(FaceDelay, ForgetsWhatNobodyWillAskFor) {
@@ -35,7 +33,6 @@ TEST(FaceDelay, OfTwoFacesOfOneMomentTheLaterCounts) {
   delay.add(kBegin, {1});
   delay.add(kBegin, {2});
   EXPECT_EQ(delay.at(kBegin).front(), 2);
-  EXPECT_FALSE(delay.moves());
 }
 
 }  // namespace

@@ -321,13 +321,5 @@ TEST_F(Client, RefusesChangesThatHaveNothingToChange) {
   EXPECT_EQ(why("{~6}"), "the server sent changes only, which was not agreed");
 }
 
-TEST(FailureReason, HasANameForEach) {
-  using Why = SessionFailed::Why;
-  EXPECT_EQ(name(Why::Lost), "lost");
-  EXPECT_EQ(name(Why::ProtocolError), "protocol error");
-  EXPECT_EQ(name(Why::Refused), "refused");
-  EXPECT_EQ(name(Why::Silent), "silent");
-}
-
 }  // namespace
 }  // namespace aucast::protocol

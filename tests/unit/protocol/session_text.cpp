@@ -6,6 +6,20 @@
 
 namespace aucast::test {
 
+std::string_view name_of(protocol::SessionFailed::Why why) {
+  switch (why) {
+    case protocol::SessionFailed::Why::Lost:
+      return "lost";
+    case protocol::SessionFailed::Why::ProtocolError:
+      return "protocol error";
+    case protocol::SessionFailed::Why::Refused:
+      return "refused";
+    case protocol::SessionFailed::Why::Silent:
+      return "silent";
+  }
+  return "unknown";
+}
+
 using namespace protocol;
 
 namespace {
@@ -44,7 +58,7 @@ std::string text_of_event(const ReconnectClassic&) {
   return "reconnect";
 }
 std::string text_of_event(const SessionFailed& failed) {
-  return "fail " + std::string(name(failed.why));
+  return "fail " + std::string(name_of(failed.why));
 }
 
 template <typename Event>

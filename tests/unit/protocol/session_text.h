@@ -13,6 +13,8 @@ namespace aucast::test {
 
 /// Events as one line, in order: "send {1,6}", "shutdown", "close finished", joined by " | ".
 [[nodiscard]] std::string text_of(const std::vector<protocol::ServerEvent>& events);
+/// "lost", "protocol error", "refused", "silent".
+[[nodiscard]] std::string_view name_of(protocol::SessionFailed::Why why);
 /// "send 1", "store {1:30;40}", "granted window=4", "ended", "reconnect", "fail lost".
 [[nodiscard]] std::string text_of(const std::vector<protocol::ClientEvent>& events);
 

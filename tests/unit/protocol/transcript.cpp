@@ -375,7 +375,7 @@ class ClientReplay {
         heard_.push_back("'" + caption->caption.text + "' at " +
                          std::to_string(caption->caption.place_ms));
       } else if (const auto* failed = std::get_if<SessionFailed>(&event)) {
-        over_ = name(failed->why);
+        over_ = test::name_of(failed->why);
       } else if (!std::holds_alternative<Granted>(event)) {
         over_ = std::holds_alternative<StreamEnded>(event) ? "properly" : "to reconnect";
       }

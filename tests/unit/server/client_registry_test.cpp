@@ -63,7 +63,7 @@ TEST_F(ClientRegistryTest, SaysWhenTheLastHasLeft) {
   second->end({});
   EXPECT_EQ(times_empty_, 1);
   EXPECT_TRUE(registry().empty());
-  EXPECT_EQ(stats_.clients(), 2U);
+  EXPECT_EQ(stats_.totals().clients, 2U);
 }
 
 TEST_F(ClientRegistryTest, WhoIsOneTooManyIsToldSoAndTakesNoPlace) {
