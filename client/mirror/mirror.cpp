@@ -1,5 +1,6 @@
 #include "client/mirror/mirror.h"
 
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include "common/files.h"
 #include "common/overloaded.h"
 #include "common/text.h"
+#include "common/thread.h"
 
 namespace aucast::mirror {
 namespace {
@@ -67,55 +69,62 @@ Result<std::unique_ptr<Mirror>> Mirror::start(const MirrorOptions& options) {
                                         "beside face-player or in a folder of PATH"};
   }
   if (!child) return child.error();
-  try {
-    return std::unique_ptr<Mirror>(new Mirror(std::move(*child)));
-  } catch (const std::system_error& failure) {
-    return Error{ErrorKind::Failed, shortage_text(failure)};
+  std::unique_ptr<Mirror> mirror(new Mirror(std::move(*child)));
+  auto started = start_thread([&mirror = *mirror] { mirror.read(); });
+  if (!started) {
+    mirror->course_.with([](Course& course) { course.reading = false; });
+    return started.error();
   }
+  mirror->thread_ = std::move(*started);
+  return mirror;
 }
 
-Mirror::Mirror(std::unique_ptr<Child> child)
-    : child_(std::move(child)), thread_([this] { read(); }) {}
+Mirror::Mirror(std::unique_ptr<Child> child) : child_(std::move(child)) {}
 
 Mirror::~Mirror() {
   end();
-  std::unique_lock lock(mutex_);
-  const bool over = changed_.wait_for(lock, kPatience, [this] { return !reading_; });
-  if (!over) child_->stop();
+  course_.wait_until(
+      std::chrono::steady_clock::now() + kPatience,
+      [](const Course& course) { return !course.reading; },
+      [this](const Course& course) {
+        if (course.reading) child_->stop();
+      });
 }
 
 void Mirror::order(const preview::Order& order) {
-  const std::lock_guard lock(mutex_);
-  state_.refused.clear();
-  if (!reading_ || asked_to_end_) return;
-  if (!child_->tell(preview::order_text(order))) {
-    state_.refused = std::string(kProgram) + " does not answer";
-  }
+  course_.with([&](Course& course) {
+    course.state.refused.clear();
+    if (!course.reading || course.asked_to_end) return;
+    if (!child_->tell(preview::order_text(order))) {
+      course.state.refused = std::string(kProgram) + " does not answer";
+    }
+  });
 }
 
 void Mirror::end() {
-  const std::lock_guard lock(mutex_);
-  if (std::exchange(asked_to_end_, true) || !reading_) return;
-  child_->end_input();
+  course_.with([this](Course& course) {
+    if (std::exchange(course.asked_to_end, true) || !course.reading) return;
+    child_->end_input();
+  });
 }
 
 MirrorState Mirror::state() const {
-  const std::lock_guard lock(mutex_);
-  return state_;
+  return course_.with([](const Course& course) { return course.state; });
 }
 
 void Mirror::take(preview::Record record) {
-  const Overloaded note{
-      [this](preview::Listening& one) { state_.address = std::move(one.address); },
-      [this](preview::Seen& one) {
-        state_.seen = std::make_shared<const preview::Seen>(std::move(one));
-      },
-      [this](preview::Live& one) { state_.live = std::move(one.address); },
-      [this](preview::Private&) { state_.live.clear(); },
-      [this](preview::Watching& one) { state_.watching = one.count; },
-      [this](preview::Refused& one) { state_.refused = printable(one.sentence); }};
-  const std::lock_guard lock(mutex_);
-  std::visit(note, record);
+  course_.with([&record](Course& course) {
+    MirrorState& state = course.state;
+    std::visit(Overloaded{[&](preview::Listening& one) { state.address = std::move(one.address); },
+                          [&](preview::Seen& one) {
+                            state.seen = std::make_shared<const preview::Seen>(std::move(one));
+                          },
+                          [&](preview::Live& one) { state.live = std::move(one.address); },
+                          [&](preview::Private&) { state.live.clear(); },
+                          [&](preview::Watching& one) { state.watching = one.count; },
+                          [&](preview::Refused& one) { state.refused = printable(one.sentence); }},
+               record);
+  });
 }
 
 /// What is wrong with what came, if anything.
@@ -138,20 +147,17 @@ void Mirror::read() {
     reader.feed({reinterpret_cast<const char*>(chunk.data()), got});
     wrong = take_all(reader);
   }
-  {
-    const std::lock_guard lock(mutex_);
-    reading_ = false;
-  }
+  course_.with([](Course& course) { course.reading = false; });
   // It has no more to say; what has ended already keeps its exit code.
   child_->stop();
   const int code = child_->wait();
   const std::string why = wrong ? *wrong : why_ended(code, child_->last_line());
-  const std::lock_guard lock(mutex_);
-  if (!asked_to_end_) state_.ended = why;
-  state_.live.clear();
-  state_.watching = 0;
-  state_.over = true;
-  changed_.notify_all();
+  course_.change([&why](Course& course) {
+    if (!course.asked_to_end) course.state.ended = why;
+    course.state.live.clear();
+    course.state.watching = 0;
+    course.state.over = true;
+  });
 }
 
 }  // namespace aucast::mirror

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -14,6 +12,7 @@
 #include "common/preview/orders.h"
 #include "common/preview/preview_reader.h"
 #include "common/result.h"
+#include "common/shared.h"
 
 namespace aucast::mirror {
 
@@ -53,13 +52,14 @@ class Mirror {
   void take(preview::Record record);
   [[nodiscard]] std::optional<std::string> take_all(preview::PreviewReader& reader);
 
+  struct Course {
+    MirrorState state;
+    bool asked_to_end = false;
+    bool reading = true;  ///< the child may be told something, and be killed
+  };
+
   std::unique_ptr<Child> child_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  // Guarded by mutex_:
-  MirrorState state_;
-  bool asked_to_end_ = false;
-  bool reading_ = true;  ///< the child may be told something, and be killed
+  Shared<Course> course_;
   // Comes last: it uses all of the above.
   std::jthread thread_;
 };

@@ -15,6 +15,7 @@
 #include "client/net/dialling.h"
 #include "client/net/server_connection.h"
 #include "common/link/host.h"
+#include "common/thread.h"
 
 namespace aucast::net {
 namespace {
@@ -42,7 +43,12 @@ class RemoteSource::Network {
  public:
   explicit Network(RemoteOptions options)
       : reader(reader_options(options)), options_(std::move(options)) {
-    thread_ = std::jthread([this] { run(); });
+    auto started = start_thread([this] { run(); });
+    if (started) {
+      thread_ = std::move(*started);
+    } else {
+      connection_.fail(started.error().message, true);
+    }
   }
 
   /// The reader has been asked for something and may have something to say.
@@ -101,7 +107,7 @@ class RemoteSource::Network {
   }
 
   void tell_player() {
-    reader.notify();
+    reader.wake();
     if (options_.wakeup) options_.wakeup();
   }
 
@@ -150,7 +156,8 @@ bool RemoteSource::ready() const {
 }
 
 bool RemoteSource::wait_until(Instant until) {
-  return network_->reader.wait_until(until);
+  const auto ready = [](const AuReader& reader) { return reader.ready(); };
+  return network_->reader.wait_until(until, ready, ready);
 }
 
 playback::SourceStatus RemoteSource::status() const {

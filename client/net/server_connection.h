@@ -1,45 +1,22 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "client/net/au_reader.h"
 #include "common/link/link.h"
+#include "common/shared.h"
 #include "common/time.h"
 
 namespace aucast::net {
 
 /// The one object that the player's and the network thread both touch.
-class SharedReader {
- public:
-  explicit SharedReader(AuReaderOptions options) : reader_(std::move(options)) {}
-
-  /// Calls `act` with the reader while nobody else has it.
-  template <typename Act>
-  auto with(Act act) {
-    const std::lock_guard lock(mutex_);
-    return act(reader_);
-  }
-  /// Waits until the reader is ready() or until `until`; returns ready().
-  [[nodiscard]] bool wait_until(Instant until) {
-    std::unique_lock lock(mutex_);
-    return news_.wait_until(lock, until, [this] { return reader_.ready(); });
-  }
-  void notify() { news_.notify_all(); }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable news_;
-  AuReader reader_;  // guarded by mutex_
-};
+using SharedReader = Shared<AuReader>;
 
 /// Carries out on links what an AuReader decides: one link after the other, when connections are
 /// lost. Who makes the links is the owner's business, and so is the wait before the next one.

@@ -8,13 +8,13 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <system_error>
 #include <utility>
 
 #include "common/camera/face_table.h"
 #include "common/mesh/quiet_face.h"
 #include "common/mesh/read_aus.h"
 #include "common/text.h"
+#include "common/thread.h"
 
 namespace aucast::camera {
 namespace {
@@ -46,13 +46,13 @@ Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& optio
   }
   std::unique_ptr<CameraFeed> feed(new CameraFeed(std::move(*pictures), std::move(*models), quiet,
                                                   std::move(on_sight), ends[0], ends[1]));
-  // Thrown when the system has no thread left; what began then ends with the feed.
-  try {
-    feed->taking_ = std::jthread([&feed = *feed] { feed.take_pictures(); });
-    feed->reading_ = std::jthread([&feed = *feed] { feed.read_faces(); });
-  } catch (const std::system_error& failure) {
-    return Error{ErrorKind::Failed, at_place(options.device, shortage_text(failure))};
-  }
+  // What began ends with the feed.
+  auto taking = start_thread([&feed = *feed] { feed.take_pictures(); });
+  if (!taking) return Error{ErrorKind::Failed, at_place(options.device, taking.error().message)};
+  feed->taking_ = std::move(*taking);
+  auto reading = start_thread([&feed = *feed] { feed.read_faces(); });
+  if (!reading) return Error{ErrorKind::Failed, at_place(options.device, reading.error().message)};
+  feed->reading_ = std::move(*reading);
   return feed;
 }
 
@@ -66,11 +66,7 @@ CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const QuietOpt
       write_(write) {}
 
 CameraFeed::~CameraFeed() {
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-  }
-  changed_.notify_all();
+  seen_.change([](Pictures& seen) { seen.ended = true; });
   if (taking_.joinable()) {
     pictures_.stop();
     taking_.join();
@@ -96,15 +92,15 @@ void CameraFeed::take_pictures() {
   Picture picture;
   while (pictures_.next(picture.rgb)) {
     picture.seconds = now_seconds();
-    const std::lock_guard lock(mutex_);
-    if (ended_) return;
-    if (!newest_) newest_ = Picture{};
-    std::swap(*newest_, picture);
-    changed_.notify_all();
+    const bool ended = seen_.change([&picture](Pictures& seen) {
+      if (seen.ended) return true;
+      if (!seen.newest) seen.newest = Picture{};
+      std::swap(*seen.newest, picture);
+      return false;
+    });
+    if (ended) return;
   }
-  const std::lock_guard lock(mutex_);
-  ended_ = true;
-  changed_.notify_all();
+  seen_.change([](Pictures& seen) { seen.ended = true; });
 }
 
 bool CameraFeed::write(const std::string& text) const {
@@ -121,13 +117,11 @@ void CameraFeed::read_faces() {
   const std::size_t width = pictures_.format().width();
   const std::size_t height = pictures_.format().height();
   while (going) {
-    Picture picture;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return newest_.has_value() || ended_; });
-      if (!newest_) break;
-      picture = *std::exchange(newest_, std::nullopt);
-    }
+    const auto newest =
+        seen_.wait([](const Pictures& seen) { return seen.newest || seen.ended; },
+                   [](Pictures& seen) { return std::exchange(seen.newest, std::nullopt); });
+    if (!newest) break;
+    const Picture& picture = *newest;
     const auto seen = models_.tracker.follow({width, height, picture.rgb});
     std::optional<AuFrame> face;
     if (seen) {

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -16,6 +14,7 @@
 #include "common/mesh/landmarks.h"
 #include "common/mesh/picture.h"
 #include "common/result.h"
+#include "common/shared.h"
 
 namespace aucast::camera {
 
@@ -56,6 +55,11 @@ class CameraFeed {
     std::vector<std::uint8_t> rgb;
   };
 
+  struct Pictures {
+    std::optional<Picture> newest;  ///< that nobody has read
+    bool ended = false;
+  };
+
   CameraFeed(PictureSource pictures, FaceModels models, const QuietOptions& quiet, OnSight on_sight,
              int rows, int write);
   void take_pictures();
@@ -68,11 +72,7 @@ class CameraFeed {
   OnSight on_sight_;
   int rows_;   ///< our end to read from, until it was taken
   int write_;  ///< the other one, which the reading thread closes
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  // Guarded by mutex_:
-  std::optional<Picture> newest_;
-  bool ended_ = false;
+  Shared<Pictures> seen_;
   // The threads come last: they use all of the above.
   std::jthread taking_;
   std::jthread reading_;

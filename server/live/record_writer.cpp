@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 #include "common/log.h"
 #include "common/text.h"
+#include "common/thread.h"
+#include "common/time.h"
 
 namespace aucast::server {
 namespace {
@@ -24,19 +25,19 @@ Result<std::unique_ptr<RecordWriter>> RecordWriter::start(const std::filesystem:
                                                           const RecordForm& form) {
   auto file = RecordFile::create(path, form);
   if (!file) return file.error();
-  // Thrown when the system has no thread left.
-  try {
-    auto writer = std::make_unique<RecordWriter>(path, std::move(*file));
-    spdlog::info("recording to {}", path.string());
-    return writer;
-  } catch (const std::system_error& failure) {
+  auto writer = std::make_unique<RecordWriter>(path, std::move(*file));
+  auto started = start_thread([&writer = *writer] { writer.write_until_finished(); });
+  if (!started) {
     return Error{ErrorKind::Failed,
-                 at_place(path.string(), "cannot be recorded to: " + shortage_text(failure))};
+                 at_place(path.string(), "cannot be recorded to: " + started.error().message)};
   }
+  writer->thread_ = std::move(*started);
+  spdlog::info("recording to {}", path.string());
+  return writer;
 }
 
 RecordWriter::RecordWriter(std::filesystem::path path, RecordFile file)
-    : path_(std::move(path)), file_(std::move(file)), thread_([this] { write_until_finished(); }) {}
+    : path_(std::move(path)), file_(std::move(file)) {}
 
 RecordWriter::~RecordWriter() {
   static_cast<void>(finish());
@@ -46,38 +47,32 @@ void RecordWriter::add(std::vector<std::string> pieces) {
   if (pieces.empty()) return;
   std::size_t bytes = 0;
   for (const std::string& piece : pieces) bytes += piece.size();
-  const std::lock_guard lock(mutex_);
-  if (error_) return;
-  if (waiting_bytes_ + bytes > kUnwrittenBytesMax) {
-    // What was accepted is still written.
-    end_with(
-        {ErrorKind::Failed, at_place(path_.string(), "cannot be written: the disk takes nothing")});
-    changed_.notify_one();
-    return;
-  }
-  waiting_bytes_ += bytes;
-  waiting_.insert(waiting_.end(), std::make_move_iterator(pieces.begin()),
-                  std::make_move_iterator(pieces.end()));
-  changed_.notify_one();
+  pieces_.change([&](Pieces& shared) {
+    if (shared.error) return;
+    if (shared.waiting_bytes + bytes > kUnwrittenBytesMax) {
+      // What was accepted is still written.
+      shared.end_with({ErrorKind::Failed,
+                       at_place(path_.string(), "cannot be written: the disk takes nothing")});
+      return;
+    }
+    shared.waiting_bytes += bytes;
+    shared.waiting.insert(shared.waiting.end(), std::make_move_iterator(pieces.begin()),
+                          std::make_move_iterator(pieces.end()));
+  });
 }
 
 Result<void> RecordWriter::finish() {
-  {
-    const std::lock_guard lock(mutex_);
-    finished_ = true;
-    changed_.notify_one();
-  }
+  pieces_.change([](Pieces& shared) { shared.finished = true; });
   if (thread_.joinable()) thread_.join();
-  const std::lock_guard lock(mutex_);
-  if (error_) return *error_;
-  return {};
+  return pieces_.with([](const Pieces& shared) {
+    return shared.error ? Result<void>(*shared.error) : Result<void>();
+  });
 }
 
-/// Under mutex_.
-void RecordWriter::end_with(const Error& error) {
-  if (error_) return;
-  error_ = error;
-  spdlog::error("{}; the recording ends here, serving goes on", error.message);
+void RecordWriter::Pieces::end_with(const Error& why) {
+  if (error) return;
+  error = why;
+  spdlog::error("{}; the recording ends here, serving goes on", why.message);
 }
 
 /// One by one: of what no longer fits on the disk, what does is kept.
@@ -90,32 +85,34 @@ Result<void> RecordWriter::write(const std::vector<std::string>& pieces) {
 }
 
 void RecordWriter::write_until_finished() {
-  auto sync_at = std::chrono::steady_clock::time_point::max();
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    const auto something = [this] { return finished_ || error_ || !waiting_.empty(); };
-    if (sync_at == std::chrono::steady_clock::time_point::max()) {
-      changed_.wait(lock, something);
-    } else {
-      changed_.wait_until(lock, sync_at, something);
-    }
-    const bool last = finished_ || error_;
-    const std::vector<std::string> pieces = std::exchange(waiting_, {});
-    waiting_bytes_ = 0;
-    lock.unlock();
-    const auto now = std::chrono::steady_clock::now();
+  const auto something = [](const Pieces& shared) {
+    return shared.finished || shared.error || !shared.waiting.empty();
+  };
+  bool last = false;
+  const auto take = [&last](Pieces& shared) {
+    last = shared.finished || shared.error;
+    shared.waiting_bytes = 0;
+    return std::exchange(shared.waiting, {});
+  };
+  Instant sync_at = Instant::max();
+  while (!last) {
+    const std::vector<std::string> pieces = sync_at == Instant::max()
+                                                ? pieces_.wait(something, take)
+                                                : pieces_.wait_until(sync_at, something, take);
+    const Instant now = std::chrono::steady_clock::now();
     Result<void> done;
     if (!pieces.empty()) {
       done = write(pieces);
-      sync_at = std::min(sync_at, now + kSyncEvery);
+      sync_at = std::min<Instant>(sync_at, now + kSyncEvery);
     }
     if (done && (last || now >= sync_at)) {
       done = file_.sync();
-      sync_at = std::chrono::steady_clock::time_point::max();
+      sync_at = Instant::max();
     }
-    lock.lock();
-    if (!done) end_with(done.error());
-    if (last || !done) return;
+    if (!done) {
+      pieces_.change([&](Pieces& shared) { shared.end_with(done.error()); });
+      return;
+    }
   }
 }
 

@@ -1,23 +1,22 @@
 #pragma once
 
-#include <condition_variable>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "common/result.h"
+#include "common/shared.h"
 #include "server/live/record_file.h"
 
 namespace aucast::server {
 
 /// Writes a record on a thread of its own, so that a slow disk holds up no client; a full one ends
 /// the recording, not what is recorded.
-/// Thread: that of its owner; the members under `mutex_` are shared with the writing thread.
+/// Thread: that of its owner; what is Shared also that which writes.
 class RecordWriter {
  public:
   /// As RecordFile::create().
@@ -36,20 +35,23 @@ class RecordWriter {
   [[nodiscard]] std::size_t written() const { return written_; }
 
  private:
+  struct Pieces {
+    std::vector<std::string> waiting;  ///< to be written
+    std::size_t waiting_bytes = 0;
+    bool finished = false;
+    std::optional<Error> error;  ///< what ended the recording
+
+    void end_with(const Error& why);
+  };
+
   void write_until_finished();
   [[nodiscard]] Result<void> write(const std::vector<std::string>& pieces);
-  void end_with(const Error& error);
 
   std::filesystem::path path_;
   RecordFile file_;          ///< of the writing thread
   std::size_t written_ = 0;  ///< of the writing thread
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<std::string> waiting_;  ///< under mutex_: pieces to write
-  std::size_t waiting_bytes_ = 0;     ///< under mutex_
-  bool finished_ = false;             ///< under mutex_
-  std::optional<Error> error_;        ///< under mutex_: what ended the recording
-  std::thread thread_;
+  Shared<Pieces> pieces_;
+  std::jthread thread_;
 };
 
 }  // namespace aucast::server

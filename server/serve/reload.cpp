@@ -1,21 +1,19 @@
 #include "server/serve/reload.h"
 
+#include <memory>
 #include <new>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <utility>
 
-#include <asio/post.hpp>
-
 #include "common/log.h"
-#include "common/text.h"
+#include "common/thread.h"
 
 namespace aucast::server {
 
 Reload::Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
                Programme& programme, Load load, OnDone on_done)
-    : io_(io),
+    : gate_(std::make_shared<link::LoopGate>(io)),
       files_(files),
       certificates_(certificates),
       programme_(programme),
@@ -47,13 +45,13 @@ void Reload::start() {
 
 void Reload::read_sources(bool failed) {
   failed_ = failed;
-  // Thrown when the system has no thread left.
-  try {
-    thread_ = std::jthread([this] { load(); });
+  auto started = start_thread([this] { load(); });
+  if (started) {
+    thread_ = std::move(*started);
     running_ = true;
-  } catch (const std::system_error& failure) {
+  } else {
     ++failures_;
-    spdlog::error("the sources were not read again: {}", shortage_text(failure));
+    spdlog::error("the sources were not read again: {}", started.error().message);
     on_done_(false);
   }
 }
@@ -65,7 +63,8 @@ void Reload::load() {
     loaded = load_();
   } catch (const std::bad_alloc&) {
   }
-  asio::post(io_, [this, result = std::move(loaded)]() mutable { done(std::move(result)); });
+  const auto result = std::make_shared<Result<Repertoire>>(std::move(loaded));
+  gate_->post([this, result] { done(std::move(*result)); });
 }
 
 void Reload::done(Result<Repertoire> loaded) {

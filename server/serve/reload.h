@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <thread>
 
 #include <asio/io_context.hpp>
 
+#include "common/link/loop_gate.h"
 #include "common/result.h"
 #include "server/serve/credentials.h"
 #include "server/serve/programme.h"
@@ -49,7 +51,7 @@ class Reload {
   void done(Result<Repertoire> loaded);
   [[nodiscard]] bool take_over(Result<Repertoire> loaded);
 
-  asio::io_context& io_;
+  std::shared_ptr<link::LoopGate> gate_;
   const CredentialFiles& files_;
   Certificates& certificates_;
   Programme& programme_;

@@ -3,12 +3,11 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <system_error>
-
-#include <asio/post.hpp>
+#include <utility>
 
 #include "common/log.h"
 #include "common/text.h"
+#include "common/thread.h"
 
 namespace aucast::server {
 namespace {
@@ -22,11 +21,13 @@ constexpr int kNiceness = 10;
 
 VoiceTracks::VoiceTracks(asio::io_context& io, const voice::VoiceSettings& settings,
                          std::function<void()> on_grown)
-    : io_(io), settings_(settings), on_grown_(std::move(on_grown)) {}
+    : settings_(settings),
+      on_grown_(std::move(on_grown)),
+      gate_(std::make_shared<link::LoopGate>(io)) {}
 
 VoiceTracks::~VoiceTracks() {
   stop();
-  if (thread_.joinable()) thread_.join();
+  gate_->close();
 }
 
 std::shared_ptr<const protocol::EncodedTrack> VoiceTracks::track_of(const VoiceFile& file) {
@@ -36,54 +37,51 @@ std::shared_ptr<const protocol::EncodedTrack> VoiceTracks::track_of(const VoiceF
   }
   auto track = std::make_shared<protocol::EncodedTrack>();
   tracks_.emplace_back(file, track);
-  const std::lock_guard lock(mutex_);
-  if (stopped_) return track;
-  jobs_.push_back({file, track, std::nullopt});
-  changed_.notify_one();
-  if (thread_.joinable()) return track;
-  // Thrown when the system has no thread left.
-  try {
-    thread_ = std::thread([this] { encode_until_stopped(); });
-  } catch (const std::system_error& failure) {
+  const bool wanted = jobs_.change([&](Jobs& jobs) {
+    if (!jobs.stopped) jobs.waiting.push_back({file, track, std::nullopt});
+    return !jobs.stopped;
+  });
+  if (!wanted || thread_.joinable()) return track;
+  if (auto started = start_thread([this] { encode_until_stopped(); })) {
+    thread_ = std::move(*started);
+  } else {
     spdlog::error(
-        "{}", at_place(file.path.string(), "its voice is not served: " + shortage_text(failure)));
-    jobs_.clear();
+        "{}", at_place(file.path.string(), "its voice is not served: " + started.error().message));
+    jobs_.change([](Jobs& jobs) { jobs.waiting.clear(); });
     track->finish();
   }
   return track;
 }
 
 bool VoiceTracks::running() const {
-  const std::lock_guard lock(mutex_);
-  return encoding_;
+  return jobs_.with([](const Jobs& jobs) { return jobs.encoding; });
 }
 
 bool VoiceTracks::stopped() const {
-  const std::lock_guard lock(mutex_);
-  return stopped_;
+  return jobs_.with([](const Jobs& jobs) { return jobs.stopped; });
 }
 
 void VoiceTracks::stop() {
-  const std::lock_guard lock(mutex_);
-  stopped_ = true;
-  changed_.notify_one();
+  jobs_.change([](Jobs& jobs) { jobs.stopped = true; });
 }
 
 void VoiceTracks::encode_until_stopped() {
   static_cast<void>(::setpriority(PRIO_PROCESS, 0, kNiceness));  // of this thread, on Linux
-  std::unique_lock lock(mutex_);
-  while (!stopped_) {
-    changed_.wait(lock, [this] { return stopped_ || !jobs_.empty(); });
-    if (stopped_) return;
-    Job job = std::move(jobs_.front());
-    jobs_.pop_front();
-    encoding_ = true;
-    lock.unlock();
+  const auto something = [](const Jobs& jobs) { return jobs.stopped || !jobs.waiting.empty(); };
+  const auto take = [](Jobs& jobs) -> std::optional<Job> {
+    if (jobs.stopped) return std::nullopt;
+    Job job = std::move(jobs.waiting.front());
+    jobs.waiting.pop_front();
+    jobs.encoding = true;
+    return job;
+  };
+  while (auto job = jobs_.wait(something, take)) {
     bool more = true;
-    for (int i = 0; more && i < kReadsInTurn && !stopped(); ++i) more = encode_some(job);
-    lock.lock();
-    encoding_ = false;
-    if (more) jobs_.push_back(std::move(job));
+    for (int i = 0; more && i < kReadsInTurn && !stopped(); ++i) more = encode_some(*job);
+    jobs_.change([&](Jobs& jobs) {
+      jobs.encoding = false;
+      if (more) jobs.waiting.push_back(std::move(*job));
+    });
   }
 }
 
@@ -110,20 +108,18 @@ void VoiceTracks::deliver(const Job& job, std::vector<protocol::VoicePacket> pac
   const Milliseconds known =
       job.reader ? std::max(job.reader->end() - settings_.frame, Milliseconds::zero())
                  : Milliseconds::zero();
-  asio::post(
-      io_, [held = job.track, on_grown = on_grown_, known, last, read = job.reader.has_value(),
-            path = job.file.path.string(), packets = std::move(packets)] {
-        const auto track = held.lock();
-        if (!track) return;
-        for (const protocol::VoicePacket& packet : packets) track->add(packet);
-        track->encoded_to(known);
-        if (last) {
-          track->finish();
-          if (read)
-            spdlog::info("{}: its voice is there, {} packets", path, track->packets().size());
-        }
-        on_grown();
-      });
+  gate_->post([this, held = job.track, known, last, read = job.reader.has_value(),
+               path = job.file.path.string(), packets = std::move(packets)] {
+    const auto track = held.lock();
+    if (!track) return;
+    for (const protocol::VoicePacket& packet : packets) track->add(packet);
+    track->encoded_to(known);
+    if (last) {
+      track->finish();
+      if (read) spdlog::info("{}: its voice is there, {} packets", path, track->packets().size());
+    }
+    on_grown_();
+  });
 }
 
 }  // namespace aucast::server

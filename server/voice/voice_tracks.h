@@ -1,10 +1,8 @@
 #pragma once
 
-#include <condition_variable>
 #include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -12,6 +10,8 @@
 
 #include <asio/io_context.hpp>
 
+#include "common/link/loop_gate.h"
+#include "common/shared.h"
 #include "common/voice/voice_encoder.h"
 #include "protocol/encoded_track.h"
 #include "server/voice/voice_file.h"
@@ -20,8 +20,7 @@ namespace aucast::server {
 
 /// The voices of the streams that are served: each sound file is encoded once, in the background,
 /// some seconds of each in turn, so that every voice is there soon and nobody who is served waits.
-/// Thread: that of the io_context, which must outlive it together with the callback's captures; the
-/// thread that encodes is its own.
+/// Thread: that of the io_context, which must outlive it; the thread that encodes is its own.
 class VoiceTracks {
  public:
   /// `on_grown`: a track has grown.
@@ -47,22 +46,24 @@ class VoiceTracks {
     std::optional<VoiceReader> reader;  ///< opened when its turn has come
   };
 
+  struct Jobs {
+    std::deque<Job> waiting;
+    bool encoding = false;  ///< a job is taken out
+    bool stopped = false;
+  };
+
   void encode_until_stopped();
   /// False: the job is done.
   [[nodiscard]] bool encode_some(Job& job);
   void deliver(const Job& job, std::vector<protocol::VoicePacket> packets, bool last);
   [[nodiscard]] bool stopped() const;
 
-  asio::io_context& io_;
   voice::VoiceSettings settings_;
   std::function<void()> on_grown_;
   std::vector<std::pair<VoiceFile, std::weak_ptr<protocol::EncodedTrack>>> tracks_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<Job> jobs_;   ///< under mutex_
-  bool encoding_ = false;  ///< under mutex_: a job is taken out
-  bool stopped_ = false;   ///< under mutex_
-  std::thread thread_;
+  Shared<Jobs> jobs_;
+  std::shared_ptr<link::LoopGate> gate_;
+  std::jthread thread_;
 };
 
 }  // namespace aucast::server
