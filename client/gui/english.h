@@ -163,6 +163,7 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"expression.together", "Action Units together"},
     {"expression.together_tip", "AUs as in a packet; mixer and rules are applied"},
     {"expression.asked", "asked"},
+    {"expression.legend", "In percent. Shown is what the rules leave of it."},
     {"face.shipped", "Shipped"},
     {"face.own", "Your own copies"},
     {"face.folder", "From a folder"},
@@ -184,6 +185,14 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"file.empty", "Nothing here."},
     {"file.there", "{file} is there already."},
     {"file.tables", "Tables of recognisers"},
+    {"file.tables_kept", "Applied to a table, kept from last time: {settings}"},
+    {"file.tables_applied", "Applied to a table: {settings}"},
+    {"file.tables_usual", "A table is read as it is."},
+    {"file.tables_anew", "Read tables as they are"},
+    {"file.fps_is", "{number} pictures/s"},
+    {"file.rate_is", "{number} keyframes/s"},
+    {"file.gain_is", "gain {number} %"},
+    {"file.quiet_is", "quiet face of {number} s taken off"},
     {"file.fps", "Pictures/s"},
     {"file.fps_tip", "of the video, for a table without times (--fps); 0: the table's own times"},
     {"file.rate", "Keyframes/s"},
@@ -353,6 +362,7 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"play.none_yet", "None yet."},
     {"play.neutral_face", "The neutral face."},
     {"play.au_received", "received"},
+    {"play.au_legend", "In percent. Shown is this moment: on the way there, and after the rules."},
     {"view.camera", "Camera"},
     {"view.front", "Front"},
     {"view.three_quarter", "Three-quarter"},
@@ -497,6 +507,18 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"tip.au",
      "Action Unit: a movement of the face that FACS (2002) names by a number, such as 12, the "
      "corners of the lips pulled up"},
+    {"tip.au_received", "what the keyframe under way has"},
+    {"tip.au_shown",
+     "what the face shows at this moment. It differs from what came while the face is on its way "
+     "to "
+     "the keyframe (interpolation), where a rule changed the AU, which is then said below its "
+     "name, "
+     "and for an AU that this face does not have. Mixer, blinks and idle movements come after "
+     "this."},
+    {"tip.au_asked", "as it was typed, or as the expression has it"},
+    {"tip.au_blended",
+     "what the face shows in the end: a rule that changed an AU is said below its name. The mixer "
+     "comes after this."},
     {"tip.receiver",
      "the Receiver buffer: sets of AUs as they came, against the jitter of a network (what comes "
      "late or in bursts); the mark is the threshold"},

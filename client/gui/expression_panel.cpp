@@ -144,7 +144,12 @@ void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
   ImGui::SameLine();
   const bool pressed = ImGui::Button(tr("button.show"), ImVec2(-1, 0));
   if ((pressed || entered) && form.aus[0] != 0) commands.push_back(ShowAus{form.aus.data()});
-  if (!model.editor.compound.empty()) au_table(look, tr("expression.asked"), model.editor.compound);
+  if (!model.editor.compound.empty()) {
+    au_table(
+        look,
+        {tr("expression.asked"), tr("tip.au_asked"), tr("expression.legend"), tr("tip.au_blended")},
+        model.editor.compound);
+  }
 }
 
 }  // namespace

@@ -111,12 +111,33 @@ float height_of_decision(const BrowserView& view) {
   return height + ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y + gap;
 }
 
-/// What a recogniser's table may need to be told; closed until somebody looks for it.
-void table_settings(const Look& look, const TableSettings& now, GuiCommands& commands) {
-  if (!ImGui::TreeNodeEx(tr("file.tables"),
-                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
-    return;
+/// "30 keyframes/s, gain 150 %": what is not as usual.
+std::string in_words(const TableSettings& settings) {
+  std::string text;
+  const auto add = [&](int value, const std::string& words) {
+    if (value != 0) text += (text.empty() ? "" : ", ") + words;
+  };
+  add(settings.fps, tr("file.fps_is", settings.fps));
+  add(settings.rate, tr("file.rate_is", settings.rate));
+  add(settings.gain_percent, tr("file.gain_is", settings.gain_percent));
+  add(settings.quiet_s, tr("file.quiet_is", settings.quiet_s));
+  return text;
+}
+
+/// What a recogniser's table may need to be told; closed until somebody looks for it, but for what
+/// is applied to a table.
+void table_settings(const Look& look, const TableSettings& now, const TableSettings& kept,
+                    GuiCommands& commands) {
+  const bool open = ImGui::TreeNodeEx(
+      tr("file.tables"), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  if (now != TableSettings{}) {
+    const std::string words = in_words(now);
+    toned_text(Tone::Waiting,
+               now == kept ? tr("file.tables_kept", words) : tr("file.tables_applied", words));
+  } else if (open) {
+    quiet_text(tr("file.tables_usual"));
   }
+  if (!open) return;
   TableSettings settings = now;
   bool changed = false;
   const auto number = [&](const char* name, const char* id, int& value, int most, int step,
@@ -130,6 +151,10 @@ void table_settings(const Look& look, const TableSettings& now, GuiCommands& com
   number(tr("file.rate"), "##rate", settings.rate, 100, 1, tr("file.rate_tip"));
   number(tr("file.gain"), "##gain", settings.gain_percent, 1000, 10, tr("file.gain_tip"));
   number(tr("file.quiet"), "##quiet", settings.quiet_s, 60, 1, tr("file.quiet_tip"));
+  if (wide_button(tr("file.tables_anew"), 0, 1, now != TableSettings{})) {
+    settings = {};
+    changed = true;
+  }
   if (changed) commands.push_back(ChangeTable{settings});
 }
 
@@ -165,6 +190,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
   constexpr const char* kId = "###files";
   if (!view.open) {
     form.shown_folder.clear();
+    form.kept = model.table;
     return;
   }
   if (form.shown_folder.empty() || form.shown_name != view.name) {
@@ -194,7 +220,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     return;
   }
   folder_line(look, view, form, commands);
-  if (view.purpose == Purpose::PlayStream) table_settings(look, model.table, commands);
+  if (view.purpose == Purpose::PlayStream) table_settings(look, model.table, form.kept, commands);
   const float below = height_of_decision(view);
   entry_list(look, view, form, std::max(ImGui::GetContentRegionAvail().y - below, 60.0F), commands);
   decide(look, view, form, commands);

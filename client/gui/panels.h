@@ -132,6 +132,7 @@ struct FileForm {
   std::array<char, 256> name{};
   std::string shown_folder;  ///< of the model that was taken over
   std::string shown_name;
+  TableSettings kept;     ///< those in force when the dialog was opened
   bool to_first = false;  ///< the focus goes to the first entry
   bool to_name = false;   ///< the focus goes to the name
 };

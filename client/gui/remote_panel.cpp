@@ -221,7 +221,10 @@ void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
     quiet_text(model.remote.keyframe.empty() ? tr("play.none_yet") : tr("play.neutral_face"));
     return;
   }
-  au_table(look, tr("play.au_received"), model.remote.aus);
+  au_table(
+      look,
+      {tr("play.au_received"), tr("tip.au_received"), tr("play.au_legend"), tr("tip.au_shown")},
+      model.remote.aus);
 }
 
 }  // namespace

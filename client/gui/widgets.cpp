@@ -478,14 +478,21 @@ unsigned colour_of_line(std::size_t index) {
   return kColours[index % kColours.size()];
 }
 
-void au_table(const Look& look, const char* given, const std::vector<AuRow>& rows) {
+void au_table(const Look& look, const AuTableWords& words, const std::vector<AuRow>& rows) {
+  quiet_text(words.legend);
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg;
   if (!ImGui::BeginTable("aus", 4, kFlags)) return;
   ImGui::TableSetupColumn(tr("panel.au"), 0, 34 * look.scale);
   ImGui::TableSetupColumn(tr("panel.au_name"), ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn(given, 0, 58 * look.scale);
+  ImGui::TableSetupColumn(words.given, 0, 58 * look.scale);
   ImGui::TableSetupColumn(tr("panel.shown"), 0, 46 * look.scale);
-  ImGui::TableHeadersRow();
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  const std::array<const char*, 4> tips = {tr("tip.au"), "", words.given_tip, words.shown_tip};
+  for (int column = 0; column < 4; ++column) {
+    ImGui::TableSetColumnIndex(column);
+    ImGui::TableHeader(ImGui::TableGetColumnName(column));
+    tip(tips[static_cast<std::size_t>(column)]);
+  }
   for (const AuRow& row : rows) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

@@ -108,8 +108,14 @@ bool plot(const Look& look, std::span<const PlotLine> lines, float height, float
 /// A colour for each of a few lines that stand together.
 [[nodiscard]] unsigned colour_of_line(std::size_t index);
 
-/// AUs before and after the rules; `given` is the heading of the column before.
-void au_table(const Look& look, const char* given, const std::vector<AuRow>& rows);
+/// The heading of the column of AUs as they came, and why others are shown.
+struct AuTableWords {
+  const char* given = "";
+  const char* given_tip = "";
+  const char* legend = "";
+  const char* shown_tip = "";
+};
+void au_table(const Look& look, const AuTableWords& words, const std::vector<AuRow>& rows);
 
 /// A choice among a few words on one line; true when it changed `chosen`.
 template <std::size_t N>

@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -412,6 +413,42 @@ TEST_F(Keyboard, WhatIsSaidOfTheConnectionIsClosedAndStaysClosed) {
   frames(2);
   EXPECT_TRUE(said());
   EXPECT_TRUE(gui_->close_notice());
+}
+
+TEST_F(Keyboard, ADifferenceOfReceivedAndShownAusIsExplainedAtTheirHeadings) {
+  model_.remote.aus = {{"12", "Lip Corner Puller", 100, 60, ""}};
+  model_.remote.keyframe = "keyframe 3";
+  frames(3);
+  ASSERT_NE(contents(), nullptr);
+  const ImRect seen = contents()->InnerRect;
+  ImGui::SetScrollY(contents(), contents()->ScrollMax.y);
+  frames(3);
+  bool explained = false;
+  for (float y = seen.Min.y; y < seen.Max.y && !explained; y += 6) {
+    point_at(seen.Max.x - 30, y);
+    const ImVec2 size = ImGui::CalcTextSize(tr("tip.au_shown"), nullptr, false, 26 * 15.0F);
+    explained = tooltip() != nullptr && std::abs(tooltip()->ContentSize.y - size.y) < 1;
+  }
+  EXPECT_TRUE(explained);
+}
+
+TEST_F(Keyboard, WhatIsAppliedToATableIsSeenWhenTheDialogOpens) {
+  const auto height_of_list = [this] {
+    model_.browser.open = true;
+    model_.browser.folder = "/streams";
+    frames(4);
+    float height = 0;
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+      const bool list = std::string(window->Name).find("/entries_") != std::string::npos;
+      if (list && window->WasActive) height = window->Size.y;
+    }
+    model_.browser.open = false;
+    frames(4);
+    return height;
+  };
+  const float usual = height_of_list();
+  model_.table.gain_percent = 150;
+  EXPECT_LT(height_of_list(), usual) << "a line says so";
 }
 
 TEST_F(Keyboard, TheFocusGoesOnToWhatLiesOverTheFace) {
