@@ -196,7 +196,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.2, p.z) * smooth_step(2.25, 0.9, std::abs(p.x));
+  return smooth_step(5.0, 7.2, p.z) * smooth_step(2.15, 0.45, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.66, 0.60, 0.55};
@@ -208,7 +208,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
     vertex.colour *= mix(Vec3{0.40, 0.36, 0.33}, Vec3{1}, light) *
-                     mix(0.60, 1.0, smooth_step(0.05, 0.80, from_gum));
+                     mix(0.50, 1.04, smooth_step(0.10, 1.05, from_gum));
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
       vertex.colour *= kLightOnLowerTeeth;

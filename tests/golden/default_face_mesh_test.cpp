@@ -128,6 +128,21 @@ TEST_F(DefaultFaceMesh, TheShouldersFollowATurnOfTheHeadALittle) {
   }
 }
 
+TEST_F(DefaultFaceMesh, LightsTheTeethLessTowardsTheCornersOfTheMouth) {
+  const face::MeshPart& teeth = part("upper_teeth");
+  const auto brightest = [&teeth](float least, float most) {
+    float found = 0;
+    for (std::uint32_t i = teeth.vertex_begin; i < teeth.vertex_begin + teeth.vertex_count; ++i) {
+      const float aside = std::abs(face().mesh.positions[i].x);
+      if (aside >= least && aside <= most) found = std::max(found, face().mesh.occlusion[i]);
+    }
+    return found;
+  };
+  EXPECT_GT(brightest(0, 0.3F), 0.95F);
+  EXPECT_LT(brightest(1.1F, 1.4F), 0.80F);
+  EXPECT_LT(brightest(1.6F, 1.8F), 0.50F);
+}
+
 TEST_F(DefaultFaceMesh, UsesEveryDirectedEdgeOnce) {
   for (const face::MeshPart& piece : face().mesh.parts) {
     for (const auto& [edge, count] : directed_edges(piece)) {
