@@ -84,23 +84,24 @@ TEST(LiveReplay, InALoopEachTurnsVoiceBeginsAtItsBeginning) {
 }
 
 TEST(LiveReplay, InALoopCaptionsComeInEachTurnWithTheKeyframeInWhichTheyAreDue) {
-  const std::vector<Caption> captions = {
+  const std::vector<CaptionData> captions = {
       {0, "one"}, {150, "two"}, {200, "never: the turn is over"}};
   LiveReplay replay(stream_of(times(2, 100)), true, kReplayBegin,
                     std::make_shared<const Soundtrack>(Soundtrack{nullptr, captions}));
-  std::vector<Caption> told;
+  std::vector<CaptionData> told;
   for (int i = 0; i < 4; ++i) {
     EXPECT_TRUE(replay.advance(kReplayBegin + i * 100ms));
-    while (const Caption* const caption = replay.captions().find(told.size())) {
+    while (const CaptionData* const caption = replay.captions().find(told.size())) {
       told.push_back(*caption);
     }
     EXPECT_EQ(told.size(), static_cast<std::size_t>(i) + 1);
   }
-  EXPECT_EQ(told, (std::vector<Caption>{{0, "one"}, {150, "two"}, {200, "one"}, {350, "two"}}));
+  EXPECT_EQ(told, (std::vector<CaptionData>{{0, "one"}, {150, "two"}, {200, "one"}, {350, "two"}}));
 }
 
 TEST(Soundtrack, IsTheSameWhereVoiceAndCaptionsAre) {
-  const auto track = [](std::shared_ptr<const EncodedTrack> voice, std::vector<Caption> captions) {
+  const auto track = [](std::shared_ptr<const EncodedTrack> voice,
+                        std::vector<CaptionData> captions) {
     return std::make_shared<const Soundtrack>(Soundtrack{std::move(voice), std::move(captions)});
   };
   const auto voice = std::make_shared<const EncodedTrack>();
