@@ -64,6 +64,7 @@ struct RemoteView {
   Activity activity = Activity::Idle;
   std::string state;     ///< in words: "buffering 42 %"
   std::string detail;    ///< why it ended, a sentence; empty unless it went wrong
+  std::string stream;    ///< what a server plays, as it says; empty: nothing, or it does not
   std::string ended_by;  ///< the server that has ended the stream: "host:port"; empty: none has
   bool stale = false;    ///< the face shown is the last of a lost connection
   bool eased = false;    ///< nothing came for long: the face has gone to neutral

@@ -63,7 +63,9 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
 /// What the server has, asked when the list is opened; the chosen one is connected to.
 void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
   label(look, tr("play.stream"));
-  const std::string& chosen = form.settings.stream;
+  const std::string& asked = form.settings.stream;
+  const bool its_first = asked.empty() && form.settings == model.remote_settings;
+  const std::string& chosen = its_first ? model.remote.stream : asked;
   if (!ImGui::BeginCombo("##stream", chosen.empty() ? tr("play.first_stream") : chosen.c_str()))
     return;
   const bool good = !form.wrong && !problem(form.settings);

@@ -256,6 +256,7 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   clock_shift_ = clock_ - Milliseconds(event.hello.from_ms);
   status_.voice = !event.hello.voice.empty();
   status_.captions = event.hello.text;
+  status_.stream = event.hello.stream;
   status_.title = event.hello.title;
   answer(reaction.send);  // the user may have paused already
 }

@@ -62,6 +62,7 @@ struct SourceStatus {
   bool live = false;                    ///< the server has one clock for all
   bool voice = false;                   ///< a voice comes with the stream
   bool captions = false;                ///< captions come with it
+  std::string stream;                   ///< its name, as the server says; empty: it does not
   std::string title;                    ///< of the stream; empty: none
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
   std::uint64_t voice_left_out = 0;     ///< packets that nobody took and there was no room for

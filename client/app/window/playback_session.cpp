@@ -370,6 +370,7 @@ gui::RemoteView PlaybackSession::remote_view() const {
   view.eased = playback_->eased();
   const bool ended =
       state == PlaybackState::Ended && status.end == playback::EndReason::EndOfStream;
+  if (!own_) view.stream = status.stream;
   if (ended && !own_) view.ended_by = gui::server_text(remote_settings_);
   view.timed = timed_;
   view.receiver.fill = status.receiver_fill;

@@ -69,6 +69,7 @@ class WindowRun {
     if (!heard) session_.apply(gui::SoundCommand(gui::ListDevices{}), steady_now());
     session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
     kept_addresses_ = session_.recent();
+    kept_files_ = session_.recent_files();
     start_times_.passed("session");
   }
 
@@ -116,7 +117,7 @@ class WindowRun {
     handle_drops();
     if (failed_) return;
     session_.advance(steady_now());
-    keep_addresses();
+    keep_recent();
     show_title();
     make_thumbnails();
     draw();
@@ -253,10 +254,11 @@ class WindowRun {
     frames_due_ = gui::kFramesAfterChange;
   }
 
-  /// An address is worth remembering even if the machine goes down.
-  void keep_addresses() {
-    if (session_.recent() == kept_addresses_) return;
+  /// An address and a file are worth remembering even if the machine goes down.
+  void keep_recent() {
+    if (session_.recent() == kept_addresses_ && session_.recent_files() == kept_files_) return;
     kept_addresses_ = session_.recent();
+    kept_files_ = session_.recent_files();
     keep_settings();
   }
 
@@ -429,6 +431,7 @@ class WindowRun {
   gui::GuiCommands commands_;
   std::string title_;
   std::vector<std::string> kept_addresses_;
+  std::vector<std::string> kept_files_;
   int frames_due_ = gui::kFramesAfterChange;
   VideoRecorder video_{session_};
   std::unique_ptr<OnsetLog> onsets_;

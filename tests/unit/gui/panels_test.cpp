@@ -270,6 +270,19 @@ TEST_F(Panels, AStreamOfTheServerIsChosenFromTheList) {
   EXPECT_EQ(connect->settings.stream, "talk");
 }
 
+TEST_F(Panels, TheStreamThatTheServerChoseIsNamed) {
+  const auto stream = [this] {
+    ImGui::GetIO().MousePos = ImVec2(1, 1);
+    static_cast<void>(frame());
+    return rows(picture(), 140, 168).rgba;
+  };
+  const auto unknown = stream();
+  model_.remote.stream = "lecture";
+  EXPECT_NE(stream(), unknown);
+  model_.remote_settings.address = "another.example";
+  EXPECT_EQ(stream(), unknown) << "not of a server that is not connected to";
+}
+
 TEST_F(Panels, TheAddressStaysAsShortAsItIsWhenAStreamIsChosen) {
   const auto address = [this] {
     ImGui::GetIO().MousePos = ImVec2(1, 1);
