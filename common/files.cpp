@@ -260,6 +260,12 @@ Result<void> replace_file(const fs::path& temporary, const fs::path& path) {
   return unwritable(path, system_reason(error_number));
 }
 
+std::optional<fs::path> users_folder(const char* xdg, const char* home, const char* usual) {
+  if (xdg != nullptr && fs::path(xdg).is_absolute()) return xdg;
+  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / usual;
+  return std::nullopt;
+}
+
 std::optional<fs::path> program_folder() {
   std::error_code error;
   const auto program = fs::read_symlink("/proc/self/exe", error);

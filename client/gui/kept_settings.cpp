@@ -140,16 +140,12 @@ std::string line(std::string_view key, Enum value, const std::array<std::string_
 }  // namespace
 
 Result<fs::path> settings_file(const char* xdg_config_home, const char* home) {
-  fs::path base;
-  if (xdg_config_home != nullptr && fs::path(xdg_config_home).is_absolute()) {
-    base = xdg_config_home;
-  } else if (home != nullptr && fs::path(home).is_absolute()) {
-    base = fs::path(home) / ".config";
-  } else {
+  const auto base = users_folder(xdg_config_home, home, ".config");
+  if (!base) {
     return Error{ErrorKind::Failed,
                  "no place for settings: set HOME or XDG_CONFIG_HOME to a folder"};
   }
-  return base / "aucast" / "face-player.toml";
+  return *base / "aucast" / "face-player.toml";
 }
 
 Result<KeptSettings> parse_settings(std::string_view text, const std::string& file) {

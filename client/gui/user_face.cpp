@@ -87,16 +87,12 @@ Result<fs::path> change_aus(const fs::path& face_folder, const Change& change) {
 }  // namespace
 
 Result<fs::path> user_faces_folder(const char* xdg_data_home, const char* home) {
-  fs::path base;
-  if (xdg_data_home != nullptr && fs::path(xdg_data_home).is_absolute()) {
-    base = xdg_data_home;
-  } else if (home != nullptr && fs::path(home).is_absolute()) {
-    base = fs::path(home) / ".local" / "share";
-  } else {
+  const auto base = users_folder(xdg_data_home, home, ".local/share");
+  if (!base) {
     return Error{ErrorKind::Failed,
                  "no place for your own faces: set HOME or XDG_DATA_HOME to a folder"};
   }
-  return base / "aucast" / "faces";
+  return *base / "aucast" / "faces";
 }
 
 bool is_face(const fs::path& folder) {

@@ -3,12 +3,12 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "common/result.h"
+#include "common/task.h"
 
 namespace aucast::app {
 
@@ -45,10 +45,8 @@ class BackgroundWork {
   /// Asks the work to end soon.
   void cancel();
   /// Waits until it is over.
-  void wait() const {
-    if (running()) outcome_.wait();
-  }
-  [[nodiscard]] bool running() const { return outcome_.valid(); }
+  void wait() const { task_.wait(); }
+  [[nodiscard]] bool running() const { return task_.running(); }
   [[nodiscard]] bool cancelled() const { return course_ != nullptr && course_->cancelled_; }
   /// What has been done, and of how much; 0 of 0 while that is not known.
   [[nodiscard]] std::size_t done() const { return course_ == nullptr ? 0 : course_->done_.load(); }
@@ -56,11 +54,11 @@ class BackgroundWork {
     return course_ == nullptr ? 0 : course_->total_.load();
   }
   /// What became of it, once, when it is over: it no longer runs then.
-  [[nodiscard]] std::optional<Result<std::string>> take_outcome();
+  [[nodiscard]] std::optional<Result<std::string>> take_outcome() { return task_.take(); }
 
  private:
   std::unique_ptr<Course> course_;
-  std::future<Result<std::string>> outcome_;
+  Task<Result<std::string>> task_;
 };
 
 }  // namespace aucast::app

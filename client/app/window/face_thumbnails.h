@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <future>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,6 +9,7 @@
 #include "client/gui/thumbnails.h"
 #include "client/render/picture_texture.h"
 #include "common/result.h"
+#include "common/task.h"
 
 namespace aucast::app {
 
@@ -28,7 +28,7 @@ class FaceThumbnails {
   /// True when there is a new one; another framebuffer is bound then.
   [[nodiscard]] bool advance(gui::Thumbnails& pictures);
   /// A face is being read.
-  [[nodiscard]] bool busy() const { return reading_.valid(); }
+  [[nodiscard]] bool busy() const { return reading_.running(); }
 
  private:
   [[nodiscard]] std::unique_ptr<render::PictureTexture> draw(const face::Face& face) const;
@@ -39,7 +39,7 @@ class FaceThumbnails {
   /// A face that cannot be read has none, and is not tried again.
   std::map<std::string, std::unique_ptr<render::PictureTexture>> textures_;
   std::string folder_;  ///< that is being read
-  std::future<Result<face::Face>> reading_;
+  Task<Result<face::Face>> reading_;
 };
 
 }  // namespace aucast::app

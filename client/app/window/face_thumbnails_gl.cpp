@@ -1,8 +1,7 @@
 #include "client/app/window/face_thumbnails.h"
 
 #include <algorithm>
-#include <chrono>
-#include <system_error>
+#include <optional>
 #include <utility>
 
 #include "client/app/film/face_view.h"
@@ -16,23 +15,19 @@ FaceThumbnails::FaceThumbnails(std::filesystem::path data_folder, int width, int
 FaceThumbnails::~FaceThumbnails() = default;
 
 bool FaceThumbnails::advance(gui::Thumbnails& pictures) {
-  if (!reading_.valid()) {
+  if (!reading_.running()) {
     const auto next = std::find_if(pictures.seen.begin(), pictures.seen.end(),
                                    [this](const auto& one) { return !textures_.contains(one); });
     if (next == pictures.seen.end()) return false;
     folder_ = *next;
-    try {
-      reading_ = std::async(std::launch::async, [folder = folder_, data = data_folder_] {
-        return face::load_face(folder, data);
-      });
-    } catch (const std::system_error&) {
-      textures_[folder_] = nullptr;  // no thread is to be had
-    }
+    const auto begun = reading_.start(
+        [folder = folder_, data = data_folder_] { return face::load_face(folder, data); });
+    if (!begun) textures_[folder_] = nullptr;
     return false;
   }
-  if (reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-  const Result<face::Face> face = reading_.get();
-  auto& texture = textures_[folder_] = face ? draw(*face) : nullptr;
+  const std::optional<Result<face::Face>> face = reading_.take();
+  if (!face) return false;
+  auto& texture = textures_[folder_] = *face ? draw(**face) : nullptr;
   if (texture == nullptr) return false;
   pictures.textures[folder_] = texture->id();
   return true;

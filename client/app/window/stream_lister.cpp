@@ -1,11 +1,7 @@
 #include "client/app/window/stream_lister.h"
 
 #include <algorithm>
-#include <chrono>
-#include <system_error>
 #include <utility>
-
-#include "common/text.h"
 
 namespace aucast::app {
 
@@ -15,28 +11,24 @@ void StreamLister::ask(net::RemoteOptions server) {
   server.connect_timeout = std::min<Duration>(server.connect_timeout, kTimeMax);
   view_ = {.asking = true, .names = {}, .problem = {}};
   next_ = std::move(server);
-  if (!answer_.valid()) begin();
+  if (!asking_.running()) begin();
 }
 
 void StreamLister::begin() {
-  const net::RemoteOptions server = *std::exchange(next_, std::nullopt);
-  try {
-    answer_ = std::async(std::launch::async, ask_, server);
-  } catch (const std::system_error& failure) {
-    view_ = {.asking = false, .names = {}, .problem = shortage_text(failure)};
-  }
+  const auto begun = asking_.start(
+      [ask = ask_, server = *std::exchange(next_, std::nullopt)] { return ask(server); });
+  if (!begun) view_ = {.asking = false, .names = {}, .problem = begun.error().message};
 }
 
 void StreamLister::advance() {
-  using std::chrono::seconds;
-  if (!answer_.valid() || answer_.wait_for(seconds(0)) != std::future_status::ready) return;
-  auto answer = answer_.get();
+  auto answer = asking_.take();
+  if (!answer) return;
   if (next_) return begin();
   view_ = {};
-  if (answer) {
-    view_.names = *std::move(answer);
+  if (*answer) {
+    view_.names = **std::move(answer);
   } else {
-    view_.problem = answer.error().message;
+    view_.problem = answer->error().message;
   }
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <future>
 #include <string>
 #include <vector>
 
 #include "client/gui/gui_model.h"
 #include "client/net/remote_source.h"
+#include "common/task.h"
 
 namespace aucast::app {
 
@@ -36,7 +36,7 @@ class StreamLister {
   Ask ask_;
   gui::StreamsView view_;
   std::optional<net::RemoteOptions> next_;
-  std::future<Result<std::vector<std::string>>> answer_;
+  Task<Result<std::vector<std::string>>> asking_;
 };
 
 }  // namespace aucast::app
