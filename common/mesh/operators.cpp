@@ -71,6 +71,29 @@ struct Convolution {
   }
 };
 
+/// Calls `at(pixel of the input, place in the window, pixel of the output)` for each pixel of the
+/// input that lies under the window of a pixel of the output, in the order of memory.
+template <typename At>
+void under_window(std::span<const float> in, const Shape& in_shape, const Window& window,
+                  std::span<float> out, const Shape& out_shape, At at) {
+  const std::size_t channels = out_shape[3];
+  float* to = out.data();
+  for (std::size_t y = 0; y < out_shape[1]; ++y) {
+    const Part rows = part_of(y, window.stride_height, window.above, window.height, in_shape[1]);
+    for (std::size_t x = 0; x < out_shape[2]; ++x, to += channels) {
+      const Part columns = part_of(x, window.stride_width, window.left, window.width, in_shape[2]);
+      for (std::size_t row = rows.begin; row < rows.end; ++row) {
+        const std::size_t in_row = y * window.stride_height + row - window.above;
+        for (std::size_t column = columns.begin; column < columns.end; ++column) {
+          const std::size_t in_column = x * window.stride_width + column - window.left;
+          at(in.data() + (in_row * in_shape[2] + in_column) * channels, row * window.width + column,
+             to);
+        }
+      }
+    }
+  }
+}
+
 /// Calls `at(flat place in the small, flat place in the large)` for each number of the smaller of
 /// two blocks, which lies in the larger at `origin` with `stride` between its numbers.
 template <typename At>
@@ -157,48 +180,28 @@ void convolve_depthwise(std::span<const float> in, const Shape& in_shape,
                         std::span<const float> weights, std::span<const float> bias,
                         const Window& window, std::span<float> out, const Shape& out_shape) {
   const std::size_t channels = out_shape[3];
-  float* to = out.data();
-  for (std::size_t y = 0; y < out_shape[1]; ++y) {
-    const Part rows = part_of(y, window.stride_height, window.above, window.height, in_shape[1]);
-    for (std::size_t x = 0; x < out_shape[2]; ++x, to += channels) {
-      const Part columns = part_of(x, window.stride_width, window.left, window.width, in_shape[2]);
-      std::copy(bias.begin(), bias.end(), to);
-      for (std::size_t row = rows.begin; row < rows.end; ++row) {
-        const std::size_t in_row = y * window.stride_height + row - window.above;
-        for (std::size_t column = columns.begin; column < columns.end; ++column) {
-          const std::size_t in_column = x * window.stride_width + column - window.left;
-          const float* from = in.data() + (in_row * in_shape[2] + in_column) * channels;
-          const float* factors = weights.data() + (row * window.width + column) * channels;
-          for (std::size_t channel = 0; channel < channels; ++channel) {
-            to[channel] += from[channel] * factors[channel];
-          }
-        }
-      }
-    }
+  for (float* to = out.data(); to != out.data() + out.size(); to += channels) {
+    std::copy(bias.begin(), bias.end(), to);
   }
+  under_window(in, in_shape, window, out, out_shape,
+               [&](const float* from, std::size_t place, float* to) {
+                 const float* factors = weights.data() + place * channels;
+                 for (std::size_t channel = 0; channel < channels; ++channel) {
+                   to[channel] += from[channel] * factors[channel];
+                 }
+               });
 }
 
 void pool_maximum(std::span<const float> in, const Shape& in_shape, const Window& window,
                   std::span<float> out, const Shape& out_shape) {
   const std::size_t channels = out_shape[3];
   std::fill(out.begin(), out.end(), std::numeric_limits<float>::lowest());
-  float* to = out.data();
-  for (std::size_t y = 0; y < out_shape[1]; ++y) {
-    const Part rows = part_of(y, window.stride_height, window.above, window.height, in_shape[1]);
-    for (std::size_t x = 0; x < out_shape[2]; ++x, to += channels) {
-      const Part columns = part_of(x, window.stride_width, window.left, window.width, in_shape[2]);
-      for (std::size_t row = rows.begin; row < rows.end; ++row) {
-        const std::size_t in_row = y * window.stride_height + row - window.above;
-        for (std::size_t column = columns.begin; column < columns.end; ++column) {
-          const std::size_t in_column = x * window.stride_width + column - window.left;
-          const float* from = in.data() + (in_row * in_shape[2] + in_column) * channels;
-          for (std::size_t channel = 0; channel < channels; ++channel) {
-            to[channel] = std::max(to[channel], from[channel]);
-          }
-        }
-      }
-    }
-  }
+  under_window(in, in_shape, window, out, out_shape,
+               [&](const float* from, std::size_t /*place*/, float* to) {
+                 for (std::size_t channel = 0; channel < channels; ++channel) {
+                   to[channel] = std::max(to[channel], from[channel]);
+                 }
+               });
 }
 
 void prelu(std::span<const float> in, std::span<const float> slopes, std::span<float> out) {
