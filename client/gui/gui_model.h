@@ -34,11 +34,11 @@ enum class Activity : std::uint8_t {
 };
 
 /// One buffer as a bar.
-struct BufferLevel {
+struct BufferBar {
   std::size_t fill = 0;
   std::size_t capacity = 1;
   int threshold_percent = 0;  ///< where the mark stands; 0: no mark
-  friend bool operator==(const BufferLevel&, const BufferLevel&) = default;
+  friend bool operator==(const BufferBar&, const BufferBar&) = default;
 };
 
 /// One AU: as the keyframe under way has it, and as the face shows it at this moment.
@@ -70,8 +70,8 @@ struct RemoteView {
   bool eased = false;    ///< nothing came for long: the face has gone to neutral
   bool timed = false;    ///< keyframes come with times of their own: the speed does nothing
   bool local = false;    ///< a stream file: no buffers, no bytes
-  BufferLevel receiver;
-  BufferLevel playout;
+  BufferBar receiver;
+  BufferBar playout;
   std::vector<float> receiver_history;  ///< fill in [0,1] over the last half minute, oldest first
   std::vector<AuTrace> au_history;      ///< the strongest AUs over the same time
   std::string in;                       ///< "6 packets, 93 B, 0.4 kbit/s"; empty: none yet
@@ -203,9 +203,9 @@ struct SoundView {
   bool there = false;  ///< a device plays
   int volume = 100;    ///< percent
   bool muted = false;
-  int level_percent = 0;  ///< how loud what plays is, volume and mute left out: 100 is the most
-                          ///< there can be, 0 is 48 dB below
-  std::string device;     ///< the one that was chosen; empty: the usual one
+  int peak_percent = 0;  ///< how loud what plays is, volume and mute left out: 100 is the most
+                         ///< there can be, 0 is 48 dB below
+  std::string device;    ///< the one that was chosen; empty: the usual one
   std::vector<std::string> devices;  ///< what there is to choose from
   friend bool operator==(const SoundView&, const SoundView&) = default;
 };

@@ -106,7 +106,7 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) 
     }
     tip(tr("sound.mute_tip"));
     label(look, tr("sound.level"), tr("tip.level_meter"));
-    level_meter(look, sound.level_percent);
+    level_meter(look, sound.peak_percent);
     device_choice(look, sound, commands);
   }
   if (model.spoken.title.empty() && model.spoken.caption.empty() && model.spoken.shown) return;

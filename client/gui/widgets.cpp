@@ -377,7 +377,7 @@ bool number_field(const char* id, int& value, const Steps& steps, bool when_ente
   return value != before;
 }
 
-void buffer_bar(const Look& look, const char* name, const BufferLevel& level, const char* help) {
+void buffer_bar(const Look& look, const char* name, const BufferBar& bar, const char* help) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(name);
   tip(help);
@@ -388,20 +388,20 @@ void buffer_bar(const Look& look, const char* name, const BufferLevel& level, co
   const float rounding = ImGui::GetStyle().FrameRounding;
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
-  const auto capacity = static_cast<float>(std::max<std::size_t>(level.capacity, 1));
-  const float share = std::min(1.0F, static_cast<float>(level.fill) / capacity);
+  const auto capacity = static_cast<float>(std::max<std::size_t>(bar.capacity, 1));
+  const float share = std::min(1.0F, static_cast<float>(bar.fill) / capacity);
   if (share > 0) {
     ImVec4 colour = accent();
     colour.w = 0.55F;
     list->AddRectFilled(from, ImVec2(from.x + size.x * share, to.y), ImGui::GetColorU32(colour),
                         rounding);
   }
-  if (level.threshold_percent > 0) {
-    const float x = from.x + size.x * static_cast<float>(level.threshold_percent) / 100.0F;
+  if (bar.threshold_percent > 0) {
+    const float x = from.x + size.x * static_cast<float>(bar.threshold_percent) / 100.0F;
     const float half = look.scale;
     list->AddRectFilled(ImVec2(x - half, from.y), ImVec2(x + half, to.y), colour_of(Tone::Waiting));
   }
-  const std::string text = std::to_string(level.fill) + " / " + std::to_string(level.capacity);
+  const std::string text = std::to_string(bar.fill) + " / " + std::to_string(bar.capacity);
   const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
   list->AddText(ImVec2(to.x - extent.x - 8 * look.scale, from.y + (size.y - extent.y) / 2),
                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str());

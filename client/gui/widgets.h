@@ -95,7 +95,7 @@ struct Steps {
 /// A slider of 0 to 100 %; true when it changed `value`.
 [[nodiscard]] bool percent_slider(const char* id, float width, int& value);
 /// A buffer as a bar with its fill and the mark of its threshold.
-void buffer_bar(const Look& look, const char* name, const BufferLevel& level, const char* help);
+void buffer_bar(const Look& look, const char* name, const BufferBar& bar, const char* help);
 /// A line of a plot; values in [0,1], oldest first.
 struct PlotLine {
   const std::vector<float>* values = nullptr;

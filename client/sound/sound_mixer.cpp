@@ -89,11 +89,11 @@ void SoundMixer::glide(bool broken, std::span<float> samples) {
 }
 
 void SoundMixer::measure(std::span<const float> samples) {
-  float level = level_;
+  float peak = peak_;
   for (const float sample : samples) {
-    level = std::max(level * kFallPerSample, std::min(std::abs(sample), 1.0F));
+    peak = std::max(peak * kFallPerSample, std::min(std::abs(sample), 1.0F));
   }
-  level_ = level < 1e-6F ? 0 : level;
+  peak_ = peak < 1e-6F ? 0 : peak;
 }
 
 void SoundMixer::scale(std::span<float> samples) {

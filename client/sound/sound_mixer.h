@@ -30,7 +30,7 @@ class SoundMixer {
   void set_volume(int percent);
   void set_muted(bool muted) { muted_ = muted; }
   /// The largest sample of lately, in [0,1], without volume and mute; falls by 26 dB a second.
-  [[nodiscard]] float level() const { return level_; }
+  [[nodiscard]] float peak() const { return peak_; }
 
  private:
   void copy(std::span<float> samples);
@@ -48,7 +48,7 @@ class SoundMixer {
   bool muted_ = false;
   float volume_ = 1;
   float gain_ = 1;  ///< on its way to the volume
-  float level_ = 0;
+  float peak_ = 0;
 };
 
 }  // namespace aucast::sound

@@ -75,7 +75,7 @@ class SoundPlayer {
   void set_volume(int percent);
   void set_muted(bool muted);
   /// Of what plays, as SoundMixer's; 0 while nothing does.
-  [[nodiscard]] float level() const { return sounds_ ? mixer_->level() : 0; }
+  [[nodiscard]] float peak() const { return sounds_ ? mixer_->peak() : 0; }
 
   /// Of all that has been opened.
   [[nodiscard]] SoundCounts counts() const;

@@ -116,9 +116,9 @@ gui::SoundView SoundSession::sound_view() const {
   view.there = has_device_;
   view.volume = volume_;
   view.muted = muted_;
-  if (const float level = player_.sound().level(); level > 0) {
-    const double part = 1 + 20 * std::log10(static_cast<double>(level)) / kRange;
-    view.level_percent = static_cast<int>(std::lround(100 * std::clamp(part, 0.0, 1.0)));
+  if (const float peak = player_.sound().peak(); peak > 0) {
+    const double part = 1 + 20 * std::log10(static_cast<double>(peak)) / kRange;
+    view.peak_percent = static_cast<int>(std::lround(100 * std::clamp(part, 0.0, 1.0)));
   }
   view.device = device_;
   view.devices = devices_;

@@ -137,7 +137,7 @@ TEST(SoundMixer, VolumeAndMuteComeWithoutAClick) {
   mixer.set_muted(true);
   play();
   EXPECT_EQ(heard.back(), 0);
-  EXPECT_NEAR(mixer.level(), 0.5F, 0.05F) << "the level is that of what comes";
+  EXPECT_NEAR(mixer.peak(), 0.5F, 0.05F) << "the peak is that of what comes";
   mixer.set_muted(false);
   play();
   EXPECT_NEAR(*std::max_element(heard.end() - kTickSamples, heard.end()), 0.5F / 8, 0.001F);
@@ -148,10 +148,10 @@ TEST(SoundMixer, TheLevelFallsWithSilence) {
   ToneTrack track;
   SoundMixer mixer(track);
   for (int i = 0; i < 10; ++i) (void)tick(mixer, Passing{Milliseconds(1000 + 10 * i), 1});
-  const float loud = mixer.level();
+  const float loud = mixer.peak();
   EXPECT_NEAR(loud, 0.5F, 0.05F);
   for (int i = 0; i < 100; ++i) (void)tick(mixer, std::nullopt);
-  EXPECT_LT(mixer.level(), loud / 10);
+  EXPECT_LT(mixer.peak(), loud / 10);
 }
 
 }  // namespace

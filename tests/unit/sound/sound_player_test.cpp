@@ -282,10 +282,10 @@ TEST_F(SoundPlayerTest, ThereIsNoLevelWhenNothingPlaysAnyMore) {
   keyframes(25);
   source_->now.end = EndReason::EndOfStream;
   ticks(50);
-  EXPECT_GT(player_.level(), 0.4F);
+  EXPECT_GT(player_.peak(), 0.4F);
   ticks(100);
   EXPECT_FALSE(player_.sounds());
-  EXPECT_EQ(player_.level(), 0);
+  EXPECT_EQ(player_.peak(), 0);
 }
 
 TEST_F(SoundPlayerTest, LiveKeyframesAreDueByTheClockOfTheSound) {
