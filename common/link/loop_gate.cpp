@@ -6,11 +6,18 @@
 
 namespace aucast::link {
 
-void LoopGate::post(Work work, std::size_t bytes) {
+void LoopGate::post(Work work) {
+  state_.with([&](State& state) {
+    if (state.io != nullptr) pass(state, std::move(work), 0);
+  });
+}
+
+void LoopGate::post_if_room(Work work, std::size_t bytes) {
+  const std::size_t cost = bytes + kBytesEach;
   state_.with([&](State& state) {
     if (state.io == nullptr) return;
-    if (state.waiting_bytes + bytes <= kBytesMax) {
-      pass(state, std::move(work), bytes);
+    if (state.waiting_bytes + cost <= kBytesMax) {
+      pass(state, std::move(work), cost);
     } else if (++state.left_out == 1) {
       pass(state, on_full_, 0);
     }

@@ -72,13 +72,15 @@ class Poster final : public NatsListener {
     gate_->post([&events = events_] { events.owner.on_disconnected(); });
   }
   void on_message(Bus::Message message) override {
-    const std::size_t bytes = message.bytes.size();
-    gate_->post(
+    const std::size_t bytes =
+        message.subject.size() + message.reply_to.size() + message.bytes.size();
+    gate_->post_if_room(
         [&events = events_, message = std::move(message)] { events.owner.on_message(message); },
         bytes);
   }
   void on_error(const std::string& text) override {
-    gate_->post([text] { spdlog::warn("NATS says: {}", escaped(text, kSaidMax)); }, text.size());
+    gate_->post_if_room([text] { spdlog::warn("NATS says: {}", escaped(text, kSaidMax)); },
+                        text.size());
   }
   void on_given_up(const std::string& why) override {
     gate_->post([&events = events_, connection = connection_, why] {

@@ -1,7 +1,9 @@
 #include "common/link/loop_gate.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -10,8 +12,11 @@ namespace {
 
 class LoopGateTest : public ::testing::Test {
  protected:
-  void post(const std::string& word, std::size_t bytes = 0) {
-    gate->post([this, word] { done += word + ' '; }, bytes);
+  void post(const std::string& word) {
+    gate->post([this, word] { done += word + ' '; });
+  }
+  void post_if_room(const std::string& word, std::size_t bytes) {
+    gate->post_if_room([this, word] { done += word + ' '; }, bytes);
   }
   /// What was carried out.
   std::string run() {
@@ -33,23 +38,35 @@ TEST_F(LoopGateTest, CarriesOutInTheLoopAndInOrder) {
 }
 
 TEST_F(LoopGateTest, LeavesOutAndCountsWhatHasNoRoomAndSaysSoOnce) {
-  post("all", LoopGate::kBytesMax);
+  constexpr std::size_t kAll = LoopGate::kBytesMax - LoopGate::kBytesEach;
+  post_if_room("all", kAll);
   EXPECT_EQ(gate->left_out(), 0U);
-  post("more", 1);
-  post("more", 1);
-  post("nothing");
+  post_if_room("more", 1);
+  post_if_room("more", 1);
+  post("few");
   EXPECT_EQ(gate->left_out(), 2U);
-  EXPECT_EQ(run(), "all full nothing ");
-  post("room", LoopGate::kBytesMax);
-  post("more", 1);
+  EXPECT_EQ(run(), "all full few ");
+  post_if_room("room", kAll);
+  post_if_room("more", 1);
   EXPECT_EQ(run(), "room ") << "what was carried out made room";
   EXPECT_EQ(gate->left_out(), 3U);
+}
+
+TEST_F(LoopGateTest, WorksWithoutAByteHaveTheirLimitToo) {
+  constexpr std::size_t kPosted = 1'000'000;
+  constexpr std::size_t kFit = LoopGate::kBytesMax / LoopGate::kBytesEach;
+  std::size_t carried_out = 0;
+  for (std::size_t i = 0; i < kPosted; ++i) gate->post_if_room([&] { ++carried_out; }, 0);
+  EXPECT_EQ(gate->left_out(), kPosted - kFit);
+  EXPECT_EQ(run(), "full ");
+  EXPECT_EQ(carried_out, kFit);
 }
 
 TEST_F(LoopGateTest, CarriesOutNothingOnceItIsClosed) {
   post("before");
   gate->close();
   post("after");
+  post_if_room("after", 1);
   EXPECT_EQ(run(), "");
   EXPECT_FALSE(gate->is_open());
 }
