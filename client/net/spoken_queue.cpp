@@ -18,7 +18,7 @@ std::optional<T> front_of(std::deque<T>& queue) {
 }  // namespace
 
 void SpokenQueue::add(playback::Voice voice) {
-  if (voice_bytes_ + voice.opus.size() > kVoiceBytesMax) {
+  if (voice_.size() == kVoicePacketsMax || voice_bytes_ + voice.opus.size() > kVoiceBytesMax) {
     ++voice_left_out_;
     return;
   }

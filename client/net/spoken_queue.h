@@ -14,8 +14,10 @@ namespace aucast::net {
 /// out and counted. Thread: none of its own.
 class SpokenQueue {
  public:
-  /// Bytes of voice; at 24 kbit/s an hour.
+  /// Of voice; at 24 kbit/s an hour.
   static constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
+  /// Of the shortest, 10 ms, an hour: each takes room beside its bytes, however few these are.
+  static constexpr std::size_t kVoicePacketsMax = 360'000;
   static constexpr std::size_t kCaptionsMax = 10'000;
 
   void add(playback::Voice voice);

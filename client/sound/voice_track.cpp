@@ -41,7 +41,7 @@ void VoiceTrack::add(Milliseconds place, std::string opus) {
     ++counts_.out_of_order;
     return;
   }
-  if (waiting_bytes_ + opus.size() > kWaitingBytesMax) {
+  if (waiting_.size() == kWaitingPacketsMax || waiting_bytes_ + opus.size() > kWaitingBytesMax) {
     ++counts_.left_out;
     return;
   }

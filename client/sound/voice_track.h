@@ -22,6 +22,9 @@ class VoiceTrack final : public SoundTrack {
   static constexpr Milliseconds kKept{1000};
   /// Bytes of packets that wait to be read; what comes on top is left out. At 24 kbit/s an hour.
   static constexpr std::size_t kWaitingBytesMax = std::size_t{11} << 20U;
+  /// The same of the packets themselves, each of which takes room beside its bytes: an hour of the
+  /// shortest, 10 ms.
+  static constexpr std::size_t kWaitingPacketsMax = 360'000;
 
   struct Counts {
     std::uint64_t packets = 0;

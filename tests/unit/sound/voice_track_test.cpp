@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 
@@ -146,6 +148,16 @@ TEST(VoiceTrack, KeepsNoMoreThanItsLimitOfWhatNobodyReads) {
   }
   EXPECT_EQ(track.counts().left_out, 10U);
   EXPECT_EQ(track.counts().too_late, 0U);
+}
+
+TEST(VoiceTrack, PacketsOfOneByteHaveTheirLimitToo) {
+  VoiceTrack track;
+  const std::string opus(1, '\0');  // 10 ms
+  for (std::size_t i = 0; i < VoiceTrack::kWaitingPacketsMax + 10; ++i) {
+    track.add(Milliseconds(10 * static_cast<int>(i)), opus);
+  }
+  EXPECT_EQ(track.counts().left_out, 10U);
+  EXPECT_EQ(track.end(), std::int64_t{VoiceTrack::kWaitingPacketsMax} * 10 * kSamplesPerMs);
 }
 
 TEST(VoiceTrack, WhatIsNoOpusPacketOrOutOfOrderIsLeftOut) {
