@@ -15,6 +15,10 @@ namespace aucast::protocol {
 /// Thread: none of its own.
 class WrongTokens {
  public:
+  /// What is kept of all addresses. When more come the oldest are forgotten: their address may
+  /// guess again a little sooner, but from nobody is the right token kept.
+  static constexpr std::size_t kGuessesMax = 65'536;
+
   /// `address`: any number that stands for it.
   [[nodiscard]] bool may_try(std::uint64_t address, Instant now);
   void add(std::uint64_t address, Instant now);
@@ -24,6 +28,8 @@ class WrongTokens {
     Instant until;  ///< it counts
     std::uint64_t address;
   };
+
+  void forget_oldest();
 
   std::deque<Guess> guesses_;  ///< the oldest first
   std::map<std::uint64_t, std::size_t> of_address_;
