@@ -20,6 +20,12 @@ Reload::Reload(asio::io_context& io, const CredentialFiles& files, Certificates&
       load_(std::move(load)),
       on_done_(std::move(on_done)) {}
 
+Reload::~Reload() {
+  if (thread_.joinable()) thread_.join();
+  // What the thread has posted may not have been carried out yet.
+  gate_->close();
+}
+
 Result<void> Reload::read_credentials() {
   auto loaded = load_credentials(files_);
   if (!loaded) return loaded.error();

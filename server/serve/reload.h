@@ -31,6 +31,7 @@ class Reload {
   /// the load uses, until the process ends.
   Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
          Programme& programme, Load load, OnDone on_done);
+  ~Reload();
   Reload(const Reload&) = delete;
   Reload& operator=(const Reload&) = delete;
 

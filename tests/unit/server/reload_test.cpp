@@ -129,5 +129,13 @@ TEST_F(ReloadTest, WhatIsReadAfterTheEndIsNotTakenOver) {
   EXPECT_EQ(times_done_, 0);
 }
 
+TEST_F(ReloadTest, WhatWasReadOnlyAtItsEndReachesNobody) {
+  make([] { return only("b"); }).start();
+  reload_.reset();
+  EXPECT_GT(io_.poll(), 0U) << "it had been posted";
+  EXPECT_EQ(times_done_, 0);
+  EXPECT_EQ(served(), "a");
+}
+
 }  // namespace
 }  // namespace aucast::server
