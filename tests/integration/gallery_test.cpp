@@ -69,7 +69,20 @@ TEST(Gallery, WithoutFfmpegTheFramesAreEnough) {
                                    {"PATH=" + folder.path().string()});
   EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
   EXPECT_NE(run.finished.err.find("install ffmpeg"), std::string::npos);
+  EXPECT_EQ(run.finished.out.find("install ffmpeg"), std::string::npos);
   EXPECT_EQ(files_below(folder.path() / "g").size(), 41U + 2U);
+}
+
+TEST(Gallery, MadeQuietlyTheSentenceAtItsEndSaysThatVideosAreMissing) {
+  const TempFolder folder;
+  const PlayerRun run = run_player({"gallery", (folder.path() / "g").string(), "--only", "sweeps",
+                                    "--sweep", "12", "--size", "16x20", "--quiet"},
+                                   {"PATH=" + folder.path().string()});
+  EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(run.finished.err.find("ffmpeg"), std::string::npos) << run.finished.err;
+  EXPECT_NE(run.finished.out.find("; no videos of the sweeps: install ffmpeg for them\n"),
+            std::string::npos)
+      << run.finished.out;
 }
 
 TEST(Gallery, StoppedInTheMiddleItSaysSoAndLeavesNothingHalfWritten) {

@@ -61,6 +61,8 @@ bool ffmpeg_is_there() {
   return false;
 }
 
+constexpr const char* kVideosMissing = "no videos of the sweeps: install ffmpeg for them";
+
 /// Draws a plan into its folder, one picture at a time.
 class GalleryWriter {
  public:
@@ -85,6 +87,9 @@ class GalleryWriter {
                                         "again for all"};
   }
 
+  /// Of the sweeps, because ffmpeg is.
+  [[nodiscard]] bool videos_missing() const { return videos_missing_; }
+
  private:
   [[nodiscard]] std::string count_text(std::size_t drawn) const {
     return std::to_string(drawn) + " of " + std::to_string(plan_.pictures.size()) + " pictures";
@@ -100,8 +105,9 @@ class GalleryWriter {
       if (auto drawn = draw(i, nullptr); !drawn) return drawn;
     }
     const bool with_videos = ffmpeg_is_there();
-    if (!plan_.sweeps.empty() && !with_videos) {
-      std::fputs("face-player: no videos of the sweeps: install ffmpeg for them\n", stderr);
+    videos_missing_ = !plan_.sweeps.empty() && !with_videos;
+    if (videos_missing_ && !options_.quiet) {
+      std::fprintf(stderr, "face-player: %s\n", kVideosMissing);
     }
     for (std::size_t i = 0; i < plan_.sweeps.size(); ++i) {
       if (auto swept = sweep(i, with_videos); !swept) return swept;
@@ -197,6 +203,7 @@ class GalleryWriter {
   std::unique_ptr<PictureMaker> maker_;
   std::vector<float> activations_;
   std::vector<std::size_t> videos_;
+  bool videos_missing_ = false;
 };
 
 /// What there is now, and which AUs the face lacks or cannot show well.
@@ -238,9 +245,11 @@ Result<std::string> make_gallery(const PlayerOptions& options, const std::functi
   auto plan = plan_gallery(input);
   if (!plan) return plan.error();
   if (auto made = make_folders(options.gallery.folder, *plan); !made) return made.error();
-  auto written = GalleryWriter(**assets, options, *plan, stop, on_drawn).write();
-  if (!written) return written.error();
-  return summary(options.gallery.folder, *plan);
+  GalleryWriter writer(**assets, options, *plan, stop, on_drawn);
+  if (auto written = writer.write(); !written) return written.error();
+  std::string sentence = summary(options.gallery.folder, *plan);
+  if (options.quiet && writer.videos_missing()) sentence += std::string("; ") + kVideosMissing;
+  return sentence;
 }
 
 Result<void> run_gallery(const PlayerOptions& options, const std::function<bool()>& stop) {

@@ -16,8 +16,9 @@ namespace aucast::app {
 [[nodiscard]] Result<void> run_gallery(const PlayerOptions& options,
                                        const std::function<bool()>& stop);
 
-/// The same without printing: the sentence about what there is now is returned. `on_drawn` is told
-/// after each picture how many there are, and of how many.
+/// The same without printing that: the sentence about what there is now is returned. With
+/// `options.quiet` nothing is printed at all, and the sentence says, too, that videos are missing.
+/// `on_drawn` is told after each picture how many there are, and of how many.
 [[nodiscard]] Result<std::string> make_gallery(
     const PlayerOptions& options, const std::function<bool()>& stop,
     const std::function<void(std::size_t drawn, std::size_t total)>& on_drawn = {});
