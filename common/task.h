@@ -3,12 +3,13 @@
 #include <chrono>
 #include <functional>
 #include <future>
+#include <memory>
 #include <optional>
-#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "common/result.h"
-#include "common/text.h"
+#include "common/thread.h"
 
 namespace aucast {
 
@@ -20,27 +21,30 @@ class Task {
   /// Only while nothing is running(). Failed when the system has no thread left. `work` throws
   /// nothing.
   [[nodiscard]] Result<void> start(std::function<T()> work) {
-    try {
-      answer_ = std::async(std::launch::async, std::move(work));
-    } catch (const std::system_error& failure) {
-      return Error{ErrorKind::Failed, shortage_text(failure)};
-    }
+    // Shared, since a std::function is copied.
+    const auto task = std::make_shared<std::packaged_task<T()>>(std::move(work));
+    auto thread = start_thread([task] { (*task)(); });
+    if (!thread) return thread.error();
+    thread_ = std::move(*thread);
+    answer_ = task->get_future();
     return {};
   }
   [[nodiscard]] bool running() const { return answer_.valid(); }
   void wait() const {
     if (running()) answer_.wait();
   }
-  /// Once, when it is there: the task no longer runs then.
+  /// Once, when it is there: the task no longer runs then, and what the work held is gone.
   [[nodiscard]] std::optional<T> take() {
     if (!running() || answer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
       return std::nullopt;
     }
+    thread_.join();
     return answer_.get();
   }
 
  private:
   std::future<T> answer_;
+  std::jthread thread_;
 };
 
 }  // namespace aucast

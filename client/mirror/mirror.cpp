@@ -147,7 +147,7 @@ void Mirror::read() {
     reader.feed({reinterpret_cast<const char*>(chunk.data()), got});
     wrong = take_all(reader);
   }
-  course_.with([](Course& course) { course.reading = false; });
+  course_.change([](Course& course) { course.reading = false; });
   // It has no more to say; what has ended already keeps its exit code.
   child_->stop();
   const int code = child_->wait();
