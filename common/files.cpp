@@ -260,6 +260,12 @@ Result<void> replace_file(const fs::path& temporary, const fs::path& path) {
   return unwritable(path, system_reason(error_number));
 }
 
+fs::path whole_path(const fs::path& path) {
+  std::error_code gone;
+  const fs::path whole = fs::absolute(path, gone);
+  return gone ? path : whole.lexically_normal();
+}
+
 std::optional<fs::path> users_folder(const char* xdg, const char* home, const char* usual) {
   if (xdg != nullptr && fs::path(xdg).is_absolute()) return xdg;
   if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / usual;

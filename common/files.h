@@ -60,6 +60,10 @@ void ignore_file_size_signal();
 [[nodiscard]] Result<void> replace_file(const std::filesystem::path& temporary,
                                         const std::filesystem::path& path);
 
+/// `path` from the root, for people and for later: as it is when there is no current folder any
+/// more.
+[[nodiscard]] std::filesystem::path whole_path(const std::filesystem::path& path);
+
 /// Where a user keeps files of one kind: $XDG_..._HOME (`xdg`), else `usual` below $HOME; null when
 /// unset. A relative one counts as unset, as the specification wants. Nothing when neither is set.
 [[nodiscard]] std::optional<std::filesystem::path> users_folder(const char* xdg, const char* home,

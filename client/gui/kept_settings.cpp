@@ -183,9 +183,9 @@ std::string format_settings(const KeptSettings& settings) {
     others.back() += ":" + std::to_string(other.port);
   }
   std::string text =
-      "# What face-player's window remembers. It is written when the window closes; options of "
-      "the\n"
-      "# command line come first, --no-config leaves it alone.\n\n[remote]\n";
+      "# What face-player's window remembers. It is written when the window closes, and when a\n"
+      "# file or a server was opened; options of the command line come first, --no-config leaves\n"
+      "# it alone.\n\n[remote]\n";
   text += line("address", remote.address) + line("port", remote.port) +
           toml_line("others", toml_texts(others)) +
           toml_line("recent", toml_texts(settings.recent)) + line("buffer", remote.buffer) +

@@ -52,8 +52,8 @@ struct LoadedSettings {
   bool may_write = true;  ///< false: writing would destroy what could neither be read nor kept
 };
 
-/// Reads the settings. A file that is wrong is renamed to FILE.broken, so that it is never
-/// overwritten; one that cannot be read stays as it is.
+/// Reads the settings. A file that is wrong is renamed to FILE.broken (the last one stays), so that
+/// it is never overwritten; one that cannot be read stays as it is.
 [[nodiscard]] LoadedSettings load_settings(const std::filesystem::path& file);
 /// Writes them whole or not at all, and makes the folder when it is missing.
 [[nodiscard]] Result<void> save_settings(const KeptSettings& settings,

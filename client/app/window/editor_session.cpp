@@ -8,6 +8,7 @@
 #include "client/gui/channel_groups.h"
 #include "client/gui/texts.h"
 #include "client/gui/view_text.h"
+#include "common/files.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
 
@@ -187,7 +188,7 @@ Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
 
 void EditorSession::saved_in(const std::filesystem::path& file) {
   list_aus();
-  saved_face_ = std::filesystem::absolute(file.parent_path()).lexically_normal().string();
+  saved_face_ = whole_path(file.parent_path()).string();
 }
 
 Result<std::string> EditorSession::import_aus(const std::filesystem::path& file) {

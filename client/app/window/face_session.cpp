@@ -7,6 +7,7 @@
 
 #include "client/face/face.h"
 #include "client/gui/user_face.h"
+#include "common/files.h"
 #include "common/log.h"
 
 namespace aucast::app {
@@ -16,8 +17,7 @@ namespace fs = std::filesystem;
 
 /// One way to write the place of a folder, so that two can be compared.
 fs::path plain(const fs::path& folder) {
-  std::error_code ignored;
-  fs::path whole = fs::absolute(folder, ignored).lexically_normal();
+  fs::path whole = whole_path(folder);
   if (!whole.has_filename() && whole.has_relative_path()) whole = whole.parent_path();
   return whole;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "client/gui/kept_settings.h"
+#include "common/files.h"
 
 namespace aucast::app {
 
@@ -10,13 +11,9 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-std::string whole_path(const std::filesystem::path& file) {
-  return std::filesystem::absolute(file).lexically_normal().string();
-}
-
 void FileSession::opened(const std::filesystem::path& file) {
   last_folder_ = folder_of(file);
-  gui::remember_file(recent_, whole_path(file));
+  gui::remember_file(recent_, whole_path(file).string());
 }
 
 /// The folder that such a file was in last.

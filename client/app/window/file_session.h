@@ -51,6 +51,5 @@ class FileSession {
 
 /// "." of a file without one.
 [[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
-[[nodiscard]] std::string whole_path(const std::filesystem::path& file);
 
 }  // namespace aucast::app

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/gui/texts.h"
+#include "common/files.h"
 
 namespace aucast::app {
 
@@ -15,7 +16,7 @@ Result<void> VideoRecorder::begin(int width, int height, Instant now) {
   auto video = SessionVideo::open(*file, width, height, now);
   if (!video) return video.error();
   video_ = std::move(*video);
-  file_ = std::filesystem::absolute(*file).lexically_normal();
+  file_ = whole_path(*file);
   tell_session();
   session_.set_sound_tap([this](Instant heard_at, std::span<const float> samples) {
     video_->hear(heard_at, samples);

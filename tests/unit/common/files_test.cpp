@@ -190,6 +190,22 @@ TEST(CheckWritable, ChangesNothing) {
   EXPECT_FALSE(check_writable(folder.path() / "none" / "x").has_value());
 }
 
+TEST(WholePath, StartsAtTheRootAndGoesNoWayTwice) {
+  EXPECT_EQ(whole_path("/a/../b/./c"), "/b/c");
+  EXPECT_EQ(whole_path("x/../y"), std::filesystem::current_path() / "y");
+}
+
+TEST(WholePath, IsAsItIsWhereTheCurrentFolderIsGone) {
+  const auto before = std::filesystem::current_path();
+  {
+    const test::TempFolder folder;
+    std::filesystem::current_path(folder.path());
+  }
+  const auto whole = whole_path("x");
+  std::filesystem::current_path(before);
+  EXPECT_EQ(whole, "x");
+}
+
 TEST(FindDataFolder, TakesTheChosenOneAndNothingElse) {
   const test::TempFolder folder;
   EXPECT_EQ(find_data_folder(folder.path()).value(), folder.path());
