@@ -30,8 +30,9 @@ const AuEntry* entry_of(const GuiModel& model, int number) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// The field of a name, which is the user's for numbers that FACS gives none.
-void name_field(const Look& look, const GuiModel& model, int number, bool unnamed,
+/// The field of a name, which is the user's for numbers that FACS gives none. True when Enter was
+/// pressed in it.
+bool name_field(const Look& look, const GuiModel& model, int number, bool unnamed,
                 EditorForm& form) {
   if (std::exchange(form.named, number) != number) {
     const AuEntry* entry = entry_of(model, number);
@@ -44,8 +45,10 @@ void name_field(const Look& look, const GuiModel& model, int number, bool unname
   ImGui::BeginDisabled(!unnamed);
   if (std::exchange(form.to_name, false)) ImGui::SetKeyboardFocusHere();
   const char* hint = number > 0 ? tr("editor.name_hint") : "";
-  ImGui::InputTextWithHint("##auname", hint, form.name.data(), form.name.size());
+  const bool entered = ImGui::InputTextWithHint(
+      "##auname", hint, form.name.data(), form.name.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::EndDisabled();
+  return entered;
 }
 
 /// What is known of an AU, in a place that is as high for each, so that nothing below moves.
@@ -124,13 +127,14 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   const bool unnamed = target > 0 && !facs_name(target);
   ImGui::SameLine();
   ImGui::BeginDisabled(target < 1);
-  if (ImGui::Button(tr("button.save"), ImVec2((width - gap) / 2, 0))) {
+  const bool pressed = ImGui::Button(tr("button.save"), ImVec2((width - gap) / 2, 0));
+  ImGui::EndDisabled();
+  const bool entered = name_field(look, model, target, unnamed, form);
+  if (pressed || entered) {
     const std::string_view name = trimmed(form.name.data(), " ");
     form.to_name = unnamed && name.empty();
     commands.push_back(SaveAu{target, unnamed ? std::string(name) : std::string()});
   }
-  ImGui::EndDisabled();
-  name_field(look, model, target, unnamed, form);
   au_file_buttons(model, commands);
   said_of_au(entry_of(model, editor.au));
   quiet_text(tr("editor.where"));

@@ -8,6 +8,7 @@
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
+#include "client/gui/view_text.h"
 
 namespace aucast::gui {
 namespace {
@@ -111,19 +112,6 @@ float height_of_decision(const BrowserView& view) {
   return height + ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y + gap;
 }
 
-/// "30 keyframes/s, gain 150 %": what is not as usual.
-std::string in_words(const TableSettings& settings) {
-  std::string text;
-  const auto add = [&](int value, const std::string& words) {
-    if (value != 0) text += (text.empty() ? "" : ", ") + words;
-  };
-  add(settings.fps, tr("file.fps_is", settings.fps));
-  add(settings.rate, tr("file.rate_is", settings.rate));
-  add(settings.gain_percent, tr("file.gain_is", settings.gain_percent));
-  add(settings.quiet_s, tr("file.quiet_is", settings.quiet_s));
-  return text;
-}
-
 /// What a recogniser's table may need to be told; closed until somebody looks for it, but for what
 /// is applied to a table.
 void table_settings(const Look& look, const TableSettings& now, const TableSettings& kept,
@@ -131,7 +119,7 @@ void table_settings(const Look& look, const TableSettings& now, const TableSetti
   const bool open = ImGui::TreeNodeEx(
       tr("file.tables"), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
   if (now != TableSettings{}) {
-    const std::string words = in_words(now);
+    const std::string words = table_in_words(now);
     toned_text(Tone::Waiting,
                now == kept ? tr("file.tables_kept", words) : tr("file.tables_applied", words));
   } else if (open) {

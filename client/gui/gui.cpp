@@ -424,6 +424,10 @@ void Gui::toggle_bare() {
   state_->bare = !state_->bare;
 }
 
+bool Gui::end_bare() {
+  return std::exchange(state_->bare, false);
+}
+
 void Gui::set_full_screen(bool full_screen) {
   state_->full_screen = full_screen;
 }

@@ -43,6 +43,8 @@ class Gui {
   void toggle_panel();
   /// Nothing but the face, or panel and bar again.
   void toggle_bare();
+  /// Whether the face was alone: it no longer is.
+  bool end_bare();
   /// In full screen panel and bar lie over the face instead of beside it.
   void set_full_screen(bool full_screen);
   /// Panel, bar and pointer are out of the way for now.

@@ -145,6 +145,18 @@ std::string state_in_words(PlaybackState state, const playback::SourceStatus& st
   return state_name(state);
 }
 
+std::string table_in_words(const TableSettings& settings) {
+  std::string text;
+  const auto add = [&](int value, const std::string& words) {
+    if (value != 0) text += (text.empty() ? "" : ", ") + words;
+  };
+  add(settings.fps, tr("file.fps_is", settings.fps));
+  add(settings.rate, tr("file.rate_is", settings.rate));
+  add(settings.gain_percent, tr("file.gain_is", settings.gain_percent));
+  add(settings.quiet_s, tr("file.quiet_is", settings.quiet_s));
+  return text;
+}
+
 std::string bytes_text(double bytes) {
   return scaled(bytes, "B");
 }

@@ -29,6 +29,9 @@ namespace aucast::gui {
                                          const playback::SourceStatus& status,
                                          const playback::BufferOptions& buffers);
 
+/// "30 keyframes/s, gain 150 %": what of a table is not read as it is; empty: nothing.
+[[nodiscard]] std::string table_in_words(const TableSettings& settings);
+
 /// "0 B", "999 B", "1.2 kB", "3.4 MB".
 [[nodiscard]] std::string bytes_text(double bytes);
 

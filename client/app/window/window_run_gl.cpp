@@ -29,6 +29,7 @@
 #include "client/gui/redraw.h"
 #include "client/gui/texts.h"
 #include "client/render/window.h"
+#include "common/files.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 #include "common/text.h"
@@ -185,6 +186,7 @@ class WindowRun {
     if (!shown_model_.notice.text.empty()) return carry_out(gui::CloseNotice{});
     if (overlay_->gui().close_notice()) return;
     if (shown_model_.gallery.open) return carry_out(gui::GalleryCommand(gui::CloseGallery{}));
+    if (overlay_->gui().end_bare()) return;
     if (overlay_->gui().hide_focus()) return;
     if (window_->full_screen()) toggle_full_screen();
   }
@@ -312,7 +314,7 @@ class WindowRun {
     if (const auto written = view::write_png(*image, *file, texts); !written) {
       return complain(written.error());
     }
-    tell(gui::tr("said.picture", std::filesystem::absolute(*file).lexically_normal().string()));
+    tell(gui::tr("said.picture", whole_path(*file).string()));
   }
 
   void toggle_video() {

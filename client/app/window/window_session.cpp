@@ -17,7 +17,9 @@
 #include "client/app/window/window_style.h"
 #include "client/gui/texts.h"
 #include "client/gui/user_face.h"
+#include "client/gui/view_text.h"
 #include "client/net/stream_list.h"
+#include "common/files.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
@@ -385,7 +387,11 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   auto opened = open_stream(file, table_);
   if (!opened) return opened.error();
   notices_.clear();
-  if (!opened->found.empty()) say(opened->found, false, now);
+  if (!opened->found.empty()) {
+    const std::string changed = gui::table_in_words(table_);
+    say(opened->found + (changed.empty() ? "" : "\n" + gui::tr("file.tables_applied", changed)),
+        false, now);
+  }
   files_.opened(file);
   playback_.open(std::move(opened->keyframes), file.filename().string(), now);
   playback_.play_beside(file, now);

@@ -376,10 +376,15 @@ TEST_F(Keyboard, AnAuThatFacsDoesNotNameIsAskedForOne) {
   frames(3);
   EXPECT_EQ(focus(), id_of("##auname"));
   type("yawn");
+  commands_.clear();
+  press(ImGuiKey_Enter);
+  auto saved = asked<SaveAu>();
+  ASSERT_TRUE(saved) << "Enter in the field saves";
+  EXPECT_EQ(saved->name, "yawn");
   ASSERT_TRUE(go_to(tr("button.save")));
   commands_.clear();
   press(ImGuiKey_Enter);
-  const auto saved = asked<SaveAu>();
+  saved = asked<SaveAu>();
   ASSERT_TRUE(saved);
   EXPECT_EQ(saved->name, "yawn");
 }

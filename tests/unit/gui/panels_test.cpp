@@ -198,6 +198,10 @@ TEST_F(Panels, TheFaceAloneIsWithoutPanelAndBar) {
   gui_->toggle_bare();
   EXPECT_EQ(gui_->covered_width(), 0);
   EXPECT_EQ(bright_pixels(picture(), 0, kWidth), 0U);
+  EXPECT_TRUE(gui_->end_bare());
+  EXPECT_GT(gui_->covered_width(), 0);
+  EXPECT_FALSE(gui_->end_bare()) << "it was not alone any more";
+  gui_->toggle_bare();
   gui_->toggle_panel();
   EXPECT_GT(gui_->covered_width(), 0) << "the panel is asked for";
 }

@@ -172,6 +172,7 @@ TEST_F(StreamSessionTest, ATableOfARecogniserPlaysAsItIsSetToBeRead) {
   EXPECT_EQ(model().remote.aus[0].shown_percent, 50);
   ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 150, .quiet_s = 0}});
   ask(gui::OpenStream{table.string()});
+  EXPECT_NE(model().notice.text.find("gain 150 %"), std::string::npos) << model().notice.text;
   ask(LocalCommand(gui::Seek{Duration::max()}));
   ASSERT_EQ(model().remote.aus.size(), 1U);
   EXPECT_EQ(model().remote.aus[0].shown_percent, 75);
