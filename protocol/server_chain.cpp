@@ -7,6 +7,7 @@
 #include "protocol/limits.h"
 
 namespace aucast::protocol {
+
 bool is_server_id(std::string_view text) {
   return text.size() <= kServerIdBytesMax && is_stream_name(text);
 }
