@@ -22,7 +22,7 @@ endfunction()
 
 # aucast_test(NAME SOURCES a_test.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT s])
 #   A GoogleTest program, one entry of CTest. LABELS defaults to unit; tests that need OpenGL carry
-#   gl, those that start the real programs carry integration.
+#   gl, those that start programs, ffmpeg too, or take seconds carry integration.
 function(aucast_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
   if(NOT ARG_LABELS)
