@@ -64,6 +64,16 @@ std::string server_text(const RemoteSettings& settings) {
   return address_text(server);
 }
 
+RemoteSettings with_server_of(RemoteSettings settings, const RemoteSettings& other) {
+  settings.address = other.address;
+  settings.port = other.port;
+  settings.others = other.others;
+  settings.stream = other.stream;
+  settings.tls = other.tls;
+  settings.token_file = other.token_file;
+  return settings;
+}
+
 std::optional<std::string> take_address(std::string_view text, RemoteSettings& settings) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);

@@ -37,6 +37,8 @@ struct RemoteSettings {
 [[nodiscard]] std::string address_text(const RemoteSettings& settings);
 /// The same without the stream, which has a field of its own.
 [[nodiscard]] std::string server_text(const RemoteSettings& settings);
+/// `settings`, with the server of `other`: where it is, how it is reached and its stream.
+[[nodiscard]] RemoteSettings with_server_of(RemoteSettings settings, const RemoteSettings& other);
 /// address_text() the other way round, also HOST[:PORT]/STREAM; into address, port, others, stream
 /// and tls. What is wrong with the text, as a sentence; nothing then is changed.
 [[nodiscard]] std::optional<std::string> take_address(std::string_view text,

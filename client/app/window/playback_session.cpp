@@ -51,6 +51,7 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
 void PlaybackSession::set_remote(const gui::RemoteSettings& settings,
                                  std::vector<std::string> recent) {
   remote_settings_ = settings;
+  worked_ = settings;
   recent_ = std::move(recent);
 }
 
@@ -158,6 +159,7 @@ void PlaybackSession::advance(Instant now) {
   remember(now);
   if (!answered_ && seekable() == nullptr && playback_->status().packets_received > 0) {
     answered_ = true;
+    worked_ = remote_settings_;
     gui::remember_address(recent_, remote_settings_);
   }
 }

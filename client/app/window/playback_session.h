@@ -60,6 +60,10 @@ class PlaybackSession {
   /// cannot be used.
   [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings) const;
   [[nodiscard]] const gui::RemoteSettings& remote_settings() const { return remote_settings_; }
+  /// The same, with the last server that answered: one that was mistyped is not worth keeping.
+  [[nodiscard]] gui::RemoteSettings remote_to_keep() const {
+    return gui::with_server_of(remote_settings_, worked_);
+  }
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
 
   /// With sound, the face that belongs to what is heard.
@@ -102,6 +106,7 @@ class PlaybackSession {
   Notices& notices_;
   const std::vector<float>& shown_;
   gui::RemoteSettings remote_settings_;
+  gui::RemoteSettings worked_;       ///< its server is the last that answered, or was kept
   std::vector<std::string> recent_;  ///< addresses that answered, the latest first
   playback::BufferOptions buffers_;
 

@@ -116,8 +116,8 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
 
 gui::KeptSettings WindowSession::kept() const {
   return {
-      playback_.remote_settings(), playback_.recent(), faces_.next(), files_.recent(),  animation_,
-      editor_.transition(),        rendering_,         pictures_,     display_.settings};
+      playback_.remote_to_keep(), playback_.recent(), faces_.next(), files_.recent(),  animation_,
+      editor_.transition(),       rendering_,         pictures_,     display_.settings};
 }
 
 void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now) {

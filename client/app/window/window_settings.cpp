@@ -132,6 +132,12 @@ PlayerOptions WindowSettings::applied(PlayerOptions options) const {
 
 Result<void> WindowSettings::keep(KeptSettings now) {
   if (file_.empty()) return {};
+  // The server of the command line is kept once it has answered, as any other.
+  const std::string server = gui::address_text(now.remote);
+  const bool unheard = now.recent.empty() || now.recent.front() != server;
+  if (unheard && server == gui::address_text(in_force_.remote)) {
+    now.remote = gui::with_server_of(now.remote, kept_.remote);
+  }
   copy_given(given_, kept_, now,
              [&](auto member_of) { return member_of(now) == member_of(in_force_); });
   if (now == kept_) return {};

@@ -497,12 +497,6 @@ TEST_F(WindowSessionTest, AnEmptyViewIsNotKeptForTheNextStart) {
   EXPECT_FALSE(session_->rendering().layers.textured);
 }
 
-TEST_F(WindowSessionTest, ConnectNeedsAFormThatIsRight) {
-  open_nothing();
-  ask(gui::Connect{{"", 4650, 100, 30, 40, 0}});
-  EXPECT_EQ(model().remote.activity, Activity::Idle);
-}
-
 TEST_F(WindowSessionTest, ConnectReplacesWhatPlayedAndHoldsTheFace) {
   open({frame({{26, Side::Both, 100}}), frame({})});
   go_on(Milliseconds(0));
@@ -531,40 +525,6 @@ TEST_F(WindowSessionTest, OnlyAnAddressThatAnsweredIsAmongTheRecentOnes) {
   ask(gui::Connect{{"127.0.0.1", 1, 50, 20, 30, 0}});  // nothing listens there
   go_on(Milliseconds(100));
   EXPECT_EQ(session_->recent(), std::vector<std::string>{"lecture.example.org"});
-}
-
-TEST_F(WindowSessionTest, TheOtherHostsOfAnAddressAreTriedTooWhoeverNamedThem) {
-  options_.playback.endpoint = "one.example";
-  options_.playback.others = {{"other.example", 4650}};
-  Notices notices;
-  const std::vector<float> shown(assets_->face.channels.size());
-  const pipeline::AuMapping mapping = au_mapping(*assets_, options_.face.mixer);
-  const PlaybackSession playback(mapping, options_, stats_, notices, shown);
-  gui::RemoteSettings form = WindowSettings(options_, {}).in_force().remote;
-  const auto same = playback.server_of(form);
-  ASSERT_TRUE(same) << same.error().message;
-  EXPECT_EQ(same->others, options_.playback.others);
-  EXPECT_TRUE(same->reconnect) << "else the other is never tried";
-  ASSERT_EQ(gui::take_address("aucast://third.example,fourth.example:7/talk", form), std::nullopt);
-  const auto named = playback.server_of(form);
-  ASSERT_TRUE(named) << named.error().message;
-  EXPECT_EQ(named->others, (std::vector<protocol::Endpoint>{{"fourth.example", 7}}));
-  EXPECT_TRUE(named->reconnect);
-  ASSERT_EQ(gui::take_address("third.example", form), std::nullopt);
-  const auto third = playback.server_of(form);
-  ASSERT_TRUE(third) << third.error().message;
-  EXPECT_TRUE(third->others.empty());
-  EXPECT_FALSE(third->reconnect);
-}
-
-TEST_F(WindowSessionTest, ATokenFileThatIsNotThereIsSaid) {
-  open_nothing();
-  gui::RemoteSettings settings;
-  settings.token_file = "/no/such/token";
-  ask(gui::Connect{settings});
-  EXPECT_TRUE(model().notice.bad);
-  EXPECT_NE(model().notice.text.find("/no/such/token"), std::string::npos);
-  EXPECT_EQ(model().remote.activity, Activity::Idle);
 }
 
 TEST_F(WindowSessionTest, KeyframesWithTimesOfTheirOwnMakeTheSpeedUseless) {

@@ -97,6 +97,21 @@ TEST_F(WindowSettingsTest, WhatOnlyTheCommandLineAskedForIsNotKept) {
   EXPECT_EQ(on_disk().remote.buffer, 400);
 }
 
+TEST_F(WindowSettingsTest, TheServerOfTheCommandLineIsKeptOnceItHasAnswered) {
+  write("[remote]\naddress = \"old.example\"\nstream = \"lecture\"\ntoken_file = \"secret\"\n");
+  const gui::KeptSettings before = on_disk();
+  WindowSettings settings(parsed({"mistyped.example"}), file_);
+  gui::KeptSettings now = settings.in_force();
+  now.transition.frames = 60;
+  ASSERT_TRUE(settings.keep(now));
+  EXPECT_EQ(on_disk().transition.frames, 60);
+  EXPECT_EQ(on_disk().remote, before.remote);
+  now.recent = {"mistyped.example"};
+  ASSERT_TRUE(settings.keep(now));
+  EXPECT_EQ(on_disk().remote.address, "mistyped.example");
+  EXPECT_EQ(on_disk().remote.token_file, "");
+}
+
 TEST_F(WindowSettingsTest, NothingIsWrittenWhenNothingChanged) {
   WindowSettings settings(parsed({}), file_);
   ASSERT_TRUE(settings.keep(settings.in_force()));
