@@ -30,17 +30,27 @@ const AuEntry* entry_of(const GuiModel& model, int number) {
   return found == all.end() ? nullptr : &*found;
 }
 
+/// As it was typed, else as it is saved.
+std::string name_of(const GuiModel& model, int number, bool unnamed) {
+  if (!unnamed) return au_name(number);
+  const auto typed = model.editor.names.find(number);
+  if (typed != model.editor.names.end()) return typed->second;
+  const AuEntry* entry = entry_of(model, number);
+  return entry == nullptr ? "" : entry->name;
+}
+
 /// The field of a name, which is the user's for numbers that FACS gives none. True when Enter was
 /// pressed in it.
-bool name_field(const Look& look, const GuiModel& model, int number, bool unnamed,
-                EditorForm& form) {
-  if (std::exchange(form.named, number) != number) {
-    const AuEntry* entry = entry_of(model, number);
-    const std::string own = entry == nullptr ? "" : entry->name;
-    const std::string name = unnamed ? own : au_name(number);
+bool name_field(const Look& look, const GuiModel& model, int number, bool unnamed, EditorForm& form,
+                GuiCommands& commands) {
+  const std::string name = name_of(model, number, unnamed);
+  const bool another = std::exchange(form.named, number) != number;
+  const bool renamed = std::exchange(form.name_taken, name) != name;
+  if ((another || renamed) && name != form.name.data()) {
     form.name = {};
     name.copy(form.name.data(), form.name.size() - 1);
   }
+  const std::string before = form.name.data();
   label(look, tr("editor.name"));
   ImGui::BeginDisabled(!unnamed);
   if (std::exchange(form.to_name, false)) ImGui::SetKeyboardFocusHere();
@@ -48,6 +58,7 @@ bool name_field(const Look& look, const GuiModel& model, int number, bool unname
   const bool entered = ImGui::InputTextWithHint(
       "##auname", hint, form.name.data(), form.name.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::EndDisabled();
+  if (before != form.name.data()) commands.push_back(NameAu{number, form.name.data()});
   return entered;
 }
 
@@ -129,7 +140,7 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   ImGui::BeginDisabled(target < 1);
   const bool pressed = ImGui::Button(tr("button.save"), ImVec2((width - gap) / 2, 0));
   ImGui::EndDisabled();
-  const bool entered = name_field(look, model, target, unnamed, form);
+  const bool entered = name_field(look, model, target, unnamed, form, commands);
   if (pressed || entered) {
     const std::string_view name = trimmed(form.name.data(), " ");
     form.to_name = unnamed && name.empty();

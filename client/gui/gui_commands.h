@@ -55,6 +55,11 @@ struct SaveAu {
   int number = 0;
   std::string name{};
 };
+/// A name that was typed for an AU and is not saved yet.
+struct NameAu {
+  int number = 0;
+  std::string name;
+};
 /// One's own AU goes; one that came with the player is as it came again.
 struct RemoveAu {
   int number = 0;
@@ -135,7 +140,7 @@ using PlaybackCommand = std::variant<Connect, Pause, Resume, Stop, LocalCommand>
 /// About the face of the expression panel.
 using EditorCommand =
     std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
-                 SaveAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
+                 SaveAu, NameAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
 using GuiCommand = std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand,
                                 MirrorCommand, GalleryCommand, ChangePictures, ChangeAnimation,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -114,6 +115,7 @@ struct EditorView {
   bool linked = true;
   int au = -1;  ///< the AU being edited; -1: none
   bool unsaved = false;
+  std::map<int, std::string> names;  ///< of AUs, typed and not saved yet
   bool can_undo = false;
   bool can_redo = false;
   std::vector<AuRow> compound;  ///< the AUs that were last put together; empty: none

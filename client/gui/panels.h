@@ -67,6 +67,7 @@ struct EditorForm {
   int save_as = -1;             ///< number for "save as"; -1: the AU being edited
   std::array<char, 64> name{};  ///< for an AU that FACS does not name
   int named = -1;               ///< the AU whose name was put there
+  std::string name_taken;       ///< of the model
   bool to_name = false;         ///< the focus goes to the name
   int opened_for = -1;          ///< the AU whose muscles were opened
 };

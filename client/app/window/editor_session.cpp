@@ -10,6 +10,7 @@
 #include "client/gui/view_text.h"
 #include "common/files.h"
 #include "common/overloaded.h"
+#include "common/text_file.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
@@ -81,8 +82,15 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
         save_au(one, now);
         return false;
       },
+      [&](const gui::NameAu& one) {
+        name_au(one);
+        return false;
+      },
       [&](const gui::RemoveAu& one) { return remove_au(one.number, now); },
-      [&](const gui::RevertAu&) { return edit([&] { editor_.revert(); }); },
+      [&](const gui::RevertAu&) {
+        names_.clear();
+        return edit([&] { editor_.revert(); });
+      },
       [&](const gui::NeutralFace&) { return edit([&] { editor_.neutral(); }); },
       [&](const gui::Undo&) { return edit([&] { editor_.undo(); }); },
       [&](const gui::Redo&) { return edit([&] { editor_.redo(); }); }};
@@ -168,19 +176,33 @@ void EditorSession::save_au(const gui::SaveAu& wanted, Instant now) {
   notices_.say(saved ? *saved : saved.error().message, !saved, now);
 }
 
-bool EditorSession::has_name(const gui::SaveAu& wanted) const {
-  const auto before = mapping_.recordings.find(wanted.number);
-  return !wanted.name.empty() || facs_name(wanted.number) ||
+void EditorSession::name_au(const gui::NameAu& typed) {
+  const auto saved = mapping_.recordings.find(typed.number);
+  const std::string before = saved == mapping_.recordings.end() ? "" : saved->second.note;
+  names_.erase(typed.number);
+  if (typed.name != before) names_[typed.number] = typed.name;
+}
+
+bool EditorSession::has_name(int number, const std::string& given) const {
+  const auto before = mapping_.recordings.find(number);
+  return !given.empty() || facs_name(number) ||
          (before != mapping_.recordings.end() && !before->second.note.empty());
 }
 
 /// Returns a sentence about where it went.
 Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
-  if (!has_name(wanted)) {
+  // Saved by a key there is no name but the one that was typed.
+  const auto typed = names_.find(wanted.number);
+  std::string name = wanted.name;
+  if (name.empty() && typed != names_.end()) {
+    name = std::string(trimmed(typed->second, " "));
+  }
+  if (!has_name(wanted.number, name)) {
     return Error{ErrorKind::Usage, gui::tr("said.au_unnamed", wanted.number)};
   }
-  const auto file = own_.save(wanted.number, editor_.activations(), wanted.name);
+  const auto file = own_.save(wanted.number, editor_.activations(), name);
   if (!file) return file.error();
+  names_.erase(wanted.number);
   editor_.saved(wanted.number);
   saved_in(*file);
   return gui::tr("said.au_saved", wanted.number, file->string());
@@ -218,6 +240,7 @@ bool EditorSession::remove_au(int number, Instant now) {
     notices_.say(removed.error().message, true, now);
     return false;
   }
+  names_.erase(number);
   transition_.reset();
   show_none_of_them();
   editor_.recorded_anew(number);
@@ -263,7 +286,8 @@ gui::EditorView EditorSession::view() const {
   view.groups = gui::channel_groups(mapping_.face, editor_.activations());
   view.linked = editor_.linked();
   view.au = editor_.au().value_or(-1);
-  view.unsaved = editor_.unsaved();
+  view.unsaved = unsaved();
+  view.names = names_;
   view.can_undo = editor_.can_undo();
   view.can_redo = editor_.can_redo();
   view.compound = compound_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,7 +48,7 @@ class EditorSession {
   /// The AUs that the face is made of; nothing when it is made of muscles.
   [[nodiscard]] const std::optional<AuFrame>& aus() const { return aus_; }
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
-  [[nodiscard]] bool unsaved() const { return editor_.unsaved(); }
+  [[nodiscard]] bool unsaved() const { return editor_.unsaved() || !names_.empty(); }
   /// The last saving of an AU.
   [[nodiscard]] bool save_failed() const { return save_failed_; }
   /// The folder of the face that was saved to; empty: nothing was saved.
@@ -69,8 +70,9 @@ class EditorSession {
   [[nodiscard]] std::vector<float> put_together(const AuFrame& aus);
   void show_none_of_them();
   void save_au(const gui::SaveAu& wanted, Instant now);
+  void name_au(const gui::NameAu& typed);
   /// FACS names it, or the user has.
-  [[nodiscard]] bool has_name(const gui::SaveAu& wanted) const;
+  [[nodiscard]] bool has_name(int number, const std::string& given) const;
   bool remove_au(int number, Instant now);
   void go_to(std::vector<float> target, bool continued, Instant now);
   [[nodiscard]] Result<std::string> save_recording(const gui::SaveAu& wanted);
@@ -87,7 +89,8 @@ class EditorSession {
   gui::TransitionSettings transition_settings_;
   bool save_failed_ = false;
   std::string saved_face_;
-  std::string complaint_;  ///< about the AUs that were typed last
+  std::map<int, std::string> names_;  ///< of AUs, typed and not saved yet
+  std::string complaint_;             ///< about the AUs that were typed last
   std::optional<AuFrame> aus_;
   std::vector<gui::AuRow> compound_;  ///< what became of aus_
   gui::ExpressionsView expressions_;

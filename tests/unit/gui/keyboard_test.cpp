@@ -375,7 +375,11 @@ TEST_F(Keyboard, AnAuThatFacsDoesNotNameIsAskedForOne) {
   press(ImGuiKey_Enter);
   frames(3);
   EXPECT_EQ(focus(), id_of("##auname"));
+  commands_.clear();
   type("yawn");
+  const auto named = asked<NameAu>();
+  ASSERT_TRUE(named) << "or it could be lost without a question";
+  EXPECT_EQ(named->number, 90);
   commands_.clear();
   press(ImGuiKey_Enter);
   auto saved = asked<SaveAu>();

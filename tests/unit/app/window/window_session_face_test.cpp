@@ -189,6 +189,29 @@ TEST_F(FaceSessionTest, AnAuOfOnesOwnIsNamedDeletedAndBroughtBack) {
   EXPECT_TRUE(model().editor.unsaved);
 }
 
+TEST_F(FaceSessionTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
+  ask(gui::LoadAu{12});
+  EXPECT_FALSE(model().editor.unsaved);
+  ask(gui::NameAu{77, " yawn"});
+  EXPECT_TRUE(model().editor.unsaved);
+  session_->ask_to_leave();
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_TRUE(model().asks_to_leave);
+  ask(gui::Leave{false});
+  ask(gui::LoadAu{6});
+  EXPECT_EQ(model().editor.names.at(77), " yawn") << "another AU loses nothing";
+  ask(gui::LoadAu{77});
+  session_->save(clock_.now());
+  EXPECT_EQ(entry_of(model(), 77).name, "yawn");
+  EXPECT_FALSE(model().editor.unsaved);
+  ask(gui::NameAu{77, "yaw"});
+  ask(gui::NameAu{77, "yawn"});
+  EXPECT_FALSE(model().editor.unsaved) << "it is as it is saved";
+  ask(gui::NameAu{77, "big yawn"});
+  ask(gui::RevertAu{});
+  EXPECT_FALSE(model().editor.unsaved);
+}
+
 TEST_F(FaceSessionTest, AnAuThatCameWithTheFaceIsAsItCameAgain) {
   ask(gui::LoadAu{12});
   const float jaw = shown("jaw");
