@@ -26,7 +26,7 @@ struct PictureWords {
   std::string face;      ///< {face}
   std::string stream;    ///< {stream}; empty: nothing plays
   std::string keyframe;  ///< {keyframe}; empty: none
-  std::string aus;       ///< {aus}; empty: the face is made of muscles
+  std::string aus;       ///< {aus}; empty: there are none
   std::string date;      ///< {date}
 };
 

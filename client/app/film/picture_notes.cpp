@@ -40,6 +40,11 @@ std::vector<view::PngText> texts_of(const PictureNotes& notes) {
     add("Rules", std::string(notes.rules));
     add("Mixer", std::string(face::name(notes.mixer)));
   }
+  add("Edited", std::string(notes.edited));
+  if (!notes.edited.empty()) {
+    add("Rules", std::string(notes.rules));
+    add("Mixer", std::string(face::name(notes.mixer)));
+  }
   add("Camera", std::string(notes.camera));
   add("Layers", view::format_layers(notes.layers));
   add("Activations", activations_text(notes.face, notes.activations));

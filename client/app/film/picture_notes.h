@@ -23,11 +23,12 @@ struct PictureNotes {
   view::Layers layers = {};
   std::string_view camera{};  ///< of --camera; empty: turned by hand
   std::span<const float> activations{};
+  std::string_view edited{};  ///< of no AUs: what was edited in the window; empty: nothing
 };
 
 /// The same as the text of a PNG, so that the picture explains itself and can be made again:
-/// Software, Face, AUs as in a packet, Rules, Mixer, Camera, Layers, and as Activations what
-/// `pose --muscle` takes. What there is nothing to say about is left out.
+/// Software, Face, AUs as in a packet or Edited, Rules, Mixer, Camera, Layers, and as Activations
+/// what `pose --muscle` takes. What there is nothing to say about is left out.
 [[nodiscard]] std::vector<view::PngText> texts_of(const PictureNotes& notes);
 
 }  // namespace aucast::app

@@ -1,6 +1,7 @@
 #include "client/app/window/editor_session.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <variant>
 
@@ -279,6 +280,19 @@ std::vector<float> EditorSession::activations(Instant now) const {
 
 std::optional<Instant> EditorSession::next_frame_at(Instant now) const {
   return transition_ ? transition_->next_frame_at(now) : std::nullopt;
+}
+
+std::optional<AuFrame> EditorSession::aus() const {
+  if (aus_ || !editor_.au() || editor_.unsaved()) return aus_;
+  const std::array terms = {AuTerm{static_cast<std::uint8_t>(*editor_.au()), Side::Both, 100}};
+  return frame_from_terms(terms);
+}
+
+std::string EditorSession::made_of() const {
+  if (expressions_.chosen >= 0) {
+    return assets_.expressions[static_cast<std::size_t>(expressions_.chosen)].name;
+  }
+  return editor_.au() ? "au" + std::to_string(*editor_.au()) + "_edited" : "edited";
 }
 
 gui::EditorView EditorSession::view() const {

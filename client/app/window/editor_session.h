@@ -45,8 +45,12 @@ class EditorSession {
   [[nodiscard]] std::vector<float> activations(Instant now) const;
   /// When activations() change next; nullopt while they stay the same.
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
-  /// The AUs that the face is made of; nothing when it is made of muscles.
-  [[nodiscard]] const std::optional<AuFrame>& aus() const { return aus_; }
+  /// The AUs that the face is made of, an AU that is edited and not changed yet among them; nothing
+  /// when it is made of muscles.
+  [[nodiscard]] std::optional<AuFrame> aus() const;
+  /// What the face is where it is not made of AUs, as part of a name: an AU that was changed, an
+  /// expression of muscles, or "edited".
+  [[nodiscard]] std::string made_of() const;
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || !names_.empty(); }
   /// The last saving of an AU.

@@ -304,13 +304,15 @@ class WindowRun {
     const auto file = session_.picture_file(".png");
     if (!file) return complain(file.error());
     const gui::AnimationSettings& animation = shown_model_.animation;
+    const std::string edited = session_.edited_shown();
     const auto texts = texts_of({assets_.face,
                                  session_.aus_shown(),
                                  animation.rules,
                                  animation.mixer,
                                  style().layers,
                                  {},
-                                 shown_activations_});
+                                 shown_activations_,
+                                 edited});
     if (const auto written = view::write_png(*image, *file, texts); !written) {
       return complain(written.error());
     }

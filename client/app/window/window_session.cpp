@@ -415,8 +415,10 @@ std::string WindowSession::new_name(gui::Purpose purpose) const {
       return face + ".glb";
     case gui::Purpose::ExportAu:
       return "au" + std::to_string(editor_.au().value_or(0)) + ".toml";
-    default:
-      return composer_.file().filename().string();
+    default: {
+      const std::string composed = composer_.file().filename().string();
+      return composed.empty() ? kComposedName : composed;
+    }
   }
 }
 
@@ -509,6 +511,7 @@ Result<std::filesystem::path> WindowSession::picture_file(const std::string& end
   words.date = today();
   words.stream = name_of_stream();
   if (const std::uint64_t keyframe = keyframe_shown()) words.keyframe = std::to_string(keyframe);
+  words.aus = edited_shown();
   if (const auto aus = aus_shown()) words.aus = file_stem(*aus);
   return gui::picture_file(pictures_, words, ending);
 }

@@ -72,6 +72,10 @@ class WindowSession {
   /// The AUs that the face of this moment is made of, rules applied; nothing when it is made of
   /// muscles.
   [[nodiscard]] std::optional<AuFrame> aus_shown() const;
+  /// What the face is when it is made of no AUs, as part of a name; else empty.
+  [[nodiscard]] std::string edited_shown() const {
+    return shown_ == Shown::Editor && !aus_shown() ? editor_.made_of() : std::string();
+  }
   /// The keyframe of the face that is shown, from 1; 0: it is not of what plays.
   [[nodiscard]] std::uint64_t keyframe_shown() const {
     return shown_ == Shown::Playback ? playback_.keyframe() : 0;

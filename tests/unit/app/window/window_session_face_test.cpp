@@ -212,6 +212,25 @@ TEST_F(FaceSessionTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
   EXPECT_FALSE(model().editor.unsaved);
 }
 
+TEST_F(FaceSessionTest, APictureOfTheEditorIsNamedAfterWhatIsEdited) {
+  const auto name = [this] {
+    const auto file = session_->picture_file(".png");
+    return file ? file->stem().string() : file.error().message;
+  };
+  gui::PictureSettings pictures;
+  pictures.folder = home_.path().string();
+  pictures.pattern = "{aus}";
+  ask(gui::ChangePictures{pictures});
+  ask(gui::LoadAu{12});
+  EXPECT_EQ(name(), "au12");
+  ASSERT_TRUE(session_->aus_shown().has_value());
+  EXPECT_EQ(session_->aus_shown()->left[12], 1);
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  EXPECT_EQ(name(), "au12_edited");
+  EXPECT_EQ(session_->edited_shown(), "au12_edited");
+  EXPECT_FALSE(session_->aus_shown().has_value()) << "it is no AU 12 any more";
+}
+
 TEST_F(FaceSessionTest, AnAuThatCameWithTheFaceIsAsItCameAgain) {
   ask(gui::LoadAu{12});
   const float jaw = shown("jaw");
