@@ -75,6 +75,13 @@ void said_of_au(const AuEntry* entry) {
   ImGui::EndChild();
 }
 
+/// What the button does, or why it cannot.
+const char* help_of_removing(const AuEntry* entry) {
+  if (entry == nullptr) return tr("editor.not_there_tip");
+  if (entry->own) return entry->shipped ? tr("editor.as_it_came_tip") : tr("editor.delete_tip");
+  return entry->shipped ? tr("editor.is_as_it_came_tip") : tr("editor.not_own_tip");
+}
+
 /// What can be done with saved AUs.
 void au_file_buttons(const GuiModel& model, GuiCommands& commands) {
   const AuEntry* entry = entry_of(model, model.editor.au);
@@ -84,7 +91,7 @@ void au_file_buttons(const GuiModel& model, GuiCommands& commands) {
   if (wide_button(tr("button.export"), 1, 3, known)) commands.push_back(Browse{Purpose::ExportAu});
   const char* remove = known && !entry->shipped ? tr("button.delete") : tr("editor.as_it_came");
   if (wide_button(remove, 2, 3, known && entry->own)) commands.push_back(RemoveAu{entry->number});
-  tip(known && !entry->shipped ? tr("editor.delete_tip") : tr("editor.as_it_came_tip"), true);
+  tip(help_of_removing(entry), true);
 }
 
 /// What a face with it looks like, and what it drives.

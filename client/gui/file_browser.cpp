@@ -4,13 +4,31 @@
 #include <system_error>
 #include <utility>
 
+#include "common/text.h"
+
 namespace aucast::gui {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders first, then files, each by name; hidden ones are left out.
-std::vector<FileEntry> entries_of(const fs::path& folder, std::error_code& error) {
+/// Whether it may be what is asked for, by its ending. Tables are known by what is in them and have
+/// many names; one with another ending can still be typed.
+bool may_open(Purpose purpose, const fs::path& file) {
+  const std::string ending = lowered(file.extension().string());
+  switch (purpose) {
+    case Purpose::PlayStream:
+      return ending == ".txt" || ending == ".csv" || ending == ".tsv";
+    case Purpose::ComposeStream:
+      return ending == ".txt";
+    case Purpose::ImportAus:
+      return ending == ".toml";
+    default:
+      return true;
+  }
+}
+
+/// Folders first, then files, each by name; hidden ones are left out, and what cannot be opened.
+std::vector<FileEntry> entries_of(const fs::path& folder, Purpose purpose, std::error_code& error) {
   std::vector<FileEntry> entries;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     FileEntry entry;
@@ -18,7 +36,8 @@ std::vector<FileEntry> entries_of(const fs::path& folder, std::error_code& error
     if (entry.name.starts_with('.')) continue;
     std::error_code ignored;
     entry.folder = it->is_directory(ignored);
-    if (entry.folder || it->is_regular_file(ignored)) entries.push_back(std::move(entry));
+    const bool offered = it->is_regular_file(ignored) && may_open(purpose, it->path());
+    if (entry.folder || offered) entries.push_back(std::move(entry));
   }
   std::sort(entries.begin(), entries.end(), [](const FileEntry& a, const FileEntry& b) {
     return a.folder != b.folder ? a.folder : a.name < b.name;
@@ -56,7 +75,7 @@ void FileBrowser::open(Purpose purpose, const fs::path& folder, std::string name
 void FileBrowser::enter(const fs::path& folder) {
   const fs::path wanted = (fs::path(view_.folder) / folder).lexically_normal();
   std::error_code error;
-  std::vector<FileEntry> entries = entries_of(wanted, error);
+  std::vector<FileEntry> entries = entries_of(wanted, view_.purpose, error);
   view_.replaces.clear();
   if (error) {
     view_.problem = wanted.string() + ": " + error.message();

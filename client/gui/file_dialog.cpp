@@ -70,6 +70,7 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8 * look.scale, 6 * look.scale));
   if (ImGui::BeginChild("entries", ImVec2(0, height), false,
                         ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened)) {
+    const bool saving = is_saving(view.purpose);
     for (const FileEntry& entry : view.entries) {
       const bool chosen = !entry.folder && entry.name == form.name.data();
       const std::string shown = entry.folder ? entry.name + "/" : entry.name;
@@ -77,14 +78,15 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
                                                         : ImGui::GetColorU32(ImGuiCol_Text));
       const bool clicked = list_item(shown, chosen, ImGuiSelectableFlags_AllowDoubleClick);
       if (std::exchange(form.to_first, false)) focus_here(false);
+      // What was gone or typed to is chosen, so that the button below opens it.
+      if (!saving && !entry.folder && focus_is_here()) set_text(form.name, entry.name);
       ImGui::PopStyleColor();
       if (!clicked) continue;
       if (entry.folder) {
         commands.push_back(EnterFolder{entry.name});
       } else {
         set_text(form.name, entry.name);
-        const bool takes =
-            ImGui::IsMouseDoubleClicked(0) || (used_by_keys() && !is_saving(view.purpose));
+        const bool takes = ImGui::IsMouseDoubleClicked(0) || (used_by_keys() && !saving);
         if (takes) commands.push_back(ChooseFile{entry.name});
       }
     }
@@ -96,17 +98,18 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
 }
 
 /// Why it was not done; empty: nothing is wrong.
-std::string objection(const BrowserView& view) {
+std::string objection(const BrowserView& view, const FileForm& form) {
   if (!view.problem.empty()) return view.problem;
+  if (is_saving(view.purpose) && form.name[0] == 0) return tr("file.unnamed");
   return view.replaces.empty() ? std::string() : tr("file.there", view.replaces);
 }
 
 /// What decide() takes: the buttons stay where they are when there is an objection.
-float height_of_decision(const BrowserView& view) {
+float height_of_decision(const BrowserView& view, const FileForm& form) {
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   float height = ImGui::GetFrameHeight() + gap;
   if (is_saving(view.purpose)) height += ImGui::GetFrameHeight() + gap;
-  const std::string text = objection(view);
+  const std::string text = objection(view, form);
   if (text.empty()) return height;
   const float width = ImGui::GetContentRegionAvail().x;
   return height + ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y + gap;
@@ -146,17 +149,35 @@ void table_settings(const Look& look, const TableSettings& now, const TableSetti
   if (changed) commands.push_back(ChangeTable{settings});
 }
 
+/// ImGui takes some frames to bring the focus to the field: what is typed meanwhile waits for it.
+void keep_typed(FileForm& form) {
+  auto& typed = ImGui::GetIO().InputQueueCharacters;
+  if (form.waits) {
+    form.typed.insert(form.typed.end(), typed.begin(), typed.end());
+  } else if (!form.typed.empty()) {
+    form.typed.insert(form.typed.end(), typed.begin(), typed.end());
+    typed.clear();
+    for (const unsigned character : form.typed) typed.push_back(static_cast<ImWchar>(character));
+    form.typed.clear();
+  }
+}
+
 void decide(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
   const bool saving = is_saving(view.purpose);
   bool entered = false;
   if (saving) {
     label(look, tr("file.name"));
-    if (std::exchange(form.to_name, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(form.to_name, false)) {
+      ImGui::SetKeyboardFocusHere();
+      form.waits = true;
+    }
+    keep_typed(form);
     entered =
         ImGui::InputText("##name", form.name.data(), form.name.size(),
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemActive() || ImGui::IsAnyMouseDown()) form.waits = false;
   }
-  const std::string text = objection(view);
+  const std::string text = objection(view, form);
   if (!text.empty()) toned_text(view.problem.empty() ? Tone::Waiting : Tone::Bad, text);
   const bool folder = is_folder(view.purpose);
   const char* action = folder                  ? tr("file.this_folder")
@@ -209,7 +230,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
   }
   folder_line(look, view, form, commands);
   if (view.purpose == Purpose::PlayStream) table_settings(look, model.table, form.kept, commands);
-  const float below = height_of_decision(view);
+  const float below = height_of_decision(view, form);
   entry_list(look, view, form, std::max(ImGui::GetContentRegionAvail().y - below, 60.0F), commands);
   decide(look, view, form, commands);
   const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));

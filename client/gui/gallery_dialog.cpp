@@ -78,8 +78,6 @@ bool size(const Look& look, GallerySettings& settings) {
   ImGui::SameLine(0, 0);
   ImGui::SetNextItemWidth(each);
   changed |= ImGui::InputInt("##height", &settings.height, 0);
-  settings.width = std::clamp(settings.width, kPictureSideMin, kPictureSideMax);
-  settings.height = std::clamp(settings.height, kPictureSideMin, kPictureSideMax);
   return changed;
 }
 

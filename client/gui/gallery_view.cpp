@@ -24,6 +24,11 @@ std::vector<std::string> wanted_sweeps(const GallerySettings& settings) {
 std::string problem(const GallerySettings& settings) {
   if (settings.folder.empty()) return tr("gallery.no_folder");
   if (wanted_sections(settings).empty()) return tr("gallery.no_section");
+  for (const int side : {settings.width, settings.height}) {
+    if (side < kPictureSideMin || side > kPictureSideMax) {
+      return tr("gallery.wrong_size", kPictureSideMin, kPictureSideMax);
+    }
+  }
   if (settings.sections.back() && wanted_sweeps(settings).empty()) {
     return tr("gallery.no_sweep");
   }

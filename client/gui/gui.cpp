@@ -379,7 +379,7 @@ bool Gui::prepare(const DisplayView& display) {
 }
 
 void Gui::draw(const GuiModel& model, GuiCommands& commands) {
-  state_->focus.before_frame();
+  state_->focus.before_frame(model.browser.open);
   ImGui::NewFrame();
   state_->focus.begin();
   state_->faces.seen.clear();

@@ -49,8 +49,12 @@ std::vector<ImGuiWindow*> windows() {
 }  // namespace
 
 void TypeAhead::take(bool listens, double now) {
-  looks_ = false;
-  if (!listens) return typed_.clear();
+  // What was typed while the list was still coming up is looked for once it is there.
+  if (now - last_ > kPauseEndsWord) looks_ = false;
+  if (!listens) {
+    looks_ = false;
+    return typed_.clear();
+  }
   for (const ImWchar character : ImGui::GetIO().InputQueueCharacters) {
     if (character < ' ') continue;
     if (now - last_ > kPauseEndsWord) typed_.clear();
@@ -72,7 +76,7 @@ TypeAhead& type_ahead() {
   return one;
 }
 
-void KeyboardFocus::before_frame() {
+void KeyboardFocus::before_frame(bool opens) {
   ImGuiIO& io = ImGui::GetIO();
   ImGuiContext& context = *ImGui::GetCurrentContext();
   const bool clicked =
@@ -84,7 +88,7 @@ void KeyboardFocus::before_frame() {
   const bool walks = mapped && (shown_ || popup) && !is_down(ImGuiKey_Escape);
   io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   if (walks) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  type_ahead().take(popup && context.ActiveId == 0, ImGui::GetTime());
+  type_ahead().take((popup || opens) && context.ActiveId == 0, ImGui::GetTime());
 }
 
 void KeyboardFocus::begin() {
@@ -196,6 +200,10 @@ void focus_here(bool shows) {
   context.NavInitResultId = 0;  // or a window that has just appeared would take its first item
   if (shows) context.NavDisableHighlight = false;
   ImGui::SetScrollHereY();
+}
+
+bool focus_is_here() {
+  return !ImGui::GetCurrentContext()->NavDisableHighlight && ImGui::IsItemFocused();
 }
 
 bool used_by_keys() {

@@ -18,7 +18,7 @@ class TypeAhead {
  private:
   std::string typed_;
   double last_ = 0;
-  bool looks_ = false;
+  bool looks_ = false;  ///< what was typed has not been found yet
 };
 
 /// That of the list that is open.
@@ -30,7 +30,8 @@ class TypeAhead {
 /// one window.
 class KeyboardFocus {
  public:
-  void before_frame();
+  /// `opens`: a dialog with a list is open, or will be in this frame.
+  void before_frame(bool opens);
   /// Behind ImGui::NewFrame().
   void begin();
   /// Before ImGui::Render().
@@ -72,6 +73,8 @@ class MouseOnly {
 
 /// Puts the focus on the item before, where it is seen; `shows`: the focus too.
 void focus_here(bool shows);
+/// The item before has the focus, and that is seen.
+[[nodiscard]] bool focus_is_here();
 /// What was just pressed was so without the mouse.
 [[nodiscard]] bool used_by_keys();
 /// Around the item before, if it has the focus: for items that draw themselves.

@@ -47,7 +47,7 @@ Notice of_connection(const RemoteView& remote) {
 
 void notices(const Look& look, const GuiModel& model, float width, NoticeForm& form,
              GuiCommands& commands) {
-  const float above = model.local.open ? kTransportHeight * look.scale : 0;
+  const float above = transport_height(look, model, width);
   float bottom = ImGui::GetIO().DisplaySize.y - above - 14 * look.scale;
   if (!model.notice.text.empty() && sentence(look, "notice", model.notice, width, bottom)) {
     commands.push_back(CloseNotice{});

@@ -90,8 +90,8 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
 /// Before anything was opened: a sample, files, and where the rest is.
 void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
 
-/// Of the bar below, at scale 1.
-inline constexpr float kTransportHeight = 76;
+/// How high that bar is; 0: nothing plays that it is for. With little room it has a second line.
+[[nodiscard]] float transport_height(const Look& look, const GuiModel& model, float width);
 /// The bar under the face by which a stream that is there whole is played; `width`: what the side
 /// panel leaves free.
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
@@ -133,9 +133,11 @@ struct FileForm {
   std::array<char, 256> name{};
   std::string shown_folder;  ///< of the model that was taken over
   std::string shown_name;
-  TableSettings kept;     ///< those in force when the dialog was opened
-  bool to_first = false;  ///< the focus goes to the first entry
-  bool to_name = false;   ///< the focus goes to the name
+  TableSettings kept;           ///< those in force when the dialog was opened
+  bool to_first = false;        ///< the focus goes to the first entry
+  bool to_name = false;         ///< the focus goes to the name
+  bool waits = false;           ///< it has not come there yet
+  std::vector<unsigned> typed;  ///< meanwhile
 };
 
 /// The file dialog, while the model has one open.

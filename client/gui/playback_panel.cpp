@@ -17,11 +17,22 @@ constexpr float kLoopWidth = 76;
 constexpr float kRepeatWidth = 66;
 /// With less room the bar leaves out what there are keys for.
 constexpr float kRoomy = 560;
-constexpr float kNarrow = 340;
+constexpr float kNarrow = 370;
+/// At scale 1; what the line of the names adds to it.
+constexpr float kOneLineHeight = 76;
+constexpr float kNamesHeight = 24;
 /// More marks than this would be a grey band.
 constexpr float kMarksApart = 5;
 
-enum class Icon : std::uint8_t { Play, Pause, KeyframeBack, FrameBack, FrameOn, KeyframeOn };
+enum class Icon : std::uint8_t {
+  Play,
+  Pause,
+  KeyframeBack,
+  FrameBack,
+  FrameOn,
+  KeyframeOn,
+  Repeat
+};
 
 /// "1:05.25"
 std::string time_text(Duration time) {
@@ -64,6 +75,17 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float r, unsigned col
       triangle(middle.x - 1.0F * r, 1);
       bar(middle.x + 0.6F * r, 0.4F * r);
       break;
+    case Icon::Repeat: {
+      // Around, and an arrow's head at the end.
+      constexpr float kQuarter = 1.5708F;
+      const float around = 0.85F * r;
+      list.PathArcTo(middle, around, -0.3F * kQuarter, 3 * kQuarter, 20);
+      list.PathStroke(colour, 0, 0.3F * r);
+      const ImVec2 head(middle.x, middle.y - around);
+      list.AddTriangleFilled(ImVec2(head.x, head.y - 0.6F * r), ImVec2(head.x + 0.8F * r, head.y),
+                             ImVec2(head.x, head.y + 0.6F * r), colour);
+      break;
+    }
     case Icon::FrameBack:
       triangle(middle.x + 0.7F * r, -1);
       break;
@@ -211,23 +233,78 @@ void loop_button(const Look& look, const LocalView& local, GuiCommands& commands
   tip(help);
 }
 
-void repeat_button(const Look& look, const LocalView& local, GuiCommands& commands) {
+void repeat_button(const Look& look, const LocalView& local, bool roomy, GuiCommands& commands) {
   if (local.repeats) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
   }
-  if (ImGui::Button(tr("play.repeat"), ImVec2(kRepeatWidth * look.scale, 0))) {
-    commands.push_back(LocalCommand(ToggleRepeat{}));
-  }
+  const std::string help = tr("play.repeat_tip");
+  const bool pressed = roomy
+                           ? ImGui::Button(tr("play.repeat"), ImVec2(kRepeatWidth * look.scale, 0))
+                           : icon_button(look, "##repeat", Icon::Repeat, help);
   if (local.repeats) ImGui::PopStyleColor();
-  tip(tr("play.repeat_tip"));
+  if (roomy) tip(help);
+  if (pressed) commands.push_back(LocalCommand(ToggleRepeat{}));
+}
+
+/// The place, the whole time and the name, which gives way: it ends `before` a place of the screen.
+void times_and_name(const LocalView& local, float before) {
+  ImGui::AlignTextToFramePadding();
+  const std::string text = time_text(local.position) + " / " + time_text(local.total);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::SameLine();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(at, ImVec2(before, at.y + ImGui::GetFrameHeight()), true);
+  ImGui::TextDisabled("%s", local.name.c_str());
+  ImGui::PopClipRect();
+  tip(local.name);
+}
+
+/// All in one line.
+void roomy_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float right = ImGui::GetWindowWidth() - style.WindowPadding.x - 2 * style.ItemSpacing.x -
+                      (kSpeedWidth + kLoopWidth + kRepeatWidth) * look.scale;
+  steps(look, local, commands);
+  times_and_name(local, ImGui::GetWindowPos().x + right - style.ItemSpacing.x);
+  ImGui::SameLine(std::max(right, 0.0F));
+  speed_choice(look, local, commands);
+  ImGui::SameLine();
+  loop_button(look, local, commands);
+  ImGui::SameLine();
+  repeat_button(look, local, true, commands);
+}
+
+/// What is read stands below the buttons.
+void small_bar(const Look& look, const LocalView& local, float width, GuiCommands& commands) {
+  if (width < kNarrow * look.scale) {
+    pause_button(look, local, commands);
+    repeat_button(look, local, false, commands);
+    ImGui::NewLine();
+  } else {
+    steps(look, local, commands);
+    repeat_button(look, local, false, commands);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::SameLine(ImGui::GetWindowWidth() - style.WindowPadding.x - style.ItemSpacing.x -
+                    (kSpeedWidth + kLoopWidth) * look.scale);
+    speed_choice(look, local, commands);
+    ImGui::SameLine();
+    loop_button(look, local, commands);
+  }
+  times_and_name(local, ImGui::GetWindowPos().x + width);
 }
 
 }  // namespace
 
+float transport_height(const Look& look, const GuiModel& model, float width) {
+  if (!model.local.open) return 0;
+  const bool roomy = width > kRoomy * look.scale;
+  return (roomy ? kOneLineHeight : kOneLineHeight + kNamesHeight) * look.scale;
+}
+
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {
   const LocalView& local = model.local;
   if (!local.open) return;
-  const float height = kTransportHeight * look.scale;
+  const float height = transport_height(look, model, width);
   ImGui::SetNextWindowPos(ImVec2(0, ImGui::GetIO().DisplaySize.y - height));
   ImGui::SetNextWindowSize(ImVec2(width, height));
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -237,38 +314,10 @@ void transport_bar(const Look& look, const GuiModel& model, float width, GuiComm
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * look.scale, 8 * look.scale));
   if (ImGui::Begin("transport", nullptr, kFlags)) {
     seek_bar(look, local, commands);
-    const bool narrow = width < kNarrow * look.scale;
-    if (narrow) {
-      pause_button(look, local, commands);
+    if (width > kRoomy * look.scale) {
+      roomy_bar(look, local, commands);
     } else {
-      steps(look, local, commands);
-    }
-    ImGui::AlignTextToFramePadding();
-    const bool roomy = width > kRoomy * look.scale;
-    std::string text = time_text(local.position);
-    if (roomy) text += " / " + time_text(local.total);
-    ImGui::TextUnformatted(text.c_str());
-    const ImGuiStyle& style = ImGui::GetStyle();
-    float right = ImGui::GetWindowWidth() - style.WindowPadding.x - style.ItemSpacing.x -
-                  (kSpeedWidth + kLoopWidth) * look.scale;
-    if (roomy) right -= kRepeatWidth * look.scale + style.ItemSpacing.x;
-    if (roomy) {
-      ImGui::SameLine();
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      const float end = ImGui::GetWindowPos().x + right - style.ItemSpacing.x;
-      ImGui::PushClipRect(at, ImVec2(end, at.y + ImGui::GetFrameHeight()), true);
-      ImGui::TextDisabled("%s", local.name.c_str());
-      ImGui::PopClipRect();
-    }
-    if (!narrow) {
-      ImGui::SameLine(std::max(right, 0.0F));
-      speed_choice(look, local, commands);
-      ImGui::SameLine();
-      loop_button(look, local, commands);
-    }
-    if (roomy) {
-      ImGui::SameLine();
-      repeat_button(look, local, commands);
+      small_bar(look, local, width, commands);
     }
   }
   ImGui::End();
@@ -327,14 +376,17 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
     wanted.height = kind == 0 ? 0 : kind == 1 ? 1080 : 1000;
   }
   if (kind == 2) {
+    const std::string limits = tr("play.side_tip", kPictureSideMin, kPictureSideMax);
     label(look, tr("play.width"));
     if (number_field("##picturewidth", wanted.width, kSideSteps)) {
       wanted.width = std::clamp(wanted.width, kPictureSideMin, kPictureSideMax);
     }
+    tip(limits);
     label(look, tr("play.height"));
     if (number_field("##pictureheight", wanted.height, kSideSteps)) {
       wanted.height = std::clamp(wanted.height, kPictureSideMin, kPictureSideMax);
     }
+    tip(limits);
   }
   if (wanted == now) return;
   form.taken = wanted;

@@ -127,7 +127,7 @@ void captions(const Look& look, const GuiModel& model, float width) {
     written(look, "title", spoken.title, width / 2, margin, 0, room);
   }
   if (spoken.caption.empty()) return;
-  const float above = model.local.open ? kTransportHeight * look.scale : 0;
+  const float above = transport_height(look, model, width);
   written(look, "caption", spoken.caption, width / 2, ImGui::GetIO().DisplaySize.y - above - margin,
           1, room);
 }

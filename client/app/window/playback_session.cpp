@@ -251,6 +251,14 @@ int PlaybackSession::step_fps() const {
   return options_.output.fps.value_or(SessionVideo::kFps);
 }
 
+/// Said, because the bar with its button may be hidden when the key is pressed.
+void PlaybackSession::toggle_repeat(playback::LocalPlayback& playhead, Instant now) {
+  playhead.set_repeat(!playhead.repeats(), now);
+  notices_.say(gui::tr(playhead.repeats() ? gui::TextKey("said.repeats")
+                                          : gui::TextKey("said.repeats_no_more")),
+               false, now);
+}
+
 bool PlaybackSession::apply_local(const gui::LocalCommand& command, Instant now) {
   auto* const whole = seekable();
   if (whole == nullptr) return false;
@@ -284,7 +292,7 @@ bool PlaybackSession::apply_local(const gui::LocalCommand& command, Instant now)
                                return false;
                              },
                              [&](const gui::ToggleRepeat&) {
-                               playhead.set_repeat(!playhead.repeats(), now);
+                               toggle_repeat(playhead, now);
                                return false;
                              }};
   return std::visit(carry_out, command);

@@ -94,6 +94,7 @@ class PlaybackSession {
   bool resume(Instant now);
   [[nodiscard]] int step_fps() const;
   bool apply_local(const gui::LocalCommand& command, Instant now);
+  void toggle_repeat(playback::LocalPlayback& playhead, Instant now);
   void begun(const playback::KeyframeBegun& keyframe, Instant at);
   void explain();
   void remember(Instant now);

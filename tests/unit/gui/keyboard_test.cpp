@@ -212,6 +212,29 @@ TEST_F(Keyboard, AFileIsFoundByItsFirstLettersAndOpened) {
   EXPECT_EQ(file->file, "tired.txt");
 }
 
+TEST_F(Keyboard, WhatIsTypedAsADialogOpensIsNotLost) {
+  model_.browser.open = true;
+  model_.browser.folder = "/streams";
+  model_.browser.entries = {{"lectures", true}, {"smile.txt"}, {"talk.txt"}, {"tired.txt"}};
+  type("tired");
+  commands_.clear();
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "tired.txt");
+  model_.browser = {};
+  frames(2);
+  model_.browser.open = true;
+  model_.browser.purpose = Purpose::SaveStream;
+  model_.browser.folder = "/streams";
+  model_.browser.name = "composed.txt";
+  type("new.txt");
+  frames(3);
+  commands_.clear();
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "new.txt");
+}
+
 TEST_F(Keyboard, ANewFileIsSavedByEnterAndTypingNamesItAnew) {
   model_.browser.open = true;
   model_.browser.purpose = Purpose::ExportAu;
@@ -245,6 +268,20 @@ TEST_F(Keyboard, ArrowsWalkThroughTheFiles) {
   const auto file = asked<ChooseFile>();
   ASSERT_TRUE(file);
   EXPECT_EQ(file->file, "talk.txt");
+}
+
+TEST_F(Keyboard, RepeatIsInTheSmallestBarToo) {
+  model_.display.settings.text_percent = 200;
+  ASSERT_TRUE(gui_->prepare(model_.display));
+  ImGui::GetIO().DisplaySize = ImVec2(800, 600);
+  play_something();
+  const ImGuiWindow* const bar = ImGui::FindWindowByName("transport");
+  ASSERT_NE(bar, nullptr);
+  const ImGuiID repeat = ImHashStr("##repeat", 0, bar->ID);
+  for (int i = 0; i < 200 && focus() != repeat; ++i) press(ImGuiKey_Tab);
+  ASSERT_EQ(focus(), repeat);
+  press(ImGuiKey_Enter);
+  EXPECT_TRUE(asked<ToggleRepeat>());
 }
 
 struct TabWidgets {
@@ -304,7 +341,7 @@ TEST_F(Keyboard, WhatIsSaidOfAControlHidesNoOther) {
 TEST_F(Keyboard, WhatIsSaidOfAButtonOfTheBarStandsAboveTheBar) {
   play_something();
   const ImRect bar = rect_of("transport");
-  point_at(bar.Min.x + 30, bar.Max.y - 20);
+  point_at(bar.Min.x + 30, bar.Min.y + 45);
   ASSERT_NE(tooltip(), nullptr);
   EXPECT_FALSE(tooltip()->Rect().Overlaps(bar));
 }

@@ -381,13 +381,13 @@ TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {
   model_.local = three_keyframes();
   EXPECT_NE(picture().rgba, without.rgba);
   const float edge = kWidth - gui_->covered_width();
-  const auto seek = first_of<Seek>(click(edge / 2, kHeight - 60));
+  const auto seek = first_of<Seek>(click(edge / 2, kHeight - 82));
   ASSERT_TRUE(seek.has_value());
   EXPECT_NEAR(std::chrono::duration<double>(seek->position).count(), 0.3, 0.005);
   std::set<int> steps;
   bool plays = false;
   for (float x = 16; x < 220; x += 10) {
-    const GuiCommands all = click(x, kHeight - 24);
+    const GuiCommands all = click(x, kHeight - 55);
     if (const auto step = first_of<StepKeyframe>(all)) steps.insert(10 * step->direction);
     if (const auto step = first_of<StepFrame>(all)) steps.insert(step->direction);
     for (const GuiCommand& one : all) plays |= command_if<Resume>(one) != nullptr;

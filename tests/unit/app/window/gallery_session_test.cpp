@@ -119,6 +119,9 @@ TEST_F(GallerySessionTest, WithoutAFolderNothingBegins) {
   EXPECT_EQ(gui::problem(settings), "Choose a folder for the pictures.");
   settings.folder = "x";
   EXPECT_EQ(gui::problem(settings), "");
+  settings.width = 12;
+  EXPECT_EQ(gui::problem(settings), "width and height must be 16 to 4096 pixels");
+  settings.width = 512;
   settings.sections.back() = true;
   settings.sweeps = "12 6,12  happiness";
   EXPECT_EQ(gui::wanted_sweeps(settings), (std::vector<std::string>{"12", "6,12", "happiness"}));

@@ -88,6 +88,14 @@ TEST_F(StreamSessionTest, AWholeFileIsRepeated) {
   EXPECT_TRUE(session_->over());
 }
 
+TEST_F(StreamSessionTest, RepeatingIsSaidWhereNoBarShowsIt) {
+  open();
+  ask(LocalCommand(gui::ToggleRepeat{}));
+  EXPECT_EQ(model().notice.text, gui::tr("said.repeats"));
+  ask(LocalCommand(gui::ToggleRepeat{}));
+  EXPECT_EQ(model().notice.text, gui::tr("said.repeats_no_more"));
+}
+
 TEST_F(StreamSessionTest, SpaceHoldsAndPlaysAgainFromTheEnd) {
   open();
   go_on(Milliseconds(50));
