@@ -31,12 +31,13 @@ struct SentCounts {
 /// Thread: none of its own.
 class Delivery {
  public:
-  /// `loop`: a recorded stream starts again at its end, whatever it does where it comes from.
+  /// `loop`: a recorded stream starts again at its end, even if it does not where it comes from.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
   /// Another stream, before anything was sent; what was answered or paused beforehand counts.
   void choose(ServedStream stream) { stream_ = std::move(stream); }
-  /// Level 2 from now on, with what of the hello can be granted. `keyframe_ms` is only told.
+  /// Level 2 from now on; grants as much of `asked` as it can. `keyframe_ms` only goes into the
+  /// answer.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
   /// Everything that may be sent now.

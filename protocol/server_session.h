@@ -25,14 +25,15 @@ struct ServerCatalogue {
   /// The first is what a classic client gets. At least one, unless `patience` says that one may
   /// come.
   std::vector<ServedStream> streams;
-  std::uint32_t keyframe_ms = 250;  ///< granted in the hello
+  std::uint32_t keyframe_ms = 250;  ///< told in the hello
   bool loop = false;                ///< recorded: start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
   std::string id{};  ///< of this server, told to relays; empty: none
   /// Who may bring streams; null: nobody.
   std::shared_ptr<const Publishers> publishers{};
-  /// Asked with the hello of who may: why that stream cannot be taken now, if so.
+  /// Called with the hello of a publisher that may bring the stream: the refusal, if the stream
+  /// cannot be taken now.
   std::function<std::optional<ErrorReply>(const HelloAsked&)> publish_refused{};
   /// Streams may still be brought: how long a client waits for one that is not here. Nothing: none.
   std::optional<Milliseconds> patience{};
@@ -116,7 +117,7 @@ class ServerSession {
   /// While `held` is true, because the socket takes no more, no keyframe of a live stream is handed
   /// out; `false` hands out the newest. Without effect unless live().
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
-  /// The server itself stops: {-2} at once, then the closing of level 1.
+  /// The server itself stops: {-2} at once, then the closing of PROTOCOL.md section 8.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
   /// The server itself stops and another one goes on: who is sent a stream in level 2, or waits for
   /// one, is cut off without {-2}, and may come again with `from=`. Without effect for all others.

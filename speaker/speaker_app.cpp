@@ -55,7 +55,7 @@ std::vector<OptionRow> rows_of(Options& options) {
       {"name", "NAME", "", "name of the files (TEXT's, or speech)", "", word(options.name)},
       {"voice", "FILE", "", "a recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3)", "",
        word(options.recording)},
-      {"labels", "FILE", "", "when each sound is heard, in IPA, as labels for Audacity", "",
+      {"labels", "FILE", "", "write when each sound (IPA) is heard, for Audacity", "",
        word(options.labels)},
       {"data", "DIR", "", "folder with expressions.toml (the installed one)", "",
        word(options.data)},

@@ -138,7 +138,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"playout", "N", "30", "Playout buffer (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, 10'000)},
-      {"threshold", "PERCENT", "40", "start at (40 %)",
+      {"threshold", "PERCENT", "40", "start if full (40 %)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
       {"live", "", "", "lowest delay for live",
@@ -424,7 +424,7 @@ void describe_export(CommandPage& page) {
                 "face-player export FILE.glb [OPTIONS]          the face alone"};
   page.about =
       "Writes the face as glTF 2.0 for other programs, with morph targets, and prints\n"
-      "how far it is there from the face that is drawn here. The same stream and\n"
+      "how far that face is from the one drawn here. The same stream and\n"
       "options give the same bytes. It has no sound: play STREAM --sound FILE.wav\n"
       "writes one that begins with the animation.\n";
   page.examples = {"face-player export talk.txt talk.glb",
@@ -452,8 +452,8 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
          "it, and scripts/install_models.sh must have fetched the models that read faces.",
          flag(options.shows_mirror)}};
   } else if (command == Command::Play) {
-    rows = {{"file", "FILE", "", "a stream file", "", word(options.playback.file), "",
-             Where::Positional}};
+    rows = {{"file", "FILE", "", "a stream file or a recogniser's table", "",
+             word(options.playback.file), "", Where::Positional}};
   } else if (command == Command::Pose) {
     rows = pose_rows(options.pose);
   } else if (command == Command::Gallery) {

@@ -24,8 +24,8 @@ struct DeformedFace {
   std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
 };
 
-/// The face at rest, at once: what a FaceDeformer gives for activations of 0, but for the last
-/// digits of the normals.
+/// The face at rest without the time that it takes to make a deformer. It is what deform() gives
+/// for activations of 0; only the normals may differ, in their last digits.
 [[nodiscard]] DeformedFace face_at_rest(const Face& face);
 
 /// Turns activations into positions. Muscles displace vertices from the rest face, and their
@@ -44,8 +44,8 @@ class FaceDeformer {
   FaceDeformer& operator=(FaceDeformer&&) noexcept;
 
   /// `activations`: one per channel, clamped to [0, activation_max]; one that is not finite is
-  /// taken as 0. All zero gives the rest face bit for bit. The result is valid until the next call.
-  /// Nothing is allocated after the first call.
+  /// taken as 0. All zero gives the positions of the face's own mesh bit for bit. The result is
+  /// valid until the next call. Nothing is allocated after the first call.
   const DeformedFace& deform(std::span<const float> activations);
 
  private:
@@ -54,8 +54,8 @@ class FaceDeformer {
   std::unique_ptr<State> state_;
 };
 
-/// A deformer in portions of a few milliseconds, for who must not stand still meanwhile. The face
-/// must outlive it.
+/// Makes a deformer in steps of a few milliseconds, for callers that must not stand still
+/// meanwhile. The face must outlive it.
 class FaceDeformer::Making {
  public:
   explicit Making(const Face& face);

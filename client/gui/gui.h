@@ -23,7 +23,7 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// Makes font and style for this language and size of letters, if they are for others. True: the
+  /// Makes font and style for this language and size of letters, if these have changed. True: the
   /// texture of the font must be made anew before the backends begin their frame.
   [[nodiscard]] bool prepare(const DisplayView& display);
 
@@ -31,8 +31,7 @@ class Gui {
   /// data. What the user asked for goes to the end of `commands`.
   void draw(const GuiModel& model, GuiCommands& commands);
 
-  /// The texture that has the picture of `mirror.seen`, by the name that ImGui's backend takes; 0:
-  /// none.
+  /// The texture that has the picture of `mirror.seen`, as ImGui's texture ID; 0: none.
   void set_camera_texture(std::uintptr_t texture);
 
   /// The pictures of faces, by folder.
@@ -43,7 +42,7 @@ class Gui {
   void toggle_panel();
   /// Nothing but the face, or panel and bar again.
   void toggle_bare();
-  /// Whether the face was alone: it no longer is.
+  /// Shows panel and bar again; true when they were not shown.
   bool end_bare();
   /// In full screen panel and bar lie over the face instead of beside it.
   void set_full_screen(bool full_screen);

@@ -38,14 +38,14 @@ struct RemoteOptions {
   bool voice = false;     ///< ask for the stream's voice
   bool captions = false;  ///< ask for its captions
   /// Called on the network thread when something changed, to the end of the source's life; may only
-  /// unblock the player (mpv's wakeup). May be empty.
+  /// unblock the player. May be empty.
   std::function<void()> wakeup;
 };
 
-/// The keyframes of a server. A thread of its own dials and runs a ServerConnection. The reader is
-/// the one object that both threads touch; what the player asks of the network thread is posted to
-/// it. A failure shows in status(): Unreachable, ConnectionLost, ProtocolError or Refused, with a
-/// sentence for the user. What was received before is still given.
+/// The keyframes of a server. A thread of its own dials and runs a ServerConnection, whose
+/// AuReader is the one object that both threads touch; what the player asks of the network thread
+/// is posted to it. A failure shows in status(): Unreachable, ConnectionLost, ProtocolError or
+/// Refused, with a sentence for the user. What was received before is still given.
 class RemoteSource final : public playback::KeyframeSource {
  public:
   explicit RemoteSource(RemoteOptions options);  ///< starts connecting at once

@@ -35,9 +35,9 @@ enum class PlaybackState : std::uint8_t {
 struct KeyframeBegun {
   TimedAus target;
   Milliseconds duration{0};  ///< its own time: the packet's, else --speed, else the server's
-                             ///< default; a live keyframe may take up to 5 % more or less
-  double cut_at = 1;  ///< how far the keyframe before it had come: 1, less if that was an easing to
-                      ///< neutral which this one interrupts
+                             ///< default. A live keyframe may in fact take 5 % more or less
+  double cut_at = 1;  ///< how far the keyframe before it had come: 1, or less if that was an easing
+                      ///< to neutral, which this one interrupts
   std::optional<AuFrame> from{};  ///< the face sets out from these AUs; nullopt: from where it is
 };
 
@@ -52,9 +52,9 @@ struct PlaybackProgress {
 /// start frame of the next, which begins exactly where the last one ended, so that nothing drifts:
 /// N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe of 0 ms
 /// is a jump: it is over as soon as it has begun. A live keyframe with a due time takes until then,
-/// but at least 95 % and at most 105 % of its own time (spoken ones 99.5 % and 100.5 %); after a
-/// stall it begins when it arrived, but not before the previous call of advance(). The times handed
-/// in must not go back. Thread: the player's.
+/// but at least 95 % and at most 105 % of its own time (99.5 % and 100.5 % while somebody speaks);
+/// after a stall it begins when it arrived, but not before the previous call of advance(). The
+/// times handed in must not go back. Thread: the player's.
 class PlaybackController {
  public:
   /// `speed`: --speed; nullopt: the server's default for untimed packets.
@@ -142,11 +142,11 @@ class PlaybackController {
   bool film_clock_ = false;
   Duration ahead_{0};
   Duration lead_{0};
-  std::optional<Milliseconds> place_;  ///< that the keyframe under way reaches
-  Milliseconds span_{0};               ///< and what it takes of that clock
-  Instant looked_at_{};                ///< by the last advance()
-  Instant looked_before_{};            ///< by the one before
-  Instant stalled_since_{};            ///< or lost
+  std::optional<Milliseconds> place_;  ///< of the end of the keyframe under way
+  Milliseconds span_{0};               ///< how long it lasts on the clock of places
+  Instant looked_at_{};                ///< `now` of the last advance()
+  Instant looked_before_{};            ///< `now` of the advance() before that
+  Instant stalled_since_{};            ///< or lost since
   bool stall_counted_ = true;
   bool eased_ = false;
   Instant ease_begin_{};

@@ -31,8 +31,9 @@ struct SoundCounts {
 /// Plays the sound of a playback and tells the time by what is heard of it. Playback is advanced to
 /// now(), which is ahead of what is heard by lead(), so that the sound of what it does is written
 /// in time; the face of shown() is the one that belongs to the sound that is being heard. While
-/// nothing sounds both are the steady clock. Neither ever goes back.
-/// The lead is kLeadMin, and grows with each time that the device ran out of sound.
+/// nothing sounds both go on with the steady clock from where they were. Neither ever goes back.
+/// The lead is kLeadMin, and kLeadStep more with each time that the device ran out of sound, up to
+/// kLeadMax.
 /// A device that is lost, or that plays nothing for kDeafMax, is given up.
 /// Thread: the player's.
 class SoundPlayer {
@@ -51,16 +52,17 @@ class SoundPlayer {
   /// the first of them will be heard. Empty: nowhere.
   using Tap = std::function<void(Instant heard_at, std::span<const float> samples)>;
   void set_tap(Tap tap) { tap_ = std::move(tap); }
-  /// Something else plays from now on, which may bring a track of its own; it must outlive this or
-  /// the next open().
+  /// Something else plays from now on; `track` is its sound, null: none beside what `playback`
+  /// brings. Both must live until the next open() or the end of this object.
   void open(playback::Playback* playback, SoundTrack* track = nullptr);
   /// What playback is to be advanced to at `steady`. The moments must not go back.
   [[nodiscard]] Instant now(Instant steady);
   /// Playback has been advanced to what now() gave: writes the sound since then.
   void advanced();
-  /// The moment whose face is to be shown, as of the last now(); at most that.
+  /// The moment whose face is to be shown, as of the last now(), and never later
+  /// than what that gave.
   [[nodiscard]] Instant shown() const { return shown_; }
-  /// How far playback is ahead of that.
+  /// now() - shown().
   [[nodiscard]] Duration lead() const { return now_ - shown_; }
   /// The face of shown() is on the display: measures how far it is from what is heard.
   void face_shown();

@@ -18,7 +18,7 @@ struct Ending {
     Lost,       ///< it broke before finish()
     NotTls,     ///< the peer does not speak TLS
     Untrusted,  ///< a certificate is not accepted, by us or by the peer
-    TlsFailed,  ///< anything else that went wrong with TLS, a slow handshake among it
+    TlsFailed,  ///< anything else that went wrong with TLS, such as a slow handshake
     NotMade,    ///< of a link that dials itself: it never opened
     WebSocketFailed,  ///< the peer's frames break the rules of WebSocket
   };
@@ -66,7 +66,7 @@ class Link {
 
   /// Begins. `user` must live until on_closed() or close().
   virtual void start(LinkUser& user) = 0;
-  /// Of a link that is open: from now on `user` is told, in place of the one before.
+  /// Once the link is open: from now on it tells `user`, and no longer the one before.
   virtual void hand_over(LinkUser& user) = 0;
   /// Sends at once what the system takes at once; the rest waits. Ignored after finish().
   virtual void write(std::string_view bytes) = 0;

@@ -23,9 +23,9 @@ using OnReady = std::function<Result<void>(const ReadyAt& where)>;
 
 /// How serving came to its end.
 struct RunResult {
-  std::optional<Error> error;  ///< what went wrong without stopping anything, such as a recording
-  /// A thread still reads files, a reload also from what `options` and `load` refer to: the process
-  /// must end without returning from where they live.
+  std::optional<Error> error;  ///< what went wrong without ending it, as a --record that failed
+  /// A thread still reads files, and may use `options` and `load`: the process must end without
+  /// destroying them.
   bool reading = false;
 };
 

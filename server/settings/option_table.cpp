@@ -92,7 +92,7 @@ std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
        "The token that the server of an aucast:// source wants, one word in a file. It is sent "
        "only over TLS or to this host.",
        word(upstream.token)},
-      {"upstream-wait", "S", "10", "hold when lost (10)",
+      {"upstream-wait", "S", "10", "keep clients (10)",
        "Seconds, up to 86400. While nobody sends a stream of an aucast:// source or of "
        "--accept-push, its clients hold for so long; then those of a live stream get {-2}, and "
        "those of a recorded one that is not whole are cut off. The servers are tried on. A client "
@@ -143,7 +143,7 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
 
 std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credentials) {
   return {
-      {"push", "URL", "", "bring a stream there",
+      {"push", "URL", "", "send a stream there",
        "Brings a stream to another au-transmitter, which is dialled from here, as from behind a "
        "home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. It must run "
        "with --accept-push. NAME is the stream's name there. The stream sent is the one called "
@@ -159,7 +159,7 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        "The certificates of the authorities that the servers of --push aucasts:// must have "
        "their certificates from (PEM); without it those of the system.",
        word(push.tls.authorities)},
-      {"accept-push", "FILE", "", "take streams",
+      {"accept-push", "FILE", "", "let others push",
        "Streams that others bring by --push are served here too; a SOURCE is not needed then. FILE "
        "has a publisher a line: a token of at most 256 bytes, and after it, if it is not for any, "
        "the names of the streams that it may bring. These tokens are not those of viewers. A name "
@@ -289,7 +289,7 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
        "authorities (PEM): https and wss in place of http and ws. SIGHUP reads it again.",
        word(files.certificate)},
       {"web-key", "FILE", "", "and key", "The private key of --web-cert (PEM).", word(files.key)},
-      {"web-host", "NAME", "", "another name",
+      {"web-host", "NAME", "", "one more name",
        "A name that --web answers for, beside IP addresses, localhost and the names of "
        "--web-cert: its own, or that of a proxy before it. Pages of these names may watch by "
        "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "

@@ -105,7 +105,7 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "that of the quietest moments; of a table, whose AUs stay as they are, only head and "
        "eyes are straightened.",
        parsed(OptionValue::Kind::Number, read_neutral, options)},
-      {"gain", "LIST", "", "scale: 1.2,45=1.6 (1)",
+      {"gain", "LIST", "", "multiply: 1.2,45=1.6 (1)",
        "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "
        "for AU 45, L12=1.2 for the left side of AU 12; later ones win. Applied after the "
        "neutral face is subtracted; the result is limited to 100 %.",
@@ -116,7 +116,7 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "
        "Roussel and Vogel 2012. 0: no filter, whatever the profile has.",
        parsed(OptionValue::Kind::Number, read_filter, options.filter)},
-      {"dead-band", "LIST", "", "omit: 2,45=0 (2)",
+      {"dead-band", "LIST", "", "changes to leave out: 2,45=0 (2)",
        "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
        "AU that is not named. Jitter costs half of the bytes. An intensity is sent when it "
        "has changed by this much since it was last sent, so its error stays below that; a "

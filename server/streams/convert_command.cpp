@@ -218,7 +218,7 @@ CommandPage convert_page() {
                 "au-transmitter convert [OPTIONS] --to DIR IN..."},
       .about =
           "Converts a recording, a film or a stream file to a stream file or an OpenFace table,\n"
-          "with every change: no dead band applies.\n",
+          "with every change, however small.\n",
       .rows = unbound(rows_of(described)),
       .examples = {"au-transmitter convert webcam.csv talk.txt",
                    "au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt",
