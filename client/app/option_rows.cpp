@@ -138,7 +138,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"playout", "N", "30", "Playout buffer (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, 10'000)},
-      {"threshold", "PERCENT", "40", "start if full (40 %)",
+      {"threshold", "PERCENT", "40", "fill to (40 %)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
       {"live", "", "", "lowest delay for live",
