@@ -40,7 +40,7 @@ const char* title_of(Purpose purpose) {
     case Purpose::LookForFaces:
       return tr("file.faces");
   }
-  return "File";
+  return tr("button.open");
 }
 
 template <std::size_t N>
@@ -132,16 +132,20 @@ void table_settings(const Look& look, const TableSettings& now, const TableSetti
   TableSettings settings = now;
   bool changed = false;
   const auto number = [&](const char* name, const char* id, int& value, int most, int step,
-                          const char* help) {
+                          const char* zero, const char* help) {
     label(look, name);
-    changed |= number_field(id, value, {.near = step, .far = 10 * step, .most = most});
+    changed |=
+        number_field(id, value, {.near = step, .far = 10 * step, .most = most, .zero = zero});
     value = std::clamp(value, 0, most);
     tip(help);
   };
-  number(tr("file.fps"), "##fps", settings.fps, 1000, 1, tr("file.fps_tip"));
-  number(tr("file.rate"), "##rate", settings.rate, 100, 1, tr("file.rate_tip"));
-  number(tr("file.gain"), "##gain", settings.gain_percent, 1000, 10, tr("file.gain_tip"));
-  number(tr("file.quiet"), "##quiet", settings.quiet_s, 60, 1, tr("file.quiet_tip"));
+  number(tr("file.fps"), "##fps", settings.fps, 1000, 1, tr("file.fps_zero"), tr("file.fps_tip"));
+  number(tr("file.rate"), "##rate", settings.rate, 100, 1, tr("file.rate_zero"),
+         tr("file.rate_tip"));
+  number(tr("file.gain"), "##gain", settings.gain_percent, 1000, 10, tr("file.gain_zero"),
+         tr("file.gain_tip"));
+  number(tr("file.quiet"), "##quiet", settings.quiet_s, 60, 1, tr("file.quiet_zero"),
+         tr("file.quiet_tip"));
   if (wide_button(tr("file.tables_anew"), 0, 1, now != TableSettings{})) {
     settings = {};
     changed = true;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -117,6 +118,8 @@ void set_style(float scale) {
   // The accent, also of what the panels draw themselves.
   colours[ImGuiCol_PlotLines] = ImVec4(0.43F, 0.66F, 0.78F, 1);
   colours[ImGuiCol_PlotLinesHovered] = ImVec4(0.54F, 0.76F, 0.87F, 1);
+  // What is written over it is light.
+  colours[ImGuiCol_PlotHistogram] = ImVec4(0.23F, 0.35F, 0.42F, 1);
   colours[ImGuiCol_NavHighlight] = ImVec4(0.95F, 0.77F, 0.36F, 1);
   colours[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.5F);
 }
@@ -180,19 +183,62 @@ constexpr std::array<KeyHelp, 28> kKeys = {{
     {"keys.right_drag", "keys.does_move"},   {"keys.wheel", "keys.does_zoom"},
 }};
 
-/// In the middle of what the panel leaves free.
+/// A column of the list.
+struct KeyColumn {
+  std::span<const KeyHelp> lines;
+  float key = 0;  ///< widths
+  float meaning = 0;
+  [[nodiscard]] float width() const { return key + meaning; }
+};
+
+KeyColumn column_of(std::span<const KeyHelp> lines) {
+  KeyColumn column{lines};
+  const float gap = ImGui::GetStyle().WindowPadding.x;
+  for (const KeyHelp& line : lines) {
+    column.key = std::max(column.key, ImGui::CalcTextSize(tr(line.key)).x + gap);
+    column.meaning = std::max(column.meaning, ImGui::CalcTextSize(tr(line.meaning)).x);
+  }
+  return column;
+}
+
+void key_help(const KeyColumn& column, std::size_t row, float left) {
+  if (row >= column.lines.size()) return;
+  const float margin = ImGui::GetStyle().WindowPadding.x;
+  if (left > 0) ImGui::SameLine(margin + left);
+  ImGui::TextUnformatted(tr(column.lines[row].key));
+  ImGui::SameLine(margin + left + column.key);
+  toned_line(Tone::Quiet, tr(column.lines[row].meaning));
+}
+
+/// In the middle of what the panel leaves free, in two columns where one is too high for the
+/// window; what is still too large is scrolled to.
 void key_list(const Look& look, float width, bool& shown) {
-  ImGui::SetNextWindowPos(ImVec2(width / 2, ImGui::GetIO().DisplaySize.y / 2), ImGuiCond_Always,
-                          ImVec2(0.5F, 0.5F));
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float margin = 10 * look.scale;
+  const ImVec2 most(screen.x - 2 * margin, screen.y - 2 * margin);
+  const std::span<const KeyHelp> all = kKeys;
+  const std::size_t half = (all.size() + 1) / 2;
+  const float gap = 1.5F * ImGui::GetStyle().WindowPadding.x;
+  const float padding = 2 * ImGui::GetStyle().WindowPadding.x;
+  std::array<KeyColumn, 2> columns = {column_of(all.first(half)), column_of(all.subspan(half))};
+  const float lines = ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(all.size());
+  const bool high = lines + 3 * ImGui::GetFrameHeight() > most.y;
+  if (!high || columns[0].width() + columns[1].width() + gap + padding > most.x) {
+    columns = {column_of(all), {}};
+  }
+  const float wide = columns[0].width() + columns[1].width() + gap + padding;
+  const bool beside = wide <= width;
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), most);
+  ImGui::SetNextWindowPos(ImVec2((beside ? width : screen.x) / 2, ImGui::GetIO().DisplaySize.y / 2),
+                          ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoSavedSettings;
   const FloatingStyle floating(look);
   if (ImGui::Begin(with_id(tr("keys.title"), "keys").c_str(), &shown, kFlags)) {
-    for (const KeyHelp& line : kKeys) {
-      ImGui::TextUnformatted(tr(line.key));
-      ImGui::SameLine(120 * look.scale);
-      toned_line(Tone::Quiet, tr(line.meaning));
+    for (std::size_t row = 0; row < columns[0].lines.size(); ++row) {
+      key_help(columns[0], row, 0);
+      key_help(columns[1], row, columns[0].width() + gap);
     }
   }
   ImGui::End();

@@ -63,14 +63,16 @@ inline constexpr std::size_t kTracesMax = 6;
 
 struct RemoteView {
   Activity activity = Activity::Idle;
-  std::string state;     ///< in words: "buffering 42 %"
-  std::string detail;    ///< why it ended, a sentence; empty unless it went wrong
-  std::string stream;    ///< what a server plays, as it says; empty: nothing, or it does not
-  std::string ended_by;  ///< the server that has ended the stream: "host:port"; empty: none has
-  bool stale = false;    ///< the face shown is the last of a lost connection
-  bool eased = false;    ///< nothing came for long: the face has gone to neutral
-  bool timed = false;    ///< keyframes come with times of their own: the speed does nothing
-  bool local = false;    ///< a stream file: no buffers, no bytes
+  std::string state;         ///< in words: "buffering 42 %"
+  std::string detail;        ///< why it ended, a sentence; empty unless it went wrong
+  bool tries_again = false;  ///< the server was lost
+  int again_s = 0;           ///< seconds until then; 0: now
+  std::string stream;        ///< what a server plays, as it says; empty: nothing, or it does not
+  std::string ended_by;      ///< the server that has ended the stream: "host:port"; empty: none has
+  bool stale = false;        ///< the face shown is the last of a lost connection
+  bool eased = false;        ///< nothing came for long: the face has gone to neutral
+  bool timed = false;        ///< keyframes come with times of their own: the speed does nothing
+  bool local = false;        ///< a stream file: no buffers, no bytes
   BufferBar receiver;
   BufferBar playout;
   std::vector<float> receiver_history;  ///< fill in [0,1] over the last half minute, oldest first

@@ -43,6 +43,10 @@ Notice of_connection(const RemoteView& remote) {
   return {tr("notice.ended", remote.ended_by), false};
 }
 
+std::string again(int in_s) {
+  return in_s > 0 ? tr("notice.again", in_s) : std::string(tr("notice.again_now"));
+}
+
 }  // namespace
 
 void notices(const Look& look, const GuiModel& model, float width, NoticeForm& form,
@@ -52,12 +56,14 @@ void notices(const Look& look, const GuiModel& model, float width, NoticeForm& f
   if (!model.notice.text.empty() && sentence(look, "notice", model.notice, width, bottom)) {
     commands.push_back(CloseNotice{});
   }
-  const Notice now = of_connection(model.remote);
+  // What counts down stays the same notice.
+  Notice now = of_connection(model.remote);
   if (now.text != form.closed) form.closed.clear();
   form.shown.clear();
   if (now.text.empty() || !form.closed.empty()) return;
   form.shown = now.text;
-  if (sentence(look, "trouble", now, width, bottom)) form.closed = now.text;
+  if (model.remote.tries_again) now.text += "\n" + again(model.remote.again_s);
+  if (sentence(look, "trouble", now, width, bottom)) form.closed = form.shown;
 }
 
 }  // namespace aucast::gui

@@ -45,6 +45,7 @@ struct RemoteForm {
   bool filled = false;               ///< taken over from the model
   RecordForm record;
   bool large_chart = false;
+  bool to_aus = false;  ///< the table of AUs is to be scrolled to
   CurvesForm curves;
 };
 

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "client/gui/panels.h"
@@ -32,6 +34,7 @@ void fill_form(const RemoteSettings& settings, RemoteForm& form) {
 void number(const Look& look, const char* name, const char* id, int& value, const char* help = "") {
   label(look, name, help);
   static_cast<void>(number_field(id, value, {}));
+  tip(help);
 }
 
 /// One field for host, port and stream, with the last ones in a list.
@@ -110,13 +113,55 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
   if (wide_button(tr("play.stop"), 2, 3, running)) commands.push_back(Stop{});
 }
 
-void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
+/// How the server is connected to; closed until somebody looks for it. It holds from the next
+/// Connect on.
+void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) {
+  if (!ImGui::TreeNodeEx(tr("play.next_connection"),
+                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+    return;
+  }
+  RemoteSettings& settings = form.settings;
+  label(look, tr("play.protection"), tr("tip.tls"));
+  if (ImGui::Checkbox(tr("play.tls"), &settings.tls)) write(server_text(settings), form.address);
+  tip(tr("tip.tls"));
+  label(look, tr("play.token_file"), tr("tip.token"));
+  ImGui::InputTextWithHint("##token", tr("play.token_hint"), form.token_file.data(),
+                           form.token_file.size());
+  settings.token_file = form.token_file.data();
+  tip(tr("tip.token"));
+  label(look, tr("play.when_lost"), tr("tip.again"));
+  ImGui::Checkbox(tr("play.again"), &settings.reconnect);
+  tip(tr("tip.again"));
+  number(look, tr("play.buffer"), "##buffer", settings.buffer, tr("tip.buffer"));
+  number(look, tr("play.playout"), "##playout", settings.playout, tr("tip.playout"));
+  number(look, tr("play.threshold"), "##threshold", settings.threshold_percent,
+         tr("tip.threshold"));
+  number(look, tr("play.speed_ms"), "##speed", settings.speed_ms, tr("play.speed_help"));
+  if (model.remote.timed && settings.speed_ms > 0) toned_text(Tone::Waiting, tr("play.timed"));
+  quiet_text(tr("play.next_help"));
+}
+
+/// The heading, and at its right a way to the table of AUs, which is last and may be far below.
+void server_heading(const Look& look, RemoteForm& form) {
+  const float top = ImGui::GetCursorPosY() + 5 * look.scale + ImGui::GetStyle().ItemSpacing.y;
   heading(look, tr("play.server"));
+  const ImVec2 below = ImGui::GetCursorPos();
+  const char* const text = tr("play.aus");
+  const float width = ImGui::CalcTextSize(text).x + ImGui::GetStyle().FramePadding.x * 2;
+  ImGui::SetCursorPos(ImVec2(ImGui::GetContentRegionMax().x - width, top));
+  form.to_aus |= ImGui::SmallButton(with_id(text, "jump").c_str());
+  tip(tr("play.to_aus_tip"));
+  ImGui::SetCursorPos(below);
+}
+
+void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
+  server_heading(look, form);
   const bool entered = address(look, model, form);
   stream(look, model, form, commands);
   const auto wrong = form.wrong ? form.wrong : problem(form.settings);
   connect_buttons(model, form, entered, wrong, commands);
   if (wrong) quiet_text(*wrong);
+  next_connection(look, model, form);
 }
 
 /// A fact, in less room than something to set.
@@ -124,48 +169,23 @@ void said(const Look& look, const char* name, const std::string& value, const ch
   quiet_text(name);
   tip(help);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 112 * look.scale);
-  quiet_text(value);
+  quiet_text(value.empty() ? "-" : value);
 }
 
-void buffers(const Look& look, const GuiModel& model, RemoteForm& form) {
+void buffers(const Look& look, const GuiModel& model) {
   heading(look, tr("play.buffers"));
   const RemoteView& remote = model.remote;
   buffer_bar(look, tr("play.receiver"), remote.receiver, tr("tip.receiver"));
   buffer_bar(look, tr("play.playout"), remote.playout, tr("tip.playout"));
-  if (!remote.receiver_history.empty()) {
-    label(look, tr("play.last_30"), tr("tip.last_30"));
-    const PlotLine line{&remote.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
-    static_cast<void>(plot(look, {&line, 1}, 34 * look.scale,
-                           static_cast<float>(remote.receiver.threshold_percent) / 100));
-  }
-  if (!remote.in.empty()) {
-    said(look, tr("play.received"), remote.in);
-    said(look, tr("play.sent"), remote.out);
-    said(look, tr("play.protocol"), remote.protocol, tr("tip.protocol"));
-    if (!remote.delay.empty()) said(look, tr("play.delay"), remote.delay, tr("tip.delay"));
-  }
-  if (ImGui::TreeNodeEx(tr("play.next_connection"),
-                        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
-    number(look, tr("play.buffer"), "##buffer", form.settings.buffer, tr("tip.buffer"));
-    number(look, tr("play.playout"), "##playout", form.settings.playout, tr("tip.playout"));
-    number(look, tr("play.threshold"), "##threshold", form.settings.threshold_percent,
-           tr("tip.threshold"));
-    number(look, tr("play.speed_ms"), "##speed", form.settings.speed_ms);
-    if (remote.timed && form.settings.speed_ms > 0) {
-      toned_text(Tone::Waiting, tr("play.timed"));
-    } else {
-      quiet_text(tr("play.speed_help"));
-    }
-    label(look, tr("play.when_lost"));
-    ImGui::Checkbox(tr("play.again"), &form.settings.reconnect);
-    label(look, tr("play.protection"), tr("tip.tls"));
-    if (ImGui::Checkbox("TLS", &form.settings.tls)) {
-      write(server_text(form.settings), form.address);
-    }
-    label(look, tr("play.token_file"), tr("tip.token"));
-    ImGui::InputText("##token", form.token_file.data(), form.token_file.size());
-    form.settings.token_file = form.token_file.data();
-  }
+  // Always as many rows: no control moves when a connection comes or goes.
+  label(look, tr("play.last_30"), tr("tip.last_30"));
+  const PlotLine line{&remote.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
+  static_cast<void>(plot(look, {&line, 1}, 34 * look.scale,
+                         static_cast<float>(remote.receiver.threshold_percent) / 100));
+  said(look, tr("play.received"), remote.in);
+  said(look, tr("play.sent"), remote.out);
+  said(look, tr("play.protocol"), remote.protocol, tr("tip.protocol"));
+  said(look, tr("play.delay"), remote.delay, tr("tip.delay"));
 }
 
 /// The strongest AUs over the last half minute, each with its colour and its number beside it; a
@@ -177,7 +197,8 @@ void intensities(const Look& look, const RemoteView& remote, bool& large) {
   std::vector<PlotLine> lines;
   for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
     const AuTrace& trace = remote.au_history[i];
-    lines.push_back({&trace.values, colour_of_line(i), std::to_string(trace.number)});
+    lines.push_back(
+        {&trace.values, colour_of_line(i), std::to_string(trace.number), static_cast<int>(i)});
   }
   quiet_text(tr("play.strongest"));
   if (plot(look, lines, (large ? kLarge : kSmall) * look.scale, 0)) large = !large;
@@ -186,9 +207,7 @@ void intensities(const Look& look, const RemoteView& remote, bool& large) {
   for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
     const int number = remote.au_history[i].number;
     const std::string text = std::to_string(number) + "  " + au_name(number);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of_line(i));
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
+    line_name(look, static_cast<int>(i), text);
   }
 }
 
@@ -217,6 +236,7 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
 }
 
 void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
+  if (std::exchange(form.to_aus, false)) ImGui::SetScrollHereY(0);
   heading(look, tr("play.aus"), tr("tip.au"));
   intensities(look, model.remote, form.large_chart);
   if (model.remote.aus.empty()) {
@@ -238,7 +258,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
   file_part(model, commands);
   record_part(look, model, form.record, commands);
   sound_part(look, model, commands);
-  if (!model.remote.local) buffers(look, model, form);
+  if (!model.remote.local) buffers(look, model);
   animation(look, model, commands);
   curves_part(look, model, form.curves, commands);
   // Last: it grows and shrinks while it plays.

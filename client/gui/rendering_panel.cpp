@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
@@ -85,6 +86,7 @@ bool light(const Look& look, RenderingSettings& settings) {
     settings.ground = static_cast<Ground>(ground);
     changed = true;
   }
+  if (settings.ground == Ground::None) quiet_text(tr("view.none_help"));
   changed |=
       named_slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg, -180, 180, "%d°");
   changed |=
@@ -151,6 +153,12 @@ void display(const Look& look, const DisplayView& view, GuiCommands& commands) {
   if (number_field("##textsize", settings.text_percent,
                    {kTextStep, 2 * kTextStep, kTextPercentMin, kTextPercentMax}, true)) {
     settings.text_percent = std::clamp(settings.text_percent, kTextPercentMin, kTextPercentMax);
+  }
+  // All has another height when it was changed: the field stays where it can be seen.
+  int& drawn =
+      *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("drawn"), view.settings.text_percent);
+  if (std::exchange(drawn, view.settings.text_percent) != view.settings.text_percent) {
+    ImGui::SetScrollHereY();
   }
   if (settings != view.settings) commands.push_back(ChangeDisplay{settings});
 }

@@ -29,7 +29,12 @@ std::string scaled(double value, const char* unit) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), factor == 0 ? "%.0f %s%s" : "%.1f %s%s", value,
                 kFactors[factor], unit);
-  return text.data();
+  std::string whole = text.data();
+  // Nothing else in it is a point.
+  if (const std::size_t point = whole.find('.'); point != std::string::npos) {
+    whole.replace(point, 1, tr("unit.point"));
+  }
+  return whole;
 }
 
 bool names(const std::vector<int>& numbers, int number) {
@@ -158,11 +163,11 @@ std::string table_in_words(const TableSettings& settings) {
 }
 
 std::string bytes_text(double bytes) {
-  return scaled(bytes, "B");
+  return scaled(bytes, tr("unit.bytes"));
 }
 
 std::string bit_rate_text(double bytes_a_second) {
-  return scaled(8 * bytes_a_second, "bit/s");
+  return scaled(8 * bytes_a_second, tr("unit.bit_rate"));
 }
 
 std::string traffic_text(std::uint64_t bytes, double rate, double mean) {

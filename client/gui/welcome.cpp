@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFilesShown = 4;
 constexpr float kWidth = 300;
 
-void contents(const GuiModel& model, GuiCommands& commands) {
+void contents(const GuiModel& model, bool panel, GuiCommands& commands) {
   if (wide_button(tr("play.sample"), 0, 2, !model.sample.empty(), !model.sample.empty())) {
     commands.push_back(OpenStream{model.sample});
   }
@@ -27,7 +27,7 @@ void contents(const GuiModel& model, GuiCommands& commands) {
     tip(file.string());
     ImGui::PopID();
   }
-  quiet_text(tr("play.or_connect"));
+  quiet_text(panel ? tr("play.or_connect") : tr("play.or_connect_hidden"));
 }
 
 }  // namespace
@@ -44,7 +44,8 @@ void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& 
       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
   const FloatingStyle floating(look);
-  if (ImGui::Begin("welcome", nullptr, kFlags)) contents(model, commands);
+  if (ImGui::Begin("welcome", nullptr, kFlags))
+    contents(model, width < ImGui::GetIO().DisplaySize.x, commands);
   ImGui::End();
 }
 

@@ -12,7 +12,6 @@
 #include <system_error>
 
 #include "client/gui/keyboard_focus.h"
-#include "client/gui/label_places.h"
 #include "client/gui/texts.h"
 
 namespace aucast::gui {
@@ -353,7 +352,8 @@ bool number_field(const char* id, int& value, const Steps& steps, bool when_ente
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = ImGui::CalcItemWidth();
   std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "%d", value);
+  const bool in_words = steps.zero != nullptr && value == 0;
+  if (!in_words) std::snprintf(text.data(), text.size(), "%d", value);
   Stepped stepped{steps, value};
   ImGuiInputTextFlags flags = ImGuiInputTextFlags_CharsDecimal | ImGuiInputTextFlags_AutoSelectAll |
                               ImGuiInputTextFlags_CallbackHistory;
@@ -362,8 +362,10 @@ bool number_field(const char* id, int& value, const Steps& steps, bool when_ente
   ImGui::PushID(id);
   ImGui::SetNextItemWidth(std::max(1.0F, width - 2 * (button + gap)));
   const int before = value;
-  if (ImGui::InputText("", text.data(), text.size(), flags, step_typed, &stepped)) {
-    value = whole_number(text.data()).value_or(value);
+  const char* const hint = steps.zero == nullptr ? "" : steps.zero;
+  if (ImGui::InputTextWithHint("", hint, text.data(), text.size(), flags, step_typed, &stepped)) {
+    const bool emptied = text[0] == 0 && steps.zero != nullptr;
+    value = emptied ? 0 : whole_number(text.data()).value_or(value);
   }
   const ImGuiID field = ImGui::GetItemID();
   for (const int direction : {-1, 1}) {
@@ -406,76 +408,6 @@ void buffer_bar(const Look& look, const char* name, const BufferBar& bar, const 
   list->AddText(ImVec2(to.x - extent.x - 8 * look.scale, from.y + (size.y - extent.y) / 2),
                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   ImGui::Dummy(size);
-}
-
-namespace {
-
-/// Beside the ends of the lines, in their colours, apart from each other.
-void line_labels(std::span<const PlotLine> lines, float x, float top, float bottom) {
-  const float row = ImGui::GetTextLineHeight();
-  std::vector<float> wanted;
-  for (const PlotLine& line : lines) {
-    const float last = line.values->empty() ? 0.0F : std::clamp(line.values->back(), 0.0F, 1.0F);
-    wanted.push_back(bottom - last * (bottom - top) - row / 2);
-  }
-  const std::vector<float> places = label_places(wanted, row, top, bottom - row);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    ImGui::GetWindowDrawList()->AddText(ImVec2(x, places[i]), lines[i].colour,
-                                        lines[i].label.c_str());
-  }
-}
-
-}  // namespace
-
-bool plot(const Look& look, std::span<const PlotLine> lines, float height, float mark) {
-  constexpr float kSamplesWide = 121;  // half a minute, four a second
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
-  const ImVec2 to(from.x + size.x, from.y + size.y);
-  ImGui::PushID(static_cast<int>(from.y));
-  const bool clicked = ImGui::InvisibleButton("##plot", size);
-  mark_focus();
-  ImGui::PopID();
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg),
-                      ImGui::GetStyle().FrameRounding);
-  float labels = 0;
-  for (const PlotLine& line : lines) {
-    labels = std::max(labels, ImGui::CalcTextSize(line.label.c_str()).x);
-  }
-  const float inset = 3 * look.scale;
-  if (labels > 0) labels += 2 * inset;
-  const float end = to.x - inset - labels;
-  const float bottom = to.y - inset;
-  const float reach = size.y - 2 * inset;
-  if (mark > 0) {
-    const float y = bottom - mark * reach;
-    list->AddLine(ImVec2(from.x, y), ImVec2(to.x, y), colour_of(Tone::Waiting), look.scale);
-  }
-  list->PushClipRect(from, to, true);
-  std::vector<ImVec2> points;
-  for (const PlotLine& line : lines) {
-    points.clear();
-    const std::size_t count = line.values->size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const float age = static_cast<float>(count - 1 - i);
-      const float x = end - age / (kSamplesWide - 1) * (end - from.x - inset);
-      points.emplace_back(x, bottom - std::clamp((*line.values)[i], 0.0F, 1.0F) * reach);
-    }
-    list->AddPolyline(points.data(), static_cast<int>(points.size()), line.colour, 0,
-                      1.5F * look.scale);
-  }
-  if (labels > 0) line_labels(lines, end + inset, from.y + inset, bottom);
-  list->PopClipRect();
-  return clicked;
-}
-
-unsigned colour_of_line(std::size_t index) {
-  // Apart for most eyes, also for those that do not tell red from green.
-  constexpr std::array<unsigned, 6> kColours = {
-      IM_COL32(86, 180, 233, 255), IM_COL32(230, 159, 0, 255),   IM_COL32(0, 200, 150, 255),
-      IM_COL32(240, 228, 66, 255), IM_COL32(225, 120, 180, 255), IM_COL32(213, 94, 0, 255)};
-  return kColours[index % kColours.size()];
 }
 
 void au_table(const Look& look, const AuTableWords& words, const std::vector<AuRow>& rows) {

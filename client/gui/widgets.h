@@ -87,6 +87,7 @@ struct Steps {
   int far = 10;
   int least = 0;
   int most = 1'000'000;
+  const char* zero = nullptr;  ///< what 0 means, in its place; null: it is a number like others
 };
 /// A whole number that is typed or stepped, by its buttons or by Up and Down; true when it changed
 /// `value`. What is typed may lie outside of the limits. `when_entered`: typing counts at Enter.
@@ -101,10 +102,13 @@ struct PlotLine {
   const std::vector<float>* values = nullptr;
   unsigned colour = 0;
   std::string label{};  ///< beside its end; empty: none
+  int marker = -1;      ///< the sign of line_name() along it; -1: none
 };
 /// Lines over the last half minute, the newest at the right; `mark` in [0,1] is a level to reach, 0
 /// for none. As wide as there is room. True when it was clicked.
 bool plot(const Look& look, std::span<const PlotLine> lines, float height, float mark);
+/// Colours are not all that tells lines apart: a name in the line's colour, behind its sign.
+void line_name(const Look& look, int marker, const std::string& name);
 /// A colour for each of a few lines that stand together.
 [[nodiscard]] unsigned colour_of_line(std::size_t index);
 

@@ -165,6 +165,8 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   reaction.send.clear();
   reaction.next = Reaction::Next::ReconnectLater;
   reaction.retry_after = back_off_.next();
+  status_.reason = reason;
+  status_.retry_after = reaction.retry_after;
   status_.detail =
       reason + "; trying again in " + std::to_string(reaction.retry_after.count() / 1000) + " s";
   return true;

@@ -54,6 +54,8 @@ struct SourceStatus {
   bool connected = false;
   EndReason end = EndReason::NotEnded;  ///< set as soon as nothing more will arrive
   std::string detail;                   ///< a sentence about the end, for the user
+  std::string reason;                   ///< why it is tried again, without what is done about it
+  Milliseconds retry_after{0};          ///< from the loss to the next attempt
   std::optional<int> refusal;           ///< Refused: the server's code
   std::size_t receiver_fill = 0;
   std::size_t playout_fill = 0;

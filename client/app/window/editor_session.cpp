@@ -137,12 +137,24 @@ bool EditorSession::show_aus(const std::string& text, Instant now) {
 
 std::vector<float> EditorSession::put_together(const AuFrame& aus) {
   show_none_of_them();
-  std::vector<face::RuleFired> fired;
   std::vector<float> target(shown_.size());
-  const AuFrame blended = mapping_.apply(aus, target, &fired);
-  aus_ = blended;
-  compound_ = gui::au_rows(aus, blended, face::explain(fired), mapping_.recordings);
+  asked_ = aus;
+  aus_ = explained(target);
   return target;
+}
+
+/// Puts what was asked together, and says what became of it.
+AuFrame EditorSession::explained(std::span<float> target) {
+  std::vector<face::RuleFired> fired;
+  const AuFrame blended = mapping_.apply(asked_, target, &fired);
+  compound_ = gui::au_rows(asked_, blended, face::explain(fired), mapping_.recordings);
+  return blended;
+}
+
+void EditorSession::change_language() {
+  if (compound_.empty()) return;
+  std::vector<float> unused(shown_.size());
+  static_cast<void>(explained(unused));
 }
 
 /// The face is no longer an expression or AUs that were put together.

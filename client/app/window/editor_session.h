@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ class EditorSession {
 
   /// The face of the mapping has become another one; `before`: the names of the channels it had.
   void change_face(const std::vector<std::string>& before);
+
+  /// What is in words is said anew.
+  void change_language();
 
   /// Writes the AU that is being edited to a file, as it is saved. Returns a sentence about it.
   [[nodiscard]] Result<std::string> export_au(const std::filesystem::path& file) const;
@@ -72,6 +76,7 @@ class EditorSession {
   bool show_aus(const std::string& text, Instant now);
   /// The face of these AUs, with what became of each of them.
   [[nodiscard]] std::vector<float> put_together(const AuFrame& aus);
+  AuFrame explained(std::span<float> target);
   void show_none_of_them();
   void save_au(const gui::SaveAu& wanted, Instant now);
   void name_au(const gui::NameAu& typed);
@@ -96,6 +101,7 @@ class EditorSession {
   std::map<int, std::string> names_;  ///< of AUs, typed and not saved yet
   std::string complaint_;             ///< about the AUs that were typed last
   std::optional<AuFrame> aus_;
+  AuFrame asked_;                     ///< aus_, before the rules
   std::vector<gui::AuRow> compound_;  ///< what became of aus_
   gui::ExpressionsView expressions_;
   std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;

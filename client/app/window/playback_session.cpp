@@ -145,7 +145,12 @@ bool PlaybackSession::connect(const gui::RemoteSettings& settings, Instant now) 
 }
 
 void PlaybackSession::advance(Instant now) {
+  now_ = now;
   if (playback_ == nullptr) return;
+  const playback::SourceStatus before = playback_->status();
+  if (std::exchange(tried_, before.reconnects) != before.reconnects) {
+    again_at_ = now + before.retry_after;
+  }
   const Instant at = player_.advance(
       now, [this](const playback::KeyframeBegun& one, Instant begin) { begun(one, begin); });
   sound_.advanced(now);
@@ -374,7 +379,13 @@ gui::RemoteView PlaybackSession::remote_view() const {
   // Without an end a detail says why it is tried again.
   const bool tries_again =
       status.end == playback::EndReason::NotEnded && !status.connected && status.reconnects > 0;
-  if (went_wrong(status.end) || tries_again) view.detail = status.detail;
+  if (went_wrong(status.end)) view.detail = status.detail;
+  if (tries_again) {
+    view.detail = status.reason;
+    view.again_s = static_cast<int>(std::max<std::int64_t>(
+        0, std::chrono::ceil<std::chrono::seconds>(again_at_ - now_).count()));
+    view.tries_again = true;
+  }
   const bool empty = status.receiver_fill + status.playout_fill == 0;
   view.stale = keyframe > 0 && (state == PlaybackState::Lost || (tries_again && empty));
   view.eased = playback_->eased();

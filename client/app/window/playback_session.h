@@ -121,9 +121,12 @@ class PlaybackSession {
   std::vector<face::RuleExplained> explained_;   ///< the rules that fired in this keyframe
   Played received_;                              ///< of a server's stream
   PlaybackHistory history_;
-  bool answered_ = false;  ///< the server has sent something
-  bool own_ = false;       ///< one's own face, which nobody else ends
-  bool timed_ = false;     ///< the keyframe under way came with a time of its own
+  std::uint64_t tried_ = 0;  ///< attempts after a loss, as of the last frame
+  Instant again_at_{};       ///< when the one under way began or begins
+  Instant now_{};            ///< of the last frame
+  bool answered_ = false;    ///< the server has sent something
+  bool own_ = false;         ///< one's own face, which nobody else ends
+  bool timed_ = false;       ///< the keyframe under way came with a time of its own
 };
 
 }  // namespace aucast::app

@@ -320,6 +320,7 @@ void WindowSession::change_display(const gui::DisplaySettings& settings, Instant
   if (const auto used = choose_language(assets_.data_folder, code)) {
     display_.language = code;
     composer_.change_language();
+    editor_.change_language();
   } else if (chosen || used.error().kind != ErrorKind::Usage) {
     spdlog::warn("{}", used.error().message);
     say(used.error().message, true, now);

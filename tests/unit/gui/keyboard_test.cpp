@@ -270,6 +270,62 @@ TEST_F(Keyboard, ArrowsWalkThroughTheFiles) {
   EXPECT_EQ(file->file, "talk.txt");
 }
 
+TEST_F(Keyboard, AClosedNoticeStaysClosedWhileTheTimeGoesOn) {
+  model_.remote.detail = "the connection was lost";
+  model_.remote.tries_again = true;
+  model_.remote.again_s = 5;
+  frames(2);
+  EXPECT_TRUE(gui_->close_notice());
+  model_.remote.again_s = 4;
+  frames(2);
+  EXPECT_FALSE(gui_->close_notice());
+}
+
+TEST_F(Keyboard, TheListOfKeysFitsIntoASmallWindow) {
+  ImGui::GetIO().DisplaySize = ImVec2(800, 600);
+  gui_->toggle_keys();
+  frames(4);
+  const ImRect list = rect_of("###keys");
+  EXPECT_TRUE(ImRect(0, 0, 800, 600).Contains(list));
+  EXPECT_EQ(ImGui::FindWindowByID(ImHashStr("###keys"))->ScrollMax.y, 0) << "all is seen";
+}
+
+TEST_F(Keyboard, NothingMovesWhenAConnectionComes) {
+  frames(4);
+  ASSERT_NE(contents(), nullptr);
+  const float before = contents()->ContentSize.y;
+  model_.remote.activity = Activity::Playing;
+  model_.remote.receiver_history = {0, 1};
+  model_.remote.in = model_.remote.out = "12 B";
+  model_.remote.protocol = "level 2";
+  model_.remote.delay = "42 ms";
+  frames(4);
+  EXPECT_EQ(contents()->ContentSize.y, before);
+}
+
+TEST_F(Keyboard, TheTableOfAusIsOneStepAway) {
+  ImGui::GetIO().DisplaySize = ImVec2(800, 500);
+  model_.remote.keyframe = "keyframe 3";
+  model_.remote.aus.assign(40, {"51", "Head Turn Left", 100, 60, ""});
+  frames(4);
+  ASSERT_TRUE(go_to("###jump"));
+  press(ImGuiKey_Enter);
+  frames(4);
+  EXPECT_GT(contents()->Scroll.y, 300);
+}
+
+TEST_F(Keyboard, TheTextSizeStaysInSightWhenItChanges) {
+  ImGui::GetIO().DisplaySize = ImVec2(800, 600);
+  model_.display.languages = {{"en", "English"}};
+  ASSERT_TRUE(go_to_tab("View"));
+  contents()->Scroll.y = 0;
+  frames(4);
+  model_.display.settings.text_percent = 150;
+  ASSERT_TRUE(gui_->prepare(model_.display));
+  frames(4);
+  EXPECT_GT(contents()->Scroll.y, 0);
+}
+
 TEST_F(Keyboard, RepeatIsInTheSmallestBarToo) {
   model_.display.settings.text_percent = 200;
   ASSERT_TRUE(gui_->prepare(model_.display));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "client/gui/texts.h"
+
 namespace aucast::gui {
 namespace {
 
@@ -71,6 +73,15 @@ TEST(ViewText, BytesGetTheUnitThatFits) {
   EXPECT_EQ(traffic_text(893, 150, 40), "893 B, 1.2 kbit/s");
   EXPECT_EQ(traffic_text(893, 0, 40), "893 B, mean 320 bit/s");
   EXPECT_EQ(traffic_text(0, 0, 0), "0 B");
+}
+
+TEST(ViewText, BytesAreWrittenAsInTheLanguage) {
+  auto french = load_language(std::string(AUCAST_TEST_DATA) + "/languages/fr.toml");
+  ASSERT_TRUE(french) << french.error().message;
+  use_language(*std::move(french));
+  EXPECT_EQ(bytes_text(2100), "2,1 ko");
+  EXPECT_EQ(bit_rate_text(150), "1,2 kbit/s");
+  use_english();
 }
 
 TEST(ViewText, UnchangedAusHaveNoReason) {

@@ -212,6 +212,23 @@ TEST_F(FaceSessionTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
   EXPECT_FALSE(model().editor.unsaved);
 }
 
+TEST_F(FaceSessionTest, WhatIsSaidOfAusIsSaidInTheNewLanguage) {
+  gui::DisplaySettings display;
+  display.language = "en";
+  ask(gui::ChangeDisplay{display});
+  ask(gui::ShowAus{"51,52:40"});
+  const auto english = model().editor.compound;
+  ASSERT_EQ(english.size(), 2U);
+  display.language = "fr";
+  ask(gui::ChangeDisplay{display});
+  const auto french = model().editor.compound;
+  ASSERT_EQ(french.size(), 2U);
+  EXPECT_NE(french[0].name, english[0].name);
+  EXPECT_NE(french[1].why, english[1].why);
+  EXPECT_EQ(french[0].shown_percent, english[0].shown_percent);
+  gui::use_english();
+}
+
 TEST_F(FaceSessionTest, APictureOfTheEditorIsNamedAfterWhatIsEdited) {
   const auto name = [this] {
     const auto file = session_->picture_file(".png");

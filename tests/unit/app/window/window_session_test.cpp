@@ -143,6 +143,26 @@ TEST_F(WindowSessionTest, ALostConnectionKeepsTheLastFaceAndSaysSo) {
   EXPECT_FALSE(model().remote.eased);
 }
 
+TEST_F(WindowSessionTest, TheTimeToTheNextAttemptIsCountedDown) {
+  open({frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  source_->now.connected = false;
+  source_->now.reconnects = 1;
+  source_->now.reason = "lecture.example.org: the connection was lost";
+  source_->now.retry_after = Milliseconds(30'000);
+  go_on(Milliseconds(100));
+  EXPECT_TRUE(model().remote.tries_again);
+  EXPECT_EQ(model().remote.detail, source_->now.reason);
+  EXPECT_EQ(model().remote.again_s, 30);
+  go_on(Milliseconds(1'500));
+  EXPECT_EQ(model().remote.again_s, 29);
+  go_on(Milliseconds(40'000));
+  EXPECT_EQ(model().remote.again_s, 0);
+  source_->now.reconnects = 2;
+  go_on(Milliseconds(100));
+  EXPECT_EQ(model().remote.again_s, 30);
+}
+
 TEST_F(WindowSessionTest, AStreamThatTheServerEndsSaysWhoHasEndedIt) {
   open({frame({{26, Side::Both, 100}})});
   gui::KeptSettings settings;
