@@ -11,13 +11,38 @@ std::string ms_text(Duration time) {
 
 }  // namespace
 
-std::string live_objection(const PlaybackOptions& options, const playback::SourceStatus& status) {
-  if (!options.buffers.low_delay || status.live) return {};
-  if (!options.file.empty()) return "--live changes nothing: a file is not live";
-  if (!status.negotiated) {
-    return "--live changes nothing: a classic server cannot say that its stream is live";
+LiveObjection live_objection(const PlaybackOptions& options, const playback::SourceStatus& status) {
+  if (!options.buffers.low_delay || status.live) return LiveObjection::None;
+  if (!options.file.empty()) return LiveObjection::IsFile;
+  return status.negotiated ? LiveObjection::IsRecorded : LiveObjection::IsClassic;
+}
+
+std::string_view terminal_text(LiveObjection objection) {
+  switch (objection) {
+    case LiveObjection::None:
+      break;
+    case LiveObjection::IsFile:
+      return "--live changes nothing: a file is not live";
+    case LiveObjection::IsClassic:
+      return "--live changes nothing: a classic server cannot say that its stream is live";
+    case LiveObjection::IsRecorded:
+      return "--live changes nothing: this stream is recorded, not live";
   }
-  return "--live changes nothing: this stream is recorded, not live";
+  return {};
+}
+
+std::string window_text(LiveObjection objection) {
+  switch (objection) {
+    case LiveObjection::None:
+      break;
+    case LiveObjection::IsFile:
+      return gui::tr("said.live_file");
+    case LiveObjection::IsClassic:
+      return gui::tr("said.live_classic");
+    case LiveObjection::IsRecorded:
+      return gui::tr("said.live_recorded");
+  }
+  return {};
 }
 
 std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "client/app/player_options.h"
 #include "client/playback/delay_meter.h"
@@ -8,10 +10,19 @@
 
 namespace aucast::app {
 
-/// Why --live changes nothing for this stream, a sentence; empty when it does, or was not asked
-/// for.
-[[nodiscard]] std::string live_objection(const PlaybackOptions& options,
-                                         const playback::SourceStatus& status);
+/// Why --live changes nothing for a stream.
+enum class LiveObjection : std::uint8_t {
+  None,  ///< it does, or was not asked for
+  IsFile,
+  IsClassic,   ///< the server cannot say that it is live
+  IsRecorded,  ///< the server says that it is not
+};
+[[nodiscard]] LiveObjection live_objection(const PlaybackOptions& options,
+                                           const playback::SourceStatus& status);
+/// A sentence for the terminal; empty for None.
+[[nodiscard]] std::string_view terminal_text(LiveObjection objection);
+/// The same in the words of the window.
+[[nodiscard]] std::string window_text(LiveObjection objection);
 
 /// "42 ms (at most 57, wanted 41)"; empty when nothing was measured.
 [[nodiscard]] std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted);

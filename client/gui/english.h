@@ -280,6 +280,12 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"camera.live_nobody", "Live at {address}, nobody watches yet."},
     {"camera.live_one", "Live at {address}, 1 watches."},
     {"camera.live_many", "Live at {address}, {count} watch."},
+    {"camera.not_installed",
+     "au-transmitter, which opens the camera, is not installed: it belongs beside face-player or "
+     "in a folder of PATH"},
+    {"camera.has_ended", "au-transmitter has ended"},
+    {"camera.signalled", "au-transmitter was ended by signal {signal}"},
+    {"camera.silent", "au-transmitter does not answer"},
     {"notice.ended",
      "{server} has ended the stream: that was its last keyframe, or the server was stopped.\n"
      "Connect asks it again; the list beside the address has the last servers."},
@@ -352,7 +358,7 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"play.sent", "Sent"},
     {"play.protocol", "Protocol"},
     {"play.delay", "Delay"},
-    {"play.next_connection", "Settings of the connection: TLS, token, buffers"},
+    {"play.next_connection", "Connection: TLS, token, buffers"},
     {"play.buffer", "Buffer"},
     {"play.threshold", "Threshold %"},
     {"play.speed_ms", "Speed ms"},
@@ -530,6 +536,10 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"said.pace_deform", "Deforming"},
     {"said.pace_face", "Face"},
     {"said.pace_panels", "Panels"},
+    {"said.live_file", "--live changes nothing: a file is not live"},
+    {"said.live_classic",
+     "--live changes nothing: a classic server cannot say that its stream is live"},
+    {"said.live_recorded", "--live changes nothing: this stream is recorded, not live"},
     {"tip.au",
      "Action Unit: a movement of the face that FACS (2002) names by a number, such as 12, the "
      "corners of the lips pulled up"},

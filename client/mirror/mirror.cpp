@@ -44,15 +44,19 @@ std::string without_head(const std::string& line) {
   return at == std::string::npos ? line : line.substr(at + head.size());
 }
 
-/// A sentence. A program that was killed had no time for last words.
-std::string why_ended(int exit_code, const std::string& last_line) {
+Trouble said(std::string why) {
+  return {Trouble::Kind::Said, std::move(why)};
+}
+
+/// A program that was killed had no time for last words.
+Trouble why_ended(int exit_code, const std::string& last_line) {
   constexpr int kSignalled = 128;
   // Our own, as it had ended its output.
   if (exit_code > kSignalled && exit_code != kSignalled + SIGKILL) {
-    return std::string(kProgram) + " was ended by signal " + std::to_string(exit_code - kSignalled);
+    return {Trouble::Kind::Signalled, {}, exit_code - kSignalled};
   }
   std::string why = without_head(last_line);
-  return why.empty() ? std::string(kProgram) + " has ended" : why;
+  return why.empty() ? Trouble{Trouble::Kind::Ended} : said(std::move(why));
 }
 
 }  // namespace
@@ -64,9 +68,9 @@ Result<std::unique_ptr<Mirror>> Mirror::start(const MirrorOptions& options) {
                              "--port", "0", "--log-level", "warning", camera_of(options.source)},
                             missing, Child::Flow::Both);
   if (!child && missing) {
-    return Error{ErrorKind::Failed, std::string(kProgram) +
-                                        ", which opens the camera, is not installed: it belongs "
-                                        "beside face-player or in a folder of PATH"};
+    return Error{ErrorKind::Unreadable, std::string(kProgram) +
+                                            ", which opens the camera, is not installed: it "
+                                            "belongs beside face-player or in a folder of PATH"};
   }
   if (!child) return child.error();
   std::unique_ptr<Mirror> mirror(new Mirror(std::move(*child)));
@@ -93,10 +97,10 @@ Mirror::~Mirror() {
 
 void Mirror::order(const preview::Order& order) {
   course_.with([&](Course& course) {
-    course.state.refused.clear();
+    course.state.refused = {};
     if (!course.reading || course.asked_to_end) return;
     if (!child_->tell(preview::order_text(order))) {
-      course.state.refused = std::string(kProgram) + " does not answer";
+      course.state.refused = {Trouble::Kind::Silent};
     }
   });
 }
@@ -115,15 +119,16 @@ MirrorState Mirror::state() const {
 void Mirror::take(preview::Record record) {
   course_.with([&record](Course& course) {
     MirrorState& state = course.state;
-    std::visit(Overloaded{[&](preview::Listening& one) { state.address = std::move(one.address); },
-                          [&](preview::Seen& one) {
-                            state.seen = std::make_shared<const preview::Seen>(std::move(one));
-                          },
-                          [&](preview::Live& one) { state.live = std::move(one.address); },
-                          [&](preview::Private&) { state.live.clear(); },
-                          [&](preview::Watching& one) { state.watching = one.count; },
-                          [&](preview::Refused& one) { state.refused = printable(one.sentence); }},
-               record);
+    std::visit(
+        Overloaded{[&](preview::Listening& one) { state.address = std::move(one.address); },
+                   [&](preview::Seen& one) {
+                     state.seen = std::make_shared<const preview::Seen>(std::move(one));
+                   },
+                   [&](preview::Live& one) { state.live = std::move(one.address); },
+                   [&](preview::Private&) { state.live.clear(); },
+                   [&](preview::Watching& one) { state.watching = one.count; },
+                   [&](preview::Refused& one) { state.refused = said(printable(one.sentence)); }},
+        record);
   });
 }
 
@@ -151,7 +156,7 @@ void Mirror::read() {
   // It has no more to say; what has ended already keeps its exit code.
   child_->stop();
   const int code = child_->wait();
-  const std::string why = wrong ? *wrong : why_ended(code, child_->last_line());
+  const Trouble why = wrong ? said(*wrong) : why_ended(code, child_->last_line());
   course_.change([&why](Course& course) {
     if (!course.asked_to_end) course.state.ended = why;
     course.state.live.clear();

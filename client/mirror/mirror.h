@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,22 +17,36 @@
 
 namespace aucast::mirror {
 
+/// What is wrong with the camera's program; its user puts it into words.
+struct Trouble {
+  enum class Kind : std::uint8_t {
+    None,
+    Said,       ///< in the program's own words
+    Ended,      ///< without a word
+    Signalled,  ///< ended by a signal
+    Silent,     ///< it does not take orders
+  };
+  Kind kind = Kind::None;
+  std::string said{};
+  int signal = 0;
+};
+
 /// What came of the camera so far.
 struct MirrorState {
   std::string address;  ///< ADDR:PORT where this host can play the stream; empty: not yet
   std::shared_ptr<const preview::Seen> seen;  ///< the newest; null: nothing yet
   std::string live;                           ///< ADDR:PORT for others; empty: they are not let in
   std::size_t watching = 0;                   ///< how many of them do
-  std::string refused;                        ///< why the last order was not carried out
+  Trouble refused;                            ///< why the last order was not carried out
   bool over = false;                          ///< the child is gone
-  std::string ended;                          ///< why, a sentence; empty when it was asked to
+  Trouble ended;                              ///< why; nothing when it was asked to
 };
 
 /// A camera whose face is seen here before anybody else does: au-transmitter as a child. Thread:
 /// one of its own; everything here from one thread.
 class Mirror {
  public:
-  /// Failed when au-transmitter cannot be started, with the remedy.
+  /// Unreadable when au-transmitter is not there, Failed when it cannot be started.
   [[nodiscard]] static Result<std::unique_ptr<Mirror>> start(const MirrorOptions& options);
   /// end(), and at most kPatience later it is killed.
   ~Mirror();

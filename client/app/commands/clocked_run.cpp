@@ -54,8 +54,8 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
     player.advance(now, std::ref(begun));
     if (meter.advanced(playback, now)) {
       stats.first_frame_ms = since_start_ms();
-      const std::string objection = live_objection(options.playback, playback.status());
-      if (!objection.empty()) spdlog::warn("{}", objection);
+      const LiveObjection objection = live_objection(options.playback, playback.status());
+      if (objection != LiveObjection::None) spdlog::warn("{}", terminal_text(objection));
     }
     sound.advanced();
     sound.face_shown();

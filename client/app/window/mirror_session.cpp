@@ -4,12 +4,34 @@
 #include <utility>
 #include <variant>
 
+#include "client/gui/texts.h"
 #include "client/mirror/host_addresses.h"
 #include "common/overloaded.h"
 
 namespace aucast::app {
 
 using Phase = gui::MirrorView::Phase;
+
+namespace {
+
+std::string in_words(const mirror::Trouble& trouble) {
+  using Kind = mirror::Trouble::Kind;
+  switch (trouble.kind) {
+    case Kind::None:
+      break;
+    case Kind::Said:
+      return trouble.said;
+    case Kind::Ended:
+      return gui::tr("camera.has_ended");
+    case Kind::Signalled:
+      return gui::tr("camera.signalled", trouble.signal);
+    case Kind::Silent:
+      return gui::tr("camera.silent");
+  }
+  return {};
+}
+
+}  // namespace
 
 MirrorSession::MirrorSession(mirror::MirrorOptions options) : options_(std::move(options)) {
   view_.source = options_.source;
@@ -25,7 +47,8 @@ void MirrorSession::start(const std::string& source) {
   played_ = ending_ = false;
   auto started = mirror::Mirror::start(options_);
   if (!started) {
-    view_.trouble = started.error().message;
+    const bool missing = started.error().kind == ErrorKind::Unreadable;
+    view_.trouble = missing ? gui::tr("camera.not_installed") : started.error().message;
     return;
   }
   mirror_ = *std::move(started);
@@ -67,7 +90,7 @@ std::optional<protocol::Endpoint> MirrorSession::advance() {
   if (mirror_ == nullptr) return std::nullopt;
   mirror::MirrorState state = mirror_->state();
   view_.phase = phase(state);
-  view_.trouble = state.over ? state.ended : state.refused;
+  view_.trouble = in_words(state.over ? state.ended : state.refused);
   view_.live = std::move(state.live);
   view_.watching = state.watching;
   view_.seen = std::move(state.seen);

@@ -155,10 +155,10 @@ void PlaybackSession::advance(Instant now) {
       now, [this](const playback::KeyframeBegun& one, Instant begin) { begun(one, begin); });
   sound_.advanced(now);
   if (meter_.advanced(*playback_, at) && seekable() == nullptr) {
-    const std::string objection = live_objection(options_.playback, playback_->status());
-    if (!objection.empty()) {
-      spdlog::warn("{}", objection);
-      notices_.say(objection, false, now);
+    const LiveObjection objection = live_objection(options_.playback, playback_->status());
+    if (objection != LiveObjection::None) {
+      spdlog::warn("{}", terminal_text(objection));
+      notices_.say(window_text(objection), false, now);
     }
   }
   remember(now);

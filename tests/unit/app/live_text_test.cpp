@@ -10,16 +10,22 @@ using namespace std::chrono_literals;
 TEST(LiveObjection, IsSaidWhereLiveChangesNothing) {
   PlaybackOptions options;
   playback::SourceStatus status;
-  EXPECT_EQ(live_objection(options, status), "") << "nobody asked";
+  EXPECT_EQ(live_objection(options, status), LiveObjection::None) << "nobody asked";
   options.buffers.low_delay = true;
-  EXPECT_NE(live_objection(options, status).find("classic server"), std::string::npos);
+  EXPECT_EQ(live_objection(options, status), LiveObjection::IsClassic);
+  EXPECT_EQ(window_text(LiveObjection::IsClassic), terminal_text(LiveObjection::IsClassic))
+      << "in English";
   status.negotiated = true;
-  EXPECT_NE(live_objection(options, status).find("is recorded"), std::string::npos);
+  EXPECT_EQ(live_objection(options, status), LiveObjection::IsRecorded);
+  EXPECT_EQ(window_text(LiveObjection::IsRecorded), terminal_text(LiveObjection::IsRecorded))
+      << "in English";
   status.live = true;
-  EXPECT_EQ(live_objection(options, status), "");
+  EXPECT_EQ(live_objection(options, status), LiveObjection::None);
   status.live = false;
   options.file = "talk.txt";
-  EXPECT_NE(live_objection(options, status).find("a file is not live"), std::string::npos);
+  EXPECT_EQ(live_objection(options, status), LiveObjection::IsFile);
+  EXPECT_EQ(window_text(LiveObjection::IsFile), terminal_text(LiveObjection::IsFile))
+      << "in English";
 }
 
 TEST(DelayText, SaysUsualLongestAndWanted) {

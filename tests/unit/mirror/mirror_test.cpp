@@ -69,7 +69,7 @@ TEST_F(MirrorTest, TellsWhatItsCameraSeesAndGoesLive) {
   EXPECT_TRUE(becomes([](const MirrorState& now) { return now.live.empty(); }));
   mirror_->end();
   EXPECT_TRUE(becomes([](const MirrorState& now) { return now.over; }));
-  EXPECT_EQ(mirror_->state().ended, "") << "it was asked to";
+  EXPECT_EQ(mirror_->state().ended.kind, Trouble::Kind::None) << "it was asked to";
 }
 
 TEST_F(MirrorTest, EndsWithItsOwner) {
@@ -91,7 +91,7 @@ TEST_F(MirrorTest, SurvivesItsChildAndSaysItsLastLine) {
       "cat record; echo first >&2\n"
       "echo '2026-01-02T03:04:05Z warning au-transmitter: the camera has gone' >&2; exit 1");
   ASSERT_TRUE(becomes([](const MirrorState& state) { return state.over; }));
-  EXPECT_EQ(mirror_->state().ended, "the camera has gone");
+  EXPECT_EQ(mirror_->state().ended.said, "the camera has gone");
   mirror_->order(preview::GoLive{"0.0.0.0", 4650});
   EXPECT_EQ(mirror_->state().live, "");
 }
@@ -99,13 +99,13 @@ TEST_F(MirrorTest, SurvivesItsChildAndSaysItsLastLine) {
 TEST_F(MirrorTest, SaysThatAChildEndedWithoutAWord) {
   begin("exit 0");
   ASSERT_TRUE(becomes([](const MirrorState& state) { return state.over; }));
-  EXPECT_EQ(mirror_->state().ended, "au-transmitter has ended");
+  EXPECT_EQ(mirror_->state().ended.kind, Trouble::Kind::Ended);
 }
 
 TEST_F(MirrorTest, EndsAChildThatTalksNonsense) {
   begin("echo $$ > pid; echo 'seen 99999 1 0 0'; exec sleep 1000");
   ASSERT_TRUE(becomes([](const MirrorState& state) { return state.over; }));
-  EXPECT_NE(mirror_->state().ended.find("no preview"), std::string::npos);
+  EXPECT_NE(mirror_->state().ended.said.find("no preview"), std::string::npos);
   EXPECT_TRUE(is_gone());
 }
 
@@ -114,8 +114,8 @@ TEST_F(MirrorTest, TellsWhatWasRefused) {
       "cat record; echo live 127.0.0.1:1; read order; echo refused this port is taken; read order");
   ASSERT_TRUE(becomes([](const MirrorState& state) { return state.seen != nullptr; }));
   mirror_->order(preview::GoLive{"0.0.0.0", 1});
-  ASSERT_TRUE(becomes([](const MirrorState& state) { return !state.refused.empty(); }));
-  EXPECT_EQ(mirror_->state().refused, "this port is taken");
+  ASSERT_TRUE(becomes([](const MirrorState& state) { return !state.refused.said.empty(); }));
+  EXPECT_EQ(mirror_->state().refused.said, "this port is taken");
   EXPECT_EQ(mirror_->state().live, "127.0.0.1:1") << "only 'private' says that it is not live";
 }
 
