@@ -98,7 +98,7 @@ void Dialler::on_connected() {
     Limits limits = options_.limits;
     limits.tls_handshake =
         std::max(Milliseconds{0}, std::chrono::ceil<Milliseconds>(until_ - steady_clock::now()));
-    link = tls_link(std::move(link), tls::Channel(*options_.tls, options_.host), limits);
+    link = tls_link(std::move(link), tls::Layer(*options_.tls, options_.host), limits);
   }
   end(std::move(link));
 }

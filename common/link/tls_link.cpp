@@ -3,33 +3,32 @@
 #include <optional>
 #include <utility>
 
-#include "common/link/channel_link.h"
 #include "common/link/host.h"
+#include "common/link/layer_link.h"
 
 namespace aucast::link {
 namespace {
 
-using tls::Channel;
+using tls::Layer;
 using Why = Ending::Why;
 
-Why why_of(Channel::Why why) {
+Why why_of(Layer::Why why) {
   switch (why) {
-    case Channel::Why::NotTls:
+    case Layer::Why::NotTls:
       return Why::NotTls;
-    case Channel::Why::Untrusted:
+    case Layer::Why::Untrusted:
       return Why::Untrusted;
-    case Channel::Why::None:
-    case Channel::Why::Broken:
+    case Layer::Why::None:
+    case Layer::Why::Broken:
       break;
   }
   return Why::TlsFailed;
 }
 
-class TlsLink final : public ChannelLink<Channel> {
+class TlsLink final : public LayerLink<Layer> {
  public:
-  TlsLink(std::shared_ptr<Link> below, Channel channel, const Limits& limits,
-          std::string plain_answer)
-      : ChannelLink(std::move(below), std::move(channel)),
+  TlsLink(std::shared_ptr<Link> below, Layer layer, const Limits& limits, std::string plain_answer)
+      : LayerLink(std::move(below), std::move(layer)),
         handshake_time_(limits.tls_handshake),
         plain_answer_(std::move(plain_answer)) {}
 
@@ -52,15 +51,15 @@ class TlsLink final : public ChannelLink<Channel> {
   void on_bytes(std::string_view wire) override {
     const auto alive = shared_from_this();
     std::string plain;
-    const bool good = channel_.received(wire, plain);
+    const bool good = layer_.received(wire, plain);
     // Not sent yet: our last part of the handshake and the user's first words go out in one piece.
-    if (!open_ && channel_.ready()) open();
+    if (!open_ && layer_.ready()) open();
     if (!plain.empty() && listening()) user_->on_bytes(plain);
     flush();
     if (!listening()) return;
     if (!good) {
-      fail(why_of(channel_.why()), channel_.reason(), channel_.why() == Channel::Why::NotTls);
-    } else if (channel_.ended()) {
+      fail(why_of(layer_.why()), layer_.reason(), layer_.why() == Layer::Why::NotTls);
+    } else if (layer_.ended()) {
       tell_peer_end();
     }
   }
@@ -116,9 +115,9 @@ class TlsLink final : public ChannelLink<Channel> {
 
 }  // namespace
 
-std::shared_ptr<Link> tls_link(std::shared_ptr<Link> below, Channel channel, const Limits& limits,
+std::shared_ptr<Link> tls_link(std::shared_ptr<Link> below, Layer layer, const Limits& limits,
                                std::string plain_answer) {
-  return std::make_shared<TlsLink>(std::move(below), std::move(channel), limits,
+  return std::make_shared<TlsLink>(std::move(below), std::move(layer), limits,
                                    std::move(plain_answer));
 }
 

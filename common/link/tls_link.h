@@ -5,7 +5,7 @@
 
 #include "common/link/link.h"
 #include "common/link_limits.h"
-#include "common/tls/channel.h"
+#include "common/tls/layer.h"
 
 namespace aucast::link {
 
@@ -14,7 +14,7 @@ namespace aucast::link {
 /// alert that explains it.
 /// `plain_answer`: what a peer is told that does not speak TLS, or says nothing in time; it may not
 /// even know that this is TLS, so it is told without. Empty: nothing.
-[[nodiscard]] std::shared_ptr<Link> tls_link(std::shared_ptr<Link> below, tls::Channel channel,
+[[nodiscard]] std::shared_ptr<Link> tls_link(std::shared_ptr<Link> below, tls::Layer layer,
                                              const Limits& limits, std::string plain_answer = {});
 
 }  // namespace aucast::link

@@ -3,18 +3,18 @@
 #include <optional>
 #include <utility>
 
-#include "common/link/channel_link.h"
-#include "common/web/channel.h"
+#include "common/link/layer_link.h"
+#include "common/web/layer.h"
 
 namespace aucast::link {
 namespace {
 
 using Why = Ending::Why;
 
-class WebLink final : public ChannelLink<web::Channel> {
+class WebLink final : public LayerLink<web::Layer> {
  public:
   WebLink(std::shared_ptr<Link> below, std::string answer, const Limits& limits)
-      : ChannelLink(std::move(below), web::Channel(limits.frame_bytes)),
+      : LayerLink(std::move(below), web::Layer(limits.frame_bytes)),
         answer_(std::move(answer)),
         limits_(limits) {}
 
@@ -39,14 +39,14 @@ class WebLink final : public ChannelLink<web::Channel> {
     const auto alive = shared_from_this();
     hear();
     std::string text;
-    const bool good = channel_.received(wire, text);
+    const bool good = layer_.received(wire, text);
     if (!text.empty() && listening()) user_->on_bytes(text);
     flush();  // pongs, or the Close that answers the peer's
     if (!listening()) return;
     if (!good) {
-      end({Why::WebSocketFailed, channel_.reason()});
+      end({Why::WebSocketFailed, layer_.reason()});
       user_->on_failure(*ending_);
-    } else if (channel_.ended()) {
+    } else if (layer_.ended()) {
       end({Why::Lost, "the client closed the WebSocket"});
     }
   }
@@ -103,7 +103,7 @@ class WebLink final : public ChannelLink<web::Channel> {
       look_at_ = now + limits_.ping_idle;  // a Ping would wait too, and TCP itself looks there
     } else {
       asked_ = true;
-      channel_.ping();
+      layer_.ping();
       flush();
       look_at_ = now + limits_.pong_time;
     }

@@ -41,7 +41,7 @@ class Context {
   [[nodiscard]] const std::string& warning() const { return warning_; }
 
  private:
-  friend class Channel;
+  friend class Layer;
   Context(std::shared_ptr<ssl_ctx_st> context, bool server, std::string authorities_option,
           std::string warning)
       : context_(std::move(context)),

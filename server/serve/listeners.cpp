@@ -101,7 +101,7 @@ std::shared_ptr<link::Link> Listeners::link_of(tcp::socket socket) const {
   auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, hooks_.held_back_max());
   const auto& tls = certificates_.tcp;
   if (!tls) return link;
-  return link::tls_link(std::move(link), tls::Channel(*tls), protocol::kLinkLimits,
+  return link::tls_link(std::move(link), tls::Layer(*tls), protocol::kLinkLimits,
                         protocol::encode(protocol::ErrorReply{
                             400, "this server speaks TLS only (face-player --tls)"}));
 }

@@ -103,7 +103,7 @@ std::shared_ptr<link::Link> WebServer::link_of(tcp::socket socket) const {
   auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, hooks_.held_back_max());
   if (!hooks_.tls()) return link;
   return link::tls_link(
-      std::move(link), tls::Channel(*hooks_.tls()), protocol::kLinkLimits,
+      std::move(link), tls::Layer(*hooks_.tls()), protocol::kLinkLimits,
       web::format_http_reply({.status = 400, .body = "this port speaks https and wss only\n"},
                              false));
 }

@@ -34,14 +34,14 @@ bool says(RunningTransmitter& server, const std::string& text) {
 const std::string kHello = "{hello v=2 window=2}";
 
 void expect_six_over_tls(TlsClient& client) {
-  ASSERT_TRUE(client.channel().ready() || client.shake_hands(kHello)) << client.channel().reason();
+  ASSERT_TRUE(client.layer().ready() || client.shake_hands(kHello)) << client.layer().reason();
   EXPECT_EQ(client.receive_until("}").substr(0, 7), "{hello ");
   for (const std::string& packet : kSixPackets) {
     EXPECT_EQ(client.receive_until("}"), packet);
     client.send("1");
   }
   EXPECT_EQ(client.receive_all(), kEnd);
-  EXPECT_TRUE(client.channel().ended()) << "close_notify before the end of the connection";
+  EXPECT_TRUE(client.layer().ended()) << "close_notify before the end of the connection";
   client.end_sending();
 }
 
@@ -134,7 +134,7 @@ TEST_F(ServerTls, WantsClientsCertificates) {
   TlsClient none(server.address(), context_);
   none.shake_hands();
   EXPECT_EQ(none.receive_all(), "");
-  EXPECT_EQ(none.channel().why(), tls::Channel::Why::Untrusted);
+  EXPECT_EQ(none.layer().why(), tls::Layer::Why::Untrusted);
   none.raw().end_sending();
   EXPECT_EQ(server.terminate(), 0);
   EXPECT_NE(server.log().find("the client showed no certificate"), std::string::npos);

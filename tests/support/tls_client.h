@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/tls/channel.h"
+#include "common/tls/layer.h"
 #include "tests/support/raw_client.h"
 
 namespace aucast::test {
@@ -14,25 +14,25 @@ class TlsClient {
  public:
   TlsClient(const std::string& address, const tls::Context& context,
             const std::string& host = "localhost")
-      : client_(address), channel_(context, host) {
-    client_.send(channel_.take_output());
+      : client_(address), layer_(context, host) {
+    client_.send(layer_.take_output());
   }
 
   /// Goes on until the handshake is done or has failed. `first_words` go out in one piece with our
   /// last part of it: a hello is then there within any grace.
   bool shake_hands(std::string first_words = {}) {
     first_words_ = std::move(first_words);
-    while (!channel_.ready() && step()) {
+    while (!layer_.ready() && step()) {
     }
-    return channel_.ready();
+    return layer_.ready();
   }
   void send(std::string_view plain) {
-    channel_.send(plain);
-    client_.send(channel_.take_output());
+    layer_.send(plain);
+    client_.send(layer_.take_output());
   }
   void end_sending() {
-    channel_.end();
-    client_.send(channel_.take_output());
+    layer_.end();
+    client_.send(layer_.take_output());
     client_.end_sending();
   }
   /// Up to and with `text`; what came instead when the connection ends.
@@ -50,22 +50,22 @@ class TlsClient {
     }
     return std::exchange(received_, {});
   }
-  [[nodiscard]] const tls::Channel& channel() const { return channel_; }
+  [[nodiscard]] const tls::Layer& layer() const { return layer_; }
   [[nodiscard]] RawClient& raw() { return client_; }
 
  private:
   bool step() {
-    if (channel_.ended() || channel_.why() != tls::Channel::Why::None) return false;
+    if (layer_.ended() || layer_.why() != tls::Layer::Why::None) return false;
     const std::string wire = client_.receive(1);
     if (wire.empty()) return false;
-    channel_.received(wire, received_);
-    if (channel_.ready()) channel_.send(std::exchange(first_words_, {}));
-    if (const std::string answer = channel_.take_output(); !answer.empty()) client_.send(answer);
+    layer_.received(wire, received_);
+    if (layer_.ready()) layer_.send(std::exchange(first_words_, {}));
+    if (const std::string answer = layer_.take_output(); !answer.empty()) client_.send(answer);
     return true;
   }
 
   RawClient client_;
-  tls::Channel channel_;
+  tls::Layer layer_;
   std::string first_words_;
   std::string received_;
 };

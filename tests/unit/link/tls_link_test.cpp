@@ -26,8 +26,8 @@ class TlsLinkTest : public ::testing::Test {
     const auto certificate = authority_.issue("server", "DNS:localhost");
     const auto serving = tls::Context::for_server({certificate.file, certificate.key, {}});
     const auto asking = tls::Context::for_client({{}, {}, authority_.file()});
-    server_ = tls_link(server_below_, tls::Channel(*serving), kTlsLimits, "TLS only");
-    client_ = tls_link(client_below_, tls::Channel(*asking, host), kTlsLimits);
+    server_ = tls_link(server_below_, tls::Layer(*serving), kTlsLimits, "TLS only");
+    client_ = tls_link(client_below_, tls::Layer(*asking, host), kTlsLimits);
     client_says_.when_open = [this] { client_->write("hello"); };
   }
   ~TlsLinkTest() override {
@@ -144,9 +144,9 @@ TEST_F(TlsLinkTest, TheUserMayLetGoWhileItIsTold) {
   start();
   settle();
   EXPECT_TRUE(client_below_->closed());
-  client_ = tls_link(std::make_shared<FakeLink>(),
-                     tls::Channel(*tls::Context::for_client({{}, {}, authority_.file()}), "x"),
-                     kTlsLimits);
+  client_ =
+      tls_link(std::make_shared<FakeLink>(),
+               tls::Layer(*tls::Context::for_client({{}, {}, authority_.file()}), "x"), kTlsLimits);
 }
 
 class ForeignCertificate : public TlsLinkTest {

@@ -1,6 +1,6 @@
 // Two ends of TLS joined in memory: whom they believe, what they say when they do not, and that
 // what goes in comes out however the wire cuts it.
-#include "common/tls/channel.h"
+#include "common/tls/layer.h"
 
 #include <algorithm>
 #include <optional>
@@ -15,7 +15,7 @@ namespace {
 
 using test::Authority;
 using test::Certificate;
-using Why = Channel::Why;
+using Why = Layer::Why;
 
 Context server_of(const Certificate& own, const std::string& client_authorities = {}) {
   auto made = Context::for_server({own.file, own.key, client_authorities});
@@ -31,8 +31,8 @@ Context client_of(const std::string& authorities, const Certificate& own = {}) {
 
 /// Both ends and what each has been told.
 struct Pair {
-  Channel server;
-  Channel client;
+  Layer server;
+  Layer client;
   std::string at_server{};
   std::string at_client{};
 
@@ -45,7 +45,7 @@ struct Pair {
     }
   }
 
-  static bool hand_on(Channel& from, Channel& to, std::string& plain, std::size_t portion) {
+  static bool hand_on(Layer& from, Layer& to, std::string& plain, std::size_t portion) {
     const std::string wire = from.take_output();
     for (std::size_t begin = 0; begin < wire.size(); begin += portion) {
       to.received(wire.substr(begin, portion), plain);
@@ -60,9 +60,9 @@ class TlsChannel : public ::testing::Test {
   Certificate own_ = authority_.issue("server", "DNS:face.example,IP:10.1.2.3");
 
   /// The failure that the client ends with when it asks for `host` and believes `authorities`.
-  Channel meet(const Certificate& certificate, const std::string& host,
-               const std::string& authorities, std::optional<std::string> server_says = {}) {
-    Pair pair{Channel(server_of(certificate)), Channel(client_of(authorities), host)};
+  Layer meet(const Certificate& certificate, const std::string& host,
+             const std::string& authorities, std::optional<std::string> server_says = {}) {
+    Pair pair{Layer(server_of(certificate)), Layer(client_of(authorities), host)};
     pair.settle();
     if (server_says) {
       EXPECT_NE(pair.server.reason().find(*server_says), std::string::npos) << pair.server.reason();
@@ -71,16 +71,16 @@ class TlsChannel : public ::testing::Test {
   }
 };
 
-void expect_reason(const Channel& channel, Why why, const std::string& text) {
-  EXPECT_EQ(channel.why(), why);
-  EXPECT_NE(channel.reason().find(text), std::string::npos) << channel.reason();
+void expect_reason(const Layer& layer, Why why, const std::string& text) {
+  EXPECT_EQ(layer.why(), why);
+  EXPECT_NE(layer.reason().find(text), std::string::npos) << layer.reason();
 }
 
 TEST_F(TlsChannel, CarriesBytesBothWaysHoweverTheyAreCut) {
   test::Seeded seeded;
   SCOPED_TRACE(seeded.trace());
   for (const std::size_t portion : {std::size_t{1}, std::size_t{7}, std::size_t{100'000}}) {
-    Pair pair{Channel(server_of(own_)), Channel(client_of(authority_.file()), "face.example")};
+    Pair pair{Layer(server_of(own_)), Layer(client_of(authority_.file()), "face.example")};
     pair.settle(portion);
     ASSERT_TRUE(pair.server.ready());
     ASSERT_TRUE(pair.client.ready());
@@ -139,17 +139,17 @@ TEST_F(TlsChannel, AsksForTheClientsCertificate) {
   const Certificate unknown = authority_.issue("stranger", "DNS:player");
   const Context server = server_of(own_, clients.file());
 
-  Pair right{Channel(server), Channel(client_of(authority_.file(), known), "face.example")};
+  Pair right{Layer(server), Layer(client_of(authority_.file(), known), "face.example")};
   right.settle();
   EXPECT_TRUE(right.server.ready());
   EXPECT_EQ(right.client.why(), Why::None);
 
-  Pair none{Channel(server), Channel(client_of(authority_.file()), "face.example")};
+  Pair none{Layer(server), Layer(client_of(authority_.file()), "face.example")};
   none.settle();
   expect_reason(none.server, Why::Untrusted, "showed no certificate (--tls-client-ca)");
   expect_reason(none.client, Why::Untrusted, "the server wants a certificate of ours");
 
-  Pair wrong{Channel(server), Channel(client_of(authority_.file(), unknown), "face.example")};
+  Pair wrong{Layer(server), Layer(client_of(authority_.file(), unknown), "face.example")};
   wrong.settle();
   expect_reason(wrong.server, Why::Untrusted,
                 "the client's certificate comes from an authority that is not known here");
@@ -158,10 +158,10 @@ TEST_F(TlsChannel, AsksForTheClientsCertificate) {
 
 TEST_F(TlsChannel, SaysWhenThePeerSpeaksPlain) {
   std::string plain;
-  Channel server(server_of(own_));
+  Layer server(server_of(own_));
   EXPECT_FALSE(server.received("{hello v=2}", plain));
   expect_reason(server, Why::NotTls, "the client does not speak TLS");
-  Channel client(client_of(authority_.file()), "face.example");
+  Layer client(client_of(authority_.file()), "face.example");
   EXPECT_FALSE(client.received("{1,6,12}", plain));
   expect_reason(client, Why::NotTls, "the server does not speak TLS");
   EXPECT_EQ(plain, "");
@@ -172,7 +172,7 @@ TEST_F(TlsChannel, RandomBytesEndItAndNothingElse) {
   SCOPED_TRACE(seeded.trace());
   const Context context = server_of(own_);
   for (int round = 0; round < 500; ++round) {
-    Channel server(context);
+    Layer server(context);
     std::string plain;
     std::string noise(1, '\x16');
     const int length = seeded.integer(0, 3000);
@@ -186,7 +186,7 @@ TEST_F(TlsChannel, RandomBytesEndItAndNothingElse) {
 }
 
 TEST_F(TlsChannel, DamageOnTheWayIsNoticed) {
-  Pair pair{Channel(server_of(own_)), Channel(client_of(authority_.file()), "face.example")};
+  Pair pair{Layer(server_of(own_)), Layer(client_of(authority_.file()), "face.example")};
   pair.settle();
   pair.server.send("{1,6,12}");
   std::string wire = pair.server.take_output();

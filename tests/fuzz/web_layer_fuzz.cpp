@@ -4,10 +4,10 @@
 #include <string>
 
 #include "common/check.h"
-#include "common/web/channel.h"
+#include "common/web/layer.h"
 #include "tests/fuzz/fuzz_input.h"
 
-using aucast::web::Channel;
+using aucast::web::Layer;
 
 namespace {
 
@@ -25,19 +25,19 @@ struct Heard {
 enum class Asks : std::uint8_t { Once, BeforeEachPiece };
 
 Heard hear(std::string_view wire, std::size_t piece, Asks asks = Asks::Once) {
-  Channel channel(kFrameBytesMax);
+  Layer layer(kFrameBytesMax);
   Heard heard;
   while (!wire.empty()) {
-    if (asks == Asks::BeforeEachPiece) channel.ping();
-    const bool good = channel.received(wire.substr(0, piece), heard.text);
-    AUCAST_CHECK(good != channel.failed());
+    if (asks == Asks::BeforeEachPiece) layer.ping();
+    const bool good = layer.received(wire.substr(0, piece), heard.text);
+    AUCAST_CHECK(good != layer.failed());
     wire.remove_prefix(std::min(piece, wire.size()));
   }
-  channel.ping();
-  channel.send("{1}");
-  heard.answer = channel.take_output();
-  heard.failed = channel.failed();
-  heard.ended = channel.ended();
+  layer.ping();
+  layer.send("{1}");
+  heard.answer = layer.take_output();
+  heard.failed = layer.failed();
+  heard.ended = layer.ended();
   return heard;
 }
 

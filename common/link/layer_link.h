@@ -10,27 +10,27 @@
 
 namespace aucast::link {
 
-/// A link whose bytes go through a Channel (tls::Channel, web::Channel) over the link below: what
+/// A link whose bytes go through a Layer (tls::Layer, web::Layer) over the link below: what
 /// all such links have in common. Whatever is told from below keeps this alive until it is through,
 /// for the user may let go.
-template <typename Channel>
-class ChannelLink : public Link,
-                    public LinkUser,
-                    public std::enable_shared_from_this<ChannelLink<Channel>> {
+template <typename Layer>
+class LayerLink : public Link,
+                  public LinkUser,
+                  public std::enable_shared_from_this<LayerLink<Layer>> {
  public:
-  ~ChannelLink() override { below_->close(); }
+  ~LayerLink() override { below_->close(); }
 
   // === What the user asks for.
 
   void hand_over(LinkUser& user) override { user_ = &user; }
   void write(std::string_view bytes) override {
     if (ending_ || finishing_) return;
-    channel_.send(bytes);
+    layer_.send(bytes);
     flush();
   }
   void finish() override {
     if (ending_ || std::exchange(finishing_, true)) return;
-    channel_.end();
+    layer_.end();
     flush();
     below_->finish();
   }
@@ -57,18 +57,18 @@ class ChannelLink : public Link,
   }
 
  protected:
-  ChannelLink(std::shared_ptr<Link> below, Channel channel)
-      : below_(std::move(below)), channel_(std::move(channel)) {}
+  LayerLink(std::shared_ptr<Link> below, Layer layer)
+      : below_(std::move(below)), layer_(std::move(layer)) {}
 
   /// The user wants to know.
   [[nodiscard]] bool listening() const { return user_ != nullptr && !finishing_ && !ending_; }
 
   void flush() {
-    if (const std::string wire = channel_.take_output(); !wire.empty()) below_->write(wire);
+    if (const std::string wire = layer_.take_output(); !wire.empty()) below_->write(wire);
   }
 
   std::shared_ptr<Link> below_;
-  Channel channel_;
+  Layer layer_;
   LinkUser* user_ = nullptr;
   bool finishing_ = false;
   std::optional<Ending> ending_;  ///< told when what waits has been drained

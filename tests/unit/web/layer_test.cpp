@@ -1,4 +1,4 @@
-#include "common/web/channel.h"
+#include "common/web/layer.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using test::server_text;
 
 constexpr std::size_t kFrameBytesMax = 65536;
 
-/// What one channel makes of some bytes.
+/// What one layer makes of some bytes.
 struct Heard {
   std::string text;
   std::string answer;
@@ -24,14 +24,14 @@ struct Heard {
 };
 
 Heard hear(std::string_view wire, std::size_t piece = std::string_view::npos) {
-  Channel channel(kFrameBytesMax);
+  Layer layer(kFrameBytesMax);
   Heard heard;
   while (!wire.empty()) {
-    static_cast<void>(channel.received(wire.substr(0, piece), heard.text));
+    static_cast<void>(layer.received(wire.substr(0, piece), heard.text));
     wire.remove_prefix(std::min(piece, wire.size()));
   }
-  heard.answer = channel.take_output();
-  heard.reason = channel.reason();
+  heard.answer = layer.take_output();
+  heard.reason = layer.reason();
   return heard;
 }
 
@@ -61,35 +61,35 @@ TEST(WebChannel, ReadsTheSameHoweverTheWireIsCut) {
 }
 
 TEST(WebChannel, WritesTextInTheShortestFrame) {
-  Channel channel(kFrameBytesMax);
-  channel.send("{1}");
-  EXPECT_EQ(channel.take_output(), server_text("{1}"));
-  channel.send(std::string(125, 'x'));
-  EXPECT_EQ(channel.take_output().substr(0, 2), "\x81\x7d");
-  channel.send(std::string(126, 'x'));
-  EXPECT_EQ(channel.take_output().substr(0, 4), std::string("\x81\x7e\x00\x7e", 4));
-  channel.send(std::string(65536, 'x'));
-  EXPECT_EQ(channel.take_output().substr(0, 10), std::string("\x81\x7f\0\0\0\0\0\x01\0\0", 10));
+  Layer layer(kFrameBytesMax);
+  layer.send("{1}");
+  EXPECT_EQ(layer.take_output(), server_text("{1}"));
+  layer.send(std::string(125, 'x'));
+  EXPECT_EQ(layer.take_output().substr(0, 2), "\x81\x7d");
+  layer.send(std::string(126, 'x'));
+  EXPECT_EQ(layer.take_output().substr(0, 4), std::string("\x81\x7e\x00\x7e", 4));
+  layer.send(std::string(65536, 'x'));
+  EXPECT_EQ(layer.take_output().substr(0, 10), std::string("\x81\x7f\0\0\0\0\0\x01\0\0", 10));
 }
 
 TEST(WebChannel, PingsAsItIsTold) {
-  Channel channel(kFrameBytesMax);
-  channel.ping();
-  EXPECT_EQ(channel.take_output(), server_frame(0x89, ""));
-  channel.end();
-  channel.ping();
-  EXPECT_EQ(channel.take_output(), server_close(1000));
+  Layer layer(kFrameBytesMax);
+  layer.ping();
+  EXPECT_EQ(layer.take_output(), server_frame(0x89, ""));
+  layer.end();
+  layer.ping();
+  EXPECT_EQ(layer.take_output(), server_close(1000));
 }
 
 TEST(WebChannel, OursIsTheFirstCloseOrAnswersThePeers) {
-  Channel ours(kFrameBytesMax);
+  Layer ours(kFrameBytesMax);
   ours.end();
   EXPECT_EQ(ours.take_output(), server_close(1000));
   ours.send("{1}");
   ours.end();
   EXPECT_EQ(ours.take_output(), "") << "nothing comes after a Close";
 
-  Channel peers(kFrameBytesMax);
+  Layer peers(kFrameBytesMax);
   std::string text;
   EXPECT_TRUE(
       peers.received(client_text("1") + client_frame(0x88, "\x0f\xa0 bye") + "noise", text));

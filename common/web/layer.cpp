@@ -1,4 +1,4 @@
-#include "common/web/channel.h"
+#include "common/web/layer.h"
 
 #include <algorithm>
 #include <utility>
@@ -66,7 +66,7 @@ void append_frame(std::string& wire, Opcode opcode, std::string_view payload) {
 
 }  // namespace
 
-bool Channel::received(std::string_view wire, std::string& text) {
+bool Layer::received(std::string_view wire, std::string& text) {
   while (!failed() && !closed_) {
     if (in_payload_) {
       take_payload(wire, text);
@@ -82,23 +82,23 @@ bool Channel::received(std::string_view wire, std::string& text) {
   return !failed();
 }
 
-void Channel::send(std::string_view text) {
+void Layer::send(std::string_view text) {
   if (!closed_) append_frame(output_, kText, text);
 }
 
-void Channel::ping() {
+void Layer::ping() {
   if (!closed_) append_frame(output_, kPing, {});
 }
 
-void Channel::end() {
+void Layer::end() {
   close(kNormal);
 }
 
-std::string Channel::take_output() {
+std::string Layer::take_output() {
   return std::exchange(output_, {});
 }
 
-void Channel::take_head_byte(unsigned char byte) {
+void Layer::take_head_byte(unsigned char byte) {
   head_[head_bytes_++] = byte;
   // What shows early is said early: such a peer may never send the rest.
   if (head_bytes_ == 1 && !check_kind()) return;
@@ -111,11 +111,11 @@ void Channel::take_head_byte(unsigned char byte) {
 }
 
 /// Of the whole head, as far as its first two bytes are known.
-std::size_t Channel::head_size() const {
+std::size_t Layer::head_size() const {
   return 2 + length_bytes(head_[1] & kLength) + kMaskBytes;
 }
 
-bool Channel::check_kind() {
+bool Layer::check_kind() {
   const auto opcode = static_cast<unsigned char>(head_[0] & kOpcode);
   const bool control = opcode >= kClose;
   if ((head_[0] & kReserved) != 0) {
@@ -134,7 +134,7 @@ bool Channel::check_kind() {
   return !failed();
 }
 
-bool Channel::check_length() {
+bool Layer::check_length() {
   const auto length = static_cast<unsigned char>(head_[1] & kLength);
   const std::size_t bytes = length_bytes(length);
   payload_bytes_ = bytes == 0 ? length : 0;
@@ -151,13 +151,13 @@ bool Channel::check_length() {
   return !failed();
 }
 
-void Channel::begin_frame() {
+void Layer::begin_frame() {
   in_payload_ = true;
   payload_taken_ = 0;
   control_.clear();
 }
 
-void Channel::take_payload(std::string_view& wire, std::string& text) {
+void Layer::take_payload(std::string_view& wire, std::string& text) {
   const bool control = (head_[0] & kOpcode) >= kClose;
   const std::size_t size = std::min<std::uint64_t>(wire.size(), payload_bytes_ - payload_taken_);
   const unsigned char* const mask = head_.data() + head_bytes_ - kMaskBytes;
@@ -177,7 +177,7 @@ void Channel::take_payload(std::string_view& wire, std::string& text) {
   fail(kNotText, "a text message holds a byte beyond ASCII");
 }
 
-void Channel::end_frame() {
+void Layer::end_frame() {
   in_payload_ = false;
   head_bytes_ = 0;
   const auto opcode = static_cast<unsigned char>(head_[0] & kOpcode);
@@ -190,7 +190,7 @@ void Channel::end_frame() {
   }
 }
 
-void Channel::take_close() {
+void Layer::take_close() {
   ended_ = true;
   if (control_.empty()) {
     close(kNormal);
@@ -205,13 +205,13 @@ void Channel::take_close() {
   }
 }
 
-void Channel::close(int code) {
+void Layer::close(int code) {
   if (std::exchange(closed_, true)) return;
   const char bytes[] = {static_cast<char>(code >> 8), static_cast<char>(code & 0xff)};
   append_frame(output_, kClose, {bytes, sizeof bytes});
 }
 
-void Channel::fail(int code, std::string reason) {
+void Layer::fail(int code, std::string reason) {
   reason_ = std::move(reason);
   close(code);
 }

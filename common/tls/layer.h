@@ -17,9 +17,9 @@ namespace aucast::tls {
 /// is the owner's business.
 /// After a failure nothing more goes in; what take_output() still gives tells the peer why.
 /// Thread: none of its own.
-class Channel {
+class Layer {
  public:
-  /// Why a failed channel failed, as far as the owner's next step goes.
+  /// Why a failed layer failed, as far as the owner's next step goes.
   enum class Why : std::uint8_t {
     None,
     NotTls,     ///< the peer's first bytes are none of TLS
@@ -28,10 +28,10 @@ class Channel {
   };
 
   /// `host`: for clients, the name or address that the certificate must be for.
-  explicit Channel(const Context& context, const std::string& host = {});
-  ~Channel();
-  Channel(Channel&&) noexcept;
-  Channel& operator=(Channel&&) noexcept;
+  explicit Layer(const Context& context, const std::string& host = {});
+  ~Layer();
+  Layer(Layer&&) noexcept;
+  Layer& operator=(Layer&&) noexcept;
 
   /// Bytes from the wire; what they mean is appended to `plain`. False when it failed.
   bool received(std::string_view wire, std::string& plain);

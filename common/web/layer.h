@@ -14,10 +14,10 @@ namespace aucast::web {
 /// After a failure or a Close of either side nothing more goes in or out but what take_output()
 /// still gives, which tells the peer why.
 /// Thread: none of its own.
-class Channel {
+class Layer {
  public:
   /// `frame_bytes_max`: of one frame's payload; a longer one is a failure as soon as it is named.
-  explicit Channel(std::size_t frame_bytes_max) : frame_bytes_max_(frame_bytes_max) {}
+  explicit Layer(std::size_t frame_bytes_max) : frame_bytes_max_(frame_bytes_max) {}
 
   /// Bytes from the wire; the text that they carry is appended to `text`. False when it failed.
   bool received(std::string_view wire, std::string& text);

@@ -1,4 +1,4 @@
-#include "common/tls/channel.h"
+#include "common/tls/layer.h"
 
 #include <openssl/err.h>
 #include <openssl/ssl.h>
@@ -127,7 +127,7 @@ bool about_certificates(int reason) {
 }  // namespace
 
 /// What the library must be able to tell us about one connection; it stays where it is.
-struct Channel::Peer {
+struct Layer::Peer {
   std::string host;
   bool server = false;
   std::string authorities_option{};
@@ -146,11 +146,11 @@ struct Channel::Peer {
   }
 };
 
-void Channel::Free::operator()(ssl_st* ssl) const {
+void Layer::Free::operator()(ssl_st* ssl) const {
   SSL_free(ssl);
 }
 
-Channel::Channel(const Context& context, const std::string& host)
+Layer::Layer(const Context& context, const std::string& host)
     : peer_(std::make_unique<Peer>(Peer{host, context.server_, context.authorities_option_})),
       ssl_(SSL_new(context.context_.get())) {
   BIO* const in = BIO_new(BIO_s_mem());
@@ -171,15 +171,15 @@ Channel::Channel(const Context& context, const std::string& host)
   shake_hands();
 }
 
-Channel::~Channel() = default;
-Channel::Channel(Channel&&) noexcept = default;
-Channel& Channel::operator=(Channel&&) noexcept = default;
+Layer::~Layer() = default;
+Layer::Layer(Layer&&) noexcept = default;
+Layer& Layer::operator=(Layer&&) noexcept = default;
 
-bool Channel::looks_like_tls(std::string_view wire) const {
+bool Layer::looks_like_tls(std::string_view wire) const {
   return wire.front() == kHandshakeRecord || (!peer_->server && wire.front() == kAlertRecord);
 }
 
-bool Channel::received(std::string_view wire, std::string& plain) {
+bool Layer::received(std::string_view wire, std::string& plain) {
   if (why_ != Why::None) return false;
   if (wire.empty()) return true;
   if (!std::exchange(heard_, true) && !looks_like_tls(wire)) {
@@ -211,7 +211,7 @@ bool Channel::received(std::string_view wire, std::string& plain) {
   return why_ == Why::None;
 }
 
-void Channel::shake_hands() {
+void Layer::shake_hands() {
   ERR_clear_error();
   const int done = SSL_do_handshake(ssl_.get());
   if (done == 1) return;
@@ -219,7 +219,7 @@ void Channel::shake_hands() {
   if (error != SSL_ERROR_WANT_READ && error != SSL_ERROR_WANT_WRITE) fail();
 }
 
-void Channel::fail() {
+void Layer::fail() {
   const unsigned long code = ERR_get_error();
   ERR_clear_error();
   const int reason = ERR_GET_REASON(code);
@@ -240,32 +240,32 @@ void Channel::fail() {
   }
 }
 
-void Channel::send(std::string_view plain) {
+void Layer::send(std::string_view plain) {
   if (why_ != Why::None || plain.empty()) return;
   ERR_clear_error();
   // The BIO takes everything, so it is always written whole.
   if (SSL_write(ssl_.get(), plain.data(), length_of(plain)) <= 0) fail();
 }
 
-void Channel::end() {
+void Layer::end() {
   if (why_ != Why::None || !ready()) return;
   ERR_clear_error();
   SSL_shutdown(ssl_.get());
   ERR_clear_error();
 }
 
-std::string Channel::take_output() {
+std::string Layer::take_output() {
   BIO* const out = SSL_get_wbio(ssl_.get());
   std::string bytes(BIO_ctrl_pending(out), '\0');
   if (!bytes.empty()) BIO_read(out, bytes.data(), length_of(bytes));
   return bytes;
 }
 
-bool Channel::ready() const {
+bool Layer::ready() const {
   return SSL_is_init_finished(ssl_.get()) == 1;
 }
 
-bool Channel::ended() const {
+bool Layer::ended() const {
   return ended_;
 }
 
