@@ -243,7 +243,7 @@ Result<void> FaceFile::add(const Surface& surface) {
 }
 
 void FaceFile::add(const Motion& motion) {
-  const int input = file_.moments(motion.seconds);
+  const int input = file_.samples(motion.seconds);
   animation_ = {{"name", motion.name}, {"samplers", Json::array()}, {"channels", Json::array()}};
   const auto sampler = [&](int output) {
     animation_["samplers"].push_back({{"input", input}, {"output", output}});

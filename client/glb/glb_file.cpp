@@ -200,7 +200,7 @@ int GlbFile::colour_changes(std::span<const Change> changes, std::size_t vertex_
   return this->changes(changes, vertex_count, 4, false);
 }
 
-int GlbFile::moments(std::span<const float> seconds) {
+int GlbFile::samples(std::span<const float> seconds) {
   AUCAST_CHECK(!seconds.empty());
   const int index = accessor(view(bytes_of(seconds), kNoTarget), kFloat, "SCALAR", seconds.size());
   accessors_.back()["min"] = {seconds.front()};

@@ -53,7 +53,7 @@ class GlbFile {
   [[nodiscard]] int colour_changes(std::span<const Change> changes, std::size_t vertex_count);
 
   // Of animations.
-  [[nodiscard]] int moments(std::span<const float> seconds);         ///< ascending
+  [[nodiscard]] int samples(std::span<const float> seconds);         ///< ascending
   [[nodiscard]] int weights(std::span<const std::uint8_t> weights);  ///< 255 is 1
   [[nodiscard]] int turns(std::span<const glm::quat> turns);
   [[nodiscard]] int shifts(std::span<const glm::vec3> shifts);

@@ -11,15 +11,15 @@ std::int64_t duration_ms(const playback::TimedAus& keyframe, const Sampling& sam
 
 }  // namespace
 
-std::size_t moment_count(std::span<const playback::TimedAus> keyframes, const Sampling& sampling) {
+std::size_t sample_count(std::span<const playback::TimedAus> keyframes, const Sampling& sampling) {
   std::int64_t all_ms = 0;
   for (const playback::TimedAus& keyframe : keyframes) all_ms += duration_ms(keyframe, sampling);
   return static_cast<std::size_t>(all_ms * sampling.fps / 1000) + 1;
 }
 
-void for_each_moment(const pipeline::AuMapping& mapping,
+void for_each_sample(const pipeline::AuMapping& mapping,
                      std::span<const playback::TimedAus> keyframes, const Sampling& sampling,
-                     const AtMoment& at_moment) {
+                     const AtSample& at_sample) {
   pipeline::FacePipeline pipeline(mapping, sampling.interpolation);
   const pipeline::IdleFace idle(mapping.face);
   pipeline::FaceState reached = pipeline.neutral();
@@ -35,7 +35,7 @@ void for_each_moment(const pipeline::AuMapping& mapping,
       const double mu = takes_ms == 0 ? 1.0 : into_ms / static_cast<double>(takes_ms);
       pipeline.at(std::clamp(mu, 0.0, 1.0), shown);
       idle.apply(sampling.idle, seconds, shown.activations);
-      if (!at_moment(seconds, shown)) return;
+      if (!at_sample(seconds, shown)) return;
     }
     pipeline.at(1, reached);
     begin_ms += takes_ms;

@@ -24,25 +24,25 @@ struct Sampling {
   pipeline::IdleOptions idle{};
 };
 
-/// How many moments for_each_moment() has.
-[[nodiscard]] std::size_t moment_count(std::span<const playback::TimedAus> keyframes,
+/// How many samples for_each_sample() has.
+[[nodiscard]] std::size_t sample_count(std::span<const playback::TimedAus> keyframes,
                                        const Sampling& sampling);
 
 /// Says whether to go on.
-using AtMoment = std::function<bool(double seconds, const pipeline::FaceState& face)>;
+using AtSample = std::function<bool(double seconds, const pipeline::FaceState& face)>;
 
 /// The face at n / fps seconds from the neutral face on, to the end of the last keyframe: the same
 /// faces as on the pictures of a film.
-void for_each_moment(const pipeline::AuMapping& mapping,
+void for_each_sample(const pipeline::AuMapping& mapping,
                      std::span<const playback::TimedAus> keyframes, const Sampling& sampling,
-                     const AtMoment& at_moment);
+                     const AtSample& at_sample);
 
-/// An animation: what weights and joints are at each moment.
+/// An animation: what weights and joints are at each sample.
 struct Motion {
   std::string name;
   std::vector<float> seconds;
-  std::vector<std::uint8_t> weights;           ///< of all targets at the first moment, then ...
-  std::vector<std::vector<JointPose>> joints;  ///< one per moment
+  std::vector<std::uint8_t> weights;           ///< of all targets at the first sample, then ...
+  std::vector<std::vector<JointPose>> joints;  ///< one per sample
 };
 
 }  // namespace aucast::glb

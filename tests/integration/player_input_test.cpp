@@ -64,7 +64,7 @@ TEST(PlayerInput, AnExportIsWholeAndTheSameEachTime) {
   const std::string second = (folder.path() / "second.glb").string();
   const Finished done = run({program("face-player"), "export", stream.string(), first});
   ASSERT_EQ(done.exit_code, 0) << done.err;
-  EXPECT_NE(done.out.find("31 moments in 1.0 s"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("31 samples in 1.0 s"), std::string::npos) << done.out;
   EXPECT_NE(done.out.find("farthest vertex"), std::string::npos) << done.out;
   ASSERT_EQ(run({program("face-player"), "export", stream.string(), second}).exit_code, 0);
   const std::string bytes = *read_file(first);

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kFps = 30;
 /// Nine hours at 30 a second: 110 MB of weights.
-constexpr std::size_t kMomentsMax = 1'000'000;
-/// Moments, or faces without a stream, of which the error is measured.
+constexpr std::size_t kSamplesMax = 1'000'000;
+/// Samples, or faces without a stream, of which the error is measured.
 constexpr std::size_t kMeasuredMax = 2000;
 constexpr std::size_t kRandomFaces = 200;
 constexpr std::uint64_t kRandomSeed = 1;
@@ -60,7 +60,7 @@ std::string glb_summary(const ExportOptions& given, std::size_t bytes,
                 static_cast<double>(bytes) / 1e6, targets.all().size());
   std::string lines = given.glb().string() + text.data();
   if (motion != nullptr) {
-    std::snprintf(text.data(), text.size(), ", %zu moments in %.1f s", motion->seconds.size(),
+    std::snprintf(text.data(), text.size(), ", %zu samples in %.1f s", motion->seconds.size(),
                   static_cast<double>(motion->seconds.back()));
     lines += text.data();
   }
@@ -69,7 +69,7 @@ std::string glb_summary(const ExportOptions& given, std::size_t bytes,
       "\nfarthest vertex from the face itself: median %.2f mm, nine of ten below %.2f mm, "
       "worst %.2f mm (%zu %s)",
       drift.median_mm, drift.most_mm, drift.worst_mm, drift.faces,
-      motion != nullptr ? "moments" : "random faces");
+      motion != nullptr ? "samples" : "random faces");
   return lines + text.data();
 }
 
@@ -78,13 +78,13 @@ std::optional<glb::Motion> motion_of(const pipeline::AuMapping& mapping,
                                      const std::vector<playback::TimedAus>& keyframes,
                                      const glb::Sampling& sampling,
                                      const glb::MorphTargets& targets, const glb::FaceRig& rig,
-                                     glb::Drift& drift, const OnMoment& on_moment) {
+                                     glb::Drift& drift, const OnSample& on_sample) {
   std::optional<glb::Motion> motion(std::in_place);
-  const std::size_t count = glb::moment_count(keyframes, sampling);
+  const std::size_t count = glb::sample_count(keyframes, sampling);
   const std::size_t every = (count + kMeasuredMax - 1) / kMeasuredMax;
-  glb::for_each_moment(
+  glb::for_each_sample(
       mapping, keyframes, sampling, [&](double seconds, const pipeline::FaceState& state) {
-        if (on_moment && !on_moment(motion->seconds.size(), count)) {
+        if (on_sample && !on_sample(motion->seconds.size(), count)) {
           motion.reset();
           return false;
         }
@@ -108,16 +108,16 @@ Result<sources::ArkitTable> read_curves(const std::filesystem::path& file) {
 
 Result<void> check_length(const std::vector<playback::TimedAus>& keyframes,
                           const PlayerOptions& options, const std::string& place) {
-  const std::size_t moments = glb::moment_count(keyframes, sampling_of(options));
-  if (moments <= kMomentsMax) return {};
+  const std::size_t samples = glb::sample_count(keyframes, sampling_of(options));
+  if (samples <= kSamplesMax) return {};
   return Error{ErrorKind::BadData,
-               at_place(place, std::to_string(moments) + " moments are more than the " +
-                                   std::to_string(kMomentsMax) +
+               at_place(place, std::to_string(samples) + " samples are more than the " +
+                                   std::to_string(kSamplesMax) +
                                    " that are exported; give a lower --fps, or cut the stream")};
 }
 
 Result<std::string> export_glb(const Assets& assets, const PlayerOptions& options,
-                               const ExportedStream& stream, const OnMoment& on_moment) {
+                               const ExportedStream& stream, const OnSample& on_sample) {
   const ExportOptions& given = options.exported;
   if (auto writable = check_writable(given.glb()); !writable) return writable.error();
   const face::Face& face = assets.face;
@@ -138,7 +138,7 @@ Result<std::string> export_glb(const Assets& assets, const PlayerOptions& option
     glb::add_random_faces(mapping, kRandomFaces, kRandomSeed, drift);
   } else {
     motion =
-        motion_of(mapping, stream.keyframes, sampling_of(options), targets, rig, drift, on_moment);
+        motion_of(mapping, stream.keyframes, sampling_of(options), targets, rig, drift, on_sample);
     if (!motion) return Error{ErrorKind::Failed, "stopped; no GLB file was written"};
     motion->name = stream.name;
   }

@@ -19,19 +19,19 @@ struct ExportedStream {
   std::string sound;  ///< the file that belongs to it; empty: none
 };
 
-/// BadData when a stream has more moments than are exported; `place` is what it was read from.
+/// BadData when a stream has more samples than are exported; `place` is what it was read from.
 [[nodiscard]] Result<void> check_length(const std::vector<playback::TimedAus>& keyframes,
                                         const PlayerOptions& options, const std::string& place);
 
-/// Told of each moment of the animation that is done, and how many there are; says whether to go
+/// Told of each sample of the animation that is done, and how many there are; says whether to go
 /// on.
-using OnMoment = std::function<bool(std::size_t done, std::size_t total)>;
+using OnSample = std::function<bool(std::size_t done, std::size_t total)>;
 
 /// Writes the face, and the animation that a stream gives it, as the GLB file of the options.
 /// Returns what is in it and how far it is from the face that face-player draws, in two lines.
-/// Stopped by `on_moment` it fails and writes nothing.
+/// Stopped by `on_sample` it fails and writes nothing.
 [[nodiscard]] Result<std::string> export_glb(const Assets& assets, const PlayerOptions& options,
                                              const ExportedStream& stream,
-                                             const OnMoment& on_moment = {});
+                                             const OnSample& on_sample = {});
 
 }  // namespace aucast::app

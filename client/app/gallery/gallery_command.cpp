@@ -122,8 +122,8 @@ class GalleryWriter {
     Expression muscles;
     muscles.muscles = picture.muscles;
     if (auto applied = apply_muscles(assets_.face, muscles, activations_); !applied) return applied;
-    if (picture.moment) {
-      const float strength = sweep_strength(picture.moment->time_ms);
+    if (picture.sweep_frame) {
+      const float strength = sweep_strength(picture.sweep_frame->time_ms);
       for (float& activation : activations_) activation *= strength;
     }
     const view::Image image = maker_->picture(activations_);

@@ -71,11 +71,11 @@ std::string line(const std::string& file, const GalleryPicture& picture,
   fields.insert(fields.end(),
                 {setting.camera, std::to_string(setting.width), std::to_string(setting.height),
                  setting.background, setting.layers, setting.version});
-  if (picture.moment) {
+  if (picture.sweep_frame) {
     const bool still = !video;
-    fields.push_back(still ? std::to_string(picture.moment->frame) : "");
-    fields.push_back(still ? std::to_string(picture.moment->time_ms) : "");
-    fields.push_back(still ? strength_text(picture.moment->time_ms) : "");
+    fields.push_back(still ? std::to_string(picture.sweep_frame->number) : "");
+    fields.push_back(still ? std::to_string(picture.sweep_frame->time_ms) : "");
+    fields.push_back(still ? strength_text(picture.sweep_frame->time_ms) : "");
     for (const int ms : {kOnsetMs, kApexMs, kOffsetMs, kSweepEndMs}) {
       fields.push_back(std::to_string(ms));
     }

@@ -28,8 +28,8 @@ inline constexpr int kSweepEndMs = 1600;
 [[nodiscard]] float sweep_strength(int time_ms);
 
 /// Where a picture stands in a sweep.
-struct SweepMoment {
-  int frame = 1;
+struct SweepFrame {
+  int number = 1;
   int time_ms = 0;
 };
 
@@ -42,7 +42,7 @@ struct GalleryPicture {
   std::vector<ExpressionMuscle> muscles;
   face::Mixer mixer = face::Mixer::Maximum;
   std::string rules;
-  std::optional<SweepMoment> moment;
+  std::optional<SweepFrame> sweep_frame;
 };
 
 /// A place for a picture on the page.

@@ -268,11 +268,11 @@ void GalleryPlanner::add_sweep_frames(const std::string& name, const std::string
   std::size_t apex = sweep.begin;
   constexpr int kStepMs = 1000 / kSweepFps;
   for (int time_ms = 0; time_ms <= kSweepEndMs; time_ms += kStepMs) {
-    const SweepMoment moment{time_ms / kStepMs + 1, time_ms};
+    const SweepFrame frame{time_ms / kStepMs + 1, time_ms};
     std::array<char, 32> file{};
-    std::snprintf(file.data(), file.size(), "/frame_%06d.png", moment.frame);
+    std::snprintf(file.data(), file.size(), "/frame_%06d.png", frame.number);
     const std::size_t index = picture(folder + file.data(), subject);
-    plan_.pictures[index].moment = moment;
+    plan_.pictures[index].sweep_frame = frame;
     if (time_ms == kApexMs) apex = index;
     ++sweep.count;
   }

@@ -96,7 +96,7 @@ TEST(GalleryPlan, ASweepGoesUpHoldsAndComesBack) {
   EXPECT_EQ(plan->sweeps[0].name, "auL12-80");
   EXPECT_EQ(plan->sweeps[0].count, 41U);
   EXPECT_EQ(plan->pictures[0].file, "sweeps/auL12-80/frame_000001.png");
-  EXPECT_EQ(plan->pictures[40].moment->time_ms, kSweepEndMs);
+  EXPECT_EQ(plan->pictures[40].sweep_frame->time_ms, kSweepEndMs);
   EXPECT_EQ(plan->sweeps[1].begin, 41U);
   EXPECT_EQ(sweep_strength(0), 0);
   EXPECT_FLOAT_EQ(sweep_strength(300), 0.5F);
