@@ -7,7 +7,7 @@
 
 namespace aucast {
 
-void Problems::add(Place place, const std::string& text) {
+void Problems::add(LinePosition place, const std::string& text) {
   if (first_) return;
   first_ = Error{ErrorKind::BadData, at_place(file_, place.line, place.column, text)};
 }

@@ -9,7 +9,7 @@
 namespace aucast {
 
 /// Line and column in a file, both from 1.
-struct Place {
+struct LinePosition {
   std::size_t line = 0;
   std::size_t column = 0;
 };
@@ -19,7 +19,7 @@ class Problems {
  public:
   explicit Problems(std::string file) : file_(std::move(file)) {}
 
-  void add(Place place, const std::string& text);
+  void add(LinePosition place, const std::string& text);
   [[nodiscard]] bool none() const { return !first_.has_value(); }
   /// Success, or BadData "file:line:column: ..." of the first problem.
   [[nodiscard]] Result<void> result() const;

@@ -11,7 +11,7 @@
 namespace aucast {
 namespace {
 
-Place place_of(const toml::source_region& region) {
+LinePosition place_of(const toml::source_region& region) {
   return {region.begin.line, region.begin.column};
 }
 
@@ -61,7 +61,7 @@ Result<TomlValue> parse_toml(std::string_view bytes, std::string_view file) {
   try {
     return value_of(toml::parse(bytes));
   } catch (const toml::parse_error& error) {
-    const Place place = place_of(error.source());
+    const LinePosition place = place_of(error.source());
     return Error{ErrorKind::BadData,
                  at_place(file, place.line, place.column, escaped(error.description(), 200))};
   }

@@ -20,7 +20,7 @@ struct TomlValue {
   struct Entry;
 
   Kind kind = Kind::Other;
-  Place place;
+  LinePosition place;
   bool boolean = false;
   std::int64_t integer = 0;
   double real = 0;  ///< for an integer too
@@ -35,7 +35,7 @@ struct TomlValue {
 
 struct TomlValue::Entry {
   std::string key;
-  Place place;  ///< of the key
+  LinePosition place;  ///< of the key
   TomlValue value;
 };
 

@@ -34,7 +34,7 @@ bool TableReader::has(std::string_view key) const {
   return table_.find(key) != nullptr;
 }
 
-Place TableReader::place_of(std::string_view key) const {
+LinePosition TableReader::place_of(std::string_view key) const {
   const TomlValue* value = table_.find(key);
   return value == nullptr ? table_.place : value->place;
 }

@@ -21,7 +21,7 @@ class TableReader {
   TableReader(const TomlValue& table, Problems& problems) : table_(table), problems_(problems) {}
 
   [[nodiscard]] bool has(std::string_view key) const;
-  [[nodiscard]] Place place_of(std::string_view key) const;
+  [[nodiscard]] LinePosition place_of(std::string_view key) const;
 
   // Required values.
   std::string text(std::string_view key);

@@ -78,26 +78,26 @@ std::optional<ByteFault> ServerPacketDecoder::accept(char byte) {
   if (packet_bytes_ == 0) {
     if (is_blank(byte)) return blank();
     if (byte != '{') return unexpected("'{'", byte);
-    place_ = Place::Opened;
+    inside_ = Inside::Opened;
     return count(1);
   }
   if (auto fault = count(bytes_max())) return fault;
-  switch (place_) {
-    case Place::Opened:
+  switch (inside_) {
+    case Inside::Opened:
       return open(byte);
-    case Place::Minus:
-    case Place::EndRead:
+    case Inside::Minus:
+    case Inside::EndRead:
       return end_mark(byte);
-    case Place::Keyframe:
+    case Inside::Keyframe:
       return byte == '}' ? close() : keyframe_.accept(byte);
-    case Place::Word:
+    case Inside::Word:
       break;
   }
   return byte == '}' ? close_word() : word_.accept(byte);
 }
 
 std::size_t ServerPacketDecoder::bytes_max() const {
-  if (place_ != Place::Word) return kPacketBytesMax;
+  if (inside_ != Inside::Word) return kPacketBytesMax;
   switch (word_.text().front()) {
     case 's':
       return kPacketBytesMax;
@@ -113,27 +113,27 @@ std::size_t ServerPacketDecoder::bytes_max() const {
 std::optional<ByteFault> ServerPacketDecoder::open(char byte) {
   if (is_blank(byte)) return std::nullopt;
   if (byte == '-') {
-    place_ = Place::Minus;
+    inside_ = Inside::Minus;
     return std::nullopt;
   }
   // A word stands directly after the brace; elsewhere a small letter is just an illegal byte.
   if (packet_bytes_ == 2 && byte >= 'a' && byte <= 'z') {
-    place_ = Place::Word;
+    inside_ = Inside::Word;
     word_ = WordPacket(kServerWords);
     return word_.accept(byte);
   }
-  place_ = Place::Keyframe;
+  inside_ = Inside::Keyframe;
   keyframe_ = KeyframeParser(TermSyntax::Wire);
   return byte == '}' ? close() : keyframe_.accept(byte);
 }
 
 std::optional<ByteFault> ServerPacketDecoder::end_mark(char byte) {
-  if (is_digit(byte) && (place_ == Place::EndRead || byte != '2')) {
+  if (is_digit(byte) && (inside_ == Inside::EndRead || byte != '2')) {
     return ByteFault{DecodeFault::UnknownPacket, "of the negative packets only {-2} exists"};
   }
-  if (place_ == Place::Minus) {
+  if (inside_ == Inside::Minus) {
     if (byte != '2') return unexpected("'2' of {-2}", byte);
-    place_ = Place::EndRead;
+    inside_ = Inside::EndRead;
     return std::nullopt;
   }
   if (is_blank(byte)) return std::nullopt;

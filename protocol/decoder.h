@@ -62,7 +62,7 @@ class ServerPacketDecoder final : public PacketDecoder<ServerPacket> {
   ServerPacketDecoder();
 
  private:
-  enum class Place : std::uint8_t {
+  enum class Inside : std::uint8_t {
     Opened,   ///< after '{'
     Minus,    ///< after "{-"
     EndRead,  ///< after "{-2"
@@ -77,7 +77,7 @@ class ServerPacketDecoder final : public PacketDecoder<ServerPacket> {
   [[nodiscard]] std::optional<ByteFault> close_word();
   [[nodiscard]] std::size_t bytes_max() const;
 
-  Place place_ = Place::Opened;
+  Inside inside_ = Inside::Opened;
   KeyframeParser keyframe_{TermSyntax::Wire};
 };
 

@@ -80,7 +80,7 @@ Result<std::string_view> take_line(std::string_view& bytes) {
 
 /// Where the digits of {a@PLACE ...} or {t@PLACE ...} are; nothing: it is another packet, or what
 /// stands there is no place.
-struct Place {
+struct PlaceField {
   std::uint64_t ms = 0;
   std::size_t length = 0;  ///< of its digits
 };
@@ -91,12 +91,12 @@ bool is_sound(std::string_view packet) {
   return packet.starts_with("{a") || packet.starts_with("{t");
 }
 
-std::optional<Place> place_of(std::string_view packet) {
+std::optional<PlaceField> place_of(std::string_view packet) {
   if (packet.size() <= kPlaceBegin || packet[2] != '@') return std::nullopt;
   const std::size_t end = std::min(packet.find_first_of(" }", kPlaceBegin), packet.size());
   const auto ms = number_of<std::uint64_t>(packet.substr(kPlaceBegin, end - kPlaceBegin));
   if (!ms) return std::nullopt;
-  return Place{*ms, end - kPlaceBegin};
+  return PlaceField{*ms, end - kPlaceBegin};
 }
 
 }  // namespace

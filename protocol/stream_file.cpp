@@ -42,7 +42,7 @@ class StreamFileParser {
   Result<void> parse();
 
  private:
-  enum class Place : std::uint8_t { Before, Inside, After };
+  enum class Part : std::uint8_t { Before, Inside, After };
 
   void read_line(std::string_view line);
   void read_tag(std::string_view content, std::size_t shift);
@@ -58,7 +58,7 @@ class StreamFileParser {
   ErrorList errors_;
   const KeyframeSink& sink_;
   std::optional<Error> refused_;  ///< by the sink
-  Place place_ = Place::Before;
+  Part part_ = Part::Before;
   std::size_t line_number_ = 0;
   std::size_t begin_line_ = 0;
   bool packet_seen_ = false;   ///< between the tags, right or wrong
@@ -102,7 +102,7 @@ void StreamFileParser::read_line(std::string_view line) {
   const auto shift = static_cast<std::size_t>(content.data() - line.data());
   if (content == kBeginTag || content == kEndTag) {
     read_tag(content, shift);
-  } else if (place_ == Place::Inside) {
+  } else if (part_ == Part::Inside) {
     read_packet(content, shift);
   } else {
     read_outside(content, shift);
@@ -111,22 +111,22 @@ void StreamFileParser::read_line(std::string_view line) {
 
 void StreamFileParser::read_tag(std::string_view content, std::size_t shift) {
   const bool begins = content == kBeginTag;
-  if (place_ == Place::After) {
+  if (part_ == Part::After) {
     refuse(shift, "found " + std::string(content) + " after End_Stream; a file holds one stream");
-  } else if (begins && place_ == Place::Before) {
-    place_ = Place::Inside;
+  } else if (begins && part_ == Part::Before) {
+    part_ = Part::Inside;
     begin_line_ = line_number_;
     packet_seen_ = false;
   } else if (begins) {
     refuse(shift, "a second Beg_Stream; the stream began on line " + std::to_string(begin_line_));
   } else {
-    if (place_ == Place::Before && !outside_said_) {
+    if (part_ == Part::Before && !outside_said_) {
       refuse(shift, "End_Stream without a Beg_Stream before it");
-    } else if (place_ == Place::Inside && !packet_seen_) {
+    } else if (part_ == Part::Inside && !packet_seen_) {
       refuse(shift,
              "the stream is empty; write at least one packet between the tags, such as 1,6,12");
     }
-    place_ = Place::After;
+    part_ = Part::After;
     outside_said_ = false;
   }
 }
@@ -151,7 +151,7 @@ void StreamFileParser::read_packet(std::string_view content, std::size_t shift) 
 /// Said once per region: a file without its tag is one mistake, not one per line.
 void StreamFileParser::read_outside(std::string_view content, std::size_t shift) {
   if (std::exchange(outside_said_, true)) return;
-  if (place_ == Place::Before) {
+  if (part_ == Part::Before) {
     refuse(shift, "expected Beg_Stream on a line of its own before the first packet, found '" +
                       escaped(content) + "'");
   } else {
@@ -161,9 +161,9 @@ void StreamFileParser::read_outside(std::string_view content, std::size_t shift)
 }
 
 void StreamFileParser::finish() {
-  if (place_ == Place::After) return;
+  if (part_ == Part::After) return;
   line_number_ = std::max<std::size_t>(line_number_, 1);
-  if (place_ == Place::Inside) {
+  if (part_ == Part::Inside) {
     refuse(0,
            "the file ends without End_Stream; write it on a line of its own after the last packet");
   } else if (!outside_said_) {

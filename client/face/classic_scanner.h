@@ -23,7 +23,7 @@ class ClassicScanner {
   /// Nothing but blanks may be left.
   void end();
 
-  [[nodiscard]] Place place() const { return token_place_; }  ///< of what was read last
+  [[nodiscard]] LinePosition place() const { return token_place_; }  ///< of what was read last
   void wrong(const std::string& text) { problems_.add(token_place_, text); }
 
  private:
@@ -33,8 +33,8 @@ class ClassicScanner {
   std::string_view text_;
   Problems& problems_;
   std::size_t position_ = 0;
-  Place here_{1, 1};
-  Place token_place_{1, 1};
+  LinePosition here_{1, 1};
+  LinePosition token_place_{1, 1};
 };
 
 }  // namespace aucast::face

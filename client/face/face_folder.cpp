@@ -51,7 +51,7 @@ HeadPose read_head(const TomlValue& table, Problems& problems) {
   return head;
 }
 
-void need_map(const FaceMesh& mesh, std::string_view map, Place place, Problems& problems) {
+void need_map(const FaceMesh& mesh, std::string_view map, LinePosition place, Problems& problems) {
   if (mesh.maps.contains(std::string(map))) return;
   problems.add(place, "this needs the map '" + std::string(map) + "', which the mesh lacks");
 }

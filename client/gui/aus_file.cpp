@@ -24,7 +24,7 @@ std::string drive_text(const Drive& drive) {
 }
 
 /// Columns count characters; in UTF-8 those are the bytes that continue none.
-std::optional<std::size_t> byte_at(std::string_view text, Place place) {
+std::optional<std::size_t> byte_at(std::string_view text, LinePosition place) {
   std::size_t at = 0;
   for (std::size_t line = 1; line < place.line; ++line) {
     at = text.find('\n', at);

@@ -7,7 +7,7 @@
 namespace aucast::gui {
 
 /// Whether panels lie over the face. In full screen they go away when the mouse has been still for
-/// a while and come back with it; in a window they stay. Pure: moments are handed in.
+/// a while and come back with it; in a window they stay. Pure: times are handed in.
 class Curtain {
  public:
   /// So long the mouse is still before the panels go.

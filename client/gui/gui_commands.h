@@ -79,7 +79,7 @@ struct ChangeDisplay {
   DisplaySettings settings;
 };
 struct LookFrom {
-  View view = View::Front;
+  Facing view = Facing::Front;
 };
 /// The user's answer when there are unsaved changes.
 struct Leave {

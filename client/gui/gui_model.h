@@ -169,7 +169,7 @@ struct TransitionSettings {
 
 /// None: pictures are transparent there; the window shows the studio.
 enum class Ground : std::uint8_t { Studio, Black, Grey, White, None };
-enum class View : std::uint8_t { Front, ThreeQuarter, Profile };
+enum class Facing : std::uint8_t { Front, ThreeQuarter, Profile };
 
 struct RenderingSettings {
   view::Layers layers;

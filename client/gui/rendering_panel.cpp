@@ -31,10 +31,10 @@ constexpr std::array<LayerLabel, 8> kLayers = {{{"view.textured", &view::Layers:
 
 void camera(const Look& look, GuiCommands& commands) {
   heading(look, tr("view.camera"));
-  if (wide_button(tr("view.front"), 0, 3, true)) commands.push_back(LookFrom{View::Front});
+  if (wide_button(tr("view.front"), 0, 3, true)) commands.push_back(LookFrom{Facing::Front});
   if (wide_button(tr("view.three_quarter"), 1, 3, true))
-    commands.push_back(LookFrom{View::ThreeQuarter});
-  if (wide_button(tr("view.profile"), 2, 3, true)) commands.push_back(LookFrom{View::Profile});
+    commands.push_back(LookFrom{Facing::ThreeQuarter});
+  if (wide_button(tr("view.profile"), 2, 3, true)) commands.push_back(LookFrom{Facing::Profile});
   quiet_text(tr("view.mouse"));
 }
 

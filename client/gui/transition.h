@@ -9,7 +9,7 @@
 namespace aucast::gui {
 
 /// The way from the face as it is to another one in a number of in-between frames, each shown for
-/// the same time (thesis 5.4.2: 50 of 5 ms). Pure: the moments are handed in.
+/// the same time (thesis 5.4.2: 50 of 5 ms). Pure: the times are handed in.
 class Transition {
  public:
   /// Both faces have one activation per channel.

@@ -21,13 +21,13 @@ constexpr std::size_t kLooks = kFine + kCoarsePlaces * kCoarsePlaces * kCoarseEa
 constexpr std::size_t kNumbers = 16;
 constexpr double kFinderMargin = 1.5;  ///< the square's side, in boxes
 
-struct Place {
+struct Centre {
   double x;
   double y;
 };
 
 /// Where the net looked from, as a part of the picture's side.
-Place place_of(std::size_t look) {
+Centre centre_of(std::size_t look) {
   const bool fine = look < kFine;
   const std::size_t index = fine ? look / kFineEach : (look - kFine) / kCoarseEach;
   const std::size_t side = fine ? kFinePlaces : kCoarsePlaces;
@@ -60,7 +60,7 @@ std::optional<Square> FaceFinder::find(const Picture& picture) {
   const auto best = std::max_element(scores.begin(), scores.end());
   if (!(1 / (1 + std::exp(-*best)) >= kSureMin)) return std::nullopt;
   const auto look = static_cast<std::size_t>(best - scores.begin());
-  const Place from = place_of(look);
+  const Centre from = centre_of(look);
   const auto numbers = net_.output(0).subspan(look * kNumbers, kNumbers);
   const auto part = [&](std::size_t index) { return double{numbers[index]} / kFinderSide; };
   const auto x = [&](std::size_t index) { return (part(index) + from.x - 0.5) * side + middle_x; };

@@ -38,7 +38,7 @@ class Net {
     Operator kind = Operator::Add;
     std::vector<std::size_t> inputs;
     std::size_t output = 0;
-    Window window;
+    KernelWindow window;
     Activation activation = Activation::None;
     std::vector<float> weights;  ///< of a convolution, arranged
     std::vector<float> bias;

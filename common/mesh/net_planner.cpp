@@ -137,7 +137,7 @@ bool Net::Planner::plan_window(const Step& step, Planned& planned, std::size_t h
                                std::size_t width) {
   const Shape& in = shape(step.inputs[0]);
   const Shape& out = shape(step.outputs[0]);
-  Window& window = planned.window;
+  KernelWindow& window = planned.window;
   window = {height, width, step.stride_height, step.stride_width, 0, 0};
   if (in[0] != 1 || out[0] != 1 ||
       out[1] != places(in[1], height, window.stride_height, step.same_padding) ||

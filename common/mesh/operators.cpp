@@ -74,7 +74,7 @@ struct Convolution {
 /// Calls `at(pixel of the input, place in the window, pixel of the output)` for each pixel of the
 /// input that lies under the window of a pixel of the output, in the order of memory.
 template <typename At>
-void under_window(std::span<const float> in, const Shape& in_shape, const Window& window,
+void under_window(std::span<const float> in, const Shape& in_shape, const KernelWindow& window,
                   std::span<float> out, const Shape& out_shape, At at) {
   const std::size_t channels = out_shape[3];
   float* to = out.data();
@@ -145,7 +145,7 @@ std::vector<float> arranged_weights(std::span<const float> weights, const Shape&
 }
 
 void convolve(std::span<const float> in, const Shape& in_shape, std::span<const float> weights,
-              std::span<const float> bias, const Window& window, std::span<float> out,
+              std::span<const float> bias, const KernelWindow& window, std::span<float> out,
               const Shape& out_shape) {
   const Convolution convolution{
       in.data(),   weights.data(), bias.data(),  in_shape[2],
@@ -178,7 +178,7 @@ void convolve(std::span<const float> in, const Shape& in_shape, std::span<const 
 
 void convolve_depthwise(std::span<const float> in, const Shape& in_shape,
                         std::span<const float> weights, std::span<const float> bias,
-                        const Window& window, std::span<float> out, const Shape& out_shape) {
+                        const KernelWindow& window, std::span<float> out, const Shape& out_shape) {
   const std::size_t channels = out_shape[3];
   for (float* to = out.data(); to != out.data() + out.size(); to += channels) {
     std::copy(bias.begin(), bias.end(), to);
@@ -192,7 +192,7 @@ void convolve_depthwise(std::span<const float> in, const Shape& in_shape,
                });
 }
 
-void pool_maximum(std::span<const float> in, const Shape& in_shape, const Window& window,
+void pool_maximum(std::span<const float> in, const Shape& in_shape, const KernelWindow& window,
                   std::span<float> out, const Shape& out_shape) {
   const std::size_t channels = out_shape[3];
   std::fill(out.begin(), out.end(), std::numeric_limits<float>::lowest());

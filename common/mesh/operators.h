@@ -13,7 +13,7 @@
 namespace aucast::mesh {
 
 /// How an operator's window lies on its input.
-struct Window {
+struct KernelWindow {
   std::size_t height = 1;
   std::size_t width = 1;
   std::size_t stride_height = 1;
@@ -43,12 +43,12 @@ inline constexpr std::size_t kChannelsAtOnce = 8;
 
 /// `bias` has padded_channels() numbers.
 void convolve(std::span<const float> in, const Shape& in_shape, std::span<const float> weights,
-              std::span<const float> bias, const Window& window, std::span<float> out,
+              std::span<const float> bias, const KernelWindow& window, std::span<float> out,
               const Shape& out_shape);
 void convolve_depthwise(std::span<const float> in, const Shape& in_shape,
                         std::span<const float> weights, std::span<const float> bias,
-                        const Window& window, std::span<float> out, const Shape& out_shape);
-void pool_maximum(std::span<const float> in, const Shape& in_shape, const Window& window,
+                        const KernelWindow& window, std::span<float> out, const Shape& out_shape);
+void pool_maximum(std::span<const float> in, const Shape& in_shape, const KernelWindow& window,
                   std::span<float> out, const Shape& out_shape);
 /// `slopes` has one number for each channel, or as many as `in`.
 void prelu(std::span<const float> in, std::span<const float> slopes, std::span<float> out);

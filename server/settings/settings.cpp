@@ -107,7 +107,7 @@ Result<void> Settings::add_file(std::string_view text, const std::string& file) 
   const auto document = parse_toml(text, file);
   if (!document) return document.error();
   for (const TomlValue::Entry& entry : document->entries) {
-    const auto bad = [&](const Place& place, const std::string& why) {
+    const auto bad = [&](const LinePosition& place, const std::string& why) {
       return Error{ErrorKind::BadData, at_place(file, place.line, place.column, why)};
     };
     const OptionRow* row = find_row(rows_, entry.key);

@@ -48,8 +48,8 @@ class Settings {
   struct Setting {
     std::vector<std::string> words;
     Layer layer = Layer::Default;
-    std::string file = {};  ///< of Layer::File
-    Place place = {};       ///< in it
+    std::string file = {};    ///< of Layer::File
+    LinePosition place = {};  ///< in it
   };
 
   /// What is said about a wrong word, by where it was said.

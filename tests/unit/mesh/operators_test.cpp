@@ -42,8 +42,8 @@ constexpr Case kCases[] = {{{1, 5, 7, 3}, 2, 3, 1, true},    {{1, 6, 6, 4}, 9, 3
                            {{1, 3, 3, 32}, 10, 3, 1, false}, {{1, 8, 11, 1}, 7, 2, 2, false},
                            {{1, 2, 1, 6}, 8, 3, 1, true}};
 
-Window window_of(const Case& one, const Shape& out) {
-  Window window{one.window, one.window, one.stride, one.stride, 0, 0};
+KernelWindow window_of(const Case& one, const Shape& out) {
+  KernelWindow window{one.window, one.window, one.stride, one.stride, 0, 0};
   if (one.same) {
     window.above = padding_before(one.in[1], one.window, one.stride, out[1]);
     window.left = padding_before(one.in[2], one.window, one.stride, out[2]);
@@ -58,7 +58,8 @@ Shape out_shape_of(const Case& one, std::size_t channels) {
 
 /// Calls `tap(number of the input, row and column in the window)` for what lies under a window.
 template <typename Tap>
-void under_window(const Case& one, const Window& window, std::size_t y, std::size_t x, Tap tap) {
+void under_window(const Case& one, const KernelWindow& window, std::size_t y, std::size_t x,
+                  Tap tap) {
   for (std::size_t row = 0; row < one.window; ++row) {
     for (std::size_t column = 0; column < one.window; ++column) {
       const auto h = static_cast<long>(y * one.stride + row) - static_cast<long>(window.above);
@@ -74,7 +75,7 @@ void under_window(const Case& one, const Window& window, std::size_t y, std::siz
 TEST(Operators, ConvolutionIsTheSumOfItsDefinition) {
   for (const Case& one : kCases) {
     const Shape out_shape = out_shape_of(one, one.channels);
-    const Window window = window_of(one, out_shape);
+    const KernelWindow window = window_of(one, out_shape);
     const Shape weight_shape{one.channels, one.window, one.window, one.in[3]};
     const auto in = some_numbers(count_of(one.in), 1);
     const auto weights = some_numbers(count_of(weight_shape), 2);
@@ -107,7 +108,7 @@ TEST(Operators, DepthwiseConvolutionAndPoolingKeepChannelsApart) {
   for (const Case& one : kCases) {
     const std::size_t channels = one.in[3];
     const Shape out_shape = out_shape_of(one, channels);
-    const Window window = window_of(one, out_shape);
+    const KernelWindow window = window_of(one, out_shape);
     const auto in = some_numbers(count_of(one.in), 4);
     const auto weights = some_numbers(one.window * one.window * channels, 5);
     const auto bias = some_numbers(channels, 6);
