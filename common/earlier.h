@@ -4,10 +4,10 @@
 
 namespace aucast {
 
-/// The earlier of two moments that may never come; nothing when neither does.
-template <typename Moment>
-[[nodiscard]] std::optional<Moment> earlier(const std::optional<Moment>& one,
-                                            const std::optional<Moment>& other) {
+/// The earlier of two times that may never come; nothing when neither does.
+template <typename Time>
+[[nodiscard]] std::optional<Time> earlier(const std::optional<Time>& one,
+                                          const std::optional<Time>& other) {
   return !one || (other && *other < *one) ? other : one;
 }
 

@@ -11,7 +11,7 @@ namespace aucast::pipeline {
 /// Thread: none of its own.
 class FaceDelay {
  public:
-  /// The face of `at`, one activation per channel. The moments must not go back.
+  /// The face of `at`, one activation per channel. The times must not go back.
   void add(Instant at, const std::vector<float>& activations);
   /// at() is asked for nothing earlier any more.
   void forget_before(Instant at);

@@ -15,7 +15,7 @@ class JitterMeter {
  public:
   static constexpr Duration kWindow = std::chrono::seconds(30);
 
-  /// A keyframe of `time` has come at `now`; the moments must not go back.
+  /// A keyframe of `time` has come at `now`; the times must not go back.
   void arrived(Instant now, Milliseconds time);
   /// The spread; nothing until one has come, and 0 of one alone.
   [[nodiscard]] std::optional<Duration> spread() const;

@@ -21,7 +21,7 @@ namespace aucast::playback {
 class LivePlayout {
  public:
   /// A keyframe that takes `time` has come at `now`: when the face should have reached it. `place`:
-  /// in the stream, if it is known. The moments must not go back.
+  /// in the stream, if it is known. The times must not go back.
   [[nodiscard]] Instant arrived(Instant now, Milliseconds time,
                                 std::optional<Milliseconds> place = std::nullopt);
   /// From a keyframe's arrival until it is due; the average of lately.

@@ -18,8 +18,8 @@ struct StreamPlace {
 };
 
 /// Where playing a stream that is there whole stands: play, pause, seek, steps, speed and a loop
-/// between two marks. The position is a function of the moments that are handed in and of nothing
-/// else, so that it does not depend on how often one asks. The moments must not go back.
+/// between two marks. The position is a function of the times that are handed in and of nothing
+/// else, so that it does not depend on how often one asks. The times must not go back.
 class LocalPlayback {
  public:
   static constexpr int kSpeedMin = 10;  ///< percent

@@ -49,7 +49,7 @@ class Playback {
   /// KeyframeSource's.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
   [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
-  /// The moments handed in are `ahead` of those of the steady clock, and their face is shown
+  /// The times handed in are `ahead` of those of the steady clock, and their face is shown
   /// `lead` later. Zero until then.
   virtual void set_clock(Duration /*ahead*/, Duration /*lead*/) {}
   /// Whole ones, as of the last advance().

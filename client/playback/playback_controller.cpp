@@ -156,7 +156,7 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
     keyframe->arrived.reset();
     keyframe->due.reset();
   }
-  // To the clock of the moments handed in.
+  // To the clock of the times handed in.
   if (keyframe->arrived) *keyframe->arrived += ahead_ - lead_;
   if (keyframe->due) *keyframe->due += ahead_;
   if (state_ == PlaybackState::Stalled && keyframe->due && keyframe->arrived) {

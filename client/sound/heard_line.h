@@ -15,7 +15,7 @@ class HeardLine {
  public:
   /// The device says at `now` that `heard` of its sound has been heard.
   void add(Instant now, Duration heard);
-  /// How much has been heard at `now`. The moments must not go back.
+  /// How much has been heard at `now`. The times must not go back.
   [[nodiscard]] Duration at(Instant now);
   /// The device stands, and the line with it, until it says more than it has said so far.
   void begin_again();

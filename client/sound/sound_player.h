@@ -55,7 +55,7 @@ class SoundPlayer {
   /// Something else plays from now on; `track` is its sound, null: none beside what `playback`
   /// brings. Both must live until the next open() or the end of this object.
   void open(playback::Playback* playback, SoundTrack* track = nullptr);
-  /// What playback is to be advanced to at `steady`. The moments must not go back.
+  /// What playback is to be advanced to at `steady`. The times must not go back.
   [[nodiscard]] Instant now(Instant steady);
   /// Playback has been advanced to what now() gave: writes the sound since then.
   void advanced();

@@ -32,7 +32,7 @@ struct ConditioningSettings {
   bool distance = false;  ///< the head's distance is shown, as AUs 57 and 58
 };
 
-/// Makes of what a recogniser sees what is to be shown, moment by moment:
+/// Makes of what a recogniser sees what is to be shown, sample by sample:
 /// neutral face off -> gain -> One Euro filter -> intensities. What has no data goes through as
 /// such; it is held and eased after this (Channels), and the dead band comes last of all.
 ///
@@ -43,11 +43,11 @@ class Conditioning {
  public:
   explicit Conditioning(const ConditioningSettings& settings = {});
 
-  /// The moment at `seconds`, later than the last: intensities, negative where there is no data;
+  /// The sample at `seconds`, later than the last: intensities, negative where there is no data;
   /// those of turns may be above 1. What comes back is not.
   [[nodiscard]] AuFrame apply(double seconds, const AuFrame& update);
 
-  /// Other settings from the next moment on; what was measured stays measured.
+  /// Other settings from the next sample on; what was measured stays measured.
   void change(const ConditioningSettings& settings);
   /// What was measured is measured anew.
   void forget_neutral();
@@ -68,7 +68,7 @@ class Conditioning {
 /// How long is measured: the neutral face's seconds, or those of the distance; or nothing is.
 [[nodiscard]] std::optional<double> seconds_to_measure(const ConditioningSettings& settings);
 
-/// The moment before anything happens to it; without the distance, unless it is asked for.
+/// The sample before anything happens to it; without the distance, unless it is asked for.
 [[nodiscard]] Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings);
 
 /// What is to be taken off when this was measured: without --neutral that is the distance alone.

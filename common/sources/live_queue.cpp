@@ -5,7 +5,7 @@
 
 namespace aucast::sources {
 
-void LiveQueue::push(LiveKeyframe keyframe, double now) {
+void LiveQueue::push(LiveKeyframe keyframe, SteadySeconds now) {
   const double begin = now - keyframe.seconds;
   if (keyframe.begins) {
     // Behind what is still waiting, if anything is.
@@ -23,7 +23,7 @@ std::optional<double> LiveQueue::due() const {
   return queue_.front().due;
 }
 
-std::optional<LiveKeyframe> LiveQueue::pop(double now) {
+std::optional<LiveKeyframe> LiveQueue::pop(SteadySeconds now) {
   const auto at = due();
   if (!at || now < *at) return std::nullopt;
   LiveKeyframe keyframe = std::move(queue_.front().keyframe);
@@ -31,7 +31,7 @@ std::optional<LiveKeyframe> LiveQueue::pop(double now) {
   return keyframe;
 }
 
-void LiveQueue::skip_to_last(double now) {
+void LiveQueue::skip_to_last(SteadySeconds now) {
   if (queue_.empty()) return;
   queue_.erase(queue_.begin(), queue_.end() - 1);
   queue_.front().due = now;

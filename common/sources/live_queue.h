@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/sources/live_timeline.h"
+#include "common/time.h"
 
 namespace aucast::sources {
 
@@ -14,14 +15,14 @@ class LiveQueue {
  public:
   static constexpr double kLeadSeconds = 1;
 
-  void push(LiveKeyframe keyframe, double now);
+  void push(LiveKeyframe keyframe, SteadySeconds now);
   /// The next keyframe, if it is due.
-  [[nodiscard]] std::optional<LiveKeyframe> pop(double now);
+  [[nodiscard]] std::optional<LiveKeyframe> pop(SteadySeconds now);
   /// When pop() has something; nothing while the queue is empty.
   [[nodiscard]] std::optional<double> due() const;
   [[nodiscard]] std::size_t size() const { return queue_.size(); }
   /// Only the latest counts, and it is due at once: what came before is past.
-  void skip_to_last(double now);
+  void skip_to_last(SteadySeconds now);
 
  private:
   struct Waiting {

@@ -60,12 +60,12 @@ LiveReader::~LiveReader() = default;
 LiveReader::LiveReader(LiveReader&&) noexcept = default;
 LiveReader& LiveReader::operator=(LiveReader&&) noexcept = default;
 
-void LiveReader::feed(std::string_view bytes, double now) {
+void LiveReader::feed(std::string_view bytes, SteadySeconds now) {
   splitter_.feed(bytes);
   while (auto line = splitter_.next()) read_line(*line, now);
 }
 
-void LiveReader::end_input(double now) {
+void LiveReader::end_input(SteadySeconds now) {
   if (splitter_.drop_partial()) complain(file_ + ": the last line has no end and was left out");
   if (arrived_ && !silent_since_) silent_since_ = now;
   clock_.restart();
@@ -83,7 +83,7 @@ void LiveReader::restart() {
   timeline_.restart();
 }
 
-void LiveReader::idle(double now) {
+void LiveReader::idle(SteadySeconds now) {
   if (silent_since_) timeline_.idle(now - *silent_since_);
 }
 
@@ -93,7 +93,7 @@ std::optional<double> LiveReader::idle_due() const {
   return *silent_since_ + *due;
 }
 
-void LiveReader::hold_off(double now) {
+void LiveReader::hold_off(SteadySeconds now) {
   if (silent_since_) silent_since_ = std::max(*silent_since_, now);
 }
 
@@ -115,7 +115,7 @@ void LiveReader::understood() {
   if (++understood_ >= kRunEnds) complaints_ = 0;
 }
 
-void LiveReader::read_line(LineSplitter::Line& line, double now) {
+void LiveReader::read_line(LineSplitter::Line& line, SteadySeconds now) {
   if (line.number == 1 && line.text.starts_with(kByteOrderMark)) {
     line.text.erase(0, kByteOrderMark.size());
   }
@@ -191,7 +191,7 @@ bool LiveReader::is_no_text(const LineSplitter::Line& line) {
 }
 
 /// False when the line is none of a stream file.
-bool LiveReader::read_text(const LineSplitter::Line& line, double now) {
+bool LiveReader::read_text(const LineSplitter::Line& line, SteadySeconds now) {
   const std::string_view content =
       trimmed(std::string_view(line.text).substr(0, line.text.find('#')), kBlanks);
   if (content.empty()) return true;
@@ -220,7 +220,7 @@ bool LiveReader::read_text(const LineSplitter::Line& line, double now) {
 }
 
 /// `seconds` of a line is when the face sets out for it, as in a stream file that is sent live.
-void LiveReader::play_text(const protocol::Keyframe& keyframe, double now) {
+void LiveReader::play_text(const protocol::Keyframe& keyframe, SteadySeconds now) {
   timeline_.set_clocked(false);
   std::uint32_t duration_ms = keyframe.duration_ms.value_or(0);
   if (!keyframe.duration_ms) {
@@ -234,13 +234,13 @@ void LiveReader::play_text(const protocol::Keyframe& keyframe, double now) {
   unclocked_ += duration_ms / 1000.0;
 }
 
-/// Seconds since the last moment; `usual` for what came together with it.
-double LiveReader::arrival_step(double now, double usual) {
+/// Seconds since the last sample; `usual` for what came together with it.
+double LiveReader::arrival_step(SteadySeconds now, double usual) {
   if (!arrived_ || now - *arrived_ < kAtOnceSeconds) return usual;
   return now - *arrived_;
 }
 
-void LiveReader::read_row(const LineSplitter::Line& line, double now) {
+void LiveReader::read_row(const LineSplitter::Line& line, SteadySeconds now) {
   CsvReader& csv = table_->csv;
   const auto next = csv.take(line.text, line.number);
   if (next == CsvReader::Next::Row) {
@@ -256,7 +256,7 @@ void LiveReader::read_row(const LineSplitter::Line& line, double now) {
 }
 
 /// False when the row was left out, which was said.
-bool LiveReader::take_row(const std::string& line, double now) {
+bool LiveReader::take_row(const std::string& line, SteadySeconds now) {
   if (std::string note = table_->format->note(); note != table_->note) {
     say(at_place(file_, table_->csv.line(), 0, note + " from now on"));
     table_->note = std::move(note);
@@ -265,8 +265,8 @@ bool LiveReader::take_row(const std::string& line, double now) {
   const std::int64_t face = table_->names.of(table_->row);
   if (sure) note_face(face, line);
   if (!is_chosen(face, sure, now)) return true;
-  const auto moment = moment_of_row(now);
-  if (!moment) {
+  const auto time = time_of_row(now);
+  if (!time) {
     complain(at_place(file_, table_->csv.line(), 0,
                       "the row's time is not later than the last; the row was left out"));
     return false;
@@ -279,7 +279,7 @@ bool LiveReader::take_row(const std::string& line, double now) {
   }
   arrived_ = now;
   silent_since_ = now;
-  timeline_.add(*moment, update_of(table_->row, table_->scale, sure));
+  timeline_.add(*time, update_of(table_->row, table_->scale, sure));
   return true;
 }
 
@@ -291,7 +291,7 @@ void LiveReader::note_face(std::int64_t id, const std::string& line) {
 }
 
 /// The face that was asked for, or the first one that is seen, until it is gone.
-bool LiveReader::is_chosen(std::int64_t id, bool sure, double now) {
+bool LiveReader::is_chosen(std::int64_t id, bool sure, SteadySeconds now) {
   if (options_.recording.face) return id == *face_;
   if (!face_ || (id != *face_ && sure && now - face_seen_ > kHoldSeconds + kEaseSeconds)) {
     if (face_) say(file_ + ": face " + std::to_string(id) + " from now on");
@@ -317,10 +317,10 @@ void LiveReader::settle_scale() {
                    " from now on; --au-scale says so from the beginning"));
 }
 
-std::optional<double> LiveReader::moment_of_row(double now) {
+std::optional<double> LiveReader::time_of_row(SteadySeconds now) {
   table_->clocked = table_->clocked || table_->row.seconds || options_.recording.fps;
   timeline_.set_clocked(table_->clocked);
-  if (table_->clocked) return clock_.moment(table_->row);
+  if (table_->clocked) return clock_.time_of(table_->row);
   unclocked_ += arrival_step(now, kRowSeconds);
   return unclocked_;
 }

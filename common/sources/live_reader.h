@@ -15,6 +15,7 @@
 #include "common/sources/live_timeline.h"
 #include "common/sources/recording.h"
 #include "common/sources/row_reading.h"
+#include "common/time.h"
 
 namespace aucast::sources {
 
@@ -43,8 +44,8 @@ struct NewFace {
 /// Nothing that comes in ends it. A line that is not understood is left out and said, the first
 /// kSaidMax of a run of them, which kRunEnds good lines in a row end; a line without its end waits
 /// for the rest; a header in the middle (the same, or of another format) begins a new table whose
-/// clock goes on from the last moment, as it does when kRefusalsMax rows in a row are none later
-/// than the last moment, but each later than the one before: a clock that was set, or one wrong
+/// clock goes on from the last sample, as it does when kRefusalsMax rows in a row are none later
+/// than the last sample, but each later than the one before: a clock that was set, or one wrong
 /// time. Rows without a clock (Py-Feat without --fps) and lines without a time take the time since
 /// the one before.
 class LiveReader {
@@ -60,19 +61,19 @@ class LiveReader {
   LiveReader& operator=(LiveReader&&) noexcept;
 
   /// Takes bytes that came at `now`.
-  void feed(std::string_view bytes, double now);
+  void feed(std::string_view bytes, SteadySeconds now);
   /// Whoever wrote has gone, for now at least: a line without its end is left out.
-  void end_input(double now);
+  void end_input(SteadySeconds now);
   /// The file begins anew: the next line is its first.
   void restart();
   /// Call when idle_due() has come: a face that nothing comes of is led to neutral.
-  void idle(double now);
+  void idle(SteadySeconds now);
   [[nodiscard]] std::optional<double> idle_due() const;
   /// Since when nothing has come of a source that has begun. Lines of a stream file hold until
   /// their input or their stream ends.
   [[nodiscard]] std::optional<double> silent_since() const { return silent_since_; }
   /// What came before is only shown now: silence begins here at the earliest.
-  void hold_off(double now);
+  void hold_off(SteadySeconds now);
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
   [[nodiscard]] std::vector<LiveMessage> take_messages();
@@ -86,19 +87,19 @@ class LiveReader {
  private:
   struct Table;
 
-  void read_line(LineSplitter::Line& line, double now);
+  void read_line(LineSplitter::Line& line, SteadySeconds now);
   [[nodiscard]] bool begin_table(const LineSplitter::Line& line);
-  [[nodiscard]] bool read_text(const LineSplitter::Line& line, double now);
-  void play_text(const protocol::Keyframe& keyframe, double now);
-  void read_row(const LineSplitter::Line& line, double now);
-  [[nodiscard]] bool take_row(const std::string& line, double now);
+  [[nodiscard]] bool read_text(const LineSplitter::Line& line, SteadySeconds now);
+  void play_text(const protocol::Keyframe& keyframe, SteadySeconds now);
+  void read_row(const LineSplitter::Line& line, SteadySeconds now);
+  [[nodiscard]] bool take_row(const std::string& line, SteadySeconds now);
   [[nodiscard]] bool is_no_text(const LineSplitter::Line& line);
   void understood();
   void note_face(std::int64_t id, const std::string& line);
-  [[nodiscard]] bool is_chosen(std::int64_t id, bool sure, double now);
+  [[nodiscard]] bool is_chosen(std::int64_t id, bool sure, SteadySeconds now);
   void settle_scale();
-  [[nodiscard]] std::optional<double> moment_of_row(double now);
-  [[nodiscard]] double arrival_step(double now, double usual);
+  [[nodiscard]] std::optional<double> time_of_row(SteadySeconds now);
+  [[nodiscard]] double arrival_step(SteadySeconds now, double usual);
   /// A message that may come again and again.
   void say_of_run(bool warning, std::string text);
   void complain(std::string text) { say_of_run(true, std::move(text)); }
@@ -112,8 +113,8 @@ class LiveReader {
   bool text_ = false;             ///< lines of a stream file are read
   LiveTimeline timeline_;
   SourceClock clock_;
-  double unclocked_ = 0;           ///< moment by arrival
-  std::optional<double> arrived_;  ///< when the last moment came
+  double unclocked_ = 0;           ///< time by arrival
+  std::optional<double> arrived_;  ///< when the last sample came
   std::optional<double> silent_since_;
   std::optional<std::int64_t> face_;  ///< the one that is followed
   double face_seen_ = 0;

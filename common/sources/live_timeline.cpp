@@ -18,7 +18,7 @@ constexpr double kRounding = 1e-6;
 /// The usual step is no longer than this: a source that slow is not waited for by its own stop.
 constexpr double kUsualSecondsMax = 0.1;
 
-/// A moment that comes this much of a step before the rate's next one is taken for it.
+/// A sample that comes this much of a step before the rate's next one is taken for it.
 constexpr double kEarlyShare = 0.3;
 
 }  // namespace

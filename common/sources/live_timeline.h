@@ -15,28 +15,28 @@ namespace aucast::sources {
 /// A keyframe of a live source.
 struct LiveKeyframe {
   protocol::Keyframe keyframe;
-  double seconds = 0;    ///< its moment on the source's clock
+  double seconds = 0;    ///< its time on the source's clock
   bool begins = false;   ///< the clock began, began anew, or jumped
   bool clocked = false;  ///< the source has a clock of its own
 };
 
-/// Moments of a live face become keyframes, one by one, as they come. Between moments a keyframe
+/// Samples of a live face become keyframes, one by one, as they come. Between samples a keyframe
 /// takes as long as the source's clock says; a stop is not made up for: what stood still meanwhile
 /// goes on with the usual step. What has no data holds for kHoldSeconds, then eases to neutral;
 /// when nothing comes at all, idle() gives the keyframes that do so.
 class LiveTimeline {
  public:
-  /// `rate`: at most so many keyframes a second; the moments between them are left out.
+  /// `rate`: at most so many keyframes a second; the samples between them are left out.
   /// `settings` are for rows: lines of a stream file say what they mean.
   explicit LiveTimeline(std::optional<double> rate, const ConditioningSettings& settings = {})
       : rate_(rate), conditioning_(settings), dead_band_(settings.profile.dead_band) {}
 
-  /// A moment of the source, later than the one before: the intensities of `update` where it is not
+  /// A sample of the source, later than the one before: the intensities of `update` where it is not
   /// negative. `duration` instead of the clock's, if the source says so.
   void add(double seconds, const AuFrame& update, std::optional<std::uint32_t> duration_ms = {});
-  /// The clock began anew: the next moment comes one usual step after the last.
+  /// The clock began anew: the next sample comes one usual step after the last.
   void restart() { restarted_ = true; }
-  /// Other settings from the next moment on; a neutral face that was measured stays measured.
+  /// Other settings from the next sample on; a neutral face that was measured stays measured.
   void change(const ConditioningSettings& settings);
   /// The scale of what comes is another: what was measured is measured anew.
   void forget_neutral() { conditioning_.forget_neutral(); }
@@ -44,7 +44,7 @@ class LiveTimeline {
   [[nodiscard]] std::optional<MeasuredNeutral> take_neutral() {
     return conditioning_.take_neutral();
   }
-  /// For the moments to come.
+  /// For the samples to come.
   void set_clocked(bool clocked) { clocked_ = clocked; }
 
   /// Nothing has come for `silence` seconds: the keyframes due until then.
@@ -65,15 +65,15 @@ class LiveTimeline {
   Channels channels_;
   std::vector<LiveKeyframe> keyframes_;
   std::optional<double> last_seconds_;  ///< on the source's clock
-  double usual_ = 0.04;                 ///< seconds between two moments
+  double usual_ = 0.04;                 ///< seconds between two samples
   double age_clock_ = 0;                ///< by which data grows old
-  double place_ = 0;                    ///< of the last moment among the keyframes
+  double place_ = 0;                    ///< of the last sample among the keyframes
   std::int64_t emitted_ms_ = 0;         ///< place of the last keyframe
-  std::size_t idle_steps_ = 0;          ///< keyframes that eased, since the last moment
+  std::size_t idle_steps_ = 0;          ///< keyframes that eased, since the last sample
   bool restarted_ = true;
   bool begins_ = true;  ///< the next keyframe
   bool clocked_ = false;
-  bool verbatim_ = false;  ///< the last moment was a stream file's line
+  bool verbatim_ = false;  ///< the last sample was a stream file's line
   bool said_anything_ = false;
 };
 

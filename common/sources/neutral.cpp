@@ -11,7 +11,7 @@ constexpr double kRowsMax = 2000;
 /// Nor by what comes later than this.
 constexpr double kSecondsMax = 600;
 
-/// What moments, which are sums of steps, may be off by.
+/// What times, which are sums of steps, may be off by.
 constexpr double kSpanRounding = 1e-6;
 
 float median(const std::vector<float>& sorted) {

@@ -26,7 +26,7 @@ class NeutralMeter {
   /// `seconds` above 0.
   explicit NeutralMeter(double seconds) : wanted_(seconds) {}
 
-  /// Takes a moment, later than the last; what has no data at all does not count. False when the
+  /// Takes a sample, later than the last; what has no data at all does not count. False when the
   /// seconds are over, and nothing is taken any more.
   bool add(double seconds, const Signals& signals);
   [[nodiscard]] bool done() const { return done_; }

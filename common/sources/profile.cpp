@@ -161,7 +161,7 @@ class ProfileReader {
     refuse(entry.place, text);
   }
 
-  void refuse(const Place& place, const std::string& why) { problems_.add(place, why); }
+  void refuse(const LinePosition& place, const std::string& why) { problems_.add(place, why); }
 
   std::string file_;
   Problems problems_;

@@ -14,8 +14,8 @@ constexpr std::int64_t kPauseMs = 100;
 
 }  // namespace
 
-std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& keyframe, double now,
-                                                    bool free) {
+std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& keyframe,
+                                                    SteadySeconds now, bool free) {
   AUCAST_CHECK(keyframe.duration_ms.has_value());
   std::vector<protocol::Keyframe> lines;
   if (!begin_) {

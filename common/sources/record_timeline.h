@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "common/time.h"
 #include "protocol/packet.h"
 
 namespace aucast::sources {
@@ -16,8 +17,8 @@ class RecordTimeline {
   /// The keyframe that is served at `now`, in seconds of any steady clock. `free`: the source's own
   /// clock does not tie it to the one before, so that there may have been a pause; where it does,
   /// what is late is only late.
-  [[nodiscard]] std::vector<protocol::Keyframe> add(const protocol::Keyframe& keyframe, double now,
-                                                    bool free);
+  [[nodiscard]] std::vector<protocol::Keyframe> add(const protocol::Keyframe& keyframe,
+                                                    SteadySeconds now, bool free);
   /// The stream ended for the clients: the time until it goes on is not kept.
   void end() { begin_.reset(); }
 

@@ -45,7 +45,7 @@ double steps_a_second(const protocol::StreamFile& stream) {
 struct Track {
   Found found;
   Timeline timeline;
-  FaceMoments moments;
+  FaceTimes times;
   bool has_begun = false;
   double last_seconds = 0;
   double last_sure = 0;
@@ -183,7 +183,7 @@ void RecordingReader::measure(std::int64_t face, Track& track) {
   NeutralMeter meter(*seconds);
   FaceNames names;
   SourceClock clock(options_.fps);
-  FaceMoments moments;
+  FaceTimes times;
   Observation row;
   table_.rewind();
   for (auto next = table_.next(); next != CsvReader::Next::End && !meter.done();
@@ -193,10 +193,10 @@ void RecordingReader::measure(std::int64_t face, Track& track) {
     row.clear();
     format_.read(table_, row);
     if (names.of(row) != face) continue;
-    const auto moment = clock.moment(row, moments);
-    if (!moment) continue;
+    const auto time = clock.time_of(row, times);
+    if (!time) continue;
     const AuFrame update = update_of(row, found_.scale, sure(row));
-    meter.add(*moment, raw_signals(update, conditioning_));
+    meter.add(*time, raw_signals(update, conditioning_));
   }
   const MeasuredNeutral measured = meter.measured();
   if (conditioning_.neutral_seconds) track.found.neutral = measured;
@@ -223,25 +223,25 @@ void RecordingReader::play() {
 void RecordingReader::take(const Observation& row, Track& track) {
   Found& found = track.found;
   ++found.rows;
-  const auto moment = clock_.moment(row, track.moments);
-  if (!moment) {
+  const auto time = clock_.time_of(row, track.times);
+  if (!time) {
     ++found.left_out;
     return;
   }
-  if (*moment - track.last_seconds > kGapSecondsMax) {
+  if (*time - track.last_seconds > kGapSecondsMax) {
     table_.refuse(std::nullopt, "the time jumps by more than a day");
-    track.last_seconds = *moment;
+    track.last_seconds = *time;
     return;
   }
   // Who comes late was neutral until then.
-  if (!std::exchange(track.has_begun, true) && *moment > 0) {
+  if (!std::exchange(track.has_begun, true) && *time > 0) {
     static_cast<void>(track.timeline.add(0, update_of({}, found.scale, false)));
   }
-  if (!track.timeline.add(*moment, update_of(row, found.scale, sure(row)))) ++found.left_out;
-  track.last_seconds = *moment;
+  if (!track.timeline.add(*time, update_of(row, found.scale, sure(row)))) ++found.left_out;
+  track.last_seconds = *time;
   if (sure(row)) {
-    count_gap(*moment - track.last_sure, found);
-    track.last_sure = *moment;
+    count_gap(*time - track.last_sure, found);
+    track.last_sure = *time;
   } else {
     ++found.lost;
   }

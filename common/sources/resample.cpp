@@ -9,7 +9,7 @@
 namespace aucast::sources {
 namespace {
 
-/// A stream read as a curve over time; moments are asked for in ascending order.
+/// A stream read as a curve over time; times are asked for in ascending order.
 class Curve {
  public:
   Curve(const protocol::StreamFile& stream, std::uint32_t keyframe_ms)

@@ -12,7 +12,7 @@ namespace {
 /// Turns beyond are no head's.
 constexpr double kTurnMax = 10;
 
-/// Latest moment that a source's clock may show.
+/// Latest time that a source's clock may show.
 constexpr double kClockSecondsMax = 1e10;
 
 }  // namespace
@@ -53,13 +53,13 @@ std::int64_t FaceNames::of(const Observation& row) {
   return ordinal_;
 }
 
-bool SourceClock::was_set_back(double seconds, FaceMoments& face) const {
+bool SourceClock::was_set_back(double seconds, FaceTimes& face) const {
   face.refusals = face.refused && seconds > *face.refused ? face.refusals + 1 : 1;
   face.refused = seconds;
   return refusals_max_ > 1 && face.refusals >= refusals_max_;
 }
 
-std::optional<double> SourceClock::moment(const Observation& row, FaceMoments& face) {
+std::optional<double> SourceClock::time_of(const Observation& row, FaceTimes& face) {
   was_set_ = false;
   const double ordinal = face.rows++;
   std::optional<double> now = row.seconds;

@@ -7,7 +7,7 @@
 #include "common/action_unit.h"
 #include "common/sources/observation.h"
 
-/// From the rows of a table to moments of a face: what recordings and live sources share.
+/// From the rows of a table to samples of a face: what recordings and live sources share.
 namespace aucast::sources {
 
 /// The scale that the format has, unless the values say otherwise. `native`: as the format says, 0
@@ -34,14 +34,14 @@ class FaceNames {
 };
 
 /// Where a face is on a SourceClock.
-struct FaceMoments {
+struct FaceTimes {
   std::optional<double> last;
   double rows = 0;
   std::optional<double> refused;  ///< the last row's time, if it was not later than `last`
   std::size_t refusals = 0;       ///< of a run whose times ascend
 };
 
-/// Moments from the first row on, by the source's own clock or by the pictures' numbers. Faces of
+/// Times from the first row on, by the source's own clock or by the pictures' numbers. Faces of
 /// one source share it, so that what they did together stays together.
 class SourceClock {
  public:
@@ -55,20 +55,20 @@ class SourceClock {
   void restart() { restarted_ = true; }
 
   /// Nothing when the row has no time or one that is not later than the last of its face.
-  std::optional<double> moment(const Observation& row, FaceMoments& face);
+  std::optional<double> time_of(const Observation& row, FaceTimes& face);
   /// Of a source of whose faces only one is read.
-  std::optional<double> moment(const Observation& row) { return moment(row, only_); }
-  /// Whether the last moment was the first after the clock was set back.
+  std::optional<double> time_of(const Observation& row) { return time_of(row, only_); }
+  /// Whether the last sample was the first after the clock was set back.
   [[nodiscard]] bool was_set() const { return was_set_; }
 
  private:
-  [[nodiscard]] bool was_set_back(double seconds, FaceMoments& face) const;
+  [[nodiscard]] bool was_set_back(double seconds, FaceTimes& face) const;
 
   std::optional<double> fps_;
   std::size_t refusals_max_;
   std::optional<double> begin_;
   std::optional<double> latest_;  ///< of all faces
-  FaceMoments only_;
+  FaceTimes only_;
   double shift_ = 0;
   double step_ = 0.04;
   bool restarted_ = false;

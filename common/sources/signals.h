@@ -20,8 +20,8 @@ inline constexpr std::size_t kChannels = 2 * std::size_t{kAuCount};
 inline constexpr std::size_t kHeadForward = 57;
 inline constexpr std::size_t kHeadBack = 58;
 
-/// One moment of a face as signals, one for each channel; 1 is full intensity. AUs that are the two
-/// directions of one movement (head left and right, eyes up and down) are one signal, with the
+/// One sample of a face: its signals, one for each channel; 1 is full intensity. AUs that are the
+/// two directions of one movement (head left and right, eyes up and down) are one signal, with the
 /// number of the first; it is negative for the second, which has none of its own.
 using Signals = std::array<float, kChannels>;
 

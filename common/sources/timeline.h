@@ -33,8 +33,8 @@ class Timeline {
  public:
   explicit Timeline(const ConditioningSettings& settings = {}) : conditioning_(settings) {}
 
-  /// Takes a moment: the intensities of `update` where it is not negative, the rest has no data.
-  /// `seconds` from the first moment on, ascending; false when it falls into the same millisecond
+  /// Takes a sample: the intensities of `update` where it is not negative, the rest has no data.
+  /// `seconds` from the first sample on, ascending; false when it falls into the same millisecond
   /// as the last one and is left out.
   bool add(double seconds, const AuFrame& update);
 
@@ -49,7 +49,7 @@ class Timeline {
   Channels channels_;
   protocol::StreamFile stream_;
   std::optional<double> last_seconds_;
-  double usual_seconds_ = 0.04;  ///< between the last two moments
+  double usual_seconds_ = 0.04;  ///< between the last two samples
   std::int64_t last_ms_ = 0;
 };
 

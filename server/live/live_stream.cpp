@@ -44,23 +44,23 @@ Result<void> LiveStream::finish_record() {
   return recorder_ ? recorder_->finish() : Result<void>();
 }
 
-void LiveStream::take(double now, bool only_last) {
+void LiveStream::take(SteadySeconds now, bool only_last) {
   for (sources::LiveKeyframe& keyframe : reader_.take_keyframes()) {
     queue_.push(std::move(keyframe), now);
   }
   if (only_last) queue_.skip_to_last(now);
 }
 
-void LiveStream::feed_voice(std::string_view bytes, double now) {
+void LiveStream::feed_voice(std::string_view bytes, SteadySeconds now) {
   send_voice(voice_->add(bytes, now), now);
 }
 
-void LiveStream::end_voice(double now) {
+void LiveStream::end_voice(SteadySeconds now) {
   spdlog::info("{}: the voice has ended", name_);
   send_voice(voice_->end_sound(), now);
 }
 
-void LiveStream::send_voice(std::vector<protocol::VoicePacket> packets, double now) {
+void LiveStream::send_voice(std::vector<protocol::VoicePacket> packets, SteadySeconds now) {
   if (packets.empty() || feed_->ended()) return;
   voice_at_ = now;
   for (protocol::VoicePacket& packet : packets) {
@@ -73,12 +73,12 @@ void LiveStream::send_voice(std::vector<protocol::VoicePacket> packets, double n
   on_moment_();
 }
 
-void LiveStream::end_input(double now, bool for_good) {
+void LiveStream::end_input(SteadySeconds now, bool for_good) {
   input_over_ = for_good;
   reader_.end_input(now);
 }
 
-void LiveStream::go_on(double now) {
+void LiveStream::go_on(SteadySeconds now) {
   send_due(now);
   if (queue_.size() == 0) rest(now);
   send_thinned(now);
@@ -88,7 +88,7 @@ bool LiveStream::full() const {
   return queue_.size() >= kQueueMax;
 }
 
-void LiveStream::send_due(double now) {
+void LiveStream::send_due(SteadySeconds now) {
   if (queue_.size() == 0) return;
   if (std::exchange(silence_said_, false)) {
     spdlog::info("{}: {}", name_, begun() ? "goes on" : "the first keyframe is there");
@@ -101,7 +101,7 @@ void LiveStream::send_due(double now) {
 }
 
 /// `free` as RecordTimeline has it.
-void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, double now) {
+void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadySeconds now) {
   if (voice_ && free) {
     // A keyframe's own time is part of what has passed.
     fill_pause(now - keyframe.keyframe.duration_ms.value_or(0) / 1000.0);
@@ -110,7 +110,7 @@ void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, double n
 }
 
 /// With a voice: the face that stood since the last keyframe, with the time that it stood.
-void LiveStream::fill_pause(double now) {
+void LiveStream::fill_pause(SteadySeconds now) {
   /// Processes wait for each other so long.
   constexpr Milliseconds kPauseLeast{100};
   if (!clock_begin_) return;
@@ -125,7 +125,7 @@ void LiveStream::fill_pause(double now) {
 }
 
 /// What is kept is not thinned.
-void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, double now) {
+void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, SteadySeconds now) {
   end_ += Milliseconds(keyframe.duration_ms.value_or(0));
   if (voice_) {
     if (!clock_begin_) clock_begin_ = now - seconds(end_);
@@ -137,7 +137,7 @@ void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, double now)
   send_thinned(now);
 }
 
-void LiveStream::send_thinned(double now) {
+void LiveStream::send_thinned(SteadySeconds now) {
   if (const auto keyframe = thinning_.pop(now)) show(*keyframe);
 }
 
@@ -147,7 +147,7 @@ void LiveStream::show(const protocol::Keyframe& keyframe) {
 }
 
 /// What is due while nothing comes.
-void LiveStream::rest(double now) {
+void LiveStream::rest(SteadySeconds now) {
   reader_.idle(now);
   for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe, true, now);
   if (voice_ && !feed_->ended() && now >= beat()) fill_pause(now);

@@ -60,13 +60,13 @@ class LiveStream {
   /// What is fed to it waits until take().
   [[nodiscard]] sources::LiveReader& reader() { return reader_; }
   /// Of what the reader made, `only_last`: what comes before is past.
-  void take(double now, bool only_last);
-  void feed_voice(std::string_view bytes, double now);
-  void end_voice(double now);
+  void take(SteadySeconds now, bool only_last);
+  void feed_voice(std::string_view bytes, SteadySeconds now);
+  void end_voice(SteadySeconds now);
   /// Whoever wrote has gone. `for_good`: nobody can write any more.
-  void end_input(double now, bool for_good);
+  void end_input(SteadySeconds now, bool for_good);
   /// Sends what is due, or what silence brings.
-  void go_on(double now);
+  void go_on(SteadySeconds now);
   /// When go_on() has something to do; nothing: not before something is fed.
   [[nodiscard]] std::optional<double> next() const;
   /// So much waits for its time that nothing should be fed for now.
@@ -79,14 +79,14 @@ class LiveStream {
   [[nodiscard]] bool ended() const { return feed_->ended() && queue_.size() == 0; }
 
  private:
-  void send_voice(std::vector<protocol::VoicePacket> packets, double now);
-  void send_due(double now);
-  void send(const sources::LiveKeyframe& keyframe, bool free, double now);
-  void fill_pause(double now);
-  void pass(const protocol::Keyframe& keyframe, bool free, double now);
-  void send_thinned(double now);
+  void send_voice(std::vector<protocol::VoicePacket> packets, SteadySeconds now);
+  void send_due(SteadySeconds now);
+  void send(const sources::LiveKeyframe& keyframe, bool free, SteadySeconds now);
+  void fill_pause(SteadySeconds now);
+  void pass(const protocol::Keyframe& keyframe, bool free, SteadySeconds now);
+  void send_thinned(SteadySeconds now);
   void show(const protocol::Keyframe& keyframe);
-  void rest(double now);
+  void rest(SteadySeconds now);
   void end();
   [[nodiscard]] std::optional<double> silent_since() const;
   [[nodiscard]] double beat() const;

@@ -54,7 +54,7 @@ std::vector<protocol::ServedStream> LiveStreams::served() const {
 }
 
 void LiveStreams::feed(std::string_view bytes, Instant at) {
-  const double now = steady_seconds(at);
+  const SteadySeconds now = steady_seconds(at);
   if (options_.each.reader.recording.all_faces) {
     read_line_by_line(bytes, now);
   } else {
@@ -69,7 +69,7 @@ void LiveStreams::feed(std::string_view bytes, Instant at) {
 }
 
 /// A face that is new on a line is read from that line on.
-void LiveStreams::read_line_by_line(std::string_view bytes, double now) {
+void LiveStreams::read_line_by_line(std::string_view bytes, SteadySeconds now) {
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size() - 1) + 1;
     const std::string_view line = bytes.substr(0, end);
@@ -79,7 +79,7 @@ void LiveStreams::read_line_by_line(std::string_view bytes, double now) {
   }
 }
 
-void LiveStreams::add_faces(double now) {
+void LiveStreams::add_faces(SteadySeconds now) {
   const std::filesystem::path& path = options_.each.path;
   for (const auto& [face, beginning] : first().reader().take_new_faces()) {
     if (streams_.size() > kFacesMax) {
@@ -141,7 +141,7 @@ void LiveStreams::say_neutral() {
 }
 
 void LiveStreams::end_input(Instant at, bool for_good) {
-  const double now = steady_seconds(at);
+  const SteadySeconds now = steady_seconds(at);
   ended_ = for_good;
   for (const auto& stream : streams_) stream->end_input(now, for_good);
   go_on(now);
@@ -168,7 +168,7 @@ void LiveStreams::say() {
   }
 }
 
-void LiveStreams::go_on(double now) {
+void LiveStreams::go_on(SteadySeconds now) {
   say();
   for (const auto& stream : streams_) stream->go_on(now);
 }

@@ -85,10 +85,10 @@ class LiveStreams {
  private:
   [[nodiscard]] LiveStream& first() const { return *streams_.front(); }
   void add(std::string name, const sources::LiveOptions& reading, bool with_voice);
-  void read_line_by_line(std::string_view bytes, double now);
-  void add_faces(double now);
+  void read_line_by_line(std::string_view bytes, SteadySeconds now);
+  void add_faces(SteadySeconds now);
   [[nodiscard]] Result<void> record(LiveStream& stream, bool first);
-  void go_on(double now);
+  void go_on(SteadySeconds now);
   void say();
   void say_neutral();
 

@@ -31,7 +31,7 @@ class Recorder {
   [[nodiscard]] Result<void> add_voice_file();
 
   /// As RecordTimeline has them.
-  void add(const protocol::Keyframe& keyframe, double now, bool free);
+  void add(const protocol::Keyframe& keyframe, SteadySeconds now, bool free);
   /// A packet that is heard `after` the end of the last keyframe; before it, if that is negative.
   void add_voice(protocol::VoicePacket packet, Milliseconds after);
   void end_of_stream() { timeline_.end(); }

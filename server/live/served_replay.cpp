@@ -47,7 +47,7 @@ std::optional<Instant> ServedReplay::next_at() const {
   return earlier(replay_.next_at(), thinned);
 }
 
-void ServedReplay::take_sound(double now) {
+void ServedReplay::take_sound(SteadySeconds now) {
   const auto& voice = replay_.voice();
   next_voice_ = std::max(next_voice_, voice.first_number());
   for (; const auto* const packet = voice.find(next_voice_); ++next_voice_) {

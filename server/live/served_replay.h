@@ -34,7 +34,7 @@ class ServedReplay {
   [[nodiscard]] const protocol::LiveChannel& channel() const;
 
  private:
-  void take_sound(double now);
+  void take_sound(SteadySeconds now);
   void take_moments();
 
   protocol::LiveReplay replay_;

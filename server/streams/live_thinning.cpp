@@ -53,18 +53,18 @@ void LiveThinning::push(protocol::Keyframe keyframe) {
   waiting_ = std::move(keyframe);
 }
 
-void LiveThinning::spend(std::size_t bytes, double now) {
+void LiveThinning::spend(std::size_t bytes, SteadySeconds now) {
   if (!limited_) return;
   spend_bits(static_cast<double>(bytes * 8) + headers_, now);
 }
 
-void LiveThinning::spend_bits(double bits, double now) {
+void LiveThinning::spend_bits(double bits, SteadySeconds now) {
   last_ = std::max(last_, now);
   while (!spent_.empty() && spent_.front().at <= last_ - stretch_) spent_.pop_front();
   spent_.push_back({last_, bits});
 }
 
-std::optional<protocol::Keyframe> LiveThinning::pop(double now) {
+std::optional<protocol::Keyframe> LiveThinning::pop(SteadySeconds now) {
   if (!waiting_ || now < *due()) return std::nullopt;
   if (limited_) {
     spend_bits(bits_, now);

@@ -36,9 +36,9 @@ class LiveThinning {
   /// A full keyframe.
   void push(protocol::Keyframe keyframe);
   /// Of the voice, `bytes` are sent.
-  void spend(std::size_t bytes, double now);
+  void spend(std::size_t bytes, SteadySeconds now);
   /// The one that waits, when its time has come.
-  [[nodiscard]] std::optional<protocol::Keyframe> pop(double now);
+  [[nodiscard]] std::optional<protocol::Keyframe> pop(SteadySeconds now);
   /// The one that waits, without looking at the time: nothing comes after it.
   [[nodiscard]] std::optional<protocol::Keyframe> take_last();
   /// When pop() has something, as far as is known; nothing while none waits.
@@ -51,7 +51,7 @@ class LiveThinning {
   };
 
   [[nodiscard]] double bits_of(const protocol::Keyframe& keyframe) const;
-  void spend_bits(double bits, double now);
+  void spend_bits(double bits, SteadySeconds now);
 
   std::uint32_t keyframe_ms_;
   bool limited_;

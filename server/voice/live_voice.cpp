@@ -20,7 +20,7 @@ constexpr Milliseconds kHole{1000};
 LiveVoice::LiveVoice(const voice::VoiceSettings& settings, Milliseconds delay)
     : encoder_(settings), delay_(delay) {}
 
-void LiveVoice::add_keyframe(Milliseconds end, double now) {
+void LiveVoice::add_keyframe(Milliseconds end, SteadySeconds now) {
   face_.add(now, static_cast<double>(end.count()) / 1000);
 }
 
@@ -70,7 +70,7 @@ std::size_t LiveVoice::steer(Milliseconds target, std::size_t count,
   return 0;
 }
 
-std::vector<protocol::VoicePacket> LiveVoice::add(std::string_view bytes, double now) {
+std::vector<protocol::VoicePacket> LiveVoice::add(std::string_view bytes, SteadySeconds now) {
   std::vector<protocol::VoicePacket> packets;
   const std::vector<float> samples = samples_of(bytes);
   const double made = static_cast<double>(samples_) / voice::kEncoderRate;

@@ -23,12 +23,12 @@ class LiveVoice {
   LiveVoice(const voice::VoiceSettings& settings, Milliseconds delay);
 
   /// A keyframe that ends at `end` on the stream's clock was made now.
-  void add_keyframe(Milliseconds end, double now);
+  void add_keyframe(Milliseconds end, SteadySeconds now);
   /// The stream ended and begins anew with the next keyframe.
   void end_face() { face_.forget(); }
   /// 16-bit signed little-endian samples, mono at kEncoderRate. Before the first keyframe they have
   /// no place and are dropped.
-  [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, double now);
+  [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, SteadySeconds now);
   /// Whoever wrote has gone: what comes next does not follow what came. The packets of the rest.
   [[nodiscard]] std::vector<protocol::VoicePacket> end_sound();
 

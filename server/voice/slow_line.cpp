@@ -13,7 +13,7 @@ constexpr double kLateTime = 2;
 
 }  // namespace
 
-void SlowLine::add(double now, double made) {
+void SlowLine::add(SteadySeconds now, double made) {
   const double seems = now - made;
   if (!begin_ || seems <= *begin_) {
     begin_ = seems;

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "common/time.h"
+
 namespace aucast::server {
 
 /// When something began that is made steadily and arrives with a jitter, such as sound from a pipe.
@@ -11,7 +13,7 @@ namespace aucast::server {
 class SlowLine {
  public:
   /// At `now` the first `made` seconds of it have arrived. It goes on, so neither ever falls.
-  void add(double now, double made);
+  void add(SteadySeconds now, double made);
   /// When it began, on the clock of `now`. Needs an add().
   [[nodiscard]] double begin() const { return *begin_; }
   [[nodiscard]] bool known() const { return begin_.has_value(); }

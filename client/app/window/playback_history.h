@@ -14,7 +14,7 @@
 namespace aucast::app {
 
 /// What happened in the last half minute, for the plots and rates of the panel: samples four times
-/// a second. Pure; the moments handed in must not go back.
+/// a second. Pure; the times handed in must not go back.
 class PlaybackHistory {
  public:
   /// True when the next sample is due.

@@ -41,13 +41,13 @@ namespace {
 constexpr int kWindowWidth = 1280;
 constexpr int kWindowHeight = 800;
 
-const char* name_of(gui::View view) {
+const char* name_of(gui::Facing view) {
   switch (view) {
-    case gui::View::Front:
+    case gui::Facing::Front:
       return "front";
-    case gui::View::ThreeQuarter:
+    case gui::Facing::ThreeQuarter:
       return "three-quarter";
-    case gui::View::Profile:
+    case gui::Facing::Profile:
       return "profile";
   }
   return "front";
@@ -83,7 +83,7 @@ class WindowRun {
     window_ = std::move(*window);
     if (!output.size_given) window_->fit_to_screen();
     start_times_.passed("window and OpenGL");
-    look_from(gui::View::Front);
+    look_from(gui::Facing::Front);
     auto view = FaceView::create(assets_.face);
     if (!view) return view.error();
     view_ = std::move(*view);
@@ -216,7 +216,7 @@ class WindowRun {
     if (const auto* look = std::get_if<gui::LookFrom>(&command)) look_from(look->view);
     if (std::holds_alternative<gui::TakePicture>(command)) save_picture();
     if (std::holds_alternative<gui::ToggleVideo>(command)) toggle_video();
-    const view::Viewpoint usual = viewpoint_preset(name_of(gui::View::Front), assets_.face);
+    const view::Viewpoint usual = viewpoint_preset(name_of(gui::Facing::Front), assets_.face);
     const std::uint64_t faces = session_.face_changes();
     session_.apply(command, steady_now());
     if (session_.face_changes() != faces) show_new_face(usual);
@@ -234,7 +234,7 @@ class WindowRun {
     shown_activations_.clear();
     keyframe_thumbnails_.forget(overlay_->gui().keyframes());
     view::Viewpoint& viewpoint = window_->viewpoint();
-    const view::Viewpoint now = viewpoint_preset(name_of(gui::View::Front), assets_.face);
+    const view::Viewpoint now = viewpoint_preset(name_of(gui::Facing::Front), assets_.face);
     viewpoint.target += now.target - usual.target;
     viewpoint.half_height *= now.half_height / usual.half_height;
   }
@@ -270,7 +270,7 @@ class WindowRun {
     }
   }
 
-  void look_from(gui::View view) {
+  void look_from(gui::Facing view) {
     window_->viewpoint() = viewpoint_preset(name_of(view), assets_.face);
     frames_due_ = gui::kFramesAfterChange;
   }
