@@ -44,8 +44,9 @@ Result<void> make_whole(const fs::path& copy, const fs::path& from) {
     for (std::size_t i = 1; i < named->place.line; ++i) line = text->find('\n', line) + 1;
     const std::size_t at = text->find(named->text, line);
     if (at == std::string::npos) {
-      return Error{ErrorKind::BadData, at_place(description.string(), named->place.line,
-                                                named->place.column, "is written with escapes")};
+      return Error{ErrorKind::BadData,
+                   at_place(description.string(), named->place.line, named->place.column,
+                            "is written with escapes; write the name as it is")};
     }
     text->replace(at, named->text.size(), name);
   }

@@ -194,21 +194,4 @@ Image without_ground(const Image& on_black, const Image& on_white) {
   return image;
 }
 
-ImageDifference compare(const Image& a, const Image& b, int tolerance) {
-  if (a.width != b.width || a.height != b.height) return {1.0, 255};
-  ImageDifference difference;
-  std::size_t differing = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); i += kChannels) {
-    int largest = 0;
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      largest = std::max(largest, std::abs(int{a.rgba[i + c]} - int{b.rgba[i + c]}));
-    }
-    difference.largest = std::max(difference.largest, largest);
-    differing += largest > tolerance ? 1 : 0;
-  }
-  const std::size_t pixels = a.rgba.size() / kChannels;
-  if (pixels > 0) difference.share = static_cast<double>(differing) / static_cast<double>(pixels);
-  return difference;
-}
-
 }  // namespace aucast::view

@@ -42,12 +42,4 @@ void paste(Image& to, const Image& from, int x, int y);
 [[nodiscard]] Image contact_sheet(std::span<const Image> pictures,
                                   std::span<const std::string> captions, int columns);
 
-/// Difference of two pictures of one size: share of pixels in which a channel differs by more than
-/// `tolerance`, and the largest difference.
-struct ImageDifference {
-  double share = 0;
-  int largest = 0;
-};
-[[nodiscard]] ImageDifference compare(const Image& a, const Image& b, int tolerance);
-
 }  // namespace aucast::view

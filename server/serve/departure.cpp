@@ -25,7 +25,7 @@ void Departure::begin(std::size_t clients, Duration time) {
 }
 
 void Departure::go_on() {
-  const Duration passed = std::chrono::steady_clock::now() - *begin_;
+  const Duration passed = std::chrono::steady_clock::now() - begin_;
   const std::size_t due = gone_by(clients_, passed, time_);
   if (due > gone_) send_away_(due - std::exchange(gone_, due));
   if (passed >= time_) {

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include <asio/io_context.hpp>
@@ -27,7 +26,6 @@ class Departure {
       : timer_(io), send_away_(std::move(send_away)), on_over_(std::move(on_over)) {}
 
   void begin(std::size_t clients, Duration time);
-  [[nodiscard]] bool begun() const { return begin_.has_value(); }
   /// Nobody is sent away any more, and on_over is not called.
   void stop() { timer_.cancel(); }
 
@@ -37,7 +35,7 @@ class Departure {
   asio::steady_timer timer_;
   SendAway send_away_;
   OnOver on_over_;
-  std::optional<Instant> begin_;
+  Instant begin_{};
   Duration time_{};
   std::size_t clients_ = 0;
   std::size_t gone_ = 0;

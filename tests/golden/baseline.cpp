@@ -1,4 +1,5 @@
 #include "tests/golden/baseline.h"
+#include "tests/support/image_difference.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -18,7 +19,7 @@ void expect_as_baseline(const view::Image& image, const std::string& name, int t
   const auto wanted = view::read_png(baseline);
   ASSERT_TRUE(wanted.has_value()) << wanted.error().message
                                   << "\nMake it with scripts/update_golden.sh and look at it.";
-  const auto difference = view::compare(image, *wanted, tolerance);
+  const auto difference = compare(image, *wanted, tolerance);
   if (difference.share <= share_max) return;
   const auto result = std::filesystem::path(AUCAST_GOLDEN_RESULTS) / (name + ".png");
   const auto written = view::write_png(image, result);

@@ -24,6 +24,7 @@
 #include "common/files.h"
 #include "tests/golden/baseline.h"
 #include "tests/golden/render_scene.h"
+#include "tests/support/image_difference.h"
 #include "tests/support/process.h"
 #include "tests/support/temp_folder.h"
 
@@ -174,7 +175,7 @@ TEST(FaceRenderer, DrawsTheSamePictureWithOpenGlEs) {
     return image;
   };
   const view::Image wanted = drawn_with(render::Api::OpenGl33Core);
-  EXPECT_EQ(view::compare(drawn_with(render::Api::OpenGlEs30), wanted, 1).share, 0);
+  EXPECT_EQ(test::compare(drawn_with(render::Api::OpenGlEs30), wanted, 1).share, 0);
 }
 
 TEST(FaceRenderer, DrawsEdgesAndCornersWithOpenGlEsToo) {
@@ -199,7 +200,7 @@ TEST(FaceRenderer, DrawsEdgesAndCornersWithOpenGlEsToo) {
   for (const view::Layers& layers :
        {view::Layers{.polygons = true, .textured = false, .wireframe = true},
         view::Layers{.polygons = true, .textured = false, .vertices = true}}) {
-    EXPECT_GT(view::compare(drawn(layers), plain, 5).share, 0.01) << view::format_layers(layers);
+    EXPECT_GT(test::compare(drawn(layers), plain, 5).share, 0.01) << view::format_layers(layers);
   }
 }
 
@@ -326,8 +327,8 @@ TEST_F(RenderGolden, LightsTheDefaultFace) {
   smooth.rest = {};
   renderer().load(smooth);
   const view::Image plain = drawn((*scene)->moving_mesh(), {}, 300, 300);
-  EXPECT_GT(view::compare(rest, plain, 2).share, 0.02);
-  EXPECT_LT(view::compare(rest, plain, 24).share, 0.01);
+  EXPECT_GT(test::compare(rest, plain, 2).share, 0.02);
+  EXPECT_LT(test::compare(rest, plain, 24).share, 0.01);
   EXPECT_EQ(brightness(rest, 5, 5), brightness(plain, 5, 5));
   renderer().load((*scene)->static_mesh());
 
@@ -338,7 +339,7 @@ TEST_F(RenderGolden, LightsTheDefaultFace) {
   }
   (*scene)->pose(smile);
   const view::Image smiling = drawn((*scene)->moving_mesh(), {}, 300, 300);
-  EXPECT_GT(view::compare(rest, smiling, kTolerance).share, 0.01);
+  EXPECT_GT(test::compare(rest, smiling, kTolerance).share, 0.01);
   (*scene)->pose({});
   EXPECT_TRUE(drawn((*scene)->moving_mesh(), {}, 300, 300).rgba == rest.rgba);
 }

@@ -19,7 +19,8 @@ Result<void> BackgroundWork::begin(Work work) {
     try {
       return work(*course);
     } catch (const std::exception& failure) {
-      return Error{ErrorKind::Failed, failure.what()};
+      return Error{ErrorKind::Failed,
+                   std::string("the work broke off (") + failure.what() + "); try it again"};
     }
   });
 }

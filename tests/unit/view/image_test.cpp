@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/image_difference.h"
 #include "tests/support/seeded.h"
 #include "tests/support/temp_folder.h"
 
@@ -135,24 +136,24 @@ TEST(ContactSheet, WritesTheCaptionsAndCutsLongOnes) {
   const auto sheet = [&pictures](const std::string& caption) {
     return contact_sheet(pictures, std::vector<std::string>{caption}, 4);
   };
-  EXPECT_GT(compare(sheet("joy"), sheet(""), 0).share, 0);
-  EXPECT_GT(compare(sheet("joy"), sheet("fear"), 0).share, 0);
+  EXPECT_GT(test::compare(sheet("joy"), sheet(""), 0).share, 0);
+  EXPECT_GT(test::compare(sheet("joy"), sheet("fear"), 0).share, 0);
   const std::string endless(300, 'm');
   EXPECT_EQ(sheet(endless).width, sheet("joy").width);
-  EXPECT_EQ(compare(sheet(endless), sheet(endless + "m"), 0).share, 0);
+  EXPECT_EQ(test::compare(sheet(endless), sheet(endless + "m"), 0).share, 0);
 }
 
 TEST(Compare, CountsPixelsBeyondTheTolerance) {
   const Image a = make_image(10, 10, 0x646464);
   Image b = a;
-  EXPECT_EQ(compare(a, b, 0).share, 0);
-  EXPECT_EQ(compare(a, b, 0).largest, 0);
+  EXPECT_EQ(test::compare(a, b, 0).share, 0);
+  EXPECT_EQ(test::compare(a, b, 0).largest, 0);
   b.rgba[1] = 104;   // 4 above
   b.rgba[42] = 110;  // 10 above
-  EXPECT_DOUBLE_EQ(compare(a, b, 0).share, 0.02);
-  EXPECT_DOUBLE_EQ(compare(a, b, 4).share, 0.01);
-  EXPECT_DOUBLE_EQ(compare(a, b, 10).share, 0);
-  EXPECT_EQ(compare(b, a, 255).largest, 10);
+  EXPECT_DOUBLE_EQ(test::compare(a, b, 0).share, 0.02);
+  EXPECT_DOUBLE_EQ(test::compare(a, b, 4).share, 0.01);
+  EXPECT_DOUBLE_EQ(test::compare(a, b, 10).share, 0);
+  EXPECT_EQ(test::compare(b, a, 255).largest, 10);
 }
 
 TEST(Halved, IsTheMeanOfFour) {
@@ -177,7 +178,7 @@ TEST(WithoutGround, TellsTheGroundFromWhatStandsBeforeIt) {
 }
 
 TEST(Compare, CallsOtherSizesWhollyDifferent) {
-  const ImageDifference difference = compare(make_image(4, 5), make_image(5, 4), 255);
+  const test::ImageDifference difference = test::compare(make_image(4, 5), make_image(5, 4), 255);
   EXPECT_EQ(difference.share, 1);
   EXPECT_EQ(difference.largest, 255);
 }

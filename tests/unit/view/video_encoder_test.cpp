@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/fake_ffmpeg.h"
+#include "tests/support/image_difference.h"
 #include "tests/support/process.h"
 #include "tests/support/temp_folder.h"
 
@@ -127,7 +128,7 @@ TEST(VideoEncoder, KeepsColoursAsTheyWere) {
       0);
   const auto back = read_png(still);
   ASSERT_TRUE(back.has_value());
-  EXPECT_LE(compare(skin, *back, 255).largest, 4);
+  EXPECT_LE(test::compare(skin, *back, 255).largest, 4);
 }
 
 TEST(VideoEncoder, TakesNamesThatFfmpegWouldMisread) {
