@@ -122,7 +122,7 @@ TEST(ExportSession, WhatIsThrownInTheBackgroundIsAFailure) {
   ASSERT_TRUE(session.glb({}, {}, "talk", "/x/talk.glb"));
   const auto outcome = outcome_of(session);
   ASSERT_FALSE(outcome);
-  EXPECT_EQ(outcome.error().message, "too long");
+  EXPECT_EQ(outcome.error().message, "the work broke off (too long); try it again");
 }
 
 }  // namespace
