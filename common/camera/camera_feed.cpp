@@ -34,7 +34,7 @@ void block_pipe_signal() {
 }  // namespace
 
 Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& options,
-                                                      const QuietOptions& quiet, OnSight on_sight) {
+                                                      const FaceOptions& faces, OnSight on_sight) {
   auto models = load_face_models();
   if (!models) return models.error();
   auto pictures = PictureSource::open_camera(options);
@@ -44,7 +44,7 @@ Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& optio
     return Error{ErrorKind::Failed,
                  at_place(options.device, "cannot be read: " + system_reason(errno))};
   }
-  std::unique_ptr<CameraFeed> feed(new CameraFeed(std::move(*pictures), std::move(*models), quiet,
+  std::unique_ptr<CameraFeed> feed(new CameraFeed(std::move(*pictures), std::move(*models), faces,
                                                   std::move(on_sight), ends[0], ends[1]));
   // What began ends with the feed.
   auto taking = start_thread([&feed = *feed] { feed.take_pictures(); });
@@ -56,11 +56,11 @@ Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& optio
   return feed;
 }
 
-CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const QuietOptions& quiet,
+CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const FaceOptions& faces,
                        OnSight on_sight, int rows, int write)
     : pictures_(std::move(pictures)),
       models_(std::move(models)),
-      quiet_(quiet),
+      faces_(faces),
       on_sight_(std::move(on_sight)),
       rows_(rows),
       write_(write) {}
@@ -109,10 +109,18 @@ bool CameraFeed::write(const std::string& text) const {
   return written >= 0 || errno == EAGAIN || errno == EINTR;
 }
 
+std::vector<mesh::SeenFace> CameraFeed::look_at(const mesh::Picture& picture) {
+  if (faces_.several) return models_.tracker.follow_all(picture);
+  std::vector<mesh::SeenFace> seen;
+  if (auto face = models_.tracker.follow(picture)) seen.push_back({0, *std::move(face)});
+  return seen;
+}
+
 void CameraFeed::read_faces() {
   block_pipe_signal();
-  const FaceTable table(models_.weights);
-  mesh::RunningQuietFace running(models_.weights);
+  const FaceTable table(models_.weights, faces_.several);
+  const bool typical = faces_.quiet_seconds && *faces_.quiet_seconds == 0;
+  std::vector<mesh::RunningQuietFace> running;  // of each face, by its number
   bool going = write(table.header());
   const std::size_t width = pictures_.format().width();
   const std::size_t height = pictures_.format().height();
@@ -122,21 +130,21 @@ void CameraFeed::read_faces() {
                    [](Pictures& seen) { return std::exchange(seen.newest, std::nullopt); });
     if (!newest) break;
     const Picture& picture = *newest;
-    const auto seen = models_.tracker.follow({width, height, picture.rgb});
-    std::optional<AuFrame> face;
-    if (seen) {
-      const auto measures = mesh::measure(mesh::fit_head(*seen, mesh::kTypicalStillPoints));
-      const bool typical = quiet_.seconds && *quiet_.seconds == 0;
-      face = mesh::read_aus(
+    const std::vector<mesh::SeenFace> seen = look_at({width, height, picture.rgb});
+    Sight sight{{width, height, picture.rgb}, nullptr, {}};
+    if (seen.empty()) going = write(table.row(picture.seconds, 0, std::nullopt));
+    for (const auto& [number, landmarks] : seen) {
+      while (running.size() <= number) running.emplace_back(models_.weights);
+      const auto measures = mesh::measure(mesh::fit_head(landmarks, mesh::kTypicalStillPoints));
+      const AuFrame face = mesh::read_aus(
           models_.weights, measures,
-          typical ? models_.weights.typical : running.watch(picture.seconds, measures));
+          typical ? models_.weights.typical : running[number].watch(picture.seconds, measures));
+      going = write(table.row(picture.seconds, landmarks.presence, face, number)) && going;
+      if (sight.landmarks != nullptr) continue;
+      sight.landmarks = &landmarks;
+      sight.aus = table.terms(face);
     }
-    going = write(table.row(picture.seconds, seen ? seen->presence : 0, face));
-    if (on_sight_) {
-      on_sight_({{width, height, picture.rgb},
-                 seen ? &*seen : nullptr,
-                 face ? table.terms(*face) : std::vector<AuTerm>()});
-    }
+    if (on_sight_) on_sight_(sight);
   }
   ::close(write_);  // the reader of the rows sees their end
 }

@@ -21,7 +21,7 @@ namespace aucast::camera {
 /// What a camera sees at one moment. Valid only during the OnSight call.
 struct Sight {
   mesh::Picture picture;
-  const mesh::Landmarks* landmarks = nullptr;  ///< null: no face
+  const mesh::Landmarks* landmarks = nullptr;  ///< of the first face; null: none
   std::vector<AuTerm> aus;                     ///< as FaceTable::terms(); none without a face
 };
 /// Called on a thread of its own.
@@ -34,11 +34,11 @@ using OnSight = std::function<void(const Sight&)>;
 /// Thread: its owner's; two of its own, which end with it.
 class CameraFeed {
  public:
-  /// Errors are those of PictureSource and load_face_models(). `quiet`: unset, it is found from
-  /// what was seen so far; 0: the typical face. `on_sight` is told of every picture whose face was
-  /// read, until the feed is destroyed.
+  /// Errors are those of PictureSource and load_face_models(). `faces.quiet_seconds`: unset, the
+  /// face at rest is found from what was seen so far; 0: the typical face. `on_sight` is told of
+  /// every picture whose faces were read, until the feed is destroyed.
   [[nodiscard]] static Result<std::unique_ptr<CameraFeed>> start(const CameraOptions& options,
-                                                                 const QuietOptions& quiet,
+                                                                 const FaceOptions& faces,
                                                                  OnSight on_sight = {});
   ~CameraFeed();
   CameraFeed(const CameraFeed&) = delete;
@@ -60,15 +60,16 @@ class CameraFeed {
     bool ended = false;
   };
 
-  CameraFeed(PictureSource pictures, FaceModels models, const QuietOptions& quiet, OnSight on_sight,
+  CameraFeed(PictureSource pictures, FaceModels models, const FaceOptions& faces, OnSight on_sight,
              int rows, int write);
   void take_pictures();
   void read_faces();
+  [[nodiscard]] std::vector<mesh::SeenFace> look_at(const mesh::Picture& picture);
   [[nodiscard]] bool write(const std::string& text) const;
 
   PictureSource pictures_;
   FaceModels models_;
-  QuietOptions quiet_;
+  FaceOptions faces_;
   OnSight on_sight_;
   int rows_;   ///< our end to read from, until it was taken
   int write_;  ///< the other one, which the reading thread closes

@@ -20,7 +20,8 @@ float intensity_of(const AuFrame& face, std::uint8_t number, Side side) {
 
 }  // namespace
 
-FaceTable::FaceTable(const mesh::AuWeights& weights) {
+FaceTable::FaceTable(const mesh::AuWeights& weights, bool several) : several_(several) {
+  if (several) header_ += ",face_id";
   using Kind = mesh::AuWeights::Kind;
   const auto add = [this](int number, Side side) {
     columns_.push_back({static_cast<std::uint8_t>(number), side});
@@ -39,13 +40,14 @@ FaceTable::FaceTable(const mesh::AuWeights& weights) {
   header_ += "\n";
 }
 
-std::string FaceTable::row(double seconds, double confidence,
-                           const std::optional<AuFrame>& face) const {
+std::string FaceTable::row(double seconds, double confidence, const std::optional<AuFrame>& face,
+                           std::size_t number) const {
   std::string text;
   append_number(text, seconds, 4);
   text += ',';
   append_number(text, face ? confidence : 0, 3);
   text += face ? ",1" : ",0";
+  if (several_) text.append(",").append(std::to_string(number));
   for (const Column& column : columns_) {
     text += ',';
     if (!face) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,17 +12,18 @@
 namespace aucast::camera {
 
 /// What is seen of a face as a table of our own, which common/sources reads like any recogniser's:
-/// `aucast_seconds`, `confidence`, `success`, and a column for each AU, L12 and R12 where sides are
-/// told, in percent. Turns of head and eyes may be above 100.
+/// `aucast_seconds`, `confidence`, `success`, `face_id` of several faces, and a column for each AU,
+/// L12 and R12 where sides are told, in percent. Turns of head and eyes may be above 100.
 class FaceTable {
  public:
-  explicit FaceTable(const mesh::AuWeights& weights);
+  /// `several`: rows name their face.
+  explicit FaceTable(const mesh::AuWeights& weights, bool several = false);
 
   /// The line with the names of the columns.
   [[nodiscard]] const std::string& header() const { return header_; }
   /// A line; without a face it has no success and empty cells.
   [[nodiscard]] std::string row(double seconds, double confidence,
-                                const std::optional<AuFrame>& face) const;
+                                const std::optional<AuFrame>& face, std::size_t number = 0) const;
   /// What a row says of a face in whole percent, a term for each column of an AU.
   [[nodiscard]] std::vector<AuTerm> terms(const AuFrame& face) const;
 
@@ -31,6 +33,7 @@ class FaceTable {
     Side side;
   };
   std::vector<Column> columns_;
+  bool several_;
   std::string header_ = "aucast_seconds,confidence,success";
 };
 

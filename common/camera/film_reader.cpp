@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,19 +21,27 @@ constexpr std::size_t kPicturesMax = 1'080'000;
 constexpr std::size_t kProgressEvery = 30;
 
 struct Seen {
+  std::size_t face = 0;  ///< its number
   double presence = 0;
-  std::optional<std::size_t> measures;  ///< which of those that were taken
+  std::size_t measures = 0;  ///< which of those that were taken of this face
 };
 
 /// All that is measured in a film, picture by picture.
 struct Film {
   double fps = 0;
-  std::vector<Seen> pictures;
-  std::vector<mesh::Measures> measures;
-  std::string note;  ///< what was wrong with it
+  std::vector<std::vector<Seen>> pictures;
+  std::vector<std::vector<mesh::Measures>> faces;  ///< of each face, as often as it was seen
+  std::string note;                                ///< what was wrong with it
+
+  void add(std::vector<Seen>& picture, std::size_t number, const mesh::Landmarks& landmarks) {
+    if (faces.size() <= number) faces.resize(number + 1);
+    picture.push_back({number, landmarks.presence, faces[number].size()});
+    faces[number].push_back(mesh::measure(mesh::fit_head(landmarks, mesh::kTypicalStillPoints)));
+  }
 };
 
 Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& tracker,
+                          bool several,
                           const std::function<void(const FilmProgress&)>& on_progress) {
   auto source = PictureSource::open_film(path);
   if (!source) return source.error();
@@ -47,12 +56,15 @@ Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& 
                    at_place(path.string(), "it has more than " + std::to_string(kPicturesMax) +
                                                " pictures; cut it")};
     }
-    Seen seen;
-    if (const auto face = tracker.follow({size.width, size.height, rgb})) {
-      seen = {face->presence, film.measures.size()};
-      film.measures.push_back(mesh::measure(mesh::fit_head(*face, mesh::kTypicalStillPoints)));
+    const mesh::Picture picture{size.width, size.height, rgb};
+    std::vector<Seen>& seen = film.pictures.emplace_back();
+    if (several) {
+      for (const auto& face : tracker.follow_all(picture)) {
+        film.add(seen, face.number, face.landmarks);
+      }
+    } else if (const auto face = tracker.follow(picture)) {
+      film.add(seen, 0, *face);
     }
-    film.pictures.push_back(seen);
     if (on_progress && film.pictures.size() % kProgressEvery == 0) {
       on_progress({static_cast<double>(film.pictures.size()) / film.fps, whole});
     }
@@ -68,12 +80,11 @@ Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& 
   return film;
 }
 
-mesh::Measures quiet_of(const Film& film, const mesh::AuWeights& weights,
-                        const QuietOptions& options) {
-  if (!options.seconds) return mesh::find_quiet_face(film.measures, weights);
-  const auto count = static_cast<std::size_t>(*options.seconds * film.fps);
-  return mesh::median_face(std::span(film.measures).first(std::min(count, film.measures.size())),
-                           weights);
+mesh::Measures quiet_of(std::span<const mesh::Measures> face, double fps,
+                        const mesh::AuWeights& weights, const FaceOptions& options) {
+  if (!options.quiet_seconds) return mesh::find_quiet_face(face, weights);
+  const auto count = static_cast<std::size_t>(*options.quiet_seconds * fps);
+  return mesh::median_face(face.first(std::min(count, face.size())), weights);
 }
 
 }  // namespace
@@ -86,33 +97,40 @@ bool is_film(const std::filesystem::path& path) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
-Result<FilmTable> read_film(const std::filesystem::path& path, const QuietOptions& quiet,
+Result<FilmTable> read_film(const std::filesystem::path& path, const FaceOptions& options,
                             const std::function<void(const FilmProgress&)>& on_progress) {
   auto models = load_face_models();
   if (!models) {
     return Error{models.error().kind, at_place(path.string(), models.error().message)};
   }
-  return read_film(path, *models, quiet, on_progress);
+  return read_film(path, *models, options, on_progress);
 }
 
 Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& models,
-                            const QuietOptions& quiet,
+                            const FaceOptions& options,
                             const std::function<void(const FilmProgress&)>& on_progress) {
-  const auto film = measure_film(path, models.tracker, on_progress);
+  const auto film = measure_film(path, models.tracker, options.several, on_progress);
   if (!film) return film.error();
-  if (film->measures.empty()) {
+  if (film->faces.empty()) {
     return Error{ErrorKind::BadData,
                  at_place(path.string(),
                           "no face is seen in its " + counted(film->pictures.size(), "picture"))};
   }
-  const mesh::Measures rest = quiet_of(*film, models.weights, quiet);
-  const FaceTable table(models.weights);
-  FilmTable result{table.header(), film->pictures.size(), film->measures.size(), film->note};
+  std::vector<mesh::Measures> rest;
+  for (const auto& face : film->faces) {
+    rest.push_back(quiet_of(face, film->fps, models.weights, options));
+  }
+  const FaceTable table(models.weights, options.several);
+  FilmTable result{table.header(), film->pictures.size(), 0, film->note};
   for (std::size_t picture = 0; picture < film->pictures.size(); ++picture) {
-    const Seen& seen = film->pictures[picture];
-    std::optional<AuFrame> face;
-    if (seen.measures) face = mesh::read_aus(models.weights, film->measures[*seen.measures], rest);
-    result.text += table.row(static_cast<double>(picture) / film->fps, seen.presence, face);
+    const double seconds = static_cast<double>(picture) / film->fps;
+    const std::vector<Seen>& seen = film->pictures[picture];
+    if (seen.empty()) result.text += table.row(seconds, 0, std::nullopt);
+    for (const auto& [number, presence, measures] : seen) {
+      const auto face = mesh::read_aus(models.weights, film->faces[number][measures], rest[number]);
+      result.text += table.row(seconds, presence, face, number);
+    }
+    if (!seen.empty()) ++result.faces;
   }
   return result;
 }

@@ -11,9 +11,12 @@
 
 namespace aucast::camera {
 
-/// What is taken off a face as its rest. Auto: what its own film says (mesh::find_quiet_face).
-struct QuietOptions {
-  std::optional<double> seconds;  ///< instead: the median of the first seconds; 0: the typical face
+/// How faces are read.
+struct FaceOptions {
+  /// What is taken off a face as its rest: the median of so many first seconds; 0: the typical
+  /// face. Nothing: what its own film says (mesh::find_quiet_face).
+  std::optional<double> quiet_seconds{};
+  bool several = false;  ///< all faces are read and numbered, at most mesh::FaceRoll::kFacesMax
 };
 
 /// How far a film was read.
@@ -33,15 +36,15 @@ struct FilmTable {
 /// Whether a path names a film, by its ending: .mp4, .mov, .mkv, .webm, ...
 [[nodiscard]] bool is_film(const std::filesystem::path& path);
 
-/// Reads the face of a film: of several the clearest. Errors are those of PictureSource and
-/// load_face_models(); BadData when no face is seen in it.
+/// Reads the face of a film, of several the clearest unless all are asked for. Errors are those of
+/// PictureSource and load_face_models(); BadData when no face is seen in it.
 [[nodiscard]] Result<FilmTable> read_film(
-    const std::filesystem::path& path, const QuietOptions& quiet,
+    const std::filesystem::path& path, const FaceOptions& options,
     const std::function<void(const FilmProgress&)>& on_progress = {});
 
 /// The same with models that are loaded already.
 [[nodiscard]] Result<FilmTable> read_film(
-    const std::filesystem::path& path, FaceModels& models, const QuietOptions& quiet,
+    const std::filesystem::path& path, FaceModels& models, const FaceOptions& options,
     const std::function<void(const FilmProgress&)>& on_progress = {});
 
 }  // namespace aucast::camera

@@ -50,24 +50,43 @@ Result<FaceFinder> FaceFinder::make(std::span<const std::uint8_t> bytes, std::st
   return FaceFinder(std::move(*net));
 }
 
-std::optional<Square> FaceFinder::find(const Picture& picture) {
+Square FaceFinder::square_of(const Picture& picture, std::size_t look) const {
   const double middle_x = static_cast<double>(picture.width) / 2;
   const double middle_y = static_cast<double>(picture.height) / 2;
   const double side = static_cast<double>(std::max(picture.width, picture.height));
-  sample_square(picture, {middle_x, middle_y, side, 0}, kFinderSide, -1, 1, net_.input());
-  net_.run();
-  const auto scores = net_.output(1);
-  const auto best = std::max_element(scores.begin(), scores.end());
-  if (!(1 / (1 + std::exp(-*best)) >= kSureMin)) return std::nullopt;
-  const auto look = static_cast<std::size_t>(best - scores.begin());
   const Centre from = centre_of(look);
   const auto numbers = net_.output(0).subspan(look * kNumbers, kNumbers);
   const auto part = [&](std::size_t index) { return double{numbers[index]} / kFinderSide; };
   const auto x = [&](std::size_t index) { return (part(index) + from.x - 0.5) * side + middle_x; };
   const auto y = [&](std::size_t index) { return (part(index) + from.y - 0.5) * side + middle_y; };
-  const Square square{x(0), y(1), kFinderMargin * std::max(part(2), part(3)) * side,
-                      std::atan2(y(7) - y(5), x(6) - x(4))};
-  return can_be_seen(square) ? std::optional(square) : std::nullopt;
+  return {x(0), y(1), kFinderMargin * std::max(part(2), part(3)) * side,
+          std::atan2(y(7) - y(5), x(6) - x(4))};
+}
+
+std::vector<Square> FaceFinder::find(const Picture& picture, std::size_t most) {
+  const double side = static_cast<double>(std::max(picture.width, picture.height));
+  sample_square(
+      picture,
+      {static_cast<double>(picture.width) / 2, static_cast<double>(picture.height) / 2, side, 0},
+      kFinderSide, -1, 1, net_.input());
+  net_.run();
+  const auto scores = net_.output(1);
+  std::vector<std::size_t> sure;
+  for (std::size_t look = 0; look < scores.size(); ++look) {
+    if (1 / (1 + std::exp(-scores[look])) >= kSureMin) sure.push_back(look);
+  }
+  std::stable_sort(sure.begin(), sure.end(),
+                   [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
+  std::vector<Square> faces;
+  for (const std::size_t look : sure) {
+    if (faces.size() == most) break;
+    const Square square = square_of(picture, look);
+    // The net sees each face from several places.
+    const auto seen = [&square](const Square& face) { return show_the_same(face, square); };
+    if (!can_be_seen(square) || std::any_of(faces.begin(), faces.end(), seen)) continue;
+    faces.push_back(square);
+  }
+  return faces;
 }
 
 }  // namespace aucast::mesh

@@ -24,6 +24,12 @@ bool can_be_seen(const Square& square) {
          std::abs(square.y) < kPixelsMax && square.side >= 1 && square.side < kPixelsMax;
 }
 
+bool show_the_same(const Square& one, const Square& other) {
+  constexpr double kApartMax = 0.4;  // of the smaller side
+  const double apart = std::hypot(one.x - other.x, one.y - other.y);
+  return apart < kApartMax * std::min(one.side, other.side);
+}
+
 void sample_square(const Picture& picture, const Square& square, std::size_t size, float low,
                    float high, std::span<float> out) {
   const double step = square.side / static_cast<double>(size);

@@ -25,6 +25,9 @@ struct Square {
 /// holds, and its side is a pixel at least.
 [[nodiscard]] bool can_be_seen(const Square& square);
 
+/// Whether the middle of each lies well within the other: two squares around one face do.
+[[nodiscard]] bool show_the_same(const Square& one, const Square& other);
+
 /// What a square that can_be_seen() shows, `size` times `size` pixels, rows from its top: each byte
 /// as a number from `low` to `high`, 0 bytes outside of the picture. Between pixels it is bilinear.
 void sample_square(const Picture& picture, const Square& square, std::size_t size, float low,

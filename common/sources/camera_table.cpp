@@ -23,7 +23,8 @@ class CameraTable final : public Format {
   explicit CameraTable(const CsvReader& table)
       : seconds_(table.column("aucast_seconds")),
         confidence_(table.column("confidence")),
-        success_(table.column("success")) {
+        success_(table.column("success")),
+        face_(table.column("face_id")) {
     for (std::size_t index = 0; index < table.columns().size(); ++index) {
       if (const auto au = parse_au_name(table.columns()[index])) columns_.push_back({index, *au});
     }
@@ -37,6 +38,7 @@ class CameraTable final : public Format {
     out.seconds = row.number(seconds_);
     out.confidence = row.number(confidence_).value_or(1);
     out.tracked = row.number(success_).value_or(1) > 0.5;
+    out.name_face(row.number(face_));
     for (const Column& column : columns_) {
       const auto percent = row.number(column.index);
       if (!percent) continue;
@@ -50,6 +52,7 @@ class CameraTable final : public Format {
   std::optional<std::size_t> seconds_;
   std::optional<std::size_t> confidence_;
   std::optional<std::size_t> success_;
+  std::optional<std::size_t> face_;
   std::vector<Column> columns_;
 };
 

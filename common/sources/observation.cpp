@@ -25,6 +25,12 @@ void Observation::clear() {
   aus.clear();
 }
 
+void Observation::name_face(std::optional<double> identifier) {
+  constexpr double kFaceMax = 1e9;
+  if (!identifier || !(std::abs(*identifier) < kFaceMax)) return;
+  face = static_cast<std::int64_t>(*identifier);
+}
+
 void Observation::add_head(const Turn& turn) {
   add_pair(aus, 51, 52, turn.left_rad, kYawDegrees);
   add_pair(aus, 53, 54, turn.up_rad, kPitchDegrees);

@@ -50,6 +50,8 @@ struct Observation {
 
   /// Empties it without giving its memory back.
   void clear();
+  /// What a column of the format says; numbers beyond 1e9 are no identifiers.
+  void name_face(std::optional<double> identifier);
   /// Adds 51-56: the direction with its intensity, the opposite with 0.
   void add_head(const Turn& turn);
   /// Adds 61-64. The eyes in the head, as FACS scores them, not the line of sight in the room.

@@ -9,9 +9,6 @@
 namespace aucast::sources {
 namespace {
 
-/// Numbers beyond are no face identifiers.
-constexpr double kFaceMax = 1e9;
-
 /// A line of sight steeper than this is no sight, and its tangent would be none.
 constexpr double kGazeAngleMax = 1.5;
 
@@ -59,9 +56,7 @@ class OpenFace final : public Format {
   void read(CsvReader& row, Observation& out) const override {
     out.seconds = row.number(timestamp_);
     out.frame = row.number(frame_);
-    if (const auto face = row.number(face_); face && std::abs(*face) < kFaceMax) {
-      out.face = static_cast<std::int64_t>(*face);
-    }
+    out.name_face(row.number(face_));
     out.confidence = row.number(confidence_).value_or(1);
     out.tracked = row.number(success_).value_or(1) > 0.5;
     intensities_.read(row, out);

@@ -45,8 +45,8 @@ LiveInput::Opener LiveSource::opener(const LiveSourceOptions& options) {
   if (!device) return {};
   camera::CameraOptions asked = options.camera;
   asked.device = *device;
-  return [this, asked, quiet = options.quiet, on_sight = options.on_sight]() -> Result<int> {
-    auto camera = camera::CameraFeed::start(asked, quiet, on_sight);
+  return [this, asked, faces = options.faces, on_sight = options.on_sight]() -> Result<int> {
+    auto camera = camera::CameraFeed::start(asked, faces, on_sight);
     if (!camera) return camera.error();
     camera_ = std::move(*camera);
     return camera_->take_rows();

@@ -22,7 +22,7 @@ struct LiveSourceOptions {
   LiveStreamsOptions streams;
   std::filesystem::path voice{};  ///< raw sound: "-" or a FIFO; empty: none
   camera::CameraOptions camera;   ///< if the path is one
-  camera::QuietOptions quiet;     ///< of a camera
+  camera::FaceOptions faces;      ///< of a camera
   camera::OnSight on_sight{};     ///< likewise
 };
 

@@ -66,7 +66,7 @@ Result<void> RunningSources::open_live(const std::filesystem::path& path,
     streams.each.voice_delay = options_.voice.delay;
   }
   source_options.camera = options_.source.camera;
-  source_options.quiet = quiet_of(options_.source.signal);
+  source_options.faces = faces_of(options_.source);
   source_options.on_sight = events_.on_sight;
   auto source = std::make_unique<LiveSource>(
       io_, std::move(source_options),

@@ -108,7 +108,7 @@ Result<sources::SourceContent> read_seen(const ConvertOptions& options,
     say(text);
   };
   const auto text =
-      film_text(options.in, options.source.signal,
+      film_text(options.in, options.source,
                 say ? on_progress : std::function<void(const camera::FilmProgress&)>());
   if (!text) return text.error();
   auto contents = sources::parse_streams(*text, options.in.string(), options.source.recording,

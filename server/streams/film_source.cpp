@@ -7,16 +7,17 @@
 
 namespace aucast::server {
 
-Result<std::string> film_text(const std::filesystem::path& path, const SignalOptions& options,
+Result<std::string> film_text(const std::filesystem::path& path, const SourceOptions& options,
                               const std::function<void(const camera::FilmProgress&)>& on_progress) {
-  auto table = camera::read_film(path, quiet_of(options), on_progress);
+  auto table = camera::read_film(path, faces_of(options), on_progress);
   if (!table) return table.error();
   if (!table->note.empty()) spdlog::warn("{}", table->note);
   return std::move(table->text);
 }
 
-camera::QuietOptions quiet_of(const SignalOptions& options) {
-  return {options.neutral_auto ? std::nullopt : options.neutral_seconds};
+camera::FaceOptions faces_of(const SourceOptions& options) {
+  return {options.signal.neutral_auto ? std::nullopt : options.signal.neutral_seconds,
+          options.recording.face.has_value() || options.recording.all_faces};
 }
 
 sources::ConditioningSettings conditioning_for(const std::filesystem::path& path,

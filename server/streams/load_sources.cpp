@@ -142,7 +142,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     return Error{ErrorKind::Usage, "a camera is live: it can be served, not described"};
   }
   const bool film = camera::is_film(path);
-  const auto text = film ? film_text(path, reading.source.signal) : sources::read_text(path);
+  const auto text = film ? film_text(path, reading.source) : sources::read_text(path);
   if (!text) return text.error();
   const auto beside = accompaniment_of(path, reading.encoding.voice, reading.first);
   if (!beside) return beside.error();

@@ -119,6 +119,29 @@ TEST(FaceTable, IsReadBackWithSidesTurnsAndLostFaces) {
   EXPECT_EQ(recording->stream.keyframes[0].terms, expected);
 }
 
+TEST(FaceTable, OfSeveralFacesIsReadFaceByFace) {
+  const FaceTable table(some_weights(), true);
+  EXPECT_EQ(table.header(), "aucast_seconds,confidence,success,face_id,L12,R12,26,51,52\n");
+  AuFrame face;
+  std::string text = table.header();
+  for (int picture = 0; picture < 3; ++picture) {
+    for (const std::size_t number : {0U, 1U}) {
+      face.left[26] = face.right[26] = number == 0 ? 0.25F : 0.75F;
+      if (picture > 0 || number == 1) text += table.row(0.04 * picture, 0.9, face, number);
+    }
+  }
+  sources::RecordingOptions options;
+  for (const auto& [asked, percent] : {std::pair(0, 25), std::pair(1, 75)}) {
+    options.face = asked;
+    const auto recording = sources::read_recording(text, "film.mp4", options);
+    ASSERT_TRUE(recording.has_value()) << recording.error().message;
+    EXPECT_EQ(recording->stream.keyframes.back().terms.front().percent, percent);
+  }
+  const auto most = sources::read_recording(text, "film.mp4", {});
+  ASSERT_TRUE(most.has_value());
+  EXPECT_EQ(most->stream.keyframes.back().terms.front().percent, 75) << "the more frequent one";
+}
+
 TEST(FaceTable, HasATermForEachColumnAlsoOfAbsentAus) {
   const FaceTable table(some_weights());
   AuFrame face;
@@ -265,6 +288,23 @@ TEST(PictureSource, AFilmOrAFifoStandsInForACamera) {
 /// Whether the models are installed beside the programs.
 bool models_are_there() {
   return load_face_models().has_value();
+}
+
+TEST(Films, EachFaceOfAPictureHasItsNumberAndTheClearestIsOneOfThem) {
+  if (!models_are_there()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  const auto data = find_data_folder({});
+  ASSERT_TRUE(data.has_value());
+  const auto picture = *data / "pictures" / "six_expressions_marek.png";
+  const auto all = read_film(picture, FaceOptions{.several = true});
+  ASSERT_TRUE(all.has_value()) << all.error().message;
+  EXPECT_EQ(all->faces, 1U) << "pictures with faces";
+  for (const char* number : {"0", "1", "2", "3", "4", "5"}) {
+    EXPECT_NE(all->text.find(std::string(",1,") + number + ","), std::string::npos) << number;
+  }
+  EXPECT_EQ(std::count(all->text.begin(), all->text.end(), '\n'), 1 + 6);
+  const auto one = read_film(picture, {});
+  ASSERT_TRUE(one.has_value()) << one.error().message;
+  EXPECT_EQ(std::count(one->text.begin(), one->text.end(), '\n'), 1 + 1);
 }
 
 TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
