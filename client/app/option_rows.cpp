@@ -245,7 +245,7 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
        "How loud the sound is, 0 to 100 percent of how it comes.", whole(sound.volume, 0, 100),
        "Sound"},
       {"mute", "", "", "play silence", "Plays silence; nothing else changes.", flag(sound.mute)},
-      {"sound", "FILE.wav", "", "write it",
+      {"sound", "FILE.wav", "", "keep the sound",
        "Writes the sound to a WAV file, as long as the stream, and does not wait for the clock.",
        word(sound.file)},
       {"no-sound", "", "", "play none",
@@ -293,7 +293,7 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        "Writes when each face was on the display (CLOCK_MONOTONIC, s), its keyframe and its AUs: "
        "for the clock of an experiment. Only with the window.",
        word(output.onsets)},
-      {"headless", "", "", "no window; exits with the stream", "", flag(options.headless),
+      {"headless", "", "", "no window; ends with the stream", "", flag(options.headless),
        "Program"},
       {"language", "CODE", "", "",
        "The language of the window: en, or one of data/languages, such as fr. Otherwise the one "
@@ -449,7 +449,9 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
          "Begins with the window's Camera tab: your own face as others will see it, beside what "
          "the camera sees, with \"Go live\" there. In place of HOST stands the camera: camera "
          "(the default), camera:DEVICE, or a film to try it with. au-transmitter is started for "
-         "it, and scripts/install_models.sh must have fetched the models that read faces.",
+         "it, and scripts/install_models.sh must have fetched the models that read faces. While it "
+         "is live, guests must show the token of --token-file and come over TLS with --tls-cert "
+         "and --tls-key.",
          flag(options.shows_mirror)}};
   } else if (command == Command::Play) {
     rows = {{"file", "FILE", "", "a stream file or a recogniser's table", "",

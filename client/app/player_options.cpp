@@ -54,8 +54,8 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
 /// --mirror [SOURCE]: the word that names a server elsewhere names a camera.
 Result<void> settle_mirror(const TypedWords& typed, PlayerOptions& options) {
   if (!options.shows_mirror) return {};
-  for (const char* name : {"stream", "tls", "tls-ca", "tls-cert", "tls-key", "token-file",
-                           "insecure-token", "reconnect", "protocol", "live", "live-delay"}) {
+  for (const char* name : {"stream", "tls", "tls-ca", "insecure-token", "reconnect", "protocol",
+                           "live", "live-delay"}) {
     if (typed.contains(name)) {
       return usage_error(
           "--mirror shows your own camera, for which nothing is asked of a server: leave out --" +
@@ -66,6 +66,11 @@ Result<void> settle_mirror(const TypedWords& typed, PlayerOptions& options) {
     return usage_error(
         "--mirror shows your own camera in the window: leave out what does without one");
   }
+  // What would be shown to a server is what guests are asked for.
+  net::SecurityOptions& security = options.playback.security_options;
+  options.mirror.token = std::exchange(security.token, {});
+  options.mirror.certificate = std::exchange(security.files.certificate, {});
+  options.mirror.key = std::exchange(security.files.key, {});
   std::string& source = options.playback.endpoint;
   if (!source.empty()) options.mirror.source = std::exchange(source, {});
   return {};

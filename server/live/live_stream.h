@@ -40,13 +40,14 @@ struct LiveStreamOptions {
 /// its record. When nothing comes the face holds, goes to neutral, and after the time-out the
 /// stream ends for those who are there; it goes on when something comes.
 ///
-/// While there is a voice the stream's clock stands still in no pause: the face that stands
-/// meanwhile is sent with the time that it stood.
+/// While there is a voice the stream's clock goes on in pauses: the face that is held is sent with
+/// the time for which it was.
 ///
 /// Times are seconds of one clock. Thread: none of its own.
 class LiveStream {
  public:
-  /// `options` outlives it. `reading`: in place of theirs. `on_moment`: it has something new.
+  /// `options` outlives it. `reading`: in place of the `reader` in
+  /// `options`. `on_moment`: it has something new.
   LiveStream(std::string name, const LiveStreamOptions& options,
              const sources::LiveOptions& reading, bool with_voice, std::function<void()> on_moment);
   LiveStream(const LiveStream&) = delete;

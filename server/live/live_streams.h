@@ -34,7 +34,7 @@ struct LiveStreamsOptions {
 /// Thread: none of its own.
 class LiveStreams {
  public:
-  /// More faces than this are not told apart.
+  /// More faces than this get no stream.
   static constexpr std::size_t kFacesMax = 16;
 
   struct Events {

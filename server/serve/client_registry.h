@@ -47,6 +47,7 @@ class ClientRegistry {
   /// How a client has come.
   enum class Way : std::uint8_t {
     Tcp,
+    Owner,  ///< the program that started us with --preview, or another one on this host
     WebSocket,
     Dialled,  ///< by us: --push
     Guest,    ///< over TCP, where --preview was told to let others in

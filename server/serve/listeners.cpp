@@ -59,7 +59,8 @@ Result<void> Listeners::open_web() {
 }
 
 void Listeners::start() {
-  accept_from(tcp_, ClientRegistry::Way::Tcp);
+  const bool only_owner = options_.preview && tcp_.endpoint().address().is_loopback();
+  accept_from(tcp_, only_owner ? ClientRegistry::Way::Owner : ClientRegistry::Way::Tcp);
   if (web_) web_->start();
 }
 
@@ -93,14 +94,14 @@ std::uint64_t Listeners::accept_failures() const {
 void Listeners::accept_from(link::Listener& listener, ClientRegistry::Way way) {
   listener.start([this, way](tcp::socket socket, const tcp::endpoint& peer) {
     hooks_.welcome(
-        peer, [&] { return link_of(std::move(socket)); }, way);
+        peer, [&] { return link_of(std::move(socket), way); }, way);
   });
 }
 
-std::shared_ptr<link::Link> Listeners::link_of(tcp::socket socket) const {
+std::shared_ptr<link::Link> Listeners::link_of(tcp::socket socket, ClientRegistry::Way way) const {
   auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, hooks_.held_back_max());
   const auto& tls = certificates_.tcp;
-  if (!tls) return link;
+  if (!tls || way == ClientRegistry::Way::Owner) return link;
   return link::tls_link(std::move(link), tls::Layer(*tls), protocol::kLinkLimits,
                         protocol::encode(protocol::ErrorReply{
                             400, "this server speaks TLS only (face-player --tls)"}));

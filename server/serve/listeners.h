@@ -61,7 +61,8 @@ class Listeners {
   [[nodiscard]] Result<void> open_tcp();
   [[nodiscard]] Result<void> open_web();
   void accept_from(link::Listener& listener, ClientRegistry::Way way);
-  [[nodiscard]] std::shared_ptr<link::Link> link_of(asio::ip::tcp::socket socket) const;
+  [[nodiscard]] std::shared_ptr<link::Link> link_of(asio::ip::tcp::socket socket,
+                                                    ClientRegistry::Way way) const;
 
   asio::io_context& io_;
   const TransmitterOptions& options_;

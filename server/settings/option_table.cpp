@@ -178,7 +178,8 @@ OptionRow preview_row(TransmitterOptions& options) {
       "For a program that starts this one: standard output tells "
       "what the camera sees, as small pictures with landmarks and AUs, and standard input takes "
       "orders to let others in, and out; its end ends the program. Both must be pipes or "
-      "sockets. The only SOURCE is a camera. The format is in common/preview/README.md.",
+      "sockets. The only SOURCE is a camera. --token-file and --tls-cert are for those who are let "
+      "in, not for programs of this host. The format is in common/preview/README.md.",
       flag(options.preview),
       "",
       Where::Typed};

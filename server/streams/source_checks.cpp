@@ -33,14 +33,12 @@ Result<void> check_preview(const TransmitterOptions& options) {
     return usage_error("--preview shows what a camera sees: let that be the only SOURCE");
   }
   // Also out of the environment of whoever started us.
-  const std::array<std::pair<bool, const char*>, 7> public_options{
+  const std::array<std::pair<bool, const char*>, 5> public_options{
       {{!options.push.addresses.empty(), "--push"},
        {!options.engine.publish.empty(), "--publish"},
        {options.web.address.has_value(), "--web"},
        {!options.credentials.publishers.empty(), "--accept-push"},
-       {!options.record.empty(), "--record"},
-       {!options.credentials.tls.certificate.empty(), "--tls-cert"},
-       {!options.credentials.token.empty(), "--token-file"}}};
+       {!options.record.empty(), "--record"}}};
   for (const auto& [given, name] : public_options) {
     if (given) return usage_error(std::string("--preview is for oneself; it goes without ") + name);
   }

@@ -35,10 +35,14 @@ class ServerPreview : public testing::Test {
     const auto ffmpeg = folder_.write("ffmpeg", kFfmpeg);
     std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
     ::setenv("PATH", (folder_.path().string() + ":" + path_).c_str(), 1);
+  }
+  void start(const std::vector<std::string>& options = {}) {
+    std::vector<std::string> command{
+        program("au-transmitter"), "--preview", "--config", "/dev/null", "--port", "0"};
+    command.insert(command.end(), options.begin(), options.end());
+    command.emplace_back("camera");
     bool missing = false;
-    auto child = Child::start(
-        {program("au-transmitter"), "--preview", "--config", "/dev/null", "--port", "0", "camera"},
-        missing, Child::Flow::Both);
+    auto child = Child::start(command, missing, Child::Flow::Both);
     ASSERT_TRUE(child.has_value());
     child_ = *std::move(child);
   }
@@ -70,6 +74,7 @@ class ServerPreview : public testing::Test {
 };
 
 TEST_F(ServerPreview, LetsOthersInAndShowsThemOutWhileTheCameraGoesOn) {
+  start();
   const auto own = next<preview::Listening>();
   ASSERT_TRUE(own.has_value());
   const auto seen = next<preview::Seen>();
@@ -117,7 +122,28 @@ TEST_F(ServerPreview, LetsOthersInAndShowsThemOutWhileTheCameraGoesOn) {
   EXPECT_NE(refused->sentence.find("no address in numbers"), std::string::npos);
 }
 
+TEST_F(ServerPreview, OnlyGuestsMustShowTheToken) {
+  const auto token = folder_.write("token", "sesame\n");
+  std::filesystem::permissions(token, std::filesystem::perms::owner_read);
+  start({"--token-file", token.string()});
+  const auto own = next<preview::Listening>();
+  ASSERT_TRUE(own.has_value());
+  RawClient window(own->address);
+  ASSERT_TRUE(window.send("{hello v=2 window=3}"));
+  EXPECT_TRUE(window.receive_until("}").starts_with("{hello"));
+  order(preview::GoLive{"127.0.0.1", 0});
+  const auto live = next<preview::Live>();
+  ASSERT_TRUE(live.has_value());
+  RawClient stranger(live->address);
+  ASSERT_TRUE(stranger.send("{hello v=2 window=3}"));
+  EXPECT_TRUE(stranger.receive_until("}").starts_with("{error 401"));
+  RawClient guest(live->address);
+  ASSERT_TRUE(guest.send("{hello v=2 window=3 token=sesame}"));
+  EXPECT_TRUE(guest.receive_until("}").starts_with("{hello"));
+}
+
 TEST_F(ServerPreview, EndsWithWhoStartedIt) {
+  start();
   ASSERT_TRUE(next<preview::Seen>().has_value());
   child_->end_input();
   EXPECT_FALSE(next<preview::Private>().has_value()) << "it ends";

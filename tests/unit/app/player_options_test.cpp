@@ -269,8 +269,21 @@ TEST(PlayerOptions, TheMirrorsCameraStandsWhereAServerWould) {
   EXPECT_NE(refused({"--mirror", "--headless"}).find("--mirror"), std::string::npos);
   EXPECT_NE(refused({"--mirror", "--record", "a.mp4"}).find("--mirror"), std::string::npos);
   EXPECT_NE(refused({"--mirror", "--list"}).find("--mirror"), std::string::npos);
-  EXPECT_NE(refused({"--mirror", "--token-file", "t"}).find("--token-file"), std::string::npos);
+  EXPECT_NE(refused({"--mirror", "--tls"}).find("--tls"), std::string::npos);
   EXPECT_NE(refused({"--mirror", "--live"}).find("leave out --live"), std::string::npos);
+}
+
+TEST(PlayerOptions, WithTheMirrorTokenAndCertificateAreForItsGuests) {
+  const auto options = parse_player_options(
+      {"--mirror", "--token-file", "t", "--tls-cert", "c.pem", "--tls-key", "k.pem"});
+  ASSERT_TRUE(options) << options.error().message;
+  EXPECT_EQ(options->mirror.token, "t");
+  EXPECT_EQ(options->mirror.certificate, "c.pem");
+  EXPECT_EQ(options->mirror.key, "k.pem");
+  const net::SecurityOptions& shown = options->playback.security_options;
+  EXPECT_TRUE(shown.token.empty()) << "no server is shown it";
+  EXPECT_TRUE(shown.files.certificate.empty());
+  EXPECT_FALSE(shown.tls);
 }
 
 TEST(PlayerOptions, RefuseWithOneLine) {

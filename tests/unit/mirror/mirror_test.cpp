@@ -29,7 +29,7 @@ class MirrorTest : public testing::Test {
     const auto program = folder_.write(
         "au-transmitter", "#!/bin/sh\ncd '" + folder_.path().string() + "'\n" + script);
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-    auto started = Mirror::start({program, "camera:film.mp4"});
+    auto started = Mirror::start({program, "camera:film.mp4", guests_token_});
     ASSERT_TRUE(started.has_value()) << started.error().message;
     mirror_ = std::move(*started);
   }
@@ -42,6 +42,7 @@ class MirrorTest : public testing::Test {
   }
 
   test::TempFolder folder_;
+  std::string guests_token_;
   std::unique_ptr<Mirror> mirror_;
 };
 
@@ -70,6 +71,15 @@ TEST_F(MirrorTest, TellsWhatItsCameraSeesAndGoesLive) {
   mirror_->end();
   EXPECT_TRUE(becomes([](const MirrorState& now) { return now.over; }));
   EXPECT_EQ(mirror_->state().ended.kind, Trouble::Kind::None) << "it was asked to";
+}
+
+TEST_F(MirrorTest, HandsOnWhatGuestsAreAskedFor) {
+  guests_token_ = "/a token";
+  begin(std::string("for word; do echo \"<$word>\" >> arguments; done\n") + kObey);
+  ASSERT_TRUE(becomes([](const MirrorState& state) { return state.seen != nullptr; }));
+  const std::string arguments = folder_.read("arguments");
+  EXPECT_NE(arguments.find("<--token-file>\n</a token>\n"), std::string::npos) << arguments;
+  EXPECT_EQ(arguments.find("--tls-cert"), std::string::npos);
 }
 
 TEST_F(MirrorTest, EndsWithItsOwner) {
