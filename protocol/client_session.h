@@ -25,7 +25,7 @@ struct ClientSessionOptions {
 };
 
 /// A keyframe has arrived, changes-only forms already resolved to the full face. The owner stores
-/// it and then calls answer_received() or answer_pause().
+/// it and then calls answer_received() or pause().
 struct DeliverKeyframe {
   AuFrame aus;
   std::optional<std::uint32_t> duration_ms;  ///< the packet's own
@@ -78,7 +78,7 @@ class ClientSession {
   /// Reads up to the end of the first packet in `bytes` and removes what it read from their front:
   /// to be called again while some are left.
   [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes, Instant now);
-  /// The server shut its side, or the connection broke for this reason, a clause.
+  /// The server shut its side (`broke` is empty), or the connection broke: why, as a clause.
   [[nodiscard]] std::vector<ClientEvent> on_closed(Instant now, std::string_view broke = {});
   [[nodiscard]] std::vector<ClientEvent> on_time(Instant now);
   [[nodiscard]] std::optional<Instant> deadline() const;
@@ -89,7 +89,7 @@ class ClientSession {
   /// No room: `-1`. In classic it stands in place of the answer to the unanswered keyframe; in
   /// level 2 it is spontaneous and answers nothing.
   [[nodiscard]] std::string pause();
-  /// Room again: `-3`; in classic it also answers the keyframe that was answered by `-1`.
+  /// Room again: `-3`; in classic it stands for the answer in whose place `-1` was sent.
   [[nodiscard]] std::string resume();
   /// The user leaves: `-4`, once.
   [[nodiscard]] std::string stop();

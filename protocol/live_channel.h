@@ -26,7 +26,8 @@ struct LiveMoment {
   Milliseconds time{0};
 };
 
-/// A live stream: the newest moment, and of the past nothing but a little of its voice. What a
+/// A live stream: the newest moment, and of the past nothing but a little of its
+/// voice and the caption that stands. What a
 /// session may ask is public; a derived class writes it, from a recording (LiveReplay) or a running
 /// source (LiveFeed). Shared: it lives as long as its writer or any session holds it, whoever goes
 /// first. Thread: none of its own; sessions and writer are on the same one.
@@ -54,7 +55,7 @@ class LiveChannel {
   /// What sounds now, and what was to be heard up to kLiveWindowTime before. Places are on the
   /// channel's clock and never fall.
   [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
-  /// Of the past one: the caption that stands.
+  /// The one that stands now, and those to come.
   [[nodiscard]] const Recent<CaptionData>& captions() const { return captions_; }
   /// The largest window to grant: what begins within kLiveWindowTime, but at least two moments.
   [[nodiscard]] std::size_t window_max() const { return window_max_; }

@@ -282,7 +282,7 @@ Result<void> obey(std::vector<std::string> arguments, Options& options) {
   if (!typed) return typed.error();
   if (auto good = read_words(rows, *typed); !good) return good;
   if (typed->contains("version")) {
-    std::printf("au-speaker %s (GPL-3.0-or-later, for it speaks with espeak-ng)\n", AUCAST_VERSION);
+    std::printf("au-speaker %s (GPL-3.0-or-later, as it links espeak-ng)\n", AUCAST_VERSION);
     return {};
   }
   if (options.list_voices) return print_voices();

@@ -15,7 +15,8 @@ inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 // Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
 // displacement(m, P, a) is the shift P' - P of point P of the rest face at activation a (0..2;
-// classic folders 0..4): zero outside the zone of influence, linear in a up to a cap.
+// classic folders 0..4): zero outside the zone of influence, linear in a (of a LinearMuscle up to
+// its cap).
 
 /// Pulls skin towards the attachment inside a cone. P' = P - (P - v1) min(a G, cap) A r with
 /// G = sec(zone) - 1, A = (cos th - cos zone) / (1 - cos zone), r = 1 up to falloff_start and
@@ -60,9 +61,9 @@ struct EyeSphincter {
 /// at `peak` of the way, fading to both sides. The strip lies across the viewer's direction.
 struct SheetMuscle {
   glm::vec3 attachment{0};  ///< Ac, middle of the line on bone
-  glm::vec3 insertion{0};   ///< lc, middle of the line in the skin
+  glm::vec3 insertion{0};   ///< Ic, middle of the line in the skin
   float width = 2;
-  float peak = 0.7F;  ///< L / |lc - Ac| in (0, 1)
+  float peak = 0.7F;  ///< L / |Ic - Ac| in (0, 1)
   float depth = 3;    ///< distance from the sheet's plane that still moves; fades likewise
 };
 

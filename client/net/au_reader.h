@@ -52,17 +52,16 @@ struct Reaction {
 /// The AU Reader of the thesis (5.4.4.2) without its socket: what comes from the server goes into
 /// the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and the server is told
 /// to pause while they are full. No clock: the current time goes in.
-/// Until a server that answered a hello in classic has sent a second packet or {-2}, its first one
-/// is answered but kept aside: should the server close, the stream begins once more on a new
-/// connection, and nothing may be played twice.
-/// Invariant: packets answered by `1` are in the buffers or kept aside; in level 2 what is under
-/// way when the buffers are full, at most the window, is kept aside too. A server that does not
-/// wait for answers is read no faster than the player makes room. With `reconnect` a loss is not
-/// the end: the face holds, and the stream of the next connection follows what had been received:
-/// a recorded stream from where it was cut off, if the server can do that, a live one from now.
-/// With BufferOptions::low_delay the stream is asked for without answers (window=0); if it is a
-/// recorded one, the reader connects once more with a window.
-/// Thread: none of its own; the owner guards it.
+/// When a server answers our hello with a classic packet, that one is answered, but kept aside
+/// until a second packet or {-2} comes: should the server close, the stream begins once more on a
+/// new connection, and nothing may be played twice. Invariant: packets answered by `1` are in the
+/// buffers or kept aside; in level 2 what is under way when the buffers are full, at most the
+/// window, is kept aside too. A server that does not wait for answers is read no faster than the
+/// player makes room. With `reconnect` a loss is not the end: the face holds, and the stream of the
+/// next connection follows what had been received: a recorded stream from where it was cut off, if
+/// the server can do that, a live one from now. With BufferOptions::low_delay the stream is asked
+/// for without answers (window=0); if it is a recorded one, the reader connects once more with a
+/// window. Thread: none of its own; the owner guards it.
 class AuReader {
  public:
   explicit AuReader(AuReaderOptions options);
@@ -72,7 +71,7 @@ class AuReader {
   /// `round_trip`: of this connection; zero if unknown.
   [[nodiscard]] Reaction connected(Instant now, Duration round_trip = {});
   [[nodiscard]] Reaction received(std::string_view bytes, Instant now);
-  /// The server shut its side, or the connection broke for this reason, a clause.
+  /// The server shut its side (`broke` is empty), or the connection broke: why, as a clause.
   [[nodiscard]] Reaction closed(Instant now, std::string_view broke = {});
   [[nodiscard]] Reaction time(Instant now);
   /// When time() wants to be called; nullopt: no timer is running.

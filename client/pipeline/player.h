@@ -28,10 +28,10 @@ class Player {
   void remake();
   /// The face of the mapping has become another one, which goes on with the same AUs.
   void change_face();
-  /// Counts at once.
+  /// Takes effect at once.
   void set_interpolation(playback::Interpolation kind);
 
-  /// As of the last advance(), remake() or set_face().
+  /// As of the last call that changed it.
   [[nodiscard]] const FaceState& face() const { return face_; }
   /// The face is somewhere else: the next keyframe sets out from there.
   void set_face(std::span<const float> activations);

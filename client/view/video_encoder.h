@@ -16,8 +16,8 @@ namespace aucast::view {
 /// in memory until the end to find one palette for them.
 class VideoEncoder {
  public:
-  /// Failed with what to install when ffmpeg is missing, or when the place cannot be written; Usage
-  /// for an unknown ending, a side outside 1-8192 or fps outside 1-240.
+  /// Failed when ffmpeg is missing (the message says what to install) or the place cannot be
+  /// written; Usage for an unknown ending, a side outside 1-8192 or fps outside 1-240.
   [[nodiscard]] static Result<std::unique_ptr<VideoEncoder>> open(const std::filesystem::path& path,
                                                                   int width, int height, int fps);
   ~VideoEncoder();

@@ -24,7 +24,7 @@ struct Sight {
   const mesh::Landmarks* landmarks = nullptr;  ///< of the first face; null: none
   std::vector<AuTerm> aus;                     ///< as FaceTable::terms(); none without a face
 };
-/// Called on a thread of its own.
+/// Called on the feed's thread that reads faces.
 using OnSight = std::function<void(const Sight&)>;
 
 /// A camera as a stream of rows (FaceTable), which come through a pipe as a recogniser's would. One

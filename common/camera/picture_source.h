@@ -29,8 +29,8 @@ struct CameraOptions {
 /// Thread: one at a time, but for stop().
 class PictureSource {
  public:
-  /// Failed with what to install when ffmpeg is missing; Unreadable for a file that cannot be read;
-  /// BadData when ffmpeg finds no pictures in it.
+  /// Failed when ffmpeg is missing (the message says what to install); Unreadable for a file that
+  /// cannot be read; BadData when ffmpeg finds no pictures in it.
   [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path);
   /// A film or a FIFO may stand in for the device; a film goes by its own clock then. Failed, with
   /// ffmpeg's own words, when the device gives no pictures, or none in time.
@@ -55,7 +55,7 @@ class PictureSource {
   std::optional<Y4mReader> pictures_;
 };
 
-/// What is wrong with a film or camera that ffmpeg ended without a picture of, with its
+/// What to report when ffmpeg has ended without a picture of a film or camera; with its
 /// complaint().
 [[nodiscard]] Error no_pictures(ErrorKind kind, const std::string& name,
                                 const std::string& complaint);

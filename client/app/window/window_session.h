@@ -30,8 +30,8 @@ namespace aucast::app {
 /// What happens in the window, without the window. Hands each command to the session that it is
 /// about, decides whose face is shown, and owns what the sessions have in common: how AUs become a
 /// face, notices, settings, leaving. Time is handed in.
-/// Assets, options and stats must outlive it; the assets' face becomes another one when the user
-/// wants it. Thread: the player's.
+/// Assets, options and stats must outlive it; the user may have another face take the place of
+/// the one in `assets`. Thread: the player's.
 class WindowSession {
  public:
   /// `playback` may be null: the neutral face.
