@@ -1,16 +1,12 @@
 #include "client/app/window/window_session.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <ctime>
 #include <system_error>
 #include <utility>
 #include <variant>
 
 #include "client/app/film/glb_export.h"
 #include "client/app/gallery/gallery_command.h"
-#include "client/app/gallery/gallery_plan.h"
 #include "client/app/steady.h"
 #include "client/app/stream_files.h"
 #include "client/app/window/language_choice.h"
@@ -26,8 +22,6 @@
 
 namespace aucast::app {
 namespace {
-
-constexpr const char* kComposedName = "composed.txt";
 
 bool shows_something(const view::Layers& layers) {
   return std::any_of(view::kLayerNames.begin(), view::kLayerNames.end(),
@@ -52,16 +46,6 @@ Result<std::string> glb_of(const PlayerOptions& options,
                       course.reached(done, total);
                       return !course.cancelled();
                     });
-}
-
-/// As part of a file's name.
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::localtime_r(&now, &parts);
-  std::array<char, 16> text{};
-  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts);
-  return {text.data(), length};
 }
 
 }  // namespace
@@ -400,29 +384,6 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   return {};
 }
 
-/// What a new file is called at first.
-std::string WindowSession::new_name(gui::Purpose purpose) const {
-  const std::string stream = name_of_stream();
-  const std::string& face = stream.empty() ? assets_.face.name : stream;
-  switch (purpose) {
-    case gui::Purpose::ExportKeyframes:
-      // Beside the stream itself, which is a .txt too.
-      return stream.empty() ? "played.txt" : stream + "_played.txt";
-    case gui::Purpose::ExportTable:
-      return stream.empty() ? "played.csv" : stream + ".csv";
-    case gui::Purpose::ExportMesh:
-      return face + ".obj";
-    case gui::Purpose::ExportGlb:
-      return face + ".glb";
-    case gui::Purpose::ExportAu:
-      return "au" + std::to_string(editor_.au().value_or(0)) + ".toml";
-    default: {
-      const std::string composed = composer_.file().filename().string();
-      return composed.empty() ? kComposedName : composed;
-    }
-  }
-}
-
 /// What plays, without an ending; empty: it has no name.
 std::string WindowSession::name_of_stream() const {
   const gui::LocalView local = playback_.local_view();
@@ -434,7 +395,7 @@ void WindowSession::browse(gui::Purpose purpose) {
   if (purpose == gui::Purpose::LookForFaces) {
     return files_.look_for_faces(assets_.face_folder.parent_path());
   }
-  files_.browse(purpose, new_name(purpose));
+  files_.browse(purpose, new_file_name(purpose, named()));
 }
 
 /// What the dialog was opened for; a sentence about what was saved.
@@ -506,15 +467,13 @@ PlayerOptions WindowSession::options_as_shown() const {
   return options;
 }
 
+Named WindowSession::named() const {
+  return {assets_.face.name, name_of_stream(), keyframe_shown(),        aus_shown(),
+          edited_shown(),    composer_.file(), editor_.au().value_or(0)};
+}
+
 Result<std::filesystem::path> WindowSession::picture_file(const std::string& ending) const {
-  gui::PictureWords words;
-  words.face = assets_.face.name;
-  words.date = today();
-  words.stream = name_of_stream();
-  if (const std::uint64_t keyframe = keyframe_shown()) words.keyframe = std::to_string(keyframe);
-  words.aus = edited_shown();
-  if (const auto aus = aus_shown()) words.aus = file_stem(*aus);
-  return gui::picture_file(pictures_, words, ending);
+  return new_picture_file(pictures_, named(), ending);
 }
 
 // === What the panels show.

@@ -14,6 +14,7 @@
 #include "client/app/window/editor_session.h"
 #include "client/app/window/export_session.h"
 #include "client/app/window/face_session.h"
+#include "client/app/window/file_names.h"
 #include "client/app/window/file_session.h"
 #include "client/app/window/gallery_session.h"
 #include "client/app/window/mirror_session.h"
@@ -127,7 +128,7 @@ class WindowSession {
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] std::string name_of_stream() const;
-  [[nodiscard]] std::string new_name(gui::Purpose purpose) const;
+  [[nodiscard]] Named named() const;
   void browse(gui::Purpose purpose);
   [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
                                                    Instant now);
