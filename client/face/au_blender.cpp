@@ -102,7 +102,7 @@ bool changes_something(const Change& change, const Values& before) {
 
 /// What the rule read and what it changed.
 RuleExplained explained_by(const Rule& rule, Side side, const Values& before) {
-  RuleExplained one{&rule, side, {}, {}, {}};
+  RuleExplained one{&rule, side, {}, {}};
   std::vector<int> named = rule.sources;
   named.insert(named.end(), rule.targets.begin(), rule.targets.end());
   for (const int number : named) {
@@ -115,24 +115,6 @@ RuleExplained explained_by(const Rule& rule, Side side, const Values& before) {
     one.after.push_back({static_cast<int>(change.number), percent});
   });
   return one;
-}
-
-std::string percent_text(const AuShare& one, bool may_be_gone) {
-  const std::string share = std::to_string(one.percent) + " %";
-  return std::to_string(one.number) + " " + (may_be_gone && one.percent == 0 ? "gone" : share);
-}
-
-/// "51 100 % and 52 40 %: 51 60 %, 52 gone".
-std::string in_words(const RuleExplained& one) {
-  std::string present;
-  for (const AuShare& share : one.before) {
-    present += (present.empty() ? "" : " and ") + percent_text(share, false);
-  }
-  std::string after;
-  for (const AuShare& share : one.after) {
-    after += (after.empty() ? "" : ", ") + percent_text(share, true);
-  }
-  return present + ": " + after;
 }
 
 /// The groups of data/rules/README.md, one after the other; 0 for rules that change nothing.
@@ -206,10 +188,10 @@ std::vector<RuleExplained> explain(std::span<const RuleFired> fired) {
   std::vector<RuleExplained> explained;
   for (const RuleFired& one : fired) {
     RuleExplained next = explained_by(*one.rule, one.side, one.before);
-    next.what = in_words(next);
     const auto twin =
         std::find_if(explained.begin(), explained.end(), [&](const RuleExplained& other) {
-          return other.rule == next.rule && other.side != next.side && other.what == next.what;
+          return other.rule == next.rule && other.side != next.side &&
+                 other.before == next.before && other.after == next.after;
         });
     if (twin != explained.end()) {
       twin->side = Side::Both;

@@ -44,7 +44,6 @@ struct RuleExplained {
   Side side = Side::Both;       ///< Both when it changed both sides alike
   std::vector<AuShare> before;  ///< those of its AUs that were there
   std::vector<AuShare> after;   ///< those that it changed; 0: gone
-  std::string what;             ///< "51 100 % and 52 40 %: 51 60 %, 52 gone"
 };
 
 /// What the rules of one blend() did, left side first; alike on both sides is said once.

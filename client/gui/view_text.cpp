@@ -59,12 +59,6 @@ std::string outcome(const std::vector<face::AuShare>& all) {
   return text;
 }
 
-/// "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone".
-std::string in_words(const face::RuleExplained& one) {
-  return tr("rule.what", data_word(std::string(face::name(one.rule->kind))), shares(one.before),
-            outcome(one.after));
-}
-
 /// The rules that have to do with an AU on a side, each once: "opposition: 51 100 % and 52 40 %:
 /// 51 60 %, 52 gone".
 std::string reasons(int number, Side side, std::span<const face::RuleExplained> rules) {
@@ -73,7 +67,8 @@ std::string reasons(int number, Side side, std::span<const face::RuleExplained> 
     const bool on_this_side = side == Side::Both || one.side == Side::Both || one.side == side;
     const bool about_it = names(one.rule->sources, number) || names(one.rule->targets, number);
     if (!on_this_side || !about_it) continue;
-    const std::string why = in_words(one);
+    const std::string why =
+        tr("rule.what", data_word(std::string(face::name(one.rule->kind))), effect_in_words(one));
     if (text.find(why) != std::string::npos) continue;
     if (!text.empty()) text += "; ";
     text += why;
@@ -93,6 +88,10 @@ AuRow row_of(int number, Side side, float received, float shown,
 }
 
 }  // namespace
+
+std::string effect_in_words(const face::RuleExplained& one) {
+  return tr("rule.effect", shares(one.before), outcome(one.after));
+}
 
 Activity activity_of(PlaybackState state, const playback::SourceStatus& status) {
   switch (state) {

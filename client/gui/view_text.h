@@ -42,6 +42,9 @@ namespace aucast::gui {
 /// Rates are in bytes a second.
 [[nodiscard]] std::string traffic_text(std::uint64_t bytes, double rate, double mean);
 
+/// "51 100 % and 52 40 %: 51 60 %, 52 gone": what a rule read, and what it changed.
+[[nodiscard]] std::string effect_in_words(const face::RuleExplained& one);
+
 /// The AUs of a keyframe as they came and as the face shows them, ascending, a side by itself where
 /// both differ. `rules` are those that changed something; an AU without a recording is not shown.
 [[nodiscard]] std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,

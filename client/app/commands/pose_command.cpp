@@ -11,6 +11,7 @@
 #include "client/face/au_blender.h"
 #include "client/face/face_deformer.h"
 #include "client/face/side_word.h"
+#include "client/gui/view_text.h"
 #include "common/files.h"
 #include "common/text.h"
 #include "protocol/codec.h"
@@ -150,7 +151,8 @@ Result<void> run_rules(const PlayerOptions& options) {
   if (fired.empty()) std::printf("no rule of '%s' changed anything\n", rules->name.c_str());
   for (const face::RuleExplained& one : face::explain(fired)) {
     std::printf("%s (%s): %s [%s]\n", std::string(face::name(one.rule->kind)).c_str(),
-                face::side_word(one.side), one.what.c_str(), one.rule->source.c_str());
+                face::side_word(one.side), gui::effect_in_words(one).c_str(),
+                one.rule->source.c_str());
   }
   return {};
 }

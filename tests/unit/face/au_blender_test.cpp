@@ -335,12 +335,14 @@ TEST(Blender, TellsWhichRuleDidWhat) {
   std::vector<RuleExplained> explained = explain(fired);
   ASSERT_EQ(explained.size(), 2U);
   std::sort(explained.begin(), explained.end(),
-            [](const auto& a, const auto& b) { return a.what > b.what; });
-  EXPECT_EQ(explained[0].what, "51 100 % and 52 40 %: 51 60 %, 52 gone");
+            [](const auto& a, const auto& b) { return a.before[0].number > b.before[0].number; });
+  EXPECT_EQ(explained[0].before, (std::vector<AuShare>{{51, 100}, {52, 40}}));
+  EXPECT_EQ(explained[0].after, (std::vector<AuShare>{{51, 60}, {52, 0}})) << "0: gone";
   EXPECT_EQ(explained[0].side, Side::Both);
   EXPECT_EQ(explained[0].rule->kind, RuleKind::Opposition);
   EXPECT_NE(explained[0].rule->source.find("FACS 2002"), std::string::npos);
-  EXPECT_EQ(explained[1].what, "13 50 % and 14 50 %: 12 50 %, 13 gone, 14 gone");
+  EXPECT_EQ(explained[1].before, (std::vector<AuShare>{{13, 50}, {14, 50}}));
+  EXPECT_EQ(explained[1].after, (std::vector<AuShare>{{12, 50}, {13, 0}, {14, 0}}));
   EXPECT_EQ(explained[1].side, Side::Left);
 }
 
@@ -355,7 +357,7 @@ TEST(Blender, ExplainsASideByItselfWhereBothDiffer) {
   ASSERT_EQ(explained.size(), 2U);
   EXPECT_EQ(explained[0].side, Side::Left);
   EXPECT_EQ(explained[1].side, Side::Right);
-  EXPECT_EQ(explained[1].what, "51 100 % and 52 30 %: 51 70 %, 52 gone");
+  EXPECT_EQ(explained[1].after, (std::vector<AuShare>{{51, 70}, {52, 0}}));
 }
 
 TEST(Blender, AllocatesNothing) {

@@ -131,8 +131,10 @@ TEST(FacePipeline, SaysWhichRulesFired) {
   const AuMapping mapping = mapping_of(face, closing_rules());
   FacePipeline pipeline(mapping, kLinear);
   pipeline.begin_keyframe(aus({{12}, {26}}), pipeline.neutral());
-  ASSERT_EQ(face::explain(pipeline.fired()).size(), 1U);
-  EXPECT_EQ(face::explain(pipeline.fired())[0].what, "12 100 % and 26 100 %: 26 gone");
+  const auto explained = face::explain(pipeline.fired());
+  ASSERT_EQ(explained.size(), 1U);
+  EXPECT_EQ(explained[0].before, (std::vector<face::AuShare>{{12, 100}, {26, 100}}));
+  EXPECT_EQ(explained[0].after, (std::vector<face::AuShare>{{26, 0}}));
   pipeline.begin_keyframe(aus({{26}}), pipeline.neutral());
   EXPECT_TRUE(pipeline.fired().empty());
 }
