@@ -66,7 +66,7 @@ CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const FaceOpti
       write_(write) {}
 
 CameraFeed::~CameraFeed() {
-  seen_.change([](Pictures& seen) { seen.ended = true; });
+  seen_.change([](Seen& seen) { seen.ended = true; });
   if (taking_.joinable()) {
     pictures_.stop();
     taking_.join();
@@ -89,18 +89,18 @@ std::string CameraFeed::complaint() {
 }
 
 void CameraFeed::take_pictures() {
-  Picture picture;
+  TimedPicture picture;
   while (pictures_.next(picture.rgb)) {
     picture.seconds = now_seconds();
-    const bool ended = seen_.change([&picture](Pictures& seen) {
+    const bool ended = seen_.change([&picture](Seen& seen) {
       if (seen.ended) return true;
-      if (!seen.newest) seen.newest = Picture{};
+      if (!seen.newest) seen.newest = TimedPicture{};
       std::swap(*seen.newest, picture);
       return false;
     });
     if (ended) return;
   }
-  seen_.change([](Pictures& seen) { seen.ended = true; });
+  seen_.change([](Seen& seen) { seen.ended = true; });
 }
 
 bool CameraFeed::write(const std::string& text) const {
@@ -126,10 +126,10 @@ void CameraFeed::read_faces() {
   const std::size_t height = pictures_.format().height();
   while (going) {
     const auto newest =
-        seen_.wait([](const Pictures& seen) { return seen.newest || seen.ended; },
-                   [](Pictures& seen) { return std::exchange(seen.newest, std::nullopt); });
+        seen_.wait([](const Seen& seen) { return seen.newest || seen.ended; },
+                   [](Seen& seen) { return std::exchange(seen.newest, std::nullopt); });
     if (!newest) break;
-    const Picture& picture = *newest;
+    const TimedPicture& picture = *newest;
     const std::vector<mesh::SeenFace> seen = look_at({width, height, picture.rgb});
     Sight sight{{width, height, picture.rgb}, nullptr, {}};
     if (seen.empty()) going = write(table.row(picture.seconds, 0, std::nullopt));

@@ -50,13 +50,13 @@ class CameraFeed {
   [[nodiscard]] std::string complaint();
 
  private:
-  struct Picture {
+  struct TimedPicture {
     double seconds = 0;
     std::vector<std::uint8_t> rgb;
   };
 
-  struct Pictures {
-    std::optional<Picture> newest;  ///< that nobody has read
+  struct Seen {
+    std::optional<TimedPicture> newest;  ///< that nobody has read
     bool ended = false;
   };
 
@@ -73,7 +73,7 @@ class CameraFeed {
   OnSight on_sight_;
   int rows_;   ///< our end to read from, until it was taken
   int write_;  ///< the other one, which the reading thread closes
-  Shared<Pictures> seen_;
+  Shared<Seen> seen_;
   // The threads come last: they use all of the above.
   std::jthread taking_;
   std::jthread reading_;
