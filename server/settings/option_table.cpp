@@ -121,13 +121,13 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
        "A user of NATS and its password, NAME:PASSWORD, the only line of a file. It is sent only "
        "over TLS or to this host.",
        word(engine.login)},
-      {"nats-creds", "FILE", "", "a NATS user's",
+      {"nats-creds", "FILE", "", "credentials",
        "The credentials of a user of NATS: a .creds file with its JWT and its seed.",
        word(engine.creds)},
-      {"nats-nkey", "KEY", "", "public key",
+      {"nats-nkey", "KEY", "", "its public key",
        "The public NKey of a user of NATS (U...), whose seed is in --nats-seed.",
        word(engine.nkey)},
-      {"nats-seed", "FILE", "", "the NKey's seed", "The seed of --nats-nkey (SU...).",
+      {"nats-seed", "FILE", "", "that NKey's seed", "The seed of --nats-nkey (SU...).",
        word(engine.seed)},
       {"nats-tls-ca", "FILE", "", "for natss://",
        "The certificates of the authorities that the servers of a natss:// address must have "
@@ -174,7 +174,7 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "for a window",
+      "show a program",
       "For a program that starts this one: standard output tells "
       "what the camera sees, as small pictures with landmarks and AUs, and standard input takes "
       "orders to let others in, and out; its end ends the program. Both must be pipes or "
@@ -191,7 +191,7 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello tells "
        "it to clients, and --live uses it.",
        whole(options.keyframe_ms, 1, protocol::kDurationMsMax), "Sending"},
-      {"classic-min", "PERCENT", "20", "weakest AU (20)",
+      {"classic-min", "PERCENT", "20", "AU floor (20)",
        "For classic clients. Level 1 has no intensities: weaker AUs are left out, the others are "
        "sent as fully active.",
        whole(options.classic_min, 0, 100)},
@@ -296,7 +296,7 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
        "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "
        "label. May be repeated.",
        words(web.hosts)},
-      {"web-trusted-proxy", "ADDR", "", "proxy to believe",
+      {"web-trusted-proxy", "ADDR", "", "a reverse proxy",
        "The IP address of a reverse proxy. For its requests, the last address in X-Forwarded-For "
        "is taken as the client's, in --max-clients-per-address and in the log. May be repeated.",
        parsed(Kind::Words, read_proxy, web.trusted_proxies)},
