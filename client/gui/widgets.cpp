@@ -106,6 +106,16 @@ void tip_beside(const std::string& text, const ImRect& item) {
   ImGui::EndTooltip();
 }
 
+/// Whether the last item was used since the pointer or the focus came to it: it is known then, and
+/// what it opened should not be hidden by its tip.
+bool used_since_pointed_at(bool pointed) {
+  const ImGuiID item = ImGui::GetItemID();
+  if (item == 0) return false;
+  bool& used = *ImGui::GetStateStorage()->GetBoolRef(ImHashStr("used", 0, item));
+  used = pointed && (used || ImGui::IsItemActivated());
+  return used;
+}
+
 }  // namespace
 
 unsigned colour_of(Tone tone) {
@@ -178,7 +188,8 @@ void label(const Look& look, const char* text, const char* help) {
 void tip(const std::string& text, bool also_disabled) {
   const ImGuiHoveredFlags flags =
       also_disabled ? ImGuiHoveredFlags_AllowWhenDisabled : ImGuiHoveredFlags_None;
-  if (text.empty() || !ImGui::IsItemHovered(flags)) return;
+  const bool pointed = ImGui::IsItemHovered(flags);
+  if (text.empty() || used_since_pointed_at(pointed) || !pointed) return;
   tip_beside(text, ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
 }
 
@@ -186,6 +197,7 @@ void tip_at_pointer(const std::string& text) {
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   tip_beside(text, ImRect(pointer, pointer));
 }
+
 bool pointed_at() {
   return ImGui::IsItemHovered() &&
          ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());

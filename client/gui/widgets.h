@@ -50,8 +50,8 @@ void heading(const Look& look, const std::string& text, const char* help = "");
 /// A label at the left; what comes next stands at the panel's column for values and fills the rest.
 void label(const Look& look, const char* text, const char* help = "");
 void quiet_text(const std::string& text);
-/// Says more about the item before, while the pointer or the focus is on it, beside the window or
-/// dialog that it is in.
+/// Says more about the item before, while the pointer or the focus is on it and until it is used,
+/// beside the window or dialog that it is in.
 void tip(const std::string& text, bool also_disabled = false);
 /// The same about what is drawn at the pointer.
 void tip_at_pointer(const std::string& text);

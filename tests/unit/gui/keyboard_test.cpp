@@ -394,6 +394,32 @@ TEST_F(Keyboard, WhatIsSaidOfAControlHidesNoOther) {
   EXPECT_GT(said, 1);
 }
 
+TEST_F(Keyboard, WhatIsSaidOfAButtonGoesWhenItIsClicked) {
+  const ImRect panel = rect_of("panel");
+  ImGuiIO& io = ImGui::GetIO();
+  const ImGuiID gallery = id_of(tr("play.gallery"));
+  ImVec2 at(panel.Max.x - 60, panel.Min.y);
+  while (ImGui::GetHoveredID() != gallery && at.y < panel.Max.y) {
+    at.y += 8;
+    for (at.x = panel.Min.x + 40; at.x < panel.Max.x && ImGui::GetHoveredID() != gallery;
+         at.x += 20) {
+      point_at(at.x, at.y);
+    }
+  }
+  at = io.MousePos;
+  ASSERT_NE(tooltip(), nullptr);
+  io.MouseDown[0] = true;
+  frames(3);
+  io.MouseDown[0] = false;
+  frames(3);
+  EXPECT_EQ(tooltip(), nullptr) << "the dialog that it opened may be there";
+  point_at(10, 10);
+  EXPECT_EQ(tooltip(), nullptr);
+  press(ImGuiKey_Escape);
+  point_at(at.x, at.y);
+  EXPECT_NE(tooltip(), nullptr) << "told anew";
+}
+
 TEST_F(Keyboard, WhatIsSaidOfAButtonOfTheBarStandsAboveTheBar) {
   play_something();
   const ImRect bar = rect_of("transport");
