@@ -8,6 +8,8 @@ import argparse
 import random
 import sys
 
+from stream_file import write_or_check
+
 # The AUs that the thesis implements (table 3.1).
 AUS = (1, 2, 4, 5, 6, 7, 9, 10, 12, 13, 14, 15, 16, 17, 20, 23, 26)
 AUS_A_PACKET_MAX = 8
@@ -40,15 +42,7 @@ def main():
     parser.add_argument("--seed", type=int, default=2010)
     parser.add_argument("--check", metavar="FILE")
     options = parser.parse_args()
-    text = stream(options.packets, options.seed)
-    if options.check is None:
-        sys.stdout.write(text)
-        return 0
-    with open(options.check, encoding="ascii", newline="") as file:
-        if file.read() == text:
-            return 0
-    print(f"{options.check} is not what {sys.argv[0]} writes", file=sys.stderr)
-    return 1
+    return write_or_check(stream(options.packets, options.seed), options.check)
 
 
 if __name__ == "__main__":

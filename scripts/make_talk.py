@@ -20,6 +20,8 @@ import argparse
 import random
 import sys
 
+from stream_file import write_or_check
+
 GRID_MS = 40        # every moment is a multiple of this: a camera of 25 pictures a second
 GAP_MS_MAX = 400    # longest keyframe
 PERCENT_MIN = 3     # weaker is absent
@@ -249,15 +251,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--check", metavar="FILE")
     options = parser.parse_args()
-    text = stream()
-    if options.check is None:
-        sys.stdout.write(text)
-        return 0
-    with open(options.check, encoding="ascii", newline="") as file:
-        if file.read() == text:
-            return 0
-    print(f"{options.check} is not what {sys.argv[0]} writes", file=sys.stderr)
-    return 1
+    return write_or_check(stream(), options.check)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
-"""Reads stream files, for the scripts that look at faces."""
+"""Reads stream files, and writes those that are made by script."""
 
 import re
+import sys
 
 
 def read_stream(path):
@@ -27,3 +28,15 @@ def face_at(keyframes, seconds):
                     for name in shown.keys() | aus.keys()}
         before, shown = at, aus
     return shown
+
+
+def write_or_check(text, check):
+    """Prints a stream file, or compares it with the file `check` if that is a name; an exit code."""
+    if check is None:
+        sys.stdout.write(text)
+        return 0
+    with open(check, encoding="ascii", newline="") as file:
+        if file.read() == text:
+            return 0
+    print(f"{check} is not what {sys.argv[0]} writes", file=sys.stderr)
+    return 1
