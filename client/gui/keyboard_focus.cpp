@@ -66,7 +66,11 @@ void TypeAhead::take(bool listens, double now) {
 }
 
 bool TypeAhead::finds(std::string_view label) {
-  if (!looks_ || !lowered(label).starts_with(typed_)) return false;
+  if (!looks_) return false;
+  const std::string whole = lowered(label);
+  const std::size_t name = whole.find_first_not_of("0123456789 ");
+  const bool named = name != std::string::npos && whole.substr(name).starts_with(typed_);
+  if (!named && !whole.starts_with(typed_)) return false;
   looks_ = false;
   return true;
 }
@@ -88,7 +92,9 @@ void KeyboardFocus::before_frame(bool opens) {
   const bool walks = mapped && (shown_ || popup) && !is_down(ImGuiKey_Escape);
   io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   if (walks) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  type_ahead().take((popup || opens) && context.ActiveId == 0, ImGui::GetTime());
+  // Its clock is that of the frame before, which may be long ago.
+  const double now = ImGui::GetTime() + io.DeltaTime;
+  type_ahead().take((popup || opens) && context.ActiveId == 0, now);
 }
 
 void KeyboardFocus::begin() {

@@ -12,7 +12,8 @@ class TypeAhead {
  public:
   /// Takes what was typed since the last frame; `listens`: a list is open and no text is edited.
   void take(bool listens, double now);
-  /// Whether this is the first since something was typed that begins with it.
+  /// Whether this is the first since something was typed that begins with it, or does so behind a
+  /// number: both "12" and "lip" find "12 Lip Corner Puller".
   [[nodiscard]] bool finds(std::string_view label);
 
  private:

@@ -12,129 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "client/gui/gui.h"
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/texts.h"
+#include "tests/unit/gui/gui_by_hand.h"
 
 namespace aucast::gui {
 namespace {
 
-GuiModel small_model() {
-  GuiModel model;
-  model.remote.state = "no connection";
-  model.remote_settings.address = "lecture.example.org";
-  model.known_aus = std::make_shared<const std::vector<AuEntry>>(
-      std::vector<AuEntry>{{12, "Lip Corner Puller", "zygomaticus major 1", "A smile."}});
-  model.expressions.buttons = {{"Happiness", "6,12"}, {"Anger", "4,5,7,23"}};
-  model.composer.rows = std::make_shared<const std::vector<TimelineRow>>();
-  model.composer.pad = std::make_shared<const std::vector<PadPoint>>();
-  model.faces.entries = std::make_shared<const std::vector<FaceEntry>>();
-  model.recent = {"10.0.0.7"};
-  model.sample = "talk.txt";
-  return model;
-}
-
-class Keyboard : public testing::Test {
- protected:
-  void SetUp() override {
-    gui_ = std::make_unique<Gui>(1.0F);
-    ImGuiIO& io = ImGui::GetIO();
-    for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
-    unsigned char* pixels = nullptr;
-    int width = 0;
-    int height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    io.DisplaySize = ImVec2(800, 800);
-    io.DeltaTime = 1.0F / 60;
-    frames(3);
-  }
-
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) gui_->draw(model_, commands_);
-  }
-  void press(ImGuiKey key, bool shift = false) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyShift = shift;
-    io.KeysDown[key] = true;
-    frames(1);
-    io.KeysDown[key] = false;
-    frames(3);
-    io.KeyShift = false;
-  }
-  void play_something() {
-    model_.local.open = true;
-    model_.local.total = std::chrono::seconds(10);
-    model_.local.ends =
-        std::make_shared<const std::vector<Duration>>(std::vector<Duration>{model_.local.total});
-    frames(3);
-  }
-  void type(const char* text) {
-    ImGui::GetIO().AddInputCharactersUTF8(text);
-    frames(3);
-  }
-  static ImGuiID focus() { return ImGui::GetCurrentContext()->NavId; }
-  static ImGuiWindow* contents() {
-    for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
-      if (std::string(window->Name).find("/contents_") != std::string::npos && window->WasActive) {
-        return window;
-      }
-    }
-    return nullptr;
-  }
-  static ImGuiID id_of(const char* label) {
-    ImGuiWindow* const window = contents();
-    return window == nullptr ? 0 : window->GetID(label);
-  }
-  /// Tab until what has this label has the focus; false when it never does.
-  bool go_to(const char* label) {
-    for (int i = 0; i < 200; ++i) {
-      if (focus() == id_of(label)) return true;
-      press(ImGuiKey_Tab);
-    }
-    return false;
-  }
-  bool go_to_tab(const char* name) {
-    ImGuiTabBar* bar = nullptr;
-    ImGuiContext& context = *ImGui::GetCurrentContext();
-    for (int i = 0; i < context.TabBars.GetMapSize(); ++i) bar = context.TabBars.TryGetMapData(i);
-    if (bar == nullptr) return false;
-    for (int i = 0; i < 200; ++i) {
-      for (const ImGuiTabItem& item : bar->Tabs) {
-        const bool meant = std::string(bar->GetTabName(&item)).starts_with(name);
-        if (!meant || item.ID != focus()) continue;
-        press(ImGuiKey_Enter);
-        frames(3);
-        return bar->SelectedTabId == item.ID;
-      }
-      press(ImGuiKey_Tab);
-    }
-    return false;
-  }
-  /// What is said at this moment about a control; null: nothing.
-  static const ImGuiWindow* tooltip() {
-    const ImGuiWindow* const window = ImGui::FindWindowByName("##Tooltip_00");
-    return window != nullptr && window->Active && !window->Hidden ? window : nullptr;
-  }
-  static ImRect rect_of(const char* name) {
-    const ImGuiWindow* const window = ImGui::FindWindowByName(name);
-    return window == nullptr ? ImRect() : window->Rect();
-  }
-  void point_at(float x, float y) {
-    ImGui::GetIO().MousePos = ImVec2(x, y);
-    frames(3);
-  }
-  template <typename Command>
-  std::optional<Command> asked() {
-    for (const GuiCommand& command : commands_) {
-      if (const auto* found = command_if<Command>(command)) return *found;
-    }
-    return std::nullopt;
-  }
-
-  GuiModel model_ = small_model();
-  GuiCommands commands_;
-  std::unique_ptr<Gui> gui_;
-};
+using Keyboard = GuiByHand;
 
 TEST_F(Keyboard, TabShowsTheFocusAndEscapeOrAClickHidesIt) {
   EXPECT_FALSE(gui_->focus_shown());
@@ -210,6 +95,32 @@ TEST_F(Keyboard, AFileIsFoundByItsFirstLettersAndOpened) {
   const auto file = asked<ChooseFile>();
   ASSERT_TRUE(file);
   EXPECT_EQ(file->file, "tired.txt");
+}
+
+TEST_F(Keyboard, AnAuIsFoundByItsNumberAndByItsName) {
+  auto aus = *model_.known_aus;
+  aus.insert(aus.begin(), {{1, "Inner Brow Raiser", "", ""}, {2, "Outer Brow Raiser", "", ""}});
+  model_.known_aus = std::make_shared<const std::vector<AuEntry>>(aus);
+  ASSERT_TRUE(go_to_tab("Editor"));
+  ASSERT_TRUE(go_to("##edit"));
+  const auto chosen_by = [this](const char* first, const char* then) {
+    press(ImGuiKey_Enter);
+    // Nothing is drawn while nothing happens.
+    ImGuiIO& io = ImGui::GetIO();
+    io.AddInputCharactersUTF8(first);
+    io.DeltaTime = 5;
+    frames(1);
+    io.DeltaTime = 1.0F / 60;
+    frames(2);
+    type(then);
+    commands_.clear();
+    press(ImGuiKey_Enter);
+    const auto asked_for = asked<LoadAu>();
+    return asked_for ? asked_for->number : -1;
+  };
+  EXPECT_EQ(chosen_by("1", "2"), 12);
+  EXPECT_EQ(chosen_by("2", ""), 2);
+  EXPECT_EQ(chosen_by("l", "i"), 12);
 }
 
 TEST_F(Keyboard, WhatIsTypedAsADialogOpensIsNotLost) {
@@ -370,83 +281,6 @@ TEST_F(Keyboard, TabReachesWhatEachTabHas) {
   }
 }
 
-TEST_F(Keyboard, WhatIsSaidOfAControlHidesNoOther) {
-  const ImRect panel = rect_of("panel");
-  int said = 0;
-  for (float y = panel.Min.y; y < panel.Max.y; y += 12) {
-    for (const float x : {panel.Min.x + 40, panel.Max.x - 40}) {
-      point_at(x, y);
-      if (tooltip() == nullptr) continue;
-      ++said;
-      EXPECT_FALSE(tooltip()->Rect().Overlaps(panel)) << x << " " << y;
-      EXPECT_TRUE(ImRect(0, 0, 800, 800).Contains(tooltip()->Rect())) << x << " " << y;
-    }
-  }
-  EXPECT_GT(said, 3);
-  ASSERT_TRUE(go_to_tab("Expression"));
-  said = 0;
-  for (int i = 0; i < 60; ++i) {
-    press(ImGuiKey_Tab);
-    if (tooltip() == nullptr) continue;
-    ++said;
-    EXPECT_FALSE(tooltip()->Rect().Overlaps(panel));
-  }
-  EXPECT_GT(said, 1);
-}
-
-TEST_F(Keyboard, WhatIsSaidOfAButtonGoesWhenItIsClicked) {
-  const ImRect panel = rect_of("panel");
-  ImGuiIO& io = ImGui::GetIO();
-  const ImGuiID gallery = id_of(tr("play.gallery"));
-  ImVec2 at(panel.Max.x - 60, panel.Min.y);
-  while (ImGui::GetHoveredID() != gallery && at.y < panel.Max.y) {
-    at.y += 8;
-    for (at.x = panel.Min.x + 40; at.x < panel.Max.x && ImGui::GetHoveredID() != gallery;
-         at.x += 20) {
-      point_at(at.x, at.y);
-    }
-  }
-  at = io.MousePos;
-  ASSERT_NE(tooltip(), nullptr);
-  io.MouseDown[0] = true;
-  frames(3);
-  io.MouseDown[0] = false;
-  frames(3);
-  EXPECT_EQ(tooltip(), nullptr) << "the dialog that it opened may be there";
-  point_at(10, 10);
-  EXPECT_EQ(tooltip(), nullptr);
-  press(ImGuiKey_Escape);
-  point_at(at.x, at.y);
-  EXPECT_NE(tooltip(), nullptr) << "told anew";
-}
-
-TEST_F(Keyboard, WhatIsSaidOfAButtonOfTheBarStandsAboveTheBar) {
-  play_something();
-  const ImRect bar = rect_of("transport");
-  point_at(bar.Min.x + 30, bar.Min.y + 45);
-  ASSERT_NE(tooltip(), nullptr);
-  EXPECT_FALSE(tooltip()->Rect().Overlaps(bar));
-}
-
-TEST_F(Keyboard, ATimeStandsOverTheBarOnlyWhereThePointerIs) {
-  play_something();
-  const ImRect bar = rect_of("transport");
-  point_at(bar.GetCenter().x, bar.Min.y + 18);
-  ASSERT_NE(tooltip(), nullptr);
-  point_at(100, 100);
-  EXPECT_EQ(tooltip(), nullptr);
-  // As after a click on it, when keys are used next.
-  press(ImGuiKey_Tab);
-  ImGuiContext& context = *ImGui::GetCurrentContext();
-  ImGuiWindow* const window = ImGui::FindWindowByName("transport");
-  ImGui::FocusWindow(window);
-  ImGui::SetFocusID(window->GetID("##seek"), window);
-  context.NavDisableHighlight = false;
-  context.NavDisableMouseHover = true;
-  frames(3);
-  EXPECT_EQ(tooltip(), nullptr);
-}
-
 TEST_F(Keyboard, ANumberFieldIsOneStopAndItsArrowsStepIt) {
   ASSERT_TRUE(go_to_tab("Expression"));
   ASSERT_TRUE(go_to("##frames"));
@@ -541,23 +375,6 @@ TEST_F(Keyboard, WhatIsSaidOfTheConnectionIsClosedAndStaysClosed) {
   frames(2);
   EXPECT_TRUE(said());
   EXPECT_TRUE(gui_->close_notice());
-}
-
-TEST_F(Keyboard, ADifferenceOfReceivedAndShownAusIsExplainedAtTheirHeadings) {
-  model_.remote.aus = {{"12", "Lip Corner Puller", 100, 60, ""}};
-  model_.remote.keyframe = "keyframe 3";
-  frames(3);
-  ASSERT_NE(contents(), nullptr);
-  const ImRect seen = contents()->InnerRect;
-  ImGui::SetScrollY(contents(), contents()->ScrollMax.y);
-  frames(3);
-  bool explained = false;
-  for (float y = seen.Min.y; y < seen.Max.y && !explained; y += 6) {
-    point_at(seen.Max.x - 30, y);
-    const ImVec2 size = ImGui::CalcTextSize(tr("tip.au_shown"), nullptr, false, 26 * 15.0F);
-    explained = tooltip() != nullptr && std::abs(tooltip()->ContentSize.y - size.y) < 1;
-  }
-  EXPECT_TRUE(explained);
 }
 
 TEST_F(Keyboard, WhatIsAppliedToATableIsSeenWhenTheDialogOpens) {

@@ -1,0 +1,113 @@
+// What is said of a control while the pointer or the focus is on it.
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <cmath>
+#include <string>
+
+#include "client/gui/texts.h"
+#include "tests/unit/gui/gui_by_hand.h"
+
+namespace aucast::gui {
+namespace {
+
+using Tips = GuiByHand;
+
+TEST_F(Tips, WhatIsSaidOfAControlHidesNoOther) {
+  const ImRect panel = rect_of("panel");
+  int said = 0;
+  for (float y = panel.Min.y; y < panel.Max.y; y += 12) {
+    for (const float x : {panel.Min.x + 40, panel.Max.x - 40}) {
+      point_at(x, y);
+      if (tooltip() == nullptr) continue;
+      ++said;
+      EXPECT_FALSE(tooltip()->Rect().Overlaps(panel)) << x << " " << y;
+      EXPECT_TRUE(ImRect(0, 0, 800, 800).Contains(tooltip()->Rect())) << x << " " << y;
+    }
+  }
+  EXPECT_GT(said, 3);
+  ASSERT_TRUE(go_to_tab("Expression"));
+  said = 0;
+  for (int i = 0; i < 60; ++i) {
+    press(ImGuiKey_Tab);
+    if (tooltip() == nullptr) continue;
+    ++said;
+    EXPECT_FALSE(tooltip()->Rect().Overlaps(panel));
+  }
+  EXPECT_GT(said, 1);
+}
+
+TEST_F(Tips, WhatIsSaidOfAButtonGoesWhenItIsClicked) {
+  const ImRect panel = rect_of("panel");
+  ImGuiIO& io = ImGui::GetIO();
+  const ImGuiID gallery = id_of(tr("play.gallery"));
+  ImVec2 at(panel.Max.x - 60, panel.Min.y);
+  while (ImGui::GetHoveredID() != gallery && at.y < panel.Max.y) {
+    at.y += 8;
+    for (at.x = panel.Min.x + 40; at.x < panel.Max.x && ImGui::GetHoveredID() != gallery;
+         at.x += 20) {
+      point_at(at.x, at.y);
+    }
+  }
+  at = io.MousePos;
+  ASSERT_NE(tooltip(), nullptr);
+  io.MouseDown[0] = true;
+  frames(3);
+  io.MouseDown[0] = false;
+  frames(3);
+  EXPECT_EQ(tooltip(), nullptr) << "the dialog that it opened may be there";
+  point_at(10, 10);
+  EXPECT_EQ(tooltip(), nullptr);
+  press(ImGuiKey_Escape);
+  point_at(at.x, at.y);
+  EXPECT_NE(tooltip(), nullptr) << "told anew";
+}
+
+TEST_F(Tips, WhatIsSaidOfAButtonOfTheBarStandsAboveTheBar) {
+  play_something();
+  const ImRect bar = rect_of("transport");
+  point_at(bar.Min.x + 30, bar.Min.y + 45);
+  ASSERT_NE(tooltip(), nullptr);
+  EXPECT_FALSE(tooltip()->Rect().Overlaps(bar));
+}
+
+TEST_F(Tips, ATimeStandsOverTheBarOnlyWhereThePointerIs) {
+  play_something();
+  const ImRect bar = rect_of("transport");
+  point_at(bar.GetCenter().x, bar.Min.y + 18);
+  ASSERT_NE(tooltip(), nullptr);
+  point_at(100, 100);
+  EXPECT_EQ(tooltip(), nullptr);
+  // As after a click on it, when keys are used next.
+  press(ImGuiKey_Tab);
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  ImGuiWindow* const window = ImGui::FindWindowByName("transport");
+  ImGui::FocusWindow(window);
+  ImGui::SetFocusID(window->GetID("##seek"), window);
+  context.NavDisableHighlight = false;
+  context.NavDisableMouseHover = true;
+  frames(3);
+  EXPECT_EQ(tooltip(), nullptr);
+}
+
+TEST_F(Tips, ADifferenceOfReceivedAndShownAusIsExplainedAtTheirHeadings) {
+  model_.remote.aus = {{"12", "Lip Corner Puller", 100, 60, ""}};
+  model_.remote.keyframe = "keyframe 3";
+  frames(3);
+  ASSERT_NE(contents(), nullptr);
+  const ImRect seen = contents()->InnerRect;
+  ImGui::SetScrollY(contents(), contents()->ScrollMax.y);
+  frames(3);
+  bool explained = false;
+  for (float y = seen.Min.y; y < seen.Max.y && !explained; y += 6) {
+    point_at(seen.Max.x - 30, y);
+    const ImVec2 size = ImGui::CalcTextSize(tr("tip.au_shown"), nullptr, false, 26 * 15.0F);
+    explained = tooltip() != nullptr && std::abs(tooltip()->ContentSize.y - size.y) < 1;
+  }
+  EXPECT_TRUE(explained);
+}
+
+}  // namespace
+}  // namespace aucast::gui
