@@ -161,6 +161,8 @@ void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiC
   } else {
     quiet_text(audience_text(mirror));
   }
+  quiet_text(admission_text(mirror));
+  tip(tr("tip.admission"));
   quiet_text(tr("camera.private_note"));
 }
 

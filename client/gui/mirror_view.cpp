@@ -73,4 +73,9 @@ std::string audience_text(const MirrorView& view) {
   return tr("camera.live_many", view.live, view.watching);
 }
 
+std::string admission_text(const MirrorView& view) {
+  const char* needed = view.asks_token ? tr("camera.needs_token") : tr("camera.needs_address");
+  return view.asks_tls ? std::string(needed) + " " + tr("camera.needs_tls") : needed;
+}
+
 }  // namespace aucast::gui

@@ -29,6 +29,8 @@ struct MirrorView {
   std::size_t watching = 0;  ///< how many of them do
   std::shared_ptr<const preview::Seen> seen;  ///< the newest picture; null: none
   std::vector<std::string> addresses;         ///< of this host
+  bool asks_token = false;                    ///< others must show one
+  bool asks_tls = false;                      ///< others must connect with TLS
   friend bool operator==(const MirrorView&, const MirrorView&) = default;
 };
 
@@ -60,5 +62,8 @@ struct AuBar {
 
 /// Who sees the face, in a sentence: "Only you see this face.", "Live at 10.0.0.7:4650, 2 watch."
 [[nodiscard]] std::string audience_text(const MirrorView& view);
+
+/// What others need to see it, in a sentence or two.
+[[nodiscard]] std::string admission_text(const MirrorView& view);
 
 }  // namespace aucast::gui

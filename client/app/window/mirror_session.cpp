@@ -34,16 +34,22 @@ std::string in_words(const mirror::Trouble& trouble) {
 }  // namespace
 
 MirrorSession::MirrorSession(mirror::MirrorOptions options) : options_(std::move(options)) {
-  view_.source = options_.source;
-  view_.addresses = mirror::host_addresses();
+  view_ = view_of_options();
+}
+
+gui::MirrorView MirrorSession::view_of_options() const {
+  gui::MirrorView view;
+  view.source = options_.source;
+  view.addresses = mirror::host_addresses();
+  view.asks_token = !options_.token.empty();
+  view.asks_tls = !options_.certificate.empty();
+  return view;
 }
 
 void MirrorSession::start(const std::string& source) {
   if (mirror_ != nullptr) return;
   options_.source = source;
-  view_ = {};
-  view_.source = source;
-  view_.addresses = mirror::host_addresses();
+  view_ = view_of_options();
   played_ = ending_ = false;
   auto started = mirror::Mirror::start(options_);
   if (!started) {

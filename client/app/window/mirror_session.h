@@ -23,6 +23,8 @@ class MirrorSession {
   [[nodiscard]] bool running() const { return mirror_ != nullptr; }
 
  private:
+  /// Before anything was seen.
+  [[nodiscard]] gui::MirrorView view_of_options() const;
   void start(const std::string& source);
   /// The camera is off; what the trouble was stays to be read.
   void finish();

@@ -39,5 +39,18 @@ TEST(MirrorView, SaysWhoSeesTheFace) {
   EXPECT_EQ(audience_text(view), "Live at 10.0.0.7:4650, 2 watch.");
 }
 
+TEST(MirrorView, SaysWhatOthersNeed) {
+  MirrorView view;
+  EXPECT_EQ(admission_text(view), "Others need the address only, no token.");
+  view.asks_tls = true;
+  EXPECT_EQ(admission_text(view),
+            "Others need the address only, no token. They must connect with TLS.");
+  view.asks_token = true;
+  EXPECT_EQ(admission_text(view),
+            "Others need the address and your token. They must connect with TLS.");
+  view.asks_tls = false;
+  EXPECT_EQ(admission_text(view), "Others need the address and your token.");
+}
+
 }  // namespace
 }  // namespace aucast::gui
