@@ -7,9 +7,9 @@
 #include "common/text.h"
 
 namespace aucast::gui {
-namespace {
-
 namespace fs = std::filesystem;
+
+namespace {
 
 /// Whether it may be what is asked for, by its ending. Tables are known by what is in them and have
 /// many names; one with another ending can still be typed.
@@ -17,7 +17,7 @@ bool may_open(Purpose purpose, const fs::path& file) {
   const std::string ending = lowered(file.extension().string());
   switch (purpose) {
     case Purpose::PlayStream:
-      return ending == ".txt" || ending == ".csv" || ending == ".tsv";
+      return ending == ".txt" || ending == ".csv" || ending == ".tsv" || is_face_file(file);
     case Purpose::ComposeStream:
       return ending == ".txt";
     case Purpose::ImportAus:
@@ -46,6 +46,10 @@ std::vector<FileEntry> entries_of(const fs::path& folder, Purpose purpose, std::
 }
 
 }  // namespace
+
+bool is_face_file(const fs::path& file) {
+  return file.filename() == "face.toml";
+}
 
 bool is_saving(Purpose purpose) {
   const bool opening = purpose == Purpose::PlayStream || purpose == Purpose::ComposeStream ||

@@ -9,7 +9,7 @@ namespace aucast::gui {
 
 /// What a file is asked for.
 enum class Purpose : std::uint8_t {
-  PlayStream,       ///< a stream file to be played
+  PlayStream,       ///< a stream file or a table to be played, or a face to be shown
   ComposeStream,    ///< a stream file to be worked on
   SaveStream,       ///< where what was composed goes
   ExportKeyframes,  ///< where what was played goes
@@ -40,6 +40,9 @@ struct BrowserView {
   std::string replaces;  ///< a file that is there already: it is asked about
   friend bool operator==(const BrowserView&, const BrowserView&) = default;
 };
+
+/// The file of a face, which stands for its folder.
+[[nodiscard]] bool is_face_file(const std::filesystem::path& file);
 
 [[nodiscard]] bool is_saving(Purpose purpose);
 /// It is asked for a folder.

@@ -174,6 +174,7 @@ void EditorSession::go_to(std::vector<float> target, bool continued, Instant now
 void EditorSession::change_face(const std::vector<std::string>& before) {
   transition_.reset();
   own_.change_face();
+  deleted_names_.clear();
   editor_.change_face(before);
   list_aus();
   if (!aus_) return;
@@ -193,6 +194,7 @@ void EditorSession::name_au(const gui::NameAu& typed) {
   const auto saved = mapping_.recordings.find(typed.number);
   const std::string before = saved == mapping_.recordings.end() ? "" : saved->second.note;
   names_.erase(typed.number);
+  deleted_names_.erase(typed.number);
   if (typed.name != before) names_[typed.number] = typed.name;
 }
 
@@ -210,12 +212,15 @@ Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
   if (name.empty() && typed != names_.end()) {
     name = std::string(trimmed(typed->second, " "));
   }
+  const auto deleted = deleted_names_.find(wanted.number);
+  if (name.empty() && deleted != deleted_names_.end()) name = deleted->second;
   if (!has_name(wanted.number, name)) {
     return Error{ErrorKind::Usage, gui::tr("said.au_unnamed", wanted.number)};
   }
   const auto file = own_.save(wanted.number, editor_.activations(), name);
   if (!file) return file.error();
   names_.erase(wanted.number);
+  deleted_names_.erase(wanted.number);
   editor_.saved(wanted.number);
   saved_in(*file);
   return gui::tr("said.au_saved", wanted.number, file->string());
@@ -249,11 +254,13 @@ Result<std::string> EditorSession::import_aus(const std::filesystem::path& file)
 bool EditorSession::remove_au(int number, Instant now) {
   if (!own_.has(number)) return false;
   const bool shipped = own_.shipped(number);
+  const std::string name = mapping_.recordings.at(number).note;
   if (const auto removed = own_.remove(number); !removed) {
     notices_.say(removed.error().message, true, now);
     return false;
   }
   names_.erase(number);
+  if (!shipped) deleted_names_[number] = name;
   transition_.reset();
   show_none_of_them();
   editor_.recorded_anew(number);
@@ -314,6 +321,7 @@ gui::EditorView EditorSession::view() const {
   view.au = editor_.au().value_or(-1);
   view.unsaved = unsaved();
   view.names = names_;
+  view.names.insert(deleted_names_.begin(), deleted_names_.end());
   view.can_undo = editor_.can_undo();
   view.can_redo = editor_.can_redo();
   view.compound = compound_;

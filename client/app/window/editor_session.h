@@ -98,8 +98,9 @@ class EditorSession {
   gui::TransitionSettings transition_settings_;
   bool save_failed_ = false;
   std::string saved_face_;
-  std::map<int, std::string> names_;  ///< of AUs, typed and not saved yet
-  std::string complaint_;             ///< about the AUs that were typed last
+  std::map<int, std::string> names_;          ///< of AUs, typed and not saved yet
+  std::map<int, std::string> deleted_names_;  ///< of AUs, should they be saved again
+  std::string complaint_;                     ///< about the AUs that were typed last
   std::optional<AuFrame> aus_;
   AuFrame asked_;                     ///< aus_, before the rules
   std::vector<gui::AuRow> compound_;  ///< what became of aus_

@@ -256,9 +256,14 @@ class WindowRun {
     frames_due_ = gui::kFramesAfterChange;
   }
 
-  /// An address and a file are worth remembering even if the machine goes down.
+  /// An address, a file and a face are worth remembering even if the machine goes down.
   void keep_recent() {
-    if (session_.recent() == kept_addresses_ && session_.recent_files() == kept_files_) return;
+    const bool same_face = session_.face_changes() == kept_face_changes_;
+    if (same_face && session_.recent() == kept_addresses_ &&
+        session_.recent_files() == kept_files_) {
+      return;
+    }
+    kept_face_changes_ = session_.face_changes();
     kept_addresses_ = session_.recent();
     kept_files_ = session_.recent_files();
     keep_settings();
@@ -436,6 +441,7 @@ class WindowRun {
   std::string title_;
   std::vector<std::string> kept_addresses_;
   std::vector<std::string> kept_files_;
+  std::uint64_t kept_face_changes_ = 0;
   int frames_due_ = gui::kFramesAfterChange;
   VideoRecorder video_{session_};
   std::unique_ptr<OnsetLog> onsets_;

@@ -77,7 +77,6 @@ WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
   const std::filesystem::path sample = assets.data_folder / "streams" / "talk.txt";
   if (std::filesystem::exists(sample, ignored)) sample_ = sample.string();
   if (playback != nullptr) playback_.open(std::move(playback), file.filename().string(), {});
-  gallery_.set_folder(whole_path("gallery"));
   if (options.shows_mirror) mirror_.apply(gui::StartMirror{options.mirror.source});
 }
 
@@ -92,6 +91,7 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   if (!file.empty()) files_.opened(file);
   rendering_ = settings.rendering;
   pictures_ = settings.pictures;
+  gallery_.set_folder(whole_path(std::filesystem::path(pictures_.folder) / "gallery"));
   change_display(settings.display, now);
   display_.languages = languages_in(assets_.data_folder);
   // Nobody wants to begin with an empty view.
@@ -225,14 +225,9 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       },
       [&](const gui::CloseBrowser&) { files_.close(); },
       [&](const gui::OpenStream& one) {
-        const std::filesystem::path file = one.file;
-        if (file.filename() == "face.toml") {
-          const auto face = show_face(folder_of(file), now);
-          return face ? void() : say(face.error().message, true, now);
-        }
-        const auto played = play(one.file, now);
-        if (played) return files_.close();
-        const std::string& why = played.error().message;
+        const auto opened = open(one.file, now);
+        if (opened) return files_.close();
+        const std::string& why = opened.error().message;
         if (!files_.refuse(why)) say(why, true, now);
       },
       [&](const gui::ChangeTable& one) { table_ = one.settings; },
@@ -368,6 +363,11 @@ std::unique_ptr<playback::Playback> WindowSession::finish(Instant now) {
 
 // === Files.
 
+/// A face, or what can be played.
+Result<void> WindowSession::open(const std::filesystem::path& file, Instant now) {
+  return gui::is_face_file(file) ? show_face(folder_of(file), now) : play(file, now);
+}
+
 Result<void> WindowSession::play(const std::filesystem::path& file, Instant now) {
   auto opened = open_stream(file, table_);
   if (!opened) return opened.error();
@@ -403,7 +403,7 @@ Result<std::string> WindowSession::use_file(gui::Purpose purpose, const std::fil
                                             Instant now) {
   switch (purpose) {
     case gui::Purpose::PlayStream: {
-      if (auto played = play(file, now); !played) return played.error();
+      if (auto opened = open(file, now); !opened) return opened.error();
       return std::string();
     }
     case gui::Purpose::ComposeStream: {
@@ -432,6 +432,7 @@ Result<std::string> WindowSession::use_file(gui::Purpose purpose, const std::fil
     }
     case gui::Purpose::PictureFolder:
       pictures_.folder = file.string();
+      gallery_.set_folder(file / "gallery");
       return std::string();
     case gui::Purpose::GalleryFolder:
       gallery_.set_folder(file);

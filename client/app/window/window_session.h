@@ -132,6 +132,7 @@ class WindowSession {
   void browse(gui::Purpose purpose);
   [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
                                                    Instant now);
+  [[nodiscard]] Result<void> open(const std::filesystem::path& file, Instant now);
   [[nodiscard]] Result<void> play(const std::filesystem::path& file, Instant now);
   [[nodiscard]] Result<std::string> use_file(gui::Purpose purpose,
                                              const std::filesystem::path& file, Instant now);

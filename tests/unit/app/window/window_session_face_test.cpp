@@ -125,10 +125,28 @@ TEST_F(FaceSessionTest, FacesOfAFolderAreListedAndADroppedOneIsShown) {
   EXPECT_EQ(session_->face_changes(), 0U);
   ask(gui::OpenStream{(folder.path() / "anna" / "face.toml").string()});
   EXPECT_EQ(model().faces.shown, (folder.path() / "anna").string());
+  ask(gui::ShowFace{made_.path().string()});
+  ask(gui::Browse{gui::Purpose::PlayStream});
+  ask(gui::EnterFolder{(folder.path() / "anna").string()});
+  const auto& offered = model().browser.entries;
+  EXPECT_TRUE(std::any_of(offered.begin(), offered.end(),
+                          [](const gui::FileEntry& one) { return one.name == "face.toml"; }));
+  ask(gui::ChooseFile{"face.toml"});
+  EXPECT_FALSE(model().browser.open) << model().browser.problem;
+  EXPECT_EQ(model().faces.shown, (folder.path() / "anna").string());
   ask(gui::Browse{gui::Purpose::LookForFaces});
   ask(gui::EnterFolder{home_.path().string()});
   ask(gui::ChooseFile{"."});
   EXPECT_NE(model().browser.problem.find("no face in this folder"), std::string::npos);
+}
+
+TEST_F(FaceSessionTest, AGalleryGoesWherePicturesGo) {
+  const test::TempFolder folder;
+  ask(gui::Browse{gui::Purpose::PictureFolder});
+  ask(gui::EnterFolder{folder.path().string()});
+  ask(gui::ChooseFile{"."});
+  EXPECT_EQ(model().pictures.folder, folder.path().string());
+  EXPECT_EQ(model().gallery.settings.folder, (folder.path() / "gallery").string());
 }
 
 TEST_F(FaceSessionTest, AfterSavingTheFaceIsOnesOwnCopy) {
@@ -187,6 +205,10 @@ TEST_F(FaceSessionTest, AnAuOfOnesOwnIsNamedDeletedAndBroughtBack) {
   ask(gui::Undo{});
   EXPECT_FLOAT_EQ(shown("jaw"), 3.5F);
   EXPECT_TRUE(model().editor.unsaved);
+  EXPECT_EQ(model().editor.names.at(77), "big yawn");
+  ask(gui::SaveAu{77});
+  EXPECT_EQ(entry_of(model(), 77).name, "big yawn") << "its name came back with it";
+  EXPECT_TRUE(model().editor.names.empty());
 }
 
 TEST_F(FaceSessionTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
