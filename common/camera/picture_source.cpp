@@ -36,6 +36,13 @@ std::string file_url(const std::filesystem::path& path) {
   return "file:" + path.string();
 }
 
+/// What ffmpeg says, without "[NAME @ ADDRESS] " before it: which part of it speaks.
+std::string without_component(const std::string& words) {
+  const std::size_t end = words.find("] ");
+  const bool named = words.starts_with('[') && end != std::string::npos;
+  return named ? words.substr(end + 2) : words;
+}
+
 }  // namespace
 
 Result<PictureSource> PictureSource::open(const std::vector<std::string>& arguments,
@@ -83,6 +90,11 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
       "-i",          options.device};
   std::error_code ignored;
   const auto status = std::filesystem::status(options.device, ignored);
+  if (!std::filesystem::exists(status)) {
+    return Error{ErrorKind::Failed,
+                 at_place(options.device,
+                          "there is no such camera; plug it in, or name another one or a film")};
+  }
   if (std::filesystem::is_regular_file(status)) {
     input = {"-re", "-i", file_url(options.device)};
   } else if (std::filesystem::is_fifo(status)) {
@@ -95,12 +107,12 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
 
 std::string PictureSource::complaint() {
   const int code = ffmpeg_->wait();
-  return code == 0 ? std::string() : ffmpeg_->last_words();
+  return code == 0 ? std::string() : without_component(ffmpeg_->last_words());
 }
 
 std::string PictureSource::film_complaint() {
   static_cast<void>(ffmpeg_->wait());
-  std::string words = ffmpeg_->last_words();
+  std::string words = without_component(ffmpeg_->last_words());
   return words.empty() && pictures_->torn() ? "the last picture is cut off" : words;
 }
 
