@@ -1,17 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+
+#include "client/gui/english_tips.h"
 
 namespace aucast::gui {
 
-/// A text of the window and the key by which tr() and the files of data/languages know it.
-struct EnglishText {
-  const char* key;
-  const char* text;
-};
-
-/// All texts of the window, in English. {name} is a place that is filled in.
-inline constexpr std::array kEnglish = std::to_array<EnglishText>({
+/// The texts of the window but those of english_tips.h. {name} is a place that is filled in.
+inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
     {"button.new", "New"},
     {"button.open", "Open"},
     {"button.open_dots", "Open..."},
@@ -178,6 +175,7 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"file.save_stream", "Save the composed stream"},
     {"file.export_keyframes", "Export the keyframes played"},
     {"file.export_table", "Export the AUs played as a table"},
+    {"file.onsets", "Write down when each face is shown"},
     {"file.export_mesh", "Export this face as a mesh"},
     {"file.export_glb", "Export face and movement as glTF"},
     {"file.export_au", "Export the Action Unit"},
@@ -324,6 +322,9 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"play.export_keyframes", "What was played, as a stream file (TXT)"},
     {"play.export_table", "Its AUs, as a table (CSV)"},
     {"play.export_glb", "Face and movement, as glTF (GLB)"},
+    {"play.onsets", "When each face is shown, from now on (CSV)"},
+    {"play.end_onsets", "End the table of when each face is shown"},
+    {"play.times_go", "when each face is shown goes to {file}"},
     {"play.export_mesh", "The face of this moment, as a mesh (OBJ)"},
     {"play.picture", "Picture"},
     {"play.picture_tip", "a PNG of the face (s)"},
@@ -526,6 +527,8 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"said.exported_table", "{keyframes} as a table in {file}"},
     {"said.exported_first",
      "only the first {kept} of {all} keyframes: no more of a server's stream are kept"},
+    {"said.onsets_begun", "from now on each face and its time go to {file}; Export... ends that"},
+    {"said.onsets_ended", "when each face was shown is in {file}"},
     {"said.exported_mesh", "this face as a mesh in {file}"},
     {"said.glb_before", "the GLB file before is still being written"},
     {"said.glb_cancelled", "cancelled: {file} was not written"},
@@ -544,57 +547,14 @@ inline constexpr std::array kEnglish = std::to_array<EnglishText>({
     {"said.live_classic",
      "--live changes nothing: a classic server cannot say that its stream is live"},
     {"said.live_recorded", "--live changes nothing: this stream is recorded, not live"},
-    {"tip.au",
-     "Action Unit: a movement of the face that FACS (2002) names by a number, such as 12, the "
-     "corners of the lips pulled up"},
-    {"tip.au_received", "what the keyframe under way has"},
-    {"tip.au_shown",
-     "what the face shows at this moment. It differs from what came while the face is on its way "
-     "to "
-     "the keyframe (interpolation), where a rule changed the AU, which is then said below its "
-     "name, "
-     "and for an AU that this face does not have. Mixer, blinks and idle movements come after "
-     "this."},
-    {"tip.au_asked", "as it was typed, or as the expression has it"},
-    {"tip.au_blended",
-     "what the face shows in the end: a rule that changed an AU is said below its name. The mixer "
-     "comes after this."},
-    {"tip.receiver",
-     "the Receiver buffer: sets of AUs as they came, against the jitter of a network (what comes "
-     "late or in bursts); the mark is the threshold"},
-    {"tip.playout", "the Playout buffer: the sets that are about to be played"},
-    {"tip.buffer", "how many sets the Receiver buffer holds"},
-    {"tip.threshold", "so full the buffer must be before playing begins, and again after a stall"},
-    {"tip.last_30",
-     "how full the Receiver buffer was; at the bottom nothing is left to play and the face stalls: "
-     "an underrun"},
-    {"tip.delay", "how long a live keyframe waits before it is played, so that jitter is not seen"},
-    {"tip.protocol",
-     "classic is level 1, the protocol of the thesis; level 2 has intensities, sides and times"},
-    {"tip.tls",
-     "Transport Layer Security: what is sent can be neither read nor changed on its way"},
-    {"tip.token", "a file with the secret that the server asks for"},
-    {"tip.again", "the server is tried again until it is there"},
-    {"tip.mixer",
-     "what AUs that move the same muscle make of it together: the strongest counts (maximum), or "
-     "all of them (average)"},
-    {"tip.rules",
-     "co-occurrence rules: how AUs act on each other, such as 51 and 52, of which a face shows "
-     "one"},
-    {"tip.in_between",
-     "interpolation: from one keyframe to the next evenly, or with a soft beginning and end"},
-    {"tip.keyframe", "a set of AUs and the time in which the face reaches it"},
-    {"tip.neutral", "the neutral face: no AU and no muscle"},
-    {"tip.macros", "muscles contracted directly, without AUs, as in the program of Waters (1987)"},
-    {"tip.muscles", "contraction: 0 is at rest"},
-    {"tip.frames",
-     "pictures from the face as it is to the expression; times what each takes is how long it "
-     "lasts"},
-    {"tip.seed", "the same number gives the same blinks again"},
-    {"tip.landmarks", "the points of the face that the recogniser has found"},
-    {"tip.live", "who watches sees your face of this moment"},
-    {"tip.admission", "--token-file, --tls-cert and --tls-key on the command line decide"},
-    {"tip.level_meter", "of the sound, from 48 dB below the most there can be"},
 });
+
+/// All texts of the window, in English.
+inline constexpr auto kEnglish = [] {
+  std::array<EnglishText, kEnglishLabels.size() + kEnglishTips.size()> all{};
+  std::copy(kEnglishTips.begin(), kEnglishTips.end(),
+            std::copy(kEnglishLabels.begin(), kEnglishLabels.end(), all.begin()));
+  return all;
+}();
 
 }  // namespace aucast::gui

@@ -16,6 +16,7 @@ enum class Purpose : std::uint8_t {
   ExportTable,      ///< where the AUs of what was played go
   ExportMesh,       ///< where the mesh of the face that is shown goes
   ExportGlb,        ///< where face and movement go
+  LogOnsets,        ///< where the times go at which faces are shown
   ExportAu,         ///< where an AU goes
   ImportAus,        ///< a file of AUs to be taken over
   PictureFolder,    ///< where pictures and videos go

@@ -29,6 +29,8 @@ const char* title_of(Purpose purpose) {
       return tr("file.export_mesh");
     case Purpose::ExportGlb:
       return tr("file.export_glb");
+    case Purpose::LogOnsets:
+      return tr("file.onsets");
     case Purpose::ExportAu:
       return tr("file.export_au");
     case Purpose::ImportAus:

@@ -118,6 +118,8 @@ struct ChangePictures {
 struct TakePicture {};
 /// The file that is being written in the background is not wanted any more.
 struct CancelExport {};
+/// The times at which faces are shown are not written any more.
+struct EndOnsets {};
 /// Begins a video of what is shown, or ends it.
 struct ToggleVideo {};
 
@@ -142,11 +144,12 @@ using EditorCommand =
     std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
                  SaveAu, NameAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
-using GuiCommand = std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand,
-                                MirrorCommand, GalleryCommand, ChangePictures, ChangeAnimation,
-                                ChangeRendering, ChangeDisplay, AskStreams, LookFrom, Leave, Browse,
-                                EnterFolder, ChooseFile, ChangeTable, ShowFace, CloseBrowser,
-                                OpenStream, CloseNotice, CancelExport, TakePicture, ToggleVideo>;
+using GuiCommand =
+    std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand, MirrorCommand,
+                 GalleryCommand, ChangePictures, ChangeAnimation, ChangeRendering, ChangeDisplay,
+                 AskStreams, LookFrom, Leave, Browse, EnterFolder, ChooseFile, ChangeTable,
+                 ShowFace, CloseBrowser, OpenStream, CloseNotice, CancelExport, EndOnsets,
+                 TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

@@ -311,6 +311,7 @@ struct GuiModel {
   std::shared_ptr<const std::vector<AuEntry>> known_aus;  ///< always there
   VideoView video;
   ExportView exported;
+  std::string onsets;  ///< where the times go at which faces are shown; empty: nowhere
   ExpressionsView expressions;
   TransitionSettings transition;
   RenderingView rendering;

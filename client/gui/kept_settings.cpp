@@ -66,6 +66,14 @@ void read_files(Fields fields, KeptSettings& settings) {
   fields.finish();
 }
 
+void read_table(Fields fields, TableSettings& table) {
+  fields.take("fps", table.fps, 0, 1000);
+  fields.take("rate", table.rate, 0, 100);
+  fields.take("gain_percent", table.gain_percent, 0, 1000);
+  fields.take("quiet_s", table.quiet_s, 0, 60);
+  fields.finish();
+}
+
 void read_face(Fields fields, KeptSettings& settings) {
   fields.take("folder", settings.face);
   fields.finish();
@@ -156,6 +164,7 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
   TableReader reader(*document, problems);
   if (const auto* table = reader.table_if("remote")) read_remote({*table, problems}, settings);
   if (const auto* table = reader.table_if("files")) read_files({*table, problems}, settings);
+  if (const auto* table = reader.table_if("tables")) read_table({*table, problems}, settings.table);
   if (const auto* table = reader.table_if("face")) read_face({*table, problems}, settings);
   if (const auto* table = reader.table_if("animation")) {
     read_animation({*table, problems}, settings);
@@ -184,7 +193,8 @@ std::string format_settings(const KeptSettings& settings) {
   }
   std::string text =
       "# What face-player's window remembers. It is written when the window closes, and when a\n"
-      "# file or a server was opened; options of the command line come first, --no-config leaves\n"
+      "# file, a server or a face was opened; options of the command line come first, --no-config "
+      "leaves\n"
       "# it alone.\n\n[remote]\n";
   text += line("address", remote.address) + line("port", remote.port) +
           toml_line("others", toml_texts(others)) +
@@ -194,6 +204,9 @@ std::string format_settings(const KeptSettings& settings) {
           line("stream", remote.stream) + line("tls", remote.tls) +
           line("token_file", remote.token_file);
   text += "\n[files]\n" + toml_line("recent", toml_texts(settings.recent_files));
+  const TableSettings& table = settings.table;
+  text += "\n[tables]\n" + line("fps", table.fps) + line("rate", table.rate) +
+          line("gain_percent", table.gain_percent) + line("quiet_s", table.quiet_s);
   text += "\n[face]\n" + line("folder", settings.face);
   text += "\n[animation]\n";
   text += line("mixer", settings.animation.mixer, kMixers) +

@@ -409,6 +409,11 @@ void export_menu(const GuiModel& model, GuiCommands& commands) {
     commands.push_back(CancelExport{});
   }
   item(tr("play.export_mesh"), Purpose::ExportMesh, true);
+  if (model.onsets.empty()) {
+    item(tr("play.onsets"), Purpose::LogOnsets, true);
+  } else if (ImGui::MenuItem(tr("play.end_onsets"))) {
+    commands.push_back(EndOnsets{});
+  }
   ImGui::EndPopup();
 }
 
@@ -433,6 +438,7 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
   if (!model.video.completing.empty()) quiet_text(tr("play.completing", model.video.completing));
   const ExportView& exported = model.exported;
   if (!exported.file.empty()) quiet_text(tr("play.writing", exported.file, exported.percent));
+  if (!model.onsets.empty()) quiet_text(tr("play.times_go", model.onsets));
   where_they_go(look, model.pictures, form, commands);
 }
 

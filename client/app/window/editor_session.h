@@ -35,6 +35,10 @@ class EditorSession {
   /// The face of the mapping has become another one; `before`: the names of the channels it had.
   void change_face(const std::vector<std::string>& before);
 
+  /// Another face is shown than the editor's: no expression is chosen any more. What was edited
+  /// stays.
+  void put_away() { show_none_of_them(); }
+
   /// What is in words is said anew.
   void change_language();
 

@@ -32,6 +32,8 @@ std::string new_file_name(gui::Purpose purpose, const Named& shown) {
       return face + ".obj";
     case gui::Purpose::ExportGlb:
       return face + ".glb";
+    case gui::Purpose::LogOnsets:
+      return stream.empty() ? "onsets.csv" : stream + "_onsets.csv";
     case gui::Purpose::ExportAu:
       return "au" + std::to_string(shown.au) + ".toml";
     default: {

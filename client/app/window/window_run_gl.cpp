@@ -18,7 +18,6 @@
 #include "client/app/steady.h"
 #include "client/app/window/face_thumbnails.h"
 #include "client/app/window/keyframe_thumbnails.h"
-#include "client/app/window/onset_log.h"
 #include "client/app/window/pace_meter.h"
 #include "client/app/window/video_recorder.h"
 #include "client/app/window/window_keys.h"
@@ -98,11 +97,7 @@ class WindowRun {
       window_->set_icon(std::move(*icon));
     }
     start_times_.passed("panels");
-    if (output.onsets.empty()) return {};
-    auto onsets = OnsetLog::create(output.onsets);
-    if (!onsets) return onsets.error();
-    onsets_ = std::move(*onsets);
-    return {};
+    return output.onsets.empty() ? Result<void>() : session_.log_onsets(output.onsets);
   }
 
   void tick(bool stopped_from_outside) {
@@ -136,7 +131,7 @@ class WindowRun {
   /// Why it cannot go on, or what became of the table of onsets, which is kept either way.
   [[nodiscard]] Result<void> outcome() {
     if (failed_) return *failed_;
-    return onsets_ ? onsets_->finish() : Result<void>();
+    return session_.end_onsets();
   }
 
   [[nodiscard]] std::unique_ptr<playback::Playback> finish() {
@@ -400,8 +395,7 @@ class WindowRun {
     if (overlay_->input_waits()) frames_due_ = gui::kFramesAfterChange;
     window_->present();
     const Instant end = steady_now();
-    session_.face_shown();
-    if (moved && onsets_) onsets_->add(end, session_.keyframe_shown(), session_.aus_shown());
+    session_.face_shown(end, moved);
     spdlog::trace("drawn at {:.6f}", seconds(end.time_since_epoch()));
     if (stats_.frames_drawn++ == 0) {
       stats_.first_frame_ms = since_start_ms();
@@ -444,7 +438,6 @@ class WindowRun {
   std::uint64_t kept_face_changes_ = 0;
   int frames_due_ = gui::kFramesAfterChange;
   VideoRecorder video_{session_};
-  std::unique_ptr<OnsetLog> onsets_;
   bool leaving_ = false;
   std::optional<Error> failed_;  ///< it cannot go on
   PaceMeter pace_{steady_now()};

@@ -91,6 +91,7 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   if (!file.empty()) files_.opened(file);
   rendering_ = settings.rendering;
   pictures_ = settings.pictures;
+  table_ = settings.table;
   gallery_.set_folder(whole_path(std::filesystem::path(pictures_.folder) / "gallery"));
   change_display(settings.display, now);
   display_.languages = languages_in(assets_.data_folder);
@@ -99,9 +100,18 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
 }
 
 gui::KeptSettings WindowSession::kept() const {
-  return {
-      playback_.remote_to_keep(), playback_.recent(), faces_.next(), files_.recent(),  animation_,
-      editor_.transition(),       rendering_,         pictures_,     display_.settings};
+  gui::KeptSettings kept;
+  kept.remote = playback_.remote_to_keep();
+  kept.recent = playback_.recent();
+  kept.face = faces_.next();
+  kept.recent_files = files_.recent();
+  kept.table = table_;
+  kept.animation = animation_;
+  kept.transition = editor_.transition();
+  kept.rendering = rendering_;
+  kept.pictures = pictures_;
+  kept.display = display_.settings;
+  return kept;
 }
 
 void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now) {
@@ -115,7 +125,7 @@ void WindowSession::advance(Instant now) {
   notices_.expire(now);
   if (const auto own = mirror_.advance()) {
     playback_.watch_own(*own, now);
-    shown_ = Shown::Playback;
+    show(Shown::Playback);
   }
   playback_.advance(now);
   lister_.advance();
@@ -149,6 +159,11 @@ const std::vector<float>& WindowSession::activations(Instant now) {
   return activations_;
 }
 
+void WindowSession::face_shown(Instant at, bool moved) {
+  playback_.face_shown();
+  if (moved && !onsets_.file().empty()) onsets_.add(at, keyframe_shown(), aus_shown());
+}
+
 std::vector<float> WindowSession::face_of(const std::string& aus) const {
   std::vector<float> activations(mapping_.face.channels.size());
   if (const auto frame = protocol::parse_au_set(aus)) mapping_.apply(*frame, activations);
@@ -167,10 +182,15 @@ std::optional<AuFrame> WindowSession::aus_shown() const {
   return face::blend(mapping_.rules, composer_.aus());
 }
 
+void WindowSession::show(Shown shown) {
+  if (shown_ == Shown::Editor && shown != Shown::Editor) editor_.put_away();
+  shown_ = shown;
+}
+
 /// What is made takes the face; what plays waits.
 void WindowSession::show_edited(Shown shown, Instant now) {
   playback_.apply(gui::Pause{}, now);
-  shown_ = shown;
+  show(shown);
 }
 
 Duration WindowSession::idle_time(Instant now) const {
@@ -194,7 +214,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
   look(now);
   const Overloaded carry_out{
       [&](const gui::PlaybackCommand& one) {
-        if (playback_.apply(one, now)) shown_ = Shown::Playback;
+        if (playback_.apply(one, now)) show(Shown::Playback);
       },
       [&](const gui::SoundCommand& one) { playback_.sound().apply(one, now); },
       [&](const gui::EditorCommand& one) {
@@ -237,6 +257,11 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       },
       [&](const gui::CloseNotice&) { notices_.clear(); },
       [&](const gui::CancelExport&) { export_.cancel(); },
+      [&](const gui::EndOnsets&) {
+        const std::string file = onsets_.file();
+        const auto ended = onsets_.end();
+        say(ended ? gui::tr("said.onsets_ended", file) : ended.error().message, !ended, now);
+      },
       [&](const gui::AskStreams& one) { ask_streams(one.settings, now); },
       [](const gui::LookFrom&) {},
       [](const gui::TakePicture&) {},
@@ -265,7 +290,7 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
     const std::filesystem::path file = composer_.file();
     const std::string name = file.empty() ? gui::tr("said.composed") : file.filename().string();
     playback_.open(std::move(keyframes), name, now);
-    shown_ = Shown::Playback;
+    show(Shown::Playback);
   }
   if (std::holds_alternative<gui::SaveComposition>(command)) {
     const std::filesystem::path file = composer_.file();
@@ -298,6 +323,7 @@ void WindowSession::change_display(const gui::DisplaySettings& settings, Instant
   if (code == display_.language) return;
   if (const auto used = choose_language(assets_.data_folder, code)) {
     display_.language = code;
+    pace_.clear();
     composer_.change_language();
     editor_.change_language();
   } else if (chosen || used.error().kind != ErrorKind::Usage) {
@@ -380,7 +406,7 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   files_.opened(file);
   playback_.open(std::move(opened->keyframes), file.filename().string(), now);
   playback_.play_beside(file, now);
-  shown_ = Shown::Playback;
+  show(Shown::Playback);
   return {};
 }
 
@@ -421,6 +447,10 @@ Result<std::string> WindowSession::use_file(gui::Purpose purpose, const std::fil
       return ExportSession::mesh(assets_.face, activations_, file);
     case gui::Purpose::ExportGlb:
       return export_.glb(options_as_shown(), playback_.played(), name_of_stream(), file);
+    case gui::Purpose::LogOnsets: {
+      if (auto begun = onsets_.begin(file); !begun) return begun.error();
+      return gui::tr("said.onsets_begun", file.string());
+    }
     case gui::Purpose::ExportAu:
       return editor_.export_au(file);
     case gui::Purpose::ImportAus: {
@@ -510,6 +540,7 @@ gui::GuiModel WindowSession::model() const {
   model.known_aus = editor_.known_aus();
   model.video = video_;
   model.exported = export_.view();
+  model.onsets = onsets_.file();
   model.expressions = editor_.expressions();
   model.transition = editor_.transition();
   model.rendering.settings = rendering_;

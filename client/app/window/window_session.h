@@ -19,6 +19,7 @@
 #include "client/app/window/gallery_session.h"
 #include "client/app/window/mirror_session.h"
 #include "client/app/window/notices.h"
+#include "client/app/window/onset_session.h"
 #include "client/app/window/playback_session.h"
 #include "client/app/window/stream_lister.h"
 #include "client/gui/gui_commands.h"
@@ -51,8 +52,13 @@ class WindowSession {
   void set_sound_tap(sound::SoundPlayer::Tap tap) { playback_.sound().set_tap(std::move(tap)); }
   /// By so many percent.
   void change_volume(int by, Instant now) { playback_.sound().change_volume(by, now); }
-  /// The face of activations() is on the display.
-  void face_shown() { playback_.face_shown(); }
+  /// When each face was shown goes into this file from now on.
+  [[nodiscard]] Result<void> log_onsets(const std::filesystem::path& file) {
+    return onsets_.begin(file);
+  }
+  [[nodiscard]] Result<void> end_onsets() { return onsets_.end(); }
+  /// The face of activations() is on the display since `at`; `moved`: it is another than before.
+  void face_shown(Instant at, bool moved);
 
   /// Moves playback to `now`.
   void advance(Instant now);
@@ -119,6 +125,7 @@ class WindowSession {
   enum class Shown : std::uint8_t { Playback, Editor, Composer };
 
   void look(Instant now);
+  void show(Shown shown);
   void show_edited(Shown shown, Instant now);
   [[nodiscard]] PlayerOptions options_as_shown() const;
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
@@ -154,6 +161,7 @@ class WindowSession {
   std::optional<pipeline::IdleFace> idle_;
   GallerySession gallery_;
   ExportSession export_;
+  OnsetSession onsets_;
   gui::RenderingSettings rendering_;
   gui::PictureSettings pictures_;
   gui::DisplayView display_{{}, "en", {}};

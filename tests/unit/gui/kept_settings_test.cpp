@@ -27,6 +27,7 @@ KeptSettings unusual() {
   settings.rendering.light_pitch_deg = 10;
   settings.rendering.light_percent = 150;
   settings.rendering.blinking = true;
+  settings.table = {25, 10, 150, 2};
   settings.pictures = {"/pictures", "{face}-{number}", 1920, 1080};
   settings.rendering.blink = {77, 2500, 75, playback::Interpolation::Cosine};
   return settings;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/app/window/onset_session.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::app {
@@ -48,6 +49,22 @@ TEST(OnsetLog, SaysAtTheStartThatItsPlaceCannotBeWritten) {
   const auto log = OnsetLog::create("/nowhere/at/all.csv");
   ASSERT_FALSE(log);
   EXPECT_EQ(log.error().kind, ErrorKind::Failed);
+}
+
+TEST(OnsetSession, WritesOneTableAfterTheOther) {
+  const test::TempFolder folder;
+  OnsetSession onsets;
+  EXPECT_TRUE(onsets.end()) << "there is none";
+  onsets.add(Instant(std::chrono::seconds(1)), 1, AuFrame{});
+  ASSERT_TRUE(onsets.begin(folder.path() / "one.csv"));
+  EXPECT_EQ(onsets.file(), (folder.path() / "one.csv").string());
+  onsets.add(Instant(std::chrono::seconds(2)), 1, AuFrame{});
+  EXPECT_FALSE(onsets.begin("/nowhere/at/all.csv"));
+  EXPECT_EQ(onsets.file(), "") << "the one before is finished";
+  EXPECT_EQ(folder.read("one.csv"), "monotonic_s,keyframe,aus\n2.000000,1,\"0\"\n");
+  ASSERT_TRUE(onsets.begin(folder.path() / "two.csv"));
+  ASSERT_TRUE(onsets.end());
+  EXPECT_EQ(folder.read("two.csv"), "monotonic_s,keyframe,aus\n");
 }
 
 }  // namespace

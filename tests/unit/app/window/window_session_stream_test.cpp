@@ -31,6 +31,22 @@ class StreamSessionTest : public SessionOnDefaultFace {
   std::filesystem::path file_;
 };
 
+TEST_F(StreamSessionTest, TheTimesOfItsFacesAreWrittenUntilTheUserEndsIt) {
+  open();
+  ask(gui::Browse{gui::Purpose::LogOnsets});
+  EXPECT_EQ(model().browser.name, "three_onsets.csv");
+  ask(gui::EnterFolder{folder_.path().string()});
+  ask(gui::ChooseFile{"times.csv"});
+  EXPECT_FALSE(model().browser.open) << model().browser.problem;
+  EXPECT_EQ(model().onsets, (folder_.path() / "times.csv").string());
+  session_->face_shown(Instant(std::chrono::seconds(5)), true);
+  session_->face_shown(Instant(std::chrono::seconds(6)), false);
+  ask(gui::EndOnsets{});
+  EXPECT_EQ(model().onsets, "");
+  EXPECT_FALSE(model().notice.bad) << model().notice.text;
+  EXPECT_EQ(folder_.read("times.csv"), "monotonic_s,keyframe,aus\n5.000000,1,\"0\"\n");
+}
+
 TEST_F(StreamSessionTest, AFilePlaysAsSoonAsItIsOpened) {
   open();
   EXPECT_TRUE(model().local.open);

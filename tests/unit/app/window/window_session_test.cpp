@@ -268,6 +268,19 @@ TEST_F(WindowSessionTest, AnExpressionIsReachedFromTheFaceAsItIs) {
   EXPECT_TRUE(model().editor.active);
 }
 
+TEST_F(WindowSessionTest, AnExpressionIsNotChosenAnyMoreWhenAnotherFaceIsShown) {
+  open({AuFrame{}, frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  ask(gui::ShowExpression{expression("happiness")});
+  EXPECT_GE(model().expressions.chosen, 0);
+  EXPECT_FALSE(model().editor.compound.empty());
+  ask(gui::Resume{});
+  EXPECT_FALSE(model().editor.active);
+  EXPECT_EQ(model().expressions.chosen, -1);
+  EXPECT_EQ(model().expressions.aus, "");
+  EXPECT_TRUE(model().editor.compound.empty());
+}
+
 TEST_F(WindowSessionTest, AnExpressionIsShownAsStronglyAsAsked) {
   open_nothing();
   EXPECT_EQ(model().expressions.chosen, -1);

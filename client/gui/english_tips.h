@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+
+namespace aucast::gui {
+
+/// A text of the window and the key by which tr() and the files of data/languages know it.
+struct EnglishText {
+  const char* key;
+  const char* text;
+};
+
+/// What is said of words and controls while they are pointed at.
+inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
+    {"tip.au",
+     "Action Unit: a movement of the face that FACS (2002) names by a number, such as 12, the "
+     "corners of the lips pulled up"},
+    {"tip.au_received", "what the keyframe under way has"},
+    {"tip.au_shown",
+     "what the face shows at this moment. It differs from what came while the face is on its way "
+     "to "
+     "the keyframe (interpolation), where a rule changed the AU, which is then said below its "
+     "name, "
+     "and for an AU that this face does not have. Mixer, blinks and idle movements come after "
+     "this."},
+    {"tip.au_asked", "as it was typed, or as the expression has it"},
+    {"tip.au_blended",
+     "what the face shows in the end: a rule that changed an AU is said below its name. The mixer "
+     "comes after this."},
+    {"tip.receiver",
+     "the Receiver buffer: sets of AUs as they came, against the jitter of a network (what comes "
+     "late or in bursts); the mark is the threshold"},
+    {"tip.playout", "the Playout buffer: the sets that are about to be played"},
+    {"tip.buffer", "how many sets the Receiver buffer holds"},
+    {"tip.threshold", "so full the buffer must be before playing begins, and again after a stall"},
+    {"tip.last_30",
+     "how full the Receiver buffer was; at the bottom nothing is left to play and the face stalls: "
+     "an underrun"},
+    {"tip.delay", "how long a live keyframe waits before it is played, so that jitter is not seen"},
+    {"tip.protocol",
+     "classic is level 1, the protocol of the thesis; level 2 has intensities, sides and times"},
+    {"tip.tls",
+     "Transport Layer Security: what is sent can be neither read nor changed on its way"},
+    {"tip.token", "a file with the secret that the server asks for"},
+    {"tip.again", "the server is tried again until it is there"},
+    {"tip.mixer",
+     "what AUs that move the same muscle make of it together: the strongest counts (maximum), or "
+     "all of them (average)"},
+    {"tip.rules",
+     "co-occurrence rules: how AUs act on each other, such as 51 and 52, of which a face shows "
+     "one"},
+    {"tip.in_between",
+     "interpolation: from one keyframe to the next evenly, or with a soft beginning and end"},
+    {"tip.keyframe", "a set of AUs and the time in which the face reaches it"},
+    {"tip.neutral", "the neutral face: no AU and no muscle"},
+    {"tip.macros", "muscles contracted directly, without AUs, as in the program of Waters (1987)"},
+    {"tip.muscles", "contraction: 0 is at rest"},
+    {"tip.frames",
+     "pictures from the face as it is to the expression; times what each takes is how long it "
+     "lasts"},
+    {"tip.seed", "the same number gives the same blinks again"},
+    {"tip.landmarks", "the points of the face that the recogniser has found"},
+    {"tip.live", "who watches sees your face of this moment"},
+    {"tip.admission", "--token-file, --tls-cert and --tls-key on the command line decide"},
+    {"tip.level_meter", "of the sound, from 48 dB below the most there can be"},
+});
+
+}  // namespace aucast::gui
