@@ -91,7 +91,8 @@ Result<sources::SourceContent> read_cut_off(const ConvertOptions& options, std::
 
 std::string sides_sentence(std::size_t uneven) {
   if (uneven == 0) return {};
-  return "; it knows no sides: the stronger one of " + std::to_string(uneven) + " keyframes";
+  return ", which has no sides: in " + std::to_string(uneven) +
+         (uneven == 1 ? " keyframe" : " keyframes") + " the stronger one was taken";
 }
 
 /// What is seen in a film.

@@ -140,8 +140,8 @@ TEST(Convert, ANameInCsvIsWrittenAsATableThatSaysTheSame) {
   const std::string table = (folder.path() / "out.csv").string();
   const auto written = run_convert({folder.write("in.txt", text).string(), table});
   ASSERT_TRUE(written) << written.error().message;
-  EXPECT_NE(written->said.find("out.csv: a table of OpenFace 2, 2 rows; it knows no sides: the "
-                               "stronger one of 1 keyframes\n"),
+  EXPECT_NE(written->said.find("out.csv: a table of OpenFace 2, 2 rows, which has no sides: in 1 "
+                               "keyframe the stronger one was taken\n"),
             std::string::npos)
       << written->said;
   const auto again = run_convert({table, "-"});
