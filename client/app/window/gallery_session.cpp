@@ -47,7 +47,7 @@ void GallerySession::advance() {
   const auto outcome = work_.take_outcome();
   if (!outcome) return;
   view_.running = view_.ending = false;
-  view_.failed = !*outcome;
+  view_.failed = !*outcome && !work_.cancelled();
   view_.outcome = *outcome ? **outcome : outcome->error().message;
 }
 

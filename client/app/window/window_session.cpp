@@ -295,9 +295,15 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
   if (std::holds_alternative<gui::SaveComposition>(command)) {
     const std::filesystem::path file = composer_.file();
     if (file.empty()) return files_.browse(gui::Purpose::SaveStream, kComposedName);
-    const auto saved = composer_.save(file);
+    const auto saved = save_composition(file);
     say(saved ? *saved : saved.error().message, !saved, now);
   }
+}
+
+Result<std::string> WindowSession::save_composition(const std::filesystem::path& file) {
+  auto saved = composer_.save(file);
+  if (saved) files_.opened(file);
+  return saved;
 }
 
 void WindowSession::change_animation(const gui::AnimationSettings& settings, Instant now) {
@@ -438,7 +444,7 @@ Result<std::string> WindowSession::use_file(gui::Purpose purpose, const std::fil
       return std::string();
     }
     case gui::Purpose::SaveStream:
-      return composer_.save(file);
+      return save_composition(file);
     case gui::Purpose::ExportKeyframes:
       return ExportSession::stream(playback_.played(), file);
     case gui::Purpose::ExportTable:

@@ -130,6 +130,7 @@ class WindowSession {
   [[nodiscard]] PlayerOptions options_as_shown() const;
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
+  [[nodiscard]] Result<std::string> save_composition(const std::filesystem::path& file);
   void change_animation(const gui::AnimationSettings& settings, Instant now);
   void change_display(const gui::DisplaySettings& settings, Instant now);
   void show_saved_face(Instant now);

@@ -105,6 +105,8 @@ TEST_F(ComposerSessionTest, AnExistingFileIsAskedAbout) {
   ask(gui::ChooseFile{file.string()});
   EXPECT_FALSE(model().browser.open);
   EXPECT_NE(*read_file(file), "not mine");
+  ASSERT_FALSE(model().recent_files.empty());
+  EXPECT_EQ(model().recent_files.front(), file.string());
 }
 
 TEST_F(ComposerSessionTest, APlaceThatCannotBeWrittenIsSaidAndNothingIsLost) {
