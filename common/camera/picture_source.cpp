@@ -90,19 +90,20 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
       "-i",          options.device};
   std::error_code ignored;
   const auto status = std::filesystem::status(options.device, ignored);
-  if (!std::filesystem::exists(status)) {
-    return Error{ErrorKind::Failed,
-                 at_place(options.device,
-                          "there is no such camera; plug it in, or name another one or a film")};
-  }
   if (std::filesystem::is_regular_file(status)) {
     input = {"-re", "-i", file_url(options.device)};
   } else if (std::filesystem::is_fifo(status)) {
     input = {"-fflags", "nobuffer", "-i", file_url(options.device)};
   }
   // Nothing is buffered that can be shown: a late face is worth nothing.
-  return open(arguments_of(std::move(input), kFilters), options.device, ErrorKind::Failed,
-              options.patience);
+  auto opened = open(arguments_of(std::move(input), kFilters), options.device, ErrorKind::Failed,
+                     options.patience);
+  if (!opened && !std::filesystem::exists(status)) {
+    return Error{ErrorKind::Failed,
+                 at_place(options.device,
+                          "there is no such camera; plug it in, or name another one or a film")};
+  }
+  return opened;
 }
 
 std::string PictureSource::complaint() {
