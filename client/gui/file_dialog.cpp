@@ -135,7 +135,7 @@ void table_settings(const Look& look, const TableSettings& now, const TableSetti
   bool changed = false;
   const auto number = [&](const char* name, const char* id, int& value, int most, int step,
                           const char* zero, const char* help) {
-    label(look, name);
+    label(look, name, help);
     changed |=
         number_field(id, value, {.near = step, .far = 10 * step, .most = most, .zero = zero});
     value = std::clamp(value, 0, most);
