@@ -10,7 +10,8 @@
 namespace aucast::mesh {
 namespace {
 
-constexpr std::size_t kQuietPart = 5;    ///< one in so many counts as quiet
+constexpr std::size_t kQuietPart = 5;  ///< one in so many counts as quiet
+constexpr double kLoweredPart = 0.6;   ///< of the usual aperture: eyes that are less open look down
 constexpr std::size_t kMostSeen = 3000;  ///< no statistics gets better by more than this
 constexpr double kKeptEach = 0.2;
 constexpr double kEaseSeconds = 1;  ///< in which the quiet face follows what was found
@@ -100,6 +101,34 @@ void shut_lips(Measures& quiet, const Measures& typical) {
   of(quiet, MiddleMeasure::LowerLipUp) += parted;
 }
 
+/// How far each eye is open before it counts as lowered.
+double least_aperture(const Measures& typical) {
+  return kLoweredPart * typical.left[static_cast<std::size_t>(SideMeasure::Aperture)];
+}
+
+/// Both eyes look down or are shut: that is no quiet face, how little else may show.
+bool lids_are_lowered(const Measures& seen, const Measures& typical) {
+  const auto aperture = static_cast<std::size_t>(SideMeasure::Aperture);
+  return std::max(seen.left[aperture], seen.right[aperture]) < least_aperture(typical);
+}
+
+/// Lids that are lowered are not at rest, even if they were never seen otherwise, as at the start
+/// of a film.
+void raise_lids(Measures& quiet, const Measures& typical) {
+  for (const auto side : {&Measures::left, &Measures::right}) {
+    const auto of = [side](auto& face, SideMeasure what) -> auto& {
+      return (face.*side)[static_cast<std::size_t>(what)];
+    };
+    const double usual = of(typical, SideMeasure::Aperture);
+    const double missing = least_aperture(typical) - of(quiet, SideMeasure::Aperture);
+    if (usual <= 0 || missing <= 0) continue;
+    const double eye_width =
+        (of(typical, SideMeasure::UpperLidUp) - of(typical, SideMeasure::LowerLidUp)) / usual;
+    of(quiet, SideMeasure::Aperture) += missing;
+    of(quiet, SideMeasure::UpperLidUp) += missing * eye_width;
+  }
+}
+
 }  // namespace
 
 Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weights) {
@@ -113,16 +142,26 @@ Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weight
   quiet.turn = usual.turn;
   // Twice: first against the typical face, then against the one that was found.
   for (int turn = 0; turn < 2; ++turn) {
-    std::vector<std::pair<double, const Measures*>> ranked;
-    for (const Measures* one : all) ranked.emplace_back(expression_of(weights, *one, quiet), one);
-    std::stable_sort(ranked.begin(), ranked.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    struct Ranked {
+      bool lowered;
+      double expression;
+      const Measures* seen;
+    };
+    std::vector<Ranked> ranked;
+    for (const Measures* one : all) {
+      ranked.push_back(
+          {lids_are_lowered(*one, weights.typical), expression_of(weights, *one, quiet), one});
+    }
+    std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+      return std::pair(a.lowered, a.expression) < std::pair(b.lowered, b.expression);
+    });
     std::vector<const Measures*> quietest;
     for (std::size_t index = 0; index < (ranked.size() + kQuietPart - 1) / kQuietPart; ++index) {
-      quietest.push_back(ranked[index].second);
+      quietest.push_back(ranked[index].seen);
     }
     quiet = medians(quietest, all);
     shut_lips(quiet, weights.typical);
+    raise_lids(quiet, weights.typical);
   }
   return quiet;
 }

@@ -196,6 +196,43 @@ TEST(QuietFace, OfNobodyIsTheTypicalOne) {
   EXPECT_EQ(median_face({}, typical).left[0], 0.3);
 }
 
+/// Eyes of somebody usual: 0.3 wide, and 0.12 of that is seen of them.
+AuWeights with_usual_eyes() {
+  AuWeights usual = weights();
+  for (auto* side : {&usual.typical.left, &usual.typical.right}) {
+    (*side)[static_cast<std::size_t>(SideMeasure::Aperture)] = 0.4;
+    (*side)[static_cast<std::size_t>(SideMeasure::UpperLidUp)] = 0.1;
+    (*side)[static_cast<std::size_t>(SideMeasure::LowerLidUp)] = -0.02;
+  }
+  return usual;
+}
+
+TEST(QuietFace, RaisesLidsThatWereNeverSeenRaised) {
+  const AuWeights usual = with_usual_eyes();
+  Measures seen = usual.typical;
+  left_of(seen, SideMeasure::Aperture) = 0.05;
+  left_of(seen, SideMeasure::UpperLidUp) = -0.005;
+  right_of(seen, SideMeasure::Aperture) = 0.25;
+  Measures quiet = find_quiet_face(std::vector<Measures>(20, seen), usual);
+  EXPECT_NEAR(left_of(quiet, SideMeasure::Aperture), 0.24, kTolerance);
+  EXPECT_NEAR(left_of(quiet, SideMeasure::UpperLidUp), 0.052, kTolerance)
+      << "0.19 of 0.3 was missing";
+  EXPECT_NEAR(right_of(quiet, SideMeasure::Aperture), 0.25, kTolerance) << "narrow eyes stay so";
+}
+
+TEST(QuietFace, IsRatherALaughThanLoweredLids) {
+  const AuWeights usual = with_usual_eyes();
+  Measures shut = usual.typical;
+  left_of(shut, SideMeasure::Aperture) = right_of(shut, SideMeasure::Aperture) = 0.22;
+  Measures laugh = usual.typical;
+  left_of(laugh, SideMeasure::CornerUp) = right_of(laugh, SideMeasure::CornerUp) = 0.1;
+  middle_of(laugh, MiddleMeasure::ChinUp) = -0.2;
+  std::vector<Measures> film(70, shut);
+  film.insert(film.end(), 30, laugh);
+  const Measures quiet = find_quiet_face(film, usual);
+  EXPECT_NEAR(left_of(quiet, SideMeasure::Aperture), 0.4, kTolerance);
+}
+
 TEST(QuietFace, IsFoundWhileSomebodyIsWatched) {
   const AuWeights known = weights();
   RunningQuietFace running(known);
