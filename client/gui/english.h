@@ -339,7 +339,6 @@ inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
     {"play.cancel_glb", "Cancel the GLB file that is being written"},
     {"play.open_tip", "a stream, a recogniser's table or a face.toml (o); or drop it here"},
     {"play.recent", "Recent files"},
-    {"play.file", "{name}, {keyframes}, {time}"},
     {"play.sample", "Play a sample"},
     {"play.or_connect", "Or connect to a server, at the right. ? lists the keys."},
     {"play.or_connect_hidden", "Or connect to a server: p shows the panel. ? lists the keys."},

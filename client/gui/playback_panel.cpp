@@ -456,10 +456,6 @@ void file_part(const GuiModel& model, GuiCommands& commands) {
     ImGui::EndCombo();
   }
   ImGui::EndDisabled();
-  if (model.local.open) {
-    quiet_text(tr("play.file", model.local.name, keyframes_text(model.local.ends->size()),
-                  time_text(model.local.total)));
-  }
 }
 
 }  // namespace aucast::gui

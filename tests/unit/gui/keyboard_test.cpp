@@ -300,6 +300,18 @@ TEST_F(Keyboard, ANumberFieldIsOneStopAndItsArrowsStepIt) {
   EXPECT_EQ(focus(), id_of("##frames"));
 }
 
+TEST_F(Keyboard, NoButtonMovesWhenAFileIsOpened) {
+  ASSERT_TRUE(go_to(tr("play.picture")));
+  const auto height = [] {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.NavWindow->NavRectRel[context.NavLayer].Min.y;
+  };
+  const float before = height();
+  play_something();
+  ASSERT_TRUE(go_to(tr("play.picture")));
+  EXPECT_EQ(height(), before) << "a picture was saved for another button's click";
+}
+
 TEST_F(Keyboard, NothingMovesBelowWhatIsSaidOfAnAu) {
   model_.editor.groups = {{"Mouth", {{"zygomaticus major", 2, 0, 1, 0.5F, 0.5F}}}};
   auto aus = *model_.known_aus;
