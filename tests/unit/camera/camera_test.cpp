@@ -327,7 +327,7 @@ TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
   if (!models_are_there()) GTEST_SKIP() << "NOT RUN: the models are not installed";
   OtherFfmpeg ffmpeg(
       "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; printf 'FRAME\\n'; head -c 768 /dev/zero");
-  std::vector<std::size_t> widths;  // by the other thread, until the rows have ended
+  std::vector<std::size_t> widths;  // by the other thread, as long as it lives
   auto feed = CameraFeed::start({.device = kDevice}, {}, [&widths](const Sight& sight) {
     EXPECT_EQ(sight.landmarks, nullptr);
     EXPECT_TRUE(sight.aus.empty());
@@ -349,6 +349,7 @@ TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
   EXPECT_NE(text.find(",0.000,0,"), std::string::npos);
   EXPECT_EQ((*feed)->complaint(), "");
+  feed->reset();
   EXPECT_EQ(widths, std::vector<std::size_t>{16});
 }
 
