@@ -77,6 +77,7 @@ WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
   const std::filesystem::path sample = assets.data_folder / "streams" / "talk.txt";
   if (std::filesystem::exists(sample, ignored)) sample_ = sample.string();
   if (playback != nullptr) playback_.open(std::move(playback), file.filename().string(), {});
+  gallery_.set_folder(whole_path("gallery"));
   if (options.shows_mirror) mirror_.apply(gui::StartMirror{options.mirror.source});
 }
 
@@ -90,9 +91,8 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   const std::filesystem::path& file = options_.playback.file;
   if (!file.empty()) files_.opened(file);
   rendering_ = settings.rendering;
-  pictures_ = settings.pictures;
+  change_pictures(settings.pictures);
   table_ = settings.table;
-  gallery_.set_folder(whole_path(std::filesystem::path(pictures_.folder) / "gallery"));
   change_display(settings.display, now);
   display_.languages = languages_in(assets_.data_folder);
   // Nobody wants to begin with an empty view.
@@ -226,7 +226,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::ComposerCommand& one) { apply_composer(one, now); },
       [&](const gui::MirrorCommand& one) { mirror_.apply(one); },
       [&](const gui::GalleryCommand& one) { gallery_.apply(one, options_as_shown()); },
-      [&](const gui::ChangePictures& one) { pictures_ = one.settings; },
+      [&](const gui::ChangePictures& one) { change_pictures(one.settings); },
       [&](const gui::ChangeAnimation& one) { change_animation(one.settings, now); },
       [&](const gui::ChangeRendering& one) { rendering_ = one.settings; },
       [&](const gui::ChangeDisplay& one) { change_display(one.settings, now); },
@@ -319,6 +319,14 @@ void WindowSession::change_animation(const gui::AnimationSettings& settings, Ins
   mapping_.mixer = settings.mixer;
   playback_.remake(settings.interpolation);
   composer_.remake();
+}
+
+/// A gallery goes where pictures go, until the user says otherwise.
+void WindowSession::change_pictures(const gui::PictureSettings& settings) {
+  if (settings.folder != pictures_.folder) {
+    gallery_.set_folder(whole_path(std::filesystem::path(settings.folder) / "gallery"));
+  }
+  pictures_ = settings;
 }
 
 /// A locale whose language there is not is no mistake of the user's.
@@ -466,10 +474,12 @@ Result<std::string> WindowSession::use_file(gui::Purpose purpose, const std::fil
       show_saved_face(now);
       return imported;
     }
-    case gui::Purpose::PictureFolder:
-      pictures_.folder = file.string();
-      gallery_.set_folder(file / "gallery");
+    case gui::Purpose::PictureFolder: {
+      gui::PictureSettings changed = pictures_;
+      changed.folder = file.string();
+      change_pictures(changed);
       return std::string();
+    }
     case gui::Purpose::GalleryFolder:
       gallery_.set_folder(file);
       return std::string();

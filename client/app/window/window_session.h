@@ -132,6 +132,7 @@ class WindowSession {
   void apply_composer(const gui::ComposerCommand& command, Instant now);
   [[nodiscard]] Result<std::string> save_composition(const std::filesystem::path& file);
   void change_animation(const gui::AnimationSettings& settings, Instant now);
+  void change_pictures(const gui::PictureSettings& settings);
   void change_display(const gui::DisplaySettings& settings, Instant now);
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);

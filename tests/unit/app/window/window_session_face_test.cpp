@@ -147,6 +147,10 @@ TEST_F(FaceSessionTest, AGalleryGoesWherePicturesGo) {
   ask(gui::ChooseFile{"."});
   EXPECT_EQ(model().pictures.folder, folder.path().string());
   EXPECT_EQ(model().gallery.settings.folder, (folder.path() / "gallery").string());
+  gui::PictureSettings pictures = model().pictures;
+  pictures.folder = home_.path().string();
+  ask(gui::ChangePictures{pictures});
+  EXPECT_EQ(model().gallery.settings.folder, (home_.path() / "gallery").string());
 }
 
 TEST_F(FaceSessionTest, AfterSavingTheFaceIsOnesOwnCopy) {
