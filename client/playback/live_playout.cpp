@@ -28,7 +28,9 @@ Instant LivePlayout::arrived(Instant now, Milliseconds time, std::optional<Milli
   if (!first) note(now, now - *begin_ - sets_out_);
   sets_out_ += time;
   const Instant due = *begin_ + sets_out_ + latest() + kMargin;
-  delay_ = first ? due - now : delay_ + (due - now - delay_) / kAverageOf;
+  // What comes too late is played at once, not before.
+  const Duration delay = std::max(due - now, Duration::zero());
+  delay_ = first ? delay : delay_ + (delay - delay_) / kAverageOf;
   return due;
 }
 

@@ -63,6 +63,13 @@ TEST_F(Playout, SitsOutWhatComesLateOnceInHalfAMinute) {
   EXPECT_EQ(next(0ms), 740ms + kMargin) << "the third time it is the link";
 }
 
+TEST_F(Playout, HasNoDelayLessThanNone) {
+  steady(30);
+  for (int i = 0; i < 20; ++i) next(900ms);
+  EXPECT_LT(next(900ms), 0ms) << "they are due at once";
+  EXPECT_GE(playout_.delay(), 0ms);
+}
+
 TEST_F(Playout, ForgetsWhatWasAtTheBeginning) {
   next(0ms);
   next(500ms);
