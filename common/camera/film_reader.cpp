@@ -89,14 +89,6 @@ mesh::Measures quiet_of(std::span<const mesh::Measures> face, double fps,
 
 }  // namespace
 
-bool is_film(const std::filesystem::path& path) {
-  constexpr std::array<std::string_view, 14> kEndings{".mp4", ".m4v", ".mov",  ".mkv", ".webm",
-                                                      ".avi", ".mpg", ".mpeg", ".ts",  ".wmv",
-                                                      ".flv", ".ogv", ".3gp",  ".y4m"};
-  const std::string ending = lowered(path.extension().string());
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
-}
-
 Result<FilmTable> read_film(const std::filesystem::path& path, const FaceOptions& options,
                             const std::function<void(const FilmProgress&)>& on_progress) {
   auto models = load_face_models();

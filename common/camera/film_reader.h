@@ -33,9 +33,6 @@ struct FilmTable {
   std::string note;       ///< what was wrong with the film, with its name; empty: nothing
 };
 
-/// Whether a path names a film, by its ending: .mp4, .mov, .mkv, .webm, ...
-[[nodiscard]] bool is_film(const std::filesystem::path& path);
-
 /// Reads the face of a film, of several the clearest unless all are asked for. Errors are those of
 /// PictureSource and load_face_models(); BadData when no face is seen in it.
 [[nodiscard]] Result<FilmTable> read_film(

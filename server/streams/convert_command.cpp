@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/files.h"
+#include "common/film_name.h"
 #include "common/sources/openface_table.h"
 #include "common/sources/resample.h"
 #include "common/sources/source_reader.h"
@@ -126,7 +127,7 @@ Result<sources::SourceContent> read_any(const ConvertOptions& options,
                                         const sources::ConditioningSettings& conditioning,
                                         const SayProgress& say, std::string& said) {
   if (options.mend) return read_cut_off(options, said);
-  if (camera::is_film(options.in)) return read_seen(options, conditioning, say);
+  if (is_film(options.in)) return read_seen(options, conditioning, say);
   return sources::read_source(options.in, {options.source.recording, options.source.rate,
                                            conditioning, options.keyframe_ms});
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/film_name.h"
 #include "common/log.h"
 #include "server/streams/source_path.h"
 
@@ -22,7 +23,7 @@ camera::FaceOptions faces_of(const SourceOptions& options) {
 
 sources::ConditioningSettings conditioning_for(const std::filesystem::path& path,
                                                sources::ConditioningSettings settings) {
-  if (!camera::is_film(path) && !camera_device(path)) return settings;
+  if (!is_film(path) && !camera_device(path)) return settings;
   settings.neutral_seconds.reset();
   settings.neutral_turns_only = false;
   return settings;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/film_name.h"
 #include "common/sources/content.h"
 #include "common/sources/dead_band.h"
 #include "common/sources/resample.h"
@@ -141,7 +142,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
   if (camera_device(path)) {
     return Error{ErrorKind::Usage, "a camera is live: it can be served, not described"};
   }
-  const bool film = camera::is_film(path);
+  const bool film = is_film(path);
   const auto text = film ? film_text(path, reading.source) : sources::read_text(path);
   if (!text) return text.error();
   const auto beside = accompaniment_of(path, reading.encoding.voice, reading.first);

@@ -85,14 +85,6 @@ TEST(Y4m, OtherThingsAreRefused) {
   EXPECT_FALSE(nothing->has_value());
 }
 
-TEST(Films, AreKnownByTheirEnding) {
-  EXPECT_TRUE(is_film("lecture.mp4"));
-  EXPECT_TRUE(is_film("/films/A lecture.MOV"));
-  EXPECT_FALSE(is_film("lecture.txt"));
-  EXPECT_FALSE(is_film("lecture.csv"));
-  EXPECT_FALSE(is_film("mp4"));
-}
-
 mesh::AuWeights some_weights() {
   auto weights = mesh::parse_au_weights(
       "feature lip-gap\nau 12 sided 0 0 1\nau 26 whole 0 0 1\nau 51 turning 0 0 1\n", "w");
