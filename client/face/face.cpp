@@ -18,7 +18,7 @@ std::optional<std::size_t> Face::channel_index(std::string_view channel_name) co
 Result<Face> load_face(const std::filesystem::path& folder,
                        const std::filesystem::path& data_folder) {
   std::error_code error;
-  const bool classic = !std::filesystem::exists(folder / "face.toml", error) &&
+  const bool classic = !std::filesystem::exists(folder / kFaceFile, error) &&
                        std::filesystem::exists(folder / "faceline.dat", error);
   return classic ? load_classic_folder(folder, data_folder) : load_face_folder(folder);
 }

@@ -181,6 +181,16 @@ Result<void> check_channel_names(const Face& face, const std::filesystem::path& 
   return {};
 }
 
+/// A face may use a file of another one: who has copied it alone is told what is missing.
+Error with_owner(Error error, const std::filesystem::path& file) {
+  const std::filesystem::path plain = file.lexically_normal();
+  if (error.kind != ErrorKind::Unreadable || plain.empty() || *plain.begin() != "..") return error;
+  error.message += "; this face shares it with " +
+                   printable(plain.parent_path().filename().string()) +
+                   ", which belongs beside it: copy both";
+  return error;
+}
+
 }  // namespace
 
 Result<AuRecordings> load_aus(const std::filesystem::path& path, const Face& face) {
@@ -202,7 +212,7 @@ Side side_at(float x) {
 }
 
 Result<Face> load_face_folder(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "face.toml";
+  const std::filesystem::path path = folder / kFaceFile;
   const auto document = read_toml(path);
   if (!document) return document.error();
   Problems problems(path.string());
@@ -214,17 +224,21 @@ Result<Face> load_face_folder(const std::filesystem::path& folder) {
   const std::string muscles_file = reader.text("muscles");
   const std::string aus_file = reader.text("aus");
   if (auto result = problems.result(); !result) return result.error();
-  if (auto loaded = load_mesh(folder / mesh_file, face); !loaded) return loaded.error();
+  if (auto loaded = load_mesh(folder / mesh_file, face); !loaded) {
+    return with_owner(loaded.error(), mesh_file);
+  }
   read_movers(reader, face, problems);
   reader.finish();
   if (auto result = problems.result(); !result) return result.error();
-  if (auto loaded = load_muscles(folder / muscles_file, face); !loaded) return loaded.error();
+  if (auto loaded = load_muscles(folder / muscles_file, face); !loaded) {
+    return with_owner(loaded.error(), muscles_file);
+  }
   face.channels = channels_of(face);
   if (auto result = check_channel_names(face, folder / muscles_file); !result) {
     return result.error();
   }
   auto recordings = load_aus(folder / aus_file, face);
-  if (!recordings) return recordings.error();
+  if (!recordings) return with_owner(recordings.error(), aus_file);
   face.recordings = std::move(*recordings);
   return face;
 }

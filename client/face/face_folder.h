@@ -9,6 +9,9 @@
 
 namespace aucast::face {
 
+/// What makes a folder a face of our own format.
+inline constexpr const char* kFaceFile = "face.toml";
+
 /// Reads a folder of our own format (face.toml inside; data/faces/FORMAT.md).
 [[nodiscard]] Result<Face> load_face_folder(const std::filesystem::path& folder);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "client/face/face_folder.h"
 #include "common/files.h"
 #include "common/text.h"
 #include "common/toml_document.h"
@@ -26,7 +27,7 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
 /// A face may use files of another one, as the people that come with the player share their
 /// muscles. A copy of `from` stands alone: it has such files in its own folder.
 Result<void> make_whole(const fs::path& copy, const fs::path& from) {
-  const fs::path description = copy / "face.toml";
+  const fs::path description = copy / face::kFaceFile;
   if (!fs::exists(description)) return {};
   const auto document = read_toml(description);
   if (!document) return document.error();
@@ -55,7 +56,7 @@ Result<void> make_whole(const fs::path& copy, const fs::path& from) {
 
 /// The file name that face.toml gives for its AUs.
 Result<fs::path> aus_file_of(const fs::path& face_folder) {
-  const fs::path description = face_folder / "face.toml";
+  const fs::path description = face_folder / face::kFaceFile;
   std::error_code ignored;
   if (!fs::exists(description, ignored)) {
     return Error{ErrorKind::Failed,
@@ -98,7 +99,8 @@ Result<fs::path> user_faces_folder(const char* xdg_data_home, const char* home) 
 
 bool is_face(const fs::path& folder) {
   std::error_code ignored;
-  return fs::exists(folder / "face.toml", ignored) || fs::exists(folder / "faceline.dat", ignored);
+  return fs::exists(folder / face::kFaceFile, ignored) ||
+         fs::exists(folder / "faceline.dat", ignored);
 }
 
 std::vector<FaceEntry> faces_in(const fs::path& folder) {

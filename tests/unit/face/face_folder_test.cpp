@@ -142,6 +142,17 @@ TEST(FaceFolder, EyesComeLeftFirstWhateverTheFilesOrder) {
   EXPECT_EQ(face->eyes[0].part, "left_eye");
 }
 
+TEST(FaceFolder, ACopyWithoutTheFaceThatItSharesAFileWithSaysWhich) {
+  const TempFolder folder;
+  test::write_small_face(folder);
+  folder.write("face.toml", replaced(test::small_face_toml(), "\"muscles.toml\"",
+                                     "\"../no-such-face/muscles.toml\""));
+  const auto face = load_face(folder.path(), {});
+  ASSERT_FALSE(face.has_value());
+  EXPECT_EQ(face.error().kind, ErrorKind::Unreadable);
+  EXPECT_NE(face.error().message.find("shares it with no-such-face"), std::string::npos);
+}
+
 TEST(FaceFolder, AMissingFileIsUnreadable) {
   for (const auto* name : {"face.toml", "muscles.toml", "aus.toml", "mesh.ply"}) {
     const TempFolder folder;
