@@ -53,9 +53,7 @@ void timeline_row(const Look& look, const ComposerView& composer, int index, Thu
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x -
                       ImGui::CalcTextSize(row.time.c_str()).x;
   ImGui::SetCursorScreenPos(ImVec2(left, line));
-  ImGui::PushClipRect(at, ImVec2(right - 10 * look.scale, at.y + height), true);
-  ImGui::TextUnformatted((std::to_string(index + 1) + "   " + row.aus).c_str());
-  ImGui::PopClipRect();
+  fitted_text(std::to_string(index + 1) + "   " + row.aus, right - 10 * look.scale);
   ImGui::SetCursorScreenPos(ImVec2(right, line));
   toned_line(Tone::Quiet, row.time);
   ImGui::SetCursorScreenPos(below);
@@ -231,9 +229,7 @@ void joined_slider(const Look& look, const ComposedAu& au, const std::string& na
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float column = 176 * look.scale;
-  ImGui::PushClipRect(at, ImVec2(at.x + column - 8 * look.scale, at.y + 100 * look.scale), true);
-  ImGui::TextUnformatted(name.c_str());
-  ImGui::PopClipRect();
+  fitted_text(name, at.x + column - 8 * look.scale);
   tip(name);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + column);
   int both = au.left_percent;

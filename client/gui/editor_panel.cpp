@@ -208,9 +208,7 @@ void channel_row(const Look& look, const ChannelRow& row, GuiCommands& commands)
   ImGui::PushID(row.left);
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushClipRect(at, ImVec2(at.x + 158 * look.scale, at.y + 100 * look.scale), true);
-  ImGui::TextUnformatted(row.name.c_str());
-  ImGui::PopClipRect();
+  fitted_text(row.name, at.x + 146 * look.scale);
   tip(row.name);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 150 * look.scale);
   const float width = ImGui::GetContentRegionAvail().x;

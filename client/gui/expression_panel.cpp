@@ -120,6 +120,7 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
     settings.frame_ms = std::clamp(settings.frame_ms, 1, 1000);
     changed = true;
   }
+  quiet_text(tr("expression.takes", settings.frames * settings.frame_ms));
   if (changed) commands.push_back(ChangeTransition{settings});
 }
 

@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "client/face/face_folder.h"
+#include "common/film_name.h"
 #include "common/text.h"
 
 namespace aucast::gui {
@@ -22,6 +24,8 @@ bool may_open(Purpose purpose, const fs::path& file) {
       return ending == ".txt";
     case Purpose::ImportAus:
       return ending == ".toml";
+    case Purpose::CameraFilm:
+      return is_film(file);
     default:
       return true;
   }
@@ -48,12 +52,12 @@ std::vector<FileEntry> entries_of(const fs::path& folder, Purpose purpose, std::
 }  // namespace
 
 bool is_face_file(const fs::path& file) {
-  return file.filename() == "face.toml";
+  return file.filename() == face::kFaceFile;
 }
 
 bool is_saving(Purpose purpose) {
   const bool opening = purpose == Purpose::PlayStream || purpose == Purpose::ComposeStream ||
-                       purpose == Purpose::ImportAus;
+                       purpose == Purpose::ImportAus || purpose == Purpose::CameraFilm;
   return !opening && !is_folder(purpose);
 }
 

@@ -22,6 +22,7 @@ enum class Purpose : std::uint8_t {
   PictureFolder,    ///< where pictures and videos go
   GalleryFolder,    ///< where a gallery goes
   LookForFaces,     ///< a folder with faces, or one that is a face
+  CameraFilm,       ///< a film in place of a camera
 };
 
 struct FileEntry {

@@ -41,6 +41,8 @@ const char* title_of(Purpose purpose) {
       return tr("file.gallery_folder");
     case Purpose::LookForFaces:
       return tr("file.faces");
+    case Purpose::CameraFilm:
+      return tr("file.film");
   }
   return tr("button.open");
 }

@@ -117,7 +117,7 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
     ImGui::EndDisabled();
     if (changed) commands.push_back(GalleryCommand(ChangeGallery{settings}));
     quiet_text(tr("gallery.help"));
-    const std::string wrong = problem(settings);
+    const std::string wrong = problem(settings).empty() ? view.complaint : problem(settings);
     // Always a line, so that no button moves when it begins.
     if (view.running) {
       progress(view);
@@ -126,7 +126,7 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
     } else {
       const float top = ImGui::GetCursorPosY();
       ImGui::AlignTextToFramePadding();
-      quiet_text(wrong.empty() ? " " : wrong);
+      quiet_text(wrong.empty() ? tr("gallery.planned", view.planned) : wrong);
       ImGui::SetCursorPosY(top + ImGui::GetFrameHeightWithSpacing());
     }
     if (wide_button(tr("button.cancel"), 0, 2, !view.ending)) {

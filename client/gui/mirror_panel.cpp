@@ -1,7 +1,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +21,9 @@ constexpr float kBarHeight = 4;
 
 void fill_mirror_form(const MirrorView& mirror, MirrorForm& form) {
   const std::string source = mirror.source.empty() ? "camera" : mirror.source;
-  std::strncpy(form.source.data(), source.c_str(), form.source.size() - 1);
+  form.source = {};
+  source.copy(form.source.data(), form.source.size() - 1);
+  form.taken = mirror.source;
   form.filled = true;
 }
 
@@ -32,8 +33,17 @@ void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form
   label(look, tr("camera.source"));
   const bool off = mirror.phase == Phase::Off;
   ImGui::BeginDisabled(!off);
+  const float button = 70 * look.scale;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
+                          ImGui::GetStyle().ItemSpacing.x);
   ImGui::InputTextWithHint("##source", "camera, camera:/dev/video2", form.source.data(),
                            form.source.size());
+  tip(tr("tip.camera"));
+  ImGui::SameLine();
+  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
+    commands.push_back(Browse{Purpose::CameraFilm});
+  }
+  tip(tr("tip.film"));
   ImGui::EndDisabled();
   if (wide_button(tr("camera.start"), 0, 2, off, off)) {
     commands.push_back(MirrorCommand(StartMirror{form.source.data()}));
@@ -74,7 +84,8 @@ void no_picture(const Look& look, const MirrorView& mirror, ImVec2 at, ImVec2 si
   }
   const float margin = 12 * look.scale;
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
-                                      ImVec2(at.x + margin, at.y + margin), colour_of(Tone::Bad),
+                                      ImVec2(at.x + margin, at.y + margin),
+                                      colour_of(mirror.expected ? Tone::Quiet : Tone::Bad),
                                       mirror.trouble.c_str(), nullptr, size.x - 2 * margin);
 }
 
@@ -214,7 +225,7 @@ void face_bars(const Look& look, const MirrorView& mirror, bool as_mirror) {
 void mirror_panel(const Look& look, const GuiModel& model, MirrorForm& form,
                   GuiCommands& commands) {
   const MirrorView& mirror = model.mirror;
-  if (!form.filled) fill_mirror_form(mirror, form);
+  if (!form.filled || form.taken != mirror.source) fill_mirror_form(mirror, form);
   camera_buttons(look, mirror, form, commands);
   picture(look, mirror, form);
   audience(look, mirror, form, commands);

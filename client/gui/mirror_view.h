@@ -25,6 +25,7 @@ struct MirrorView {
   bool wanted = false;       ///< the window was asked to begin with it
   std::string source;        ///< camera, camera:DEVICE or what stands in for it
   std::string trouble;       ///< why it is off or was not let live, a sentence; empty: all is well
+  bool expected = false;     ///< and that is how films end
   std::string live;          ///< ADDR:PORT for others; empty: they are not let in
   std::size_t watching = 0;  ///< how many of them do
   std::shared_ptr<const preview::Seen> seen;  ///< the newest picture; null: none

@@ -33,7 +33,6 @@ struct RecordForm {
   std::array<char, 128> name{};
   PictureSettings taken;  ///< of the model
   bool filled = false;
-  std::string complaint;  ///< about the name
 };
 
 /// What is being typed into the remote player's form.
@@ -146,7 +145,8 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
 
 /// What is being typed on the Camera tab, and the picture there.
 struct MirrorForm {
-  std::array<char, 256> source{};
+  std::array<char, 512> source{};
+  std::string taken;  ///< of the model
   std::string bind = "127.0.0.1";
   int port = protocol::kDefaultPort;
   bool as_mirror = true;

@@ -14,8 +14,8 @@ inline constexpr int kPictureSideMax = 4096;
 
 /// Where pictures and videos of the window go, and how large they are.
 struct PictureSettings {
-  std::string folder;  ///< empty: the current one
-  std::string pattern = "face-player-{number}";
+  std::string folder;                            ///< empty: the current one
+  std::string pattern = "face-player-{number}";  ///< as picture_name() takes it, if it is right
   int width = 0;  ///< pixels, kPictureSideMin to kPictureSideMax; 0: as the window shows the face
   int height = 0;
   friend bool operator==(const PictureSettings&, const PictureSettings&) = default;

@@ -252,10 +252,7 @@ void times_and_name(const LocalView& local, float before) {
   const std::string text = time_text(local.position) + " / " + time_text(local.total);
   ImGui::TextUnformatted(text.c_str());
   ImGui::SameLine();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushClipRect(at, ImVec2(before, at.y + ImGui::GetFrameHeight()), true);
-  ImGui::TextDisabled("%s", local.name.c_str());
-  ImGui::PopClipRect();
+  fitted_text(local.name, before, ImGui::GetColorU32(ImGuiCol_TextDisabled));
   tip(local.name);
 }
 
@@ -361,12 +358,12 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
   }
   label(look, tr("play.name"));
   if (ImGui::InputText("##picturename", form.name.data(), form.name.size())) {
-    const auto name = picture_name(form.name.data(), {}, 1);
-    form.complaint = name ? std::string() : name.error().message;
-    if (name) wanted.pattern = form.name.data();
+    wanted.pattern = form.name.data();
   }
-  tip("{number} {face} {stream} {keyframe} {aus} {date}");
-  if (!form.complaint.empty()) toned_text(Tone::Bad, form.complaint);
+  tip(tr("play.name_tip", "{number}", "{face}", "{stream}", "{keyframe}", "{aus}", "{date}"));
+  if (const auto name = picture_name(wanted.pattern, {}, 1); !name) {
+    toned_text(Tone::Bad, name.error().message);
+  }
   label(look, tr("play.size"));
   int kind = now.width == 0 ? 0 : now.width == 1920 && now.height == 1080 ? 1 : 2;
   const std::array<const char*, 3> sizes = {tr("play.size_window"), "1920 x 1080",

@@ -18,16 +18,18 @@ constexpr int kTextStep = 25;
 
 struct LayerLabel {
   TextKey text;
+  TextKey tip;
   bool view::Layers::*member;
 };
-constexpr std::array<LayerLabel, 8> kLayers = {{{"view.textured", &view::Layers::textured},
-                                                {"view.wireframe", &view::Layers::wireframe},
-                                                {"view.polygons", &view::Layers::polygons},
-                                                {"view.vertices", &view::Layers::vertices},
-                                                {"view.transparent", &view::Layers::transparent},
-                                                {"view.muscles", &view::Layers::muscles},
-                                                {"view.jaw_tags", &view::Layers::jaw_tags},
-                                                {"view.eye_tags", &view::Layers::eye_tags}}};
+constexpr std::array<LayerLabel, 8> kLayers = {
+    {{"view.textured", "tip.textured", &view::Layers::textured},
+     {"view.wireframe", "tip.wireframe", &view::Layers::wireframe},
+     {"view.polygons", "tip.polygons", &view::Layers::polygons},
+     {"view.vertices", "tip.vertices", &view::Layers::vertices},
+     {"view.transparent", "tip.transparent", &view::Layers::transparent},
+     {"view.muscles", "tip.muscle_lines", &view::Layers::muscles},
+     {"view.jaw_tags", "tip.jaw_tags", &view::Layers::jaw_tags},
+     {"view.eye_tags", "tip.eye_tags", &view::Layers::eye_tags}}};
 
 void camera(const Look& look, GuiCommands& commands) {
   heading(look, tr("view.camera"));
@@ -49,6 +51,7 @@ bool layers(const Look& look, view::Layers& shown) {
     ImGui::BeginDisabled(useless);
     changed |= ImGui::Checkbox(tr(kLayers[i].text), &(shown.*kLayers[i].member));
     ImGui::EndDisabled();
+    tip(tr(kLayers[i].tip));
   }
   return changed;
 }

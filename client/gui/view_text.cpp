@@ -149,6 +149,12 @@ std::string state_in_words(PlaybackState state, const playback::SourceStatus& st
   return state_name(state);
 }
 
+bool plays_the_rest(PlaybackState state, const playback::SourceStatus& status) {
+  const bool gone =
+      status.end != EndReason::NotEnded || (!status.connected && status.reconnects > 0);
+  return state == PlaybackState::Playing && gone;
+}
+
 std::string table_in_words(const TableSettings& settings) {
   std::string text;
   const auto add = [&](int value, const std::string& words) {

@@ -29,6 +29,10 @@ namespace aucast::gui {
                                          const playback::SourceStatus& status,
                                          const playback::BufferOptions& buffers);
 
+/// The server is gone, and what it sent before is being played; not for files.
+[[nodiscard]] bool plays_the_rest(playback::PlaybackState state,
+                                  const playback::SourceStatus& status);
+
 /// "30 keyframes/s, gain 150 %": what of a table is not read as it is; empty: nothing.
 [[nodiscard]] std::string table_in_words(const TableSettings& settings);
 

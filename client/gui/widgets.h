@@ -47,6 +47,9 @@ void toned_text(Tone tone, const std::string& text);
 /// A heading with room above it.
 /// `help`: of the word, while the pointer is on it.
 void heading(const Look& look, const std::string& text, const char* help = "");
+/// One line that ends with "..." where it would go beyond `right` of the screen; `colour` 0: that
+/// of all text.
+void fitted_text(const std::string& text, float right, unsigned colour = 0);
 /// A label at the left; what comes next stands at the panel's column for values and fills the rest.
 void label(const Look& look, const char* text, const char* help = "");
 void quiet_text(const std::string& text);

@@ -55,6 +55,7 @@ Trouble why_ended(int exit_code, const std::string& last_line) {
   if (exit_code > kSignalled && exit_code != kSignalled + SIGKILL) {
     return {Trouble::Kind::Signalled, {}, exit_code - kSignalled};
   }
+  if (exit_code == 0) return {Trouble::Kind::NoPictures};
   std::string why = without_head(last_line);
   return why.empty() ? Trouble{Trouble::Kind::Ended} : said(std::move(why));
 }

@@ -21,10 +21,11 @@ namespace aucast::mirror {
 struct Trouble {
   enum class Kind : std::uint8_t {
     None,
-    Said,       ///< in the program's own words
-    Ended,      ///< without a word
-    Signalled,  ///< ended by a signal
-    Silent,     ///< it does not take orders
+    Said,        ///< in the program's own words
+    NoPictures,  ///< there were no more of them: the end of a film, a camera pulled out
+    Ended,       ///< without a word
+    Signalled,   ///< ended by a signal
+    Silent,      ///< it does not take orders
   };
   Kind kind = Kind::None;
   std::string said{};

@@ -296,7 +296,7 @@ TEST_F(Making, AnExpressionIsShownAndAusArePutTogether) {
   // The tab, Happiness, then two AUs that the rules change.
   replay("click 516 54\nclick 590 154\nat 300\n");
   EXPECT_GT(shown("left_zygomaticus_major"), 0.5F);
-  replay("click 550 516\ntype 51,52:40\nclick 744 516\nat 300\n");
+  replay("click 550 537\ntype 51,52:40\nclick 744 537\nat 300\n");
   EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
   EXPECT_EQ(shown("left_zygomaticus_major"), 0);
   test::expect_as_baseline(panel(), "panel_expression", kTolerance, kShareMax);

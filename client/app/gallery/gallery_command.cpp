@@ -206,6 +206,18 @@ class GalleryWriter {
   bool videos_missing_ = false;
 };
 
+Result<GalleryPlan> plan_of(const Assets& assets, const PlayerOptions& options) {
+  const auto rules = load_rules(assets);
+  if (!rules) return rules.error();
+  const GalleryInput input{assets.face,
+                           assets.expressions,
+                           *rules,
+                           options.face.mixer,
+                           {options.gallery.only.begin(), options.gallery.only.end()},
+                           options.gallery.sweeps};
+  return plan_gallery(input);
+}
+
 /// What there is now, and which AUs the face lacks or cannot show well.
 std::string summary(const std::filesystem::path& folder, const GalleryPlan& plan) {
   std::size_t recorded = 0;
@@ -234,15 +246,7 @@ Result<std::string> make_gallery(const PlayerOptions& options, const std::functi
                                  const std::function<void(std::size_t, std::size_t)>& on_drawn) {
   auto assets = load_assets(options.face);
   if (!assets) return assets.error();
-  auto rules = load_rules(**assets);
-  if (!rules) return rules.error();
-  const GalleryInput input{(*assets)->face,
-                           (*assets)->expressions,
-                           *rules,
-                           options.face.mixer,
-                           {options.gallery.only.begin(), options.gallery.only.end()},
-                           options.gallery.sweeps};
-  auto plan = plan_gallery(input);
+  const auto plan = plan_of(**assets, options);
   if (!plan) return plan.error();
   if (auto made = make_folders(options.gallery.folder, *plan); !made) return made.error();
   GalleryWriter writer(**assets, options, *plan, stop, on_drawn);
@@ -250,6 +254,12 @@ Result<std::string> make_gallery(const PlayerOptions& options, const std::functi
   std::string sentence = summary(options.gallery.folder, *plan);
   if (options.quiet && writer.videos_missing()) sentence += std::string("; ") + kVideosMissing;
   return sentence;
+}
+
+Result<std::size_t> gallery_size(const Assets& assets, const PlayerOptions& options) {
+  const auto plan = plan_of(assets, options);
+  if (!plan) return plan.error();
+  return plan->pictures.size();
 }
 
 Result<void> run_gallery(const PlayerOptions& options, const std::function<bool()>& stop) {

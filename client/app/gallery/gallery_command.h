@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "client/app/assets.h"
 #include "client/app/player_options.h"
 #include "common/result.h"
 
@@ -22,5 +23,8 @@ namespace aucast::app {
 [[nodiscard]] Result<std::string> make_gallery(
     const PlayerOptions& options, const std::function<bool()>& stop,
     const std::function<void(std::size_t drawn, std::size_t total)>& on_drawn = {});
+
+/// How many pictures a gallery would have. Usage error as plan_gallery() has it.
+[[nodiscard]] Result<std::size_t> gallery_size(const Assets& assets, const PlayerOptions& options);
 
 }  // namespace aucast::app

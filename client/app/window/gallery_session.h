@@ -14,7 +14,9 @@ class GallerySession {
   /// Makes a gallery as the command does (make_gallery()), on another thread.
   using Make =
       std::function<Result<std::string>(const PlayerOptions& options, BackgroundWork::Course&)>;
-  explicit GallerySession(Make make) : make_(std::move(make)) {}
+  /// How many pictures a gallery has (gallery_size()).
+  using Count = std::function<Result<std::size_t>(const PlayerOptions& options)>;
+  GallerySession(Make make, Count count) : make_(std::move(make)), count_(std::move(count)) {}
 
   /// `shown`: options under which the command would draw the face as the window does.
   void apply(const gui::GalleryCommand& command, const PlayerOptions& shown);
@@ -25,9 +27,12 @@ class GallerySession {
   [[nodiscard]] const gui::GalleryView& view() const { return view_; }
 
  private:
-  void begin(PlayerOptions options);
+  [[nodiscard]] PlayerOptions options_under(PlayerOptions shown) const;
+  void plan(const PlayerOptions& shown);
+  void begin(const PlayerOptions& shown);
 
   Make make_;
+  Count count_;
   gui::GalleryView view_;
   BackgroundWork work_;
 };

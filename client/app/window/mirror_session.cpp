@@ -21,6 +21,8 @@ std::string in_words(const mirror::Trouble& trouble) {
       break;
     case Kind::Said:
       return trouble.said;
+    case Kind::NoPictures:
+      return gui::tr("camera.no_more");
     case Kind::Ended:
       return gui::tr("camera.has_ended");
     case Kind::Signalled:
@@ -96,7 +98,9 @@ std::optional<protocol::Endpoint> MirrorSession::advance() {
   if (mirror_ == nullptr) return std::nullopt;
   mirror::MirrorState state = mirror_->state();
   view_.phase = phase(state);
-  view_.trouble = in_words(state.over ? state.ended : state.refused);
+  const mirror::Trouble& trouble = state.over ? state.ended : state.refused;
+  view_.trouble = in_words(trouble);
+  view_.expected = trouble.kind == mirror::Trouble::Kind::NoPictures;
   view_.live = std::move(state.live);
   view_.watching = state.watching;
   view_.seen = std::move(state.seen);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "client/gui/mirror_view.h"
 #include "client/mirror/mirror.h"
@@ -17,6 +18,8 @@ class MirrorSession {
   explicit MirrorSession(mirror::MirrorOptions options);
 
   void apply(const gui::MirrorCommand& command);
+  /// What Start opens next time.
+  void set_source(std::string source) { view_.source = std::move(source); }
   /// Takes over what came. Where its stream can be played, once when that is known.
   [[nodiscard]] std::optional<protocol::Endpoint> advance();
   [[nodiscard]] const gui::MirrorView& view() const { return view_; }

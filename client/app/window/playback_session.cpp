@@ -376,6 +376,7 @@ gui::RemoteView PlaybackSession::remote_view() const {
     }
     return view;
   }
+  if (gui::plays_the_rest(state, status)) view.state = gui::tr("state.playing_rest");
   // Without an end a detail says why it is tried again.
   const bool tries_again =
       status.end == playback::EndReason::NotEnded && !status.connected && status.reconnects > 0;

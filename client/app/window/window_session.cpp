@@ -65,7 +65,8 @@ WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
       mirror_(options.mirror),
       lister_(net::list_streams),
       idle_(assets.face),
-      gallery_(gallery_of),
+      gallery_(gallery_of,
+               [&assets](const PlayerOptions& shown) { return gallery_size(assets, shown); }),
       export_(glb_of),
       files_(assets.data_folder / "streams") {
   rendering_.blinking = options.playback.blink.has_value();
@@ -110,6 +111,10 @@ gui::KeptSettings WindowSession::kept() const {
   kept.transition = editor_.transition();
   kept.rendering = rendering_;
   kept.pictures = pictures_;
+  // A name that is half typed would be refused at the next start.
+  if (!gui::picture_name(pictures_.pattern, {}, 1)) {
+    kept.pictures.pattern = gui::PictureSettings().pattern;
+  }
   kept.display = display_.settings;
   return kept;
 }
@@ -485,6 +490,9 @@ Result<std::string> WindowSession::use_file(gui::Purpose purpose, const std::fil
       return std::string();
     case gui::Purpose::LookForFaces:
       return look_for_faces(file, now);
+    case gui::Purpose::CameraFilm:
+      mirror_.set_source("camera:" + file.string());
+      return std::string();
   }
   return std::string();
 }

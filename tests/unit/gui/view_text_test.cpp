@@ -39,6 +39,14 @@ TEST(ViewText, TheStateIsSaidInWords) {
             "buffering 100 %");
   EXPECT_EQ(state_in_words(PlaybackState::Playing, connected(), buffers), "playing");
   EXPECT_EQ(state_in_words(PlaybackState::Lost, {}, buffers), "lost");
+  EXPECT_FALSE(plays_the_rest(PlaybackState::Playing, connected()));
+  playback::SourceStatus gone;
+  gone.reconnects = 1;
+  EXPECT_TRUE(plays_the_rest(PlaybackState::Playing, gone));
+  gone = {};
+  gone.end = playback::EndReason::EndOfStream;
+  EXPECT_TRUE(plays_the_rest(PlaybackState::Playing, gone));
+  EXPECT_FALSE(plays_the_rest(PlaybackState::Ended, gone));
 }
 
 TEST(ViewText, AThresholdIsRoundedUpAsTheBuffersHaveIt) {

@@ -107,9 +107,15 @@ TEST_F(MirrorTest, SurvivesItsChildAndSaysItsLastLine) {
 }
 
 TEST_F(MirrorTest, SaysThatAChildEndedWithoutAWord) {
-  begin("exit 0");
+  begin("exit 3");
   ASSERT_TRUE(becomes([](const MirrorState& state) { return state.over; }));
   EXPECT_EQ(mirror_->state().ended.kind, Trouble::Kind::Ended);
+}
+
+TEST_F(MirrorTest, TellsTheEndOfAFilmFromAFailure) {
+  begin("cat record; echo 'the camera gives no more pictures' >&2");
+  ASSERT_TRUE(becomes([](const MirrorState& state) { return state.over; }));
+  EXPECT_EQ(mirror_->state().ended.kind, Trouble::Kind::NoPictures);
 }
 
 TEST_F(MirrorTest, EndsAChildThatTalksNonsense) {

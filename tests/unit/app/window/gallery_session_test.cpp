@@ -50,9 +50,18 @@ class GallerySessionTest : public testing::Test {
   std::mutex mutex_;
   std::condition_variable news_;
   std::size_t may_draw_ = 0;
+  /// As many as there are sections, and no sweep but that of AU 12.
+  static Result<std::size_t> count(const PlayerOptions& options) {
+    const auto& sweeps = options.gallery.sweeps;
+    if (!sweeps.empty() && sweeps != std::vector<std::string>{"12"}) {
+      return Error{ErrorKind::Usage, "no such sweep"};
+    }
+    return options.gallery.only.size();
+  }
   GallerySession session_{[this](const PlayerOptions& options, BackgroundWork::Course& course) {
-    return make(options, course);
-  }};
+                            return make(options, course);
+                          },
+                          count};
   const gui::GalleryView& view_ = session_.view();
 };
 
@@ -102,13 +111,30 @@ TEST_F(GallerySessionTest, WhoLeavesNeedNotWaitForAllPictures) {
     }
   });
   {
-    GallerySession another([this](const PlayerOptions& options, BackgroundWork::Course& course) {
-      return make(options, course);
-    });
+    GallerySession another([this](const PlayerOptions& options,
+                                  BackgroundWork::Course& course) { return make(options, course); },
+                           count);
     another.apply(gui::ChangeGallery{view_.settings}, shown_);
     another.apply(gui::BeginGallery{}, shown_);
   }
   EXPECT_EQ(may_draw_, 0U);
+}
+
+TEST_F(GallerySessionTest, SaysBeforeItBeginsHowManyPicturesItWouldBe) {
+  ask(gui::OpenGallery{});
+  EXPECT_EQ(view_.planned, 2U);
+  gui::GallerySettings settings = view_.settings;
+  settings.sections.back() = true;
+  ask(gui::ChangeGallery{settings});
+  EXPECT_EQ(view_.planned, 3U);
+  settings.sweeps = "twelve";
+  ask(gui::ChangeGallery{settings});
+  EXPECT_EQ(view_.planned, 0U);
+  EXPECT_EQ(view_.complaint, "no such sweep");
+  settings.sections = {};
+  ask(gui::ChangeGallery{settings});
+  EXPECT_EQ(view_.planned, 0U);
+  EXPECT_EQ(view_.complaint, "") << "that nothing is chosen is said by problem()";
 }
 
 TEST_F(GallerySessionTest, WithoutAFolderNothingBegins) {

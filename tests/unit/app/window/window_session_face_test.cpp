@@ -274,6 +274,21 @@ TEST_F(FaceSessionTest, APictureOfTheEditorIsNamedAfterWhatIsEdited) {
   EXPECT_FALSE(session_->aus_shown().has_value()) << "it is no AU 12 any more";
 }
 
+TEST_F(FaceSessionTest, NoPictureIsSavedUnderANameThatIsHalfTyped) {
+  gui::PictureSettings pictures;
+  pictures.folder = home_.path().string();
+  pictures.pattern = "lesson-{numb";
+  ask(gui::ChangePictures{pictures});
+  EXPECT_EQ(model().pictures.pattern, "lesson-{numb") << "it may be typed on";
+  EXPECT_FALSE(session_->picture_file(".png").has_value());
+  EXPECT_EQ(session_->kept().pictures.pattern, gui::PictureSettings().pattern);
+  pictures.pattern = "lesson-{number}";
+  ask(gui::ChangePictures{pictures});
+  EXPECT_EQ(session_->kept().pictures.pattern, "lesson-{number}");
+  ASSERT_TRUE(session_->picture_file(".png").has_value());
+  EXPECT_EQ(session_->picture_file(".png")->filename(), "lesson-1.png");
+}
+
 TEST_F(FaceSessionTest, AnAuThatCameWithTheFaceIsAsItCameAgain) {
   ask(gui::LoadAu{12});
   const float jaw = shown("jaw");

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "common/files.h"
 #include "common/preview/preview_writer.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"
@@ -71,6 +72,22 @@ TEST_F(WindowMirror, SaysWhatItsChildDiedOfAndStartsAgain) {
   ask(gui::StartMirror{"camera"});
   ASSERT_TRUE(reaches(Phase::Private));
   EXPECT_EQ(model().mirror.trouble, "");
+}
+
+TEST_F(WindowMirror, PlaysAFilmThatWasChosenAndTakesItsEndForNoFailure) {
+  begin("echo \"$@\" > asked; echo 'listening on 127.0.0.1:1'; cat record");
+  ASSERT_TRUE(reaches(Phase::Off));
+  const std::string film = folder_.write("me.mp4", "");
+  session_->apply(gui::Browse{gui::Purpose::CameraFilm}, clock_.now());
+  session_->apply(gui::ChooseFile{film}, clock_.now());
+  EXPECT_EQ(model().mirror.source, "camera:" + film);
+  ask(gui::StartMirror{model().mirror.source});
+  ASSERT_TRUE(reaches(Phase::Off));
+  const auto asked = read_file(folder_.path() / "asked");
+  ASSERT_TRUE(asked.has_value());
+  EXPECT_NE(asked->find("camera:" + film), std::string::npos);
+  EXPECT_TRUE(model().mirror.expected);
+  EXPECT_NE(model().mirror.trouble, "");
 }
 
 TEST_F(WindowMirror, AnAddressThatIsNoneIsASentenceThatStays) {
