@@ -37,12 +37,12 @@ AuReaderOptions reader_options(const RemoteOptions& options) {
 
 }  // namespace
 
-/// The connection, what it needs of Asio, and the thread that runs it. All members but the reader
-/// belong to that thread; post_*() may be called from others.
+/// The connection, what it needs of Asio, and the thread that runs it. All members belong to that
+/// thread but the reader, which is shared; post_*() may be called from others.
 class RemoteSource::Network {
  public:
-  explicit Network(RemoteOptions options)
-      : reader(reader_options(options)), options_(std::move(options)) {
+  Network(SharedReader& reader, RemoteOptions options)
+      : reader_(reader), options_(std::move(options)) {
     auto started = start_thread([this] { run(); });
     if (started) {
       thread_ = std::move(*started);
@@ -59,16 +59,10 @@ class RemoteSource::Network {
       connection_.speak(std::chrono::steady_clock::now());
     });
   }
-  void set_paused(bool paused) {
-    reader.with([paused](AuReader& shared) { shared.set_paused(paused); });
-    post_speak();
-  }
   void post_leave() {
     asio::post(io_, [this] { connection_.leave(); });
   }
   [[nodiscard]] std::uint64_t bytes_sent() const { return connection_.bytes_sent(); }
-
-  SharedReader reader;
 
  private:
   void run() {
@@ -107,17 +101,18 @@ class RemoteSource::Network {
   }
 
   void tell_player() {
-    reader.wake();
+    reader_.wake();
     if (options_.wakeup) options_.wakeup();
   }
 
+  SharedReader& reader_;
   const RemoteOptions options_;
   asio::io_context io_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   link::Dialler dialler_{io_};
   std::size_t turn_ = 0;          ///< which of the servers is dialled
   asio::steady_timer wait_{io_};  ///< before the next attempt
-  ServerConnection connection_{reader,
+  ServerConnection connection_{reader_,
                                peer_names(options_),
                                {[this](Milliseconds wait) { dial_after(wait); }, [this] { end(); },
                                 [this] { tell_player(); }}};
@@ -126,57 +121,28 @@ class RemoteSource::Network {
 };
 
 RemoteSource::RemoteSource(RemoteOptions options)
-    : network_(std::make_unique<Network>(std::move(options))) {}
+    : ConnectedSource(reader_options(options)),
+      network_(std::make_unique<Network>(reader(), std::move(options))) {}
 
 RemoteSource::~RemoteSource() {
   stop();
 }
 
-std::optional<playback::TimedAus> RemoteSource::take() {
-  bool speak = false;
-  auto keyframe = network_->reader.with([&speak](AuReader& reader) {
-    auto taken = reader.take();
-    speak = reader.has_words();
-    return taken;
-  });
-  if (speak) network_->post_speak();
-  return keyframe;
-}
-
-std::optional<playback::Caption> RemoteSource::take_caption() {
-  return network_->reader.with([](AuReader& reader) { return reader.take_caption(); });
-}
-
-std::optional<playback::Voice> RemoteSource::take_voice() {
-  return network_->reader.with([](AuReader& reader) { return reader.take_voice(); });
-}
-
-bool RemoteSource::ready() const {
-  return network_->reader.with([](const AuReader& reader) { return reader.ready(); });
-}
-
 bool RemoteSource::wait_until(Instant until) {
   const auto ready = [](const AuReader& reader) { return reader.ready(); };
-  return network_->reader.wait_until(until, ready, ready);
+  return reader().wait_until(until, ready, ready);
 }
 
-playback::SourceStatus RemoteSource::status() const {
-  auto status = network_->reader.with([](const AuReader& reader) { return reader.status(); });
-  status.bytes_sent = network_->bytes_sent();
-  return status;
+void RemoteSource::speak() {
+  network_->post_speak();
 }
 
-void RemoteSource::stop() {
-  network_->reader.with([](AuReader& reader) { reader.leave(); });
+void RemoteSource::leave() {
   network_->post_leave();
 }
 
-void RemoteSource::pause() {
-  network_->set_paused(true);
-}
-
-void RemoteSource::resume() {
-  network_->set_paused(false);
+std::uint64_t RemoteSource::bytes_sent() const {
+  return network_->bytes_sent();
 }
 
 }  // namespace aucast::net

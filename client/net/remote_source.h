@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "client/net/connected_source.h"
 #include "client/net/security.h"
 #include "client/playback/keyframe_buffers.h"
-#include "client/playback/keyframe_source.h"
 #include "common/result.h"
 #include "common/time.h"
 #include "protocol/endpoint.h"
@@ -46,27 +46,21 @@ struct RemoteOptions {
 /// AuReader is the one object that both threads touch; what the player asks of the network thread
 /// is posted to it. A failure shows in status(): Unreachable, ConnectionLost, ProtocolError or
 /// Refused, with a sentence for the user. What was received before is still given.
-class RemoteSource final : public playback::KeyframeSource {
+class RemoteSource final : public ConnectedSource {
  public:
   explicit RemoteSource(RemoteOptions options);  ///< starts connecting at once
   /// Stops as stop() does and joins the thread: kFarewellTimeMax for the last words.
   ~RemoteSource() override;
 
-  [[nodiscard]] std::optional<playback::TimedAus> take() override;
-  [[nodiscard]] std::optional<playback::Voice> take_voice() override;
-  [[nodiscard]] std::optional<playback::Caption> take_caption() override;
-  [[nodiscard]] bool ready() const override;
   bool wait_until(Instant until) override;
-  [[nodiscard]] playback::SourceStatus status() const override;
-  void stop() override;
-
-  /// The user pauses or resumes the transmission; what is buffered plays on. At once in level 2;
-  /// in classic -1 may only stand in place of an answer, so one more packet comes.
-  void pause() override;
-  void resume() override;
 
  private:
   class Network;
+
+  void speak() override;
+  void leave() override;
+  [[nodiscard]] std::uint64_t bytes_sent() const override;
+
   std::unique_ptr<Network> network_;
 };
 

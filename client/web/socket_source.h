@@ -1,36 +1,28 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <string>
 
-#include "client/net/server_connection.h"
-#include "client/playback/keyframe_source.h"
+#include "client/net/connected_source.h"
 #include "client/web/timer.h"
 
 namespace aucast::web {
 
 /// The keyframes of the page's server: net::RemoteSource without a thread, over WebSockets.
 /// Connects at once, and again when the connection is lost. Thread: the page's.
-class SocketSource final : public playback::KeyframeSource {
+class SocketSource final : public net::ConnectedSource {
  public:
   /// `voice`: the stream's voice is asked for. Its captions are always.
   SocketSource(std::string server, std::string stream, std::string token, bool voice);
 
-  [[nodiscard]] std::optional<playback::TimedAus> take() override;
-  [[nodiscard]] std::optional<playback::Voice> take_voice() override;
-  [[nodiscard]] std::optional<playback::Caption> take_caption() override;
-  [[nodiscard]] bool ready() const override;
   bool wait_until(Instant until) override;
-  [[nodiscard]] playback::SourceStatus status() const override;
-  void stop() override;
-  void pause() override;
-  void resume() override;
 
  private:
   void dial();
-  void speak();
+  void speak() override;
+  void leave() override;
+  [[nodiscard]] std::uint64_t bytes_sent() const override;
 
-  mutable net::SharedReader reader_;
   Timer redial_;
   net::ServerConnection connection_;
 };

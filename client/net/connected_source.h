@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "client/net/server_connection.h"
+#include "client/playback/keyframe_source.h"
+
+namespace aucast::net {
+
+/// The keyframes of a server, of which a ServerConnection feeds the reader. Whoever runs that
+/// connection derives from this.
+class ConnectedSource : public playback::KeyframeSource {
+ public:
+  [[nodiscard]] std::optional<playback::TimedAus> take() final;
+  [[nodiscard]] std::optional<playback::Voice> take_voice() final;
+  [[nodiscard]] std::optional<playback::Caption> take_caption() final;
+  [[nodiscard]] bool ready() const final;
+  [[nodiscard]] playback::SourceStatus status() const final;
+  void stop() final;
+
+  /// The user pauses or resumes the transmission; what is buffered plays on. At once in level 2;
+  /// in classic -1 may only stand in place of an answer, so one more packet comes.
+  void pause() final;
+  void resume() final;
+
+ protected:
+  explicit ConnectedSource(AuReaderOptions options) : reader_(std::move(options)) {}
+  [[nodiscard]] SharedReader& reader() { return reader_; }
+
+ private:
+  /// The reader has been asked for something and may have something to say: ServerConnection's
+  /// speak(), leave() and bytes_sent().
+  virtual void speak() = 0;
+  virtual void leave() = 0;
+  [[nodiscard]] virtual std::uint64_t bytes_sent() const = 0;
+  void set_paused(bool paused);
+
+  mutable SharedReader reader_;
+};
+
+}  // namespace aucast::net
