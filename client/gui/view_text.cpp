@@ -93,6 +93,10 @@ std::string effect_in_words(const face::RuleExplained& one) {
   return tr("rule.effect", shares(one.before), outcome(one.after));
 }
 
+bool went_wrong(EndReason end) {
+  return end != EndReason::NotEnded && end != EndReason::EndOfStream && end != EndReason::Stopped;
+}
+
 Activity activity_of(PlaybackState state, const playback::SourceStatus& status) {
   switch (state) {
     case PlaybackState::Buffering:
@@ -150,9 +154,8 @@ std::string state_in_words(PlaybackState state, const playback::SourceStatus& st
 }
 
 bool plays_the_rest(PlaybackState state, const playback::SourceStatus& status) {
-  const bool gone =
-      status.end != EndReason::NotEnded || (!status.connected && status.reconnects > 0);
-  return state == PlaybackState::Playing && gone;
+  const bool tried_again = !status.connected && status.reconnects > 0;
+  return state == PlaybackState::Playing && (went_wrong(status.end) || tried_again);
 }
 
 std::string table_in_words(const TableSettings& settings) {

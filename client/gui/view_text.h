@@ -29,7 +29,10 @@ namespace aucast::gui {
                                          const playback::SourceStatus& status,
                                          const playback::BufferOptions& buffers);
 
-/// The server is gone, and what it sent before is being played; not for files.
+/// Neither the server nor the user has ended it.
+[[nodiscard]] bool went_wrong(playback::EndReason end);
+
+/// The server was lost, and what it sent before is being played.
 [[nodiscard]] bool plays_the_rest(playback::PlaybackState state,
                                   const playback::SourceStatus& status);
 

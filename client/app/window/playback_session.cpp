@@ -28,11 +28,6 @@ constexpr Milliseconds kIdle{250};
 constexpr Milliseconds kSoundStep{10};
 constexpr Milliseconds kJustInTime{2};
 
-bool went_wrong(playback::EndReason end) {
-  using playback::EndReason;
-  return end != EndReason::NotEnded && end != EndReason::EndOfStream && end != EndReason::Stopped;
-}
-
 }  // namespace
 
 PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const PlayerOptions& options,
@@ -380,7 +375,7 @@ gui::RemoteView PlaybackSession::remote_view() const {
   // Without an end a detail says why it is tried again.
   const bool tries_again =
       status.end == playback::EndReason::NotEnded && !status.connected && status.reconnects > 0;
-  if (went_wrong(status.end)) view.detail = status.detail;
+  if (gui::went_wrong(status.end)) view.detail = status.detail;
   if (tries_again) {
     view.detail = status.reason;
     view.again_s = static_cast<int>(std::max<std::int64_t>(

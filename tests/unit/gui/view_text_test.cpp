@@ -45,8 +45,10 @@ TEST(ViewText, TheStateIsSaidInWords) {
   EXPECT_TRUE(plays_the_rest(PlaybackState::Playing, gone));
   gone = {};
   gone.end = playback::EndReason::EndOfStream;
+  EXPECT_FALSE(plays_the_rest(PlaybackState::Playing, gone)) << "it has sent all";
+  gone.end = playback::EndReason::ConnectionLost;
   EXPECT_TRUE(plays_the_rest(PlaybackState::Playing, gone));
-  EXPECT_FALSE(plays_the_rest(PlaybackState::Ended, gone));
+  EXPECT_FALSE(plays_the_rest(PlaybackState::Lost, gone));
 }
 
 TEST(ViewText, AThresholdIsRoundedUpAsTheBuffersHaveIt) {
