@@ -525,6 +525,8 @@ inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
     {"said.aus_imported",
      "AU {aus} imported into {file}, in your copy of the face, with which the window begins from "
      "now on"},
+    {"said.is_film",
+     "{file} is a film: the Camera tab plays it, au-transmitter convert makes a stream of it"},
     {"said.no_aus", "there is no AU in this file"},
     {"said.no_au", "no AU is being edited"},
     {"said.au_without", "AU{number} has no recording"},

@@ -57,9 +57,12 @@ void set_text(std::array<char, N>& out, const std::string& text) {
 void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
   const float up = 60 * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
+  // What was mistyped is corrected where it stands.
+  if (std::exchange(form.entered, false) && !view.problem.empty()) ImGui::SetKeyboardFocusHere();
   if (ImGui::InputText("##folder", form.folder.data(), form.folder.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue)) {
     commands.push_back(ChooseFile{form.folder.data()});
+    form.entered = true;
   }
   ImGui::SameLine();
   const auto parent = std::filesystem::path(view.folder).parent_path();
@@ -101,9 +104,17 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
   ImGui::PopStyleColor();
 }
 
+/// So many lines of a text: a file can be wrong in many places, and the list is to stay in sight.
+std::string first_lines(const std::string& text, int lines) {
+  std::size_t end = 0;
+  while (lines-- > 0 && end != std::string::npos) end = text.find('\n', end + 1);
+  return end == std::string::npos ? text : text.substr(0, end) + "\n...";
+}
+
 /// Why it was not done; empty: nothing is wrong.
 std::string objection(const BrowserView& view, const FileForm& form) {
-  if (!view.problem.empty()) return view.problem;
+  constexpr int kLinesMost = 3;
+  if (!view.problem.empty()) return first_lines(view.problem, kLinesMost);
   if (is_saving(view.purpose) && form.name[0] == 0) return tr("file.unnamed");
   return view.replaces.empty() ? std::string() : tr("file.there", view.replaces);
 }

@@ -43,6 +43,12 @@ std::string FileSession::choose(const std::string& name, const Use& use) {
   return *used;
 }
 
+void FileSession::close() {
+  const gui::BrowserView& view = browser_.view();
+  if (view.open) folder_for(view.purpose) = view.folder;
+  browser_.close();
+}
+
 bool FileSession::refuse(std::string problem) {
   if (!browser_.view().open) return false;
   browser_.refuse(std::move(problem));

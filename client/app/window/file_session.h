@@ -37,7 +37,8 @@ class FileSession {
   [[nodiscard]] std::string choose(const std::string& name, const Use& use);
   /// Says in the dialog why a file cannot be used; false when it is not open.
   [[nodiscard]] bool refuse(std::string problem);
-  void close() { browser_.close(); }
+  /// The next dialog begins in the folder that this one has shown.
+  void close();
   [[nodiscard]] const gui::BrowserView& view() const { return browser_.view(); }
 
  private:

@@ -16,6 +16,7 @@
 #include "client/gui/view_text.h"
 #include "client/net/stream_list.h"
 #include "common/files.h"
+#include "common/film_name.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
@@ -414,6 +415,9 @@ Result<void> WindowSession::open(const std::filesystem::path& file, Instant now)
 }
 
 Result<void> WindowSession::play(const std::filesystem::path& file, Instant now) {
+  if (is_film(file)) {
+    return Error{ErrorKind::Usage, gui::tr("said.is_film", file.filename().string())};
+  }
   auto opened = open_stream(file, table_);
   if (!opened) return opened.error();
   notices_.clear();

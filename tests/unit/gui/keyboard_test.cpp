@@ -97,6 +97,27 @@ TEST_F(Keyboard, AFileIsFoundByItsFirstLettersAndOpened) {
   EXPECT_EQ(file->file, "tired.txt");
 }
 
+TEST_F(Keyboard, AMistypedFolderIsCorrectedWhereItStands) {
+  model_.browser.open = true;
+  model_.browser.folder = "/streams";
+  frames(4);
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const ImGuiWindow* const dialog = context.OpenPopupStack.back().Window;
+  const ImGuiID field = ImHashStr("##folder", 0, dialog->ID);
+  for (int i = 0; i < 20 && context.ActiveId != field; ++i) press(ImGuiKey_Tab);
+  ASSERT_EQ(context.ActiveId, field);
+  type("x");
+  model_.browser.problem = "there is no such folder";
+  commands_.clear();
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  type("y");
+  commands_.clear();
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_NE(asked<ChooseFile>()->file.find('y'), std::string::npos);
+}
+
 TEST_F(Keyboard, AnAuIsFoundByItsNumberAndByItsName) {
   auto aus = *model_.known_aus;
   aus.insert(aus.begin(), {{1, "Inner Brow Raiser", "", ""}, {2, "Outer Brow Raiser", "", ""}});

@@ -217,6 +217,20 @@ TEST_F(StreamSessionTest, TheDialogOpensAFileAndKeepsOpenForOneThatIsWrong) {
   EXPECT_TRUE(model().local.open);
 }
 
+TEST_F(StreamSessionTest, AFilmIsToldToBeOne) {
+  ask(gui::OpenStream{folder_.write("me.mp4", std::string(9, '\0')).string()});
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_NE(model().notice.text.find("me.mp4 is a film"), std::string::npos);
+}
+
+TEST_F(StreamSessionTest, TheDialogComesAgainInTheFolderThatItHasShown) {
+  ask(gui::Browse{gui::Purpose::PlayStream});
+  ask(gui::EnterFolder{folder_.path().string()});
+  ask(gui::CloseBrowser{});
+  ask(gui::Browse{gui::Purpose::PlayStream});
+  EXPECT_EQ(model().browser.folder, folder_.path().string());
+}
+
 TEST_F(StreamSessionTest, TheFileOfTheCommandLineEndsWithItsStatistics) {
   auto keyframes = read_stream(file_);
   ASSERT_TRUE(keyframes);
