@@ -58,6 +58,13 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
   std::erase_if(rows, [](const OptionRow& row) { return row.name == "dead-band"; });
+  for (OptionRow& row : rows) {
+    if (row.name != "face-id") continue;
+    row.text = "which of several";
+    row.more =
+        "Which of several faces. Without it: the most frequent one of a recording, the clearest of "
+        "a film, whose faces count from 0 as they are first seen.";
+  }
   rows.push_back(help_rows().front());
   return rows;
 }
@@ -213,18 +220,17 @@ Result<Converted> run_convert(std::vector<std::string> arguments, const SayProgr
 
 CommandPage convert_page() {
   ConvertOptions described;
-  return {
-      .program = "au-transmitter",
-      .command = "convert",
-      .usage = {"au-transmitter convert [OPTIONS] IN OUT",
-                "au-transmitter convert [OPTIONS] --to DIR IN..."},
-      .about =
-          "Converts a recording, a film or a stream file to a stream file or an OpenFace table,\n"
-          "with every change, however small.\n",
-      .rows = unbound(rows_of(described)),
-      .examples = {"au-transmitter convert webcam.csv talk.txt",
-                   "au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt",
-                   "au-transmitter convert lecture.mp4 lecture.txt"}};
+  return {.program = "au-transmitter",
+          .command = "convert",
+          .usage = {"au-transmitter convert [OPTIONS] IN OUT",
+                    "au-transmitter convert [OPTIONS] --to DIR IN..."},
+          .about =
+              "Converts a recording, a film or a stream file to a stream file or an OpenFace\n"
+              "table. No change is too small to be kept: there is no dead band here.\n",
+          .rows = unbound(rows_of(described)),
+          .examples = {"au-transmitter convert webcam.csv talk.txt",
+                       "au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt",
+                       "au-transmitter convert lecture.mp4 lecture.txt"}};
 }
 
 }  // namespace aucast::server

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/files.h"
+#include "common/text.h"
 #include "server/settings/source_options.h"
 #include "server/streams/check_report.h"
 #include "server/streams/convert_command.h"
@@ -251,6 +252,14 @@ TEST(Convert, HelpFitsOneScreen) {
   ASSERT_TRUE(help);
   EXPECT_EQ(help->text, help_text(convert_page()));
   EXPECT_LE(std::count(help->text.begin(), help->text.end(), '\n'), 24);
+  for (const std::string_view line : split(help->text, '\n')) EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(Convert, HelpDoesNotOfferAllFaces) {
+  const auto help = run_convert({"--help"});
+  ASSERT_TRUE(help);
+  EXPECT_NE(help->text.find("--face-id N"), std::string::npos);
+  EXPECT_EQ(help->text.find("or all"), std::string::npos);
 }
 
 }  // namespace
