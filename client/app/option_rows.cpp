@@ -131,14 +131,14 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   playback::BufferOptions& buffers = playback.buffers;
   net::SecurityOptions& security = playback.security_options;
   return {
-      {"buffer", "N", "100", "capacity: sets, or auto, or a time such as 300ms (100)",
+      {"buffer", "N", "100", "Receiver buffer: sets, a time as 300ms, or auto (100)",
        "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "
        "much as the link needs; a time such as 300ms, up to 60000ms, buffers that much.",
        parsed(Kind::Word, read_buffer, buffers), "Receiving"},
       {"playout", "N", "30", "Playout buffer (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, 10'000)},
-      {"threshold", "PERCENT", "40", "fill to (40 %)",
+      {"threshold", "PERCENT", "40", "fill first (40 %)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
       {"live", "", "", "lowest delay for live",
@@ -155,7 +155,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"protocol", "LEVEL", "auto", "auto, classic",
        "classic never sends a hello: for servers that know only level 1.",
        one_of(playback.classic, {{"auto", false}, {"classic", true}})},
-      {"connect-timeout", "S", "10", "give up after (10)",
+      {"connect-timeout", "S", "10", "give up after S (10)",
        "The longest wait for a connection and for its first packet, 0.01 to 86400 seconds.",
        seconds(playback.connect_timeout, 0.01, kSecondsMax,
                "is not a number of seconds from 0.01 to 86400")},
@@ -206,7 +206,7 @@ std::vector<OptionRow> rules_rows(FaceOptions& face) {
 std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
   using playback::Interpolation;
   return {
-      {"speed", "MS", "", "if untimed (250)",
+      {"speed", "MS", "", "per untimed keyframe (250)",
        "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
        "the server says, or 250 ms.",
        whole(playback.speed, 1, 1000), "Animation"},
@@ -424,9 +424,9 @@ void describe_export(CommandPage& page) {
                 "face-player export FILE.glb [OPTIONS]          the face alone"};
   page.about =
       "Writes the face as glTF 2.0 for other programs, with morph targets, and prints\n"
-      "how far that face is from the one drawn here. The same stream and\n"
-      "options give the same bytes. It has no sound: play STREAM --sound FILE.wav\n"
-      "writes one that begins with the animation.\n";
+      "how far that face is from the one drawn here. The same stream and options give\n"
+      "the same bytes. The file has no sound: play STREAM --sound FILE.wav writes it,\n"
+      "beginning when the animation does.\n";
   page.examples = {"face-player export talk.txt talk.glb",
                    "face-player export talk.txt talk.glb --fps 60 --idle 1",
                    "face-player export --face marek --basis aus marek.glb"};

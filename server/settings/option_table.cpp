@@ -39,20 +39,20 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
       {"source", "SOURCE", "", "files, films; -, FIFOs, camera (live); aucast://HOST",
-       "A stream file, or a recording of an AU recogniser, told by its content, or a folder: its "
-       ".txt and .csv files become sources, in order of their names. A stream has the name of its "
-       "file without the extension; a client that asks for no name, and every classic one, gets "
-       "the first. - (named live) and FIFOs are sent as they are written, each keyframe to all "
-       "clients at once. aucast://HOST[:PORT][,HOST...][/NAME] is a stream of another "
-       "au-transmitter, which this one relays: one connection there, however many clients here; "
-       "aucasts:// over TLS. Of several hosts the next is taken when one is lost. What is live "
-       "there is live here; a recorded stream is kept and served from its beginning while it still "
-       "comes, in a loop if it is in one there. SIGHUP leaves relayed streams as they are. "
-       "nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends over NATS, with the "
-       "module of the package aucast-nats; natss:// over TLS. A film (.mp4, .mov, .mkv, .webm, "
-       ".avi and others, through ffmpeg) is read for the face in it; camera is the camera "
-       "/dev/video0 and camera:DEVICE another one, live; a film or a FIFO may stand in for DEVICE. "
-       "Both need the models that scripts/install_models.sh fetches.",
+       "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
+       "folder, whose .txt and .csv files become sources, in order of their names. A stream has "
+       "the name of its file without the extension; a client that asks for no name, and every "
+       "classic one, gets the first. - (named live) and FIFOs are sent as they are written, each "
+       "keyframe to all clients at once. aucast://HOST[:PORT][,HOST...][/NAME] is a stream of "
+       "another au-transmitter, which this one relays: one connection there, however many clients "
+       "here; aucasts:// over TLS. When one of several hosts is lost, the next is used. A stream "
+       "that is live there is live here; a recorded one is kept, and served from its beginning "
+       "even while it is still arriving, in a loop if it is in one there. SIGHUP leaves relayed "
+       "streams as they are. nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends "
+       "over NATS, with the module of the package aucast-nats; natss:// over TLS. A film (.mp4, "
+       ".mov, .mkv, .webm, .avi and others, through ffmpeg) is read for the face in it; camera is "
+       "the camera /dev/video0 and camera:DEVICE another one, live; a film or a FIFO may stand in "
+       "for DEVICE. Both need the models that scripts/install_models.sh fetches.",
        words(options.sources), "Sources", Where::Positional},
       {"follow", "", "", "send what is appended",
        "Files are live sources too. What a file already holds is past; the face starts from its "
@@ -88,15 +88,15 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
   return {
-      {"upstream-token-file", "FILE", "", "our token",
+      {"upstream-token-file", "FILE", "", "its token",
        "The token that the server of an aucast:// source wants, one word in a file. It is sent "
        "only over TLS or to this host.",
        word(upstream.token)},
       {"upstream-wait", "S", "10", "keep clients (10)",
-       "Seconds, up to 86400. While nobody sends a stream of an aucast:// source or of "
-       "--accept-push, its clients hold for so long; then those of a live stream get {-2}, and "
-       "those of a recorded one that is not whole are cut off. The servers are tried on. A client "
-       "that comes before the stream does waits as long, at most 8 s, and is refused then.",
+       "Seconds, up to 86400. How long clients hold while nobody sends the stream of an aucast:// "
+       "source or of --accept-push. Then those of a live stream get {-2}, and those of a recorded "
+       "one that is incomplete are cut off; the servers are still tried. A client that comes "
+       "before the stream waits as long, but at most 8 s, and is then refused.",
        seconds(upstream.wait, 0, kTimeoutMax, "is not a number of seconds from 0 to 86400")},
       {"upstream-tls-ca", "FILE", "", "CAs to trust",
        "The certificates of the authorities that the server of an aucasts:// source must have "
@@ -124,16 +124,16 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
       {"nats-creds", "FILE", "", "credentials",
        "The credentials of a user of NATS: a .creds file with its JWT and its seed.",
        word(engine.creds)},
-      {"nats-nkey", "KEY", "", "its public key",
+      {"nats-nkey", "KEY", "", "public NKey",
        "The public NKey of a user of NATS (U...), whose seed is in --nats-seed.",
        word(engine.nkey)},
       {"nats-seed", "FILE", "", "that NKey's seed", "The seed of --nats-nkey (SU...).",
        word(engine.seed)},
-      {"nats-tls-ca", "FILE", "", "for natss://",
+      {"nats-tls-ca", "FILE", "", "CAs to trust",
        "The certificates of the authorities that the servers of a natss:// address must have "
        "theirs from (PEM); without it those of the system.",
        word(engine.tls.authorities)},
-      {"nats-tls-cert", "FILE", "", "our certificate",
+      {"nats-tls-cert", "FILE", "", "own certificate",
        "A certificate to show to servers of NATS that want one (PEM).",
        word(engine.tls.certificate)},
       {"nats-tls-key", "FILE", "", "its key", "The private key of --nats-tls-cert (PEM).",
@@ -144,12 +144,12 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
 std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credentials) {
   return {
       {"push", "URL", "", "send a stream there",
-       "Brings a stream to another au-transmitter, which is dialled from here, as from behind a "
-       "home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. It must run "
-       "with --accept-push. NAME is the stream's name there. The stream sent is the one called "
-       "NAME here, or else the first; without NAME it is the first, under its own name. Of several "
-       "hosts the next is taken when one is lost, and all are tried again for ever. May be "
-       "repeated, for several servers or streams.",
+       "Brings a stream to another au-transmitter, which is dialled from here, such as from "
+       "behind a home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. It "
+       "must run with --accept-push. NAME is the stream's name there. The stream sent is the one "
+       "called NAME here, or else the first; without NAME it is the first, under its own name. "
+       "When one of several hosts is lost, the next is used, and all are tried again for ever. "
+       "May be repeated, for several servers or streams.",
        words(push.addresses)},
       {"push-token-file", "FILE", "", "token to send",
        "The publisher's token that the servers of --push want, one word in a file. It is sent "
@@ -160,11 +160,12 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        "their certificates from (PEM); without it those of the system.",
        word(push.tls.authorities)},
       {"accept-push", "FILE", "", "let others push",
-       "Streams that others bring by --push are served here too; a SOURCE is not needed then. FILE "
-       "has a publisher a line: a token of at most 256 bytes, and after it, if it is not for any, "
-       "the names of the streams that it may bring. These tokens are not those of viewers. A name "
-       "has one publisher at a time, and cannot be that of one of this server's own streams. While "
-       "a publisher is away its clients hold for --upstream-wait. SIGHUP reads FILE again.",
+       "Streams that others bring by --push are served here too; a SOURCE is not needed then. "
+       "FILE has one publisher a line: a token of at most 256 bytes and, after it, the names of "
+       "the streams that it may bring; without names, any. These tokens are not those of viewers. "
+       "A name has one publisher at a time, and cannot be the name of one of this server's own "
+       "streams. While a publisher is away, the clients of its stream hold for --upstream-wait. "
+       "SIGHUP reads FILE again.",
        word(credentials.publishers)},
   };
 }
@@ -174,12 +175,12 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "show a program",
-      "For a program that starts this one: standard output tells "
-      "what the camera sees, as small pictures with landmarks and AUs, and standard input takes "
-      "orders to let others in, and out; its end ends the program. Both must be pipes or "
-      "sockets. The only SOURCE is a camera. --token-file and --tls-cert are for those who are let "
-      "in, not for programs of this host. The format is in common/preview/README.md.",
+      "for a program that runs it",
+      "For a program that starts this one: standard output tells what the camera sees, as small "
+      "pictures with landmarks and AUs, and standard input takes orders to let others in or send "
+      "them away. The end of standard input ends the program. Both must be pipes or sockets. The "
+      "only SOURCE is a camera. --token-file and --tls-cert are for those who are let in, not for "
+      "programs of this host. The format is in common/preview/README.md.",
       flag(options.preview),
       "",
       Where::Typed};
@@ -187,11 +188,11 @@ OptionRow preview_row(TransmitterOptions& options) {
 
 std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
   return {
-      {"keyframe", "MS", "250", "untimed (250)",
+      {"keyframe", "MS", "250", "if untimed (250)",
        "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello tells "
        "it to clients, and --live uses it.",
        whole(options.keyframe_ms, 1, protocol::kDurationMsMax), "Sending"},
-      {"classic-min", "PERCENT", "20", "AU floor (20)",
+      {"classic-min", "PERCENT", "20", "weakest AU (20)",
        "For classic clients. Level 1 has no intensities: weaker AUs are left out, the others are "
        "sent as fully active.",
        whole(options.classic_min, 0, 100)},
@@ -211,8 +212,8 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        "until it fits, and a newer one replaces it.",
        whole(options.max_kbits, 0, 1'000'000)},
       {"batch", "MS", "0", "combine writes (0: no)",
-       "Headers cost more than a packet: what is written within this time goes out "
-       "together. Up to 1000 milliseconds; the face is late by as much.",
+       "Headers cost more than a packet, so what is written within this time goes out together. "
+       "Up to 1000 milliseconds, which delay the face by as much.",
        whole(options.batch, 0, 1000)},
   };
 }
@@ -241,9 +242,9 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        seconds(options.drain_time, 0, kDrainSecondsMax,
                "is not a number of seconds from 0 to 3600")},
       {"client-timeout", "S", "0", "close clients that are silent for S seconds (0: no)",
-       "Seconds, up to 86400. Every byte from the client restarts the time; of a live "
-       "stream, every byte that can be sent to it does. A paused client owes no answer. TCP "
-       "detects a vanished host, and a client that stops reading, within a minute anyway.",
+       "Seconds, up to 86400. Every byte from the client restarts the time; with a live stream, "
+       "so does every byte that can be sent to it. A paused client owes no answer. TCP detects a "
+       "vanished host, and a client that stops reading, within a minute anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
       {"max-clients", "N", "0", "(0: all)",
        "The number of clients at a time. One client too many is closed, with {error 503 "
@@ -283,14 +284,15 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
        "The player as a web page at / and the protocol over WebSocket at /aucast "
        "(http://ADDR:PORT/). The line \"web on ADDR:PORT\" follows \"listening on\" when it is "
        "ready. --max-clients, --token-file and all other limits hold for both. Without "
-       "--web-cert whoever is not on this host should come through a proxy that speaks https.",
+       "--web-cert, viewers on other hosts should come through a proxy that speaks https.",
        parsed(Kind::Word, read_address, web.address)},
       {"web-cert", "FILE", "", "its certificate",
        "The certificate for --web, followed in the same file by those of the intermediate "
        "authorities (PEM): https and wss in place of http and ws. SIGHUP reads it again.",
        word(files.certificate)},
-      {"web-key", "FILE", "", "and key", "The private key of --web-cert (PEM).", word(files.key)},
-      {"web-host", "NAME", "", "one more name",
+      {"web-key", "FILE", "", "its private key", "The private key of --web-cert (PEM).",
+       word(files.key)},
+      {"web-host", "NAME", "", "another host name",
        "A name that --web answers for, beside IP addresses, localhost and the names of "
        "--web-cert: its own, or that of a proxy before it. Pages of these names may watch by "
        "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "
@@ -324,7 +326,7 @@ std::vector<OptionRow> program_rows(TransmitterOptions& options) {
        "FILE",
        "",
        "settings as TOML",
-       "These options as name = value, one a line. Read before the environment and the command "
+       "These options as name = value, one per line. Read before the environment and the command "
        "line. Without it /etc/aucast/au-transmitter.toml is read if it exists; --config /dev/null "
        "reads none.",
        {},
@@ -338,7 +340,7 @@ std::vector<OptionRow> program_rows(TransmitterOptions& options) {
        "300 lines a second about clients and tells how many were left out; at debug it has "
        "them all.",
        log_level(options.log_level)},
-      {"log-format", "FORMAT", "text", "or json (text)",
+      {"log-format", "FORMAT", "text", "text or json",
        "Both have the time (UTC), the level and the message. Under systemd each line begins "
        "with its priority for the journal, and text omits what the journal adds itself.",
        one_of(options.log_format, {"text", "json"})},

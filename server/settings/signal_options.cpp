@@ -96,14 +96,13 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "(back), 100 % for 14 mm, relative to the neutral face or, without one, to the first "
        "second. Heads move further than that: --gain 57=0.1,58=0.1 makes it 14 cm.",
        flag(options.distance)},
-      {"neutral", "SECONDS", "", "subtract, or auto",
-       "Up to 60 seconds, starting at the first row with a face. The median of each AU and "
-       "of the rotations of head and eyes is the neutral face, which is subtracted from "
-       "every row. A live source subtracts the median so far while it measures. 0: no "
-       "neutral face, whatever the profile has. auto, which films and cameras do unless told "
-       "otherwise: head and eyes are straight where they mostly are, and the neutral face is "
-       "that of the quietest moments; of a table, whose AUs stay as they are, only head and "
-       "eyes are straightened.",
+      {"neutral", "SECONDS", "", "at rest, or auto",
+       "Up to 60 seconds, starting at the first row with a face. The median of each AU and of the "
+       "rotations of head and eyes is the neutral face, which is subtracted from every row. While "
+       "it measures, a live source subtracts the median so far. 0: no neutral face, whatever the "
+       "profile has. auto, the default for films and cameras: head and eyes count as straight "
+       "where they mostly are, and the neutral face is that of the quietest moments; in a table "
+       "only head and eyes are straightened, and the AUs stay as they are.",
        parsed(OptionValue::Kind::Number, read_neutral, options)},
       {"gain", "LIST", "", "multiply: 1.2,45=1.6 (1)",
        "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "

@@ -42,10 +42,10 @@ std::vector<OptionRow> voice_rows(VoiceOptions& options) {
        "number makes the sound come earlier, for a microphone that is later than the recogniser.",
        whole(options.delay, -kDelayMsMax, kDelayMsMax)},
       {"voice-rate", "KBITS", "10", "8 to 24 (10)",
-       "Kilobits of speech a second: 8, 10, 12, 16 or 24. On the wire it is a third more.",
+       "Kilobits of speech a second: 8, 10, 12, 16 or 24. On the wire it takes a third more.",
        parsed(Kind::Number, read_rate, options.encoder.bits_per_second)},
       {"voice-frame", "MS", "60", "20, 40 or 60 (60)",
-       "Milliseconds of speech in one packet: 20, 40 or 60. Short ones are there sooner and take "
+       "Milliseconds of speech in one packet: 20, 40 or 60. Short ones arrive sooner and take "
        "more of the link.",
        parsed(Kind::Number, read_frame, options.encoder.frame)},
   };
