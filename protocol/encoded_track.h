@@ -13,12 +13,12 @@
 
 namespace aucast::protocol {
 
-/// A voice packet as every client is sent it, but for its place: that depends on what the client
-/// got before.
+/// A voice packet in the form that is sent to every client. Its place is not in it: that depends on
+/// what the client was sent before.
 struct EncodedVoice {
   Milliseconds begin{0};  ///< of its sound, on the clock of the stream
   Milliseconds end{0};
-  std::string continued;  ///< {a DATA}
+  std::string continued;  ///< {a DATA}, the form without a place
 
   explicit EncodedVoice(const VoicePacket& packet);
 };
@@ -28,18 +28,18 @@ struct EncodedVoice {
 /// Thread: that of the sessions.
 class EncodedTrack {
  public:
-  /// The next packet. Its place is at the end of the one before or later.
+  /// Adds the next packet, which begins at the end of the previous one or later.
   void add(const VoicePacket& packet);
-  /// Everything that begins before this place has been added; it never falls.
+  /// Says that everything that begins before this place has been added. The place never decreases.
   void encoded_to(Milliseconds place) { encoded_to_ = std::max(encoded_to_, place); }
-  /// Everything has been added.
+  /// Says that everything has been added.
   void finish() { encoded_to_ = Milliseconds::max(); }
 
   [[nodiscard]] std::span<const EncodedVoice> packets() const { return packets_; }
   /// See encoded_to(); Milliseconds::max() after finish().
   [[nodiscard]] Milliseconds encoded_until() const { return encoded_to_; }
   [[nodiscard]] bool complete() const { return encoded_to_ == Milliseconds::max(); }
-  /// Memory that it takes.
+  /// The memory that it takes.
   [[nodiscard]] std::size_t bytes() const {
     return bytes_ + packets_.size() * sizeof(EncodedVoice);
   }
@@ -53,7 +53,7 @@ class EncodedTrack {
 /// What goes with a recorded stream's keyframes for clients that ask for it.
 struct Soundtrack {
   std::shared_ptr<const EncodedTrack> voice{};  ///< null: there is none
-  std::vector<CaptionData> captions{};          ///< their places never fall
+  std::vector<CaptionData> captions{};          ///< their places never decrease
   bool captions_come = false;                   ///< a relay may still receive some
 
   [[nodiscard]] bool has_captions() const { return captions_come || !captions.empty(); }

@@ -12,8 +12,8 @@ namespace aucast::app {
 
 /// Why --live changes nothing for a stream.
 enum class LiveObjection : std::uint8_t {
-  None,  ///< it does, or was not asked for
-  IsFile,
+  None,        ///< --live does change something, or was not given
+  IsFile,      ///< there is no server
   IsClassic,   ///< the server cannot say that it is live
   IsRecorded,  ///< the server says that it is not
 };

@@ -9,14 +9,15 @@
 
 namespace aucast::mesh {
 
-/// What is measured on each side of a face, in distances of the outer corners of the eyes. Larger
-/// is what the name says: up, out (away from the middle), front.
+/// What is measured on each side of a face, in units of the distance between the outer corners of
+/// the eyes. Values grow in the direction that the name says: up, out (away from the middle),
+/// front.
 enum class SideMeasure : std::uint8_t {
   BrowInnerUp,
   BrowMiddleUp,
   BrowOuterUp,
   BrowInnerOut,
-  Aperture,  ///< of the lids, in widths of the eye
+  Aperture,  ///< between the lids, in widths of the eye
   UpperLidUp,
   LowerLidUp,
   CornerUp,  ///< of the mouth
@@ -28,7 +29,7 @@ enum class SideMeasure : std::uint8_t {
   CheekOut,
   CheekFront,
   NasolabialUp,
-  GazeLeft,  ///< of the iris, in halves of the eye's width; by the subject's left on both sides
+  GazeLeft,  ///< of the iris, in halves of the eye's width; to the subject's left for both eyes
   GazeUp,
 };
 inline constexpr std::size_t kSideMeasures = 18;
@@ -59,7 +60,7 @@ struct Measures {
   double scale = 1;
 };
 
-/// Of a face that was laid on one whose outer corners of the eyes are 1 apart.
+/// Measures a face that was fitted to a head whose outer corners of the eyes are 1 apart.
 [[nodiscard]] Measures measure(const FittedHead& head);
 
 /// The names of the measures, for files: "brow-inner-up".

@@ -13,8 +13,8 @@
 
 namespace aucast::server {
 
-/// Moves the recorded streams that are sent live on, each for as long as anybody holds it, tells
-/// when any has moved and warns of moments left out.
+/// The timer of recorded streams that are sent live: moves each on to its next moment, for as long
+/// as anybody holds the stream, tells the owner when any has moved, and logs moments left out.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class LiveBeat {
  public:
@@ -25,17 +25,18 @@ class LiveBeat {
   LiveBeat(const LiveBeat&) = delete;
   LiveBeat& operator=(const LiveBeat&) = delete;
 
-  /// The stream as a live one, with its sound, if it has any. If one of that name and content is
-  /// running still, it is that one, without a gap; else one that begins now.
+  /// Plays the stream live, with its sound, if there is any. If a stream of the same name, content
+  /// and sound is still running, returns that one, which goes on without a gap; else the stream
+  /// begins now.
   [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> play(
       const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
       std::shared_ptr<const protocol::Soundtrack> sound = nullptr);
   void stop();
-  /// Tells now of what is due. For who is about to do something that takes time, such as letting
-  /// in one of many newcomers: the timer is only looked at when all of that is done.
+  /// Does now what is due. For callers that are about to do something lengthy, such as letting in
+  /// many clients: the event loop does not come to the timer until they are done.
   void catch_up();
 
-  /// How late the latest moment was told of.
+  /// How late the latest call of OnMoment was.
   [[nodiscard]] Duration lag() const { return lag_; }
 
  private:
@@ -53,7 +54,7 @@ class LiveBeat {
   std::vector<Playing> playing_;
   Duration lag_{0};
   bool stopped_ = false;
-  /// What a handler that is queued already goes by when this object is gone.
+  /// Queued handlers hold it weakly, and so know when this object is gone.
   std::shared_ptr<LiveBeat*> self_ = std::make_shared<LiveBeat*>(this);
 };
 

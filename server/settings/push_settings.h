@@ -8,11 +8,11 @@
 
 namespace aucast::server {
 
-/// How a stream is brought to other servers.
+/// Where this server's streams are pushed to (--push), and how.
 struct PushSettings {
   std::vector<std::string> addresses;  ///< aucast://HOST[/NAME], each with its own connection
-  std::filesystem::path token;         ///< shown to them; empty: none
-  tls::Files tls;                      ///< for addresses aucasts://: authorities
+  std::filesystem::path token;         ///< file of the token to show there; empty: none
+  tls::Files tls;                      ///< the authorities to trust for aucasts:// addresses
   friend bool operator==(const PushSettings&, const PushSettings&) = default;
 };
 

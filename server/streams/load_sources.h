@@ -21,19 +21,20 @@ namespace aucast::server {
 /// A stream file or a recording that was read and found right.
 struct Source {
   std::filesystem::path path;
-  std::string name;  ///< the file's stem: what a hello asks for; empty: another server knows it
-  std::shared_ptr<const protocol::EncodedStream> stream{};  ///< nothing while `live`
+  std::string name;  ///< the file's stem, which a hello asks for; empty: its server will tell it
+  std::shared_ptr<const protocol::EncodedStream> stream{};  ///< null if `live`
   StreamSummary summary{};
-  std::optional<sources::Found> found{};  ///< of a recording
+  std::optional<sources::Found> found{};  ///< what was found in it; only for a recording
   bool live = false;                      ///< nothing is read yet: RunningSources will
   std::optional<VoiceFile> voice{};       ///< not encoded yet
-  /// What goes with the voice, if that is not `stream`: protocol::spoken_stream().
+  /// The stream for clients that get the voice, where it differs from `stream`:
+  /// protocol::spoken_stream().
   std::shared_ptr<const protocol::EncodedStream> spoken{};
   std::vector<protocol::CaptionData> captions{};
   std::string title{};  ///< empty: none
 };
 
-/// Which sources are live streams; others are read whole. What is in a folder is not live.
+/// Which sources are live streams; others are read whole. Files of a folder are never live.
 enum class LiveSources : std::uint8_t {
   None,     ///< none: --check
   Streams,  ///< stdin and FIFOs
@@ -47,14 +48,15 @@ struct EncodingOptions {
   std::uint32_t max_kbits = 0;      ///< a second, headers included; 0: no limit
   bool summarise = true;            ///< fills in Source::summary, which only --check needs
   VoiceOptions voice{};
-  bool live = false;  ///< what has a voice is thinned when it is sent, not here
+  bool live = false;  ///< sources with a voice then keep to max_kbits as they are sent, not here
 };
 
-/// Reads and encodes all files but those that are `live`, of a folder its .txt and .csv files by
-/// name. If any is wrong, the errors of all of them, one a line, in the order of the command line;
-/// their kind is that of the first. Names that are no stream names or come twice are usage errors.
-/// A file that is too large for the memory that is left is unreadable. With `skipped` what is wrong
-/// is left out and its errors go there, as long as anything is left.
+/// Reads and encodes all files except those that are `live`; of a folder, its .txt and .csv files
+/// in the order of their names. If any is wrong, returns the errors of all of them, one per line in
+/// the order of the command line, as an error of the first one's kind. Names that are no stream
+/// names or come twice are usage errors; a file that is too large for the free memory is
+/// unreadable. With `skipped`, wrong files are left out and their errors go there, unless no file
+/// is left.
 [[nodiscard]] Result<std::vector<Source>> load_sources(
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
     const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,
