@@ -9,8 +9,8 @@ namespace aucast::protocol {
 /// Base64 (RFC 4648 section 4) without padding.
 [[nodiscard]] std::string to_base64(std::string_view bytes);
 
-/// The bytes of base64 without padding. Nothing for a character outside the alphabet, a length that
-/// no bytes have, and bits left over that are not 0: each byte string has one spelling only.
+/// Decodes base64 without padding. nullopt for a character outside the alphabet, an impossible
+/// length, and unused bits that are not 0: each byte string has only one spelling.
 [[nodiscard]] std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace aucast::protocol

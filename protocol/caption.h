@@ -8,11 +8,12 @@
 
 namespace aucast::protocol {
 
-/// Whether the text can be a caption: UTF-8 without control characters but line feeds, which fits
-/// into one packet.
+/// Whether the text can be a caption: UTF-8 without control characters other than line feeds, short
+/// enough for one packet.
 [[nodiscard]] bool is_caption(std::string_view text);
 
-/// Whether the text can be a stream's title: the same in one line, of at most kTitleBytesMax bytes.
+/// Whether the text can be a stream's title: the same, but one line of at most kTitleBytesMax
+/// bytes.
 [[nodiscard]] bool is_title(std::string_view text);
 
 /// Reads the text() of a finished WordPacket of the word `t`.

@@ -20,7 +20,7 @@ namespace aucast::protocol {
 struct ClientSessionOptions {
   bool negotiate = true;  ///< false: never send a hello (--protocol classic)
   HelloAsked hello;
-  /// Longest wait for the server's first packet after the connection stands.
+  /// Longest wait for the server's first packet, from when the connection is made.
   Duration silence_max = std::chrono::seconds(10);
 };
 
@@ -53,9 +53,9 @@ struct ReconnectClassic {};
 struct SessionFailed {
   enum class Why : std::uint8_t {
     Lost,           ///< closed or broken before {-2}
-    ProtocolError,  ///< bytes that are none of the protocol
+    ProtocolError,  ///< bytes that are not the protocol
     Refused,        ///< the server's {error ...}
-    Silent,         ///< nothing at all within silence_max
+    Silent,         ///< no complete packet within silence_max
   };
   Why why = Why::Lost;
   std::string reason;         ///< a sentence; peer text escaped
@@ -75,8 +75,8 @@ class ClientSession {
   ClientSession& operator=(ClientSession&&) noexcept;
 
   [[nodiscard]] std::vector<ClientEvent> on_connected(Instant now);
-  /// Reads up to the end of the first packet in `bytes` and removes what it read from their front:
-  /// to be called again while some are left.
+  /// Reads up to the end of the first packet in `bytes` and removes what it read from their front.
+  /// Call it again while some are left.
   [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes, Instant now);
   /// The server shut its side (`broke` is empty), or the connection broke: why, as a clause.
   [[nodiscard]] std::vector<ClientEvent> on_closed(Instant now, std::string_view broke = {});
@@ -95,8 +95,8 @@ class ClientSession {
   [[nodiscard]] std::string stop();
 
   [[nodiscard]] Level level() const;
-  /// Packets that may be on their way unanswered: room for so many must stay free. 1 in classic. A
-  /// server that sends more is held back by an owner that reads no further.
+  /// How many unanswered packets may be on their way: the owner keeps room for as many. 1 in
+  /// classic. The owner holds back a server that sends more by not reading on.
   [[nodiscard]] int window() const;
   [[nodiscard]] bool paused() const;
   [[nodiscard]] std::size_t unanswered() const;

@@ -42,9 +42,9 @@ struct AuPercents {
 struct EncodedKeyframe {
   std::string classic;
   std::string full;     ///< level 2
-  std::string changes;  ///< level 2, for a client that got the one before; full where that is due
+  std::string changes;  ///< level 2, for a client that got the previous one; full where that is due
                         ///< or shorter
-  bool plain = false;   ///< numbers only: classic may leave out none but those below its minimum
+  bool plain = false;   ///< numbers only: classic leaves out none but those below its minimum
 };
 
 /// Encodes the keyframes of one stream in their order, none of them changes-only. `changes` is full
@@ -67,7 +67,7 @@ class KeyframeEncoder {
 
 // === Text forms shared by stream files and command lines.
 
-/// Which liberties a text form takes beside those of the wire.
+/// What a text form allows beyond the wire's form.
 enum class TermSyntax : std::uint8_t {
   Wire,  ///< as in a packet: terms joined by ','
   Text,  ///< stream files, command lines: '+' too, FACS letters without colon (1C+4B+L12D), blanks

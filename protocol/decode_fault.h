@@ -9,7 +9,7 @@ namespace aucast::protocol {
 
 /// Why a byte stream stopped being the protocol. Names are in PROTOCOL.md.
 enum class DecodeFault : std::uint8_t {
-  IllegalByte,    ///< a byte that cannot stand there; found before any closing brace
+  IllegalByte,    ///< a byte that the grammar does not allow; found before any closing brace
   NumberTooBig,   ///< an AU above 99, a percent above 100, a time beyond the limit
   PacketTooLong,  ///< no closing brace within the limit
   TooManyBlanks,  ///< more blanks in a row than the limit
@@ -20,11 +20,11 @@ enum class DecodeFault : std::uint8_t {
 
 [[nodiscard]] std::string_view name(DecodeFault fault);
 
-/// What is wrong with a byte where it stands.
+/// What is wrong with a byte at its place.
 struct ByteFault {
   DecodeFault fault = DecodeFault::IllegalByte;
   std::string reason;    ///< a sentence, the byte escaped
-  std::size_t back = 0;  ///< how many bytes before the last one it stands (bad fields)
+  std::size_t back = 0;  ///< how many bytes before the last one read the fault lies (bad fields)
 };
 
 /// IllegalByte: "expected <what>, found '<byte>'".

@@ -39,13 +39,13 @@ class PacketDecoder {
 
   /// A blank between two packets.
   [[nodiscard]] std::optional<ByteFault> blank();
-  /// One more byte of the packet begun, which may have `max` of them.
+  /// Counts one more byte of the packet being read, which may have at most `max`.
   [[nodiscard]] std::optional<ByteFault> count(std::size_t max);
   void deliver(Packet packet);
   template <typename T>
   [[nodiscard]] std::optional<ByteFault> deliver_parsed(std::variant<T, FieldFault> parsed);
 
-  std::size_t packet_bytes_ = 0;  ///< of the packet begun; 0: none is
+  std::size_t packet_bytes_ = 0;  ///< of the packet being read; 0: none
   WordPacket word_;
 
  private:
@@ -94,7 +94,7 @@ class ClientPacketDecoder final : public PacketDecoder<ClientPacket> {
   [[nodiscard]] std::optional<ByteFault> close_word();
 
   bool word_allowed_ = true;  ///< nothing but blanks so far
-  bool minus_ = false;        ///< the packet begun is a code, not a word
+  bool minus_ = false;        ///< what is being read is a code, not a word
 };
 
 }  // namespace aucast::protocol

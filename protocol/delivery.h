@@ -16,7 +16,7 @@
 
 namespace aucast::protocol {
 
-/// What one client was handed out.
+/// Counts of what one client was sent.
 struct SentCounts {
   std::uint64_t packets = 0;         ///< keyframes
   std::uint64_t payload_bytes = 0;   ///< of those, without hello and {-2}
@@ -27,14 +27,15 @@ struct SentCounts {
 
 /// What one client has been sent of a stream, and what it may be sent now: the window of section 6
 /// of PROTOCOL.md, pause, merging of live moments, and the voice and captions that go with the
-/// keyframes. Classic until grant(). Bytes are appended to what the caller hands in.
+/// keyframes. Classic until grant(). Bytes are appended to the caller's string.
 /// Thread: none of its own.
 class Delivery {
  public:
-  /// `loop`: a recorded stream starts again at its end, even if it does not where it comes from.
+  /// `loop`: a recorded stream starts again at its end, even if it does not at the server that it
+  /// comes from.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
-  /// Another stream, before anything was sent; what was answered or paused beforehand counts.
+  /// Changes the stream, before anything was sent; answers and pauses received so far still count.
   void choose(ServedStream stream) { stream_ = std::move(stream); }
   /// Level 2 from now on; grants as much of `asked` as it can. `keyframe_ms` only goes into the
   /// answer.
@@ -42,17 +43,17 @@ class Delivery {
 
   /// Everything that may be sent now.
   void pump(std::string& out);
-  /// The same when a live channel has moved on: who keeps up gets each of several moments that
-  /// began at once.
+  /// The same when a live channel has moved on: a client that keeps up gets each moment, even if
+  /// several began at once.
   void pump_latest(std::string& out);
   /// Everything has been sent and answered, nothing will come, and nobody has paused: {-2} is due.
   [[nodiscard]] bool complete() const;
 
-  /// Everything that is there of a recorded stream has been sent, and no more will come, but it is
-  /// not whole.
+  /// All that there is of a recorded stream has been sent and no more will come, but the stream is
+  /// incomplete.
   [[nodiscard]] bool broken_off() const;
 
-  /// The oldest keyframe in flight is answered, or the next one to be sent if none is.
+  /// Takes an answer, to the oldest keyframe in flight or, if there is none, to the next one sent.
   void answer();
   void pause() { paused_ = true; }
   void resume();
@@ -96,7 +97,7 @@ class Delivery {
 
   ServedStream stream_;
   bool loop_;
-  bool one_turn_ = false;  ///< the client makes the others itself
+  bool one_turn_ = false;  ///< the client repeats it itself
   Level level_ = Level::Classic;
   std::size_t window_ = 1;
   bool delta_ = false;  ///< the changes-only form was granted

@@ -18,7 +18,7 @@ namespace aucast::protocol {
 /// The time of one keyframe; kDurationMsMax fits, and four bytes are enough.
 using KeyframeTime = std::chrono::duration<std::uint32_t, std::milli>;
 
-/// How much of a recorded stream is there.
+/// How much of a recorded stream we have.
 enum class Extent : std::uint8_t {
   Whole,
   Growing,    ///< a relay is still receiving it: clients that have all of it wait for more
@@ -28,19 +28,19 @@ enum class Extent : std::uint8_t {
 /// A recorded stream, encoded once in every form it is sent in. Shared by all clients; immutable
 /// when it is whole, and until then only appended to.
 struct EncodedStream {
-  PacketList classic;               ///< one packet per keyframe
-  PacketList negotiated;            ///< the same keyframes, level 2
-  PacketList changes;               ///< for who asks for the changes-only form; empty: not granted
+  PacketList classic;     ///< one packet per keyframe
+  PacketList negotiated;  ///< the same keyframes, level 2
+  PacketList changes;     ///< for clients that ask for the changes-only form; empty: not granted
   std::vector<KeyframeTime> times;  ///< of each keyframe, untimed ones with their default
-  std::optional<std::uint64_t> duration_ms{};  ///< their sum in the end, if a hello is to say it
+  std::optional<std::uint64_t> duration_ms{};  ///< their sum at the end, if a hello is to say it
   Extent extent = Extent::Whole;
   friend bool operator==(const EncodedStream&, const EncodedStream&) = default;
 };
 
-/// What was encoded as a packet of `negotiated`.
+/// The keyframe of which a packet of `negotiated` was made.
 [[nodiscard]] Keyframe keyframe_of(std::string_view packet);
 
-/// The sum of the times of all keyframes that are there.
+/// The sum of the times of all keyframes so far.
 [[nodiscard]] Milliseconds length_of(const EncodedStream& stream);
 
 /// Memory that its packets and times take.
@@ -52,8 +52,8 @@ struct Entry {
   std::uint64_t begin_ms = 0;
 };
 
-/// For a client that asks for `from_ms`: the first keyframe that ends after it, or takes no time
-/// and stands there. `loop`: the place counts on from turn to turn.
+/// Where a client that asks for `from_ms` begins: at the first keyframe that ends after it, or lies
+/// there and takes no time. `loop`: `from_ms` keeps growing from turn to turn.
 [[nodiscard]] Entry entry_at(const EncodedStream& stream, std::uint64_t from_ms, bool loop);
 
 /// Encodes a recorded stream keyframe by keyframe and holds nothing but packets and times. Untimed
@@ -84,8 +84,8 @@ class StreamEncoder {
 [[nodiscard]] EncodedStream encode_stream(std::span<const Keyframe> keyframes,
                                           std::uint32_t keyframe_ms, int classic_min);
 
-/// How long the stream takes a player that gives every keyframe the default time, as classic
-/// packets carry none. Nothing when that is the stream's own length, or not known yet.
+/// How long a classic client takes to play the stream: its packets carry no times, so it gives
+/// every keyframe the default time. nullopt when that is the stream's own length, or not known yet.
 [[nodiscard]] std::optional<Milliseconds> classic_length(const EncodedStream& stream);
 
 }  // namespace aucast::protocol

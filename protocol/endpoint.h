@@ -28,13 +28,13 @@ struct StreamAddress {
   friend bool operator==(const StreamAddress&, const StreamAddress&) = default;
 };
 
-/// Whether the text begins as an address of a stream does, right or wrong.
+/// Whether the text begins like a stream's address, whether or not the rest is right.
 [[nodiscard]] bool is_stream_address(std::string_view text);
 
 /// aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM], or aucasts:// for TLS. Usage error otherwise.
 [[nodiscard]] Result<StreamAddress> parse_stream_address(std::string_view text);
 
-/// Whether the text begins as an address of a stream at NATS does, right or wrong.
+/// Whether the text begins like the address of a stream at NATS, whether or not the rest is right.
 [[nodiscard]] bool is_engine_address(std::string_view text);
 
 /// nats://HOST[:PORT][,HOST[:PORT]...]/STREAM, or natss:// for TLS: where a stream is at servers of

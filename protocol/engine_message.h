@@ -14,11 +14,11 @@ namespace aucast::protocol {
 // level 2.
 
 inline constexpr std::uint16_t kEnginePort = 4222;  ///< of NATS
-/// A message with more bytes is none of ours.
+/// Longer messages are not ours.
 inline constexpr std::size_t kEngineBytesMax = 65536;
 inline constexpr std::size_t kEngineLineBytesMax = 256;
 
-/// Who publishes says what is new, or answers.
+/// What the publisher sends: what is new, or an answer.
 struct EngineMessage {
   enum class Kind : std::uint8_t {
     Batch,  ///< what is new, to everybody
@@ -26,7 +26,7 @@ struct EngineMessage {
     Since,  ///< an answer: what the batches after `after` held, up to `seq`
   };
   Kind kind = Kind::Batch;
-  std::string origin;  ///< ID of who publishes
+  std::string origin;  ///< the publisher's ID
   std::uint64_t seq = 0;
   std::uint64_t place_ms = 0;  ///< on the origin's clock: where the first keyframe begins
   std::uint64_t after = 0;     ///< of Since only
@@ -34,7 +34,7 @@ struct EngineMessage {
   friend bool operator==(const EngineMessage&, const EngineMessage&) = default;
 };
 
-/// Who watches asks for the state, or for what it missed.
+/// What a watcher sends: it asks for the state, or for what it missed.
 struct EngineJoin {
   std::string origin;                  ///< who is to answer; empty: any
   std::optional<std::uint64_t> after;  ///< the last batch it has; nothing: it has none
@@ -49,12 +49,12 @@ struct EngineJoin {
 [[nodiscard]] Result<EngineMessage> parse_engine_message(std::string_view bytes);
 [[nodiscard]] Result<EngineJoin> parse_engine_join(std::string_view bytes);
 
-/// The packets with the places of voice and captions `by_ms` earlier, on the clock of who began
-/// there. Voice from before that beginning, or without a place, is left out; a caption from before
-/// stands from the beginning on.
+/// The packets with the places of voice and captions `by_ms` earlier, for a watcher whose clock
+/// began there. Voice from before that, or without a place, is left out; a caption from before is
+/// shown from the beginning.
 [[nodiscard]] std::string with_places_earlier(std::string_view packets, std::uint64_t by_ms);
 
-/// The first packet of these, with its braces; all of them if there is no brace. For who takes them
+/// The first of these packets, with its braces; all of them if there is no brace. For taking them
 /// one by one.
 [[nodiscard]] std::string_view first_packet(std::string_view packets);
 

@@ -21,15 +21,15 @@ namespace aucast::protocol {
   return byte >= '0' && byte <= '9';
 }
 
-/// Reads the inside of a keyframe byte by byte, so that a wrong byte is refused where it stands and
-/// not at the closing brace. One reader for the wire, for stream files and for command lines.
+/// Reads the inside of a keyframe byte by byte, so that a wrong byte is refused at its own place
+/// and not at the closing brace. One reader for the wire, for stream files and for command lines.
 /// Grammar: PROTOCOL.md, rules `full` and `changes`. After a fault the parser must not be used
 /// again.
 class KeyframeParser {
  public:
   explicit KeyframeParser(TermSyntax syntax) : syntax_(syntax) {}
 
-  /// Takes one byte; a fault when it cannot stand here.
+  /// Takes one byte; a fault if it is not allowed here.
   [[nodiscard]] std::optional<ByteFault> accept(char byte);
   /// Ends the keyframe; a fault when something is still missing. `end` is the byte that ended it
   /// (0: the text is over), for the message.

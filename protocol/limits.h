@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The numbers that bound what a peer of the protocol may say, hold or take. What waits between our
-/// threads stands with the classes that hold it. PROTOCOL.md carries the same tables.
+/// The numbers that bound what a peer of the protocol may say, hold or take. Limits of what waits
+/// between our own threads are in the classes that hold it. PROTOCOL.md carries the same tables.
 namespace aucast::protocol {
 
 inline constexpr int kProtocolVersion = 2;
@@ -48,7 +48,7 @@ inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};  ///< reading af
 inline constexpr std::size_t kDrainBytesMax = 65536;             ///< read meanwhile
 /// Changes only: keyframe time between the beginnings of two full keyframes, at most.
 inline constexpr std::chrono::milliseconds kFullKeyframeEvery{10'000};
-/// Live: keyframe time that may be under way to one client; bounds its window.
+/// Live: keyframe time that may be in flight to one client; bounds its window.
 inline constexpr std::chrono::milliseconds kLiveWindowTime{2000};
 
 // What our programs bound beside the protocol; other programs may choose for themselves.

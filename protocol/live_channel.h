@@ -20,17 +20,16 @@ struct LiveMoment {
   std::uint64_t number = 0;
   std::string classic;
   std::string full;     ///< level 2
-  std::string changes;  ///< level 2, for who got the moment before
+  std::string changes;  ///< level 2, for clients that got the previous moment
   /// On the channel's clock, which is the sum of the times of all its moments.
   Milliseconds begin{0};
   Milliseconds time{0};
 };
 
-/// A live stream: the newest moment, and of the past nothing but a little of its
-/// voice and the caption that stands. What a
-/// session may ask is public; a derived class writes it, from a recording (LiveReplay) or a running
-/// source (LiveFeed). Shared: it lives as long as its writer or any session holds it, whoever goes
-/// first. Thread: none of its own; sessions and writer are on the same one.
+/// A live stream: the newest moment, and of the past only the latest voice and the caption that is
+/// shown. What a session may ask is public; a derived class writes it, from a recording
+/// (LiveReplay) or a running source (LiveFeed). Shared: it lives as long as its writer or any
+/// session holds it. Thread: none of its own; sessions and writer are on the same one.
 class LiveChannel {
  public:
   LiveChannel(const LiveChannel&) = delete;
@@ -47,15 +46,15 @@ class LiveChannel {
   [[nodiscard]] bool ended() const { return ended_; }
   /// Whether the moments have a changes-only form.
   [[nodiscard]] bool has_changes() const { return has_changes_; }
-  /// Of the whole stream, if it is known and has an end.
+  /// The time of the whole stream, if it has an end that is known.
   [[nodiscard]] std::optional<std::uint64_t> duration_ms() const { return duration_ms_; }
   /// Whether voice and captions will come, if any do.
   [[nodiscard]] bool has_voice() const { return sound_.voice; }
   [[nodiscard]] bool has_captions() const { return sound_.captions; }
-  /// What sounds now, and what was to be heard up to kLiveWindowTime before. Places are on the
-  /// channel's clock and never fall.
+  /// What is heard now, and what was to be heard up to kLiveWindowTime before. Places are on the
+  /// channel's clock and never decrease.
   [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
-  /// The one that stands now, and those to come.
+  /// The caption that is shown now, and those to come.
   [[nodiscard]] const Recent<CaptionData>& captions() const { return captions_; }
   /// The largest window to grant: what begins within kLiveWindowTime, but at least two moments.
   [[nodiscard]] std::size_t window_max() const { return window_max_; }
@@ -72,8 +71,8 @@ class LiveChannel {
 
   /// `mean_ms` between two moments.
   void limit_window(double mean_ms);
-  /// Adds to the voice and drops what is past. One that begins before the end of what is there is
-  /// left out.
+  /// Adds to the voice and drops what is past. A packet that begins before the end of the last one
+  /// is left out.
   void keep(EncodedVoice voice);
   void keep(CaptionData caption);
 

@@ -11,14 +11,14 @@
 
 namespace aucast::protocol {
 
-/// The one clock of a recorded stream that is sent live. A moment begins when the face is to set
-/// out for its keyframe and lasts as long as the keyframe's time; after the last one the stream has
-/// ended, or starts again. A clock that was not asked for long (the computer slept) leaves out what
-/// is more than kLiveLagMax past.
+/// The one clock of a recorded stream that is sent live. A moment begins when the face should begin
+/// to move to its keyframe, and lasts as long as the keyframe's time; after the last one the stream
+/// has ended, or starts again. A clock that was not asked for a long time (the computer slept)
+/// leaves out what is more than kLiveLagMax past.
 /// Thread: none of its own.
 class LiveClock {
  public:
-  /// Longest past that is still made up for.
+  /// The longest delay that is made up for.
   static constexpr Milliseconds kLiveLagMax{1000};
 
   /// `number` counts the moments from 0 and goes on when the stream starts again.
@@ -34,7 +34,7 @@ class LiveClock {
 
   /// Goes on to the next moment, or to the end, if it is due. Call until it returns false.
   bool advance(Instant now);
-  /// Goes through all that is due; false when nothing is.
+  /// Goes through all moments that are due; false when none is.
   bool advance_all(Instant now);
   /// The moments that the last advance went through, the newest last; none when it only ended.
   [[nodiscard]] std::span<const Moment> passed() const { return passed_; }

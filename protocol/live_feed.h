@@ -10,7 +10,7 @@
 namespace aucast::protocol {
 
 /// A live stream whose keyframes are made elsewhere and come one by one: each is the newest moment
-/// as soon as it is there.
+/// as soon as it comes.
 /// Thread: none of its own.
 class LiveFeed final : public LiveChannel {
  public:
@@ -27,17 +27,17 @@ class LiveFeed final : public LiveChannel {
   }
   /// The next moment, a full keyframe. A stream that had ended goes on.
   void add(const Keyframe& keyframe);
-  /// The same, encoded elsewhere: for who passes packets on.
+  /// The same, already encoded, for relays, which pass packets on.
   void add(EncodedKeyframe encoded, Milliseconds time);
   /// Where the newest moment ends on the channel's clock: the place of the instant at which its
   /// keyframe was made, and so of the sound of that instant.
   [[nodiscard]] Milliseconds end_of_newest() const { return end_; }
-  /// The next packet of the voice, whose place is not before the end of the one before: else it is
-  /// left out. Without effect when the feed has no voice.
+  /// Adds the next packet of the voice; it is left out if its place is before the end of the
+  /// previous one. Without effect when the feed has no voice.
   void add_voice(const VoicePacket& packet) { add_voice(EncodedVoice(packet)); }
   void add_voice(EncodedVoice voice);
   void add_caption(CaptionData caption);
-  /// Nothing more comes for now: who is there gets {-2}.
+  /// Nothing more comes for now: the clients get {-2}.
   void end() { ended_ = true; }
 
  private:

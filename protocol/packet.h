@@ -14,7 +14,7 @@ namespace aucast::protocol {
 /// How much of the protocol both sides speak.
 enum class Level : std::uint8_t { Classic = 1, Negotiated = 2 };
 
-/// One keyframe as it stands in a packet or on a line of a stream file.
+/// One keyframe as written in a packet or on a line of a stream file.
 struct Keyframe {
   std::vector<AuTerm> terms;                 ///< as written; empty only in the changes-only form
   bool changes_only = false;                 ///< {~...}: what is not named stays as it was
@@ -39,7 +39,7 @@ struct VoiceData {
 /// {t@PLACE DATA}: what is said from this place until the next caption; empty: nothing.
 struct CaptionData {
   std::uint64_t place_ms = 0;
-  std::string text;  ///< UTF-8 without control characters but line feeds
+  std::string text;  ///< UTF-8 without control characters other than line feeds
   friend bool operator==(const CaptionData&, const CaptionData&) = default;
 };
 
@@ -56,10 +56,10 @@ struct HelloAsked {
   std::uint64_t from_ms = 0;  ///< recorded: where to begin, as a sum of keyframe times
   std::string voice{};        ///< the codec it plays: kVoiceCodec; empty: it wants no voice
   bool text = false;          ///< it wants captions
-  bool loop = false;          ///< of a recording in a loop it wants one turn, and makes the others
-  std::string relay{};        ///< the ID of a relay that asks or of a publisher; empty: it is none
-  std::string publish{};      ///< the stream that it brings, in place of asking for one
-  bool takes = false;         ///< the answer to that: bring it; the rest says how
+  bool loop = false;      ///< of a recording in a loop it wants one turn, which it repeats itself
+  std::string relay{};    ///< the ID of a relay that asks or of a publisher; empty: it is none
+  std::string publish{};  ///< the stream that it brings, in place of asking for one
+  bool takes = false;     ///< the answer to that: bring it; the rest says how
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };
 

@@ -11,9 +11,9 @@
 
 namespace aucast::protocol {
 
-/// The first words of who brings a stream to a server: says so, and reads the answer. When it is
-/// taken the roles turn: the server's answer is a client's hello, for a ServerSession. No socket
-/// and no clock. Thread: none of its own.
+/// The publisher's side of a new connection: it offers a stream to a server, and reads the answer.
+/// If the stream is taken, the roles turn: the server's answer is a client's hello, for a
+/// ServerSession. No socket and no clock. Thread: none of its own.
 class PublishSession {
  public:
   struct Asked {
@@ -21,24 +21,24 @@ class PublishSession {
     std::string token;   ///< empty: none
     std::string id;      ///< of this server, to tell it from other publishers
   };
-  /// It is taken: the bytes that have come, for a ServerSession.
+  /// The stream is taken. Holds the bytes that have come, for a ServerSession.
   struct Taken {
     std::string bytes;
   };
-  /// It is not; a sentence, peer text escaped.
+  /// The stream is not taken; a sentence, peer text escaped.
   struct Failed {
     std::string reason;
   };
-  /// Nothing: more is to come.
+  /// nullopt: the answer is not complete yet.
   using Answer = std::variant<std::monostate, Taken, Failed>;
 
   explicit PublishSession(Asked asked) : asked_(std::move(asked)) {}
 
-  /// What is said at the beginning.
+  /// The bytes to send first.
   [[nodiscard]] std::string hello() const;
-  /// What has come. Not after an answer.
+  /// Reads what has come. Not to be called after an answer.
   [[nodiscard]] Answer on_bytes(std::string_view bytes);
-  /// How it is to be said that the server has closed before it answered.
+  /// What to report when the server closes before it has answered.
   [[nodiscard]] static std::string closed_reason();
 
  private:

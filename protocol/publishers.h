@@ -22,8 +22,8 @@ class Publishers {
 
   explicit Publishers(std::vector<Publisher> all) : all_(std::move(all)) {}
 
-  /// Whether who shows the token may bring a stream of that name. Compares with all tokens and
-  /// takes the same time wherever it finds one.
+  /// Whether whoever shows the token may bring a stream of that name. Compares it with all tokens,
+  /// and takes the same time wherever it finds it.
   [[nodiscard]] Verdict verdict(std::string_view token, std::string_view name) const;
   [[nodiscard]] const std::vector<Publisher>& all() const { return all_; }
 
@@ -37,9 +37,9 @@ struct PublisherFile {
   std::string warning;
 };
 
-/// Reads a file with a publisher a line: its token, and after blanks the names of the streams that
-/// it may bring, if not any. Empty lines and lines that begin with # mean nothing. Unreadable, or
-/// BadData with the line when one cannot be read, when a token stands there twice, or when there is
+/// Reads a file with one publisher per line: its token and, after blanks, the names of the streams
+/// that it may bring; no names: any. Empty lines and lines that begin with # are skipped.
+/// Unreadable, or BadData with the line if one is malformed, a token is there twice, or there is
 /// none; no message quotes a token.
 [[nodiscard]] Result<PublisherFile> read_publisher_file(const std::filesystem::path& path);
 

@@ -23,7 +23,7 @@ class Recent {
 
   /// Of the oldest that is kept.
   [[nodiscard]] std::uint64_t first_number() const { return dropped_; }
-  /// Null: it is dropped, or still to come.
+  /// Null: it was dropped, or has not come yet.
   [[nodiscard]] const T* find(std::uint64_t number) const {
     const bool kept = number >= dropped_ && number - dropped_ < kept_.size();
     return kept ? &kept_[static_cast<std::size_t>(number - dropped_)] : nullptr;

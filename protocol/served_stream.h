@@ -12,9 +12,9 @@
 
 namespace aucast::protocol {
 
-/// A stream by the name that a hello asks for: recorded, which each client gets from its beginning
-/// or from the place that its hello names; live, of which each client gets what is sent now; or
-/// another server's, which is one of these as soon as that has said which.
+/// A stream under the name that a hello asks for: a recorded one, which each client gets from its
+/// beginning or from where its hello says; a live one, of which each client gets what is sent now;
+/// or another server's, which becomes one of these as soon as that server has said which.
 struct ServedStream {
   /// Nothing: what is served under this name is not here yet.
   using Kind = std::variant<std::monostate, RecordedStream, std::shared_ptr<const LiveChannel>,
@@ -51,7 +51,7 @@ struct ServedStream {
   [[nodiscard]] const std::string& known_name() const {
     return name.empty() && upstream() != nullptr ? upstream()->name : name;
   }
-  /// Where it comes from it starts again at its end.
+  /// At the server that it comes from it starts again at its end.
   [[nodiscard]] bool loops_there() const { return upstream() != nullptr && upstream()->loop; }
 
   friend bool operator==(const ServedStream&, const ServedStream&) = default;

@@ -19,7 +19,7 @@
 namespace aucast::protocol {
 
 /// What the sessions of one server have in common. Must outlive them. Streams may be added and the
-/// token may change at any time: a session holds the stream that it sends, and a client that was
+/// token may change at any time: a session keeps the stream that it sends, and a client that was
 /// let in stays.
 struct ServerCatalogue {
   /// The first is what a classic client gets. At least one, unless `patience` says that one may
@@ -76,21 +76,20 @@ enum class Admission : std::uint8_t {
   FullAddress,  ///< the same, because too many clients come from its address
 };
 
-/// What a client that says no hello is to a server.
+/// What a server makes of a client that sends no hello.
 enum class Silence : std::uint8_t {
   Classic,  ///< one of level 1
   Refused,  ///< it gets {error 400 ...}, and all of kHelloTimeMax to begin: over a WebSocket
 };
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
-/// windowed sending, pause, stop, end, drain. Live, a client that may be sent something gets the
-/// newest moment; those between it and the last one sent are merged into it, which for states
-/// means left out. No socket and no clock: bytes and the current time go in, events come out. After
-/// CloseConnection or HandOver nothing more comes out.
+/// windowed sending, pause, stop, end, drain. In a live stream a client that may be sent something
+/// gets the newest moment; those between it and the last one sent are merged into it or, where
+/// keyframes are full, left out. No socket and no clock: bytes and the current time go in, events
+/// come out. After CloseConnection or HandOver nothing more comes out.
 /// Output of one call: at most kEarlyAnswersMax + window packets. The owner must not read on while
 /// much of what it was told to send is still unsent, or a peer that answers without reading fills
-/// the owner's memory.
-/// PROTOCOL.md section "Server" is the table it follows.
+/// the owner's memory. PROTOCOL.md section "Server" is the table it follows.
 /// Thread: none of its own; one session per connection.
 class ServerSession {
  public:
@@ -119,8 +118,9 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of PROTOCOL.md section 8.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
-  /// The server itself stops and another one goes on: who is sent a stream in level 2, or waits for
-  /// one, is cut off without {-2}, and may come again with `from=`. Without effect for all others.
+  /// The server itself stops and another one takes over: a client that is sent a stream in level 2,
+  /// or waits for one, is cut off without {-2}, and may come back with `from=`. Without effect for
+  /// all others.
   [[nodiscard]] std::vector<ServerEvent> send_away(Instant now);
   /// send_away() would have an effect.
   [[nodiscard]] bool movable() const;

@@ -11,7 +11,7 @@
 namespace aucast::protocol {
 
 /// The credits of one client for codes that answer nothing: so many that no honest client runs out
-/// of them, and who floods the server does. Thread: none of its own.
+/// of them, but one that floods the server does. Thread: none of its own.
 class SpareCodes {
  public:
   explicit SpareCodes(Instant now) : counted_(now) {}

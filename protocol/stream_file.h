@@ -13,7 +13,7 @@
 
 namespace aucast::protocol {
 
-/// The lines that a stream stands between.
+/// The lines before and after a stream.
 inline constexpr std::string_view kBeginTag = "Beg_Stream";
 inline constexpr std::string_view kEndTag = "End_Stream";
 
@@ -25,8 +25,8 @@ struct StreamFile {
 /// Takes the keyframes of a stream file one by one; an error ends the reading.
 using KeyframeSink = std::function<Result<void>(Keyframe&& keyframe)>;
 
-/// Reads the text of a stream file and hands its keyframes to `sink`, nothing else being held.
-/// Errors as of parse_stream_file(), or the sink's. Keyframes before an error were handed out.
+/// Reads the text of a stream file and hands its keyframes to `sink`; keeps none of them. Errors as
+/// of parse_stream_file(), or the sink's. Keyframes before an error were handed out.
 [[nodiscard]] Result<void> read_stream_file(std::string_view text, std::string_view file,
                                             const KeyframeSink& sink);
 

@@ -29,8 +29,8 @@ struct RecordedStream {
 };
 
 /// A stream that another server sends, as far as it is known: at first not even of which kind it
-/// is. Shared by all its sessions. Whoever receives it writes it; what is known does not change any
-/// more, except that a recorded stream grows.
+/// is. Shared by all its sessions. Its receiver writes it; what is once known does not change,
+/// except that a recorded stream grows.
 /// Thread: that of the sessions.
 struct UpstreamStream {
   std::string name;  ///< empty: not known yet

@@ -19,9 +19,9 @@ struct VoicePacket {
   friend bool operator==(const VoicePacket&, const VoicePacket&) = default;
 };
 
-/// How long the sound of an Opus packet lasts, by its TOC byte (RFC 6716 section 3.1). Nothing for
-/// what is no Opus packet, and for one of another length than 10, 20, 40 or 60 ms, which this
-/// protocol carries.
+/// How long the sound of an Opus packet lasts, by its TOC byte (RFC 6716 section 3.1). nullopt for
+/// bytes that are no Opus packet, and for a length other than the 10, 20, 40 or 60 ms that the
+/// protocol allows.
 [[nodiscard]] std::optional<Milliseconds> opus_duration(std::string_view opus);
 
 /// Reads the text() of a finished WordPacket of the word `a`.

@@ -15,8 +15,9 @@ namespace aucast::protocol {
 /// Thread: none of its own.
 class WrongTokens {
  public:
-  /// What is kept of all addresses. When more come the oldest are forgotten: their address may
-  /// guess again a little sooner, but from nobody is the right token kept.
+  /// How many wrong tokens of all addresses are kept. When more come the oldest are forgotten:
+  /// their addresses may guess again a little sooner, but nobody's right token is refused for lack
+  /// of room.
   static constexpr std::size_t kGuessesMax = 65'536;
 
   /// `address`: any number that stands for it.

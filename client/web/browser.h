@@ -6,8 +6,8 @@
 #include <string_view>
 
 /// What the browser does for the page: implemented in JavaScript (player_engine.js), which answers
-/// by calling what exports.cpp exports. We choose the numbers that sockets and timers
-/// are known by. Thread: the page's only one.
+/// by calling what exports.cpp exports. We choose the numbers that sockets and timers are known by.
+/// Thread: the page's only one.
 namespace aucast::web::browser {
 
 /// Makes a WebGL 2 context for the player's canvas, which is current from then on. False: the
