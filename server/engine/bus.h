@@ -9,7 +9,7 @@
 
 namespace aucast::server {
 
-/// What an engine does for us: takes messages to whoever has subscribed to their subject.
+/// What an engine does for us: carries messages to all subscribers of their subject.
 /// Thread: that of the event loop, on which it tells its events too, never from within a call.
 class Bus {
  public:
@@ -20,7 +20,8 @@ class Bus {
   };
   struct Events {
     std::function<void(Message)> on_message;
-    /// Messages go now, over that server; again when another one has taken the place of a lost one.
+    /// Connected: messages go now, over that server. Called again when another one replaces a lost
+    /// one.
     std::function<void(const std::string& server)> on_connected;
     std::function<void()> on_disconnected;
   };
@@ -31,17 +32,17 @@ class Bus {
   Bus& operator=(const Bus&) = delete;
 
   virtual void subscribe(const std::string& subject) = 0;
-  /// Lost when there is no connection: nothing is kept to be sent when it would be old.
+  /// Sends a message. Without a connection it is lost: nothing is kept to be sent late.
   virtual void publish(const Message& message) = 0;
   /// A subject of our own, to which answers may go.
   [[nodiscard]] virtual std::string own_subject() const = 0;
-  /// Messages that came faster than they were worked on, and had no room to wait.
+  /// How many messages were dropped because they came faster than they were handled.
   [[nodiscard]] virtual std::uint64_t left_out() const = 0;
 };
 
 using OpenBus = std::function<Result<std::unique_ptr<Bus>>(Bus::Events)>;
 
-/// Where the batches of a stream go, and the questions of who joins.
+/// The subjects of a stream: for its batches, and for the questions of those who join.
 [[nodiscard]] inline std::string batch_subject(const std::string& stream) {
   return "au." + stream + ".p";
 }

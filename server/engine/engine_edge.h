@@ -16,8 +16,8 @@
 
 namespace aucast::server {
 
-/// A stream of an engine as a source: follows what is published there, and each time that it begins
-/// anew is a connection for its Reception.
+/// A stream of an engine as a source: follows what is published there. Each new beginning is a
+/// connection for its Reception.
 /// Thread: that of the io_context, which must outlive it.
 class EngineEdge final : public Upstream {
  public:
@@ -52,7 +52,7 @@ class EngineEdge final : public Upstream {
   std::shared_ptr<JoinedLink> link_;  ///< null: nothing has begun
   bool over_ = false;                 ///< the receiver has left it, in the running call
   std::string server_;                ///< of the engine; empty: none is connected
-  std::string reason_;                ///< said last of why it was left
+  std::string reason_;                ///< why it was left, as logged last
   asio::steady_timer timer_;
   bool stopped_ = false;
 };

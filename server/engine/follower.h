@@ -14,7 +14,7 @@
 
 namespace aucast::server {
 
-/// What came over an engine is put in order, as ENGINE.md has it: joins one origin, sees a hole by
+/// Puts in order what comes over an engine, as ENGINE.md says: joins one origin, notices a gap by
 /// the numbers and asks for what is missing, takes nothing twice, and leaves an origin that is
 /// silent. No connection and no clock: messages and the time go in, events come out.
 /// Thread: none of its own.
@@ -24,7 +24,7 @@ class Follower {
   static constexpr Milliseconds kAskFirst{250};   ///< until the question is asked again, ...
   static constexpr Milliseconds kAskMax{4'000};   ///< ... twice as long each time, up to this
   static constexpr Milliseconds kSayEvery{60'000};
-  /// Batches that wait for an answer; the oldest are dropped for more, and counted.
+  /// Batches that may wait for an answer; beyond that the oldest are dropped, and counted.
   static constexpr std::size_t kWaitingMax = 128;
   static constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 20U;
 
@@ -51,19 +51,20 @@ class Follower {
   /// `id`: of this server, by which it finds its own stream.
   explicit Follower(std::string id) : id_(std::move(id)) {}
 
-  /// The engine is there, for the first time or again: something may have been missed.
+  /// Call when the engine is connected, for the first time or again: something may have been
+  /// missed.
   [[nodiscard]] std::vector<Event> on_connected(Instant now);
   void on_disconnected() { connected_ = false; }
-  /// To everybody; may be from anybody.
+  /// Takes a message that was sent to everybody; anybody may have sent it.
   [[nodiscard]] std::vector<Event> on_published(std::string_view bytes, Instant now);
-  /// To what was asked.
+  /// Takes an answer to a question of ours.
   [[nodiscard]] std::vector<Event> on_answer(std::string_view bytes, Instant now);
-  /// What began is over for its receiver: it has ended, or makes no sense.
+  /// Call when the receiver has left what began: it has ended, or makes no sense.
   [[nodiscard]] std::vector<Event> on_over(Instant now);
   [[nodiscard]] std::vector<Event> on_time(Instant now);
   [[nodiscard]] std::optional<Instant> deadline() const;
 
-  /// Batches that waited for an answer when there was no room for more.
+  /// How many batches were dropped while they waited for an answer.
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace aucast::server {
 
-/// What came of one join as a connection: its user gets the hello, the whole face and all that
-/// follows, as from any server. What it says goes nowhere, for nobody answers an engine.
+/// What comes after one join, as a connection: its user gets the hello, the whole face and all that
+/// follows, as from any server. What the user sends is dropped, for an engine takes no answers.
 class JoinedLink final : public link::Link, public std::enable_shared_from_this<JoinedLink> {
  public:
   /// Hands these on one by one, each a moment of its own, unless the user has closed.

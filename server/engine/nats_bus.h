@@ -13,9 +13,9 @@
 namespace aucast::server {
 
 /// A connection to servers of NATS by their client library, which is loaded for it (nats_loader.h).
-/// It is tried on for ever, at the servers in their order; the first attempt takes up to a second
-/// for each that does not answer. Usage error where the module is not installed, and when the
-/// library does not take the options; unreadable where the module cannot be used.
+/// Connecting is tried for ever, at the servers in their order; the first attempt takes up to a
+/// second for each that does not answer. Usage error where the module is not installed, and when
+/// the library does not take the options; unreadable where the module cannot be used.
 [[nodiscard]] Result<std::unique_ptr<Bus>> open_nats_bus(asio::io_context& io,
                                                          const NatsOptions& options,
                                                          Bus::Events events);

@@ -28,7 +28,7 @@ struct NatsServers {
   std::string key;
 };
 
-/// Is told what becomes of a connection, in the words of the library, on its threads, also after
+/// Is told what becomes of a connection, in the words of the library and on its threads, even after
 /// the connection's end.
 class NatsListener {
  public:
@@ -41,15 +41,15 @@ class NatsListener {
   virtual void on_disconnected() = 0;
   virtual void on_message(Bus::Message message) = 0;
   virtual void on_error(const std::string& text) = 0;
-  /// It tries no further.
+  /// The library gives up.
   virtual void on_given_up(const std::string& why) = 0;
 };
 
-/// A connection; it is tried on for ever, unless it is refused. Thread: one at a time.
+/// A connection; the library tries for ever, unless it is refused. Thread: one at a time.
 class NatsConnection {
  public:
   NatsConnection() = default;
-  /// Waits a moment for the last words to go.
+  /// Waits a moment for the last messages to go out.
   virtual ~NatsConnection() = default;
   NatsConnection(const NatsConnection&) = delete;
   NatsConnection& operator=(const NatsConnection&) = delete;
@@ -61,15 +61,15 @@ class NatsConnection {
 
 /// What the module exports, under the name kNatsModule.
 struct NatsModule {
-  /// Stays the first whatever becomes of the rest: who loads reads no further where it differs from
-  /// its own kNatsTag, AUCAST_NATS_TAG. server/CMakeLists.txt makes that of the version, of the
-  /// text of the headers that the two share, of the compiler and of the sanitizer.
+  /// Stays the first member whatever becomes of the rest: the loader reads no further if it differs
+  /// from its own kNatsTag, AUCAST_NATS_TAG. server/CMakeLists.txt makes that of the version, of
+  /// the text of the headers that the two share, of the compiler and of the sanitizer.
   const char* tag;
   /// Takes up to a second for each server that does not answer. Network: it was refused; usage: the
   /// library does not take these options. Messages are the library's own words.
   Result<std::unique_ptr<NatsConnection>> (*connect)(const NatsServers& servers,
                                                      const std::shared_ptr<NatsListener>& listener);
-  /// Of our own, to which answers may go.
+  /// A subject of our own, to which answers may go.
   Result<std::string> (*new_subject)();
 };
 

@@ -13,12 +13,12 @@
 
 namespace aucast::server {
 
-/// A live stream on its way to an engine: batches of what its channel has, numbered, and answers to
-/// who joins late or has missed some. Places are those of the channel's clock.
+/// A live stream on its way to an engine: numbered batches of what its channel has, and answers to
+/// those who join late or missed some. Places are those of the channel's clock.
 /// Thread: none of its own; that of the channel.
 class Publication {
  public:
-  /// What was published is kept so long for who has missed it.
+  /// How long what was published is kept for those who missed it.
   static constexpr Milliseconds kKept{2'000};
   /// One answer holds it with its line.
   static constexpr std::size_t kKeptBytesMax = std::size_t{48} * 1024;
@@ -26,20 +26,21 @@ class Publication {
 
   explicit Publication(std::string origin) : origin_(std::move(origin)) {}
 
-  /// Adds to the next batch what the channel has that was not taken yet. What is heard comes before
-  /// the keyframe that it is heard in.
+  /// Adds to the next batch what is new in the channel. Sound comes before the keyframe during
+  /// which it is heard.
   void collect(const protocol::LiveChannel& channel);
   /// Adds {-2}: nothing follows for now.
   void collect_end();
-  /// Of the packets of the next batch.
+  /// The size of the next batch's packets.
   [[nodiscard]] std::size_t waiting_bytes() const { return waiting_.size(); }
-  /// What was collected, with the next number. Without anything it says that the origin lives.
+  /// Returns what was collected, with the next number. An empty batch says that the origin is
+  /// alive.
   [[nodiscard]] std::string next_batch();
 
-  /// The stream goes on: who asks can be told the state of the face.
+  /// The stream is running, so the state of the face can be told.
   [[nodiscard]] bool running() const { return !full_.empty() && !ended_; }
-  /// What is said to who joins, as of the last batch. `hello`: of the stream. Nothing: it asks
-  /// another origin, or nothing was published.
+  /// The answer to somebody who joins, as of the last batch. `hello`: of the stream. Nothing: it
+  /// asks another origin, or nothing was published.
   [[nodiscard]] std::optional<std::string> answer(const protocol::EngineJoin& join,
                                                   const protocol::HelloGranted& hello) const;
 

@@ -48,7 +48,7 @@ class HttpExchange final : public link::LinkUser,
   void start() { link_->start(*this); }
   /// The answer to the request; of one for the head, only that.
   void reply(SharedReply reply, bool head);
-  /// The link is for who goes on with it; this is over.
+  /// Gives the link to whoever goes on with it; this exchange is over.
   [[nodiscard]] std::shared_ptr<link::Link> release() { return std::exchange(link_, nullptr); }
   [[nodiscard]] bool released() const { return link_ == nullptr; }
 
@@ -79,8 +79,8 @@ class HttpExchange final : public link::LinkUser,
   std::size_t sent_ = 0;  ///< of it
 };
 
-/// Those that are under way, in the order they came; one more than there may be closes the oldest,
-/// those first that have not asked yet: who says nothing must not keep others out.
+/// The exchanges under way, in the order in which they came. One too many closes the oldest, but
+/// first those that have sent no request: a silent connection must not keep others out.
 /// Thread: that of the links.
 class HttpExchanges {
  public:

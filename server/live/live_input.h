@@ -21,8 +21,8 @@ namespace aucast::server {
 
 /// The bytes of a source that is still being written: stdin (the path "-"), a FIFO, which is opened
 /// again whenever its writer has gone, or a growing file. A file that got shorter, was replaced or
-/// has other bytes where it was read already is read anew from its beginning. What cannot be read
-/// is said once; a FIFO and a growing file are tried again, anything else has ended.
+/// was changed where it had been read is read again from its beginning. A read error is reported
+/// once; a FIFO and a growing file are tried again, anything else has ended.
 /// Thread: that of the io_context, which must outlive it.
 class LiveInput {
  public:
@@ -37,8 +37,8 @@ class LiveInput {
   /// more comes.
   using Opener = std::function<Result<int>()>;
 
-  /// `follow`: a regular file is read on when it grows. `open`: instead of the path, if it is
-  /// there.
+  /// `follow`: a regular file is read on when it grows. `open`: if not empty, opens the input in
+  /// place of the path.
   LiveInput(asio::io_context& io, std::filesystem::path path, bool follow, Events events,
             Opener open = {});
   ~LiveInput();
@@ -50,11 +50,11 @@ class LiveInput {
   /// Nothing is read for now, or again.
   void hold(bool held);
   void stop();
-  /// It begins with what a file holds already; what comes through a pipe is new.
+  /// True for a file, which may already hold something; what comes through a pipe is new.
   [[nodiscard]] bool has_past() const { return file_ >= 0; }
   /// Nothing comes any more: stdin has ended, or a FIFO cannot be opened again.
   [[nodiscard]] bool ended() const { return ended_; }
-  /// Why it could not be read the last time; nothing if it could.
+  /// Why the last read failed; nullopt if it did not.
   [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
 
  private:

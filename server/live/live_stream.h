@@ -37,11 +37,11 @@ struct LiveStreamOptions {
 };
 
 /// One stream of a source that is being written: reader -> queue -> thinning -> feed, its voice and
-/// its record. When nothing comes the face holds, goes to neutral, and after the time-out the
-/// stream ends for those who are there; it goes on when something comes.
+/// its record. When nothing comes the face holds, then goes to neutral, and after the time-out the
+/// stream ends for its clients; it goes on when something comes.
 ///
-/// While there is a voice the stream's clock goes on in pauses: the face that is held is sent with
-/// the time for which it was.
+/// While there is a voice the stream's clock goes on in pauses: the held face is sent with the time
+/// for which it was held.
 ///
 /// Times are seconds of one clock. Thread: none of its own.
 class LiveStream {
@@ -55,7 +55,7 @@ class LiveStream {
 
   /// Keeps it in this file from now on. Fails as Recorder::start().
   [[nodiscard]] Result<void> record(const std::filesystem::path& path);
-  /// What kept it from being recorded whole. Waits until the record is written.
+  /// What kept the stream from being recorded whole. Waits until the record is written.
   [[nodiscard]] Result<void> finish_record();
 
   /// What is fed to it waits until take().

@@ -23,14 +23,14 @@ struct LiveStreamsOptions {
   bool record_first = true;      ///< this source is the one that a file is for
 };
 
-/// The streams of one source that is being written. What a followed file holds already is past:
+/// The streams of one source that is being written. What a followed file already holds is past:
 /// only its last row is sent.
 ///
-/// The first stream is there from the beginning, and a voice is its; with --face-id all each face
-/// that is seen gets another one, read from the same bytes by a reader of its own.
+/// The first stream is there from the beginning, and a voice belongs to it; with --face-id all each
+/// face that is seen gets another one, read from the same bytes by its own reader.
 ///
-/// Knows no file but what it records, and no clock: after every call what is due is sent, next()
-/// tells when advance() is wanted.
+/// Knows no file except its records, and no clock: every call also sends what is due, and next()
+/// tells when advance() has to be called.
 /// Thread: none of its own.
 class LiveStreams {
  public:

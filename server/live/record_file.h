@@ -19,13 +19,13 @@ inline constexpr RecordForm kStreamFileForm{"Beg_Stream\n", "End_Stream\n"};
 /// Ogg: a page is a piece, and nothing stands around them.
 inline constexpr RecordForm kPagesForm{};
 
-/// A file that grows and is whole whenever somebody looks: what is added is written in one piece
-/// with the tail behind it, over the tail before. A program that is killed leaves a whole file;
-/// what a power cut can tear is what was not yet synced. A file that holds anything is never
-/// written over.
+/// A file that grows and is complete at every moment: what is added is written in one piece
+/// together with a new tail, over the old tail. A program that is killed leaves a complete file; a
+/// power cut can damage only what was not yet synced. A file that is not empty is never
+/// overwritten.
 class RecordFile {
  public:
-  /// Failed, with the reason, when the file cannot be made, is no plain file, or holds anything.
+  /// Failed, with the reason, when the file cannot be made, is not a regular file, or is not empty.
   [[nodiscard]] static Result<RecordFile> create(const std::filesystem::path& path,
                                                  const RecordForm& form = kStreamFileForm);
   RecordFile(RecordFile&& other) noexcept;
@@ -35,9 +35,9 @@ class RecordFile {
   /// A file that was made here and that nothing was added to is removed.
   ~RecordFile();
 
-  /// A piece. When it fails, the file stays what it was.
+  /// Adds a piece. If that fails, the file stays as it was.
   [[nodiscard]] Result<void> add(std::string_view piece);
-  /// Brings what was added to the disk.
+  /// Syncs what was added to the disk.
   [[nodiscard]] Result<void> sync();
 
  private:

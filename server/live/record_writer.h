@@ -16,7 +16,7 @@ namespace aucast::server {
 
 /// Writes a record on a thread of its own, so that a slow disk holds up no client; a full one ends
 /// the recording, not what is recorded.
-/// Thread: that of its owner; what is Shared also that which writes.
+/// Thread: its owner's; the Shared part is also used by the writing thread.
 class RecordWriter {
  public:
   /// As RecordFile::create().

@@ -27,12 +27,13 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Keeps a voice too from now on. As RecordFile::create().
+  /// Records a voice too from now on. Fails as RecordFile::create().
   [[nodiscard]] Result<void> add_voice_file();
 
-  /// As RecordTimeline has them.
+  /// Adds a keyframe; the arguments are those of RecordTimeline.
   void add(const protocol::Keyframe& keyframe, SteadySeconds now, bool free);
-  /// A packet that is heard `after` the end of the last keyframe; before it, if that is negative.
+  /// A packet that is heard so long `after` the end of the last keyframe, or, if negative, before
+  /// it.
   void add_voice(protocol::VoicePacket packet, Milliseconds after);
   void end_of_stream() { timeline_.end(); }
   /// Waits until everything is written. The error that ended the recording, if one did.

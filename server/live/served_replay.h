@@ -18,7 +18,7 @@ struct ReplayLimits {
 };
 
 /// A recorded stream that is sent live. With a voice, on a link with a limit, its keyframes are
-/// thinned on their way: what is left for them depends on what the voice takes just then.
+/// thinned as they are sent: what is left for them depends on what the voice takes at that moment.
 /// Thread: none of its own.
 class ServedReplay {
  public:

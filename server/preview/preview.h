@@ -17,7 +17,7 @@
 namespace aucast::server {
 
 /// --preview: what the camera sees, on standard output, and orders, on standard input
-/// (common/preview). A picture that comes while the one before is still being written is dropped.
+/// (common/preview). A picture that comes while the previous one is still being written is dropped.
 /// Thread: that of the io_context, which must outlive it; offer() from any.
 class Preview {
  public:
@@ -27,7 +27,7 @@ class Preview {
     std::function<void()> close;
     /// How many of them are here.
     std::function<std::size_t()> watching;
-    /// Whom it is for has gone. Called once.
+    /// The program that it is for has gone. Called once.
     std::function<void()> on_gone;
   };
 

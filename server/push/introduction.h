@@ -13,7 +13,7 @@ namespace aucast::server {
 /// Thread: that of the link.
 class Introduction final : public link::LinkUser {
  public:
-  /// Told once, as the last thing that is done with this object, which may be destroyed by it.
+  /// Called once, as this object's last act; the callee may destroy the object.
   using OnAnswer = std::function<void(const protocol::PublishSession::Answer&)>;
 
   Introduction(std::shared_ptr<link::Link> link, protocol::PublishSession session,
@@ -23,7 +23,7 @@ class Introduction final : public link::LinkUser {
   Introduction& operator=(const Introduction&) = delete;
 
   void start() { link_->start(*this); }
-  /// After it was taken: the link is for who goes on.
+  /// After the stream was taken: gives the link to whoever goes on with it.
   [[nodiscard]] std::shared_ptr<link::Link> release();
 
  private:

@@ -17,7 +17,7 @@
 
 namespace aucast::server {
 
-/// The streams that publishers bring (--accept-push), one publisher a name. A live one, or one
+/// The streams that publishers bring (--accept-push), one publisher per name. A live one, or one
 /// that did not come whole, is forgotten when no publisher has sent it for a while; a recorded one
 /// stays, until its publisher brings another or room is needed.
 /// Thread: that of the io_context, which must outlive it.
@@ -30,7 +30,7 @@ class PushedStreams {
   };
   struct Events {
     std::function<void()> on_moment;   ///< a stream has something new
-    std::function<void()> on_changed;  ///< streams() are others than before
+    std::function<void()> on_changed;  ///< streams() has changed
   };
 
   PushedStreams(asio::io_context& io, Options options, Events events);

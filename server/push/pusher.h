@@ -19,10 +19,10 @@
 
 namespace aucast::server {
 
-/// Brings a stream of this server to another one (--push): dials it, says so, and when it is taken
-/// serves that connection like any client's. Comes back for ever when it is lost or refused. A
-/// recorded stream that was sent whole is offered again now and then: a server that was restarted
-/// has forgotten it.
+/// Brings a stream of this server to another one (--push): dials that server, offers the stream
+/// and, when it is taken, serves the connection like any client's. When it is lost or refused,
+/// tries again for ever. A recorded stream that was sent whole is offered again now and then: a
+/// server that was restarted has forgotten it.
 /// Thread: that of the io_context, which must outlive it.
 class Pusher {
  public:
@@ -30,7 +30,7 @@ class Pusher {
   struct Hooks {
     /// The stream that is brought, as it is now; null: there is none.
     std::function<const protocol::ServedStream*()> stream;
-    /// Serves it on the link, which is open and on which the bytes have come; tells its end.
+    /// Serves it on the open link, on which the bytes have come; reports the end.
     std::function<void(std::string peer, std::shared_ptr<link::Link>, std::string_view, OnServed)>
         serve;
   };

@@ -29,7 +29,7 @@ namespace aucast::server {
 class ClientConnection final : public link::LinkUser,
                                public std::enable_shared_from_this<ClientConnection> {
  public:
-  /// `why`: a sentence or clause, for who made the connection.
+  /// `why`: a sentence or clause, for the owner of the connection.
   using OnClosed = std::function<void(const ClientRecord&, const std::string& why)>;
   /// The client brings a stream, and may: the link, open, with what it said and from where.
   using OnPublisher = std::function<void(std::shared_ptr<link::Link>, const protocol::HelloAsked&,
@@ -57,7 +57,7 @@ class ClientConnection final : public link::LinkUser,
   ClientConnection& operator=(const ClientConnection&) = delete;
 
   void start();
-  /// In place of start(), of a link that is open and on which `bytes` have come.
+  /// In place of start(), for a link that is already open and on which `bytes` have come.
   void take_over(std::string_view bytes);
   /// The clock of a live stream has moved on.
   void on_moment();
@@ -69,7 +69,8 @@ class ClientConnection final : public link::LinkUser,
   [[nodiscard]] bool movable() const {
     return !finishing_ && !closed_ && session_ && session_->movable();
   }
-  /// The server stops and another one goes on: true when that was told, by a close without {-2}.
+  /// The server stops and another one takes over: true if the client was told so, by a close
+  /// without {-2}.
   bool send_away();
   /// Closes now, whatever is under way.
   void abort();

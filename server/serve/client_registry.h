@@ -24,17 +24,17 @@
 
 namespace aucast::server {
 
-/// All connections from accept to close, those among them that are only heard to be refused:
-/// decides who may come in, and counts what was sent. Thread: that of the links.
+/// All connections from accept to close, including those that are read only to be refused: decides
+/// who may come in, and counts what was sent. Thread: that of the links.
 class ClientRegistry {
  public:
   using OpenLink = std::function<std::shared_ptr<link::Link>()>;
   using OnEmpty = std::function<void()>;
 
   /// Of `options` only the limits and times of clients are used. They and `stats`, which gets the
-  /// record of each client that leaves, outlive it. `on_empty`: nobody is here any more
-  /// but servers that were dialled from here; told again when these leave.
-  /// `on_publisher`: one brings a stream, and is no client any more.
+  /// record of each client that leaves, outlive it. `on_empty`: no client is left except servers
+  /// that were dialled from here; called again when these leave. `on_publisher`: a client turned
+  /// out to be a publisher, and counts as a client no more.
   ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty,
                  ClientConnection::OnPublisher on_publisher = {})
       : options_(options),
@@ -53,7 +53,8 @@ class ClientRegistry {
     Guest,    ///< over TCP, where --preview was told to let others in
   };
 
-  /// Somebody knocks. While as many as possible are being refused the link is not even opened.
+  /// A connection has come in. While kRefusalsMax others are being refused, the link is not even
+  /// opened.
   void welcome(const asio::ip::tcp::endpoint& peer,
                std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                const OpenLink& open_link, Way way = Way::Tcp);
@@ -71,8 +72,8 @@ class ClientRegistry {
   /// {-2} to everybody, or to those that have come this way.
   void stop();
   void stop(Way way);
-  /// Cuts off so many clients of level 2, the oldest first: another server goes on with them. None
-  /// that was dialled from here, for it could not come again.
+  /// Cuts off so many clients of level 2, the oldest first, for another server to take over. Spares
+  /// those that were dialled from here, which could not come back.
   void send_away(std::size_t count);
   /// Closes all connections now.
   void abort();
@@ -92,7 +93,7 @@ class ClientRegistry {
  private:
   struct Client {
     std::shared_ptr<ClientConnection> connection;
-    bool refused = false;  ///< it is heard only to be told so; never of one that was dialled
+    bool refused = false;  ///< it is read only to be told so; never for one that was dialled
     AddressKey address = 0;
     Way way = Way::Tcp;
   };

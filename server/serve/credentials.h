@@ -11,10 +11,10 @@
 
 namespace aucast::server {
 
-/// What a server shows; nothing: its connections are plain.
+/// The certificates that a server shows; nullopt: its connections are plain.
 struct Certificates {
-  std::optional<tls::Context> tcp;  ///< to who comes to --port
-  std::optional<tls::Context> web;  ///< to who comes to --web
+  std::optional<tls::Context> tcp;  ///< at --port
+  std::optional<tls::Context> web;  ///< at --web
 };
 
 struct Credentials {

@@ -11,7 +11,8 @@
 
 namespace aucast::server {
 
-/// How many of `clients` have to be gone after `passed` of `time`: evenly spread, all at its end.
+/// How many of `clients` must have been sent away after `passed` of `time`: evenly spread, all at
+/// the end.
 [[nodiscard]] std::size_t gone_by(std::size_t clients, Duration passed, Duration time);
 
 /// Sends the clients of a server away, spread over a time, so that they do not all come to the

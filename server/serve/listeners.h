@@ -27,13 +27,13 @@ class Listeners {
   struct Hooks {
     /// What the system may hold back unsent for one client; 0: as much as it likes.
     std::function<int()> held_back_max;
-    /// Somebody knocks. Opens the link, unless there is no room even to say so.
+    /// A connection has come in. Opens the link, unless there is no room even to say so.
     std::function<void(const asio::ip::tcp::endpoint& peer,
                        const ClientRegistry::OpenLink& open_link, ClientRegistry::Way way)>
         welcome;
   };
 
-  /// `certificates` may be others for each who comes.
+  /// `certificates` is read for each connection, and may change in between.
   Listeners(asio::io_context& io, const TransmitterOptions& options,
             const Certificates& certificates, Hooks hooks);
   Listeners(const Listeners&) = delete;
@@ -42,7 +42,7 @@ class Listeners {
   /// Listens at --port, or on the socket that the service manager passed, and at --web. Network
   /// error naming address, cause and what to do; Unreadable: the page.
   [[nodiscard]] Result<void> open();
-  /// Somebody can come.
+  /// Begins to accept connections.
   void start();
   /// Lets guests in at this address, and nowhere else; where that is, with the real port.
   [[nodiscard]] Result<std::string> open_to_guests(const std::string& bind, std::uint16_t port);

@@ -23,9 +23,9 @@
 namespace aucast::server {
 
 /// What is served, as one catalogue: the streams as they were read last, those of the running
-/// sources, and those that publishers bring. Who is connected keeps the catalogue it came to, which
-/// lives as long as any of its clients. Thread: that of the io_context, which must outlive it
-/// together with the events' captures and the options.
+/// sources, and those that publishers bring. A client keeps the catalogue that was current when it
+/// connected, which lives as long as any of its clients. Thread: that of the io_context, which must
+/// outlive it together with the events' captures and the options.
 class Programme {
  public:
   struct Events {
@@ -64,7 +64,7 @@ class Programme {
       const std::string& name) const;
   /// The profile of the signals may have changed: reads it for the live sources again.
   void condition_sources_anew() { sources_.condition_anew(); }
-  /// Tells of what is due, before something that takes time.
+  /// Sends what is due, before something that takes time.
   void catch_up() { beat_.catch_up(); }
 
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> catalogue() const {

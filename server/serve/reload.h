@@ -23,7 +23,7 @@ namespace aucast::server {
 class Reload {
  public:
   using Load = std::function<Result<Repertoire>()>;
-  /// `changed`: who comes now gets other streams.
+  /// `changed`: clients that connect from now on get other streams.
   using OnDone = std::function<void(bool changed)>;
 
   /// Replaces `certificates` and what `programme` has. All references must outlive it. Waits in its

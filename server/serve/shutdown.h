@@ -48,7 +48,7 @@ class Shutdown {
   void on_signal(int number);
   /// Ends the streams, unless they have ended.
   void stop(const char* why);
-  /// Nobody is here any more but servers that were dialled from here.
+  /// No client is left except servers that were dialled from here.
   void on_empty();
 
  private:

@@ -33,8 +33,9 @@ struct RunResult {
 /// nobody is accepted any more, everybody gets {-2}, and it returns when the last is gone or
 /// kStopTimeMax is over (Shutdown). The same when all streams are live and nothing can come of them
 /// any more, as after the end of stdin. One more signal ends it at once. SIGHUP calls `load` on
-/// another thread and serves what it returns to who comes then; those that are there keep what they
-/// have. SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
+/// another thread and serves what it returns to clients that connect from then on; the others keep
+/// what they have. SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the
+/// caller's.
 [[nodiscard]] Result<RunResult> serve(const TransmitterOptions& options, Repertoire repertoire,
                                       Stats& stats, const OnReady& on_ready, Reload::Load load);
 

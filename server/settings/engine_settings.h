@@ -15,7 +15,7 @@ struct EngineSettings {
   std::filesystem::path creds;  ///< a user's JWT and seed; empty: none
   std::string nkey;             ///< a public key; empty: none
   std::filesystem::path seed;   ///< of that
-  tls::Files tls;               ///< for addresses natss://
+  tls::Files tls;               ///< for natss:// addresses
   friend bool operator==(const EngineSettings&, const EngineSettings&) = default;
 };
 

@@ -6,8 +6,8 @@
 
 #include "common/link_limits.h"
 
-/// What au-transmitter bounds for itself; what bounds a peer of the protocol is
-/// protocol/limits.h's. PROTOCOL.md carries these numbers too, for who meets them.
+/// The limits of au-transmitter alone; those of every peer of the protocol are in
+/// protocol/limits.h. PROTOCOL.md lists these too, for peers that meet them.
 namespace aucast::server {
 
 /// What fits in one packet of the network; more does not wait for --batch.
@@ -32,8 +32,8 @@ inline constexpr std::chrono::milliseconds kDialTimeMax{5000};
 inline constexpr std::chrono::milliseconds kRedialWaitFirst{1000};
 inline constexpr std::chrono::milliseconds kRedialWaitMax{5000};
 inline constexpr std::chrono::milliseconds kNextHostWaitMax{100};  ///< before another one is tried
-inline constexpr std::chrono::milliseconds kPublishAnswerTimeMax{10'000};  ///< to who brings one
-/// Until a recorded stream that was brought whole is offered again.
+inline constexpr std::chrono::milliseconds kPublishAnswerTimeMax{10'000};  ///< wait of a publisher
+/// Time until a recorded stream that was sent whole is offered again.
 inline constexpr std::chrono::milliseconds kOfferAgain{30'000};
 inline constexpr std::size_t kPushedStreamsMax = 64;          ///< brought by publishers, at a time
 inline constexpr std::size_t kClientLogLinesPerSecond = 300;  ///< about single clients
@@ -42,7 +42,7 @@ inline constexpr std::size_t kHttpHeadBytesMax = 4096;        ///< ours need a h
 inline constexpr std::chrono::milliseconds kHttpTimeMax{5000};
 inline constexpr std::size_t kWebConnectionsMax = 256;  ///< that are no WebSocket, at a time
 inline constexpr std::size_t kWebHeadBytesMax = 8192;   ///< browsers send cookies of others, too
-/// Longest time in which nothing of a file is taken by who asked for it.
+/// Longest time in which a client takes nothing of the file that it asked for.
 inline constexpr std::chrono::milliseconds kWebStallTimeMax{20'000};
 
 }  // namespace aucast::server

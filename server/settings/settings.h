@@ -16,14 +16,15 @@ namespace aucast::server {
 /// NAME and value of every variable that concerns us or anybody else.
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-/// What each option is set to and who said so last: defaults, settings file, environment, command
-/// line. Options that are for the command line only are read, and are none of the settings.
+/// What each option is set to, and by what: defaults, settings file, environment or command line,
+/// of which the last wins. Options that are for the command line only are read too, but are not
+/// settings.
 class Settings {
  public:
   /// `rows` must outlive it.
   explicit Settings(const std::vector<OptionRow>& rows);
 
-  /// Adds a settings file: TOML with one `name = value` an option. BadData with file:line:column
+  /// Adds a settings file: TOML with one `name = value` per option. BadData with file:line:column
   /// for what is no TOML, no option (with the nearest), or of another type.
   [[nodiscard]] Result<void> add_file(std::string_view text, const std::string& file);
 

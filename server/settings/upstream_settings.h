@@ -9,8 +9,8 @@ namespace aucast::server {
 
 /// How streams of other servers are received.
 struct UpstreamSettings {
-  std::filesystem::path token;  ///< shown to the parents; empty: none
-  tls::Files tls;               ///< for addresses aucasts://: authorities
+  std::filesystem::path token;  ///< file of the token to show to the parents; empty: none
+  tls::Files tls;               ///< the authorities to trust for aucasts:// addresses
   Milliseconds wait{10'000};    ///< how long clients hold while no parent sends
   friend bool operator==(const UpstreamSettings&, const UpstreamSettings&) = default;
 };

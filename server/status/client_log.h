@@ -9,9 +9,9 @@
 
 namespace aucast::server {
 
-/// What the log says of single clients. Of a flood of them only so much: it would fill the disk,
-/// and the journal drops all that a service says beyond 10,000 lines in 30 s, errors too. What is
-/// left out is counted and said. At the level debug nothing is left out.
+/// Limits what the log says about single clients: a flood of them would fill the disk, and the
+/// journal drops all that a service says beyond 10,000 lines in 30 s, errors too. Lines left out
+/// are counted, and their number is logged. At the level debug nothing is left out.
 /// Thread: none of its own.
 class ClientLog {
  public:
@@ -22,7 +22,7 @@ class ClientLog {
       spdlog::log(level, format, std::forward<Args>(args)...);
   }
 
-  /// Counts one line: whether it is to be said. What was left out before is said first.
+  /// Counts one line, and returns whether to log it. Logs first how many were left out before it.
   [[nodiscard]] bool may_say(Instant now);
 
   /// How many were left out, if any, at the end for example.

@@ -16,12 +16,12 @@ namespace aucast::server {
     const std::filesystem::path& path, const SourceOptions& options,
     const std::function<void(const camera::FilmProgress&)>& on_progress = {});
 
-/// How faces are read that we see ourselves: --neutral, in measures of the face, auto unless told
-/// otherwise; and all of them when --face-id is given.
+/// How we read faces in pictures: with --neutral, which is auto by default and applies to the
+/// measures of the face; and all faces when --face-id is given.
 [[nodiscard]] camera::FaceOptions faces_of(const SourceOptions& options);
 
-/// What is done with the AUs of this source. Of a film or a camera the neutral face was taken off
-/// already, by faces_of(): everything but that.
+/// How the AUs of this source are conditioned. For a film or a camera that leaves out the neutral
+/// face, which faces_of() has already subtracted.
 [[nodiscard]] sources::ConditioningSettings conditioning_for(
     const std::filesystem::path& path, sources::ConditioningSettings settings);
 

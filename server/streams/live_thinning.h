@@ -14,20 +14,19 @@ namespace aucast::server {
 /// What a live stream may take on a link, and how it is written.
 struct LinkLimits {
   std::uint32_t kbits = 0;  ///< a second, headers included; 0: any
-  Milliseconds batch{0};    ///< small writes wait so long for each other
+  Milliseconds batch{0};    ///< how long small writes wait for each other
   /// What the voice is promised to take, headers left out; 0: there is none. With one, keyframes
   /// count in their changes-only form, else in their full one.
   std::uint32_t voice_kbits = 0;
   Milliseconds voice_frame{60};  ///< of each of its packets
 };
 
-/// Keyframes and voice that come one by one and cannot be looked ahead in, for links of so many
-/// kilobits a second: a keyframe that comes too soon waits until there is room for it, and the next
-/// one takes its place and its time. The voice is never held up: what it takes the face goes
-/// without. All headers are counted.
-/// In no second more is written than the limit, unless the voice alone takes more or one keyframe
-/// is larger. Writes that wait for each other bring up to --batch more into a second than passed
-/// here in one: that is allowed for. Times are seconds of one clock.
+/// Fits keyframes and voice that come one by one, without looking ahead, into so many kilobits a
+/// second: a keyframe that comes too soon waits until there is room for it, and a newer one
+/// replaces it and takes over its time. The voice is never held up, and the face gets what it
+/// leaves. All headers are counted. No second has more than the limit, unless the voice alone takes
+/// more or one keyframe is larger; room is left for what --batch may move from one second into the
+/// next. Times are seconds of one clock.
 class LiveThinning {
  public:
   /// `keyframe_ms`: of an untimed keyframe.

@@ -33,7 +33,7 @@ struct Repertoire {
 
 /// What the system may hold back unsent for a client of one of these streams, when they are live:
 /// some time's worth of the busiest one, but not so little that every packet has to wait for the
-/// one before.
+/// previous one.
 [[nodiscard]] int held_back_for(const protocol::ServerCatalogue& catalogue,
                                 const VoiceOptions& voice);
 

@@ -10,8 +10,8 @@
 
 namespace aucast::server {
 
-/// An address aucast:// as a source: dials the parents that it names, one at a time, and takes the
-/// next one when one is lost. One connection, however many clients.
+/// An aucast:// address as a source: dials the parents that it names, one at a time, and goes on to
+/// the next when one is lost. One connection, however many clients.
 /// Thread: that of the io_context, which must outlive it.
 class DialledUpstream final : public Upstream {
  public:

@@ -10,9 +10,9 @@
 namespace aucast::server {
 
 /// Which of several hosts is dialled next, and after what wait. The next one is tried at once when
-/// one is lost; when all have failed in a row, the next round waits kRedialWaitFirst, then twice
-/// as long each time up to kRedialWaitMax. Every wait is a random part shorter, so that many
-/// servers do not come back at the same moment. No clock. Thread: none of its own.
+/// one is lost; when all have failed in a row, the next round waits kRedialWaitFirst, then twice as
+/// long each time up to kRedialWaitMax. Every wait is shortened at random, so that many servers do
+/// not come back at the same moment. No clock. Thread: none of its own.
 class HostTurns {
  public:
   /// `hosts`: at least one.
@@ -22,7 +22,7 @@ class HostTurns {
   [[nodiscard]] std::size_t current() const { return current_; }
   /// It has failed or was lost: the turn goes on. Returns the wait before the new one is dialled.
   [[nodiscard]] Milliseconds next();
-  /// It was of use: what failed before is forgotten.
+  /// The connection was of use: earlier failures are forgotten.
   void worked();
 
  private:

@@ -16,8 +16,8 @@
 namespace aucast::server {
 
 /// One connection to a parent, or from a publisher: the level-2 client that fills a RelayedStream.
-/// It answers every keyframe at once, for it has always room. A parent that is not what it should
-/// be is left.
+/// It answers every keyframe at once, for it always has room. It leaves a parent that breaks the
+/// protocol or does not fit.
 /// Thread: that of the link.
 class Parent final : public link::LinkUser {
  public:
@@ -28,13 +28,13 @@ class Parent final : public link::LinkUser {
   };
   struct Events {
     std::function<void()> on_moved_on;  ///< the stream has something new
-    /// Nothing more comes of this parent, which may be destroyed by this call.
+    /// Nothing more comes from this parent, which this call may destroy.
     std::function<void(const Outcome&)> on_over;
   };
   struct Greeting {
     std::string token;   ///< empty: none
     std::string id;      ///< of this relay
-    bool takes = false;  ///< it has come by itself and was not asked
+    bool takes = false;  ///< it came by itself, as a publisher
   };
 
   /// `stream` outlives it.
@@ -45,7 +45,7 @@ class Parent final : public link::LinkUser {
   Parent& operator=(const Parent&) = delete;
 
   void start() { link_->start(*this); }
-  /// In place of start(), of a link that is open.
+  /// In place of start(), for a link that is already open.
   void take_over();
 
   [[nodiscard]] std::uint64_t packets() const { return session_.packets_received(); }

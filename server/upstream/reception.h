@@ -17,8 +17,8 @@
 
 namespace aucast::server {
 
-/// A stream that comes over one connection at a time, whoever makes that: holds for its clients
-/// while none is there, ends when none has come in time, and says in log and status how it goes.
+/// A stream that comes over one connection at a time, whoever makes it: holds for its clients while
+/// there is none, ends when none has come in time, and reports to log and status.
 /// Thread: that of the io_context, which must outlive it.
 class Reception {
  public:
@@ -27,14 +27,14 @@ class Reception {
     std::string id;             ///< of this server, to find loops by
     Milliseconds wait{10'000};  ///< how long clients hold while nobody sends
     int classic_min = 20;
-    const char* sender = "parent";  ///< what the log calls who sends
+    const char* sender = "parent";  ///< what the log calls the sender
   };
   struct Events {
     std::function<void()> on_moment;  ///< the stream has something new
     std::function<void()> on_first;   ///< a connection has brought its first keyframe
     /// A connection is over, and is gone; whole(), or another one is wanted.
     std::function<void(const Parent::Outcome&)> on_over;
-    std::function<void()> on_given_up = [] {};  ///< who is there was told that it has ended
+    std::function<void()> on_given_up = [] {};  ///< the clients were told that it has ended
   };
 
   Reception(asio::io_context& io, Options options, Events events);
@@ -49,17 +49,17 @@ class Reception {
   void begin(std::shared_ptr<link::Link> link, std::string peer, const std::string& token);
   /// The same of a link that is open, from a peer that has said that it brings it.
   void take_over(std::shared_ptr<link::Link> link, std::string peer);
-  /// What will be sent is another stream of the same name: this one ends for who is there, and who
-  /// comes gets what the next connection brings. Not while connected().
+  /// Another stream of the same name will come: this one ends for its clients, and later clients
+  /// get what the next connection brings. Not while connected().
   void begin_anew();
 
-  /// The connection that is there, if any, is of no use any more.
+  /// Drops the present connection, if any.
   void drop();
-  /// Stops, and tells who is there that it has ended.
+  /// Stops, and tells the clients that it has ended.
   void end();
 
   [[nodiscard]] bool connected() const { return parent_ != nullptr; }
-  /// Who is there was told that it has ended, and nothing has come since.
+  /// The clients were told that it has ended, and nothing has come since.
   [[nodiscard]] bool given_up() const { return given_up_; }
   /// A recorded stream is here to its end.
   [[nodiscard]] bool whole() const { return stream_.whole(); }

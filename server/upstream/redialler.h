@@ -45,7 +45,7 @@ class Redialler {
   void stop();
   /// The connection was of use: what failed before is forgotten.
   void worked();
-  /// It is of no use, or no more: the next one is dialled, after a wait.
+  /// The connection is of no use, or no more: the next host is dialled, after a wait.
   void failed(const std::string& reason);
   /// Dials the same one again after that time.
   void again_in(Milliseconds wait);

@@ -38,7 +38,7 @@ class RelayedStream {
   /// What the next parent is asked for: of a recorded stream, what is still missing.
   [[nodiscard]] protocol::HelloAsked asked() const;
 
-  /// What comes until the next call came at once: clients get all of it that they can take.
+  /// All that comes until the next call came together: clients get as much of it as they can take.
   void begin_call();
 
   // What a parent says. Each returns what is wrong with it, if anything: then nothing was changed,
@@ -53,7 +53,7 @@ class RelayedStream {
   /// {-2}. A live stream may go on with the next parent.
   [[nodiscard]] std::optional<std::string> end();
 
-  /// Nobody sends it any more: who is there is told so. It goes on when somebody does.
+  /// Nobody sends it any more: its clients are told so. It goes on when somebody sends it again.
   void give_up();
 
   /// What sessions hold.

@@ -6,8 +6,8 @@
 
 namespace aucast::server {
 
-/// How loud a reason is said: of what fails in the same way again and again one line is enough.
-/// `said`: the one that was said last, which this is from now on.
+/// At which level to log a reason: if the same failure comes again and again, one line is enough.
+/// `said`: the reason logged last, which becomes this one.
 [[nodiscard]] inline spdlog::level::level_enum level_of(const std::string& reason,
                                                         std::string& said) {
   const auto level = said == reason ? spdlog::level::debug : spdlog::level::warn;

@@ -12,14 +12,14 @@
 
 namespace aucast::server {
 
-/// Sound that comes while a live face does, as packets on the clock of the face's stream. When a
-/// sample was heard is its arrival less its place in the sound, and when a keyframe was seen is its
-/// arrival, both through a slow line. Where the two clocks drift apart, pauses get longer or
-/// shorter.
+/// Sound that comes while a live face does, as packets on the clock of the face's stream. When the
+/// sound began is taken from the arrival of its samples, and when the face's clock began from the
+/// arrival of its keyframes, each smoothed by a SlowLine. Where the two clocks drift apart, pauses
+/// get longer or shorter.
 /// Thread: none of its own.
 class LiveVoice {
  public:
-  /// `delay`: the sound is moved so far back, because the face is so much later.
+  /// `delay`: by how much the sound is played later, because the face is later by as much.
   LiveVoice(const voice::VoiceSettings& settings, Milliseconds delay);
 
   /// A keyframe that ends at `end` on the stream's clock was made now.
@@ -29,7 +29,8 @@ class LiveVoice {
   /// 16-bit signed little-endian samples, mono at kEncoderRate. Before the first keyframe they have
   /// no place and are dropped.
   [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, SteadySeconds now);
-  /// Whoever wrote has gone: what comes next does not follow what came. The packets of the rest.
+  /// The writer has gone: what comes next does not continue what came. Returns the packets of the
+  /// rest.
   [[nodiscard]] std::vector<protocol::VoicePacket> end_sound();
 
  private:

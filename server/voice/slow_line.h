@@ -6,18 +6,18 @@
 
 namespace aucast::server {
 
-/// When something began that is made steadily and arrives with a jitter, such as sound from a pipe.
-/// What arrives late says nothing, for it may have waited; what arrives early says how late the
-/// rest was. Two clocks that differ by a little are followed; what is late for long means that
-/// something was lost. Times are seconds of one clock. Thread: none of its own.
+/// Finds when something began that is made steadily but arrives with jitter, such as sound from a
+/// pipe. A late arrival says nothing, for it may have waited; an early one shows how late the
+/// others were. Follows clocks that differ a little; if arrivals stay late for long, something was
+/// lost. Times are seconds of one clock. Thread: none of its own.
 class SlowLine {
  public:
-  /// At `now` the first `made` seconds of it have arrived. It goes on, so neither ever falls.
+  /// At `now` the first `made` seconds of it have arrived. Neither ever decreases.
   void add(SteadySeconds now, double made);
   /// When it began, on the clock of `now`. Needs an add().
   [[nodiscard]] double begin() const { return *begin_; }
   [[nodiscard]] bool known() const { return begin_.has_value(); }
-  /// What comes next does not follow what came.
+  /// What comes next does not continue what came.
   void forget() { *this = {}; }
 
  private:

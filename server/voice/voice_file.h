@@ -12,7 +12,7 @@
 
 namespace aucast::server {
 
-/// A sound file as it was when it was looked at. What is equal holds the same sound.
+/// A sound file as it was when it was looked at. Equal ones hold the same sound.
 struct VoiceFile {
   std::filesystem::path path;
   Milliseconds begin{0};     ///< place of its first sample on the stream's clock; may be negative
@@ -53,8 +53,8 @@ class VoiceReader {
   Milliseconds end_{0};
 };
 
-/// Kilobits a second that the voice takes on the wire, headers of TCP and IP left out, as far as
-/// its rate promises: base64 and the characters around it are counted.
+/// Kilobits a second that the voice should take on the wire at its rate, with base64 and the
+/// characters around it, without the headers of TCP and IP.
 [[nodiscard]] std::uint32_t voice_kbits(const voice::VoiceSettings& settings);
 
 /// Kilobits a second of `max_kbits` that are left to a face beside its voice; 0, which means any,

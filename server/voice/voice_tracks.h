@@ -19,7 +19,7 @@
 namespace aucast::server {
 
 /// The voices of the streams that are served: each sound file is encoded once, in the background,
-/// some seconds of each in turn, so that every voice is there soon and nobody who is served waits.
+/// some seconds of each in turn, so that every voice begins soon and no client waits.
 /// Thread: that of the io_context, which must outlive it; the thread that encodes is its own.
 class VoiceTracks {
  public:
@@ -31,7 +31,7 @@ class VoiceTracks {
   VoiceTracks(const VoiceTracks&) = delete;
   VoiceTracks& operator=(const VoiceTracks&) = delete;
 
-  /// The voice of a file, which grows from now on. As long as anybody holds it, an equal file has
+  /// The voice of a file, which grows from now on. As long as anybody holds it, an equal file gets
   /// the same voice.
   [[nodiscard]] std::shared_ptr<const protocol::EncodedTrack> track_of(const VoiceFile& file);
   /// Something is being encoded: a disk that hangs would hold up the destructor.

@@ -15,8 +15,9 @@ namespace aucast::server {
 /// The files of the page, read once. Thread: none of its own.
 class PageFiles {
  public:
-  /// All regular files below `folder`, but those whose names begin with a dot; NAME.gz beside NAME
-  /// is the same compressed. No folder: no files. Unreadable naming the file and the cause.
+  /// Reads all regular files below `folder` except those whose names begin with a dot; NAME.gz
+  /// beside NAME is the same file compressed. No folder: no files. Unreadable naming the file and
+  /// the cause.
   [[nodiscard]] static Result<PageFiles> read(const std::filesystem::path& folder);
 
   /// There is a page, for which "/" stands.

@@ -23,21 +23,22 @@
 namespace aucast::server {
 
 /// --web: gives the page's files, and makes a WebSocket of a request for /aucast, on the loop that
-/// serves the clients. One request a connection. Bounded: kWebConnectionsMax connections that are
+/// serves the clients. One request per connection. Bounded: kWebConnectionsMax connections that are
 /// no WebSocket, each with kHttpTimeMax and kWebHeadBytesMax for its request, and kWebStallTimeMax
-/// in which a file must move on; one more closes the oldest, those first that have not asked yet.
+/// in which the client must take some of the file; one more closes the oldest, but first those that
+/// have sent no request.
 /// Thread: that of the io_context, which must outlive it together with what the hooks refer to.
 class WebServer {
  public:
   using OpenLink = std::function<std::shared_ptr<link::Link>()>;
 
-  /// What it takes from the transmitter.
+  /// What it asks the transmitter.
   struct Hooks {
-    /// The certificate of now; nothing: plain connections.
+    /// The present certificate; nullopt: plain connections.
     std::function<const std::optional<tls::Context>&()> tls;
     /// What the system may hold back unsent for one client; 0: as much as it likes.
     std::function<int()> held_back_max;
-    /// Somebody comes by WebSocket. Opens the link, unless there is no room even to say so.
+    /// A WebSocket has come in. Opens the link, unless there is no room even to say so.
     std::function<void(const asio::ip::tcp::endpoint& peer, const OpenLink& open_link)> welcome;
   };
 
@@ -46,8 +47,8 @@ class WebServer {
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
-  /// Reads the page and listens; a page that is missing is said in the log. Unreadable, or Network
-  /// error naming address, cause and what to do.
+  /// Reads the page and listens; a missing page is logged. Unreadable, or Network error naming
+  /// address, cause and what to do.
   [[nodiscard]] Result<void> open(bool shared);
   void start();
   /// Nobody is accepted any more.
