@@ -112,7 +112,9 @@ Result<RuleSet> load_rules(const std::filesystem::path& file) {
   set.name = reader.text("name");
   set.all_read_input = reader.boolean_or("all_read_input", false);
   const auto tables = reader.tables("rule");
-  if (tables.size() > kRulesMax) reader.wrong("rule", "has more than 1000 entries");
+  if (tables.size() > kRulesMax) {
+    reader.wrong("rule", "has more than " + std::to_string(kRulesMax) + " entries");
+  }
   for (const TomlValue* table : tables) set.rules.push_back(read_rule(*table, problems));
   reader.finish();
   if (auto result = problems.result(); !result) return result.error();

@@ -11,9 +11,10 @@
 
 namespace aucast::face {
 
-/// How AUs influence each other. The first five are FACS' (thesis 3.4.1; additive and different
-/// change nothing and are there to be written down), exclusion and opposition Wojdel's, cap and
-/// implication our own. The formulas are in au_blender.h.
+/// How AUs influence each other. Alternative, substitution, dominance, additive and different are
+/// FACS' (thesis 3.4.1; the last two change nothing and are there to be written down), exclusion
+/// and opposition Wojdel's, cap and a substitution that keeps its sources our own. The formulas are
+/// in au_blender.h.
 enum class RuleKind : std::uint8_t {
   Opposition,
   Alternative,

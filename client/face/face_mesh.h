@@ -31,6 +31,11 @@ enum class Material : std::uint8_t {
 inline constexpr std::array<std::string_view, 10> kMaterialNames = {
     "skin", "eye", "teeth", "mouth", "hair", "grey_hair", "cloth", "brow", "lash", "crease"};
 
+/// As files have it.
+[[nodiscard]] inline std::string_view name(Material material) {
+  return kMaterialNames[static_cast<std::size_t>(material)];
+}
+
 /// A named run of vertices and triangles: skin, left_eye, upper_teeth, ... `skin` comes first.
 struct MeshPart {
   std::string name;

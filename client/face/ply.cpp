@@ -47,6 +47,10 @@ void append(std::string& bytes, T value) {
   bytes.append(raw.data(), raw.size());
 }
 
+std::string more_than(std::size_t most, const char* things) {
+  return "more than " + std::to_string(most) + " " + things;
+}
+
 struct Property {
   std::string name;
   bool is_float = false;
@@ -129,7 +133,7 @@ class HeaderReader {
       if (part_name == words[2]) return "part '" + escaped(words[2]) + "' is there twice";
     }
     if (header_.parts.empty() && words[2] != "skin") return "the first part must be skin";
-    if (header_.parts.size() == kPlyPartsMax) return "more than 64 parts";
+    if (header_.parts.size() == kPlyPartsMax) return more_than(kPlyPartsMax, "parts");
     header_.parts.emplace_back(words[2], static_cast<Material>(found - std::begin(kMaterialNames)));
     return std::nullopt;
   }
@@ -143,12 +147,12 @@ class HeaderReader {
         return "'" + escaped(words[2]) + "' is no count";
       }
       if (words[1] == "vertex" && element_ == Element::None) {
-        if (count > kPlyVerticesMax) return "more than 1000000 vertices";
+        if (count > kPlyVerticesMax) return more_than(kPlyVerticesMax, "vertices");
         header_.vertex_count = count;
         return element_ = Element::Vertex, std::nullopt;
       }
       if (words[1] == "face" && element_ == Element::Vertex) {
-        if (count > kPlyPolygonsMax) return "more than 2000000 polygons";
+        if (count > kPlyPolygonsMax) return more_than(kPlyPolygonsMax, "polygons");
         header_.polygon_count = count;
         return element_ = Element::Face, std::nullopt;
       }
@@ -181,7 +185,9 @@ class HeaderReader {
     if (header_.find(property_name) != nullptr) {
       return "property " + escaped(property_name) + " is there twice";
     }
-    if (header_.properties.size() == kPlyMapsMax) return "more than 100 properties";
+    if (header_.properties.size() == kPlyPropertiesMax) {
+      return more_than(kPlyPropertiesMax, "properties");
+    }
     header_.properties.push_back({property_name, is_float, header_.record_bytes});
     header_.record_bytes += is_float ? sizeof(float) : 1;
     return std::nullopt;
@@ -445,10 +451,6 @@ std::string format_ply(const FaceMesh& mesh, std::span<const Polygon> polygons) 
     for (std::size_t k = 0; k < polygon.corner_count; ++k) append(bytes, polygon.corners[k]);
   }
   return bytes;
-}
-
-std::string_view name(Material material) {
-  return kMaterialNames[static_cast<std::size_t>(material)];
 }
 
 }  // namespace aucast::face

@@ -21,7 +21,7 @@ struct Polygon {
 /// memory.
 inline constexpr std::size_t kPlyVerticesMax = 1'000'000;
 inline constexpr std::size_t kPlyPolygonsMax = 2'000'000;
-inline constexpr std::size_t kPlyMapsMax = 100;
+inline constexpr std::size_t kPlyPropertiesMax = 100;  ///< of a vertex
 inline constexpr std::size_t kPlyPartsMax = 64;
 
 /// Reads the bytes of a mesh.ply (data/faces/FORMAT.md). Quads become two triangles along the
@@ -35,8 +35,5 @@ inline constexpr std::size_t kPlyPartsMax = 64;
 /// must be sound: every array of one entry per vertex (occlusion and gloss may be empty), parts
 /// covering the vertices in order.
 [[nodiscard]] std::string format_ply(const FaceMesh& mesh, std::span<const Polygon> polygons);
-
-/// The name of a material in files: skin, eye, teeth, mouth, hair, cloth, brow.
-[[nodiscard]] std::string_view name(Material material);
 
 }  // namespace aucast::face
