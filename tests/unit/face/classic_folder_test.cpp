@@ -217,6 +217,57 @@ TEST(ClassicFolder, AMissingFileIsUnreadable) {
   }
 }
 
+TEST(ClassicFolder, CountsHaveTheirLimits) {
+  const auto complaint = [](const Files& files) {
+    const TempFolder folder;
+    const auto face = load(folder, files);
+    EXPECT_FALSE(face.has_value());
+    return face.has_value() ? std::string()
+                            : face.error().message.substr(folder.path().string().size() + 1);
+  };
+  Files files;
+  files.faceline = "100001\n";
+  EXPECT_EQ(complaint(files),
+            "faceline.dat:1:1: the number of points is 100001, must be from 3 to 100000");
+  files = {};
+  files.index = "0\n";
+  EXPECT_EQ(complaint(files), "index.dat:1:1: the number of rows is 0, must be from 1 to 200000");
+  files.index = "200001\n";
+  EXPECT_EQ(complaint(files),
+            "index.dat:1:1: the number of rows is 200001, must be from 1 to 200000");
+  files = {};
+  files.muscle = "1001\n";
+  EXPECT_EQ(complaint(files),
+            "muscle.dat:1:1: the number of muscles is 1001, must be from 0 to 1000");
+  files = {};
+  files.jaw = "7\n";
+  EXPECT_EQ(complaint(files), "jaw.dat:1:1: the number of jaw points is 7, must be from 1 to 6");
+}
+
+TEST(ClassicFolder, PointThousandMarksATriangleThoughThereIsOne) {
+  Files files;
+  std::string points = "1002\n";
+  for (int i = 1; i <= 1002; ++i) {
+    points += "-" + std::to_string(i) + " " + std::to_string(i % 7) + " 1\n";
+  }
+  files.faceline = points;
+  files.index = "2\n1000 999 1001 1002\n1 2 3 1001\n";
+  const Face face = loaded(files);
+  EXPECT_EQ(face.mesh.positions.size(), 2U * 1002U);
+  EXPECT_EQ(face.mesh.triangles.size(), 2U * 3U) << "a triangle and a quad, and their mirrors";
+}
+
+TEST(ClassicFolder, AMuscleMayNotBeCalledAsTheJaw) {
+  Files files;
+  files.jaw = "1\n5 1.0\n";
+  files.muscle = replaced(files.muscle, "L_Zygomatic_Major", "jaw");
+  const TempFolder folder;
+  const auto face = load(folder, files);
+  ASSERT_FALSE(face.has_value());
+  EXPECT_NE(face.error().message.find("there is a muscle named jaw beside the jaw"),
+            std::string::npos);
+}
+
 /// Waters' released loop over one muscle, written down anew in double: vertices within the zone and
 /// the fall-off go by val (1 - cos th / cos zone) r of the way from the attachment.
 glm::dvec3 waters_moved(const LinearMuscle& muscle, double activation, const glm::dvec3& point) {

@@ -144,6 +144,24 @@ const std::vector<BadRules> kBadRules = {
 
 INSTANTIATE_TEST_SUITE_P(All, BadRulesFile, ::testing::ValuesIn(kBadRules));
 
+TEST(Rules, AsManyAsAreAllowedAreReadAndNoMore) {
+  std::string text = "format = 1\nname = \"x\"\n";
+  for (int i = 0; i < 1000; ++i) text += "[[rule]]\nkind = \"additive\"\naus = [1, 2]\n";
+  const TempFolder folder;
+  const auto most = load_rules(folder.write("most.toml", text));
+  ASSERT_TRUE(most.has_value()) << most.error().message;
+  EXPECT_EQ(most->rules.size(), 1000U);
+  const auto more =
+      load_rules(folder.write("more.toml", text + "[[rule]]\nkind = \"additive\"\naus = [1, 2]\n"));
+  ASSERT_FALSE(more.has_value());
+  EXPECT_EQ(more.error().kind, ErrorKind::BadData);
+  EXPECT_NE(more.error().message.find("rule has more than 1000 entries"), std::string::npos)
+      << more.error().message;
+  const auto large = load_rules(folder.write("large.toml", std::string((1U << 20U) + 1, '#')));
+  ASSERT_FALSE(large.has_value());
+  EXPECT_EQ(large.error().kind, ErrorKind::Unreadable);
+}
+
 TEST(Rules, TextThatIsNoTomlIsRefusedWithPlace) {
   const TempFolder folder;
   const auto rules = load_rules(folder.write("bad.toml", "format = 1\nname = \n"));

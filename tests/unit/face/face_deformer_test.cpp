@@ -434,6 +434,81 @@ TEST_F(Deformer, CreasesThatComeAndGoAreWhereTheyBelongWhileDrawn) {
   EXPECT_GT(appeared, 100U);
 }
 
+TEST_F(Deformer, OppositeChannelsTakeEachOtherAway) {
+  std::vector<float> activations(face_.channels.size(), 0.0F);
+  for (const auto* name :
+       {"head_turn_left", "head_turn_right", "head_up", "head_down", "head_tilt_left",
+        "head_tilt_right", "head_forward", "head_back", "left_gaze_left", "left_gaze_right",
+        "right_gaze_up", "right_gaze_down"}) {
+    activations[*face_.channel_index(name)] = 0.7F;
+  }
+  const DeformedFace& out = deformer_.deform(activations);
+  EXPECT_EQ(out.positions, face_.mesh.positions);
+  EXPECT_EQ(out.eye_centres[0], face_.eyes[0].centre);
+  EXPECT_EQ(out.eye_forward[0], glm::vec3(0, 0, 1));
+  std::vector<float> lids = only(face_, "left_lid_close", face_.lids->raised(1));
+  lids[*face_.channel_index("left_lid_raise")] = 1;
+  EXPECT_EQ(positions(lids), face_.mesh.positions) << "a lid that is raised and closed as far";
+}
+
+TEST_F(Deformer, AnEyeIsAsOpenAsItsLidLetsIt) {
+  EXPECT_EQ(deformer_.deform(only(face_, "left_lid_close", 0.25F)).eye_open,
+            (std::vector<float>{0.75F, 1}));
+  EXPECT_EQ(deformer_.deform(only(face_, "right_lid_close", 1)).eye_open,
+            (std::vector<float>{1, 0}));
+  EXPECT_EQ(deformer_.deform(only(face_, "left_lid_raise", 1)).eye_open, (std::vector<float>{1, 1}))
+      << "no more than at rest";
+  Face lidless = test::small_face();
+  lidless.lids.reset();
+  FaceDeformer deformer(lidless);
+  EXPECT_EQ(deformer.deform(only(lidless, "left_lid_close", 1)).eye_open,
+            (std::vector<float>{1, 1}));
+}
+
+/// The small face with one of its muscles giving way to the lids.
+Face with_yielding(std::string_view muscle) {
+  Face face = test::small_face();
+  face.muscles[*face.channel_index(muscle)].yields_to_lids = true;
+  return face;
+}
+
+TEST_F(Deformer, AMuscleYieldsToTheLidOfItsSideByTheSquareOfItsClosing) {
+  const Face face = with_yielding("left_orbicularis_oculi");
+  FaceDeformer yielding(face);
+  const auto with_lid = [&](std::string_view lid, float closed, float muscle) {
+    std::vector<float> activations = only(face_, lid, closed);
+    activations[*face_.channel_index("left_orbicularis_oculi")] = muscle;
+    return activations;
+  };
+  const auto moved = [&](const std::vector<float>& activations) {
+    return yielding.deform(activations).positions;
+  };
+  EXPECT_EQ(moved(with_lid("left_lid_close", 0, 1)), positions(with_lid("left_lid_close", 0, 1)));
+  EXPECT_EQ(moved(with_lid("left_lid_close", 0.5F, 1)),
+            positions(with_lid("left_lid_close", 0.5F, 0.75F)));
+  EXPECT_EQ(moved(with_lid("left_lid_close", 1, 1)), positions("left_lid_close", 1));
+  EXPECT_EQ(moved(with_lid("right_lid_close", 1, 1)), positions(with_lid("right_lid_close", 1, 1)))
+      << "the other eye's lid";
+}
+
+TEST_F(Deformer, AMuscleOfTheMiddleYieldsToNoLid) {
+  const Face face = with_yielding("mentalis");
+  FaceDeformer yielding(face);
+  std::vector<float> activations(face.channels.size(), 0.0F);
+  for (const auto* name : {"left_lid_close", "right_lid_close", "mentalis"}) {
+    activations[*face.channel_index(name)] = 1;
+  }
+  EXPECT_EQ(yielding.deform(activations).positions, positions(activations));
+}
+
+TEST_F(Deformer, MovesGoOnFromOneToAnother) {
+  EXPECT_NE(positions("jaw", 2), face_.mesh.positions);
+  FaceDeformer taken = std::move(deformer_);
+  const std::vector<float> activations = only(face_, "jaw", 1);
+  deformer_ = FaceDeformer(face_);
+  EXPECT_EQ(taken.deform(activations).positions, positions(activations));
+}
+
 TEST(DeformerOfABareFace, CopesWithoutTrianglesMapsAndMovers) {
   Face face;
   face.mesh.positions = {{1, 2, 3}, {-1, 2, 3}, {0, 0, 0}};

@@ -160,6 +160,63 @@ TEST(Ply, HeaderErrorsNameTheLine) {
             "m.ply:17: the elements must be 'vertex N' and then 'face N', once each");
 }
 
+/// A mesh of so many parts, of one vertex each, and so many masks.
+FaceMesh mesh_with(std::size_t parts, std::size_t masks) {
+  FaceMesh mesh;
+  mesh.positions.resize(parts);
+  mesh.colours.resize(parts);
+  for (std::size_t i = 0; i < parts; ++i) {
+    mesh.parts.push_back({i == 0 ? "skin" : "part" + std::to_string(i), Material::Skin,
+                          static_cast<std::uint32_t>(i), 1, 0, 0});
+  }
+  for (std::size_t i = 0; i < masks; ++i) {
+    mesh.maps["mask" + std::to_string(i)].resize(parts);
+  }
+  return mesh;
+}
+
+TEST(Ply, LimitsHoldToTheLastThatIsAllowed) {
+  constexpr std::size_t kFixed = 8;  // x, y, z, four of colour, part
+  const std::string most = format_ply(mesh_with(kPlyPartsMax, kPlyPropertiesMax - kFixed), {});
+  const auto mesh = parse_ply(most, "m.ply");
+  ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+  EXPECT_EQ(mesh->parts.size(), kPlyPartsMax);
+  EXPECT_EQ(mesh->maps.size(), kPlyPropertiesMax - kFixed);
+  EXPECT_EQ(error_of(replaced(most, "element vertex", "comment part hat hair\nelement vertex")),
+            "m.ply:67: more than 64 parts");
+  EXPECT_EQ(error_of(format_ply(mesh_with(1, kPlyPropertiesMax + 1 - kFixed), {})),
+            "m.ply:105: more than 100 properties");
+  const std::string long_line = "comment " + std::string(64 * 1024, 'x') + "\n";
+  EXPECT_EQ(error_of(replaced(small_file(), "element vertex", long_line + "element vertex")),
+            "m.ply:4: the header does not end with end_header");
+}
+
+TEST(Ply, APolygonMayBeMissingAndAFileMayHaveNone) {
+  const auto mesh = parse_ply(format_ply(small_mesh(), {}), "m.ply");
+  ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+  EXPECT_TRUE(mesh->triangles.empty());
+  EXPECT_EQ(mesh->parts[1].triangle_count, 0U);
+}
+
+TEST(Ply, MapsKeepTheirOwnRanges) {
+  const std::pair<const char*, std::pair<float, float>> ranges[] = {
+      {"muscle", {0, 1}},
+      {"head", {0, 1}},
+      {"lid_angle", {-1.5707964F, 1.5707964F}},
+      {"anything", {-1e6F, 1e6F}}};
+  for (const auto& [map, range] : ranges) {
+    for (const float value : {range.first, range.second}) {
+      FaceMesh mesh = small_mesh();
+      mesh.maps[map].assign(8, value);
+      EXPECT_TRUE(parse_ply(format_ply(mesh, kPolygons), "m.ply").has_value()) << map << value;
+      if (std::string(map) == "anything") continue;
+      mesh.maps[map][7] = value + (value > 0 ? 0.01F : -0.01F);
+      EXPECT_NE(error_of(format_ply(mesh, kPolygons)).find("vertex 7: " + std::string(map)),
+                std::string::npos);
+    }
+  }
+}
+
 TEST(Ply, BodyErrorsNameVertexOrPolygon) {
   EXPECT_EQ(error_of(patched(3 * kRecordBytes + 4, kNan)),
             "m.ply: vertex 3: y is not a finite number");
