@@ -8,8 +8,6 @@
 namespace aucast::face {
 namespace {
 
-using Values = Intensities;
-
 /// An excluding AU below this is minute and excludes nothing; from twice this it excludes wholly.
 constexpr float kMinute = 0.2F;
 
@@ -25,25 +23,25 @@ std::size_t index_of(int number) {
   return static_cast<std::size_t>(number);
 }
 
-float largest(const std::vector<int>& numbers, const Values& values) {
+float largest(const std::vector<int>& numbers, const Intensities& values) {
   float result = 0;
   for (const int number : numbers) result = std::max(result, values[index_of(number)]);
   return result;
 }
 
-float smallest(const std::vector<int>& numbers, const Values& values) {
+float smallest(const std::vector<int>& numbers, const Intensities& values) {
   float result = 1;
   for (const int number : numbers) result = std::min(result, values[index_of(number)]);
   return result;
 }
 
-int strongest(const std::vector<int>& numbers, const Values& values) {
+int strongest(const std::vector<int>& numbers, const Intensities& values) {
   return *std::max_element(numbers.begin(), numbers.end(),
                            [&](int a, int b) { return values[index_of(a)] < values[index_of(b)]; });
 }
 
 /// The share of an excluded or dominated AU that is left.
-float share_left(const Rule& rule, const Values& before) {
+float share_left(const Rule& rule, const Intensities& before) {
   const float source = rule.all_needed && rule.kind == RuleKind::MultipleDominance
                            ? smallest(rule.sources, before)
                            : largest(rule.sources, before);
@@ -53,7 +51,7 @@ float share_left(const Rule& rule, const Values& before) {
 
 /// The formulas of data/rules/README.md: hands each Change of the rule to `visit`.
 template <typename Visit>
-void for_each_change(const Rule& rule, const Values& before, Visit visit) {
+void for_each_change(const Rule& rule, const Intensities& before, Visit visit) {
   const auto value = [&](int number) { return before[index_of(number)]; };
   const auto lower = [&](int number, float to) { visit(Change{index_of(number), to, false}); };
   switch (rule.kind) {
@@ -95,13 +93,13 @@ void for_each_change(const Rule& rule, const Values& before, Visit visit) {
   }
 }
 
-bool changes_something(const Change& change, const Values& before) {
+bool changes_something(const Change& change, const Intensities& before) {
   return change.raises ? change.value > before[change.number]
                        : change.value < before[change.number];
 }
 
 /// What the rule read and what it changed.
-RuleExplained explained_by(const Rule& rule, Side side, const Values& before) {
+RuleExplained explained_by(const Rule& rule, Side side, const Intensities& before) {
   RuleExplained one{&rule, side, {}, {}};
   std::vector<int> named = rule.sources;
   named.insert(named.end(), rule.targets.begin(), rule.targets.end());
@@ -144,10 +142,10 @@ constexpr int kGroupLast = 6;
 /// Applies rules that all read the same values: limits meet at the lowest, and what a substitution
 /// brings counts after them.
 template <typename Belongs>
-void apply_group(const RuleSet& rules, Belongs belongs, Values& values, Side side,
+void apply_group(const RuleSet& rules, Belongs belongs, Intensities& values, Side side,
                  std::vector<RuleFired>* fired) {
-  const Values before = values;
-  Values raised{};
+  const Intensities before = values;
+  Intensities raised{};
   for (const Rule& rule : rules.rules) {
     if (!belongs(rule)) continue;
     bool matters = false;
@@ -163,7 +161,8 @@ void apply_group(const RuleSet& rules, Belongs belongs, Values& values, Side sid
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], raised[i]);
 }
 
-void blend_side(const RuleSet& rules, Values& values, Side side, std::vector<RuleFired>* fired) {
+void blend_side(const RuleSet& rules, Intensities& values, Side side,
+                std::vector<RuleFired>* fired) {
   if (rules.all_read_input) {
     apply_group(
         rules, [](const Rule&) { return true; }, values, side, fired);

@@ -11,7 +11,6 @@
 
 #include "client/face/au_recordings.h"
 #include "client/face/classic_scanner.h"
-#include "client/face/face_folder.h"
 #include "client/face/muscle_file.h"
 #include "client/face/opposed_channels.h"
 #include "common/files.h"

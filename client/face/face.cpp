@@ -8,6 +8,12 @@
 
 namespace aucast::face {
 
+Side side_at(float x) {
+  constexpr float kCentral = 0.05F;
+  if (x >= kCentral) return Side::Left;
+  return x <= -kCentral ? Side::Right : Side::Both;
+}
+
 std::optional<std::size_t> Face::channel_index(std::string_view channel_name) const {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (channels[i].name == channel_name) return i;

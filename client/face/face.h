@@ -18,9 +18,12 @@
 
 namespace aucast::face {
 
+/// The side on which something at `x` sits: Both within 0.05 units of the middle.
+[[nodiscard]] Side side_at(float x);
+
 /// One thing that can be driven: a muscle, the jaw, a lid, an eye, the head, a crease. Its value is
-/// >= 0; an opposite movement is a channel of its own. Its side comes from its place (the sign of
-/// x; Both in the middle), never from its name.
+/// >= 0; an opposite movement is a channel of its own. Its side comes from its place (side_at()),
+/// never from its name.
 struct Channel {
   std::string name;
   Side side = Side::Both;

@@ -12,7 +12,6 @@
 
 #include "client/face/block_turns.h"
 #include "client/face/drawn_blocks.h"
-#include "client/face/face_folder.h"
 #include "client/face/head_turn.h"
 #include "client/face/muscle_sums.h"
 #include "client/face/normal_field.h"

@@ -6,6 +6,7 @@
 
 #include "client/face/au_recordings.h"
 #include "client/face/muscle_file.h"
+#include "client/face/opposed_channels.h"
 #include "client/face/ply.h"
 #include "client/face/toml_points.h"
 #include "common/files.h"
@@ -120,17 +121,19 @@ std::vector<Channel> channels_of(const Face& face) {
     add_for_eyes("lid_close");
     add_for_eyes("lid_raise");
   }
-  for (const Eye& eye : face.eyes) {
-    const Side side = side_at(eye.centre.x);
-    for (const std::string_view name : {"gaze_left", "gaze_right", "gaze_up", "gaze_down"}) {
+  const auto add_opposed = [&](const OpposedNames& pair, Side side) {
+    for (const std::string_view name : {pair.plus, pair.minus}) {
       channels.push_back({sided_name(side, name), side, 1});
+    }
+  };
+  for (const Eye& eye : face.eyes) {
+    for (const OpposedNames& pair : {kGazeYaw, kGazePitch}) {
+      add_opposed(pair, side_at(eye.centre.x));
     }
   }
   if (face.head) {
-    for (const std::string_view name :
-         {"head_turn_left", "head_turn_right", "head_up", "head_down", "head_tilt_left",
-          "head_tilt_right", "head_forward", "head_back"}) {
-      channels.push_back({std::string(name), Side::Both, 1});
+    for (const OpposedNames& pair : {kHeadTurn, kHeadPitch, kHeadTilt, kHeadShift}) {
+      add_opposed(pair, Side::Both);
     }
   }
   for (const MeshPart& part : face.mesh.parts) {
@@ -203,12 +206,6 @@ Result<AuRecordings> load_aus(const std::filesystem::path& path, const Face& fac
   reader.finish();
   if (auto read = problems.result(); !read) return read.error();
   return recordings;
-}
-
-Side side_at(float x) {
-  constexpr float kCentral = 0.05F;
-  if (x >= kCentral) return Side::Left;
-  return x <= -kCentral ? Side::Right : Side::Both;
 }
 
 Result<Face> load_face_folder(const std::filesystem::path& folder) {

@@ -18,7 +18,4 @@ inline constexpr const char* kFaceFile = "face.toml";
 /// Reads an AU file (data/faces/FORMAT.md) for a face of our own format.
 [[nodiscard]] Result<AuRecordings> load_aus(const std::filesystem::path& path, const Face& face);
 
-/// The side on which something at `x` sits: Both within 0.05 units of the middle.
-[[nodiscard]] Side side_at(float x);
-
 }  // namespace aucast::face

@@ -5,7 +5,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "client/face/face_folder.h"
 
 namespace aucast::glb {
 namespace {

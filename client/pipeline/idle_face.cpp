@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "client/face/face_folder.h"
 
 namespace aucast::pipeline {
 namespace {

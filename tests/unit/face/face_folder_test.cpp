@@ -22,14 +22,6 @@ std::vector<std::string> names_of(const std::vector<Channel>& channels) {
   return names;
 }
 
-TEST(SideAt, IsTheSubjectsOwnByTheSignOfX) {
-  EXPECT_EQ(side_at(1), Side::Left);
-  EXPECT_EQ(side_at(-1), Side::Right);
-  EXPECT_EQ(side_at(0.049F), Side::Both);
-  EXPECT_EQ(side_at(-0.049F), Side::Both);
-  EXPECT_EQ(side_at(0.05F), Side::Left);
-}
-
 TEST(FaceFolder, ChannelsComeInTheDocumentedOrder) {
   const Face face = test::small_face();
   EXPECT_EQ(names_of(face.channels), (std::vector<std::string>{"left_zygomaticus_major",

@@ -11,6 +11,14 @@ namespace {
 using aucast::test::TempFolder;
 using test::kData;
 
+TEST(SideAt, IsTheSubjectsOwnByTheSignOfX) {
+  EXPECT_EQ(side_at(1), Side::Left);
+  EXPECT_EQ(side_at(-1), Side::Right);
+  EXPECT_EQ(side_at(0.049F), Side::Both);
+  EXPECT_EQ(side_at(-0.049F), Side::Both);
+  EXPECT_EQ(side_at(0.05F), Side::Left);
+}
+
 TEST(LoadFace, OurOwnFormatComesBeforeTheClassicOne) {
   const TempFolder folder;
   test::write_small_face(folder);
