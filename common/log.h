@@ -16,11 +16,11 @@ enum class LogFormat : std::uint8_t {
 };
 
 /// Sends the log to stderr, one line an entry, and never waits for whoever reads it (StderrSink);
-/// coloured on a terminal unless NO_COLOR is set. Where
-/// stderr is the journal ($JOURNAL_STREAM says so and it is true), each line begins with its
-/// priority, <3> to <7>, and a text line leaves out what the journal knows itself. `level` is one
-/// of trace, debug, info, warning, error, off; usage error otherwise. What others said must be
-/// escaped() before it comes here; entries are printable() in any case.
+/// coloured on a terminal unless NO_COLOR is set. Where stderr is the journal ($JOURNAL_STREAM says
+/// so and it is true), each line begins with its priority, <3> to <7>, and a text line leaves out
+/// what the journal knows itself. `level` is one of trace, debug, info, warning, error, off; usage
+/// error otherwise.
+/// What others said must be escaped() before it comes here; entries are printable() in any case.
 [[nodiscard]] Result<void> set_up_log(std::string_view program, std::string_view level,
                                       LogFormat format = LogFormat::Text);
 

@@ -85,9 +85,9 @@ struct TextError {
 [[nodiscard]] std::optional<TextError> parse_keyframe(std::string_view text, TermSyntax syntax,
                                                       Keyframe& out);
 
-/// An AU set from a command line: `1,6,12`, `12:80,R14:50`, `{4C+9}`; FACS names may
-/// stand for numbers: `Lip Corner Puller:80`. Usage error with the column. Timing and the
-/// changes-only form are refused.
+/// An AU set from a command line: `1,6,12`, `12:80,R14:50`, `{4C+9}`; FACS names may stand for
+/// numbers: `Lip Corner Puller:80`. Usage error with the column. Timing and the changes-only form
+/// are refused.
 [[nodiscard]] Result<AuFrame> parse_au_set(std::string_view typed);
 
 /// `1,6,R12:80`: canonical terms joined by commas, as `face-player rules` prints them.

@@ -59,8 +59,8 @@ class SoundPlayer {
   [[nodiscard]] Instant now(Instant steady);
   /// Playback has been advanced to what now() gave: writes the sound since then.
   void advanced();
-  /// The moment whose face is to be shown, as of the last now(), and never later
-  /// than what that gave.
+  /// The moment whose face is to be shown, as of the last now(), and never later than what that
+  /// gave.
   [[nodiscard]] Instant shown() const { return shown_; }
   /// now() - shown().
   [[nodiscard]] Duration lead() const { return now_ - shown_; }

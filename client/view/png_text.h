@@ -13,8 +13,8 @@ struct PngText {
   std::string text;     ///< UTF-8
 };
 
-/// The PNG with these texts in front of its pixels, each an iTXt chunk (PNG, third
-/// edition, 11.3.3.4). `png` begins with the signature and the header, as every PNG does.
+/// The PNG with these texts in front of its pixels, each an iTXt chunk (PNG, third edition,
+/// 11.3.3.4). `png` begins with the signature and the header, as every PNG does.
 [[nodiscard]] std::string with_texts(std::string_view png, std::span<const PngText> texts);
 
 /// The check sum of PNG's chunks: CRC-32 of ISO 3309 (PNG, third edition, annex D).

@@ -44,8 +44,8 @@ class Listener {
   Listener& operator=(const Listener&) = delete;
 
   /// Listens on `bind`, an address or a name (brackets allowed), and `port`, 0 for any free one.
-  /// Network error naming both, the cause and what to do.
-  /// The advice names the options that the address and the port are from.
+  /// Network error naming both, the cause and what to do. The advice names the options that the
+  /// address and the port are from.
   [[nodiscard]] Result<void> open(const std::string& bind, std::uint16_t port,
                                   const ListenOptions& options = {});
   /// Takes a socket that listens already and belongs to it from now on.

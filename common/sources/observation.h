@@ -8,7 +8,7 @@
 
 namespace aucast::sources {
 
-/// Degrees that 100 % of a head or gaze AU stands for (README.md here).
+/// Degrees that 100 % of a head or gaze AU stands for (FORMATS.md here).
 inline constexpr double kYawDegrees = 35;
 inline constexpr double kPitchDegrees = 22;
 inline constexpr double kTiltDegrees = 22;

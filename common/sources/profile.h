@@ -17,7 +17,7 @@ inline constexpr double kBetaMax = 100;
 inline constexpr double kNeutralMax = 1000;  ///< percent; heads turn beyond 100
 
 /// Reads a profile: TOML with the tables [neutral], [gain], [dead-band] and [filter], each of which
-/// may be missing; README.md here describes them. BadData with file:line:column.
+/// may be missing; SIGNALS.md here describes them. BadData with file:line:column.
 [[nodiscard]] Result<Profile> parse_profile(std::string_view text, std::string_view file);
 
 /// The profile as text that parse_profile() reads back: the same but for the neutral face, which is

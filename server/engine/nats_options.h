@@ -8,7 +8,8 @@
 
 namespace aucast::server {
 
-/// Where servers of NATS are and what is shown to them.
+/// What an address of NATS and the settings come to: secrets that are words are read, files that
+/// the library reads by itself are only looked for.
 struct NatsOptions {
   protocol::StreamAddress address;
   std::string token;  ///< empty: none

@@ -30,10 +30,10 @@ class Publisher {
   };
   using Catalogue = std::function<std::shared_ptr<const protocol::ServerCatalogue>()>;
 
-  static constexpr Milliseconds kBeat{
-      500};  ///< without anything new it says so often that it lives
-  static constexpr std::size_t kAnswersPerSecond =
-      1'000;  ///< more questions are left out, and counted
+  /// Without anything new it says so often that it lives.
+  static constexpr Milliseconds kBeat{500};
+  /// More questions are left out, and counted.
+  static constexpr std::size_t kAnswersPerSecond = 1'000;
 
   Publisher(asio::io_context& io, Options options, Catalogue catalogue);
   Publisher(const Publisher&) = delete;

@@ -46,8 +46,8 @@ struct LiveStreamOptions {
 /// Times are seconds of one clock. Thread: none of its own.
 class LiveStream {
  public:
-  /// `options` outlives it. `reading`: in place of the `reader` in
-  /// `options`. `on_moment`: it has something new.
+  /// `options` outlives it. `reading`: in place of the `reader` in `options`. `on_moment`: it has
+  /// something new.
   LiveStream(std::string name, const LiveStreamOptions& options,
              const sources::LiveOptions& reading, bool with_voice, std::function<void()> on_moment);
   LiveStream(const LiveStream&) = delete;
