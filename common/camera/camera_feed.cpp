@@ -34,10 +34,11 @@ void block_pipe_signal() {
 }  // namespace
 
 Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& options,
-                                                      const FaceOptions& faces, OnSight on_sight) {
+                                                      const FaceOptions& faces, OnSight on_sight,
+                                                      const GivenUp& given_up) {
   auto models = load_face_models();
   if (!models) return models.error();
-  auto pictures = PictureSource::open_camera(options);
+  auto pictures = PictureSource::open_camera(options, given_up);
   if (!pictures) return pictures.error();
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {

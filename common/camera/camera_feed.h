@@ -36,10 +36,12 @@ class CameraFeed {
  public:
   /// Errors are those of PictureSource and load_face_models(). `faces.quiet_seconds`: unset, the
   /// face at rest is found from what was seen so far; 0: the typical face. `on_sight` is told of
-  /// every picture whose faces were read, until the feed is destroyed.
+  /// every picture whose faces were read, until the feed is destroyed. Waits for the first picture,
+  /// as long as that is not `given_up`.
   [[nodiscard]] static Result<std::unique_ptr<CameraFeed>> start(const CameraOptions& options,
                                                                  const FaceOptions& faces,
-                                                                 OnSight on_sight = {});
+                                                                 OnSight on_sight = {},
+                                                                 const GivenUp& given_up = {});
   ~CameraFeed();
   CameraFeed(const CameraFeed&) = delete;
   CameraFeed& operator=(const CameraFeed&) = delete;

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -43,11 +44,22 @@ std::string without_component(const std::string& words) {
   return named ? words.substr(end + 2) : words;
 }
 
+/// False: nothing came in time, or nobody waits any more.
+bool await_picture(Child& ffmpeg, Milliseconds patience, const GivenUp& given_up) {
+  constexpr Milliseconds kAskEvery{50};
+  for (Milliseconds left = patience; left > Milliseconds::zero(); left -= kAskEvery) {
+    if (ffmpeg.await(std::min(left, kAskEvery))) return true;
+    if (given_up && given_up()) return false;
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<PictureSource> PictureSource::open(const std::vector<std::string>& arguments,
                                           const std::string& name, ErrorKind kind,
-                                          std::optional<Milliseconds> patience) {
+                                          std::optional<Milliseconds> patience,
+                                          const GivenUp& given_up) {
   bool missing = false;
   auto child = Child::start(arguments, missing, Child::Flow::Read);
   if (!child) {
@@ -58,7 +70,7 @@ Result<PictureSource> PictureSource::open(const std::vector<std::string>& argume
   PictureSource source;
   source.ffmpeg_ = std::move(*child);
   Child* ffmpeg = source.ffmpeg_.get();
-  if (patience && !ffmpeg->await(*patience)) {
+  if (patience && !await_picture(*ffmpeg, *patience, given_up)) {
     ffmpeg->stop();
     return Error{kind, at_place(name, "no picture came for " +
                                           std::to_string(patience->count() / 1000) + " s")};
@@ -82,7 +94,8 @@ Result<PictureSource> PictureSource::open_film(const std::filesystem::path& path
       path.string(), ErrorKind::BadData);
 }
 
-Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
+Result<PictureSource> PictureSource::open_camera(const CameraOptions& options,
+                                                 const GivenUp& given_up) {
   const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
   std::vector<std::string> input{
       "-fflags",     "nobuffer",    "-f",         "v4l2",
@@ -97,7 +110,7 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options) {
   }
   // Nothing is buffered that can be shown: a late face is worth nothing.
   auto opened = open(arguments_of(std::move(input), kFilters), options.device, ErrorKind::Failed,
-                     options.patience);
+                     options.patience, given_up);
   if (!opened && !std::filesystem::exists(status)) {
     return Error{ErrorKind::Failed,
                  at_place(options.device,

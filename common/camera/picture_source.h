@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,9 @@ struct CameraOptions {
   friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };
 
+/// Asked again and again while the first picture of a camera is awaited: nobody waits any more.
+using GivenUp = std::function<bool()>;
+
 /// Pictures of a film or a camera, decoded by ffmpeg as a child: upright, with square pixels, no
 /// larger than 640x640. A film of more than 30 pictures a second gives 30.
 /// Thread: one at a time, but for stop().
@@ -33,8 +37,9 @@ class PictureSource {
   /// cannot be read; BadData when ffmpeg finds no pictures in it.
   [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path);
   /// A film or a FIFO may stand in for the device; a film goes by its own clock then. Failed, with
-  /// ffmpeg's own words, when the device gives no pictures, or none in time.
-  [[nodiscard]] static Result<PictureSource> open_camera(const CameraOptions& options);
+  /// ffmpeg's own words, when the device gives no pictures, none in time, or when it is given up.
+  [[nodiscard]] static Result<PictureSource> open_camera(const CameraOptions& options,
+                                                         const GivenUp& given_up = {});
 
   [[nodiscard]] const Y4mReader& format() const { return *pictures_; }
   [[nodiscard]] bool next(std::vector<std::uint8_t>& rgb) { return pictures_->next(rgb); }
@@ -50,7 +55,8 @@ class PictureSource {
   PictureSource() = default;
   [[nodiscard]] static Result<PictureSource> open(const std::vector<std::string>& arguments,
                                                   const std::string& name, ErrorKind kind,
-                                                  std::optional<Milliseconds> patience = {});
+                                                  std::optional<Milliseconds> patience = {},
+                                                  const GivenUp& given_up = {});
   std::unique_ptr<Child> ffmpeg_;
   std::optional<Y4mReader> pictures_;
 };

@@ -45,8 +45,9 @@ LiveInput::Opener LiveSource::opener(const LiveSourceOptions& options) {
   if (!device) return {};
   camera::CameraOptions asked = options.camera;
   asked.device = *device;
-  return [this, asked, faces = options.faces, on_sight = options.on_sight]() -> Result<int> {
-    auto camera = camera::CameraFeed::start(asked, faces, on_sight);
+  return [this, asked, faces = options.faces, on_sight = options.on_sight,
+          given_up = options.given_up]() -> Result<int> {
+    auto camera = camera::CameraFeed::start(asked, faces, on_sight, given_up);
     if (!camera) return camera.error();
     camera_ = std::move(*camera);
     return camera_->take_rows();

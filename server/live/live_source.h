@@ -24,6 +24,7 @@ struct LiveSourceOptions {
   camera::CameraOptions camera;   ///< if the path is one
   camera::FaceOptions faces;      ///< of a camera
   camera::OnSight on_sight{};     ///< likewise
+  camera::GivenUp given_up{};     ///< likewise
 };
 
 /// A source that is still being written, on the event loop: the bytes of a LiveInput, those of

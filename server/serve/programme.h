@@ -33,6 +33,7 @@ class Programme {
     std::function<void()> on_over;           ///< nothing is served any more and nothing can come
     std::function<void()> on_voice = [] {};  ///< more of a voice is there
     camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
+    camera::GivenUp given_up{};              ///< while open_sources() waits for a camera
   };
 
   Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,

@@ -68,6 +68,7 @@ Result<void> RunningSources::open_live(const std::filesystem::path& path,
   source_options.camera = options_.source.camera;
   source_options.faces = faces_of(options_.source);
   source_options.on_sight = events_.on_sight;
+  source_options.given_up = events_.given_up;
   auto source = std::make_unique<LiveSource>(
       io_, std::move(source_options),
       LiveStreams::Events{events_.on_moment, events_.on_face,

@@ -32,6 +32,7 @@ class RunningSources {
     std::function<void()> on_moment;  ///< a stream has something new, or has ended
     std::function<void()> on_face;    ///< a source has a stream more
     camera::OnSight on_sight{};       ///< a camera sees something, on its own thread
+    camera::GivenUp given_up{};       ///< while open() waits for a camera
   };
 
   /// `id`: of this server, by which relays find loops.

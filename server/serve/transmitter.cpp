@@ -55,7 +55,8 @@ class Transmitter {
                    {[this] { on_moment(); }, [this] { shutdown_.stop("all sources have ended"); },
                     [this] { clients_.on_voice(); },
                     options.preview ? [this](const camera::Sight& sight) { preview_->offer(sight); }
-                                    : camera::OnSight()}),
+                                    : camera::OnSight(),
+                    [this] { return stops_meanwhile(); }}),
         reload_(io_, options.credentials, certificates_, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
         listeners_(io_, options, certificates_,
@@ -72,14 +73,16 @@ class Transmitter {
     if (auto opened = listeners_.open(); !opened) return opened.error();
     if (auto opened = open_http(); !opened) return opened.error();
     if (auto opened = open_preview(); !opened) return opened.error();
-    if (auto opened = programme_.open_sources(); !opened) return opened.error();
+    shutdown_.await_signal();
+    const auto sources = programme_.open_sources();
+    if (stopping()) return result();
+    if (!sources) return sources.error();
     if (auto opened = open_publisher(); !opened) return opened.error();
     if (auto opened = open_pushers(); !opened) return opened.error();
     const ReadyAt where{link::endpoint_text(listeners_.endpoint()), listeners_.web_endpoint_text()};
     if (auto ready = on_ready(where); !ready) return ready.error();
     say_who_can_connect();
     begin_ = std::chrono::steady_clock::now();
-    shutdown_.await_signal();
     await_other_signal();
     programme_.begin();
     if (publisher_) publisher_->on_moment();
@@ -239,6 +242,12 @@ class Transmitter {
                    counted(clients_.size(), "client"));
     }
     manager_.ready(summary());
+  }
+
+  /// A camera is awaited before the loop runs: who ends us until then is heard all the same.
+  bool stops_meanwhile() {
+    io_.poll();
+    return stopping();
   }
 
   [[nodiscard]] bool stopping() const { return shutdown_.phase() != Shutdown::Phase::Serving; }

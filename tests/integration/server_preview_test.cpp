@@ -1,6 +1,8 @@
 // --preview of the real program: what a camera sees, and others let in and out.
 #include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -14,6 +16,8 @@
 #include "common/preview/orders.h"
 #include "common/preview/preview_reader.h"
 #include "tests/integration/server_running.h"
+#include "tests/support/eventually.h"
+#include "tests/support/process.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::test {
@@ -148,6 +152,22 @@ TEST_F(ServerPreview, EndsWithWhoStartedIt) {
   child_->end_input();
   EXPECT_FALSE(next<preview::Private>().has_value()) << "it ends";
   EXPECT_EQ(child_->wait(), 0);
+}
+
+TEST_F(ServerPreview, EndsInOrderWhileTheCameraHasShownNothing) {
+  const auto begun = folder_.path() / "begun";
+  folder_.write("ffmpeg", "#!/bin/sh\necho > " + begun.string() + "\nexec sleep 1000\n");
+  const auto awaited = [&begun] { return std::filesystem::exists(begun); };
+  start();
+  ASSERT_TRUE(eventually(awaited));
+  child_->end_input();
+  EXPECT_EQ(child_->wait(), 0) << "who started it has gone";
+
+  std::filesystem::remove(begun);
+  Process process({program("au-transmitter"), "--config", "/dev/null", "--port", "0", "camera"});
+  ASSERT_TRUE(eventually(awaited));
+  process.signal(SIGTERM);
+  EXPECT_EQ(process.wait(std::chrono::seconds(5)), 0) << process.err();
 }
 
 TEST(ServerPreviewOptions, OnlyACameraIsShown) {

@@ -278,6 +278,15 @@ TEST(PictureSource, ACameraThatShowsNothingIsNotAwaitedForEver) {
       << camera.error().message;
 }
 
+TEST(PictureSource, ACameraThatIsGivenUpIsAwaitedNoLonger) {
+  OtherFfmpeg ffmpeg("exec sleep 60");
+  int asked = 0;
+  const auto camera =
+      PictureSource::open_camera({.device = kDevice}, [&asked] { return ++asked == 3; });
+  EXPECT_FALSE(camera.has_value());
+  EXPECT_EQ(asked, 3);
+}
+
 TEST(PictureSource, AFilmOrAFifoStandsInForACamera) {
   OtherFfmpeg ffmpeg("echo \"$@\" >&2; exit 1");
   const std::string film = ffmpeg.file("film.mp4", "x");
