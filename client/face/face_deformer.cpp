@@ -12,7 +12,7 @@
 
 #include "client/face/block_turns.h"
 #include "client/face/drawn_blocks.h"
-#include "client/face/head_turn.h"
+#include "client/face/head_mover.h"
 #include "client/face/muscle_sums.h"
 #include "client/face/normal_field.h"
 #include "client/face/opposed_channels.h"
@@ -121,7 +121,7 @@ struct FaceDeformer::State {
   void add_eye(const Eye& eye);
   void apply(const Mover& mover);
   void look();
-  [[nodiscard]] HeadTurn::Pose head_pose() const;
+  [[nodiscard]] HeadMover::Pose head_pose() const;
 
   const Face& face;
   std::vector<float> activations;  ///< clamped
@@ -136,7 +136,7 @@ struct FaceDeformer::State {
   HeadChannels head_channels;
   DrawnBlocks drawn;
   NormalField normals;
-  std::optional<HeadTurn> head;
+  std::optional<HeadMover> head;
   DeformedFace result;
 };
 
@@ -297,7 +297,7 @@ void FaceDeformer::State::apply(const Mover& mover) {
   }
 }
 
-HeadTurn::Pose FaceDeformer::State::head_pose() const {
+HeadMover::Pose FaceDeformer::State::head_pose() const {
   return {head_channels.turn.of(activations), head_channels.pitch.of(activations),
           head_channels.tilt.of(activations), head_channels.shift.of(activations)};
 }

@@ -13,7 +13,7 @@ namespace aucast::face {
 
 /// Turns vertices with the head: tilt, nod about the axis through its own ears, turn, shift.
 /// Thread: one per thread.
-class HeadTurn {
+class HeadMover {
  public:
   /// Turns as shares of the face's full ones, in [-1, 1].
   struct Pose {
@@ -24,7 +24,7 @@ class HeadTurn {
     bool operator==(const Pose&) const = default;
   };
 
-  explicit HeadTurn(const Face& face);
+  explicit HeadMover(const Face& face);
 
   /// The pose that counts from here on. When it is another one than before, adds to `moved` the
   /// blocks that go with the head.

@@ -1,4 +1,4 @@
-#include "client/face/head_turn.h"
+#include "client/face/head_mover.h"
 
 #include <glm/mat3x3.hpp>
 
@@ -15,7 +15,7 @@ glm::vec3 lane(const VertexBlock& block, std::size_t i) {
 
 }  // namespace
 
-HeadTurn::HeadTurn(const Face& face) : head_(*face.head) {
+HeadMover::HeadMover(const Face& face) : head_(*face.head) {
   weights_.resize(block_count(face.mesh.positions.size()));
   carried_ = BlockSet(weights_.size());
   const auto* const map = find_map(face.mesh, "head");
@@ -30,7 +30,7 @@ HeadTurn::HeadTurn(const Face& face) : head_(*face.head) {
   }
 }
 
-void HeadTurn::take(const Pose& pose, BlockSet& moved) {
+void HeadMover::take(const Pose& pose, BlockSet& moved) {
   if (pose == pose_) return;
   pose_ = pose;
   angles_ = {kRadPerDeg * head_.tilt_deg * pose.tilt, kRadPerDeg * head_.pitch_deg * pose.pitch,
@@ -56,7 +56,7 @@ void HeadTurn::take(const Pose& pose, BlockSet& moved) {
   moved |= carried_;
 }
 
-void HeadTurn::turn_rigidly(const VertexBlock& from, VertexBlock& to) const {
+void HeadMover::turn_rigidly(const VertexBlock& from, VertexBlock& to) const {
   const auto& [right, up, front] = motion_.axes;
   for (std::size_t i = 0; i < kLanes; i += 4) {
     const Four x = four_at(from.x, i);
@@ -68,7 +68,7 @@ void HeadTurn::turn_rigidly(const VertexBlock& from, VertexBlock& to) const {
   }
 }
 
-void HeadTurn::turn_by_angles(const Lanes& weights, VertexBlock& block) const {
+void HeadMover::turn_by_angles(const Lanes& weights, VertexBlock& block) const {
   const glm::vec3& pivot = head_.pivot;
   if (angles_.tilt != 0) tilt(block, weights, angles_.tilt, pivot.x, pivot.y);
   if (angles_.pitch != 0) pitch(block, weights, angles_.pitch, pivot.y, pivot.z);
@@ -76,7 +76,7 @@ void HeadTurn::turn_by_angles(const Lanes& weights, VertexBlock& block) const {
   for (std::size_t i = 0; i < kLanes; ++i) block.z[i] += angles_.shift * weights[i];
 }
 
-void HeadTurn::apply(std::size_t block, const VertexBlock& from, VertexBlock& to) const {
+void HeadMover::apply(std::size_t block, const VertexBlock& from, VertexBlock& to) const {
   if (kinds_[block] == Kind::Wholly) {
     turn_rigidly(from, to);
     return;
@@ -85,7 +85,7 @@ void HeadTurn::apply(std::size_t block, const VertexBlock& from, VertexBlock& to
   if (kinds_[block] == Kind::Bent) turn_by_angles(weights_[block], to);
 }
 
-void HeadTurn::carry(float share, glm::vec3& point, glm::vec3& direction) const {
+void HeadMover::carry(float share, glm::vec3& point, glm::vec3& direction) const {
   VertexBlock block;
   set_lane(block, 0, point);
   set_lane(block, 1, point + direction);

@@ -1,4 +1,4 @@
-#include "client/face/head_turn.h"
+#include "client/face/head_mover.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ Face headed_face(Seeded& seeded) {
   return face;
 }
 
-HeadTurn::Pose random_pose(Seeded& seeded) {
+HeadMover::Pose random_pose(Seeded& seeded) {
   const auto share = [&seeded] { return static_cast<float>(seeded.real(-1, 1)); };
   return {share(), share(), share(), share()};
 }
@@ -45,7 +45,7 @@ glm::vec3 vertex_of(const VertexBlock& block, std::size_t lane) {
   return {block.x[lane], block.y[lane], block.z[lane]};
 }
 
-class HeadTurnTest : public ::testing::Test {
+class HeadMoverTest : public ::testing::Test {
  protected:
   /// Where the head carries a block of the mesh.
   VertexBlock placed(std::size_t block) {
@@ -54,13 +54,13 @@ class HeadTurnTest : public ::testing::Test {
     return to;
   }
   /// Takes a pose, and gives the blocks that it moves.
-  BlockSet take(const HeadTurn::Pose& pose) {
+  BlockSet take(const HeadMover::Pose& pose) {
     BlockSet moved(3);
     turn_.take(pose, moved);
     return moved;
   }
   /// Where a point goes that takes a share in a pose.
-  glm::vec3 carried(const HeadTurn::Pose& pose, float share, glm::vec3 point) {
+  glm::vec3 carried(const HeadMover::Pose& pose, float share, glm::vec3 point) {
     take(pose);
     glm::vec3 direction(0, 0, 1);
     turn_.carry(share, point, direction);
@@ -69,10 +69,10 @@ class HeadTurnTest : public ::testing::Test {
 
   Seeded seeded_;
   Face face_ = headed_face(seeded_);
-  HeadTurn turn_{face_};
+  HeadMover turn_{face_};
 };
 
-TEST_F(HeadTurnTest, OnlyAnotherPoseMovesAnything) {
+TEST_F(HeadMoverTest, OnlyAnotherPoseMovesAnything) {
   EXPECT_FALSE(turn_.turned());
   EXPECT_TRUE(take({}).empty());
   const BlockSet moved = take({0.5F, 0, 0, 0});
@@ -85,7 +85,7 @@ TEST_F(HeadTurnTest, OnlyAnotherPoseMovesAnything) {
   EXPECT_FALSE(turn_.turned());
 }
 
-TEST_F(HeadTurnTest, WhatDoesNotGoWithItStaysBitForBit) {
+TEST_F(HeadMoverTest, WhatDoesNotGoWithItStaysBitForBit) {
   SCOPED_TRACE(seeded_.trace());
   take({1, -1, 1, -1});
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -94,10 +94,10 @@ TEST_F(HeadTurnTest, WhatDoesNotGoWithItStaysBitForBit) {
   EXPECT_EQ(vertex_of(placed(kNeck), 0), face_.mesh.positions[kNeck * kLanes]);
 }
 
-TEST_F(HeadTurnTest, WhatGoesWhollyIsOneRigidBodyAndTurnsAsTheNeckDoesWhereThatGoesWholly) {
+TEST_F(HeadMoverTest, WhatGoesWhollyIsOneRigidBodyAndTurnsAsTheNeckDoesWhereThatGoesWholly) {
   SCOPED_TRACE(seeded_.trace());
   for (int run = 0; run < 50; ++run) {
-    const HeadTurn::Pose pose = random_pose(seeded_);
+    const HeadMover::Pose pose = random_pose(seeded_);
     take(pose);
     const VertexBlock whole = placed(kWhole);
     const auto* const rest = &face_.mesh.positions[kWhole * kLanes];
@@ -112,9 +112,9 @@ TEST_F(HeadTurnTest, WhatGoesWhollyIsOneRigidBodyAndTurnsAsTheNeckDoesWhereThatG
   }
 }
 
-TEST_F(HeadTurnTest, TheNeckTakesItsShareOfTheTurn) {
+TEST_F(HeadMoverTest, TheNeckTakesItsShareOfTheTurn) {
   SCOPED_TRACE(seeded_.trace());
-  const HeadTurn::Pose pose = random_pose(seeded_);
+  const HeadMover::Pose pose = random_pose(seeded_);
   take(pose);
   const VertexBlock neck = placed(kNeck);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -126,7 +126,7 @@ TEST_F(HeadTurnTest, TheNeckTakesItsShareOfTheTurn) {
   }
 }
 
-TEST_F(HeadTurnTest, GoesWhereTheNamesOfItsChannelsSay) {
+TEST_F(HeadMoverTest, GoesWhereTheNamesOfItsChannelsSay) {
   const glm::vec3 nose = kHead.pivot + glm::vec3(0, 0, 10);
   const glm::vec3 crown = kHead.pivot + glm::vec3(0, 10, 0);
   const auto lies_at = [](const glm::vec3& point, const glm::vec3& from_pivot) {
@@ -145,15 +145,15 @@ TEST_F(HeadTurnTest, GoesWhereTheNamesOfItsChannelsSay) {
   EXPECT_TRUE(lies_at(carried({0, 0, 0, -0.5F}, 0.5F, nose), {0, 0, 10 - 0.375F}));
 }
 
-TEST_F(HeadTurnTest, LeftAndRightAreMirrorImages) {
+TEST_F(HeadMoverTest, LeftAndRightAreMirrorImages) {
   SCOPED_TRACE(seeded_.trace());
   const auto mirrored_point = [](glm::vec3 point) {
     point.x = -point.x;
     return point;
   };
   for (int run = 0; run < 50; ++run) {
-    const HeadTurn::Pose pose = random_pose(seeded_);
-    const HeadTurn::Pose other{-pose.turn, pose.pitch, -pose.tilt, pose.shift};
+    const HeadMover::Pose pose = random_pose(seeded_);
+    const HeadMover::Pose other{-pose.turn, pose.pitch, -pose.tilt, pose.shift};
     const glm::vec3 point = face_.mesh.positions[static_cast<std::size_t>(run) % 24];
     const auto share = static_cast<float>(seeded_.real(0, 1));
     EXPECT_LT(glm::distance(carried(pose, share, point),
@@ -162,7 +162,7 @@ TEST_F(HeadTurnTest, LeftAndRightAreMirrorImages) {
   }
 }
 
-TEST_F(HeadTurnTest, ADirectionIsTurnedAndNotMoved) {
+TEST_F(HeadMoverTest, ADirectionIsTurnedAndNotMoved) {
   take({1, 0, 0, 1});
   glm::vec3 point(1, 2, 3);
   glm::vec3 direction(0, 1, 0);
