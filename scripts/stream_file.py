@@ -18,12 +18,22 @@ def read_stream(path):
     return keyframes
 
 
+def with_sides_of(face, other):
+    """The same face; what `other` tells for each side is told for each side."""
+    told = {}
+    for name, percent in face.items():
+        sides = {side + name for side in "LR"}
+        told.update(dict.fromkeys(sides if sides & other.keys() else {name}, percent))
+    return told
+
+
 def face_at(keyframes, seconds):
     """The AUs on the way from one keyframe to the next, in percent."""
     before, shown = 0.0, {}
     for at, aus in keyframes:
         if at >= seconds:
             way = (seconds - before) / (at - before) if at > before else 1
+            shown, aus = with_sides_of(shown, aus), with_sides_of(aus, shown)
             return {name: (1 - way) * shown.get(name, 0) + way * aus.get(name, 0)
                     for name in shown.keys() | aus.keys()}
         before, shown = at, aus

@@ -70,6 +70,11 @@ class CameraEventsTest(unittest.TestCase):
         self.assertEqual(self.row("smile", [mark("smile", 0, 3)]), ["1 of 1", "0 of 0", "0.0 (0)"])
         self.assertEqual(self.row("smile", []), ["0 of 0", "0 of 0", f"{60 / 3.05:.1f} (1)"])
 
+    def test_a_side_that_comes_and_goes_is_no_event(self):
+        self.write("12:60;10", *["L12:57,R12:57;1000", "12:60;1000"] * 2)
+        self.assertEqual(self.row("smile", [mark("smile", 0, 0.1)]),
+                         ["1 of 1", "0 of 0", "0.0 (0)"])
+
     def test_the_greater_of_1_and_2_raises_the_brows_of_either_side_by_half(self):
         self.write("0;1000", "1:10,L2:60;200", "0;200", "0;1000", "L2:40;200", "0;200", "0;1000")
         self.assertEqual(self.row("brow_raise", [mark("brow_raise", 1, 1.4)]),
