@@ -126,7 +126,8 @@ std::string PictureSource::complaint() {
 
 std::string PictureSource::film_complaint() {
   static_cast<void>(ffmpeg_->wait());
-  std::string words = without_component(ffmpeg_->last_words());
+  // Of a film that breaks off it has much to say, of which the last is enough.
+  std::string words = without_component(ffmpeg_->last_line());
   return words.empty() && pictures_->torn() ? "the last picture is cut off" : words;
 }
 

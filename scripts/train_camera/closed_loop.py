@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Plays a stream on a head, films it, and compares what a film is read as with what was played.
 
-    closed_loop.py PROGRAMS WORK STREAM [--weights FILE] [--head HEAD]...
+    closed_loop.py PROGRAMS WORK STREAM [--weights FILE] [--head HEAD]... [--neutral auto]
 
 PROGRAMS: the folder of the built programs and their data, with the models. STREAM: a stream file, or a
 table that au-transmitter reads. WORK keeps what was filmed. --weights: those of somebody who never saw the
 head (train.py --without HEAD --out FILE). Prints r and mean error in percent of every AU that is played and of those
-that are not, which are false alarms.
+that are not, which are false alarms. --neutral auto straightens head and eyes of a table before it is played.
 """
 
 import argparse
@@ -28,8 +28,8 @@ SIZE = 320
 TURNS = [(51, 52), (53, 54), (55, 56), (61, 62), (63, 64)]
 
 
-def convert(programs, source, out, **environment):
-    subprocess.run([programs / "au-transmitter", "convert", source, out], check=True,
+def convert(programs, source, out, *options, **environment):
+    subprocess.run([programs / "au-transmitter", "convert", *options, source, out], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                    env={**os.environ, **environment})
     return read_stream(out)
@@ -90,17 +90,19 @@ def main():
     parser.add_argument("stream", type=pathlib.Path)
     parser.add_argument("--weights", type=pathlib.Path)
     parser.add_argument("--head", action="append")
+    parser.add_argument("--neutral")
     options = parser.parse_args()
     options.work.mkdir(parents=True, exist_ok=True)
     weights = options.weights or options.programs / "data" / "camera" / "action_units.txt"
     data = data_with(options.programs, options.work, weights)
-    stream = options.work / (options.stream.stem + ".txt")
-    played = convert(options.programs, options.stream, stream)
+    neutral = ["--neutral", options.neutral] if options.neutral else []
+    stream = options.work / ("_".join([options.stream.stem, *neutral[1:]]) + ".txt")
+    played = convert(options.programs, options.stream, stream, *neutral)
     for head in options.head or ["default", "marek"]:
         film = film_of(options.programs, options.work, stream, head)
         read = convert(options.programs, film, options.work / "read.txt", AUCAST_DATA=str(data))
         rows = compare(played, read)
-        print(f"{options.stream.stem} on {head}\n| AU | r | mean error, % |\n|---|---|---|")
+        print(f"{stream.stem} on {head}\n| AU | r | mean error, % |\n|---|---|---|")
         for name, r, error in rows:
             print(f"| {name} | {'' if r is None else f'{r:.2f}'} | {error:.1f} |")
         aus = [row for row in rows if "/" not in row[0]]

@@ -228,6 +228,8 @@ TEST(PictureSource, SaysThatAFilmBreaksOff) {
   EXPECT_EQ(complaint_of("printf 'FRAME\\nAAB'"), "the last picture is cut off");
   EXPECT_EQ(complaint_of("echo 'File ended prematurely' >&2"), "File ended prematurely");
   EXPECT_EQ(complaint_of("echo 'Invalid data found' >&2; exit 1"), "Invalid data found");
+  EXPECT_EQ(complaint_of("printf '[mov @ 0x5] partial file\\n[mov @ 0x5] partial file\\n' >&2"),
+            "partial file");
 }
 
 TEST(PictureSource, SaysInFfmpegsWordsWhyThereAreNoPictures) {
