@@ -68,6 +68,7 @@ void LocalPlayback::pause(Instant now) {
 
 void LocalPlayback::seek(Duration position, Instant now) {
   const Duration to = std::clamp(position, Duration::zero(), total());
+  if (over(now) && anchor_position_ < total()) pause(now);
   anchor(to == total() && playing_ && repeats_ ? Duration::zero() : to, now);
 }
 

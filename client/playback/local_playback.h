@@ -50,7 +50,8 @@ class LocalPlayback {
   /// From the end it plays from the beginning.
   void play(Instant now);
   void pause(Instant now);
-  /// Goes there, cut to what there is; playing goes on, or not, as before.
+  /// Goes there, cut to what there is; playing goes on, or not, as before. What has played to its
+  /// end stands there; who seeks to the end and back, as in a drag, plays on.
   void seek(Duration position, Instant now);
   /// To the next keyframe's end (+1), or to the one before (-1), and stays there.
   void step_keyframe(int direction, Instant now);

@@ -78,6 +78,20 @@ TEST_F(LocalPlaybackTest, PauseHoldsAndPlayGoesOnFromThere) {
   EXPECT_EQ(at(), Milliseconds(80));
 }
 
+TEST_F(LocalPlaybackTest, WhatHasPlayedToItsEndStandsWhereItIsSought) {
+  playback_.play(clock_.now());
+  clock_.advance(Milliseconds(9000));
+  ASSERT_TRUE(playback_.over(clock_.now()));
+  seek(Milliseconds(200));
+  EXPECT_FALSE(playback_.playing());
+  EXPECT_EQ(playback_.position(clock_.now()), Milliseconds(200));
+  // A drag to the end and back does not end playing.
+  playback_.play(clock_.now());
+  seek(Milliseconds(9000));
+  seek(Milliseconds(200));
+  EXPECT_TRUE(playback_.playing());
+}
+
 TEST_F(LocalPlaybackTest, SeekKeepsPlayingAndStaysInside) {
   play();
   seek(Milliseconds(400));
