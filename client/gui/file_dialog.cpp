@@ -130,19 +130,26 @@ float height_of_decision(const BrowserView& view, const FileForm& form) {
   return height + ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y + gap;
 }
 
-/// What a recogniser's table may need to be told; closed until somebody looks for it, but for what
-/// is applied to a table.
-void table_settings(const Look& look, const TableSettings& now, const TableSettings& kept,
+/// How the file that is chosen would be read: always one line, so that no file moves away from under
+/// the pointer that has chosen it.
+void table_line(const TableSettings& now, bool asked) {
+  const bool usual = now == TableSettings{};
+  const std::string words = table_in_words(now);
+  const std::string text = usual   ? tr("file.tables_usual")
+                           : asked ? tr("file.tables_applied", words)
+                                   : tr("file.tables_kept", words);
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  fitted_text(text, right, colour_of(usual ? Tone::Quiet : Tone::Waiting));
+  tip(text);
+}
+
+/// What a recogniser's table may need to be told; closed until somebody looks for it.
+void table_settings(const Look& look, const TablesView& tables, const std::string& file,
                     GuiCommands& commands) {
+  const TableSettings now = settings_for(tables, file);
   const bool open = ImGui::TreeNodeEx(
       tr("file.tables"), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
-  if (now != TableSettings{}) {
-    const std::string words = table_in_words(now);
-    toned_text(Tone::Waiting,
-               now == kept ? tr("file.tables_kept", words) : tr("file.tables_applied", words));
-  } else if (open) {
-    quiet_text(tr("file.tables_usual"));
-  }
+  table_line(now, tables.asked.has_value());
   if (!open) return;
   TableSettings settings = now;
   bool changed = false;
@@ -218,7 +225,6 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
   constexpr const char* kId = "###files";
   if (!view.open) {
     form.shown_folder.clear();
-    form.kept = model.table;
     return;
   }
   if (form.shown_folder.empty() || form.shown_name != view.name) {
@@ -248,7 +254,10 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     return;
   }
   folder_line(look, view, form, commands);
-  if (view.purpose == Purpose::PlayStream) table_settings(look, model.table, form.kept, commands);
+  if (view.purpose == Purpose::PlayStream) {
+    const auto file = std::filesystem::path(view.folder) / form.name.data();
+    table_settings(look, model.tables, file.string(), commands);
+  }
   const float below = height_of_decision(view, form);
   entry_list(look, view, form, std::max(ImGui::GetContentRegionAvail().y - below, 60.0F), commands);
   decide(look, view, form, commands);

@@ -102,7 +102,7 @@ struct CloseBrowser {};
 struct OpenStream {
   std::string file;
 };
-/// How tables are read from now on.
+/// How the table is read that the open dialog is about to open.
 struct ChangeTable {
   TableSettings settings;
 };

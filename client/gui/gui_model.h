@@ -16,6 +16,7 @@
 #include "client/gui/picture_settings.h"
 #include "client/gui/remote_settings.h"
 #include "client/gui/stream_view.h"
+#include "client/gui/table_settings.h"
 #include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
 #include "client/view/style.h"
@@ -230,15 +231,6 @@ struct StreamsView {
   friend bool operator==(const StreamsView&, const StreamsView&) = default;
 };
 
-/// How the table of a recogniser is read when it is opened.
-struct TableSettings {
-  int fps = 0;           ///< pictures a second, 1-1000; 0: by the table's own clock
-  int rate = 0;          ///< keyframes a second, 1-100; 0: one for each row
-  int gain_percent = 0;  ///< of all AUs, up to 1000; 0: as they are
-  int quiet_s = 0;       ///< so long the face is quiet at first, which is taken off; 0: it is not
-  friend bool operator==(const TableSettings&, const TableSettings&) = default;
-};
-
 enum class FaceKind : std::uint8_t {
   Shipped,
   Own,  ///< in the user's own data folder
@@ -297,7 +289,7 @@ struct GuiModel {
   MirrorView mirror;
   SoundView sound;
   SpokenView spoken;
-  TableSettings table;
+  TablesView tables;
   std::string sample;                     ///< a stream file that shows what there is; empty: none
   std::vector<std::string> recent_files;  ///< the last one first
   FacesView faces;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <system_error>
+#include <utility>
 
 #include "common/files.h"
 #include "common/text.h"
@@ -66,12 +67,16 @@ void read_files(Fields fields, KeptSettings& settings) {
   fields.finish();
 }
 
-void read_table(Fields fields, TableSettings& table) {
+void read_table(Fields fields, std::vector<KnownTable>& tables) {
+  KnownTable known;
+  fields.take("file", known.file);
+  TableSettings& table = known.settings;
   fields.take("fps", table.fps, 0, 1000);
   fields.take("rate", table.rate, 0, 100);
   fields.take("gain_percent", table.gain_percent, 0, 1000);
   fields.take("quiet_s", table.quiet_s, 0, 60);
   fields.finish();
+  if (tables.size() < kKnownTablesMax) tables.push_back(std::move(known));
 }
 
 void read_face(Fields fields, KeptSettings& settings) {
@@ -164,7 +169,8 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
   TableReader reader(*document, problems);
   if (const auto* table = reader.table_if("remote")) read_remote({*table, problems}, settings);
   if (const auto* table = reader.table_if("files")) read_files({*table, problems}, settings);
-  if (const auto* table = reader.table_if("tables")) read_table({*table, problems}, settings.table);
+  for (const auto* table : reader.tables("table")) read_table({*table, problems}, settings.tables);
+  static_cast<void>(reader.table_if("tables"));  // held for all files once
   if (const auto* table = reader.table_if("face")) read_face({*table, problems}, settings);
   if (const auto* table = reader.table_if("animation")) {
     read_animation({*table, problems}, settings);
@@ -204,9 +210,12 @@ std::string format_settings(const KeptSettings& settings) {
           line("stream", remote.stream) + line("tls", remote.tls) +
           line("token_file", remote.token_file);
   text += "\n[files]\n" + toml_line("recent", toml_texts(settings.recent_files));
-  const TableSettings& table = settings.table;
-  text += "\n[tables]\n" + line("fps", table.fps) + line("rate", table.rate) +
-          line("gain_percent", table.gain_percent) + line("quiet_s", table.quiet_s);
+  for (const KnownTable& known : settings.tables) {
+    const TableSettings& table = known.settings;
+    text += "\n[[table]]\n" + line("file", known.file) + line("fps", table.fps) +
+            line("rate", table.rate) + line("gain_percent", table.gain_percent) +
+            line("quiet_s", table.quiet_s);
+  }
   text += "\n[face]\n" + line("folder", settings.face);
   text += "\n[animation]\n";
   text += line("mixer", settings.animation.mixer, kMixers) +

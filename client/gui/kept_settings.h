@@ -16,7 +16,7 @@ struct KeptSettings {
   std::vector<std::string> recent;  ///< addresses, the last one first
   std::string face;  ///< the folder of the face to begin with; empty: the one that is shipped
   std::vector<std::string> recent_files;  ///< that were played, the last one first
-  TableSettings table;
+  std::vector<KnownTable> tables;         ///< how they are read, the last one first
   AnimationSettings animation;
   TransitionSettings transition;
   RenderingSettings rendering;

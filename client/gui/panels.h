@@ -133,7 +133,6 @@ struct FileForm {
   std::array<char, 256> name{};
   std::string shown_folder;  ///< of the model that was taken over
   std::string shown_name;
-  TableSettings kept;           ///< those in force when the dialog was opened
   bool entered = false;         ///< the folder's field, in the frame before
   bool to_first = false;        ///< the focus goes to the first entry
   bool to_name = false;         ///< the focus goes to the name

@@ -94,7 +94,7 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   if (!file.empty()) files_.opened(file);
   rendering_ = settings.rendering;
   change_pictures(settings.pictures);
-  table_ = settings.table;
+  tables_.known = std::make_shared<const std::vector<gui::KnownTable>>(settings.tables);
   change_display(settings.display, now);
   display_.languages = languages_in(assets_.data_folder);
   // Nobody wants to begin with an empty view.
@@ -107,7 +107,7 @@ gui::KeptSettings WindowSession::kept() const {
   kept.recent = playback_.recent();
   kept.face = faces_.next();
   kept.recent_files = files_.recent();
-  kept.table = table_;
+  if (tables_.known != nullptr) kept.tables = *tables_.known;
   kept.animation = animation_;
   kept.transition = editor_.transition();
   kept.rendering = rendering_;
@@ -256,7 +256,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
         const std::string& why = opened.error().message;
         if (!files_.refuse(why)) say(why, true, now);
       },
-      [&](const gui::ChangeTable& one) { table_ = one.settings; },
+      [&](const gui::ChangeTable& one) { tables_.asked = one.settings; },
       [&](const gui::ShowFace& one) {
         const auto face = show_face(one.folder, now);
         if (!face) say(face.error().message, true, now);
@@ -418,11 +418,15 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   if (is_film(file)) {
     return Error{ErrorKind::Usage, gui::tr("said.is_film", file.filename().string())};
   }
-  auto opened = open_stream(file, table_);
+  if (!files_.view().open) tables_.asked.reset();
+  const std::string name = whole_path(file).string();
+  const gui::KnownTable table{name, gui::settings_for(tables_, name)};
+  auto opened = open_stream(file, table.settings);
   if (!opened) return opened.error();
   notices_.clear();
   if (!opened->found.empty()) {
-    const std::string changed = gui::table_in_words(table_);
+    gui::remember_table(tables_, table);
+    const std::string changed = gui::table_in_words(table.settings);
     say(opened->found + (changed.empty() ? "" : "\n" + gui::tr("file.tables_applied", changed)),
         false, now);
   }
@@ -441,6 +445,7 @@ std::string WindowSession::name_of_stream() const {
 }
 
 void WindowSession::browse(gui::Purpose purpose) {
+  tables_.asked.reset();
   if (purpose == gui::Purpose::LookForFaces) {
     return files_.look_for_faces(assets_.face_folder.parent_path());
   }
@@ -550,7 +555,7 @@ gui::GuiModel WindowSession::model() const {
   model.mirror.wanted = options_.shows_mirror;
   model.sound = playback_.sound().sound_view();
   model.spoken = playback_.sound().spoken_view();
-  model.table = table_;
+  model.tables = tables_;
   model.sample = sample_;
   model.recent_files = files_.recent();
   model.faces = faces_.view();

@@ -169,7 +169,7 @@ class WindowSession {
   gui::DisplayView display_{{}, "en", {}};
   FileSession files_;
   gui::VideoView video_;
-  gui::TableSettings table_;
+  gui::TablesView tables_;
   std::string sample_;
   std::vector<gui::PaceRow> pace_;
   bool asks_to_leave_ = false;

@@ -27,7 +27,7 @@ KeptSettings unusual() {
   settings.rendering.light_pitch_deg = 10;
   settings.rendering.light_percent = 150;
   settings.rendering.blinking = true;
-  settings.table = {25, 10, 150, 2};
+  settings.tables = {{"/tables/a \"b\".csv", {25, 10, 150, 2}}, {"/tables/c.csv", {0, 30, 0, 0}}};
   settings.pictures = {"/pictures", "{face}-{number}", 1920, 1080};
   settings.rendering.blink = {77, 2500, 75, playback::Interpolation::Cosine};
   return settings;
@@ -39,6 +39,10 @@ TEST(KeptSettings, AreReadAsTheyAreWritten) {
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, settings);
   }
+}
+
+TEST(KeptSettings, AFileOfBeforeTablesWereKeptByFileIsStillGood) {
+  EXPECT_EQ(parse_settings("[tables]\nfps = 25\n", "s.toml").value(), KeptSettings{});
 }
 
 TEST(KeptSettings, NoLayerIsAChoiceToo) {
@@ -142,6 +146,22 @@ TEST(KeptSettings, FilesAndTheFaceAreRememberedToo) {
   const auto again = parse_settings(format_settings(settings), "f");
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(*again, settings);
+}
+
+TEST(KnownTables, EachIsReadAsItWasLastAndNoneAsAnother) {
+  TablesView tables;
+  EXPECT_EQ(settings_for(tables, "/a.csv"), TableSettings{});
+  remember_table(tables, {"/a.csv", {0, 30, 0, 0}});
+  remember_table(tables, {"/b.csv", {25, 0, 0, 0}});
+  remember_table(tables, {"/a.csv", {0, 0, 150, 0}});
+  EXPECT_EQ(tables.known->size(), 2U);
+  EXPECT_EQ(settings_for(tables, "/a.csv"), (TableSettings{0, 0, 150, 0}));
+  EXPECT_EQ(settings_for(tables, "/c.csv"), TableSettings{});
+  tables.asked = TableSettings{0, 5, 0, 0};
+  EXPECT_EQ(settings_for(tables, "/a.csv"), (TableSettings{0, 5, 0, 0}));
+  remember_table(tables, {"/a.csv", {}});
+  ASSERT_EQ(tables.known->size(), 1U) << "what is read as it is need not be remembered";
+  EXPECT_EQ(tables.known->front().file, "/b.csv");
 }
 
 TEST(RecentAddresses, TheLastIsFirstAndNoneIsThereTwice) {

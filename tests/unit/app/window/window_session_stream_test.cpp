@@ -194,13 +194,26 @@ TEST_F(StreamSessionTest, ATableOfARecogniserPlaysAsItIsSetToBeRead) {
   ask(LocalCommand(gui::Seek{Duration::max()}));
   ASSERT_EQ(model().remote.aus.size(), 1U);
   EXPECT_EQ(model().remote.aus[0].shown_percent, 50);
+  ask(gui::Browse{gui::Purpose::PlayStream});
+  ask(gui::EnterFolder{folder_.path().string()});
   ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 150, .quiet_s = 0}});
-  ask(gui::OpenStream{table.string()});
+  ask(gui::ChooseFile{"talk.csv"});
   EXPECT_NE(model().notice.text.find("gain 150 %"), std::string::npos) << model().notice.text;
   ask(LocalCommand(gui::Seek{Duration::max()}));
   ASSERT_EQ(model().remote.aus.size(), 1U);
   EXPECT_EQ(model().remote.aus[0].shown_percent, 75);
-  EXPECT_EQ(model().recent_files, std::vector<std::string>{table.string()});
+  // The next file is read as it is, this one as it was, also by its name alone.
+  const auto another = folder_.write("another.csv", text);
+  ask(gui::Browse{gui::Purpose::PlayStream});
+  ask(gui::ChooseFile{"another.csv"});
+  ask(LocalCommand(gui::Seek{Duration::max()}));
+  EXPECT_EQ(model().remote.aus.at(0).shown_percent, 50);
+  EXPECT_EQ(session_->kept().tables.size(), 1U);
+  ask(gui::OpenStream{table.string()});
+  ask(LocalCommand(gui::Seek{Duration::max()}));
+  EXPECT_EQ(model().remote.aus.at(0).shown_percent, 75);
+  EXPECT_EQ(model().recent_files,
+            (std::vector<std::string>{table.string(), another.string()}));
 }
 
 TEST_F(StreamSessionTest, TheDialogOpensAFileAndKeepsOpenForOneThatIsWrong) {
