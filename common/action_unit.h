@@ -14,8 +14,8 @@ namespace aucast {
 inline constexpr int kAuNumberMax = 99;
 inline constexpr int kAuCount = kAuNumberMax + 1;
 
-/// The subject's own side. Both is an AU scored without a side: it is on both sides, or, of those
-/// that shows_on_one_side(), on the right one.
+/// The subject's own side. Both stands for an AU without a side: it is set on both sides or, if it
+/// shows_on_one_side(), on the right one.
 enum class Side : std::uint8_t { Both, Left, Right };
 
 /// One AU as written in a packet: number 0-99, side, intensity in whole percent 0-100.
@@ -34,19 +34,19 @@ struct AuFrame {
   friend bool operator==(const AuFrame&, const AuFrame&) = default;
 };
 
-/// AUs that are seen on one side at a time: 30 jaw sideways, 36 tongue bulge, 46 wink.
+/// Whether the AU shows on only one side at a time: 30 jaw sideways, 36 tongue bulge, 46 wink.
 [[nodiscard]] bool shows_on_one_side(int number);
 
-/// Sets AU `number` (1-99) on a side, or on those that Side::Both means for it.
+/// Sets AU `number` (1-99) on a side; Side::Both as explained there.
 void set_intensity(AuFrame& frame, std::uint8_t number, Side side, float intensity);
 
-/// Whole percent of an intensity, rounded; what is outside [0,1] is cut.
+/// An intensity in whole percent, rounded; clamped to [0,1] first.
 [[nodiscard]] std::uint8_t percent_of(float intensity);
 
 /// A name with its side: "left_brow", "right_brow", or "brow" for both.
 [[nodiscard]] std::string sided_name(Side side, std::string_view base);
 
-/// What sided_name() put together; Both for a name without a side. The base is a view into `name`.
+/// Splits what sided_name() made; Both for a name without a side. The base is a view into `name`.
 struct SidedName {
   Side side = Side::Both;
   std::string_view base;
@@ -58,11 +58,11 @@ struct SidedName {
   return side == Side::Left ? Side::Right : side == Side::Right ? Side::Left : side;
 }
 
-/// The frame `share` of the way between two, with a share from 0 to 1.
+/// The frame between two, at `share` of the way, 0 to 1.
 [[nodiscard]] AuFrame between(const AuFrame& from, const AuFrame& to, double share);
 
-/// The frame that the terms describe. A repeated AU and side: the last wins; AU 0 adds nothing; 0
-/// percent is absent.
+/// The frame that the terms describe. If the same side of an AU comes twice, the last wins; AU 0
+/// adds nothing; 0 percent is absent.
 [[nodiscard]] AuFrame frame_from_terms(std::span<const AuTerm> terms);
 
 /// Changes `frame` by terms of the changes-only form: what is not named stays.

@@ -10,24 +10,24 @@
 
 namespace aucast {
 
-/// The whole of a regular file, and never a wait: a FIFO, a socket, a device (but /dev/null, which
-/// is empty) or a folder is Unreadable, and so is a file of more than `bytes_max` bytes, before any
-/// of them is read, and one that goes on growing. The message has the path and the cause.
+/// Reads a whole regular file, and never blocks: a FIFO, a socket, a device (except /dev/null,
+/// which is empty) or a folder is Unreadable. So is a file of more than `bytes_max` bytes, before
+/// any is read, and one that keeps growing. The message has the path and the cause.
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path,
                                             std::size_t bytes_max = std::size_t{256} << 20U);
 
-/// Standard input up to its end, whatever it is; waits for whoever writes it.
+/// Reads standard input to its end, whatever it is; waits for the writer.
 [[nodiscard]] Result<std::string> read_standard_input(std::size_t bytes_max = std::size_t{256}
                                                                               << 20U);
 
-/// A descriptor of a regular file, for a library that reads by itself; the caller closes it. What
-/// read_file() refuses for its kind is Unreadable here too.
+/// Opens a regular file for a library that reads by itself; the caller closes the descriptor.
+/// Refuses the kinds that read_file() refuses.
 [[nodiscard]] Result<int> open_file(const std::filesystem::path& path);
 
 /// A file that holds a secret.
 struct SecretFile {
   std::string bytes;
-  /// Other users have access to it. A group may: services are often let in as one.
+  /// Other users have access to it. A group does not count: services often get access through one.
   bool open_to_others = false;
 };
 
@@ -36,14 +36,14 @@ struct SecretFile {
                                                   std::size_t bytes_max);
 
 /// Writes the file whole or not at all: a temporary file beside it, synced, then a rename, which
-/// replaces a symbolic link and does not follow it. The mode of a file that was there stays. A
-/// device or a FIFO with a reader is written directly. Failed, with the path and the cause, when
-/// the place cannot be written; what was there before then stays.
+/// replaces a symbolic link and does not follow it. The mode of an existing file is kept. A device
+/// or a FIFO with a reader is written directly. Failed, with the path and the cause, when it cannot
+/// be written; then what was there before stays.
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes);
 
-/// Whether write_file_atomically() would work now, of a FIFO as soon as somebody reads it. Changes
-/// nothing, and is no end to who reads a FIFO already.
+/// Whether write_file_atomically() would work now or, for a FIFO, as soon as somebody reads it.
+/// Changes nothing; the reader of a FIFO sees no end.
 [[nodiscard]] Result<void> check_writable(const std::filesystem::path& path);
 
 /// From here on a write beyond the file size limit (RLIMIT_FSIZE) fails with EFBIG, as one to a
@@ -51,7 +51,7 @@ struct SecretFile {
 void ignore_file_size_signal();
 
 /// A new, empty file beside `path` for a program that writes by itself. Its name is random, and it
-/// is never a file or link of anybody else's. replace_file() makes it `path`.
+/// is never somebody else's file or link. replace_file() renames it to `path`.
 [[nodiscard]] Result<std::filesystem::path> create_temporary_beside(
     const std::filesystem::path& path);
 
@@ -60,8 +60,8 @@ void ignore_file_size_signal();
 [[nodiscard]] Result<void> replace_file(const std::filesystem::path& temporary,
                                         const std::filesystem::path& path);
 
-/// `path` from the root, for people and for later: as it is when there is no current folder any
-/// more.
+/// The absolute form of `path`, for people and for later use; `path` itself if the current folder
+/// is gone.
 [[nodiscard]] std::filesystem::path whole_path(const std::filesystem::path& path);
 
 /// Where a user keeps files of one kind: $XDG_..._HOME (`xdg`), else `usual` below $HOME; null when

@@ -6,7 +6,7 @@
 
 namespace aucast::link {
 
-/// Read from one peer before others have their turn.
+/// Bytes read from one peer before the others have their turn.
 inline constexpr std::size_t kReadBytes = 1024;
 
 /// What one connection may cost in time and memory.
@@ -15,16 +15,18 @@ struct Limits {
   /// Draining: the longest wait without progress, and what is read and dropped meanwhile.
   Milliseconds drain_time{0};
   std::size_t drain_bytes = 0;
-  /// While so much waits to be sent, nothing is read: who does not listen cannot go on asking.
+  /// While so much waits to be sent, nothing is read: a peer that does not read cannot go on
+  /// asking.
   std::size_t unsent_bytes = 0;
 
   // When a silent peer has vanished. A system that refuses any of it still has a connection.
 
-  /// Nothing is under way to the peer: probes begin after so long a silence (whole seconds), ...
+  /// While nothing is under way to the peer: probes begin after so long a silence (whole seconds),
+  /// ...
   Milliseconds keep_alive_idle{0};
   Milliseconds keep_alive_interval{0};  ///< ... so far apart (whole seconds), ...
-  int keep_alive_probes = 0;            ///< ... and so many go without an answer.
-  /// Something is under way to it and has not been acknowledged, or not been taken.
+  int keep_alive_probes = 0;            ///< ... and so many unanswered ones end the connection.
+  /// The longest time that bytes under way to it may stay unacknowledged, or not be taken.
   Milliseconds unanswered_time{0};
 
   std::size_t frame_bytes = 0;  ///< of one frame of a WebSocket; longer ones are refused
@@ -35,7 +37,7 @@ struct Limits {
 
 /// How connections are accepted.
 struct AcceptLimits {
-  int in_a_row = 1;       ///< before the connections that are there have their turn
+  int in_a_row = 1;       ///< accepted before the connected clients have their turn
   Milliseconds pause{0};  ///< before the next try when the system is out of descriptors
 };
 

@@ -4,7 +4,7 @@
 
 namespace aucast {
 
-/// Steele, Lea and Flood's splitmix64: what a counter becomes that is so well mixed.
+/// The mixer of splitmix64 (Steele, Lea and Flood): turns a counter into well mixed bits.
 class SplitMix64 {
  public:
   explicit constexpr SplitMix64(std::uint64_t state) : state_(state) {}
@@ -20,8 +20,8 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-/// A number in [0,1) for each pair of seed and number: chance without a state, so that any moment
-/// can be asked for.
+/// A number in [0,1) for each pair of seed and number: randomness without a state, so that any
+/// moment can be asked for.
 [[nodiscard]] constexpr double chance(std::uint64_t seed, std::uint64_t number) {
   const std::uint64_t bits = SplitMix64(SplitMix64(seed).next() ^ number).next();
   return static_cast<double>(bits >> 11U) / 9007199254740992.0;

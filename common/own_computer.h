@@ -4,11 +4,11 @@
 
 namespace aucast {
 
-/// localhost or a name below it, in any case and with or without the final dot. RFC 6761: such a
+/// localhost or a name below it, in any case and with or without the final dot. By RFC 6761 such a
 /// name is the loopback, whatever a resolver would say.
 [[nodiscard]] bool is_localhost(std::string_view host);
 
-/// Names this very computer: localhost or an address of the loopback.
+/// Whether it names this computer: localhost or an address of the loopback.
 [[nodiscard]] bool is_own_computer(std::string_view host);
 
 }  // namespace aucast

@@ -8,8 +8,8 @@
 
 namespace aucast {
 
-/// What several threads touch: nobody reaches it but in an `act`, one at a time. An act is short
-/// and waits for nothing. Every object of ours that has a lock is one of these.
+/// Data that several threads use, behind a lock: it is reached only within an `act`, one at a time.
+/// An act is short and waits for nothing. All our locks are in objects of this class.
 template <typename T>
 class Shared {
  public:
@@ -28,7 +28,7 @@ class Shared {
     const std::lock_guard lock(mutex_);
     return act(value_);
   }
-  /// The same, after which those who wait look again.
+  /// The same, and then wakes the waiting threads.
   template <typename Act>
   auto change(Act act) {
     const std::lock_guard lock(mutex_);

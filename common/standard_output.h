@@ -6,8 +6,8 @@
 
 namespace aucast {
 
-/// Writes `text` to stdout now: whoever started us may wait for it behind a pipe. Failed, with the
-/// cause, when it or something printed before cannot be written.
+/// Writes `text` to stdout at once, for a program that may be waiting at the other end of a pipe.
+/// Failed, with the cause, when it or something printed before cannot be written.
 [[nodiscard]] Result<void> print_now(std::string_view text = {});
 
 }  // namespace aucast

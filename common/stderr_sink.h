@@ -20,8 +20,8 @@ class StderrSink final : public spdlog::sinks::base_sink<std::mutex> {
   /// `colours`: the level is coloured.
   StderrSink(int descriptor, bool colours) : descriptor_(descriptor), colours_(colours) {}
 
-  /// A pipe that is ready takes so much at once, and no more is sure. Longer lines are cut: none of
-  /// ours is, and a log is no place for a file.
+  /// A pipe that is ready is sure to take this much at once. Longer lines are cut: none of ours is
+  /// that long, and a log is no place for a file.
   static constexpr std::size_t kLineBytesMax = PIPE_BUF;
 
  protected:

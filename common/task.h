@@ -13,8 +13,8 @@
 
 namespace aucast {
 
-/// One piece of work at a time on a thread of its own, and its answer, which is asked for now and
-/// then. The destructor waits for it. Thread: that of its owner.
+/// Runs one piece of work at a time on a thread of its own; the owner asks now and then for the
+/// answer. The destructor waits for it. Thread: that of its owner.
 template <typename T>
 class Task {
  public:
@@ -33,7 +33,8 @@ class Task {
   void wait() const {
     if (running()) answer_.wait();
   }
-  /// Once, when it is there: the task no longer runs then, and what the work held is gone.
+  /// The answer, once, when it has come: the task no longer runs then, and what the work held is
+  /// gone.
   [[nodiscard]] std::optional<T> take() {
     if (!running() || answer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
       return std::nullopt;

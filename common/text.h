@@ -9,8 +9,8 @@
 
 namespace aucast {
 
-/// Bytes of a peer or a file for a terminal or a log: printable ASCII as it is, everything else as
-/// \xNN, cut to `length_max` with "..." when longer.
+/// Makes bytes of a peer or a file safe for a terminal or a log: printable ASCII as it is,
+/// everything else as \xNN, cut to `length_max` with "..." when longer.
 [[nodiscard]] std::string escaped(std::string_view bytes, std::size_t length_max = 60);
 
 [[nodiscard]] constexpr std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
@@ -23,8 +23,8 @@ namespace aucast {
 /// Whether the UTF-8 character is one of the control characters C0, DEL or C1.
 [[nodiscard]] bool is_control(std::string_view character);
 
-/// A path or text of a person for a terminal or a log: UTF-8 as it is, control characters and what
-/// is no UTF-8 as \xNN.
+/// Makes a path or a person's text safe for a terminal or a log: UTF-8 as it is, control characters
+/// and invalid UTF-8 as \xNN.
 [[nodiscard]] std::string printable(std::string_view bytes);
 
 /// The known word with the fewest edits to `word`; nothing when even that is too far.
@@ -42,7 +42,7 @@ namespace aucast {
 /// The parts between blanks, tabs and carriage returns, none of them empty. Views into `text`.
 [[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
 
-/// ASCII capitals as small letters, every other byte as it is.
+/// The text with ASCII capitals in lower case, every other byte as it is.
 [[nodiscard]] std::string lowered(std::string_view text);
 
 /// "1 packet", "6 packets".
@@ -54,7 +54,7 @@ namespace aucast {
 /// The message of an errno: "No such file or directory".
 [[nodiscard]] std::string system_reason(int error_number);
 
-/// Why a thread, a timer or a socket could not be had, and what to look for: "Resource temporarily
+/// Why there was no thread, timer or socket to be had, and what to look for: "Resource temporarily
 /// unavailable; the system is short of threads or files".
 [[nodiscard]] std::string shortage_text(const std::system_error& failure);
 

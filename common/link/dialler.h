@@ -26,9 +26,9 @@ struct DialOptions {
   /// For the name, the connection and the handshake of TLS together.
   Milliseconds time_max{10'000};
   std::optional<tls::Context> tls{};  ///< nothing: plain
-  /// What will be said is nobody else's business: only over TLS or to this very computer.
+  /// A secret will be sent: dial only over TLS or to this computer.
   bool secret = false;
-  /// What the user can do when it cannot be kept so.
+  /// What the user can do when neither is possible.
   const char* secret_remedy = "--tls, or --insecure-token";
   Limits limits{};
   int held_back_max = 0;  ///< of the link, as tcp_link() has it
@@ -36,7 +36,7 @@ struct DialOptions {
 
 /// Why no connection could be made.
 struct DialFailure {
-  bool final = false;  ///< another attempt would not change it
+  bool final = false;  ///< another attempt would fail in the same way
   std::string reason;  ///< cause and remedy
 };
 

@@ -10,9 +10,9 @@
 
 namespace aucast::link {
 
-/// A link whose bytes go through a Layer (tls::Layer, web::Layer) over the link below: what
-/// all such links have in common. Whatever is told from below keeps this alive until it is through,
-/// for the user may let go.
+/// A link whose bytes go through a Layer (tls::Layer, web::Layer) over the link below: what all
+/// such links have in common. Every call from below keeps this object alive until it has returned,
+/// for the user may drop it meanwhile.
 template <typename Layer>
 class LayerLink : public Link,
                   public LinkUser,

@@ -54,7 +54,7 @@ class LinkUser {
 ///
 /// finish() drains, by the same rule everywhere: what was written is sent to the end, the sending
 /// side is shut, and what still comes is read and dropped until the peer ends, so that no reset
-/// takes the last words back; Limits bounds the time and the bytes.
+/// loses the last bytes; Limits bounds the time and the bytes.
 /// Thread: that of the executor it was made with. A link that tells its user something stays alive
 /// until the call has returned, so the user may let go of it there.
 class Link {
@@ -66,9 +66,9 @@ class Link {
 
   /// Begins. `user` must live until on_closed() or close().
   virtual void start(LinkUser& user) = 0;
-  /// Once the link is open: from now on it tells `user`, and no longer the one before.
+  /// Changes the user of an open link.
   virtual void hand_over(LinkUser& user) = 0;
-  /// Sends at once what the system takes at once; the rest waits. Ignored after finish().
+  /// Sends at once what the system takes; the rest waits. Ignored after finish().
   virtual void write(std::string_view bytes) = 0;
   /// Nothing more will be written: drains, then on_closed(). Nothing else is told meanwhile.
   virtual void finish() = 0;
@@ -85,7 +85,7 @@ class Link {
   [[nodiscard]] virtual Duration round_trip() const = 0;
   /// The peer takes no more for now, so that what is written waits.
   [[nodiscard]] virtual bool blocked() const = 0;
-  /// Since when it is blocked without a byte being taken; nullopt: it is not.
+  /// Since when the link is blocked and no byte has been taken; nullopt: it is not blocked.
   [[nodiscard]] virtual std::optional<Instant> stuck_since() const = 0;
   [[nodiscard]] virtual std::size_t unsent_bytes() const = 0;
   /// Bytes sent so far, as they go over the wire.

@@ -14,7 +14,7 @@
 
 namespace aucast::link {
 
-/// A descriptor a client: takes as many as the system lets this process have.
+/// Every client needs a descriptor: raises this process's limit as far as the system allows.
 void raise_descriptor_limit();
 
 /// The address; IPv4 within IPv6 as IPv4.
@@ -27,13 +27,13 @@ void raise_descriptor_limit();
 struct ListenOptions {
   const char* address = "--bind";
   const char* port = "--port";
-  /// Other processes of the same user that say so too may listen on the same port: the system
-  /// spreads those who connect over them.
+  /// Other processes of the same user that set this too may listen on the same port: the system
+  /// spreads the clients over them.
   bool shared = false;
 };
 
 /// Accepts connections at one address and hands them out. When the system is out of descriptors or
-/// memory it says so once, waits and goes on: running clients do not notice.
+/// memory it logs that once, waits and goes on: connected clients do not notice.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class Listener {
  public:
@@ -48,14 +48,14 @@ class Listener {
   /// address and the port are from.
   [[nodiscard]] Result<void> open(const std::string& bind, std::uint16_t port,
                                   const ListenOptions& options = {});
-  /// Takes a socket that listens already and belongs to it from now on.
+  /// Takes over a socket that is already listening.
   [[nodiscard]] Result<void> open_passed(int descriptor);
 
   /// Where it listens, with the real port; only after open().
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return endpoint_; }
 
   void start(OnSocket on_socket);
-  /// No socket is handed out any more. It may be opened again.
+  /// Hands out no more connections. May be opened again.
   void stop();
 
   /// How often accepting had to pause.

@@ -15,11 +15,11 @@ namespace aucast::link {
 
 using Addresses = std::vector<asio::ip::tcp::endpoint>;
 
-/// Those that nobody has to be asked for: of an address in numbers, and of localhost. Else none.
+/// The addresses that need no look-up: of a numeric address, and of localhost. Else none.
 [[nodiscard]] Addresses known_addresses(const std::string& host, std::uint16_t port);
 
-/// The addresses of a host. The system's own look-up cannot be broken off, so it runs in a thread
-/// that nobody waits for, and what comes too late is dropped.
+/// The addresses of a host. The system's own look-up cannot be interrupted, so it runs in a thread
+/// that nobody waits for, and a late result is dropped.
 class NameLookup {
  public:
   /// `failure`: cause and remedy; empty when there are addresses.
@@ -31,7 +31,7 @@ class NameLookup {
   NameLookup& operator=(const NameLookup&) = delete;
 
   /// Calls `on_found` in the thread of the io_context, never from within start(), unless cancelled
-  /// before. One at a time: a new one cancels the one before.
+  /// before. One at a time: a new one cancels the previous one.
   void start(const std::string& host, std::uint16_t port, OnFound on_found);
   void cancel();
 

@@ -10,10 +10,9 @@
 namespace aucast::link {
 
 /// TLS over another link. Opens when the handshake is done, for which there is
-/// `limits.tls_handshake`; a failure is drained like any last word, so that the peer gets the
-/// alert that explains it.
-/// `plain_answer`: what a peer is told that does not speak TLS, or says nothing in time; it may not
-/// even know that this is TLS, so it is told without. Empty: nothing.
+/// `limits.tls_handshake`; after a failure the link still drains, so that the peer gets the alert
+/// that explains it. `plain_answer`: what is sent, not in TLS, to a peer that does not speak TLS or
+/// says nothing in time; it may not know that this is TLS. Empty: nothing.
 [[nodiscard]] std::shared_ptr<Link> tls_link(std::shared_ptr<Link> below, tls::Layer layer,
                                              const Limits& limits, std::string plain_answer = {});
 

@@ -35,10 +35,10 @@ class PreviewReader {
  public:
   void feed(std::string_view bytes) { bytes_ += bytes; }
 
-  /// The next record; nothing: more bytes are needed. BadData, from then on, for what is no record.
+  /// The next record; nothing: more bytes are needed. BadData for anything else, and from then on.
   [[nodiscard]] Result<std::optional<Record>> next();
 
-  /// A line is no longer than this, nor is the text of AUs.
+  /// The longest line, and the longest text of AUs.
   static constexpr std::size_t kTextMax = 4096;
 
  private:

@@ -10,7 +10,7 @@ namespace aucast::preview {
 
 /// The longest side of a picture.
 inline constexpr std::size_t kSideMax = 320;
-/// More landmarks no net finds.
+/// No net finds more landmarks.
 inline constexpr std::size_t kPointsMax = 1000;
 
 /// A place in a picture: 0 to 1 of its width from the left and of its height from the top.
@@ -26,7 +26,7 @@ struct Seen {
   std::size_t height = 0;
   std::vector<std::uint8_t> rgb;  ///< rows from the top
   std::vector<Point> points;      ///< landmarks; none: no face is seen
-  std::vector<AuTerm> aus;        ///< of every AU that is looked for, also of those that are absent
+  std::vector<AuTerm> aus;        ///< of every AU that can be seen, even if absent
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 

@@ -11,7 +11,7 @@
 
 namespace aucast::sources {
 
-/// What is known of one person before one camera, and how they are to be shown.
+/// What is known of one person in front of one camera, and how their signals are to be conditioned.
 struct Profile {
   Signals neutral = no_signals();         ///< the neutral face; no data: not known
   PerAu gain{1};                          ///< [0, 10]
@@ -19,26 +19,27 @@ struct Profile {
   std::optional<OneEuroSettings> filter;  ///< nothing: off
 };
 
-/// As `neutral_seconds`: without an end; NeutralMeter stops counting after ten minutes.
+/// A value for `neutral_seconds`: no end; NeutralMeter stops counting after ten minutes.
 inline constexpr double kWholeRecordingSeconds = 1e9;
 
-/// What happens to a recogniser's signals; as it stands here, nothing but the dead band.
+/// What happens to a recogniser's signals; by default, nothing but the dead band.
 struct ConditioningSettings {
   Profile profile;
-  /// The first seconds of a face, above 0, are its neutral one and go before the profile's.
+  /// Above 0: the neutral face is measured in so many first seconds of a face, and replaces the
+  /// profile's.
   std::optional<double> neutral_seconds;
-  /// Of the neutral face only where head and eyes turn.
+  /// Of the neutral face, subtract only the turns of head and eyes.
   bool neutral_turns_only = false;
   bool distance = false;  ///< the head's distance is shown, as AUs 57 and 58
 };
 
-/// Makes of what a recogniser sees what is to be shown, sample by sample:
-/// neutral face off -> gain -> One Euro filter -> intensities. What has no data goes through as
-/// such; it is held and eased after this (Channels), and the dead band comes last of all.
+/// Turns what a recogniser sees into what is to be shown, sample by sample: neutral face off ->
+/// gain -> One Euro filter -> intensities. A signal without data stays without; it is held and
+/// eased after this (Channels), and the dead band comes last of all.
 ///
-/// Up to the end signals may be negative: noise around the neutral face is averaged out by the
-/// filter, where cut off at 0 it would become a small expression. What is taken off for the
-/// distance is needed before it means anything: the profile's, or the median of the first second.
+/// Up to the end signals may be negative: the filter averages out noise around the neutral face,
+/// which would become a small expression if it were cut off at 0. The distance means nothing before
+/// a neutral distance is subtracted: the profile's, or the median of the first second.
 class Conditioning {
  public:
   explicit Conditioning(const ConditioningSettings& settings = {});
@@ -49,7 +50,7 @@ class Conditioning {
 
   /// Other settings from the next sample on; what was measured stays measured.
   void change(const ConditioningSettings& settings);
-  /// What was measured is measured anew.
+  /// Measures anew what was measured.
   void forget_neutral();
   /// The neutral face, once, when it was asked for and has been measured.
   [[nodiscard]] std::optional<MeasuredNeutral> take_neutral();
@@ -71,7 +72,7 @@ class Conditioning {
 /// The sample before anything happens to it; without the distance, unless it is asked for.
 [[nodiscard]] Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings);
 
-/// What is to be taken off when this was measured: without --neutral that is the distance alone.
+/// What is to be subtracted after this was measured: without --neutral only the distance.
 [[nodiscard]] Signals neutral_with(const ConditioningSettings& settings,
                                    const MeasuredNeutral& measured);
 

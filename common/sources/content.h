@@ -7,19 +7,19 @@
 
 namespace aucast::sources {
 
-/// What a text is, by its first lines and not by its name.
+/// What kind of text it is, by its first lines and not by its name.
 enum class ContentKind : std::uint8_t {
-  StreamFile,  ///< or something that is to be refused as one
+  StreamFile,  ///< or something that will be refused as one
   Recording,   ///< a recogniser's table
   Unknown,     ///< a table or labels, but none that can be read
 };
 [[nodiscard]] ContentKind content_kind(std::string_view text);
 
-/// What is said of a text of an unknown kind: what it seems to be, and what is missing.
+/// The message about a text of an unknown kind: what it seems to be, and what is missing.
 [[nodiscard]] std::string unknown_reason(std::string_view text);
 
-/// What is said of the label files of DISFA, BP4D and CK+, which are numbers without names and
-/// times. Told by the first three lines at most; nothing when they are something else.
+/// The message about label files of DISFA, BP4D and CK+, which are numbers without names and times.
+/// Recognised by at most three lines; nullopt for anything else.
 [[nodiscard]] std::optional<std::string> label_file(std::string_view text);
 
 }  // namespace aucast::sources

@@ -14,14 +14,14 @@ namespace aucast::sources {
 
 inline constexpr std::size_t kCsvLineBytesMax = std::size_t{256} << 10U;
 inline constexpr std::size_t kCsvColumnsMax = 8192;
-/// What may stand around a cell or a line and says nothing.
+/// Characters around a cell or a line that mean nothing.
 inline constexpr std::string_view kCsvBlanks = " \t\r";
 
 /// Reads a table row by row; columns are found by name, never by position. Accepts LF, CRLF, CR, a
 /// UTF-8 byte order mark, a preamble (is_preamble()), blanks around cells, quoted cells, and ',',
 /// ';' or tab between cells (whichever the header has most of). Refers to the text, which must
-/// outlive it; holds one row at a time. What is wrong with a row or a number is collected, the
-/// first 20 of it.
+/// outlive it; holds one row at a time. Errors in rows and numbers are collected, the first 20 of
+/// them.
 class CsvReader {
  public:
   enum class Next : std::uint8_t {
@@ -43,17 +43,19 @@ class CsvReader {
 
   /// Goes on to the next line that is not blank.
   [[nodiscard]] Next next();
-  /// Takes a line that is not in the text, such as one that has just been written, instead; it
-  /// must outlive the use of its cells. `line`: its number, for messages. Not for a blank line.
+  /// Takes a line that is not in the text, such as one that has just been written, as the present
+  /// one; it must outlive the use of its cells. `line`: its number, for messages. Not for a blank
+  /// line.
   [[nodiscard]] Next take(std::string_view content, std::size_t line);
-  /// Back before the first row; errors stay.
+  /// Goes back to before the first row; errors stay.
   void rewind();
 
   /// The cell as text, trimmed, without quotes; empty when the table has no such column.
   [[nodiscard]] std::string_view text(std::optional<std::size_t> column) const;
-  /// The cell as a number. Nothing when the table has no such column, and for what means "no data":
-  /// an empty cell, NaN, inf, NA, null, none. A decimal comma and thousands are understood in a
-  /// quoted cell, or where cells are separated by ';' or tab. Anything else is noted in errors().
+  /// The cell as a number. nullopt when the table has no such column, and for values that mean "no
+  /// data": an empty cell, NaN, inf, NA, null, none. A decimal comma and thousands are understood
+  /// in a quoted cell, or where cells are separated by ';' or tab. Anything else is noted in
+  /// errors().
   [[nodiscard]] std::optional<double> number(std::optional<std::size_t> column);
 
   /// Number of the present line, from 1.
@@ -61,9 +63,9 @@ class CsvReader {
   /// Notes that something is wrong with a cell of this row.
   void refuse(std::optional<std::size_t> column, const std::string& reason);
   [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
-  /// Everything noted, one "file:line:column: reason" a line.
+  /// All errors noted, one "file:line:column: reason" per line.
   [[nodiscard]] Error error() const { return errors_.error(); }
-  /// Everything noted, which is then forgotten.
+  /// All errors noted, which are then forgotten.
   [[nodiscard]] std::vector<std::string> take_errors() { return errors_.take(); }
 
  private:
@@ -90,8 +92,8 @@ class CsvReader {
   ErrorList errors_;
 };
 
-/// Whether a line before a table is none of it: "sep=;" for spreadsheets, a comment from '#' on, or
-/// what FaceReader says of a recording ("Face Model:" and so on).
+/// Whether a line before a table is not part of it: "sep=;" for spreadsheets, a comment from '#'
+/// on, or what FaceReader says of a recording ("Face Model:" and so on).
 [[nodiscard]] bool is_preamble(std::string_view line);
 
 /// A number as recognisers and spreadsheets write it: 1.5, 1,5 and 1,234.5 (`commas`). Nothing

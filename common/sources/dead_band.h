@@ -6,9 +6,9 @@
 
 namespace aucast::sources {
 
-/// A recogniser's noise made still: an intensity stays what it was until it has changed by its AU's
-/// percent or more, and is then exactly what it is; nothing is ever off by more than that - 1, and
-/// what goes to 0 does so at once. 0 and 1 leave everything as it is.
+/// Suppresses a recogniser's noise: an intensity stays as it was until it has changed by the
+/// percent of its AU or more, and then takes its exact value. So it is off by at most that percent
+/// less one, and 0 is always taken at once. A percent of 0 or 1 changes nothing.
 class DeadBand {
  public:
   /// `percent`: whole ones.

@@ -10,8 +10,7 @@
 
 namespace aucast::sources {
 
-/// How one kind of recogniser writes its tables. Which columns there are was looked up by name when
-/// it was made.
+/// How one kind of recogniser writes its tables. It looks its columns up by name when it is made.
 class Format {
  public:
   Format() = default;
@@ -21,12 +20,12 @@ class Format {
 
   /// For reports: "OpenFace 2".
   [[nodiscard]] virtual std::string_view name() const = 0;
-  /// What its own AU values reach: 1, 5, 100, or 0 when only the values can tell.
+  /// The largest AU value of the format: 1, 5, 100, or 0 when only the values can tell.
   [[nodiscard]] virtual double native_scale() const = 0;
   /// What the reader decided or assumed, for reports; empty when there was nothing to decide. It
   /// may change with the rows seen.
   [[nodiscard]] virtual std::string note() const { return {}; }
-  /// Sees every row once before it is read, for what single rows cannot tell.
+  /// Looks at every row once before any is read, for what single rows cannot tell.
   virtual void scan(CsvReader& /*row*/) {}
   /// Reads the present row into `out`, which is empty.
   virtual void read(CsvReader& row, Observation& out) const = 0;

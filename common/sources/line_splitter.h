@@ -7,8 +7,8 @@
 
 namespace aucast::sources {
 
-/// Lines out of bytes that come in pieces. A line is there when its end is: LF, CRLF or CR; of a
-/// line longer than `bytes_max` only the beginning is kept, so memory is bounded.
+/// Splits bytes that come in pieces into lines. A line is complete when its end has come: LF, CRLF
+/// or CR. Of a line longer than `bytes_max` only the beginning is kept, so memory is bounded.
 class LineSplitter {
  public:
   struct Line {

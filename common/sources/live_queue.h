@@ -8,9 +8,9 @@
 
 namespace aucast::sources {
 
-/// Keyframes of a live source on their way out. They go at once, also after a hitch of the source,
-/// unless the source's clock runs ahead of ours by more than kLeadSeconds since it began: then it
-/// is a recording that somebody pours in, and is played at its own speed.
+/// Keyframes of a live source on their way out. They go at once, even after the source has hung,
+/// unless the source's clock has come to be more than kLeadSeconds ahead of ours: then somebody
+/// feeds in a recording, which is played at its own speed.
 class LiveQueue {
  public:
   static constexpr double kLeadSeconds = 1;
@@ -21,7 +21,7 @@ class LiveQueue {
   /// When pop() has something; nothing while the queue is empty.
   [[nodiscard]] std::optional<double> due() const;
   [[nodiscard]] std::size_t size() const { return queue_.size(); }
-  /// Only the latest counts, and it is due at once: what came before is past.
+  /// Keeps only the latest keyframe, which is due at once: the others are past.
   void skip_to_last(SteadySeconds now);
 
  private:

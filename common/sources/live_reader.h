@@ -32,22 +32,23 @@ struct LiveMessage {
   std::string text;  ///< "file:line:column: reason", or a sentence that begins with the file
 };
 
-/// A face that is for a reader of its own.
+/// A face that needs its own reader.
 struct NewFace {
   std::int64_t id = 0;
   std::string beginning;  ///< for that reader: the names of the columns, and the face's first row
 };
 
-/// A live source, byte by byte: tables of every recogniser and lines of stream files, told by their
-/// first line. Pure: bytes and seconds on any steady clock go in, keyframes and messages come out.
+/// A live source, byte by byte: tables of every recogniser and lines of stream files, recognised by
+/// the first line. Pure: bytes and seconds on any steady clock go in, keyframes and messages come
+/// out.
 ///
-/// Nothing that comes in ends it. A line that is not understood is left out and said, the first
-/// kSaidMax of a run of them, which kRunEnds good lines in a row end; a line without its end waits
-/// for the rest; a header in the middle (the same, or of another format) begins a new table whose
-/// clock goes on from the last sample, as it does when kRefusalsMax rows in a row are none later
-/// than the last sample, but each later than the one before: a clock that was set, or one wrong
-/// time. Rows without a clock (Py-Feat without --fps) and lines without a time take the time since
-/// the one before.
+/// No input ends it. A line that is not understood is left out with a message; of a run of such
+/// lines, which kRunEnds good lines end, only the first kSaidMax get one. A line without its end
+/// waits for the rest. A header in the middle (the same, or of another format) begins a new table
+/// whose clock goes on from the last sample. So does the clock if kRefusalsMax rows in a row are
+/// not later than the last sample, but each is later than its predecessor: the clock was set, or
+/// one time was wrong. Rows without a clock (Py-Feat without --fps) and lines without a time take
+/// the time since the previous one.
 class LiveReader {
  public:
   static constexpr std::size_t kSaidMax = 20;
@@ -62,14 +63,14 @@ class LiveReader {
 
   /// Takes bytes that came at `now`.
   void feed(std::string_view bytes, SteadySeconds now);
-  /// Whoever wrote has gone, for now at least: a line without its end is left out.
+  /// The writer has gone, for now at least: a line without its end is left out.
   void end_input(SteadySeconds now);
   /// The file begins anew: the next line is its first.
   void restart();
-  /// Call when idle_due() has come: a face that nothing comes of is led to neutral.
+  /// Call when idle_due() has come: a face of which nothing comes is led to neutral.
   void idle(SteadySeconds now);
   [[nodiscard]] std::optional<double> idle_due() const;
-  /// Since when nothing has come of a source that has begun. Lines of a stream file hold until
+  /// Since when nothing has come from a source that has begun. Lines of a stream file hold until
   /// their input or their stream ends.
   [[nodiscard]] std::optional<double> silent_since() const { return silent_since_; }
   /// What came before is only shown now: silence begins here at the earliest.

@@ -20,10 +20,10 @@ struct LiveKeyframe {
   bool clocked = false;  ///< the source has a clock of its own
 };
 
-/// Samples of a live face become keyframes, one by one, as they come. Between samples a keyframe
-/// takes as long as the source's clock says; a stop is not made up for: what stood still meanwhile
-/// goes on with the usual step. What has no data holds for kHoldSeconds, then eases to neutral;
-/// when nothing comes at all, idle() gives the keyframes that do so.
+/// Turns the samples of a live face into keyframes, one by one, as they come. A keyframe takes as
+/// long as passed between two samples on the source's clock; after a stop, the face goes on with
+/// the usual step and the stop is not made up for. Channels without data hold for kHoldSeconds,
+/// then ease to neutral; when nothing comes at all, idle() makes the keyframes for that.
 class LiveTimeline {
  public:
   /// `rate`: at most so many keyframes a second; the samples between them are left out.
@@ -31,14 +31,14 @@ class LiveTimeline {
   explicit LiveTimeline(std::optional<double> rate, const ConditioningSettings& settings = {})
       : rate_(rate), conditioning_(settings), dead_band_(settings.profile.dead_band) {}
 
-  /// A sample of the source, later than the one before: the intensities of `update` where it is not
-  /// negative. `duration` instead of the clock's, if the source says so.
+  /// Takes a sample of the source, later than the previous one: the intensities of `update` where
+  /// it is not negative. `duration` instead of the clock's, if the source says so.
   void add(double seconds, const AuFrame& update, std::optional<std::uint32_t> duration_ms = {});
   /// The clock began anew: the next sample comes one usual step after the last.
   void restart() { restarted_ = true; }
   /// Other settings from the next sample on; a neutral face that was measured stays measured.
   void change(const ConditioningSettings& settings);
-  /// The scale of what comes is another: what was measured is measured anew.
+  /// The scale has changed: what was measured is measured anew.
   void forget_neutral() { conditioning_.forget_neutral(); }
   /// The neutral face, once, when it has been measured.
   [[nodiscard]] std::optional<MeasuredNeutral> take_neutral() {

@@ -16,8 +16,7 @@ struct MeasuredNeutral {
   std::size_t rows = 0;            ///< with data
 };
 
-/// What is left of `signals` when the neutral face is taken off; what `neutral` does not know
-/// stays.
+/// `signals` less the neutral face; those that `neutral` has no data for stay.
 void take_off(Signals& signals, const Signals& neutral);
 
 /// The median of each signal over the first seconds in which a face is seen.

@@ -20,7 +20,7 @@ inline constexpr double kMillimetresPerUnit = 14;
 inline constexpr double kDistanceMmMax = 100'000;
 inline constexpr double kRadPerDegree = 0.017453292519943295;
 
-/// What a recogniser that says only "present" is taken to mean: FACS intensity C.
+/// The intensity of an AU that a recogniser only calls present: FACS C.
 inline constexpr double kPresentIntensity = 0.5;
 
 /// One AU of one row. `native`: on the source's own scale, else an intensity.
@@ -46,7 +46,7 @@ struct Observation {
   double confidence = 1;              ///< [0,1]
   bool tracked = true;                ///< the source says that it saw the face
   std::optional<double> distance_mm;  ///< of the head from the camera
-  std::vector<AuValue> aus;           ///< what has no data is not in it
+  std::vector<AuValue> aus;           ///< only those with data
 
   /// Empties it without giving its memory back.
   void clear();
@@ -65,10 +65,10 @@ struct CameraVector {
   double z = -1;
 };
 
-/// Eyes in the head from the line of sight in camera space: the head's rotation is taken back.
-/// `pitch`, `yaw`, `roll` in radians as OpenFace has them, R = Rx Ry Rz.
+/// The eyes' turn in the head from the line of sight in camera space: the head's rotation is
+/// undone. `pitch`, `yaw`, `roll` in radians as OpenFace has them, R = Rx Ry Rz.
 [[nodiscard]] Turn gaze_in_head(const CameraVector& sight, double pitch, double yaw, double roll);
-/// The other way round: the line of sight of eyes that are turned so in a head that is turned so.
+/// The reverse: the line of sight from the turns of eyes and head.
 [[nodiscard]] CameraVector sight_in_room(const Turn& eyes, double pitch, double yaw, double roll);
 
 }  // namespace aucast::sources

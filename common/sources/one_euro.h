@@ -6,23 +6,23 @@
 
 namespace aucast::sources {
 
-/// What the One Euro filter goes by. Signals are intensities, 1 is full: a smile that comes in half
-/// a second has a speed of 2 a second.
+/// The settings of the One Euro filter. Signals are intensities, 1 is full: a smile that comes in
+/// half a second has a speed of 2 a second.
 struct OneEuroSettings {
-  double min_cutoff_hz = 1;         ///< of what stands still, (0, 100]
+  double min_cutoff_hz = 1;         ///< for a signal at rest, (0, 100]
   double beta = 5;                  ///< Hz that the cutoff rises by at a speed of 1, [0, 100]
   double derivative_cutoff_hz = 1;  ///< of the speed, (0, 100]
   friend bool operator==(const OneEuroSettings&, const OneEuroSettings&) = default;
 };
 
 /// G. Casiez, N. Roussel, D. Vogel, "1 Euro filter", CHI 2012, algorithm 1, for one signal: an
-/// exponential mean whose cutoff rises with the speed, so that what stands still is smooth and what
-/// moves is not late. The result lies between the last one and the new value; there is no
+/// exponential mean whose cutoff rises with the speed, so that a signal at rest is smooth and a
+/// moving one is not late. The result lies between the last one and the new value; there is no
 /// overshoot. Steps may differ: each goes by its own time.
 class OneEuro {
  public:
-  /// The filtered value at `seconds`, later than the last. After a gap of more than kHoldSeconds
-  /// what came before says nothing any more: it begins anew with `value`.
+  /// The filtered value at `seconds`, later than the last. After a gap of more than kHoldSeconds it
+  /// begins anew with `value`.
   [[nodiscard]] double next(double seconds, double value, const OneEuroSettings& settings);
 
  private:
@@ -35,7 +35,7 @@ class OneEuro {
 /// One for each signal.
 class OneEuroBank {
  public:
-  /// What has no data stays so, and its filter waits for its next value.
+  /// A signal without data stays without, and its filter waits for the next value.
   void apply(double seconds, Signals& signals, const OneEuroSettings& settings);
 
  private:

@@ -8,8 +8,8 @@
 
 namespace aucast::sources {
 
-/// Between two rows of a written table lies so much at most: a reader takes longer gaps for rows
-/// that are missing.
+/// The longest time between two rows of a written table: a reader takes longer gaps for missing
+/// rows.
 inline constexpr std::uint32_t kRowMsMax = 100;
 
 /// A stream as a table.

@@ -30,12 +30,12 @@ class PerAu {
   [[nodiscard]] double of(std::size_t number, bool right) const {
     return values_[channel_of(number, right)];
   }
-  /// What the AUs have that were not set on their own.
+  /// The number of all AUs that were not set on their own.
   [[nodiscard]] double all() const { return all_; }
-  /// Of every AU, whatever it had.
+  /// Sets the number of every AU.
   void set_all(double value);
   void set(const AuName& au, double value);
-  /// Those that have another number than all(), by number, equal sides as one.
+  /// The AUs whose number differs from all(), in order, equal sides as one.
   [[nodiscard]] std::vector<std::pair<AuName, double>> exceptions() const;
 
   friend bool operator==(const PerAu&, const PerAu&) = default;

@@ -20,8 +20,8 @@ inline constexpr double kNeutralMax = 1000;  ///< percent; heads turn beyond 100
 /// may be missing; SIGNALS.md here describes them. BadData with file:line:column.
 [[nodiscard]] Result<Profile> parse_profile(std::string_view text, std::string_view file);
 
-/// The profile as text that parse_profile() reads back: the same but for the neutral face, which is
-/// rounded to a hundredth of a percent and a tenth of a millimetre.
+/// The profile as text that parse_profile() reads back: the same except for the neutral face, which
+/// is rounded to a hundredth of a percent and a tenth of a millimetre.
 [[nodiscard]] std::string format_profile(const Profile& profile);
 
 /// For the log: "measured in 60 rows of 2 s: 1 4 %, L12 8 %, 54 20 %"; what is below 1 % is left

@@ -9,14 +9,14 @@
 
 namespace aucast::sources {
 
-/// What a live stream serves, as the lines of a stream file that takes as long: the keyframes as
-/// they are, and before one that came after a pause the face that stood meanwhile, with the time
-/// that it stood. Pure.
+/// Turns what a live stream serves into the lines of a stream file of the same length: the
+/// keyframes as they are and, before one that came after a pause, the face that was held meanwhile,
+/// with its time. Pure.
 class RecordTimeline {
  public:
   /// The keyframe that is served at `now`, in seconds of any steady clock. `free`: the source's own
-  /// clock does not tie it to the one before, so that there may have been a pause; where it does,
-  /// what is late is only late.
+  /// clock does not tie it to the previous one, so that there may have been a pause; otherwise a
+  /// late keyframe is only late.
   [[nodiscard]] std::vector<protocol::Keyframe> add(const protocol::Keyframe& keyframe,
                                                     SteadySeconds now, bool free);
   /// The stream ended for the clients: the time until it goes on is not kept.

@@ -13,7 +13,7 @@
 
 namespace aucast::sources {
 
-/// What the user decides about recordings; what is not set is found out.
+/// What the user decides about recordings; the rest is detected.
 struct RecordingOptions {
   std::optional<double> fps;         ///< a row's time is its picture's number / fps, (0, 1000]
   std::optional<double> au_scale;    ///< 1, 5 or 100: what full intensity is in the file
@@ -59,12 +59,12 @@ struct Recording {
   Found found;
 };
 
-/// Reads a recogniser's recording from `text` in two passes, row by row; what `conditioning` is to
-/// measure takes one more pass over the first seconds of a face. The dead band of `conditioning` is
-/// not applied here. `file` is what messages call the recording. `load_curves` loads what a table
-/// of ARKit's curves needs.
-/// BadData with one line file:line:column for each of the first 20 errors; Usage when --fps is
-/// needed, --face-id names no face of the file, or no row shows a face.
+/// Reads a recogniser's recording from `text` in two passes, row by row; measuring for
+/// `conditioning` takes one more pass over the first seconds of a face. The dead band of
+/// `conditioning` is not applied here. `file` is what messages call the recording. `load_curves`
+/// loads what a table of ARKit's curves needs. BadData with one line file:line:column for each of
+/// the first 20 errors; Usage when --fps is needed, --face-id names no face of the file, or no row
+/// shows a face.
 [[nodiscard]] Result<Recording> read_recording(std::string_view text, std::string_view file,
                                                const RecordingOptions& options,
                                                const ConditioningSettings& conditioning = {},

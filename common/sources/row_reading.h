@@ -14,7 +14,7 @@ namespace aucast::sources {
 /// when only values can tell; `largest` of them.
 [[nodiscard]] double scale_for(double native, double largest);
 
-/// Whether the row says anything of a face.
+/// Whether the row has any data of a face.
 [[nodiscard]] bool is_sure(const Observation& row, double confidence_min);
 
 /// The row's intensities; -1 where it has no data, and everywhere if it is not sure. Those of turns
@@ -46,8 +46,8 @@ struct FaceTimes {
 class SourceClock {
  public:
   /// `refusals_max`: after so many rows of a face that are not later than its last, but ascend
-  /// among themselves, the clock was set back, or one time was wrong: it goes on from there. 0:
-  /// never.
+  /// among themselves, the clock must have been set back, or one time was wrong: time goes on from
+  /// there. 0: never.
   explicit SourceClock(std::optional<double> fps, std::size_t refusals_max = 0)
       : fps_(fps), refusals_max_(refusals_max) {}
 

@@ -16,7 +16,7 @@ class Channels {
  public:
   /// Takes what `update` has; a negative intensity is no data.
   void take(double seconds, const AuFrame& update);
-  /// The face then: what has no data any more holds, then eases to neutral.
+  /// The face at that time: a channel that has no data any more holds, then eases to neutral.
   [[nodiscard]] AuFrame at(double seconds) const;
 
  private:
@@ -27,8 +27,8 @@ class Channels {
 
 /// Rows on the source's clock become keyframes. Durations are differences of places rounded to
 /// whole milliseconds, so that nothing drifts. A channel (an AU on a side) without data holds, then
-/// eases to neutral; where whole rows are missing, keyframes are put in to do so. What there is
-/// goes through a Conditioning first.
+/// eases to neutral; where whole rows are missing, keyframes are inserted for that. Samples go
+/// through a Conditioning first.
 class Timeline {
  public:
   explicit Timeline(const ConditioningSettings& settings = {}) : conditioning_(settings) {}

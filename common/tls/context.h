@@ -12,26 +12,26 @@ struct ssl_ctx_st;
 
 namespace aucast::tls {
 
-/// PEM files. Which are needed depends on the side.
+/// PEM files; which of them are needed depends on the side.
 struct Files {
   std::filesystem::path certificate;  ///< our own, with those of its authorities after it
   std::filesystem::path key;          ///< of the certificate
-  std::filesystem::path authorities;  ///< whom the peer's certificate must come from
+  std::filesystem::path authorities;  ///< which must have issued the peer's certificate
   friend bool operator==(const Files&, const Files&) = default;
 };
 
-/// What all TLS connections of one side have in common: TLS 1.2 or later, our certificate, whose
-/// certificates are believed. Cheap to copy; connections keep the one they began with, so that a
-/// new one can take its place any time.
+/// What all TLS connections of one side have in common: TLS 1.2 or later, our certificate, the
+/// authorities that we trust. Cheap to copy; connections keep the one that they began with, so it
+/// can be replaced at any time.
 class Context {
  public:
-  /// Needs certificate and key. With `authorities` clients must show a certificate of theirs.
-  /// Unreadable or BadData naming the file and the cause.
-  /// `options`: how the options that name the files begin, for the message.
+  /// Needs certificate and key. With `authorities` clients must show a certificate that one of
+  /// these has issued. Unreadable or BadData naming the file and the cause. `options`: how the
+  /// options that name the files begin, for the message.
   [[nodiscard]] static Result<Context> for_server(const Files& files,
                                                   const std::string& options = "--tls");
-  /// Without `authorities` the system's are believed. Certificate and key are for servers that want
-  /// to know who comes.
+  /// Without `authorities` the system's are trusted. Certificate and key are for servers that ask
+  /// for a client certificate.
   [[nodiscard]] static Result<Context> for_client(const Files& files,
                                                   const std::string& options = "--tls");
 
@@ -51,7 +51,7 @@ class Context {
 
   std::shared_ptr<ssl_ctx_st> context_;
   bool server_;
-  std::string authorities_option_;  ///< names whose certificates are believed
+  std::string authorities_option_;  ///< the option that names the authorities
   std::string warning_;
 };
 

@@ -13,8 +13,7 @@ namespace aucast::tls {
 
 /// The TLS of one connection without its socket: what comes over the wire goes in, what is to go
 /// over the wire comes out. So one way of reading and writing serves connections with and without
-/// it. Needs no clock but the one that certificates are checked by; how long a handshake may take
-/// is the owner's business.
+/// it. Uses no clock except to check certificates; the owner decides how long a handshake may take.
 /// After a failure nothing more goes in; what take_output() still gives tells the peer why.
 /// Thread: none of its own.
 class Layer {
@@ -22,8 +21,8 @@ class Layer {
   /// Why a failed layer failed, as far as the owner's next step goes.
   enum class Why : std::uint8_t {
     None,
-    NotTls,     ///< the peer's first bytes are none of TLS
-    Untrusted,  ///< a certificate is not believed, by us or by the peer
+    NotTls,     ///< the peer's first bytes are not TLS
+    Untrusted,  ///< a certificate is not trusted, by us or by the peer
     Broken,     ///< anything else
   };
 
@@ -37,14 +36,14 @@ class Layer {
   bool received(std::string_view wire, std::string& plain);
   /// Only when ready().
   void send(std::string_view plain);
-  /// Our last word: the peer knows that nothing was cut off.
+  /// Sends close_notify: the peer knows that nothing was cut off.
   void end();
   /// Bytes for the wire.
   [[nodiscard]] std::string take_output();
 
   /// The handshake is done.
   [[nodiscard]] bool ready() const;
-  /// The peer has said its last word.
+  /// The peer has sent its close_notify.
   [[nodiscard]] bool ended() const;
   [[nodiscard]] Why why() const { return why_; }
   /// A sentence about the failure; peer text escaped.

@@ -24,7 +24,7 @@ class OggOpusWriter {
 
   /// The headers, first, then all pages that are complete.
   [[nodiscard]] std::string take();
-  /// The next packet. One that begins before the end of what is there is left out: false.
+  /// Adds the next packet. False: it begins before the end of the last one, and is left out.
   bool add(const protocol::VoicePacket& packet);
   /// Whether any packet was added.
   [[nodiscard]] bool any() const;

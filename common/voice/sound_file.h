@@ -22,9 +22,9 @@ class SoundFile {
   SoundFile(SoundFile&&) noexcept;
   SoundFile& operator=(SoundFile&&) noexcept;
 
-  /// Fills `samples` as far as the file goes and says how far; fewer than asked for: the end.
+  /// Fills `samples` as far as the file goes and returns how many; fewer than asked for: the end.
   [[nodiscard]] std::size_t read(std::span<float> samples);
-  /// Why read() found an end where the file has none, with its name; empty: it did not.
+  /// Why read() stopped before the file's end, with its name; empty: it did not.
   [[nodiscard]] std::string complaint() const;
   /// As the file's own header has it.
   [[nodiscard]] Milliseconds duration() const;

@@ -24,7 +24,7 @@ class VoiceDecoder {
   /// The sound of the packet, mono at kDecoderRate, in [-1,1]; valid until the next call. Empty for
   /// bytes that are no Opus packet.
   [[nodiscard]] std::span<const float> decode(std::string_view opus);
-  /// 20 ms of what the sound could have gone on like, for a packet that is missing.
+  /// 20 ms of a plausible continuation, for a packet that is missing.
   [[nodiscard]] std::span<const float> conceal();
 
  private:

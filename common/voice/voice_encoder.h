@@ -23,9 +23,9 @@ struct VoiceSettings {
 };
 
 /// Speech to Opus packets. The packet at a place decodes to the sound from that very place on: the
-/// codec's delay is taken off here. Silence makes no packets (-52 dBFS or less for 240 ms), but the
-/// end of the sound does.
-/// The same samples and settings give the same packets, however they are cut.
+/// codec's delay is compensated here. Silence makes no packets (-52 dBFS or less for 240 ms), but
+/// the end of the sound does. The same samples and settings give the same packets, however they are
+/// cut.
 /// Thread: none of its own.
 class VoiceEncoder {
  public:
@@ -40,8 +40,8 @@ class VoiceEncoder {
   /// No more samples: appends the packets of the rest, filled up with silence, so that what decodes
   /// ends where the sound did or less than a packet later.
   void finish(std::vector<protocol::VoicePacket>& packets);
-  /// What comes next does not follow what came: it lies at `place`, later than all before. What was
-  /// not yet a whole packet is dropped.
+  /// What comes next does not continue what came: it begins at `place`, later than all before.
+  /// Samples that do not yet make a whole packet are dropped.
   void go_on_at(Milliseconds place);
 
   /// Where the sound added so far ends.
@@ -61,7 +61,7 @@ class VoiceEncoder {
   std::vector<float> pending_;  ///< from that place on
   std::size_t lookahead_ = 0;   ///< samples that the codec is late by
   std::size_t skipped_ = 0;     ///< of those, at the beginning
-  Milliseconds silent_{0};      ///< for so long nothing has sounded
+  Milliseconds silent_{0};      ///< how long there has been no sound
 };
 
 }  // namespace aucast::voice
