@@ -17,7 +17,7 @@
 
 namespace aucast::mirror {
 
-/// What is wrong with the camera's program; its user puts it into words.
+/// What is wrong with au-transmitter, the child; the caller puts it into words.
 struct Trouble {
   enum class Kind : std::uint8_t {
     None,
@@ -32,19 +32,19 @@ struct Trouble {
   int signal = 0;
 };
 
-/// What came of the camera so far.
+/// What the child has told so far.
 struct MirrorState {
   std::string address;  ///< ADDR:PORT where this host can play the stream; empty: not yet
   std::shared_ptr<const preview::Seen> seen;  ///< the newest; null: nothing yet
   std::string live;                           ///< ADDR:PORT for others; empty: they are not let in
-  std::size_t watching = 0;                   ///< how many of them do
+  std::size_t watching = 0;                   ///< how many of them watch
   Trouble refused;                            ///< why the last order was not carried out
   bool over = false;                          ///< the child is gone
   Trouble ended;                              ///< why; nothing when it was asked to
 };
 
-/// A camera whose face is seen here before anybody else does: au-transmitter as a child. Thread:
-/// one of its own; everything here from one thread.
+/// A camera whose face is shown here before anybody else sees it: au-transmitter as a child.
+/// Thread: one of its own; everything here from one thread.
 class Mirror {
  public:
   /// Unreadable when au-transmitter is not there, Failed when it cannot be started.
@@ -56,7 +56,7 @@ class Mirror {
 
   static constexpr std::chrono::milliseconds kPatience{2'500};
 
-  /// What state() says then tells what became of it.
+  /// state() then tells the result.
   void order(const preview::Order& order);
   /// Lets it end: everybody who watches is told.
   void end();
@@ -71,7 +71,7 @@ class Mirror {
   struct Course {
     MirrorState state;
     bool asked_to_end = false;
-    bool reading = true;  ///< the child may be told something, and be killed
+    bool reading = true;  ///< the child may be given orders, and be killed
   };
 
   std::unique_ptr<Child> child_;

@@ -5,7 +5,7 @@
 
 namespace aucast::mirror {
 
-/// What a Mirror shows, and by which program. Whether these can be had shows only when it runs.
+/// What a Mirror shows, and by which program. Whether they exist is known only when it runs.
 struct MirrorOptions {
   std::filesystem::path program;  ///< au-transmitter; empty: beside this program, or in $PATH
   std::string source = "camera";  ///< camera, camera:DEVICE, or a film or FIFO in its place

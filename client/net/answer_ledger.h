@@ -11,15 +11,15 @@
 
 namespace aucast::net {
 
-/// The keyframes that are not answered yet, and what is said to the server of them and of pauses.
+/// Counts the keyframes that are not answered yet, and decides when to send answers and pauses.
 /// Thread: none of its own.
 class AnswerLedger {
  public:
-  /// What its words depend on beside what is owed.
+  /// What the codes depend on besides the answers owed.
   struct Wishes {
     bool user_paused = false;
     bool full = false;   ///< there is no room for what would come
-    bool voice = false;  ///< the stream has one: it goes over thin links
+    bool voice = false;  ///< the stream has one, so the link may be thin
   };
 
   /// A keyframe has come.
@@ -28,13 +28,13 @@ class AnswerLedger {
   void forget() { owed_ = 0; }
   [[nodiscard]] bool has_room() const { return owed_ < protocol::kOwedAnswersMax; }
 
-  /// All that is to be said now.
+  /// The codes to send now.
   [[nodiscard]] std::string speak(protocol::ClientSession& session, const Wishes& wishes,
                                   Instant now);
-  /// speak() would say something.
+  /// Whether speak() would return anything.
   [[nodiscard]] bool has_words(const protocol::ClientSession& session, const Wishes& wishes,
                                Instant now) const;
-  /// When answers that wait for each other are due; nothing: none wait.
+  /// When answers that wait to be sent together are due; nullopt: none wait.
   [[nodiscard]] std::optional<Instant> deadline(const protocol::ClientSession& session,
                                                 const Wishes& wishes, Instant now) const;
 

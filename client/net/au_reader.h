@@ -51,17 +51,18 @@ struct Reaction {
 
 /// The AU Reader of the thesis (5.4.4.2) without its socket: what comes from the server goes into
 /// the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and the server is told
-/// to pause while they are full. No clock: the current time goes in.
-/// When a server answers our hello with a classic packet, that one is answered, but kept aside
-/// until a second packet or {-2} comes: should the server close, the stream begins once more on a
-/// new connection, and nothing may be played twice. Invariant: packets answered by `1` are in the
-/// buffers or kept aside; in level 2 what is under way when the buffers are full, at most the
-/// window, is kept aside too. A server that does not wait for answers is read no faster than the
-/// player makes room. With `reconnect` a loss is not the end: the face holds, and the stream of the
-/// next connection follows what had been received: a recorded stream from where it was cut off, if
-/// the server can do that, a live one from now. With BufferOptions::low_delay the stream is asked
-/// for without answers (window=0); if it is a recorded one, the reader connects once more with a
-/// window. Thread: none of its own; the owner guards it.
+/// to pause while they are full. No clock: the current time goes in. When a server answers our
+/// hello with a classic packet, that packet is answered, but kept aside until a second packet or
+/// {-2} comes: if the server closes before that, the stream begins again on a new connection, and
+/// nothing may be played twice. Invariant: packets answered by `1` are in the buffers or kept
+/// aside; in level 2 packets under way when the buffers are full, at most the window, are kept
+/// aside too. A server that does not wait for answers is read no faster than the player makes room.
+/// With `reconnect` a loss is not the end: the face holds, and the stream of the next connection
+/// follows what had been received: a recorded stream from where it was cut off, if the server can
+/// do that, a live one from the present. With BufferOptions::low_delay the stream is asked for
+/// without answers (window=0); if it is a recorded one, the reader connects once more with a
+/// window.
+/// Thread: none of its own; the owner guards it.
 class AuReader {
  public:
   explicit AuReader(AuReaderOptions options);
@@ -78,12 +79,12 @@ class AuReader {
   [[nodiscard]] std::optional<Instant> deadline() const;
   /// No connection could be made; `reason` is a sentence for the user.
   Reaction unreachable(std::string reason);
-  /// The connection cannot be used, and another attempt would not change that.
+  /// The connection cannot be used, and another attempt would fail in the same way.
   Reaction refused(playback::EndReason why, const std::string& reason);
   /// Call after take() or set_paused(): tells the server what follows from it, and works on the
   /// bytes that had to wait.
   [[nodiscard]] Reaction speak(Instant now);
-  /// The user leaves: the last words, to be sent if the connection stands.
+  /// The user leaves: returns the last bytes, to be sent if there is a connection.
   [[nodiscard]] std::string farewell();
   /// False while received bytes wait for room: read no more, so that flow control holds the server
   /// back.
@@ -149,7 +150,7 @@ class AuReader {
   Milliseconds clock_shift_{0};  ///< from this connection's places to it
   SpokenQueue spoken_;           ///< its places are on that clock
   BackOff back_off_;
-  std::size_t busy_in_a_row_ = 0;     ///< hosts that had no room, or not the stream yet
+  std::size_t busy_in_a_row_ = 0;     ///< hosts that were full, or did not have the stream yet
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;
 };

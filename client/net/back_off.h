@@ -12,13 +12,13 @@ class BackOff {
   static constexpr Milliseconds kFirst{1'000};
   static constexpr Milliseconds kWaitMax{30'000};
 
-  /// The wait before the next attempt; each is twice the one before.
+  /// The wait before the next attempt; each is twice the previous one.
   [[nodiscard]] Milliseconds next() {
     const Milliseconds wait = wait_;
     wait_ = std::min(wait_ * 2, kWaitMax);
     return wait;
   }
-  /// An attempt has led to something.
+  /// An attempt has succeeded.
   void reset() { wait_ = kFirst; }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace aucast::net {
 
-/// The keyframes of a server, of which a ServerConnection feeds the reader. Whoever runs that
-/// connection derives from this.
+/// The keyframes of a server, which come through a ServerConnection into the reader. The class that
+/// runs that connection derives from this one.
 class ConnectedSource : public playback::KeyframeSource {
  public:
   [[nodiscard]] std::optional<playback::TimedAus> take() final;
@@ -19,8 +19,8 @@ class ConnectedSource : public playback::KeyframeSource {
   [[nodiscard]] playback::SourceStatus status() const final;
   void stop() final;
 
-  /// The user pauses or resumes the transmission; what is buffered plays on. At once in level 2;
-  /// in classic -1 may only stand in place of an answer, so one more packet comes.
+  /// The user pauses or resumes the transmission; what is buffered plays on. At once in level 2; in
+  /// classic -1 can only take the place of an answer, so one more packet comes.
   void pause() final;
   void resume() final;
 
@@ -29,8 +29,7 @@ class ConnectedSource : public playback::KeyframeSource {
   [[nodiscard]] SharedReader& reader() { return reader_; }
 
  private:
-  /// The reader has been asked for something and may have something to say: ServerConnection's
-  /// speak(), leave() and bytes_sent().
+  /// The reader may have something to send: ServerConnection's speak(), leave() and bytes_sent().
   virtual void speak() = 0;
   virtual void leave() = 0;
   [[nodiscard]] virtual std::uint64_t bytes_sent() const = 0;

@@ -9,10 +9,10 @@
 
 namespace aucast::net {
 
-/// What the arrivals of a live stream's keyframes say of when to play them.
-/// With BufferOptions::adapt the stream is held back by what its jitter asks for, and before that
-/// is known by the round trip: a packet that was lost takes one and more to come again.
-/// With BufferOptions::low_delay each keyframe says when it is due instead.
+/// Decides from the arrivals of a live stream's keyframes when to play them. With
+/// BufferOptions::adapt the stream is delayed by what its jitter needs, and before that is known by
+/// the round trip: a lost packet takes at least one to be sent again. With BufferOptions::low_delay
+/// each keyframe says when it is due instead.
 /// Thread: none of its own.
 class LiveTiming {
  public:
@@ -20,18 +20,18 @@ class LiveTiming {
 
   /// `round_trip`: of the connection that begins; zero if unknown.
   void connected(Duration round_trip);
-  /// Another connection, or the user has paused: the next keyframe may come at any time.
+  /// A new connection, or the user has paused: the next keyframe may come at any time.
   void begin_again();
   /// A keyframe has come, at `keyframe.arrived`. Sets when it is due, or returns how much is to be
-  /// held ready from now on. `untimed`: the time of a keyframe that has none of its own; `place`:
-  /// in the stream, if known.
+  /// buffered from now on. `untimed`: the time of a keyframe that has none of its own; `place`: in
+  /// the stream, if known.
   [[nodiscard]] std::optional<Milliseconds> arrived(playback::TimedAus& keyframe,
                                                     Milliseconds untimed,
                                                     std::optional<Milliseconds> place);
 
-  /// What is held ready before the jitter is known.
+  /// What is buffered before the jitter is known.
   [[nodiscard]] Milliseconds first_delay() const { return first_delay_; }
-  /// With low delay: from a keyframe's arrival until it is due; the average of lately.
+  /// With low delay: from a keyframe's arrival until it is due, the recent average.
   [[nodiscard]] Milliseconds low_delay() const;
 
  private:

@@ -10,15 +10,15 @@
 
 namespace aucast::net {
 
-/// What the command line says about it.
+/// What the command line says about security.
 struct SecurityOptions {
   bool tls = false;             ///< --tls; also when a file of TLS is named
   tls::Files files;             ///< --tls-cert, --tls-key, --tls-ca
   std::filesystem::path token;  ///< --token-file
-  bool insecure_token = false;  ///< --insecure-token: show it whoever may read it on the way
+  bool insecure_token = false;  ///< --insecure-token: send it even where others can read it
 };
 
-/// How connections are protected and what opens the server. Ready for use.
+/// How connections are protected, and the token for the server. Ready for use.
 struct Security {
   std::optional<tls::Context> tls;  ///< nothing: plain
   std::string token;                ///< empty: none

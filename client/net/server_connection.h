@@ -19,11 +19,11 @@ namespace aucast::net {
 using SharedReader = Shared<AuReader>;
 
 /// Carries out on links what an AuReader decides: one link after the other, when connections are
-/// lost. Who makes the links is the owner's business, and so is the wait before the next one.
+/// lost. The owner makes the links, and waits before the next one.
 /// Thread: that of the links; the reader is shared with the player's.
 class ServerConnection final : public link::LinkUser {
  public:
-  /// What the connection wants of its owner.
+  /// What the connection asks of its owner.
   struct Owner {
     std::function<void(Milliseconds wait)> dial;  ///< a link, after so long: begin() or fail()
     std::function<void()> over;                   ///< nothing more will be wanted
@@ -37,11 +37,11 @@ class ServerConnection final : public link::LinkUser {
   ServerConnection& operator=(const ServerConnection&) = delete;
 
   void begin(std::shared_ptr<link::Link> link);
-  /// No link could be made. `final`: another attempt would not change it.
+  /// No link could be made. `final`: another attempt would fail in the same way.
   void fail(const std::string& reason, bool final);
-  /// The player has done something that may give the reader something to say.
+  /// Call when the player has done something after which the reader may have something to send.
   void speak(Instant now);
-  /// The user leaves: the last words, then over().
+  /// The user leaves: sends the last bytes, then calls over().
   void leave();
 
   /// Answers so far, as the protocol has them. Any thread.

@@ -14,9 +14,10 @@ namespace aucast::net {
 /// out and counted. Thread: none of its own.
 class SpokenQueue {
  public:
-  /// Of voice; at 24 kbit/s an hour.
+  /// The most bytes of voice: an hour at 24 kbit/s.
   static constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
-  /// Of the shortest, 10 ms, an hour: each takes room beside its bytes, however few these are.
+  /// The most packets: an hour of the shortest, 10 ms. Each takes memory beside its bytes, however
+  /// few these are.
   static constexpr std::size_t kVoicePacketsMax = 360'000;
   static constexpr std::size_t kCaptionsMax = 10'000;
 

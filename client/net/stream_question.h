@@ -14,7 +14,7 @@
 namespace aucast::net {
 
 /// Asks a server for the names of its streams: one question over one link. `answered` is called
-/// once, and from within none of this object's own calls but abandon().
+/// once, and never from within this object's own calls, except abandon().
 /// Thread: that of the link.
 class StreamQuestion final : public link::LinkUser {
  public:

@@ -7,7 +7,7 @@
 
 namespace aucast::pipeline {
 
-/// The faces of lately, so that one can be shown later than it was made: with its sound.
+/// Keeps recent faces, so that one can be shown later than it was made, with its sound.
 /// Thread: none of its own.
 class FaceDelay {
  public:
@@ -15,8 +15,9 @@ class FaceDelay {
   void add(Instant at, const std::vector<float>& activations);
   /// at() is asked for nothing earlier any more.
   void forget_before(Instant at);
-  /// The face of `at`: between the two beside it, the first before all and the last after all.
-  /// What lies before it is forgotten. Something must have been added. Valid until the next call.
+  /// The face of `at`: interpolated between its neighbours; before all faces the first, after all
+  /// the last. Earlier ones are forgotten. Something must have been added. Valid until the next
+  /// call.
   [[nodiscard]] const std::vector<float>& at(Instant at);
   [[nodiscard]] bool empty() const { return faces_.empty(); }
   void clear() { faces_.clear(); }

@@ -28,7 +28,7 @@ class FacePipeline {
   void begin_keyframe(const AuFrame& aus, const FaceState& start);
   /// Makes the end frame again, because the mapping has changed.
   void remake();
-  /// The face of the mapping has become another one: makes both frames again, of their AUs.
+  /// The mapping has a new face: makes both frames again from their AUs.
   void change_face();
   /// The face at fraction `mu` in [0,1] of the current keyframe: exactly `start` at 0 and the end
   /// frame at 1; neutral before the first. `state` must be as large as neutral().

@@ -19,8 +19,8 @@ struct IdleOptions {
   std::optional<playback::BlinkOptions> blink{};  ///< playback/blinking.h
 };
 
-/// Puts what a face does by itself onto the activations that are shown. What the face has no
-/// channel for is left out. The face must outlive it.
+/// Adds what a face does by itself to the activations that are shown. Movements that the face has
+/// no channel for are left out. The face must outlive it.
 class IdleFace {
  public:
   explicit IdleFace(const face::Face& face);

@@ -15,8 +15,8 @@ class Player {
  public:
   Player(const AuMapping& mapping, playback::Interpolation interpolation);
 
-  /// From the next advance() on this plays; until its first keyframe the face stays as it is. Null:
-  /// nothing plays.
+  /// Opens what plays from the next advance() on; until its first keyframe the face stays as it is.
+  /// Null: nothing plays.
   void open(playback::Playback* playback);
   [[nodiscard]] playback::Playback* playback() const { return playback_; }
 
@@ -26,14 +26,14 @@ class Player {
   void advance(Instant now, const OnBegin& on_begin = {});
   /// The mapping has changed: the keyframe under way is made anew.
   void remake();
-  /// The face of the mapping has become another one, which goes on with the same AUs.
+  /// The mapping has a new face, which goes on with the same AUs.
   void change_face();
   /// Takes effect at once.
   void set_interpolation(playback::Interpolation kind);
 
   /// As of the last call that changed it.
   [[nodiscard]] const FaceState& face() const { return face_; }
-  /// The face is somewhere else: the next keyframe sets out from there.
+  /// Sets the face: the next keyframe begins from there.
   void set_face(std::span<const float> activations);
   [[nodiscard]] const FacePipeline& pipeline() const { return pipeline_; }
 

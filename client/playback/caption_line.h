@@ -10,14 +10,14 @@
 
 namespace aucast::playback {
 
-/// The caption that belongs to what is seen and heard, out of those that came before their places.
+/// Finds the caption for what is seen and heard among those that came ahead of their places.
 /// Thread: none of its own.
 class CaptionLine {
  public:
   static constexpr std::size_t kWaitingMax = 10'000;
-  /// The next caption: its place is that of the one before or later. Must not be full().
+  /// Adds the next caption, whose place is that of the previous one or later. Must not be full().
   void add(Caption caption);
-  /// As many wait as may: the next ones stay where they come from.
+  /// No more captions fit: the next ones stay in the playback.
   [[nodiscard]] bool full() const { return waiting_.size() >= kWaitingMax; }
   /// Takes what has come of `playback`, until it is full.
   void take_from(Playback& playback);

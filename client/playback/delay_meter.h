@@ -20,9 +20,9 @@ struct DelaySummary {
 class DelayMeter {
  public:
   void add(Duration delay);
-  /// Of all; a median beyond ten seconds is given as ten seconds.
+  /// The summary of all delays; a median beyond ten seconds is given as ten seconds.
   [[nodiscard]] DelaySummary all() const;
-  /// Of the last 256.
+  /// The summary of the last 256.
   [[nodiscard]] DelaySummary lately() const;
 
  private:

@@ -10,7 +10,7 @@ namespace aucast::playback {
 /// Gives each keyframe its place; those without a time of their own take `untimed`.
 void set_places(std::vector<TimedAus>& keyframes, Milliseconds untimed);
 
-/// Keyframes that are all there already: a stream file, played without a server. Always ready, so
+/// Keyframes that are all available: a stream file, played without a server. Always ready, so
 /// nothing ever stalls; its status tells the end of the stream from the start, because nothing more
 /// will arrive. After stop() it gives nothing.
 /// Thread: the player's.

@@ -7,8 +7,8 @@
 
 namespace aucast::playback {
 
-/// How much a stream has to be delayed so that what comes late still comes in time: the spread
-/// of how late keyframes were, against their own times, over the last kWindow. A keyframe that was
+/// Measures by how much a stream has to be delayed so that late keyframes still come in time: the
+/// spread of their lateness, against their own times, over the last kWindow. A keyframe that was
 /// lost and sent again counts as late as it was.
 /// Thread: none of its own.
 class JitterMeter {
@@ -17,9 +17,9 @@ class JitterMeter {
 
   /// A keyframe of `time` has come at `now`; the times must not go back.
   void arrived(Instant now, Milliseconds time);
-  /// The spread; nothing until one has come, and 0 of one alone.
+  /// The spread; nullopt until a keyframe has come, and 0 for only one.
   [[nodiscard]] std::optional<Duration> spread() const;
-  /// Another connection: what is known of the link stays, the place in the stream does not.
+  /// A new connection: what is known of the link stays, the place in the stream does not.
   void begin_again();
 
  private:
@@ -33,7 +33,7 @@ class JitterMeter {
   std::optional<Instant> begin_;
   Instant last_{};
   Milliseconds media_{0};
-  std::optional<Duration> before_;  ///< the spread of the connection before
+  std::optional<Duration> before_;  ///< the spread of the previous connection
 };
 
 }  // namespace aucast::playback

@@ -26,7 +26,7 @@ struct BufferOptions {
 /// delay at 30 a second.
 inline constexpr std::size_t kReceiverSetsByTime = 2000;
 
-/// What has to be in the Receiver buffer before the Playout buffer is filled, in sets: the
+/// How many sets must be in the Receiver buffer before the Playout buffer is filled: the
 /// threshold's share of it, rounded up.
 [[nodiscard]] constexpr std::size_t threshold_of(const BufferOptions& options) {
   return (options.receiver_capacity * static_cast<std::size_t>(options.threshold_percent) + 99) /
@@ -37,19 +37,19 @@ inline constexpr std::size_t kReceiverSetsByTime = 2000;
 /// first-out, with the gaps of its figures closed: the end of the stream flushes what is below the
 /// threshold; a full receiver with an empty playout fills it whatever the threshold; the
 /// controller's refill tells the reader that there is room. Invariant: sizes never exceed the
-/// capacities; nothing is duplicated or reordered, and nothing of a recorded stream is lost.
-/// A live stream is buffered by time: playing starts when two keyframes and `live_delay` are there,
-/// or the receiver is full, first and after a stall. A keyframe is played in 95 % of its time when,
-/// without it, more than `live_delay` and that time is buffered; with `adapt` in 105 % when less
-/// than `live_delay` minus twice that time is. The oldest keyframe is dropped for each that
-/// overflows the receiver and, while playback is waiting, as many as need be once more than
-/// `live_delay` + kLiveLagMax is buffered (then down to `live_delay`). store() always takes a live
-/// keyframe: there is no case A. With `low_delay` playing starts with one keyframe, and
-/// pace_percent stays 100. While playback is waiting, the oldest are dropped once kStandingLagMax
-/// more is buffered than the time from the newest one's arrival until it is due, or its own time if
-/// it has no due time (then down to that). With `by_time` a recorded stream waits for two keyframes
-/// and `live_delay` as well; with `adapt` each stall doubles `live_delay`, up to 10 s. Thread: none
-/// of its own; the owner guards it.
+/// capacities; nothing is duplicated or reordered, and nothing of a recorded stream is lost. A live
+/// stream is buffered by time: playing starts when two keyframes and `live_delay` are there, or the
+/// receiver is full, first and after a stall. A keyframe is played in 95 % of its time if more than
+/// `live_delay` plus that time is buffered besides it; with `adapt`, in 105 % if less than
+/// `live_delay` minus twice that time is. The oldest keyframe is dropped for each that overflows
+/// the receiver and, while playback is waiting, as many as need be once more than `live_delay` +
+/// kLiveLagMax is buffered (then down to `live_delay`). store() always takes a live keyframe: there
+/// is no case A. With `low_delay` playing starts with one keyframe, and pace_percent stays 100.
+/// While playback is waiting, the oldest are dropped once kStandingLagMax more is buffered than the
+/// time from the newest one's arrival until it is due, or its own time if it has no due time (then
+/// down to that). With `by_time` a recorded stream waits for two keyframes and `live_delay` as
+/// well; with `adapt` each stall doubles `live_delay`, up to 10 s. Thread: none of its own; the
+/// owner guards it.
 class KeyframeBuffers {
  public:
   /// The options must be in their ranges.
@@ -77,9 +77,9 @@ class KeyframeBuffers {
   [[nodiscard]] Milliseconds delay() const { return options_.live_delay; }
   /// Free places of the receiver.
   [[nodiscard]] std::size_t room() const;
-  /// Nothing will come for a while: start playing with what is there.
+  /// Nothing will come for a while: starts playing with what is buffered.
   void release();
-  /// {-2}, or nothing more will come for another reason: what is there is played to the end. Only
+  /// {-2}, or nothing more will come for another reason: the buffers are played to the end. Only
   /// keyframes that case A had kept back may still be stored.
   void end_of_stream();
 

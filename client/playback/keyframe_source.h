@@ -29,7 +29,7 @@ struct Voice {
   std::string opus;
 };
 
-/// What is said from a place on, until the next; empty: nothing.
+/// The caption from a place on, until the next one; empty: none.
 struct Caption {
   Milliseconds place{0};  ///< on the clock of TimedAus::place
   std::string text;       ///< UTF-8
@@ -54,7 +54,7 @@ struct SourceStatus {
   bool connected = false;
   EndReason end = EndReason::NotEnded;  ///< set as soon as nothing more will arrive
   std::string detail;                   ///< a sentence about the end, for the user
-  std::string reason;                   ///< why it is tried again, without what is done about it
+  std::string reason;                   ///< why it will be tried again, without what will be done
   Milliseconds retry_after{0};          ///< from the loss to the next attempt
   std::optional<int> refusal;           ///< Refused: the server's code
   std::size_t receiver_fill = 0;
@@ -67,7 +67,7 @@ struct SourceStatus {
   std::string stream;                   ///< its name, as the server says; empty: it does not
   std::string title;                    ///< of the stream; empty: none
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
-  std::uint64_t voice_left_out = 0;     ///< packets that nobody took and there was no room for
+  std::uint64_t voice_left_out = 0;     ///< packets dropped because nobody took those before them
   std::uint64_t captions_left_out = 0;  ///< likewise
   Milliseconds delay{0};                ///< buffered, by time (live, --buffer auto or Nms);
                                         ///< --live: from arrival until the face is there
@@ -93,7 +93,7 @@ class KeyframeSource {
 
   /// The next keyframe of the Playout buffer, if there is one now.
   [[nodiscard]] virtual std::optional<TimedAus> take() = 0;
-  /// The next voice packet that is there. Their places ascend, and each is there before the
+  /// The next voice packet, if there is one. Their places ascend, and each comes before the
   /// keyframe during which it is heard can be taken.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
   /// The same of captions.
@@ -106,8 +106,8 @@ class KeyframeSource {
   /// The user leaves: -4 to a server. Returns at once; nothing more is given, and status().end
   /// becomes Stopped unless everything had been given already.
   virtual void stop() = 0;
-  /// The user pauses or resumes: a server is asked to do the same. What was given already is not
-  /// taken back.
+  /// The user pauses or resumes: a server is asked to do the same. Keyframes already returned are
+  /// not taken back.
   virtual void pause() {}
   virtual void resume() {}
 };

@@ -10,13 +10,14 @@
 namespace aucast::playback {
 
 /// When the keyframes of a live stream are due with the lowest delay that the jitter allows
-/// (--live). The face may set out for a keyframe when it has come, so the face is delayed by as
-/// much as keyframes come late by the stream's own clock, and by no more: each is due its own time
-/// after the latest moment at which it would have come.
+/// (--live). The face can begin to move to a keyframe only when that has come, so it is delayed by
+/// as much as keyframes come late by the stream's own clock, and by no more: each is due its own
+/// time after the latest moment at which it could have been expected.
 ///
-/// The latest is taken from each of the last 30 seconds; the worst two are spared, so that what
-/// happened once or twice in half a minute is sat out and not waited for ever after. A clock that
-/// has stepped (a source that stood still, moments that were left out) begins anew after a second.
+/// The lateness is that of the latest keyframe in each of the last 30 seconds, without the worst
+/// two seconds, so that a delay that happens once or twice in half a minute does not delay
+/// everything after it. A clock that has stepped (a source that stood still, moments that were left
+/// out) begins anew after a second.
 /// Thread: none of its own.
 class LivePlayout {
  public:
@@ -24,9 +25,9 @@ class LivePlayout {
   /// in the stream, if it is known. The times must not go back.
   [[nodiscard]] Instant arrived(Instant now, Milliseconds time,
                                 std::optional<Milliseconds> place = std::nullopt);
-  /// From a keyframe's arrival until it is due; the average of lately.
+  /// From a keyframe's arrival until it is due, the recent average.
   [[nodiscard]] Duration delay() const { return delay_; }
-  /// Another connection, or the user has paused: nothing is known of what comes.
+  /// A new connection, or the user has paused: nothing is known of what comes.
   void begin_again() { *this = {}; }
 
  private:
@@ -42,7 +43,7 @@ class LivePlayout {
   [[nodiscard]] Duration latest() const;
 
   std::optional<Instant> begin_;
-  Duration sets_out_{};  ///< when the face sets out for the next keyframe, on the stream's clock
+  Duration sets_out_{};  ///< when the face leaves for the next keyframe, on the stream's clock
   std::optional<Milliseconds> place_;
   std::deque<Second> seconds_;  ///< the last one is under way
   Duration delay_{};

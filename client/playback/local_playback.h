@@ -17,14 +17,14 @@ struct StreamPlace {
   friend bool operator==(const StreamPlace&, const StreamPlace&) = default;
 };
 
-/// Where playing a stream that is there whole stands: play, pause, seek, steps, speed and a loop
+/// The position in a stream that is available whole: play, pause, seek, steps, speed and a loop
 /// between two marks. The position is a function of the times that are handed in and of nothing
-/// else, so that it does not depend on how often one asks. The times must not go back.
+/// else, so it does not depend on how often it is asked for. The times must not go back.
 class LocalPlayback {
  public:
   static constexpr int kSpeedMin = 10;  ///< percent
   static constexpr int kSpeedMax = 1000;
-  /// Percent, ascending: what is offered, and what one step faster or slower goes to.
+  /// Percent, ascending: the speeds that are offered, and that one step faster or slower leads to.
   static constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
 
   /// The time of each keyframe, none negative; at least one. Stands at the beginning, paused.
@@ -35,8 +35,7 @@ class LocalPlayback {
   [[nodiscard]] const std::vector<Duration>& ends() const { return ends_; }
   /// Between 0 and total().
   [[nodiscard]] Duration position(Instant now) const;
-  /// The keyframe under way at a position; where one ends and the next begins, the one that is
-  /// reached there.
+  /// The keyframe under way at a position; where one ends and the next begins, the one that ends.
   [[nodiscard]] StreamPlace place(Duration position) const;
   /// The clock runs; also true at the end until somebody pauses.
   [[nodiscard]] bool playing() const { return playing_; }
@@ -50,15 +49,14 @@ class LocalPlayback {
   /// From the end it plays from the beginning.
   void play(Instant now);
   void pause(Instant now);
-  /// Goes there, cut to what there is; playing goes on, or not, as before. What has played to its
-  /// end stands there; who seeks to the end and back, as in a drag, plays on.
+  /// Goes to a position, clamped to the stream; keeps playing, or not, as before.
   void seek(Duration position, Instant now);
-  /// To the next keyframe's end (+1), or to the one before (-1), and stays there.
+  /// Goes to the next keyframe's end (+1) or the previous one's (-1), and stays there.
   void step_keyframe(int direction, Instant now);
   /// The same by the pictures of a film of the stream, `fps` a second from its beginning; its end
   /// is the last one.
   void step_frame(int direction, int fps, Instant now);
-  /// Cut to the limits.
+  /// Clamped to the limits.
   void set_speed(int percent, Instant now);
   /// To the next of the usual speeds, up (+1) or down (-1).
   void change_speed(int direction, Instant now);

@@ -4,10 +4,10 @@
 
 namespace aucast::playback {
 
-/// Where in a stream playing is, and how fast it moves there.
+/// Where playing is in a stream, and how fast it moves.
 struct Passing {
   Duration place{0};  ///< on the stream's clock
-  double speed = 0;   ///< stream time per time; 0: it stands
+  double speed = 0;   ///< stream time per time; 0: it stands still
 };
 
 }  // namespace aucast::playback

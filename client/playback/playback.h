@@ -14,9 +14,9 @@ namespace aucast::playback {
 class SeekablePlayback;
 
 /// Which keyframe the face is on its way to, and how far. Time is handed in and must not go back;
-/// where there is sound, what is handed in is the time of the place that is being heard.
-/// Two kinds: SourcePlayback plays what a source gives as it comes, SeekablePlayback plays a stream
-/// that is there whole, at any place and speed.
+/// where there is sound, what is handed in is the time of the place that is being heard. Two kinds:
+/// SourcePlayback plays what a source gives as it comes, SeekablePlayback plays a stream that is
+/// available whole, at any place and speed.
 /// Thread: none of its own.
 class Playback {
  public:
@@ -31,7 +31,7 @@ class Playback {
   /// The face stays where it is at `now` until resume().
   virtual void pause(Instant now) = 0;
   virtual void resume(Instant now) = 0;
-  /// The user leaves: nothing begins any more, the face stays where it is at `now`.
+  /// The user leaves: no keyframe begins any more, and the face stays where it is at `now`.
   virtual void stop(Instant now) = 0;
 
   [[nodiscard]] virtual PlaybackState state() const = 0;
@@ -39,9 +39,9 @@ class Playback {
   [[nodiscard]] bool over() const { return is_over(state()); }
   /// Of the last advance().
   [[nodiscard]] virtual PlaybackProgress progress() const = 0;
-  /// Nothing has come for long: the face has left the last keyframe for neutral.
+  /// Nothing has come for a long time: the face has left the last keyframe for neutral.
   [[nodiscard]] virtual bool eased() const { return false; }
-  /// When the face should be looked at again; nothing when it stands.
+  /// When the face should be looked at again; nullopt when it stands still.
   [[nodiscard]] virtual std::optional<Instant> next_position_at() const = 0;
   /// Where playing is, as of the last advance(). After the end it goes on, for sound that lasts
   /// longer than the face. Nothing where no places are known.
@@ -59,14 +59,14 @@ class Playback {
   [[nodiscard]] virtual std::uint64_t stalls() const { return 0; }
   /// How long live keyframes took from their arrival until they were reached.
   [[nodiscard]] virtual const DelayMeter& delays() const;
-  /// The same as it was meant to be, where keyframes said when they were due.
+  /// The same delay as intended, for keyframes that had a due time.
   [[nodiscard]] virtual const DelayMeter& delays_meant() const;
   /// Waits until advance() may find something or until `until`, whichever is first; true when it
   /// may.
   virtual bool wait_until(Instant /*until*/) { return true; }
   /// Of what gives the keyframes.
   [[nodiscard]] virtual SourceStatus status() const = 0;
-  /// Itself, when it can be sought.
+  /// This object, if it can seek; else null.
   [[nodiscard]] virtual SeekablePlayback* seekable() { return nullptr; }
 };
 

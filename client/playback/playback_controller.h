@@ -36,9 +36,9 @@ struct KeyframeBegun {
   TimedAus target;
   Milliseconds duration{0};  ///< its own time: the packet's, else --speed, else the server's
                              ///< default. A live keyframe may in fact take 5 % more or less
-  double cut_at = 1;  ///< how far the keyframe before it had come: 1, or less if that was an easing
+  double cut_at = 1;  ///< how far the previous keyframe had come: 1, or less if that was an easing
                       ///< to neutral, which this one interrupts
-  std::optional<AuFrame> from{};  ///< the face sets out from these AUs; nullopt: from where it is
+  std::optional<AuFrame> from{};  ///< the face begins from these AUs; nullopt: from where it is
 };
 
 /// Where playback stands. position is k in 0..50 of the current keyframe, mu = the exact fraction.
@@ -62,8 +62,8 @@ class PlaybackController {
 
   /// Moves to `now`. When a keyframe begins it is returned; call again with the same `now` until
   /// nullopt is returned, because short keyframes may be over already: first bring the face to the
-  /// end of the one before, then begin the returned one.
-  /// The easing to neutral is returned as a keyframe too, but is not counted as one.
+  /// end of the previous one, then begin the returned one. The easing to neutral is returned as a
+  /// keyframe too, but is not counted as one.
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now, KeyframeSource& source);
 
   /// Once a stall or a loss has lasted for `hold`, the face eases to neutral within kEaseTime. By

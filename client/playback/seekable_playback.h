@@ -8,7 +8,7 @@
 
 namespace aucast::playback {
 
-/// Plays a stream that is there whole: the position is a function of time, and the face at a
+/// Plays a stream that is available whole: the position is a function of time, and the face at a
 /// position does not depend on how it was reached.
 /// Thread: none of its own.
 class SeekablePlayback final : public Playback {

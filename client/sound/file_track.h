@@ -12,8 +12,8 @@
 
 namespace aucast::sound {
 
-/// A sound file as the track of a stream that is there whole. It is read to its end, 115 MB an
-/// hour. Thread: none of its own.
+/// A sound file as the track of a stream that is available whole. It is read to its end: 115 MB for
+/// an hour. Thread: none of its own.
 class FileTrack final : public SoundTrack {
  public:
   /// Unreadable or BadData as voice::SoundFile.
@@ -36,7 +36,7 @@ class FileTrack final : public SoundTrack {
 };
 
 /// The sound file of the same name beside a stream file: .wav, .flac, .opus, .ogg or .mp3, the
-/// first of them that is there.
+/// first of them that exists.
 [[nodiscard]] std::optional<std::filesystem::path> sound_beside(
     const std::filesystem::path& stream_file);
 

@@ -7,17 +7,17 @@
 
 namespace aucast::sound {
 
-/// The clock that a sound device is. Devices say in leaps, too early or too late by some 30 ms, how
-/// much of their sound has been heard; the line through what they said for the last second runs
-/// evenly, and never goes back.
+/// Makes an even clock of a sound device. Devices report in leaps, some 30 ms too early or too
+/// late, how much of their sound has been heard; the line through the reports of the last second
+/// runs evenly, and never goes back.
 /// Thread: none of its own.
 class HeardLine {
  public:
-  /// The device says at `now` that `heard` of its sound has been heard.
+  /// The device reports at `now` that `heard` of its sound has been heard.
   void add(Instant now, Duration heard);
   /// How much has been heard at `now`. The times must not go back.
   [[nodiscard]] Duration at(Instant now);
-  /// The device stands, and the line with it, until it says more than it has said so far.
+  /// The device has stopped, and the line with it, until it reports more than so far.
   void begin_again();
   /// What the device's clock gains on the steady clock, in parts of a million; nothing before it
   /// has run for ten seconds.

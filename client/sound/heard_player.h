@@ -14,19 +14,19 @@
 namespace aucast::sound {
 
 /// A face that plays with its sound: the player of the face is advanced by the SoundPlayer's clock,
-/// and activations() are those of what is being heard. Without sound both are the moment itself.
-/// The mapping and what is opened must outlive it. Thread: the player's.
+/// and activations() are those of what is being heard. Without sound both are the present. The
+/// mapping and what is opened must outlive it. Thread: the player's.
 class HeardPlayer {
  public:
   HeardPlayer(const pipeline::AuMapping& mapping, playback::Interpolation interpolation)
       : face_(mapping, interpolation) {}
 
-  /// From the next advance() on this plays, and the face goes on from `from`; null: nothing plays,
-  /// and the face stays there.
+  /// Opens what plays from the next advance() on; the face goes on from `from`. Null: nothing
+  /// plays, and the face stays there.
   void open(playback::Playback* playback, std::span<const float> from);
   [[nodiscard]] playback::Playback* playback() const { return face_.playback(); }
 
-  /// What playback is told the time as, when it is paused or sought at `steady`.
+  /// The time for playback when it is paused or sought at `steady`.
   [[nodiscard]] Instant now(Instant steady) { return sound_.now(steady); }
   /// Called for each keyframe that begins, with the moment of now(): it may be heard later.
   using OnBegin = std::function<void(const playback::KeyframeBegun&, Instant at)>;
@@ -39,7 +39,7 @@ class HeardPlayer {
   [[nodiscard]] std::optional<Duration> heard_place() const;
   /// What was opened has come to its end, and its sound too; false while nothing is open.
   [[nodiscard]] bool over() const;
-  /// The face of the mapping has become another one.
+  /// The mapping has a new face.
   void change_face();
 
   /// The face as playback has it, ahead of what is heard.

@@ -9,12 +9,12 @@
 
 namespace aucast::sound {
 
-/// A device of OpenAL's by its name; empty: the default one. Failed, with a sentence for the user
-/// that names the devices there are, when there is none of that name or it cannot be opened.
-/// No more than one at a time.
+/// Opens a device of OpenAL's by name; empty: the default one. Failed, with a sentence for the user
+/// that names the available devices, when there is none of that name or it cannot be opened. Only
+/// one at a time.
 [[nodiscard]] Result<std::unique_ptr<SoundOut>> open_sound_device(const std::string& name);
 
-/// What can be opened.
+/// The names of the devices that can be opened.
 [[nodiscard]] std::vector<std::string> sound_devices();
 
 }  // namespace aucast::sound

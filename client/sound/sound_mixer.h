@@ -10,11 +10,11 @@
 
 namespace aucast::sound {
 
-/// Makes one even run of samples of what is heard while a stream plays, stands, is sought or plays
-/// faster. It never clicks: where the sound does not go on from where it was, it glides within 5
-/// ms. Samples are copied as they are at speed 1, and resampled at other speeds from kSpeedMin to
-/// kSpeedMax, where the pitch changes too; beyond those there is silence.
-/// The track must outlive it. Thread: none of its own.
+/// Makes one continuous run of samples while a stream plays, pauses, is sought or changes speed. It
+/// never clicks: where the sound does not go on from where it was, it glides within 5 ms. Samples
+/// are copied as they are at speed 1, and resampled at other speeds from kSpeedMin to kSpeedMax,
+/// where the pitch changes too; beyond those there is silence. The track must outlive it. Thread:
+/// none of its own.
 class SoundMixer {
  public:
   static constexpr double kSpeedMin = 0.5;
@@ -22,14 +22,14 @@ class SoundMixer {
 
   explicit SoundMixer(SoundTrack& track) : track_(track) {}
 
-  /// The next samples. `at_end`: the place behind the last of them and the speed that leads there;
-  /// nothing, or a speed of 0: silence.
+  /// Makes the next samples. `at_end`: the place behind the last of them and the speed that leads
+  /// there; nullopt, or a speed of 0: silence.
   void mix(std::optional<playback::Passing> at_end, std::span<float> samples);
 
-  /// In percent, 0 to 100, as loudness is felt: the third power of it is the gain.
+  /// Sets the volume in percent, 0 to 100, of perceived loudness: its third power is the gain.
   void set_volume(int percent);
   void set_muted(bool muted) { muted_ = muted; }
-  /// The largest sample of lately, in [0,1], without volume and mute; falls by 26 dB a second.
+  /// The largest recent sample, in [0,1], before volume and mute; falls by 26 dB a second.
   [[nodiscard]] float peak() const { return peak_; }
 
  private:

@@ -14,9 +14,9 @@ class SoundOut {
   SoundOut(const SoundOut&) = delete;
   SoundOut& operator=(const SoundOut&) = delete;
 
-  /// To be heard after what was written before. Never waits.
+  /// Plays the samples after those written before. Never waits.
   virtual void write(std::span<const float> samples) = 0;
-  /// How many of the samples written have been heard by now, as well as the device knows.
+  /// How many of the written samples have been heard by now, as well as the device knows.
   [[nodiscard]] virtual std::int64_t heard() = 0;
   /// The device is gone.
   [[nodiscard]] virtual bool lost() = 0;

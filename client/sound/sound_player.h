@@ -31,10 +31,9 @@ struct SoundCounts {
 /// Plays the sound of a playback and tells the time by what is heard of it. Playback is advanced to
 /// now(), which is ahead of what is heard by lead(), so that the sound of what it does is written
 /// in time; the face of shown() is the one that belongs to the sound that is being heard. While
-/// nothing sounds both go on with the steady clock from where they were. Neither ever goes back.
+/// there is no sound both go on with the steady clock from where they were. Neither ever goes back.
 /// The lead is kLeadMin, and kLeadStep more with each time that the device ran out of sound, up to
-/// kLeadMax.
-/// A device that is lost, or that plays nothing for kDeafMax, is given up.
+/// kLeadMax. A device that is lost, or that plays nothing for kDeafMax, is given up.
 /// Thread: the player's.
 class SoundPlayer {
  public:
@@ -46,10 +45,10 @@ class SoundPlayer {
   /// `out` may be null: nothing is heard, and the steady clock is the clock.
   explicit SoundPlayer(std::unique_ptr<SoundOut> out);
 
-  /// Sound goes there from the next now() on, in place of where it went before; null: nowhere.
+  /// Changes where sound goes from the next now() on; null: nowhere.
   void set_out(std::unique_ptr<SoundOut> out);
-  /// All that is written goes there too, from now on: the samples, and when, by the steady clock,
-  /// the first of them will be heard. Empty: nowhere.
+  /// Sets a tap that also gets all that is written from now on: the samples, and when, by the
+  /// steady clock, the first of them will be heard. Empty: none.
   using Tap = std::function<void(Instant heard_at, std::span<const float> samples)>;
   void set_tap(Tap tap) { tap_ = std::move(tap); }
   /// Something else plays from now on; `track` is its sound, null: none beside what `playback`

@@ -11,25 +11,25 @@
 
 namespace aucast::sound {
 
-/// The voice of a stream, from Opus packets that come in the order of their places and in time:
-/// what has been read before its packet came stays silent. Where packets end and none goes on, the
-/// voice fades out, and it fades in where it begins again.
-/// It can be read forwards, and up to kKept back.
+/// The voice of a stream, from Opus packets that come in the order of their places and in time: a
+/// stretch that is read before its packet has come is silent. Where no packet follows, the voice
+/// fades out, and it fades in where it begins again. It can be read forwards, and up to kKept
+/// backwards.
 /// Thread: none of its own.
 class VoiceTrack final : public SoundTrack {
  public:
   /// What read() can go back by.
   static constexpr Milliseconds kKept{1000};
-  /// Bytes of packets that wait to be read; what comes on top is left out. At 24 kbit/s an hour.
+  /// Bytes of packets that wait to be read, an hour at 24 kbit/s; any more are left out.
   static constexpr std::size_t kWaitingBytesMax = std::size_t{11} << 20U;
-  /// The same of the packets themselves, each of which takes room beside its bytes: an hour of the
-  /// shortest, 10 ms.
+  /// The same for the number of packets, an hour of the shortest, 10 ms: each takes memory beside
+  /// its bytes.
   static constexpr std::size_t kWaitingPacketsMax = 360'000;
 
   struct Counts {
     std::uint64_t packets = 0;
     std::uint64_t bytes = 0;  ///< of Opus
-    std::uint64_t gaps = 0;   ///< times that the voice has faded out: pauses of who speaks, too
+    std::uint64_t gaps = 0;   ///< times that the voice faded out, also in the speaker's pauses
     // Packets that were not heard:
     std::uint64_t too_late = 0;      ///< their time had passed
     std::uint64_t left_out = 0;      ///< there was no room for them

@@ -15,7 +15,7 @@ namespace aucast::sound {
 /// Thread: none of its own.
 class WavFile {
  public:
-  /// A WAV file's sizes have 32 bits: 12 hours. What comes on top is left out.
+  /// A WAV file's sizes have 32 bits: 12 hours. Any more is left out.
   static constexpr std::size_t kSamplesMax = std::size_t{0x7fff'0000};
 
   /// Failed when the place cannot be written.
@@ -24,11 +24,11 @@ class WavFile {
   WavFile(const WavFile&) = delete;
   WavFile& operator=(const WavFile&) = delete;
 
-  /// In [-1,1]; what is beyond is cut.
+  /// Adds samples, clamped to [-1,1].
   void add(std::span<const float> samples);
   /// How many there are.
   [[nodiscard]] std::size_t samples() const { return samples_; }
-  /// Brings all samples so far to the file, which has another name until finish(): temporary().
+  /// Writes all samples so far to the file, which is called temporary() until finish().
   [[nodiscard]] Result<void> flush();
   [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
   [[nodiscard]] Result<void> finish();
