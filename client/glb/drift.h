@@ -11,8 +11,8 @@
 
 namespace aucast::glb {
 
-/// How far targets and joints are from the face itself: of each face that is added, the vertex that
-/// is farthest from where the deformer has it, of all that is drawn.
+/// How far targets and joints are from the face itself: for each face that is added, the distance
+/// of the drawn vertex that is farthest from where the deformer has it.
 class Drift {
  public:
   /// All of them must outlive it.
@@ -24,7 +24,7 @@ class Drift {
   struct Summary {
     std::size_t faces = 0;
     double median_mm = 0;
-    double most_mm = 0;  ///< nine of ten faces are nearer
+    double most_mm = 0;  ///< for nine of ten faces it is less
     double worst_mm = 0;
   };
   [[nodiscard]] Summary summary() const;

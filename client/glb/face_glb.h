@@ -12,8 +12,9 @@
 namespace aucast::glb {
 
 /// The face as a binary glTF 2.0 file: joints as nodes, surfaces with morph targets, and an
-/// animation if there is one (null: the face alone). The same arguments give the same bytes.
-/// Failed when memory lacks for a picture, or when it is more than a file can be (4 GB).
+/// animation if there is one (null: the face alone). The same arguments give the same bytes. Failed
+/// when there is no memory for a picture, or the file would exceed 4 GB, the most that the format
+/// allows.
 [[nodiscard]] Result<std::string> face_glb(const face::Face& face, const MorphTargets& targets,
                                            const FaceRig& rig, const Motion* motion,
                                            const About& about);

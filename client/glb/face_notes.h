@@ -10,7 +10,7 @@
 
 namespace aucast::glb {
 
-/// What a file says of itself beyond numbers.
+/// What a file says about itself beyond the numbers.
 struct About {
   std::string licence;         ///< of the face; empty: not known
   std::string sound;           ///< name of the sound file that goes with the animation; empty: none

@@ -17,14 +17,14 @@
 
 namespace aucast::glb {
 
-/// What turns as a whole: glTF's word. At rest none is turned.
+/// A joint, as glTF calls it: something that turns as a whole. At rest none is turned.
 struct Joint {
   std::string name;
   std::size_t parent = 0;  ///< of the first, itself
   glm::vec3 place{0};      ///< of the face at rest, mesh units
 };
 
-/// How a joint stands to its parent, beyond where it is at rest.
+/// A joint's turn and shift against its parent, relative to rest.
 struct JointPose {
   glm::quat turn = glm::identity<glm::quat>();
   glm::vec3 shift{0};  ///< mesh units
@@ -39,9 +39,9 @@ struct Carried {
   [[nodiscard]] std::optional<std::size_t> wholly() const;
 };
 
-/// The joints of a face: body, neck, head, jaw and eyes, as far as it has them. The neck stands
-/// half way to the head, so that between body and head skin goes round in two steps and loses
-/// little of its girth. The face must outlive it.
+/// The joints of a face: body, neck, head, jaw and eyes, as far as it has them. The neck turns half
+/// as far as the head, so that the skin between body and head turns in two steps and keeps most of
+/// its girth. The face must outlive it.
 class FaceRig {
  public:
   /// Without `with_jaw` the jaw is no joint: something else opens the mouth.
@@ -59,7 +59,7 @@ class FaceRig {
 
   /// Where the joints stand for these activations, one per channel.
   [[nodiscard]] std::vector<JointPose> pose(std::span<const float> activations) const;
-  /// What carries a place of the face at rest along, one per joint.
+  /// The matrices that move a place of the face at rest along, one per joint.
   [[nodiscard]] std::vector<glm::mat4> carriers(std::span<const JointPose> poses) const;
 
  private:

@@ -32,7 +32,7 @@ class GlbFile {
  public:
   GlbFile();
 
-  /// All but what the functions below keep: accessors, bufferViews, buffers, images.
+  /// The document, except what the functions below keep: accessors, bufferViews, buffers, images.
   Json& document() { return document_; }
 
   [[nodiscard]] int places(std::span<const glm::vec3> places);
@@ -46,7 +46,7 @@ class GlbFile {
                               std::size_t vertex_count);
   [[nodiscard]] int matrices(std::span<const std::array<float, 16>> matrices);
 
-  /// What a morph target changes of `vertex_count` vertices, those in `changes` (ascending) and no
+  /// What a morph target changes: of `vertex_count` vertices those in `changes` (ascending), and no
   /// others.
   [[nodiscard]] int place_changes(std::span<const Change> changes, std::size_t vertex_count);
   [[nodiscard]] int normal_changes(std::span<const Change> changes, std::size_t vertex_count);

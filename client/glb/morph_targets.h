@@ -20,8 +20,8 @@ struct Target {
   std::size_t channel = 0;  ///< of a muscle, a lid or the jaw
   int au = 0;               ///< 0: it is a channel's
   Side side = Side::Both;   ///< of the AU
-  /// What a lid or a muscle that turns or goes to its end early does beyond a straight way. Its
-  /// weight is 4 w (1 - w), w being that of the channel's own target.
+  /// How a lid that turns, or a muscle that ends early, leaves a straight line. Its weight is 4 w
+  /// (1 - w), where w is the weight of the channel's own target.
   bool arc = false;
   std::vector<float> pose;  ///< activations at weight 1, one per channel of the face
   std::vector<Change> places;

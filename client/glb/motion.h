@@ -16,7 +16,7 @@
 
 namespace aucast::glb {
 
-/// How a stream is looked at.
+/// How a stream is sampled.
 struct Sampling {
   int fps = 30;
   Milliseconds untimed{250};  ///< of keyframes without a time of their own

@@ -20,14 +20,14 @@ struct Image {
 
 [[nodiscard]] Image make_image(int width, int height, std::uint32_t rgb = 0);
 
-/// The bytes of a PNG file. Failed when memory lacks.
+/// The bytes of a PNG file. Failed when there is not enough memory.
 [[nodiscard]] Result<std::string> png_bytes(const Image& image);
 /// Writes a PNG atomically, with these texts. Failed when the place cannot be written.
 [[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path,
                                      std::span<const PngText> texts = {});
 [[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
 
-/// Copies `from` into `to` with its top left corner at (x, y), cut at the borders.
+/// Copies `from` into `to` with its top left corner at (x, y), clipped at the borders.
 void paste(Image& to, const Image& from, int x, int y);
 
 /// Half as wide and high, both of which are even: each pixel the mean of four. stb_image_resize

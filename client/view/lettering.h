@@ -12,7 +12,7 @@ namespace aucast::view {
 
 /// Draws a line of printable ASCII in Inter, which is part of the program; other bytes become a
 /// question mark. (x, y) is the top left corner of the first capital. What lies outside the picture
-/// is cut.
+/// is clipped.
 void draw_text(Image& image, int x, int y, std::string_view text, int cap_height,
                std::uint32_t rgb);
 

@@ -7,7 +7,7 @@
 
 namespace aucast::view {
 
-/// A line of text that a PNG carries: what is to be known about the picture.
+/// A line of text in a PNG, with facts about the picture.
 struct PngText {
   std::string keyword;  ///< 1-79 letters of Latin-1, such as "Software"
   std::string text;     ///< UTF-8

@@ -24,11 +24,12 @@ class VideoEncoder {
   VideoEncoder(const VideoEncoder&) = delete;
   VideoEncoder& operator=(const VideoEncoder&) = delete;
 
-  /// The picture must have the size given to open(). Failed, with ffmpeg's own last words, when it
-  /// died; every later call then says the same.
+  /// The picture must have the size given to open(). Failed, with the end of ffmpeg's messages,
+  /// when it died; every later call then returns the same.
   [[nodiscard]] Result<void> add(const Image& picture);
   /// Waits until ffmpeg is done. Without any picture there is no file, which is not an error.
-  /// `sound`: a WAV file that begins with the first picture, for all but a GIF; empty: none.
+  /// `sound`: a WAV file that begins with the first picture, except for a GIF, which has no sound;
+  /// empty: none.
   [[nodiscard]] Result<void> finish(const std::filesystem::path& sound = {});
 
  private:

@@ -7,7 +7,8 @@
 
 namespace aucast::web {
 
-/// The sound device of the browser, while it lets the page be heard: browser.h. Thread: the page's.
+/// The sound device of the browser, while the page is allowed to play sound: browser.h. Thread: the
+/// page's.
 class BrowserSound final : public sound::SoundOut {
  public:
   void write(std::span<const float> samples) override;

@@ -30,14 +30,14 @@ class Page {
   /// face at rest until make_more() has come to its end.
   [[nodiscard]] static Result<std::unique_ptr<Page>> create(const std::string& face_name);
   /// Makes the next few milliseconds' worth of what the face needs to move, so that a page never
-  /// stands still. True when there is nothing left to make.
+  /// blocks. True when there is nothing left to make.
   bool make_more() { return view_->make_more(); }
   ~Page();
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
 
-  /// The face has these AUs from here on: `6,12:80`, as on the command line. Ends what plays.
-  /// Usage error, with the column, for anything else.
+  /// Shows these AUs from now on: `6,12:80`, as on the command line. Ends what plays. Usage error,
+  /// with the column, for anything else.
   [[nodiscard]] Result<void> show(std::string_view aus);
   /// What is drawn of the face, as face-player's --show. Usage error for another word.
   [[nodiscard]] Result<void> set_layers(std::string_view layers);
@@ -55,8 +55,8 @@ class Page {
   [[nodiscard]] const playback::Playback* playback() const { return playback_.get(); }
   /// Of what is seen and heard: Ended when the sound has ended, too. Nothing when nothing plays.
   [[nodiscard]] std::optional<playback::PlaybackState> state() const;
-  /// Moves face and sound to now; true when the face is another one than was drawn last. Wants to
-  /// be called every 20 ms or so while something sounds.
+  /// Moves face and sound to the present; true when the face differs from the one drawn last. To be
+  /// called about every 20 ms while there is sound.
   bool advance();
   /// The AUs of the face as they came, before the rules.
   [[nodiscard]] const AuFrame& aus() const { return aus_; }
@@ -65,7 +65,7 @@ class Page {
   /// What is being said, in UTF-8; empty: nothing.
   [[nodiscard]] const std::string& caption() const { return captions_.text(); }
 
-  /// Whether the browser lets the page be heard; in the beginning it does not.
+  /// Whether the browser allows the page to play sound; at first it does not.
   void set_sound(bool on);
   [[nodiscard]] sound::SoundPlayer& sound() { return player_.sound(); }
 
@@ -80,8 +80,8 @@ class Page {
   /// The face as `face-player pose --png` draws it, byte for byte on the same graphics driver.
   /// Unbinds its framebuffer.
   [[nodiscard]] Result<view::Image> picture(int width, int height);
-  /// After the canvas has lost its context and got a new one: all that lived there, once more, as
-  /// after create().
+  /// Call after the canvas has lost its context and got a new one: makes all that was in it again,
+  /// as after create().
   [[nodiscard]] Result<void> renew();
 
  private:

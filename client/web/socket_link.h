@@ -10,9 +10,9 @@
 
 namespace aucast::web {
 
-/// A link over a WebSocket of the browser, to the one server of the page. A WebSocket cannot be
-/// left unread: what comes while nobody reads is kept, up to kHeldMax, and the socket's end after
-/// it. Thread: the page's.
+/// A link over a WebSocket of the browser, to the one server of the page. The browser reads a
+/// WebSocket whether we want it or not: what comes while nobody reads is kept, up to kHeldMax, and
+/// so is the socket's end. Thread: the page's.
 class SocketLink final : public link::Link, public std::enable_shared_from_this<SocketLink> {
  public:
   static constexpr std::size_t kHeldMax = std::size_t{1} << 20U;

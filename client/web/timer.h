@@ -10,7 +10,7 @@ namespace aucast::web {
 
 [[nodiscard]] Instant now();
 
-/// One timer of the browser. Rings never from within a call of its own, and not after its end.
+/// One timer of the browser. Never rings from within one of its own calls, nor after its end.
 /// Thread: the page's.
 class Timer {
  public:
