@@ -29,7 +29,7 @@ struct Assets {
 /// The texts of data/action_units.toml.
 [[nodiscard]] Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file);
 
-/// Reads face, rules and expressions; what a face has to say (Face::remarks) goes to the log.
+/// Reads face, rules and expressions, and logs Face::remarks.
 [[nodiscard]] Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options);
 
 /// The expression with this name; Usage error with the nearest one.
@@ -39,7 +39,7 @@ struct Assets {
 [[nodiscard]] Expression at_strength(Expression expression, float strength);
 
 /// Sets an expression's muscles on top of `activations` (one per channel of the face): the larger
-/// value counts, cut to what the channel can do. BadData when the face has no such muscle.
+/// value counts, limited to the channel's maximum. BadData when the face has no such muscle.
 [[nodiscard]] Result<void> apply_muscles(const face::Face& face, const Expression& expression,
                                          std::span<float> activations);
 

@@ -10,8 +10,8 @@
 
 namespace aucast::app {
 
-/// The device that the options want played on; null when they want none, or when there is none,
-/// which the log then says. Voice is not asked for that nothing would play.
+/// The device that the options ask for; null when they ask for none, or when there is none, which
+/// is then logged. If nothing would play the voice, `options` no longer asks for it.
 [[nodiscard]] std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options);
 
 /// The sound file beside a stream file; null: there is none. Its failures are those of a file.

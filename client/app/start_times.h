@@ -6,10 +6,10 @@
 
 namespace aucast::app {
 
-/// What the time from the start of the program to its first picture went into.
+/// How the time from the start of the program to its first picture was spent.
 class StartTimes {
  public:
-  /// Begins with what went on before, of which nothing is known but its length.
+  /// Begins with the time up to this call, of which only the length is known.
   StartTimes();
   /// `stage` is over.
   void passed(const char* stage);

@@ -10,7 +10,7 @@ namespace aucast::app {
   return std::chrono::steady_clock::now();
 }
 
-/// Milliseconds since the process was started, by the kernel's account of it.
+/// Milliseconds since the process was started, as the kernel records it.
 [[nodiscard]] double since_start_ms();
 
 }  // namespace aucast::app

@@ -20,7 +20,7 @@ struct OpenedStream {
   std::string found;  ///< a sentence about a recogniser's table; empty for a stream file
 };
 
-/// Reads a stream file or the table of a recogniser, told apart by what is in it; `settings` are
+/// Reads a stream file or the table of a recogniser, told apart by their content; `settings` are
 /// for tables. Unreadable, BadData with a line for each error, Usage when a table needs a setting.
 [[nodiscard]] Result<OpenedStream> open_stream(const std::filesystem::path& file,
                                                const gui::TableSettings& settings);

@@ -41,7 +41,8 @@ struct Jaw {
 };
 
 /// Upper and lower lid turn about the x axis through the eye's centre by map "lid_angle" (radians
-/// at full closure, signed) x closure. Raising is the negative way, up to raise_max of that angle.
+/// at full closure, signed) x closure. Raising turns them the other way, by up to raise_max of that
+/// angle.
 struct Lids {
   float raise_max = 0.2F;
 
@@ -78,13 +79,12 @@ struct AuRecording {
 
 using AuRecordings = std::map<int, AuRecording>;  ///< by AU number
 
-/// A face as it was loaded, never copied. Nobody changes a part of it, code that edits recordings
-/// keeps a copy of them; only a window replaces the whole of its face (app/window/face_session).
-/// Channel order: muscles as in the file, then jaw, left_lid_close, right_lid_close,
-/// left_lid_raise, right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left,
-/// head_turn_right, head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back,
-/// then the creases (parts of that material, by their names); those that the face has no geometry
-/// for are left out.
+/// A face as it was loaded, never copied. No part of it is changed: code that edits recordings
+/// keeps a copy of them. Only a window replaces its whole face (app/window/face_session). Channel
+/// order: muscles as in the file, then jaw, left_lid_close, right_lid_close, left_lid_raise,
+/// right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left, head_turn_right,
+/// head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back, then the creases
+/// (parts of that material, by their names); those that the face has no geometry for are left out.
 struct Face {
   std::string name;
   FaceMesh mesh;

@@ -9,8 +9,8 @@
 
 namespace aucast::render {
 
-/// A picture that is drawn as it is, and is another one from time to time. The context must be
-/// current whenever it is used.
+/// A picture that is drawn as it is and may be replaced at any time. The context must be current
+/// whenever it is used.
 class PictureTexture {
  public:
   /// `rgb`: 3 * width * height bytes, rows from the top, none of them 0.

@@ -18,8 +18,8 @@ namespace aucast::sources {
 [[nodiscard]] bool is_sure(const Observation& row, double confidence_min);
 
 /// The row's intensities; -1 where it has no data, and everywhere if it is not sure. Those of turns
-/// may be above 1, and the distance is the head's way back from the camera: a Conditioning makes of
-/// them what can be shown.
+/// may be above 1, and that of the distance is how far the head is from the camera: a Conditioning
+/// turns both into what can be shown.
 [[nodiscard]] AuFrame update_of(const Observation& row, double scale, bool sure);
 
 /// Which face a row is of. A format that does not name faces writes one row for each, with the same
@@ -54,9 +54,9 @@ class SourceClock {
   /// Another recording was appended: if its clock starts again, it follows one step later.
   void restart() { restarted_ = true; }
 
-  /// Nothing when the row has no time or one that is not later than the last of its face.
+  /// nullopt when the row has no time, or one that is not later than the last of its face.
   std::optional<double> time_of(const Observation& row, FaceTimes& face);
-  /// Of a source of whose faces only one is read.
+  /// The same for a source of which only one face is read.
   std::optional<double> time_of(const Observation& row) { return time_of(row, only_); }
   /// Whether the last sample was the first after the clock was set back.
   [[nodiscard]] bool was_set() const { return was_set_; }

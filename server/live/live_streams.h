@@ -77,7 +77,7 @@ class LiveStreams {
   [[nodiscard]] bool over() const;
   /// It has ended before the first keyframe.
   [[nodiscard]] bool nothing_came() const { return ended_ && !first().begun(); }
-  /// What it is served as, the first stream first.
+  /// The streams in the form in which they are served, the first one first.
   [[nodiscard]] std::vector<protocol::ServedStream> served() const;
   /// Other settings of the signals from the next row on.
   void condition(const sources::ConditioningSettings& settings);

@@ -41,14 +41,14 @@ class PushedStreams {
   /// Why the stream cannot be taken now, if so: another publisher sends it, or there are too many.
   [[nodiscard]] std::optional<protocol::ErrorReply> refusal(
       const protocol::HelloAsked& hello) const;
-  /// Takes what `link`, which is open, brings, unless there is a refusal(). A connection of the
-  /// same publisher that may be dead gives way.
+  /// Takes the stream that the open `link` brings, unless there is a refusal(). It replaces an
+  /// earlier connection of the same publisher, which may be dead.
   void take(std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello, std::string peer);
-  /// The name is needed for a stream of this server itself.
+  /// Gives up the pushed stream of this name, which a stream of this server itself needs.
   void give_way(const std::string& name);
   void stop();
 
-  /// As what they are served, in the order in which they came.
+  /// The streams in the form in which they are served, in the order in which they came.
   [[nodiscard]] std::vector<protocol::ServedStream> streams() const;
   [[nodiscard]] std::vector<UpstreamStatus> statuses() const;
 

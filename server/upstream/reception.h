@@ -67,7 +67,7 @@ class Reception {
   [[nodiscard]] std::shared_ptr<const protocol::UpstreamStream> shared() const {
     return stream_.shared();
   }
-  /// As what it is served, under its name.
+  /// The stream in the form in which it is served, under its name.
   [[nodiscard]] protocol::ServedStream served() const;
   [[nodiscard]] UpstreamStatus status() const;
 

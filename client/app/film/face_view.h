@@ -12,9 +12,8 @@
 
 namespace aucast::app {
 
-/// Film is for many pictures; a Still is drawn with four times the pixels, where the driver takes
-/// so large a picture, and brought down to its size: strands of hair and lashes then do not
-/// flicker.
+/// Film is for many pictures. A Still is drawn with four times the pixels, if the driver can make
+/// so large a picture, and scaled down, so that strands of hair and lashes do not flicker.
 enum class Sharpness : std::uint8_t { Film, Still };
 
 /// A face with all that turns activations into a picture: deformer, drawing of the muscles,
@@ -31,7 +30,7 @@ class FaceView {
   FaceView(const FaceView&) = delete;
   FaceView& operator=(const FaceView&) = delete;
 
-  /// What is drawn from here on; in the beginning the face at rest. One activation per channel.
+  /// Sets what is drawn from here on; at first the face at rest. One activation per channel.
   void pose(std::span<const float> activations);
 
   /// Clears and draws into the bound framebuffer. `style` without its diagram and tags, which this

@@ -23,7 +23,7 @@ struct ExportedStream {
 [[nodiscard]] Result<void> check_length(const std::vector<playback::TimedAus>& keyframes,
                                         const PlayerOptions& options, const std::string& place);
 
-/// Told of each sample of the animation that is done, and how many there are; says whether to go
+/// Called for each finished sample of the animation, with the number of all; returns whether to go
 /// on.
 using OnSample = std::function<bool(std::size_t done, std::size_t total)>;
 

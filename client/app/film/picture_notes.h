@@ -14,7 +14,7 @@
 
 namespace aucast::app {
 
-/// What a picture shows and how that came about.
+/// What a picture shows and how it was made.
 struct PictureNotes {
   const face::Face& face;
   std::optional<AuFrame> aus;  ///< as the face shows them, rules applied; nothing: muscles alone
@@ -28,7 +28,7 @@ struct PictureNotes {
 
 /// The same as the text of a PNG, so that the picture explains itself and can be made again:
 /// Software, Face, AUs as in a packet or Edited, Rules, Mixer, Camera, Layers, and as Activations
-/// what `pose --muscle` takes. What there is nothing to say about is left out.
+/// what `pose --muscle` takes. Entries without a value are left out.
 [[nodiscard]] std::vector<view::PngText> texts_of(const PictureNotes& notes);
 
 }  // namespace aucast::app

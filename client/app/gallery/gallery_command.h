@@ -12,14 +12,14 @@ namespace aucast::app {
 
 /// face-player gallery: pictures, index.html and manifest.csv in a folder. Every file is written
 /// whole or not at all, the page last; files of an earlier run that this one does not make stay.
-/// Same options and face, same bytes. `stop` is asked before each picture; when it says true that
-/// is a failure, since the pictures are not all there, and nothing half written is left.
+/// Same options and face, same bytes. `stop` is asked before each picture; when it returns true the
+/// command fails, because pictures are missing, and leaves no incomplete file.
 [[nodiscard]] Result<void> run_gallery(const PlayerOptions& options,
                                        const std::function<bool()>& stop);
 
 /// The same without printing that: the sentence about what there is now is returned. With
 /// `options.quiet` nothing is printed at all, and the sentence says, too, that videos are missing.
-/// `on_drawn` is told after each picture how many there are, and of how many.
+/// `on_drawn` is called after each picture with the number so far and the total.
 [[nodiscard]] Result<std::string> make_gallery(
     const PlayerOptions& options, const std::function<bool()>& stop,
     const std::function<void(std::size_t drawn, std::size_t total)>& on_drawn = {});
