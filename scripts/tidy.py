@@ -4,14 +4,16 @@
     scripts/tidy.py [ROOT]        one line per finding, exit 1 when there is one
 
 It checks which folder includes what, what pure folders touch, that a file's own header comes first,
-the lengths of lines, functions and files, and leftovers. It reads what git tracks; outside a git
-repository, everything below ROOT but build/.
+the lengths of lines, functions and files, leftovers, and names that only a unity build would find
+twice. It reads what git tracks; outside a git repository, everything below ROOT but build/.
 """
 
 import pathlib
 import re
 import subprocess
 import sys
+
+import unity_names
 
 LINE_MAX = 100
 FUNCTION_MAX = 70
@@ -248,6 +250,7 @@ def findings(root: pathlib.Path):
     all_paths = tracked_files(root)
     if not all_paths:
         yield ".", 1, "no source here"
+    yield from unity_names.collisions(root, all_paths)
     for path in all_paths:
         lines = (root / path).read_text(encoding="utf-8").splitlines()
         if len(lines) > FILE_MAX:

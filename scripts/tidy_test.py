@@ -190,6 +190,32 @@ class TidyTest(unittest.TestCase):
             {"server/a.h": "#pragma once\nusing namespace std;\n"}, "using namespace"
         )
 
+    def test_names_that_collide_where_a_unity_build_joins_two_sources(self):
+        def two(first, second, form="namespace {{\n\n{}\n\n}}  // namespace\n"):
+            return {"server/live/a.cpp": form.format(first), "server/b.cpp": form.format(second),
+                    "server/CMakeLists.txt": "aucast_library(x\n  live/a.cpp\n  b.cpp)\n"}
+
+        for name, first, second in (
+            ("kMax", "constexpr int kMax = 1;", "const char* const kMax = f(2);"),
+            ("kBrow", 'constexpr Key kBrow("a");', "constexpr double kBrow[] = {1};"),
+            ("Row", "struct Row {\n  int x;\n};", "class Row final : public A {\n};"),
+            ("Kind", "enum class Kind : char { A };", "using Kind = B;"),
+            ("id()", "int id() {\n  return 1;\n}", "std::string id() {\n  return {};\n}"),
+            ("f(const int&, int)", "int f(const int& a, int b = 1) {\n}",
+             "template <class T>\nint f(const int& x,\n      int y) {\n}"),
+        ):
+            self.assert_found(two(first, second), f"server/b.cpp:3: x has {name} already, in server/live/a.cpp")
+            self.assert_clean(two(first, second, "namespace n {{\n{}\n}}  // namespace n\n"))
+            both = two(first, second)
+            both["server/CMakeLists.txt"] = "aucast_library(x live/a.cpp)\naucast_test(y b.cpp)\n"
+            self.assert_clean(both)
+        for first, second in (
+            ("using Kind = A;", "using Kind = A;"), ("namespace fs = a;", "namespace fs = a;"),
+            ("class Row;", "class Row;"), ("int f(int a) {\n}", "int f(char a) {\n}"),
+            ("TEST(A, B) {\n}", "TEST(A, C) {\n}"), ("int f() {\n  int kMax = 1;\n}", "int g() {\n  int kMax = 1;\n}"),
+        ):
+            self.assert_clean(two(first, second))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -21,7 +21,7 @@ std::shared_ptr<SocketLink> find(std::uint32_t socket) {
   return found == sockets().end() ? nullptr : found->second->shared_from_this();
 }
 
-std::uint32_t new_id() {
+std::uint32_t new_socket_id() {
   static std::uint32_t last = 0;
   return ++last;
 }
@@ -33,7 +33,7 @@ std::shared_ptr<SocketLink> SocketLink::create() {
 }
 
 SocketLink::SocketLink()
-    : id_(new_id()),
+    : id_(new_socket_id()),
       timer_([this] {
         const auto self = shared_from_this();
         if (user_ != nullptr) user_->on_time();

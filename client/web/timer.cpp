@@ -16,7 +16,7 @@ std::map<std::uint32_t, const std::function<void()>*>& timers() {
   return all;
 }
 
-std::uint32_t new_id() {
+std::uint32_t new_timer_id() {
   static std::uint32_t last = 0;
   return ++last;
 }
@@ -27,7 +27,7 @@ Instant now() {
   return std::chrono::steady_clock::now();
 }
 
-Timer::Timer(std::function<void()> rang) : id_(new_id()), rang_(std::move(rang)) {
+Timer::Timer(std::function<void()> rang) : id_(new_timer_id()), rang_(std::move(rang)) {
   timers()[id_] = &rang_;
 }
 

@@ -9,7 +9,7 @@
 namespace aucast::test {
 namespace {
 
-constexpr const char* kHeader =
+constexpr const char* kColumns =
     "face_id,timestamp,success,pose_Tz,pose_Rx,pose_Ry,pose_Rz,AU04_r,AU12_r,AU45_r\n";
 
 /// One row at 25 pictures a second: a face whose brows are always half a point down and whose head
@@ -22,7 +22,7 @@ std::string row(int frame, const std::string& smile, const std::string& tz = "42
 
 /// A second of rest, then a smile.
 std::string recording() {
-  std::string text = kHeader;
+  std::string text = kColumns;
   for (int frame = 0; frame < 25; ++frame) text += row(frame, "0.25");
   for (int frame = 25; frame < 50; ++frame) text += row(frame, "2.75", "413");
   return text;
@@ -49,7 +49,7 @@ TEST(ServerSignal, ANeutralFaceIsMeasuredSavedAndUsedNextTime) {
   EXPECT_TRUE(has(saved, "[neutral]\n4 = 10\n12 = 5\n52 = 16.37\n")) << saved;
   // Of a recording that begins in the middle of the smile nothing could be measured.
   const auto smiling =
-      folder.write("smiling.csv", kHeader + row(0, "2.75") + row(1, "2.75")).string();
+      folder.write("smiling.csv", kColumns + row(0, "2.75") + row(1, "2.75")).string();
   EXPECT_EQ(converted({"--profile", profile}, smiling),
             "Beg_Stream\n12:50;40\n12:50;40\nEnd_Stream\n");
 }
@@ -63,7 +63,7 @@ TEST(ServerSignal, TheDistanceIsShownAndKeptWhenItIsAskedFor) {
   EXPECT_TRUE(has(nearer, "Beg_Stream\n0;40\n")) << nearer;
   EXPECT_TRUE(has(nearer, "\n12:50,57:50;40\nEnd_Stream")) << "7 of 14 mm: " << nearer;
   EXPECT_TRUE(has(folder.read("me.toml"), "\ndistance-mm = 420\n"));
-  const auto back = folder.write("back.csv", kHeader + row(0, "0.25", "434")).string();
+  const auto back = folder.write("back.csv", kColumns + row(0, "0.25", "434")).string();
   EXPECT_EQ(converted({"--distance", "--profile", profile}, back), "Beg_Stream\n58\nEnd_Stream\n");
 }
 
@@ -114,7 +114,7 @@ TEST(ServerSignal, MistakesEndWithTheirExitCodes) {
 /// A followed file, so that rows come when the test writes them.
 TEST(ServerSignal, ALiveFaceIsMeasuredAndItsProfileChangesOnSighup) {
   const TempFolder folder;
-  const auto path = folder.write("webcam.csv", kHeader);
+  const auto path = folder.write("webcam.csv", kColumns);
   const auto profile = folder.write("me.toml", "[gain]\n12 = 1\n");
   const auto saved = folder.path() / "saved.toml";
   const auto append = [&path](const std::string& text) {

@@ -59,7 +59,7 @@ std::vector<std::string> lines_of_blocks(const std::string& kind) {
 
 /// What a decoder makes of the bytes: canonical packets and the fault with its place.
 template <typename Decoder>
-std::string read(std::string_view bytes) {
+std::string read_all(std::string_view bytes) {
   Decoder decoder;
   std::string text;
   while (const auto packet = decoder.next(bytes)) {
@@ -79,7 +79,7 @@ void check_examples(const std::string& kind, std::size_t count_min) {
     const std::size_t arrow = line.find(" => ");
     ASSERT_NE(arrow, std::string::npos) << line;
     const std::string written = line.substr(0, line.find_last_not_of(' ', arrow) + 1);
-    EXPECT_EQ(read<Decoder>(test::unescaped(written)), line.substr(arrow + 4)) << line;
+    EXPECT_EQ(read_all<Decoder>(test::unescaped(written)), line.substr(arrow + 4)) << line;
   }
 }
 
@@ -109,7 +109,7 @@ TEST(ProtocolDocument, ByteCountsOfTable55AreTrue) {
     std::size_t bytes = 0;
     words >> packet >> bytes;
     EXPECT_EQ(packet.size(), bytes) << line;
-    EXPECT_EQ(read<ServerPacketDecoder>(packet), packet);
+    EXPECT_EQ(read_all<ServerPacketDecoder>(packet), packet);
     counts.push_back(bytes);
   }
   EXPECT_EQ(counts, (std::vector<std::size_t>{19, 18, 13, 18, 11, 11}));

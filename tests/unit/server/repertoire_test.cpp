@@ -10,11 +10,11 @@ namespace {
 
 using test::TempFolder;
 
-constexpr const char* kTwo = "Beg_Stream\n1:10,12:80;40\n6,12\nEnd_Stream\n";
+constexpr const char* kTalk = "Beg_Stream\n1:10,12:80;40\n6,12\nEnd_Stream\n";
 
 TEST(MakeRepertoire, EncodesEveryStreamForBothLevels) {
   const TempFolder folder;
-  const auto sources = load_sources({folder.write("talk.txt", kTwo)}, {}, {100});
+  const auto sources = load_sources({folder.write("talk.txt", kTalk)}, {}, {100});
   ASSERT_TRUE(sources);
   const auto catalogue = make_repertoire(*sources, 100, false).catalogue;
   EXPECT_EQ(catalogue.keyframe_ms, 100U);
@@ -56,7 +56,7 @@ TEST(MakeRepertoire, LeavesPlainSetsAsTheThesisHasThem) {
 TEST(CheckLive, RefusesOnlyALoopWithoutTime) {
   const TempFolder folder;
   const auto sources =
-      load_sources({folder.write("a.txt", kTwo),
+      load_sources({folder.write("a.txt", kTalk),
                     folder.write("still.txt", "Beg_Stream\n1;0\n2;0\nEnd_Stream\n")});
   ASSERT_TRUE(sources);
   EXPECT_TRUE(check_live(make_repertoire(*sources, 250, false).catalogue));

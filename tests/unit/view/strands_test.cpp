@@ -9,13 +9,13 @@
 namespace aucast::view {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
+using Corners = std::array<std::uint32_t, 3>;
 
 /// A square seen from +z and beside it a triangle of skin; the numbers grow along `across`.
 struct Patch {
   std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                    {5, 0, 0}, {6, 0, 0}, {6, 1, 0}};
-  std::vector<Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+  std::vector<Corners> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
   std::vector<MaterialRange> ranges{{{.shader = Shader::Hair}, 0, 2}, {{}, 2, 1}};
   std::vector<float> numbers;
 
