@@ -56,5 +56,17 @@ TEST(BlockSet, ComparesAndCutsLikeSets) {
   EXPECT_FALSE(a.contains_all(both));
 }
 
+TEST(BlockSet, TakesTheBlocksOfAWordAtOnce) {
+  BlockSet set(130);
+  set.insert(1, BlockSet::bit(64) | BlockSet::bit(127));
+  set.insert(2, BlockSet::bit(129));
+  std::vector<std::size_t> seen;
+  set.for_each([&](std::size_t block) { seen.push_back(block); });
+  EXPECT_EQ(seen, (std::vector<std::size_t>{64, 127, 129}));
+  BlockSet same(130);
+  for (const std::size_t block : seen) same.insert(block);
+  EXPECT_EQ(set, same);
+}
+
 }  // namespace
 }  // namespace aucast::face

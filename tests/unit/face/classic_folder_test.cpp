@@ -268,6 +268,64 @@ TEST(ClassicFolder, AMuscleMayNotBeCalledAsTheJaw) {
             std::string::npos);
 }
 
+/// A table of AUs for classic faces of our own.
+Result<Face> loaded_with(const std::string& table, const Files& files = {}) {
+  const TempFolder folder;
+  const TempFolder data;
+  std::filesystem::create_directory(data.path() / "faces");
+  data.write("faces/classic_aus.toml", table);
+  static_cast<void>(load(folder, files));
+  return load_face(folder.path(), data.path());
+}
+
+TEST(ClassicFolder, AMusclesNameMayHaveItsSideInFrontAndAnyCapitals) {
+  const std::string table =
+      "format = 1\n[muscles]\nsmile = [\"Zygomatic_Major\", \"Zygomaticus\"]\n"
+      "[[au]]\nnumber = 12\ndrive = { smile = 1.5 }\n";
+  for (const auto* name : {"Left_Zygomatic_Major", "right_zygomatic_major", "L_ZYGOMATICUS",
+                           "r_Zygomaticus", "zygomaticus"}) {
+    Files files;
+    files.muscle = replaced(files.muscle, "L_Zygomatic_Major", name);
+    const auto face = loaded_with(table, files);
+    ASSERT_TRUE(face.has_value()) << face.error().message;
+    EXPECT_EQ(face->recordings.at(12).activation, (std::vector<float>{1.5F, 1.5F})) << name;
+  }
+  Files files;
+  files.muscle = replaced(files.muscle, "L_Zygomatic_Major", "Lower_Zygomatic_Major");
+  const auto face = loaded_with(table, files);
+  ASSERT_TRUE(face.has_value()) << face.error().message;
+  EXPECT_EQ(face->recordings.at(12).activation, (std::vector<float>{0, 1.5F}))
+      << "another muscle, not one of the left";
+}
+
+TEST(ClassicFolder, ATableOfAusThatIsWrongIsRefusedWithPlaceAndCause) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"format = 1\n[muscles]\nsmile = \"Zygomatic_Major\"\n",
+       "classic_aus.toml:3:1: smile must be a list of muscle.dat's names"},
+      {"format = 1\n[muscles]\nsmile = []\n",
+       "classic_aus.toml:3:1: smile must be a list of muscle.dat's names"},
+      {"format = 1\n[muscles]\nsmile = [\"a\"]\n[[au]]\nnumber = 12\ndrive = { smlie = 1 }\n",
+       "classic_aus.toml:6:11: AU12 drives 'smlie', which this face does not have; did you mean "
+       "smile?"},
+      {"format = 2\n", "classic_aus.toml:1:10: format is 2, must be from 1 to 1"},
+  };
+  for (const auto& [table, message] : wrong) {
+    const auto face = loaded_with(table);
+    ASSERT_FALSE(face.has_value()) << table;
+    EXPECT_EQ(face.error().kind, ErrorKind::BadData);
+    EXPECT_TRUE(face.error().message.ends_with(message)) << face.error().message;
+  }
+}
+
+TEST(ClassicFolder, WithoutTheTableOfAusItCannotBeLoaded) {
+  const TempFolder folder;
+  const TempFolder data;
+  static_cast<void>(load(folder, {}));
+  const auto face = load_face(folder.path(), data.path());
+  ASSERT_FALSE(face.has_value());
+  EXPECT_EQ(face.error().kind, ErrorKind::Unreadable);
+}
+
 /// Waters' released loop over one muscle, written down anew in double: vertices within the zone and
 /// the fall-off go by val (1 - cos th / cos zone) r of the way from the attachment.
 glm::dvec3 waters_moved(const LinearMuscle& muscle, double activation, const glm::dvec3& point) {

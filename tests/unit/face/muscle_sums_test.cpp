@@ -116,5 +116,44 @@ TEST(MuscleSums, AreTheSameWhicheverBlocksAreListed) {
   }
 }
 
+TEST(MuscleSums, TellWhichBlocksAMuscleMovesAndNoOthers) {
+  const Face face = test::small_face();
+  for (std::size_t m = 0; m < face.muscles.size(); ++m) {
+    MuscleSums sums(face);
+    std::vector<float> activations(face.muscles.size(), 0.0F);
+    activations[m] = 0.5F;
+    BlockSet moved(sums.rest().size());
+    sums.take(activations, moved);
+    sums.list(every_block(face));
+    for (std::size_t block = 0; block < sums.rest().size(); ++block) {
+      VertexBlock place;
+      sums.at(block, place);
+      const VertexBlock& rest = sums.rest()[block];
+      const bool elsewhere = place.x != rest.x || place.y != rest.y || place.z != rest.z;
+      EXPECT_TRUE(moved.contains(block) || !elsewhere) << face.muscles[m].name;
+    }
+    EXPECT_FALSE(moved.empty()) << face.muscles[m].name;
+    moved.clear();
+    sums.take(activations, moved);
+    EXPECT_TRUE(moved.empty()) << "nothing has changed";
+  }
+}
+
+TEST(MuscleSums, WhatGoesBeyondTheCapIsNoChange) {
+  const Face face = test::small_face();
+  const std::size_t zygomatic = *face.channel_index("left_zygomaticus_major");
+  ASSERT_TRUE(std::get<LinearMuscle>(face.muscles[zygomatic].shape).cap.has_value());
+  MuscleSums sums(face);
+  BlockSet moved(sums.rest().size());
+  std::vector<float> activations(face.muscles.size(), 0.0F);
+  activations[zygomatic] = 50;
+  sums.take(activations, moved);
+  EXPECT_FALSE(moved.empty());
+  moved.clear();
+  activations[zygomatic] = 60;
+  sums.take(activations, moved);
+  EXPECT_TRUE(moved.empty());
+}
+
 }  // namespace
 }  // namespace aucast::face
