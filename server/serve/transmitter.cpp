@@ -1,17 +1,14 @@
 #include "server/serve/transmitter.h"
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <asio/io_context.hpp>
 #include <asio/signal_set.hpp>
-#include <asio/steady_timer.hpp>
 
 #include "common/link/listener.h"
 #include "common/log.h"
@@ -20,24 +17,20 @@
 #include "server/engine/nats_options.h"
 #include "server/engine/publisher.h"
 #include "server/preview/preview.h"
-#include "server/push/pusher.h"
+#include "server/push/pushers.h"
 #include "server/serve/client_registry.h"
 #include "server/serve/listeners.h"
 #include "server/serve/programme.h"
 #include "server/serve/shutdown.h"
 #include "server/status/http_routes.h"
 #include "server/status/http_server.h"
-#include "server/status/service_manager.h"
+#include "server/status/service_beat.h"
 #include "server/status/status.h"
-#include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
 namespace {
 
 using asio::ip::tcp;
-
-/// How often the service manager hears of the status.
-constexpr std::chrono::seconds kStatusEvery{10};
 
 /// Brings listeners, programme, clients, status and the end of one run together.
 class Transmitter {
@@ -46,7 +39,7 @@ class Transmitter {
               Reload::Load load)
       : options_(options),
         other_signals_(io_, SIGHUP, SIGUSR1),
-        tick_timer_(io_),
+        service_(io_, [this] { return summary(); }),
         clients_(
             options, stats, [this] { shutdown_.on_empty(); },
             [this](std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello,
@@ -57,6 +50,12 @@ class Transmitter {
                     options.preview ? [this](const camera::Sight& sight) { preview_->offer(sight); }
                                     : camera::OnSight(),
                     [this] { return stops_meanwhile(); }}),
+        pushers_(io_, {[this](const std::string& name) { return programme_.named(name); },
+                       [this](const std::string& name, std::string peer, auto link, auto bytes,
+                              auto on_served) {
+                         clients_.serve(std::move(peer), programme_.alone(name), std::move(link),
+                                        bytes, std::move(on_served));
+                       }}),
         reload_(io_, options.credentials, certificates_, programme_, std::move(load),
                 [this](bool changed) { on_reloaded(changed); }),
         listeners_(io_, options, certificates_,
@@ -78,7 +77,9 @@ class Transmitter {
     if (stopping()) return result();
     if (!sources) return sources.error();
     if (auto opened = open_publisher(); !opened) return opened.error();
-    if (auto opened = open_pushers(); !opened) return opened.error();
+    const auto pushers =
+        pushers_.open(options_.push, programme_.catalogue()->id, programme_.held_back_max());
+    if (!pushers) return pushers.error();
     const ReadyAt where{link::endpoint_text(listeners_.endpoint()), listeners_.web_endpoint_text()};
     if (auto ready = on_ready(where); !ready) return ready.error();
     say_who_can_connect();
@@ -88,33 +89,14 @@ class Transmitter {
     if (publisher_) publisher_->on_moment();
     listeners_.start();
     if (http_) http_->start();
-    for (const auto& pusher : pushers_) pusher->start();
-    manager_.ready(summary());
-    tick();
+    pushers_.start();
+    service_.begin();
     io_.run();
     clients_.say_left_out();
     return result();
   }
 
  private:
-  Result<void> open_pushers() {
-    const PushSettings& push = options_.push;
-    for (const std::string& address : push.addresses) {
-      auto to = dialled_address(address, {push.token, push.tls, "--push-tls"});
-      if (!to) return to.error();
-      Pusher::Hooks hooks;
-      const std::string& name = to->address.stream;
-      hooks.stream = [this, name] { return programme_.named(name); };
-      hooks.serve = [this, name](auto peer, auto link, auto bytes, auto on_served) {
-        clients_.serve(std::move(peer), programme_.alone(name), std::move(link), bytes,
-                       std::move(on_served));
-      };
-      pushers_.push_back(std::make_unique<Pusher>(io_, *std::move(to), programme_.catalogue()->id,
-                                                  programme_.held_back_max(), std::move(hooks)));
-    }
-    return {};
-  }
-
   /// What the camera of --preview sees is told; who started us may let others in, and out.
   Result<void> open_preview() {
     if (!options_.preview) return {};
@@ -142,13 +124,7 @@ class Transmitter {
     http_.emplace(io_, [this](const std::string& path) {
       return routes_.answer(path, stopping(), std::chrono::steady_clock::now());
     });
-    auto opened = http_->open(options_.http->address, options_.http->port, options_.reuse_port);
-    if (!opened) return opened;
-    spdlog::info("status at http://{}/", link::endpoint_text(http_->endpoint()));
-    if (!http_->endpoint().address().is_loopback()) {
-      spdlog::warn("--http tells everybody who reaches that address how the transmitter is");
-    }
-    return {};
+    return http_->open(options_.http->address, options_.http->port, options_.reuse_port);
   }
 
   Result<void> open_publisher() {
@@ -193,19 +169,6 @@ class Transmitter {
            counted(programme_.catalogue()->streams.size(), "stream");
   }
 
-  /// Tells the service manager that the loop goes round.
-  void tick() {
-    if (!manager_.present()) return;
-    if (manager_.watchdog()) manager_.alive();
-    manager_.status(summary());
-    Duration pause = kStatusEvery;
-    if (const auto watchdog = manager_.watchdog()) pause = std::min(pause, *watchdog / 2);
-    tick_timer_.expires_after(pause);
-    tick_timer_.async_wait([this](const std::error_code& error) {
-      if (!error) tick();
-    });
-  }
-
   [[nodiscard]] Status status(Instant now) const {
     Status status;
     status.up_seconds = seconds(now - begin_);
@@ -215,7 +178,7 @@ class Transmitter {
     status.reload_failures = reload_.failures();
     programme_.describe(status);
     clients_.describe(status, now);
-    for (const auto& pusher : pushers_) status.pushes.push_back(pusher->status());
+    pushers_.describe(status);
     if (publisher_) publisher_->describe(status);
     return status;
   }
@@ -225,7 +188,7 @@ class Transmitter {
       if (error) return;
       if (number == SIGHUP) {
         spdlog::info("SIGHUP: reading certificates, token and sources again");
-        manager_.reloading();
+        service_.reloading();
         reload_.start();
       } else {
         const Status now = status(std::chrono::steady_clock::now());
@@ -241,7 +204,7 @@ class Transmitter {
                    counted(programme_.catalogue()->streams.size(), "stream"),
                    counted(clients_.size(), "client"));
     }
-    manager_.ready(summary());
+    service_.reloaded();
   }
 
   /// A camera is awaited before the loop runs: who ends us until then is heard all the same.
@@ -254,9 +217,9 @@ class Transmitter {
 
   /// Nobody comes any more, and nothing of ours goes anywhere else.
   void close_doors(Milliseconds at_most) {
-    manager_.stopping(at_most);
+    service_.stopping(at_most);
     listeners_.close();
-    for (const auto& pusher : pushers_) pusher->stop();
+    pushers_.stop();
   }
 
   void on_leave(Milliseconds at_most) {
@@ -286,13 +249,12 @@ class Transmitter {
   const TransmitterOptions& options_;
   asio::io_context io_{1};
   asio::signal_set other_signals_;
-  asio::steady_timer tick_timer_;
-  ServiceManager manager_;
+  ServiceBeat service_;
   std::optional<Preview> preview_;
   ClientRegistry clients_;
   Programme programme_;
   Certificates certificates_;
-  std::vector<std::unique_ptr<Pusher>> pushers_;
+  Pushers pushers_;
   Reload reload_;
   Listeners listeners_;
   Shutdown shutdown_;

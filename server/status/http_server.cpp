@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/link/tcp_link.h"
+#include "common/log.h"
 #include "common/web/origin.h"
 #include "protocol/connection_limits.h"
 #include "server/settings/limits.h"
@@ -32,7 +33,14 @@ web::HttpReply HttpServer::answer(const web::HttpRequest& request) const {
 
 Result<void> HttpServer::open(const std::string& address, std::uint16_t port, bool shared) {
   bound_ = address;
-  return listener_.open(address, port, {"--http", "--http", shared});
+  if (auto opened = listener_.open(address, port, {"--http", "--http", shared}); !opened) {
+    return opened;
+  }
+  spdlog::info("status at http://{}/", link::endpoint_text(listener_.endpoint()));
+  if (!listener_.endpoint().address().is_loopback()) {
+    spdlog::warn("--http tells everybody who reaches that address how the transmitter is");
+  }
+  return {};
 }
 
 void HttpServer::start() {

@@ -15,8 +15,7 @@ namespace aucast::server {
 
 /// Answers GET on the loop that serves the clients, one request per connection. Bounded:
 /// kHttpConnectionsMax connections, each with kHttpTimeMax and kHttpHeadBytesMax for its request;
-/// one more closes the oldest that has not sent a request yet. Requests for other hosts are refused
-/// by 421.
+/// one more closes the oldest that has not asked yet. Requests for other hosts are refused by 421.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class HttpServer {
  public:
@@ -26,13 +25,12 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// `shared`: the port is shared with other processes. Network error naming address, cause and
-  /// what to do.
+  /// `shared`: with other processes. Says in the log where it is. Network error naming address,
+  /// cause and what to do.
   [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port, bool shared);
   void start();
-  /// Accepts no more connections.
+  /// Nobody is answered any more who has not come yet.
   void stop() { listener_.stop(); }
-  [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return listener_.endpoint(); }
 
  private:
   [[nodiscard]] web::HttpReply answer(const web::HttpRequest& request) const;

@@ -1,0 +1,37 @@
+#include "server/push/pushers.h"
+
+#include <utility>
+
+#include "server/upstream/dialled_address.h"
+
+namespace aucast::server {
+
+Result<void> Pushers::open(const PushSettings& settings, const std::string& id, int held_back_max) {
+  for (const std::string& address : settings.addresses) {
+    auto to = dialled_address(address, {settings.token, settings.tls, "--push-tls"});
+    if (!to) return to.error();
+    Pusher::Hooks hooks;
+    const std::string name = to->address.stream;
+    hooks.stream = [this, name] { return hooks_.stream(name); };
+    hooks.serve = [this, name](auto peer, auto link, auto bytes, auto on_served) {
+      hooks_.serve(name, std::move(peer), std::move(link), bytes, std::move(on_served));
+    };
+    all_.push_back(
+        std::make_unique<Pusher>(io_, *std::move(to), id, held_back_max, std::move(hooks)));
+  }
+  return {};
+}
+
+void Pushers::start() {
+  for (const auto& pusher : all_) pusher->start();
+}
+
+void Pushers::stop() {
+  for (const auto& pusher : all_) pusher->stop();
+}
+
+void Pushers::describe(Status& status) const {
+  for (const auto& pusher : all_) status.pushes.push_back(pusher->status());
+}
+
+}  // namespace aucast::server
