@@ -36,7 +36,8 @@ MaterialBlock block_of(const view::Material& material, bool grained) {
           .power = material.power,
           .grain = grained ? material.grain : 0,
           .thinning = material.thinning,
-          .grey = material.grey};
+          .grey = material.grey,
+          .enclosed = material.enclosed};
 }
 
 template <typename T>

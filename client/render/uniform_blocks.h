@@ -43,6 +43,7 @@ struct MaterialBlock {
   float grain = 0;
   float thinning = 0;
   float grey = 0;
+  float enclosed = 0;
 };
 static_assert(sizeof(MaterialBlock) == 48);
 

@@ -28,6 +28,7 @@ struct Material {
   float grain = 0;        ///< pores and blotches; 1 is skin
   float thinning = 0;     ///< 1: fades where it is seen at a grazing angle
   float grey = 0;         ///< of hair: 1 is white hairs among dark ones
+  float enclosed = 0;     ///< share of the ambient light that what shades it takes, too
 
   [[nodiscard]] bool encloses() const { return order < 3; }
 };

@@ -38,6 +38,7 @@ layout(std140) uniform Material {
   float u_grain;       // contrast of the grain; 1 is skin
   float u_thinning;    // 1: translucent parts fade where they are seen at a grazing angle
   float u_grey;        // hair: 0 one colour, 1 white hairs among dark ones
+  float u_enclosed;    // 1: what takes the key takes the ambient light, too, as lips do
 };
 
 // A shoulder that keeps highlights from burning out, then gamma 2.0 (a square root).

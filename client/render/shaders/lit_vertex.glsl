@@ -104,6 +104,7 @@ void main() {
   v_colour.a *= mix(1.0, smoothstep(0.05, 0.58, abs(dot(a_normal, v_view))), u_thinning);
 #endif
   v_key = key_arriving((u_world_to_shadow * vec4(place + a_normal * kShadowLift, 1.0)).xyz);
+  v_ambient *= mix(1.0, v_key, u_enclosed);
   float specular = u_specular * a_occlusion_gloss.y;
   float across = dot(a_normal, normalize(kFillDirection + v_view));
   v_shine = vec3(occlusion, specular * (0.4 + 0.6 * occlusion),
