@@ -21,12 +21,12 @@ struct Arch {
 };
 
 constexpr Arch kUpperArch{1,
-                          2.11,
-                          3.14,
-                          -1.72,
+                          2.05,
+                          3.06,
+                          -1.63,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
-                          {.86, .835, .85, .80, .76, .69, .60}};
+                          {.86, .815, .825, .75, .69, .61, .52}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
@@ -196,10 +196,10 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.2, p.z) * smooth_step(2.15, 0.45, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.15, 0.35, std::abs(p.x));
 }
 
-constexpr Vec3 kLightOnLowerTeeth{0.66, 0.60, 0.55};
+constexpr Vec3 kLightOnLowerTeeth{0.80, 0.72, 0.66};
 
 void shade_teeth(Part& teeth, const Arch& arch) {
   for (Vertex& vertex : teeth.vertices) {
@@ -208,7 +208,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
     vertex.colour *= mix(Vec3{0.40, 0.36, 0.33}, Vec3{1}, light) *
-                     mix(0.50, 1.04, smooth_step(0.10, 1.05, from_gum));
+                     mix(0.50, 1.10, smooth_step(0.10, 0.95, from_gum));
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
       vertex.colour *= kLightOnLowerTeeth;
@@ -226,9 +226,9 @@ void shade_teeth(Part& teeth, const Arch& arch) {
 void shade_tongue(Part& tongue) {
   for (Vertex& vertex : tongue.vertices) {
     const Vec3& p = vertex.position;
-    vertex.occlusion = mix(0.02, 0.30, smooth_step(5.6, 7.3, p.z));
+    vertex.occlusion = mix(0.05, 0.45, smooth_step(4.9, 7.1, p.z));
     vertex.gloss = mix(0.1, 0.8, smooth_step(6.0, 7.3, p.z));
-    vertex.colour *= mix(0.10, 1.35, smooth_step(4.0, 7.2, p.z)) *
+    vertex.colour *= mix(0.16, 1.30, smooth_step(3.6, 6.8, p.z)) *
                      mix(0.35, 1.0, smooth_step(1.30, 0.45, std::abs(p.x))) *
                      (1 - 0.22 * bell(p.x, 0.13));
   }
