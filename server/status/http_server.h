@@ -15,7 +15,8 @@ namespace aucast::server {
 
 /// Answers GET on the loop that serves the clients, one request per connection. Bounded:
 /// kHttpConnectionsMax connections, each with kHttpTimeMax and kHttpHeadBytesMax for its request;
-/// one more closes the oldest that has not asked yet. Requests for other hosts are refused by 421.
+/// one more closes the oldest that has not sent a request yet. Requests for other hosts are refused
+/// by 421.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class HttpServer {
  public:
@@ -25,11 +26,11 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// `shared`: with other processes. Says in the log where it is. Network error naming address,
-  /// cause and what to do.
+  /// `shared`: the port is shared with other processes. Logs where it listens. Network error naming
+  /// address, cause and what to do.
   [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port, bool shared);
   void start();
-  /// Nobody is answered any more who has not come yet.
+  /// Accepts no more connections.
   void stop() { listener_.stop(); }
 
  private:
