@@ -18,6 +18,8 @@ constexpr float kTimelineHeight = 144;
 constexpr float kTimelineMargin = 6;
 constexpr float kPadHeight = 138;
 constexpr float kSnap = 5;
+/// By keys, of the way from the middle to an edge.
+constexpr float kPadStep = 0.05F;
 constexpr int kAuColumns = 11;
 
 void ask(GuiCommands& commands, ComposerCommand command) {
@@ -131,20 +133,45 @@ void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommand
   int ms = std::max(composer.ms, 0);
   ImGui::BeginDisabled(composer.ms < 0);
   if (number_field("##ms", ms, {.near = 50, .far = 500}))
-    ask(commands, ComposeTime{std::max(ms, 0), false});
+    ask(commands, ComposeTime{ms, false});
   ImGui::EndDisabled();
+}
+
+/// Close to a prototype, within these distances, one means it.
+std::array<float, 2> snapped(const ComposerView& composer, float x, float y, float near_x,
+                             float near_y) {
+  for (const PadPoint& point : *composer.pad) {
+    if (std::abs(x - point.x) < near_x && std::abs(y - point.y) < near_y) {
+      return {point.x, point.y};
+    }
+  }
+  return {x, y};
+}
+
+/// The arrows of the pad.
+void step_on_pad(const ComposerView& composer, const ArrowSteps& arrows, GuiCommands& commands) {
+  if (arrows.right == 0 && arrows.up == 0) return;
+  const std::array<float, 2> at = composer.pad_at.value_or(std::array<float, 2>{});
+  const auto stepped = [](float from, int steps) {
+    return std::clamp(from + kPadStep * static_cast<float>(steps), -1.0F, 1.0F);
+  };
+  constexpr float kNear = kPadStep / 2;
+  const auto [x, y] = snapped(composer, stepped(at[0], arrows.right), stepped(at[1], arrows.up),
+                              kNear, kNear);
+  ask(commands, ComposeMood{x, y, arrows.continued});
 }
 
 /// The two emotional axes of thesis figure 3.3, with the prototypes where they lie.
 void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, kPadHeight * look.scale);
-  {
-    const MouseOnly mouse;  // the buttons below do the same by keys
-    ImGui::InvisibleButton("##pad", size);
-  }
-  const bool active = ImGui::IsItemActive();
+  const bool pressed = ImGui::InvisibleButton("##pad", size);
+  const bool active = held_by_mouse();
   const bool continued = belongs_to_drag();
+  const ArrowSteps arrows = arrows_of_item(pressed);
+  mark_focus();
+  if (focus_is_here()) tip(arrows.held ? tr("tip.pad_held") : tr("tip.pad"));
+  step_on_pad(composer, arrows, commands);
   const ImVec2 to(from.x + size.x, from.y + size.y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float margin = 14 * look.scale;
@@ -183,18 +210,13 @@ void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) 
   }
   if (!active) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  float x = std::clamp((mouse.x - middle.x) / reach.x, -1.0F, 1.0F);
-  float y = std::clamp((middle.y - mouse.y) / reach.y, -1.0F, 1.0F);
-  for (const PadPoint& point : *composer.pad) {
-    // Close to a prototype one means it.
-    const bool close = std::abs(x - point.x) * reach.x < kSnap * look.scale &&
-                       std::abs(y - point.y) * reach.y < kSnap * look.scale;
-    if (close) x = point.x;
-    if (close) y = point.y;
-  }
-  const std::array<float, 2> wanted{x, y};
+  const float near = kSnap * look.scale;
+  const std::array<float, 2> wanted =
+      snapped(composer, std::clamp((mouse.x - middle.x) / reach.x, -1.0F, 1.0F),
+              std::clamp((middle.y - mouse.y) / reach.y, -1.0F, 1.0F), near / reach.x,
+              near / reach.y);
   if (composer.pad_at == wanted) return;
-  ask(commands, ComposeMood{x, y, continued});
+  ask(commands, ComposeMood{wanted[0], wanted[1], continued});
 }
 
 /// All AUs that the face has, as small buttons: on is 100 %.

@@ -56,18 +56,23 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
   const float height = kRow * look.scale;
   const auto rows = static_cast<float>(local.curves->size());
   make_outlines(local, static_cast<std::size_t>(std::max(2.0F, right - left)), form);
-  const MouseOnly mouse;  // Left, Right and the like seek by keys
   const bool pressed = ImGui::InvisibleButton("##curves", ImVec2(width, rows * height));
   const bool hovered = pointed_at();
+  const ArrowSteps arrows = arrows_of_item(pressed);
+  mark_focus();
+  if (focus_is_here() && !arrows.held) tip(tr("tip.curves"));
+  if (arrows.right != 0) commands.push_back(LocalCommand(StepFrame{arrows.right}));
+  form.row = std::clamp(form.row - arrows.up, 0, static_cast<int>(local.curves->size()) - 1);
   const float pointer = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
   const Duration pointed(
       std::llround(static_cast<double>(pointer) * static_cast<double>(local.total.count())));
   const Duration place = hovered ? pointed : local.position;
-  if (pressed) commands.push_back(LocalCommand(Seek{pointed}));
+  if (pressed && !used_by_keys()) commands.push_back(LocalCommand(Seek{pointed}));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = corner.y;
   const float text = (height - ImGui::GetTextLineHeight()) / 2;
   int below = -1;
+  const float row_top = corner.y + height * static_cast<float>(form.row);
   for (std::size_t i = 0; i < local.curves->size(); ++i, y += height) {
     const AuCurve& curve = (*local.curves)[i];
     const ImVec2 from(left, y + look.scale);
@@ -91,12 +96,21 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
     list.AddLine(ImVec2(x, corner.y), ImVec2(x, y), colour, look.scale);
   };
   line_at(local.position, colour_of(Tone::Waiting));
+  const auto tell = [&](int number, Duration at, float x, float top) {
+    std::array<char, 32> time{};
+    std::snprintf(time.data(), time.size(), "%.2f s", seconds(at));
+    tip_at(x, top, (number < 0 ? std::string() : au_name(number)) + "\n" + time.data());
+  };
+  if (arrows.held) {
+    if (arrows.up != 0) ImGui::SetScrollFromPosY(row_top - ImGui::GetWindowPos().y, 0.5F);
+    list.AddRect(ImVec2(left, row_top), ImVec2(right, row_top + height),
+                 colour_of(Tone::Waiting), 0, 0, look.scale);
+    const int number = (*local.curves)[static_cast<std::size_t>(form.row)].number;
+    return tell(number, local.position, left, row_top);
+  }
   if (!hovered) return;
   line_at(pointed, ImGui::GetColorU32(ImGuiCol_Text));
-  const std::string name = below < 0 ? std::string() : au_name(below);
-  std::array<char, 32> time{};
-  std::snprintf(time.data(), time.size(), "%.2f s", seconds(pointed));
-  tip_at_pointer(name + "\n" + time.data());
+  tell(below, pointed, ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
 }
 
 }  // namespace aucast::gui

@@ -57,6 +57,7 @@ bool name_field(const Look& look, const GuiModel& model, int number, bool unname
   const char* hint = number > 0 ? tr("editor.name_hint") : "";
   const bool entered = ImGui::InputTextWithHint(
       "##auname", hint, form.name.data(), form.name.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  stay_in_field();
   ImGui::EndDisabled();
   if (before != form.name.data()) commands.push_back(NameAu{number, form.name.data()});
   return entered;
@@ -65,12 +66,15 @@ bool name_field(const Look& look, const GuiModel& model, int number, bool unname
 /// What is known of an AU, in a place that is as high for each, so that nothing below moves.
 void said_of_au(const AuEntry* entry) {
   const float height = kSaidLines * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
-  if (ImGui::BeginChild("said", ImVec2(0, height), false, ImGuiWindowFlags_NavFlattened) &&
-      entry != nullptr) {
-    if (!entry->looks.empty()) {
-      ImGui::TextWrapped("%s", au_looks(entry->number, entry->looks).c_str());
+  if (ImGui::BeginChild("said", ImVec2(0, height), false, ImGuiWindowFlags_NavFlattened)) {
+    if (entry == nullptr) {
+      quiet_text(tr("editor.how"));
+    } else {
+      if (!entry->looks.empty()) {
+        ImGui::TextWrapped("%s", au_looks(entry->number, entry->looks).c_str());
+      }
+      quiet_text(entry->muscles);
     }
-    quiet_text(entry->muscles);
   }
   ImGui::EndChild();
 }
@@ -138,14 +142,16 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   int target = std::max(0, form.save_as >= 0 ? form.save_as : editor.au);
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SetNextItemWidth((width - gap) / 2);
+  const float word = ImGui::CalcTextSize(tr("button.save")).x + ImGui::GetStyle().FramePadding.x;
+  const float button = std::max((width - gap) / 2, word);
+  ImGui::SetNextItemWidth(width - gap - button);
   if (number_field("##as", target, {.least = 1, .most = kAuNumberMax}))
-    form.save_as = std::clamp(target, 1, kAuNumberMax);
+    form.save_as = target;
   target = form.save_as >= 0 ? form.save_as : editor.au;
   const bool unnamed = target > 0 && !facs_name(target);
   ImGui::SameLine();
   ImGui::BeginDisabled(target < 1);
-  const bool pressed = ImGui::Button(tr("button.save"), ImVec2((width - gap) / 2, 0));
+  const bool pressed = ImGui::Button(tr("button.save"), ImVec2(button, 0));
   ImGui::EndDisabled();
   const bool entered = name_field(look, model, target, unnamed, form, commands);
   if (pressed || entered) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 #include "common/text.h"
@@ -111,15 +112,9 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   bool changed = in_between(look, "way", way);
   settings.cosine = way == Interpolation::Cosine;
   label(look, tr("expression.frames"), tr("tip.frames"));
-  if (number_field("##frames", settings.frames, {.least = 1, .most = 500})) {
-    settings.frames = std::clamp(settings.frames, 1, 500);
-    changed = true;
-  }
+  if (number_field("##frames", settings.frames, {.least = 1, .most = 500})) changed = true;
   label(look, tr("expression.each_ms"));
-  if (number_field("##frame", settings.frame_ms, {.least = 1, .most = 1000})) {
-    settings.frame_ms = std::clamp(settings.frame_ms, 1, 1000);
-    changed = true;
-  }
+  if (number_field("##frame", settings.frame_ms, {.least = 1, .most = 1000})) changed = true;
   quiet_text(tr("expression.takes", settings.frames * settings.frame_ms));
   if (changed) commands.push_back(ChangeTransition{settings});
 }
@@ -141,6 +136,7 @@ void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
   const bool entered = ImGui::InputTextWithHint(
       "##compound", "1,2,5B,L12:40", form.aus.data(), form.aus.size(),
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  stay_in_field();
   tip(tr("expression.together_tip"));
   ImGui::SameLine();
   const bool pressed = ImGui::Button(tr("button.show"), ImVec2(-1, 0));

@@ -158,7 +158,6 @@ void table_settings(const Look& look, const TablesView& tables, const std::strin
     label(look, name, help);
     changed |=
         number_field(id, value, {.near = step, .far = 10 * step, .most = most, .zero = zero});
-    value = std::clamp(value, 0, most);
     tip(help);
   };
   number(tr("file.fps"), "##fps", settings.fps, 1000, 1, tr("file.fps_zero"), tr("file.fps_tip"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 
@@ -19,7 +20,9 @@ bool text_field(const char* id, const char* hint, const std::string& now, std::a
     text = {};
     now.copy(text.data(), N - 1);
   }
-  if (!ImGui::InputTextWithHint(id, hint, text.data(), N)) return false;
+  const bool changed = ImGui::InputTextWithHint(id, hint, text.data(), N);
+  stay_in_field();
+  if (!changed) return false;
   taken = text.data();
   return true;
 }

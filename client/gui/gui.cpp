@@ -269,17 +269,42 @@ void leave_question(const Look& look, GuiCommands& commands) {
   ImGui::EndPopup();
 }
 
+struct Tab {
+  const char* id;
+  TextKey name;
+};
+constexpr std::array<Tab, 6> kTabs = {{{"play", "tab.play"},
+                                       {"expression", "tab.expression"},
+                                       {"editor", "tab.editor"},
+                                       {"compose", "tab.compose"},
+                                       {"view", "tab.view"},
+                                       {"camera", "tab.camera"}}};
+
+/// How large the letters of the tabs may be for all names to be whole, at most 1.
+float tab_letters(const Look& look) {
+  float names = 0;
+  for (const Tab& tab : kTabs) names += ImGui::CalcTextSize(tr(tab.name)).x;
+  constexpr auto kCount = static_cast<float>(kTabs.size());
+  const float rounded = 2 * kCount;  // up, each of them
+  const float between = (kCount * 2 * kTabPadding + (kCount - 1) * kTabGap) * look.scale + rounded;
+  return std::min(1.0F, (ImGui::GetContentRegionAvail().x - between) / names);
+}
+
 /// Tabs narrow enough to stand side by side, as long as it lives.
 class TabStyle {
  public:
   explicit TabStyle(const Look& look) {
+    ImGui::SetWindowFontScale(tab_letters(look));
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         ImVec2(kTabPadding * look.scale, style.FramePadding.y));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
                         ImVec2(kTabGap * look.scale, style.ItemInnerSpacing.y));
   }
-  ~TabStyle() { ImGui::PopStyleVar(2); }
+  ~TabStyle() {
+    ImGui::PopStyleVar(2);
+    ImGui::SetWindowFontScale(1);
+  }
   TabStyle(const TabStyle&) = delete;
   TabStyle& operator=(const TabStyle&) = delete;
 };
@@ -289,10 +314,10 @@ bool begin_tabs(const Look& look) {
   return ImGui::BeginTabBar("tabs");
 }
 
-bool begin_tab(const Look& look, const char* name, bool chosen) {
+bool begin_tab(const Look& look, const Tab& tab, bool chosen) {
   const TabStyle narrow(look);
   const auto flags = chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None;
-  return ImGui::BeginTabItem(name, nullptr, flags);
+  return ImGui::BeginTabItem(with_id(tr(tab.name), tab.id).c_str(), nullptr, flags);
 }
 
 }  // namespace
@@ -354,9 +379,8 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
     tip(tr("panel.keys_tip"));
     ImGui::Spacing();
     if (begin_tabs(look)) {
-      const auto tab = [this](const char* id, const char* name, const auto& contents,
-                              bool chosen = false) {
-        if (!begin_tab(look, with_id(name, id).c_str(), chosen)) return;
+      const auto tab = [this](std::size_t which, const auto& contents, bool chosen = false) {
+        if (!begin_tab(look, kTabs[which], chosen)) return;
         // As wide whether it scrolls or not: the scroll bar has its place in the margin.
         const float room = ImGui::GetContentRegionAvail().x;
         ImGui::SetNextWindowContentSize(ImVec2(room - kScrollBar / 2 * look.scale, 0));
@@ -369,16 +393,15 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
         ImGui::EndChild();
         ImGui::EndTabItem();
       };
-      tab("play", tr("tab.play"), [&] { remote_panel(look, model, remote, commands); });
-      tab("expression", tr("tab.expression"),
-          [&] { expression_panel(look, model, expression, commands); });
-      tab("editor", tr("tab.editor"), [&] { editor_panel(look, model, editor, commands); });
-      tab("compose", tr("tab.compose"), [&] { composer_panel(look, model, composer, commands); });
-      tab("view", tr("tab.view"), [&] { rendering_panel(look, model, faces, commands); });
+      tab(0, [&] { remote_panel(look, model, remote, commands); });
+      tab(1, [&] { expression_panel(look, model, expression, commands); });
+      tab(2, [&] { editor_panel(look, model, editor, commands); });
+      tab(3, [&] { composer_panel(look, model, composer, commands); });
+      tab(4, [&] { rendering_panel(look, model, faces, commands); });
       // Who begins with the camera sees its tab.
       const bool begins = !std::exchange(drawn, true) && model.mirror.wanted;
       tab(
-          "camera", tr("tab.camera"), [&] { mirror_panel(look, model, mirror, commands); }, begins);
+          5, [&] { mirror_panel(look, model, mirror, commands); }, begins);
       ImGui::EndTabBar();
     }
   }

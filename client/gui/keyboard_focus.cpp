@@ -192,6 +192,50 @@ SliderScope::~SliderScope() {
   ImGui::PopItemFlag();
 }
 
+ArrowSteps arrows_of_item(bool pressed_now) {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  const ImGuiID item = ImGui::GetItemID();
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  bool& held = *storage.GetBoolRef(ImHashStr("held", 0, item));
+  const bool was_held = held;
+  if (pressed_now) {
+    held = used_by_keys() && !held;
+  } else if (held && pressed(ImGuiKey_Enter)) {
+    held = false;
+  }
+  held = held && focus_is_here();
+  if (!held) return {};
+  // Or the arrows would move the focus.
+  ImGui::SetActiveID(item, ImGui::GetCurrentWindow());
+  context.ActiveIdSource = ImGuiInputSource_Nav;
+  context.ActiveIdUsingNavDirMask = ~0U;
+  ArrowSteps steps{.held = true};
+  const auto by = [](ImGuiKey key) { return pressed(key) ? 1 : 0; };
+  steps.right = by(ImGuiKey_RightArrow) - by(ImGuiKey_LeftArrow);
+  steps.up = by(ImGuiKey_UpArrow) - by(ImGuiKey_DownArrow);
+  bool& stepped = *storage.GetBoolRef(ImHashStr("stepped", 0, item));
+  if (!was_held) stepped = false;
+  steps.continued = stepped;
+  stepped |= steps.right != 0 || steps.up != 0;
+  return steps;
+}
+
+bool held_by_mouse() {
+  return ImGui::IsItemActive() && !used_by_keys();
+}
+
+void stay_in_field() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (!ImGui::IsItemDeactivated() || !pressed(ImGuiKey_Enter)) return;
+  const ImGuiID field = ImGui::GetItemID();
+  ImGui::SetActiveID(field, ImGui::GetCurrentWindow());
+  context.ActiveIdUsingNavDirMask = ~0U;
+  context.ActiveIdUsingNavInputMask = 1U << static_cast<unsigned>(ImGuiNavInput_Cancel);
+  context.ActiveIdUsingKeyInputMask =
+      (ImU64{1} << static_cast<unsigned>(ImGuiKey_Home)) | (ImU64{1} << static_cast<unsigned>(ImGuiKey_End));
+  if (ImGuiInputTextState* const text = ImGui::GetInputTextState(field)) text->SelectAll();
+}
+
 MouseOnly::MouseOnly() {
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop | ImGuiItemFlags_NoNav, true);
 }

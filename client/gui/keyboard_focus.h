@@ -63,6 +63,24 @@ class SliderScope {
   SliderScope& operator=(const SliderScope&) = delete;
 };
 
+/// What the arrows do to an item that draws itself, in steps: to the right, and up.
+struct ArrowSteps {
+  int right = 0;
+  int up = 0;
+  bool held = false;       ///< the item is taken, and the arrows are its
+  bool continued = false;  ///< not the first step since it was taken
+};
+
+/// Of the item before, a button that was `pressed` or not: Space and Enter take it and let it go,
+/// Esc and Tab let it go, as with a slider.
+[[nodiscard]] ArrowSteps arrows_of_item(bool pressed);
+/// The mouse holds the item before.
+[[nodiscard]] bool held_by_mouse();
+
+/// Behind a field of text: Enter has ended it, and what is typed next is still meant for it and no
+/// shortcut. It stays, all of it chosen, until Esc, Tab or a click.
+void stay_in_field();
+
 /// What only a mouse can use, as long as it lives: there are keys for it elsewhere.
 class MouseOnly {
  public:

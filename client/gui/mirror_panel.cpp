@@ -38,6 +38,7 @@ void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form
                           ImGui::GetStyle().ItemSpacing.x);
   ImGui::InputTextWithHint("##source", "camera, camera:/dev/video2", form.source.data(),
                            form.source.size());
+  stay_in_field();
   tip(tr("tip.camera"));
   ImGui::SameLine();
   if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
@@ -147,8 +148,7 @@ void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& fo
   }
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(port_width);
-  ImGui::InputInt("##liveport", &form.port, 0);
-  form.port = std::clamp(form.port, 0, 65535);
+  static_cast<void>(number_field("##liveport", form.port, {.most = 65535, .buttons = false}));
   tip(tr("camera.port_tip"));
 }
 

@@ -23,6 +23,7 @@ struct CurvesForm {
   std::shared_ptr<const AuCurves> of;
   std::size_t columns = 0;
   std::vector<std::vector<float>> outlines;  ///< one per curve
+  int row = 0;                               ///< that is told of by keys
 };
 /// How strong each AU is over the stream file that plays; nothing for other streams.
 void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiCommands& commands);

@@ -21,6 +21,9 @@ constexpr float kNarrow = 370;
 /// At scale 1; what the line of the names adds to it.
 constexpr float kOneLineHeight = 76;
 constexpr float kNamesHeight = 24;
+/// By the arrows of the bar.
+constexpr Milliseconds kArrowStep{1'000};
+constexpr Milliseconds kFarArrowStep{10'000};
 /// More marks than this would be a grey band.
 constexpr float kMarksApart = 5;
 
@@ -148,11 +151,10 @@ void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to
   list.AddCircleFilled(knob, 7 * look.scale, ImGui::GetColorU32(ImGuiCol_PlotLinesHovered), 24);
 }
 
-/// Above the bar, at the pointer.
-void time_bubble(float top, const std::string& text) {
+/// Above the bar, at a place of its length.
+void time_bubble(float at, float top, const std::string& text) {
   const float half = ImGui::CalcTextSize(text.c_str()).x / 2 + ImGui::GetStyle().WindowPadding.x;
-  const ImGuiIO& io = ImGui::GetIO();
-  const float x = std::max(half, std::min(io.MousePos.x, io.DisplaySize.x - half));
+  const float x = std::max(half, std::min(at, ImGui::GetIO().DisplaySize.x - half));
   ImGui::SetNextWindowPos(ImVec2(x, top), ImGuiCond_Always, ImVec2(0.5F, 1));
   ImGui::SetTooltip("%s", text.c_str());
 }
@@ -162,19 +164,30 @@ void seek_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
   const float radius = 7 * look.scale;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const MouseOnly mouse;  // Left, Right and the like seek by keys
-  ImGui::InvisibleButton("##seek", ImVec2(width, height));
+  const bool pressed = ImGui::InvisibleButton("##seek", ImVec2(width, height));
+  const bool dragged = held_by_mouse();
+  const bool pointed_to = pointed_at();
+  const ArrowSteps arrows = arrows_of_item(pressed);
+  mark_focus();
   const float inner = std::max(width - 2 * radius, 1.0F);
   const double total = seconds(local.total);
   float done = total > 0 ? static_cast<float>(seconds(local.position) / total) : 1.0F;
   const float pointer = std::clamp((ImGui::GetIO().MousePos.x - at.x - radius) / inner, 0.0F, 1.0F);
   const auto pointed = Duration(static_cast<Duration::rep>(
       static_cast<double>(pointer) * static_cast<double>(local.total.count())));
-  if (ImGui::IsItemActive()) {
+  if (dragged) {
     done = pointer;
     if (pointed != local.position) commands.push_back(LocalCommand(Seek{pointed}));
   }
-  if (pointed_at() || ImGui::IsItemActive()) time_bubble(at.y, time_text(pointed));
+  const Duration by = arrows.right * kArrowStep + arrows.up * kFarArrowStep;
+  if (by != Duration::zero()) commands.push_back(LocalCommand(SeekBy{by}));
+  if (pointed_to || dragged) {
+    time_bubble(ImGui::GetIO().MousePos.x, at.y, time_text(pointed));
+  } else if (focus_is_here()) {
+    const std::string text =
+        arrows.held ? time_text(local.position) : std::string(tr("tip.seek_bar"));
+    time_bubble(at.x + radius + done * inner, at.y, text);
+  }
   const float thick = 3 * look.scale;
   const float middle = at.y + height / 2;
   draw_track(look, local, ImVec2(at.x + radius, middle - thick),
@@ -352,6 +365,7 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
   ImGui::InputTextWithHint("##picturefolder", tr("play.folder_hint"), form.folder.data(),
                            form.folder.size());
   if (ImGui::IsItemDeactivatedAfterEdit()) wanted.folder = form.folder.data();
+  stay_in_field();
   ImGui::SameLine();
   if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
     commands.push_back(Browse{Purpose::PictureFolder});
@@ -360,6 +374,7 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
   if (ImGui::InputText("##picturename", form.name.data(), form.name.size())) {
     wanted.pattern = form.name.data();
   }
+  stay_in_field();
   tip(tr("play.name_tip", "{number}", "{face}", "{stream}", "{keyframe}", "{aus}", "{date}"));
   if (const auto name = picture_name(wanted.pattern, {}, 1); !name) {
     toned_text(Tone::Bad, name.error().message);
@@ -375,14 +390,10 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
   if (kind == 2) {
     const std::string limits = tr("play.side_tip", kPictureSideMin, kPictureSideMax);
     label(look, tr("play.width"));
-    if (number_field("##picturewidth", wanted.width, kSideSteps)) {
-      wanted.width = std::clamp(wanted.width, kPictureSideMin, kPictureSideMax);
-    }
+    static_cast<void>(number_field("##picturewidth", wanted.width, kSideSteps));
     tip(limits);
     label(look, tr("play.height"));
-    if (number_field("##pictureheight", wanted.height, kSideSteps)) {
-      wanted.height = std::clamp(wanted.height, kPictureSideMin, kPictureSideMax);
-    }
+    static_cast<void>(number_field("##pictureheight", wanted.height, kSideSteps));
     tip(limits);
   }
   if (wanted == now) return;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 
@@ -127,6 +128,7 @@ void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) 
   label(look, tr("play.token_file"), tr("tip.token"));
   ImGui::InputTextWithHint("##token", tr("play.token_hint"), form.token_file.data(),
                            form.token_file.size());
+  stay_in_field();
   settings.token_file = form.token_file.data();
   tip(tr("tip.token"));
   label(look, tr("play.when_lost"), tr("tip.again"));

@@ -31,8 +31,8 @@ constexpr std::array<LayerLabel, 8> kLayers = {
      {"view.jaw_tags", "tip.jaw_tags", &view::Layers::jaw_tags},
      {"view.eye_tags", "tip.eye_tags", &view::Layers::eye_tags}}};
 
-void camera(const Look& look, GuiCommands& commands) {
-  heading(look, tr("view.camera"));
+void viewpoint(const Look& look, GuiCommands& commands) {
+  heading(look, tr("view.viewpoint"));
   if (wide_button(tr("view.front"), 0, 3, true)) commands.push_back(LookFrom{Facing::Front});
   if (wide_button(tr("view.three_quarter"), 1, 3, true))
     commands.push_back(LookFrom{Facing::ThreeQuarter});
@@ -74,7 +74,7 @@ bool usual_view(RenderingSettings& settings) {
 bool named_slider(const Look& look, const char* name, const char* id, int& value, int least,
                   int most, const char* format) {
   label(look, name);
-  return slider(id, -1, value, least, most, format);
+  return slider(id, -1, value, least, most, format, "-200 %");
 }
 
 bool light(const Look& look, RenderingSettings& settings) {
@@ -103,9 +103,7 @@ bool light(const Look& look, RenderingSettings& settings) {
 bool number(const Look& look, const char* name, const char* id, int& value, int least, int most,
             int step, const char* help = "") {
   label(look, name, help);
-  const bool changed = number_field(id, value, {step, 10 * step, least, most});
-  if (changed) value = std::clamp(value, least, most);
-  return changed;
+  return number_field(id, value, {step, 10 * step, least, most});
 }
 
 bool blinking(const Look& look, RenderingSettings& settings) {
@@ -153,10 +151,9 @@ void display(const Look& look, const DisplayView& view, GuiCommands& commands) {
   DisplaySettings settings = view.settings;
   language(look, view, settings);
   label(look, tr("view.text_size"));
-  if (number_field("##textsize", settings.text_percent,
-                   {kTextStep, 2 * kTextStep, kTextPercentMin, kTextPercentMax}, true)) {
-    settings.text_percent = std::clamp(settings.text_percent, kTextPercentMin, kTextPercentMax);
-  }
+  static_cast<void>(number_field("##textsize", settings.text_percent,
+                                 {kTextStep, 2 * kTextStep, kTextPercentMin, kTextPercentMax},
+                                 true));
   // All has another height when it was changed: the field stays where it can be seen.
   int& drawn =
       *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("drawn"), view.settings.text_percent);
@@ -172,7 +169,7 @@ void rendering_panel(const Look& look, const GuiModel& model, Thumbnails& pictur
                      GuiCommands& commands) {
   RenderingSettings settings = model.rendering.settings;
   face_part(look, model, pictures, commands);
-  camera(look, commands);
+  viewpoint(look, commands);
   bool changed = layers(look, settings.layers);
   changed |= light(look, settings);
   changed |= usual_view(settings);

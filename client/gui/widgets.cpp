@@ -7,12 +7,14 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/texts.h"
+#include "common/text.h"
 
 namespace aucast::gui {
 namespace {
@@ -206,9 +208,8 @@ void tip(const std::string& text, bool also_disabled) {
   tip_beside(text, ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
 }
 
-void tip_at_pointer(const std::string& text) {
-  const ImVec2 pointer = ImGui::GetIO().MousePos;
-  tip_beside(text, ImRect(pointer, pointer));
+void tip_at(float x, float y, const std::string& text) {
+  tip_beside(text, ImRect(x, y, x, y));
 }
 
 bool pointed_at() {
@@ -261,7 +262,8 @@ bool wide_button(const char* text, int share, int shares, bool enabled, bool imp
   ImGui::BeginDisabled(!enabled);
   // ImGui centres a text only in what its padding leaves free.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
-  const bool pressed = ImGui::Button(text, ImVec2(each, 0));
+  const std::string label = needed > each ? in_lines(text, each - 2 * padding.x) : text;
+  const bool pressed = ImGui::Button(label.c_str(), ImVec2(each, 0));
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
   if (important) ImGui::PopStyleColor(4);
@@ -288,13 +290,25 @@ void sides_heading() {
 
 namespace {
 
+/// What was typed is cut, in words.
+template <typename Number>
+void say_if_outside(double typed, const std::array<Number, 2>& limits) {
+  const auto least = static_cast<double>(limits[0]);
+  const auto most = static_cast<double>(limits[1]);
+  if (typed >= least && typed <= most) return;
+  tip_beside(tr("panel.outside", number_text(least), number_text(most),
+                number_text(std::clamp(typed, least, most))),
+             ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
+}
+
 /// ImGui writes the number under the grip: here it stands beside, and in the slider only while it
 /// is typed.
 template <typename Number>
 bool slider_of(ImGuiDataType type, const char* id, float width, Number& value,
-               const std::array<Number, 2>& limits, const char* format) {
+               const std::array<Number, 2>& limits, const char* format,
+               const char* widest = "") {
   std::array<char, 32> text{};
-  float column = 0;
+  float column = ImGui::CalcTextSize(widest).x;
   const auto width_of = [&](Number number) {
     std::snprintf(text.data(), text.size(), format, number);
     return ImGui::CalcTextSize(text.data()).x;
@@ -313,6 +327,11 @@ bool slider_of(ImGuiDataType type, const char* id, float width, Number& value,
   const bool changed = ImGui::SliderScalar(id, type, &value, &limits[0], &limits[1], format,
                                            ImGuiSliderFlags_AlwaysClamp);
   if (!typed) ImGui::PopStyleColor();
+  const ImGuiInputTextState* const text_typed =
+      typed ? ImGui::GetInputTextState(ImGui::GetID(id)) : nullptr;
+  if (text_typed != nullptr && text_typed->TextAIsValid && text_typed->TextA[0] != 0) {
+    say_if_outside(std::strtod(text_typed->TextA.Data, nullptr), limits);
+  }
   // What comes next on this line comes behind the number.
   ImGui::GetCurrentWindow()->DC.CursorPosPrevLine.x += column;
   return changed;
@@ -350,8 +369,9 @@ int step_typed(ImGuiInputTextCallbackData* typed) {
 
 }  // namespace
 
-bool slider(const char* id, float width, int& value, int least, int most, const char* format) {
-  return slider_of<int>(ImGuiDataType_S32, id, width, value, {least, most}, format);
+bool slider(const char* id, float width, int& value, int least, int most, const char* format,
+            const char* column) {
+  return slider_of<int>(ImGuiDataType_S32, id, width, value, {least, most}, format, column);
 }
 
 bool slider(const char* id, float width, float& value, float least, float most,
@@ -376,6 +396,7 @@ bool number_field(const char* id, int& value, const Steps& steps, bool when_ente
   const float button = ImGui::GetFrameHeight();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = ImGui::CalcItemWidth();
+  const bool buttons = steps.buttons && width > 2 * (button + gap) + 2.5F * ImGui::GetFontSize();
   std::array<char, 16> text{};
   const bool in_words = steps.zero != nullptr && value == 0;
   if (!in_words) std::snprintf(text.data(), text.size(), "%d", value);
@@ -385,15 +406,20 @@ bool number_field(const char* id, int& value, const Steps& steps, bool when_ente
   if (when_entered) flags |= ImGuiInputTextFlags_EnterReturnsTrue;
   ImGui::BeginGroup();
   ImGui::PushID(id);
-  ImGui::SetNextItemWidth(std::max(1.0F, width - 2 * (button + gap)));
+  ImGui::SetNextItemWidth(buttons ? width - 2 * (button + gap) : width);
   const int before = value;
   const char* const hint = steps.zero == nullptr ? "" : steps.zero;
   if (ImGui::InputTextWithHint("", hint, text.data(), text.size(), flags, step_typed, &stepped)) {
     const bool emptied = text[0] == 0 && steps.zero != nullptr;
-    value = emptied ? 0 : whole_number(text.data()).value_or(value);
+    const int typed = emptied ? 0 : whole_number(text.data()).value_or(value);
+    value = std::clamp(typed, steps.least, steps.most);
+  }
+  if (ImGui::IsItemActive() && !(text[0] == 0)) {
+    say_if_outside<int>(std::strtod(text.data(), nullptr), {steps.least, steps.most});
   }
   const ImGuiID field = ImGui::GetItemID();
   for (const int direction : {-1, 1}) {
+    if (!buttons) break;
     ImGui::SameLine(0, gap);
     if (step_button(direction < 0 ? "-" : "+", ImVec2(button, button), field)) {
       value = step_on(steps, value, direction);

@@ -56,8 +56,8 @@ void quiet_text(const std::string& text);
 /// Says more about the item before, while the pointer or the focus is on it and until it is used,
 /// beside the window or dialog that it is in.
 void tip(const std::string& text, bool also_disabled = false);
-/// The same about what is drawn at the pointer.
-void tip_at_pointer(const std::string& text);
+/// The same about what is drawn at a place of the screen.
+void tip_at(float x, float y, const std::string& text);
 /// The pointer is on the item before; unlike ImGui's hovering not the focus of the keyboard.
 [[nodiscard]] bool pointed_at();
 /// A text for a widget that is known by `id` in every language.
@@ -78,22 +78,25 @@ void tip_at_pointer(const std::string& text);
 void sides_heading();
 /// A slider with its number beside it, together so wide; below 0: what is left of the line. True
 /// when it changed `value`.
+/// `column`: the widest number of the sliders above and below, which end together.
 [[nodiscard]] bool slider(const char* id, float width, int& value, int least, int most,
-                          const char* format);
+                          const char* format, const char* column = "");
 [[nodiscard]] bool slider(const char* id, float width, float& value, float least, float most,
                           const char* format);
 /// "-" or "+" of `owner`, for the mouse: keys step in what has the focus.
 [[nodiscard]] bool step_button(const char* text, const ImVec2& size, unsigned owner);
-/// What a number field steps by, Ctrl held or not, and between which limits.
+/// What a number field steps by, Ctrl held or not, and its limits.
 struct Steps {
   int near = 1;
   int far = 10;
   int least = 0;
   int most = 1'000'000;
   const char* zero = nullptr;  ///< what 0 means, in its place; null: it is a number like others
+  bool buttons = true;         ///< left out also where there is no room beside the number
 };
 /// A whole number that is typed or stepped, by its buttons or by Up and Down; true when it changed
-/// `value`. What is typed may lie outside of the limits. `when_entered`: typing counts at Enter.
+/// `value`. What is typed beyond the limits is cut, and that is said while it stands there.
+/// `when_entered`: typing counts at Enter.
 [[nodiscard]] bool number_field(const char* id, int& value, const Steps& steps,
                                 bool when_entered = false);
 /// A slider of 0 to 100 %; true when it changed `value`.

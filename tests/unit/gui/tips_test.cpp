@@ -86,7 +86,7 @@ TEST_F(Tips, ATimeStandsOverTheBarOnlyWhereThePointerIs) {
   ImGuiWindow* const window = ImGui::FindWindowByName("transport");
   ImGui::FocusWindow(window);
   ImGui::SetFocusID(window->GetID("##seek"), window);
-  context.NavDisableHighlight = false;
+  context.NavDisableHighlight = true;
   context.NavDisableMouseHover = true;
   frames(3);
   EXPECT_EQ(tooltip(), nullptr);
