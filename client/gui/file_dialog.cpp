@@ -130,8 +130,8 @@ float height_of_decision(const BrowserView& view, const FileForm& form) {
   return height + ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y + gap;
 }
 
-/// How the file that is chosen would be read: always one line, so that no file moves away from under
-/// the pointer that has chosen it.
+/// How the file that is chosen would be read: always one line, so that no file moves away from
+/// under the pointer that has chosen it.
 void table_line(const TableSettings& now, bool asked) {
   const bool usual = now == TableSettings{};
   const std::string words = table_in_words(now);

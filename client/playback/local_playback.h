@@ -49,8 +49,8 @@ class LocalPlayback {
   /// From the end it plays from the beginning.
   void play(Instant now);
   void pause(Instant now);
-  /// Goes to a position, clamped to the stream; keeps playing, or not, as before. What has played to
-  /// its end stands there; seeking to the end and back, as in a drag, plays on.
+  /// Goes to a position, clamped to the stream; keeps playing, or not, as before. What has played
+  /// to its end stands there; seeking to the end and back, as in a drag, plays on.
   void seek(Duration position, Instant now);
   /// Goes to the next keyframe's end (+1) or the previous one's (-1), and stays there.
   void step_keyframe(int direction, Instant now);
