@@ -196,7 +196,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.15, 0.35, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.2, 0.50, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.80, 0.72, 0.66};
@@ -208,7 +208,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
     vertex.colour *= mix(Vec3{0.40, 0.36, 0.33}, Vec3{1}, light) *
-                     mix(0.50, 1.10, smooth_step(0.10, 0.95, from_gum));
+                     mix(0.58, 1.26, smooth_step(0.10, 0.90, from_gum));
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
       vertex.colour *= kLightOnLowerTeeth;
@@ -375,8 +375,9 @@ Part make_mouth_bag(const Skin& skin) {
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
-      // None, or the lights from behind would draw the walls of the open mouth.
-      vertex.occlusion = 0;
+      // A trace, that the walls of the open mouth are red and not black; more, and the lights from
+      // behind would draw them.
+      vertex.occlusion = 0.14 * smooth_step(0.9, 0.3, shape.back);
       vertex.gloss = 0.04;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;
