@@ -129,7 +129,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
 }
 
 #ifdef EYE
-const float kCatchlight = 0.068;  // half its side, of the ball's radius
+const float kCatchlight = 0.056;  // half its side, of the ball's radius
 
 vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   // Reflections of a window where a portrait painter puts them: true ones hide behind the lids as
@@ -148,7 +148,7 @@ vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   vec3 off = normal - first;
   vec2 pane = vec2(dot(off, side), dot(off, up)) / (kCatchlight * (1.0 + 0.14 * which));
   vec2 pane2 = pane * pane;
-  float window = (1.0 - smoothstep(0.0, 2.0, dot(pane2, pane2))) * (0.85 + 0.15 * pane.y);
+  float window = (1.0 - smoothstep(0.0, 2.4, dot(pane2, pane2))) * (0.85 + 0.15 * pane.y);
   lit = mix(lit, vec3(0.90, 0.90, 0.88), 0.94 * window);
   lit += vec3(0.07) * smoothstep(0.986, 0.999, dot(normal, second));
   // From the side the front of the cornea is clear: what lies behind it shows, not the pupil.
