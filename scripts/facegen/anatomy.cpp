@@ -15,6 +15,10 @@ double canthal_line(const Identity& who, double t) {
 
 }  // namespace
 
+Vec3 eye_centre(const Form& form) {
+  return {form.eye_apart, 2.72, 6.14};
+}
+
 double upper_lid(const Identity& who, double dx) {
   const double t = along_eye(dx);
   // The lid covers the top of the iris; with a higher arch the eye stares.

@@ -9,17 +9,18 @@ namespace aucast::facegen {
 
 /// Larger than life (an eyeball measures 0.86), so that the corners of the eye lie on the ball and
 /// no caruncle has to be modelled.
-inline constexpr double kEyeRadius = 1.27;
-inline constexpr Vec3 kEyeCentre{2.10, 2.72, 6.18};
+inline constexpr double kEyeRadius = 1.32;
+/// Where the left one is; face.toml tells the player the same.
+[[nodiscard]] Vec3 eye_centre(const Form& form);
 
 /// It spans a little more than two fifths of the opening; much more looks like a doll's.
-inline constexpr double kIrisRadius = 0.50;
+inline constexpr double kIrisRadius = 0.53;
 
-/// Corners of the eye relative to kEyeCentre.x: towards the nose and towards the temple.
-inline constexpr double kInnerCanthus = -1.09;
-inline constexpr double kOuterCanthus = 1.21;
+/// Corners of the eye relative to its centre: towards the nose and towards the temple.
+inline constexpr double kInnerCanthus = -1.12;
+inline constexpr double kOuterCanthus = 1.26;
 
-/// Height of the lid margins relative to kEyeCentre.y at `dx` from kEyeCentre.x.
+/// Height of the lid margins relative to the eye's centre at `dx` beside it.
 [[nodiscard]] double upper_lid(const Identity& who, double dx);
 [[nodiscard]] double lower_lid(const Identity& who, double dx);
 /// The same of the fold of the upper lid.

@@ -57,9 +57,9 @@ void add_lash_line(Part& part, const Skin& skin, int side, bool upper) {
 }
 
 /// The shade of a lid on the ball. It belongs to the lid: on the ball it would turn with the gaze.
-void add_lid_shade(Part& part, const Skin& skin, int side, bool upper) {
+void add_lid_shade(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
   constexpr Vec3 kShade{0.16, 0.075, 0.065};
-  const Vec3 eye{side * kEyeCentre.x, kEyeCentre.y, kEyeCentre.z};
+  const Vec3 eye = eye_centre(who.form) * Vec3{side, 1, 1};
   std::array<std::vector<std::uint32_t>, 2> rows;
   for (int k = 0; k <= kLidSteps; ++k) {
     const Vertex& margin = on_lid(skin, kLidInnerRing, side, upper, k);
@@ -79,10 +79,11 @@ void add_lid_shade(Part& part, const Skin& skin, int side, bool upper) {
 
 /// Where the skin of the upper lid lies at `over` the fold, on a spoke.
 Vertex on_fold(const Identity& who, const Skin& skin, int side, int k, double over) {
+  const Vec3 eye = eye_centre(who.form);
   const auto above = [&](const Vertex& v) {
     const double x =
-        std::clamp(std::abs(v.position.x) - kEyeCentre.x, kInnerCanthus + 0.1, kOuterCanthus - 0.1);
-    return v.position.y - kEyeCentre.y - lid_fold(who, x) - over;
+        std::clamp(std::abs(v.position.x) - eye.x, kInnerCanthus + 0.1, kOuterCanthus - 0.1);
+    return v.position.y - eye.y - lid_fold(who, x) - over;
   };
   for (int ring = kLidMarginRing; ring > 1; --ring) {
     const Vertex& below = on_lid(skin, ring, side, true, k);
@@ -137,7 +138,7 @@ struct LashGrowth {
 };
 
 LashGrowth lash_growth(const Identity& who, const Skin& skin, int side, bool upper, double t) {
-  const Vec3 eye{side * kEyeCentre.x, kEyeCentre.y, kEyeCentre.z};
+  const Vec3 eye = eye_centre(who.form) * Vec3{side, 1, 1};
   LashGrowth growth;
   growth.root = on_margin(skin, side, upper, t);
   growth.along = glm::normalize(on_margin(skin, side, upper, std::min(1.0, t + 0.03)).position -
@@ -352,7 +353,7 @@ Part make_lashes(const Identity& who, const Skin& skin) {
   lashes.material = face::Material::Lash;
   for (const int side : {1, -1}) {
     add_lid_band(lashes, who, skin, side);
-    for (const bool upper : {true, false}) add_lid_shade(lashes, skin, side, upper);
+    for (const bool upper : {true, false}) add_lid_shade(lashes, who, skin, side, upper);
     for (const bool upper : {true, false}) add_lashes(lashes, who, skin, side, upper);
   }
   return lashes;

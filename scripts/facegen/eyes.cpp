@@ -52,7 +52,7 @@ Part make_eye(const Identity& who, int side) {
   Part eye;
   eye.name = side > 0 ? "left_eye" : "right_eye";
   eye.material = face::Material::Eye;
-  const Vec3 centre{side * kEyeCentre.x, kEyeCentre.y, kEyeCentre.z};
+  const Vec3 centre = eye_centre(who.form) * Vec3{side, 1, 1};
   const std::uint32_t pole = eye.add(centre + Vec3{0, 0, kEyeRadius}, kPupil);
   std::vector<std::uint32_t> inner;
   const auto add_ring = [&](double radius, double z) {

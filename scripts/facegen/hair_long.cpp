@@ -127,9 +127,9 @@ Outside outside_at(double u) {
 /// How far big soft waves and smaller locks stand out.
 double waves(double s, double t) {
   const double free = smooth_step(0.1, 0.5, t);
-  return free * (0.07 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
-                 0.07 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) +
-                 0.045 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
+  return free * (0.09 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
+                 0.09 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) +
+                 0.035 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
 }
 
 /// The outside with its waves and with tips that turn in.
@@ -165,7 +165,7 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
     // In its shade the parting would be a dark stripe, the more on the side away from the light.
-    const double parted = (u < 0.5 ? 0.18 : 0.26) * std::exp(-std::pow(t / 0.08, 2));
+    const double parted = (u < 0.5 ? 0.34 : 0.26) * std::exp(-std::pow(t / 0.08, 2));
     const double light = 0.02 + 0.38 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t) + parted;
     const double from_edge = std::min(s, 1 - s);
     const double loose = smooth_step(0.14, 0.34, t);
@@ -179,7 +179,9 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
         mix(1, smooth_step(-0.03, 0.015, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
     const double whole = 0.45 * smooth_step(0.22, 0.10, from_edge);
-    const double full = 0.82 + 0.11 * mix(value_noise({s * 34, 0.5, 3.5}), 1, whole);
+    const double ragged =
+        0.6 * value_noise({s * 34, 0.5, 3.5}) + 0.4 * value_noise({s * 9, 0.5, 6.5});
+    const double full = 0.76 + 0.17 * mix(ragged, 1, whole);
     const double ends = smooth_step(full + 0.12, full + 0.02, t) * smooth_step(1, 0.93, t);
     // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
     const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
@@ -199,33 +201,6 @@ void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
   });
 }
 
-/// A fine lock that lies loosely on the rest and goes its own way.
-struct Lock {
-  double s = 0;      ///< where it begins
-  double drift = 0;  ///< how far aside it ends
-  double begin = 0;  ///< t
-  double end = 1;    ///< t; it may be longer than the rest
-  double width = 0;  ///< half of it, of s
-  double lift = 0;   ///< at its end
-};
-constexpr std::array<Lock, kLocks> kLoose{{{0.020, -0.022, 0.26, 0.86, 0.010, 0.03},
-                                           {0.982, 0.024, 0.22, 0.80, 0.011, 0.03},
-                                           {0.130, 0.030, 0.62, 0.97, 0.012, 0.04},
-                                           {0.860, -0.034, 0.60, 0.98, 0.013, 0.05},
-                                           {0.780, 0.030, 0.66, 0.96, 0.012, 0.03},
-                                           {0.690, -0.025, 0.62, 0.98, 0.012, 0.04},
-                                           {0.030, -0.020, 0.34, 0.88, 0.006, 0.00},
-                                           {0.972, 0.016, 0.36, 0.84, 0.006, 0.00},
-                                           {0.940, -0.018, 0.58, 0.98, 0.009, 0.03},
-                                           {0.060, 0.016, 0.60, 0.99, 0.009, 0.03},
-                                           // astray, at the outline of the back and the crown
-                                           {0.500, 0.020, 0.50, 0.99, 0.006, 0.12},
-                                           {0.440, -0.020, 0.55, 0.97, 0.006, 0.10},
-                                           {0.550, 0.030, 0.35, 0.80, 0.004, 0.34},
-                                           {0.700, 0.020, 0.05, 0.35, 0.004, 0.26},
-                                           {0.620, -0.030, 0.12, 0.50, 0.004, 0.30},
-                                           {0.380, 0.020, 0.20, 0.55, 0.004, 0.26}}};
-
 void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& lock) {
   add_sheet(hair, kLock, [&](double u, double v) {
     const double t = mix(lock.begin, lock.end, v);
@@ -234,11 +209,11 @@ void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& l
     const double s = lock.s + lock.drift * v * v + c * width;
     const double way = std::min(t, 1.0);
     constexpr double kLength = 16;
-    const Vec3 p = outer_place(sheet, s, way) +
-                   sheet.up(s, way) * (lock.lift * v * v * v + 0.02 * (1 - c * c)) +
+    const double over = lock.over * smooth_step(0, 0.3, v) + lock.lift * v * v * v;
+    const Vec3 p = outer_place(sheet, s, way) + sheet.up(s, way) * (over + 0.02 * (1 - c * c)) +
                    sheet.along(s, way) * ((t - way) * kLength);
-    const double alpha =
-        0.9 * smooth_step(1, 0.4, std::abs(c)) * smooth_step(0, 0.25, v) * smooth_step(1, 0.7, v);
+    const double alpha = lock.cover * smooth_step(1, 0.4, std::abs(c)) * smooth_step(0, 0.25, v) *
+                         smooth_step(1, 0.7, v);
     return HairPoint{p, shade_of(who, 0.36 + 0.22 * t), alpha, saturate(lock.s + c * lock.width)};
   });
 }
@@ -250,7 +225,8 @@ Part make_long_hair(const Identity& who) {
   Part hair;
   add_lining(hair, who, sheet);  // behind
   add_outside(hair, who, sheet);
-  for (const Lock& lock : kLoose) add_lock(hair, who, sheet, lock);
+  for (std::size_t i = 0; i < kLocks; ++i)
+    add_lock(hair, who, sheet, who.hair.locks[i % who.hair.locks.size()]);
   return hair;
 }
 

@@ -116,7 +116,7 @@ class Top {
     const double way = v * whole;
     // It springs from the hairline and bends back: a round outline from the side.
     const double front = power(saturate(way / 2.8), 0.95);
-    const double quiff = 0.38 * bell(way - 2.0, 1.7) * smooth_step(0, 1.8, way);
+    const double quiff = 0.22 * bell(way - 2.0, 1.7) * smooth_step(0, 1.8, way);
     const double tuft = value_noise({u * 6 + 0.7 * v, 1.6 * v, 7.5});
     const double lock = value_noise({u * 15 + 0.9 * v, 2.5 * v, 9.5});
     const double height =

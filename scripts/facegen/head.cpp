@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "scripts/facegen/asymmetry.h"
 #include "scripts/facegen/brows_lashes.h"
 #include "scripts/facegen/creases.h"
 #include "scripts/facegen/eyes.h"
@@ -57,6 +58,7 @@ std::vector<Part> make_head(const Identity& who) {
   parts.push_back(make_brow(who, -1));
   parts.push_back(std::move(lashes));
   for (Part& crease : creases) parts.push_back(std::move(crease));
+  make_uneven(who.askew, parts);
   return parts;
 }
 

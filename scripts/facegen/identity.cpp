@@ -52,6 +52,7 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"nose_tip", &Form::nose_tip},
     {"nose_hump", &Form::nose_hump},
     {"nose_root", &Form::nose_root},
+    {"eye_apart", &Form::eye_apart},
     {"upper_lid", &Form::upper_lid},
     {"lower_lid", &Form::lower_lid},
     {"inner_canthus_up", &Form::inner_canthus_up},
@@ -59,6 +60,7 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"lid_fold", &Form::lid_fold},
     {"eye_bag", &Form::eye_bag},
     {"socket", &Form::socket},
+    {"inner_socket", &Form::inner_socket},
     {"lash", &Form::lash},
     {"upper_lip", &Form::upper_lip},
     {"lower_lip", &Form::lower_lip},
@@ -81,6 +83,13 @@ constexpr auto kLines = std::to_array<Named<ExpressionLines, double>>({
     {"width", &ExpressionLines::width},
     {"uneven", &ExpressionLines::uneven},
     {"forehead_up", &ExpressionLines::forehead_up},
+});
+
+constexpr auto kAskew = std::to_array<Named<Askew, double>>({
+    {"brow", &Askew::brow},
+    {"mouth", &Askew::mouth},
+    {"nose", &Askew::nose},
+    {"chin", &Askew::chin},
 });
 
 constexpr auto kColours = std::to_array<Named<Palette, Vec3>>({
@@ -150,6 +159,7 @@ class PersonReader {
       who.lines.seed = lines.integer_or("seed", who.lines.seed, 0, 1'000'000);
       read_named(lines, who.lines, kLines);
     });
+    part("askew", [&](TableReader& askew) { read_named(askew, who.askew, kAskew); });
     part("colours", [&](TableReader& colours) {
       for (const auto& [name, member] : kColours) {
         read_point(colours, name, who.colours.*member, kColour);
@@ -199,6 +209,9 @@ class PersonReader {
     });
     read_point(reader, "crown", hair.crown, kMeasure);
     read_rows(reader, "guides", 27, hair.guides, line_of<9>);
+    read_rows(reader, "locks", 8, hair.locks, [](const std::vector<double>& row) {
+      return Lock{row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7]};
+    });
     read_rows(reader, "combed", 15, hair.combed, line_of<5>);
     read_real(reader, "side", hair.side);
     read_real(reader, "top", hair.top);
@@ -210,6 +223,9 @@ class PersonReader {
       reader.wrong("hairline", "must be two rows or more whose first numbers ascend");
     }
     const std::size_t lines = hair.guides.empty() ? hair.combed.size() : hair.guides.size();
+    if (!hair.guides.empty() && hair.locks.empty()) {
+      reader.wrong("locks", "must be one or more, as there are guides");
+    }
     if (lines < 2) reader.wrong("combed", "must be two lines or more, unless there are guides");
   }
 

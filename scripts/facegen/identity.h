@@ -40,15 +40,17 @@ struct Form {
   double nose_tip = 0;      ///< added to its radii
   double nose_hump = 0;     ///< on the bridge
   double nose_root = 0.12;  ///< depth between the brows and the bridge
-  // eyes: height of the lids over their corners, and the corners over kEyeCentre
+  // eyes: height of the lids over their corners, and of the corners over the eye's centre
+  double eye_apart = 2.10;  ///< x of the centre
   double upper_lid = 0.52;
   double lower_lid = 0.435;
   double inner_canthus_up = -0.17;
   double outer_canthus_up = 0.10;
-  double lid_fold = 0.30;  ///< over the margin
-  double eye_bag = 0.018;  ///< depth of the groove under the eye
-  double socket = 0;       ///< depth between lid and brow
-  double lash = 1;         ///< length, factor
+  double lid_fold = 0.30;      ///< over the margin
+  double eye_bag = 0.018;      ///< depth of the groove under the eye
+  double socket = 0;           ///< depth between lid and brow
+  double inner_socket = 0.18;  ///< depth between the inner corner and the root of the nose
+  double lash = 1;             ///< length, factor
   // lips
   double upper_lip = 0.552;
   double lower_lip = 0.74;
@@ -68,6 +70,18 @@ struct Form {
   double chin_fold = 0.16;  ///< between lower lip and chin
 };
 
+/// A lock of long hair that lies loosely on the rest and goes its own way.
+struct Lock {
+  double s = 0;        ///< where across the hair it begins, 0 to 1 as the guides
+  double drift = 0;    ///< how far aside it ends
+  double begin = 0;    ///< 0 at the roots, 1 at the tips
+  double end = 1;      ///< it may be longer than the rest
+  double width = 0;    ///< half of it, of s
+  double lift = 0;     ///< over the rest at its end, mesh units
+  double over = 0;     ///< the same all along
+  double cover = 0.9;  ///< how dense it is; below 0.5 single hairs
+};
+
 /// A haircut: where it grows and how it falls.
 struct Haircut {
   /// From the middle of the forehead (0) over temple, sideburn and ear to the nape (12).
@@ -76,6 +90,8 @@ struct Haircut {
   /// How long hair falls: lines from root to tip at equal steps across the hair, from the front of
   /// the left side over the back to the front of the right one. None: short hair along the scalp.
   std::vector<std::array<Vec3, 9>> guides;
+  /// Loose locks of long hair, at most `kLocks`.
+  std::vector<Lock> locks;
   /// How the top of short hair is combed: lines from the hairline of the forehead over the crown,
   /// at equal steps from the parting on the left to the right side. Its height is `top`.
   std::vector<std::array<Vec3, 5>> combed;
@@ -93,11 +109,20 @@ struct ExpressionLines {
   double forehead_up = 0;  ///< those of the forehead, mesh units
 };
 
+/// How far the left side of the face differs from the right one (`make_uneven`), mesh units.
+struct Askew {
+  double brow = 0;   ///< upwards, the left one
+  double mouth = 0;  ///< upwards, the left corner
+  double nose = 0;   ///< its tip, to the left
+  double chin = 0;   ///< the same
+};
+
 /// What makes a person: everything else of the generator is the same for all.
 struct Identity {
   Form form;
   Haircut hair;
   ExpressionLines lines;
+  Askew askew;
   Palette colours;
 };
 

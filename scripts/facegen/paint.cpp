@@ -49,7 +49,7 @@ void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
     c = mix(c, who.colours.lid_rim, v.ring == kLidMarginRing ? 0.55 : 0.35);
   if (v.ring > kLidInnerRing) c = kLidInside;
   if (v.ring >= kLidMarginRing) {
-    const double from_corner = v.position.x - (kEyeCentre.x + kInnerCanthus);
+    const double from_corner = v.position.x - (eye_centre(who.form).x + kInnerCanthus);
     c = mix(c, kCaruncle, 0.8 * smooth_step(0.45, 0.05, from_corner));
   }
   vertex.colour = c;

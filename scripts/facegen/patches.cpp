@@ -19,7 +19,8 @@ Vec3 lid_margin(const Identity& who, int spoke) {
   const double t = (upper ? k : 32 - k) / 16.0;
   const double eased = mix(t, 0.5 - 0.5 * std::cos(kPi * t), 0.55);
   const double dx = mix(kInnerCanthus, kOuterCanthus, eased);
-  return {kEyeCentre.x + dx, kEyeCentre.y + (upper ? upper_lid(who, dx) : lower_lid(who, dx)), 0};
+  const Vec3 eye = eye_centre(who.form);
+  return {eye.x + dx, eye.y + (upper ? upper_lid(who, dx) : lower_lid(who, dx)), 0};
 }
 
 /// Away from the opening: along the spoke at the corners, more and more upright between them.
@@ -33,25 +34,26 @@ Vec3 out_of_lid(const Identity& who, int spoke, const Vec3& border) {
 }
 
 /// z of the front of a ball of radius `radius` about the eye's centre; far back beside it.
-double ball_z(const Vec3& p, double radius) {
-  const double dx = p.x - kEyeCentre.x;
-  const double dy = p.y - kEyeCentre.y;
+double ball_z(const Vec3& eye, const Vec3& p, double radius) {
+  const double dx = p.x - eye.x;
+  const double dy = p.y - eye.y;
   const double q = radius * radius - dx * dx - dy * dy;
-  return q > 0 ? kEyeCentre.z + std::sqrt(q) : -9.0;
+  return q > 0 ? eye.z + std::sqrt(q) : -9.0;
 }
 
 /// The rings of a lid's edge: its outer edge, its inner edge on the eyeball, and two tucked in
 /// behind it, so that no gap shows whatever the lid does.
 Vec3 lid_edge(const Identity& who, int which, int spoke, const Vec3& border) {
+  const Vec3 eye = eye_centre(who.form);
   const Vec3 margin = lid_margin(who, spoke);
   const Vec3 out = out_of_lid(who, spoke, border);
   const Vec3 outer = margin + out * 0.05;
   const double outer_z = face_z(who, outer.x, outer.y);
   // Near the corners the ball is far behind the skin; the edge does not follow it there.
-  const double inner_z = std::max(ball_z(margin, kEyeRadius + 0.02), outer_z - 0.17);
+  const double inner_z = std::max(ball_z(eye, margin, kEyeRadius + 0.02), outer_z - 0.17);
   const auto tucked = [&](double way, double clearance, double depth) {
     const Vec3 p = margin + out * way;
-    return Vec3{p.x, p.y, std::max(ball_z(p, kEyeRadius + clearance), inner_z - depth)};
+    return Vec3{p.x, p.y, std::max(ball_z(eye, p, kEyeRadius + clearance), inner_z - depth)};
   };
   switch (which) {
     case 0:

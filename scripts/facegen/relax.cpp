@@ -93,10 +93,11 @@ void smooth_ear(HalfHead& half, const Neighbours& neighbours) {
 }
 
 /// A deep fold in the lid must not let the eyeball through.
-void lift_lids(HalfHead& half) {
+void lift_lids(const Form& form, HalfHead& half) {
+  const Vec3 eye = eye_centre(form);
   for (HalfVertex& v : half.vertices) {
     if (v.patch != Patch::Eye || v.ring > kLidInnerRing) continue;
-    const Vec3 from_eye = v.position - kEyeCentre;
+    const Vec3 from_eye = v.position - eye;
     const double distance = glm::length(from_eye);
     const double thinnest = v.ring < kLidMarginRing ? 0.045 : 0.015;
     v.position += from_eye * (std::max(0.0, kEyeRadius + thinnest - distance) / distance);
@@ -124,7 +125,7 @@ void relax(const Identity& who, HalfHead& half) {
     const HalfVertex& vertex = half.vertices[v];
     return vertex.pinned ? vertex.position : on_skin(who, vertex.position, 12);
   });
-  lift_lids(half);
+  lift_lids(who.form, half);
   smooth_ear(half, neighbours);
   tuck_neck(half);
 }

@@ -111,7 +111,7 @@ double with_orbit(const Form& form, double d, const Vec3& p) {
   // Below, the lid runs into the cheek without a step.
   const double seam =
       mix(mix(0.32, 0.80, smooth_step(2.4, 1.8, p.y)), 0.12, smooth_step(2.6, 3.4, p.x));
-  return melt(d, glm::length(p - kEyeCentre) - (kEyeRadius + thickness), seam);
+  return melt(d, glm::length(p - eye_centre(form)) - (kEyeRadius + thickness), seam);
 }
 
 double with_nose(const Form& form, double d, const Vec3& p) {
@@ -120,10 +120,10 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   const double wide = form.bridge_width;
   const Vec3 hump{0, 0, form.nose_hump};
   const Vec3 low{0, 0.4, 8.86 + 0.5 * std::max(0.0, form.nose_forward)};
-  double bridge = round_cone(p, {0, 3.05, 7.38}, Vec3{0, 1.6, 8.18} + hump, 0.46, 0.46 + wide);
-  bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.46 + wide, 0.46), 0.9);
+  double bridge = round_cone(p, {0, 3.05, 7.46}, Vec3{0, 1.6, 8.18} + hump, 0.36, 0.44 + wide);
+  bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.44 + wide, 0.46), 0.9);
   bridge = melt(bridge,
-                round_cone(p, {0.20 + wide, 2.2, 7.05}, {0.50 + 0.5 * wide, 0.1, 7.95}, 0.46, 0.60),
+                round_cone(p, {0.18 + wide, 2.2, 7.05}, {0.50 + 0.5 * wide, 0.1, 7.93}, 0.42, 0.58),
                 0.8);
   d = melt(d, bridge, 1.0);
   const Vec3 q{p.x / form.nose_width, p.y, p.z};
@@ -131,8 +131,8 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), Vec3{0.57, 0.48, 0.63} + form.nose_tip);
   tip = melt(tip, round_cone(q, Vec3{0, -0.30, 9.08} + at, {0, -0.60, 8.35}, 0.25, 0.22), 0.3);
   d = melt(d, tip, 0.50);
-  const Vec3 wing = rotated_y(rotated_z(q - Vec3{0.735, -0.20, 8.42}, 0.28), 0.42);
-  d = melt(d, ellipsoid(wing, {0.36, 0.44, 0.62}), 0.17);
+  const Vec3 wing = rotated_y(rotated_z(q - Vec3{0.745, -0.21, 8.37}, 0.28), 0.42);
+  d = melt(d, ellipsoid(wing, {0.36, 0.43, 0.62}), 0.15);
   // The rim of the nostril rolls in.
   const Vec3 hole =
       rotated_y(q - Vec3{0.46, -0.70 + 0.5 * form.nose_up, 8.80 + 0.6 * form.nose_forward}, 0.36);
@@ -141,8 +141,9 @@ double with_nose(const Form& form, double d, const Vec3& p) {
 
 /// Depth of the fold of the upper lid and of the groove under the eye.
 double lid_relief(const Identity& who, const Vec3& p) {
-  const double x = std::abs(p.x) - kEyeCentre.x;
-  const double y = p.y - kEyeCentre.y;
+  const Vec3 eye = eye_centre(who.form);
+  const double x = std::abs(p.x) - eye.x;
+  const double y = p.y - eye.y;
   const double window =
       smooth_step(-1.35, -0.7, x) * (1 - smooth_step(0.9, 1.5, x)) * smooth_step(5.5, 6.3, p.z);
   const double inside = std::clamp(x, kInnerCanthus + 0.1, kOuterCanthus - 0.1);
@@ -222,10 +223,14 @@ double bony_hollows(const Form& form, const Vec3& p) {
   const double x = std::abs(p.x);
   const double root = form.nose_root * bell(p.y - 2.9, 0.80) * smooth_step(0.85, 0.1, x) *
                       smooth_step(6.0, 7.2, p.z);
+  // Between the inner corner of the eye and the root of the nose, or the root is a broad plateau.
+  const double beside_root = form.inner_socket *
+                             bell(Vec3{(x - 0.90) / 0.40, (p.y - 2.95) / 0.70, 0}) *
+                             smooth_step(6.0, 7.0, p.z);
   const double below_arch = p.y + 0.75 - 0.28 * (p.z - 4.2);
   const double slope =
       form.forehead_slope * smooth_step(4.8, 7.6, p.y) * smooth_step(3.0, 6.5, p.z);
-  return root + slope +
+  return root + slope + beside_root +
          form.cheek_hollow * bell(Vec3{below_arch / 0.85, (p.z - 4.3) / 1.5, 0}) *
              smooth_step(1.5, 2.6, x);
 }

@@ -59,11 +59,11 @@ double glabella_field(const Vec3& p) {
 }
 
 /// Lids: elevation about the eye's centre of the inner edge of the margin, spoke by spoke.
-std::array<double, kEyeSpokes> margin_elevation(const HalfHead& half) {
+std::array<double, kEyeSpokes> margin_elevation(const Form& form, const HalfHead& half) {
   std::array<double, kEyeSpokes> elevation{};
   for (const HalfVertex& v : half.vertices) {
     if (v.patch != Patch::Eye || v.ring != kLidInnerRing) continue;
-    const Vec3 from_eye = v.position - kEyeCentre;
+    const Vec3 from_eye = v.position - eye_centre(form);
     elevation[static_cast<std::size_t>(v.spoke)] = std::atan2(from_eye.y, from_eye.z);
   }
   return elevation;
@@ -152,7 +152,7 @@ void weigh_by_position(const Identity& who, Vertex& vertex) {
 }
 
 void weigh_skin(const Identity& who, Skin& skin) {
-  const auto elevation = margin_elevation(skin.half);
+  const auto elevation = margin_elevation(who.form, skin.half);
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
     const HalfVertex& v = skin.half.vertices[skin.source[i]];
     Vertex& vertex = skin.part.vertices[i];

@@ -56,8 +56,7 @@ class DefaultFaceMesh : public DefaultFace {
     for (std::size_t i = 0; i < layout().size(); ++i) {
       if (layout()[i].patch != Patch::Eye || layout()[i].ring > facegen::kLidInnerRing) continue;
       const facegen::Vec3 p{positions[i]};
-      const facegen::Vec3 eye{p.x > 0 ? facegen::kEyeCentre.x : -facegen::kEyeCentre.x,
-                              facegen::kEyeCentre.y, facegen::kEyeCentre.z};
+      const facegen::Vec3 eye{face().eyes[p.x > 0 ? 0 : 1].centre};
       least = std::min(least, glm::length(p - eye) - facegen::kEyeRadius);
     }
     return least;
@@ -169,18 +168,23 @@ TEST_F(DefaultFaceMesh, HasNoTriangleWithoutArea) {
   }
 }
 
-TEST_F(DefaultFaceMesh, MirrorsExactly) {
+TEST_F(DefaultFaceMesh, MirrorsButForWhatMakesAFaceUneven) {
+  // The loops and what they weigh are mirrored; the form by a millimetre, as no face is its own
+  // mirror image. The eyes and what is inside the mouth are.
   const face::FaceMesh& mesh = face().mesh;
+  constexpr float kUneven = 0.13F;  // two millimetres from left to right
+  float most = 0;
   for (std::size_t i = 0; i < layout().size(); ++i) {
     const glm::vec3& p = mesh.positions[i];
     const glm::vec3& q = mesh.positions[mirror()[i]];
-    ASSERT_NEAR(p.x, -q.x, 1e-5) << i;
-    ASSERT_NEAR(p.y, q.y, 1e-5) << i;
-    ASSERT_NEAR(p.z, q.z, 1e-5) << i;
+    const float apart = glm::length(p - q * glm::vec3{-1, 1, 1});
+    ASSERT_LT(apart, layout()[i].patch == Patch::Ear ? 1e-5F : kUneven) << i;
+    most = std::max(most, apart);
     for (const auto& [name, values] : mesh.maps) {
       ASSERT_NEAR(values[i], values[mirror()[i]], 1e-5) << name << " " << i;
     }
   }
+  EXPECT_GT(most, 0.02F) << "a mirror image";
 }
 
 TEST_F(DefaultFaceMesh, SealsTheLipsAtRest) {
@@ -270,7 +274,8 @@ TEST_F(DefaultFaceMesh, CoversTheTopOfTheIrisUntilTheLidIsRaised) {
   const auto covered_mm = [](const std::vector<glm::vec3>& positions) {
     constexpr int kMiddle = 4;
     const float margin = positions[skin_vertex(Patch::Eye, facegen::kLidInnerRing, kMiddle)].y;
-    return kMmPerUnit * (static_cast<float>(facegen::kEyeCentre.y + facegen::kIrisRadius) - margin);
+    return kMmPerUnit *
+           (face().eyes[0].centre.y + static_cast<float>(facegen::kIrisRadius) - margin);
   };
   EXPECT_GT(covered_mm(face().mesh.positions), 1.5F);
   EXPECT_LT(covered_mm(face().mesh.positions), 3.5F);
