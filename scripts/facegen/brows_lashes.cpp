@@ -175,7 +175,7 @@ double lash_strength(const Identity& who) {
 /// What lashes are from afar: a soft dark fringe, dense at the lid.
 void add_lash_fringe(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
   static constexpr std::array kSteps{0.0, 0.3, 0.62, 1.0};
-  static constexpr std::array kAlphas{0.70, 0.46, 0.18, 0.0};
+  static constexpr std::array kAlphas{0.56, 0.38, 0.15, 0.0};
   constexpr int kColumns = kLidSteps;
   std::array<std::vector<std::uint32_t>, kSteps.size()> rows;
   for (int i = 1; i <= kColumns; ++i) {

@@ -166,6 +166,7 @@ void add_ear_patch(LayoutBuilder& builder) {
   Vec3 centre{0};
   for (const std::uint32_t i : outer) centre += builder.position(i) / double{kEarSpokes};
   const Plate plate(builder.who(), centre);
+  const double size = builder.who().form.ear_size;
   for (std::size_t ring = 0; ring < kEarRings; ++ring) {
     Ring inner;
     for (int spoke = 0; spoke < kEarSpokes; ++spoke) {
@@ -173,12 +174,13 @@ void add_ear_patch(LayoutBuilder& builder) {
       // Denser at the lobe and at the top, which are the roundest.
       degrees -= 9 * std::sin(radians(2 * (degrees - 280)));
       if (degrees < -60) degrees += 360;
-      const double radius = round_sample(kOutline, degrees) * round_sample(kScale[ring], degrees);
+      const double radius =
+          size * round_sample(kOutline, degrees) * round_sample(kScale[ring], degrees);
       const double angle = radians(degrees);
       const double back = radius * std::cos(angle);
       const double up = radius * std::sin(angle);
-      const double height =
-          ring < kBehind.size() ? round_sample(kBehind[ring], degrees) : relief(back, up);
+      const double height = ring < kBehind.size() ? round_sample(kBehind[ring], degrees)
+                                                  : relief(back / size, up / size);
       inner.push_back(builder.add(plate.at(back, up - 0.05, height), Patch::Ear,
                                   static_cast<int>(ring) + 1, spoke));
     }

@@ -164,19 +164,19 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
            sheet.up(s, t) * (mix(0.10, 0.36, rolls(t)) * at.rolled * at.rolled);
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
-    // In its shade the parting would be a dark stripe, the more on the side away from the light.
-    const double parted = (u < 0.5 ? 0.34 : 0.26) * std::exp(-std::pow(t / 0.08, 2));
+    // In its shade the parting would be a dark stripe.
+    const double parted = 0.24 * std::exp(-std::pow(t / 0.08, 2));
     const double light = 0.02 + 0.38 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t) + parted;
     const double from_edge = std::min(s, 1 - s);
     const double loose = smooth_step(0.14, 0.34, t);
-    const double soft = mix(0.03, 0.065, value_noise({0.5, 26 * t, 9.5}));
+    const double soft = mix(0.035, 0.095, value_noise({0.5, 26 * t, 9.5}));
     // Where it hangs single strands of the edge lie on the cheek.
     const double begin = -kRolled * loose;
     const double hairline = smooth_step(begin, begin + mix(soft, 0.7 * kRolled, loose),
                                         from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
     const double parting =
-        mix(1, smooth_step(-0.03, 0.015, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
+        mix(1, smooth_step(-0.012, 0.024, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
     const double whole = 0.45 * smooth_step(0.22, 0.10, from_edge);
     const double ragged =

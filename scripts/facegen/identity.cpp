@@ -52,6 +52,7 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"nose_tip", &Form::nose_tip},
     {"nose_hump", &Form::nose_hump},
     {"nose_root", &Form::nose_root},
+    {"ear_size", &Form::ear_size},
     {"eye_apart", &Form::eye_apart},
     {"upper_lid", &Form::upper_lid},
     {"lower_lid", &Form::lower_lid},

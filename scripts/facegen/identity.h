@@ -40,6 +40,8 @@ struct Form {
   double nose_tip = 0;      ///< added to its radii
   double nose_hump = 0;     ///< on the bridge
   double nose_root = 0.12;  ///< depth between the brows and the bridge
+  // ears
+  double ear_size = 1;  ///< factor
   // eyes: height of the lids over their corners, and of the corners over the eye's centre
   double eye_apart = 2.10;  ///< x of the centre
   double upper_lid = 0.52;

@@ -124,7 +124,7 @@ double below_jaw(const Vec3& p) {
 /// Nose and forehead shine a little more than the rest, neck and back of the head less.
 double shine(const Vec3& p) {
   double s = 0.85;
-  if (p.z > 8) s += 0.5 * bell(Vec3{p.x / 1.2, (p.y - 0.2) / 1.2, 0});
+  if (p.z > 8) s += 0.5 * bell(Vec3{p.x / 1.1, (p.y - 0.4) / 0.9, 0});
   if (p.z > 5) s += 0.10 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
   return p.y < -5 || p.z < 0 ? 0.6 * s : s;
 }
@@ -143,7 +143,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
     c *= Vec3{1} - Vec3{0.26, 0.34, 0.36} * below_jaw(p);
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
-    c *= Vec3{1} - Vec3{1.5, 2.2, 2.2} * std::max(0.0, fold_depth(who, p));
+    c *= Vec3{1} - Vec3{1.0, 1.5, 1.5} * std::max(0.0, fold_depth(who, p));
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);

@@ -47,8 +47,8 @@ inline constexpr Vec3 kLash{0.045, 0.028, 0.022};
 inline constexpr Vec3 kPupil{0.012, 0.011, 0.012};
 inline constexpr Vec3 kIrisEdge{0.03, 0.035, 0.035};
 inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
-inline constexpr Vec3 kSclera{0.66, 0.635, 0.61};
-inline constexpr Vec3 kScleraCorner{0.46, 0.36, 0.335};
+inline constexpr Vec3 kSclera{0.61, 0.585, 0.56};
+inline constexpr Vec3 kScleraCorner{0.43, 0.335, 0.31};
 /// What is left of the light in the deepest line.
 inline constexpr Vec3 kCrease{0.60, 0.36, 0.29};
 inline constexpr Vec3 kForeheadCrease{0.61, 0.42, 0.36};

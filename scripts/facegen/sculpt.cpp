@@ -123,7 +123,7 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   double bridge = round_cone(p, {0, 3.05, 7.46}, Vec3{0, 1.6, 8.18} + hump, 0.36, 0.44 + wide);
   bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.44 + wide, 0.46), 0.9);
   bridge = melt(bridge,
-                round_cone(p, {0.18 + wide, 2.2, 7.05}, {0.50 + 0.5 * wide, 0.1, 7.93}, 0.42, 0.58),
+                round_cone(p, {0.18 + wide, 2.2, 7.05}, {0.53 + 0.5 * wide, 0.2, 8.00}, 0.42, 0.58),
                 0.8);
   d = melt(d, bridge, 1.0);
   const Vec3 q{p.x / form.nose_width, p.y, p.z};
