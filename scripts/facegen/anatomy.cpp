@@ -57,7 +57,7 @@ double lower_lip_border(const Identity& who, double x) {
 Vec3 brow_spine(const Identity& who, double t) {
   // It rises from the nose to two thirds of its way; an inner end as high as the middle pleads.
   const double arch = who.form.brow_arch * power(std::sin(saturate(t / 0.95) * 2.2), 1.2);
-  return {mix(who.form.brow_begin, 3.55, t),
+  return {mix(who.form.brow_begin, 3.70, t),
           who.form.brow_up + arch - who.form.brow_tail_drop * t * t * t, 0.0};
 }
 

@@ -53,19 +53,7 @@ constexpr std::array<std::array<double, kAngleCount>, 2> kBehind{{
     {.16, .16, .14, .10, .05, .03, .02, .04, .05, .00, .06},
 }};
 
-/// How near (back, up) is to a polyline of (back, up, strength): 1 on it, falling over `width`.
-double near_line(std::span<const Vec3> line, double back, double up, double width) {
-  double most = 0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const glm::dvec2 a{line[i]};
-    const glm::dvec2 edge = glm::dvec2{line[i + 1]} - a;
-    const glm::dvec2 from_a = glm::dvec2{back, up} - a;
-    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
-    const double strength = mix(line[i].z, line[i + 1].z, t);
-    most = std::max(most, strength * bell(glm::length(from_a - edge * t), width));
-  }
-  return most;
-}
+// Lines of (back, up, strength).
 
 /// The rim: from its root in the shell forwards, over the top, down the back into the lobe.
 constexpr std::array<Vec3, 13> kHelix{{{.16, -.06, .3},
@@ -94,17 +82,17 @@ constexpr std::array<Vec3, 3> kTragus{{{-.50, -.12, .7}, {-.44, -.36, 1}, {-.42,
 
 /// Height of the front of the ear over its plate.
 double relief(double back, double up) {
+  const glm::dvec2 at{back, up};
   const double shell =
       glm::length(glm::dvec2{(back - 0.12) / 0.62, (up + 0.22) / (up > -0.22 ? 0.92 : 0.76)});
-  const double ridge =
-      std::max({near_line(kAntihelix, back, up, 0.24), near_line(kUpperLeg, back, up, 0.19),
-                near_line(kLowerLeg, back, up, 0.15)});
+  const double ridge = std::max({near_line(kAntihelix, at, 0.24), near_line(kUpperLeg, at, 0.19),
+                                 near_line(kLowerLeg, at, 0.15)});
   const double lobe = bell(Vec3{(back - 0.2) / 0.7, (up + 1.55) / 0.42, 0});
   const double fork = bell(Vec3{(back - 0.05) / 0.28, (up - 1.14) / 0.26, 0});
   // The furrow behind the inner ridge is shallow below: narrow and deep, its quads would show.
   const double floor = bell(Vec3{(back - 0.98) / 0.26, (up + 0.25) / 0.7, 0});
-  return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) + 0.46 * near_line(kHelix, back, up, 0.19) +
-         0.43 * ridge - 0.14 * fork + 0.34 * near_line(kTragus, back, up, 0.16) + 0.24 * lobe +
+  return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) + 0.46 * near_line(kHelix, at, 0.19) +
+         0.43 * ridge - 0.14 * fork + 0.34 * near_line(kTragus, at, 0.16) + 0.24 * lobe +
          0.13 * floor;
 }
 

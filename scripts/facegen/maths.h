@@ -51,6 +51,21 @@ inline constexpr double kPi = std::numbers::pi;
   return std::exp(-glm::dot(scaled, scaled));
 }
 
+/// How near `p` is to a polyline of (x, y, strength): the strength on it, falling over `width`.
+[[nodiscard]] inline double near_line(std::span<const Vec3> line, const glm::dvec2& p,
+                                      double width) {
+  double most = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const glm::dvec2 a{line[i]};
+    const glm::dvec2 edge = glm::dvec2{line[i + 1]} - a;
+    const glm::dvec2 from_a = p - a;
+    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
+    const double strength = mix(line[i].z, line[i + 1].z, t);
+    most = std::max(most, strength * bell(glm::length(from_a - edge * t), width));
+  }
+  return most;
+}
+
 /// A power that stays finite for the tiny negative bases that rounding leaves at the ends of
 /// curves.
 [[nodiscard]] inline double power(double base, double exponent) {

@@ -154,24 +154,6 @@ double lid_relief(const Identity& who, const Vec3& p) {
   return window * (deep * bell(y - fold, 0.10) + who.form.eye_bag * bell(y - groove, 0.16));
 }
 
-/// Depth of a groove along a polyline of (x, y, depth) with the given half width.
-double line_depth(std::span<const Vec3> line, const glm::dvec2& p, double width) {
-  double nearest2 = 1e9;
-  double depth = 0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const glm::dvec2 a{line[i]};
-    const glm::dvec2 edge = glm::dvec2{line[i + 1]} - a;
-    const glm::dvec2 from_a = p - a;
-    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
-    const glm::dvec2 off = from_a - edge * t;
-    if (glm::dot(off, off) < nearest2) {
-      nearest2 = glm::dot(off, off);
-      depth = mix(line[i].z, line[i + 1].z, t);
-    }
-  }
-  return depth * std::exp(-nearest2 / (width * width));
-}
-
 /// Depth of the groove round the wing of the nose.
 double alar_groove(const Form& form, const Vec3& p) {
   const double x = std::abs(p.x) / form.nose_width;
@@ -184,7 +166,7 @@ double alar_groove(const Form& form, const Vec3& p) {
                                               {1.155, -.28, .090},
                                               {1.06, -.55, .060},
                                               {.92, -.72, .010}}};
-  return line_depth(kLine, {x, p.y}, 0.135) * smooth_step(7.2, 7.7, p.z);
+  return near_line(kLine, {x, p.y}, 0.135) * smooth_step(7.2, 7.7, p.z);
 }
 
 /// Depth (negative: height) of everything about the lips.
@@ -239,16 +221,11 @@ double bony_hollows(const Form& form, const Vec3& p) {
 /// corner of the mouth down.
 double set_lines(const Form& form, const Vec3& p) {
   if (p.z <= 5 || p.y >= 0.6 || p.y <= -4.6) return 0;
-  static constexpr std::array<Vec3, 5> kFurrow{{{1.20, 0.10, 0.3},
-                                                {1.44, -0.55, 1.0},
-                                                {1.82, -1.25, 1.0},
-                                                {2.14, -1.90, 0.7},
-                                                {2.28, -2.50, 0.0}}};  // x, y, depth
   static constexpr std::array<Vec3, 3> kJowl{
       {{1.95, -2.75, 0.0}, {2.02, -3.30, 1.0}, {1.92, -3.95, 0.2}}};
   const double x = std::abs(p.x);
-  return (form.furrow * line_depth(kFurrow, {x, p.y}, 0.22) +
-          form.jowl * line_depth(kJowl, {x, p.y}, 0.26)) *
+  return (form.furrow * near_line(kFurrow, {x, p.y}, 0.22) +
+          form.jowl * near_line(kJowl, {x, p.y}, 0.26)) *
          smooth_step(5.0, 6.0, p.z);
 }
 

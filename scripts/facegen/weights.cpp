@@ -35,22 +35,7 @@ double nose_tip_field(const Vec3& p) {
 /// 1 on the furrow from the wing of the nose to beside the corner of the mouth.
 double nasolabial_field(const Vec3& p) {
   if (p.z < 5) return 0;
-  static constexpr std::array<Vec3, 5> kLine{{{1.16, -0.25, 0.3},
-                                              {1.45, -0.75, 1.0},
-                                              {1.88, -1.28, 1.0},
-                                              {2.26, -1.80, 0.7},
-                                              {2.46, -2.25, 0.0}}};  // x, y, depth
-  const double x = std::abs(p.x);
-  double best = 0;
-  for (std::size_t i = 0; i + 1 < kLine.size(); ++i) {
-    const glm::dvec2 a{kLine[i]};
-    const glm::dvec2 edge = glm::dvec2{kLine[i + 1]} - a;
-    const glm::dvec2 from_a = glm::dvec2{x, p.y} - a;
-    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
-    const double depth = mix(kLine[i].z, kLine[i + 1].z, t);
-    best = std::max(best, depth * bell(glm::length(from_a - edge * t), 0.26));
-  }
-  return best;
+  return near_line(kFurrow, {std::abs(p.x), p.y}, 0.26);
 }
 
 double glabella_field(const Vec3& p) {
