@@ -72,7 +72,7 @@ void Pusher::on_served(const ClientRecord& record, const std::string& why) {
     redialler_.worked();
     said_ = false;
   }
-  if (record.end_reason == EndReason(protocol::CloseConnection::Why::Finished)) {
+  if (record.end_reason == ClientEnd(protocol::CloseConnection::Why::Finished)) {
     if (record.packets > 0) spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
     redialler_.again_in(kOfferAgain);
   } else {

@@ -103,7 +103,7 @@ void ClientConnection::on_closed(const link::Ending& ending) {
 void ClientConnection::on_failure(const link::Ending& failure) {
   const bool frames = failure.why == link::Ending::Why::WebSocketFailed;
   finish_sending();
-  note_end(frames ? EndReason(Why::ProtocolError) : EndedHere::TlsFailed, failure.reason, false);
+  note_end(frames ? ClientEnd(Why::ProtocolError) : EndedHere::TlsFailed, failure.reason, false);
 }
 
 void ClientConnection::stop() {
@@ -214,7 +214,7 @@ void ClientConnection::finish_sending() {
   link_->finish();
 }
 
-void ClientConnection::note_end(EndReason end_reason, std::string_view reason, bool in_order) {
+void ClientConnection::note_end(ClientEnd end_reason, std::string_view reason, bool in_order) {
   if (std::exchange(end_noted_, true)) return;
   record_ = so_far();
   record_.end_reason = end_reason;

@@ -105,7 +105,7 @@ class ClientConnection final : public link::LinkUser,
   void flush();
   [[nodiscard]] bool gathers();
   void finish_sending();
-  void note_end(EndReason end_reason, std::string_view reason, bool in_order);
+  void note_end(ClientEnd end_reason, std::string_view reason, bool in_order);
   void lose();
   void close();
   void go_on();

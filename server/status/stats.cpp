@@ -38,7 +38,7 @@ std::string_view name_of(EndedHere reason) {
 
 }  // namespace
 
-std::string_view name(EndReason reason) {
+std::string_view name(ClientEnd reason) {
   const auto* here = std::get_if<EndedHere>(&reason);
   return here != nullptr ? name_of(*here) : name(std::get<protocol::CloseConnection::Why>(reason));
 }

@@ -19,10 +19,10 @@ enum class EndedHere : std::uint8_t {
   TimedOut,    ///< --client-timeout
   TlsFailed,
 };
-using EndReason = std::variant<protocol::CloseConnection::Why, EndedHere>;
+using ClientEnd = std::variant<protocol::CloseConnection::Why, EndedHere>;
 
 /// "finished", "timed out", ... as --stats has it.
-[[nodiscard]] std::string_view name(EndReason reason);
+[[nodiscard]] std::string_view name(ClientEnd reason);
 
 /// What one client got, from accept to close.
 struct ClientRecord {
@@ -36,7 +36,7 @@ struct ClientRecord {
   /// From the first keyframe's handing to the socket until the last answer was in and {-2} was
   /// due, or until the connection ended without that. Zero when no keyframe went out.
   Duration send_time{0};
-  EndReason end_reason{};            ///< when it has ended
+  ClientEnd end_reason{};            ///< when it has ended
   std::uint64_t packets_merged = 0;  ///< live keyframes left out because the client was slow
   std::uint64_t voice_packets = 0;   ///< handed out
   std::uint64_t sound_bytes = 0;     ///< of voice packets and captions
