@@ -40,7 +40,6 @@ class StreamQuestion final : public link::LinkUser {
   void on_open() override;
   void on_bytes(std::string_view bytes) override;
   void on_peer_end() override;
-  void on_room() override {}
   void on_time() override;
   void on_closed(const link::Ending& ending) override;
   void end(Result<Names> result);

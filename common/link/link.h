@@ -39,7 +39,7 @@ class LinkUser {
   /// The peer has ended its sending side. Comes at most once.
   virtual void on_peer_end() = 0;
   /// The link was blocked() and everything has been taken since.
-  virtual void on_room() = 0;
+  virtual void on_room() {}
   /// The time asked for by wake_at() has come.
   virtual void on_time() = 0;
   /// TLS or the WebSocket has failed. What is still to be sent is drained, then on_closed() says
