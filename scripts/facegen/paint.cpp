@@ -27,7 +27,7 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position) {
 /// The thin skin round the eye and over the temple is cooler and a little darker.
 Vec3 cooled(const Vec3& colour, const Vec3& p) {
   if (p.z < 2) return colour;
-  const double socket = 0.65 * bell(Vec3{(p.x - 1.75) / 0.95, (p.y - 3.1) / 0.8, 0}) +
+  const double socket = 0.50 * bell(Vec3{(p.x - 1.75) / 0.95, (p.y - 3.1) / 0.8, 0}) +
                         0.40 * bell(Vec3{(p.x - 1.9) / 0.85, (p.y - 1.95) / 0.42, 0});
   const double temple = bell(Vec3{(p.x - 4.3) / 0.9, (p.y - 3.4) / 1.3, (p.z - 4) / 1.6});
   return colour * mix(Vec3{1}, Vec3{0.90, 0.86, 0.88}, saturate(socket + 0.35 * temple));

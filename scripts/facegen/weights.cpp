@@ -32,6 +32,12 @@ double nose_tip_field(const Vec3& p) {
          smooth_step(6.0, 7.0, p.z);
 }
 
+/// What they raise less than the lip: the wings of the nose, or it is a W from the front.
+double nose_wing_field(const Vec3& p) {
+  return smooth_step(-1.3, -0.6, p.y) * smooth_step(1.5, 1.1, std::abs(p.x)) *
+         smooth_step(6.0, 7.0, p.z);
+}
+
 /// 1 on the furrow from the wing of the nose to beside the corner of the mouth.
 double nasolabial_field(const Vec3& p) {
   if (p.z < 5) return 0;
@@ -129,7 +135,8 @@ void weigh_by_position(const Identity& who, Vertex& vertex) {
   vertex[Map::Smile] = smile_field(p);
   vertex[Map::Forehead] = forehead_field(p);
   vertex[Map::LowerLip] = lower_lip_field(who, p);
-  vertex[Map::UpperLip] = (1 - vertex[Map::LowerLip]) * (1 - 0.65 * nose_tip_field(p));
+  vertex[Map::UpperLip] = (1 - vertex[Map::LowerLip]) * (1 - 0.65 * nose_tip_field(p)) *
+                          (1 - 0.40 * nose_wing_field(p));
   vertex[Map::UpperRed] = 0;
   vertex[Map::LowerRed] = 0;
   vertex[Map::Nasolabial] = nasolabial_field(p);
