@@ -97,7 +97,7 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   const bool upper = v.spoke <= kMouthCornerSpoke;
   const double to_corner = (upper ? v.spoke : 24 - v.spoke) / 12.0;
   const double jaw =
-      upper ? 0.40 * towards_corner(to_corner) : 1 - 0.60 * towards_corner(to_corner);
+      upper ? 0.48 * towards_corner(to_corner) : 1 - 0.52 * towards_corner(to_corner);
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], lower, blend);
