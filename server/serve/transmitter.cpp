@@ -51,8 +51,7 @@ class Transmitter {
                                     : camera::OnSight(),
                     [this] { return stops_meanwhile(); }}),
         pushers_(io_, {[this](const std::string& name) { return programme_.named(name); },
-                       [this](const std::string& name, std::string peer, auto link, auto bytes,
-                              auto on_served) {
+                       [this](const auto& name, auto peer, auto link, auto bytes, auto on_served) {
                          clients_.serve(std::move(peer), programme_.alone(name), std::move(link),
                                         bytes, std::move(on_served));
                        }}),
