@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -186,5 +187,10 @@ struct SmallModel {
         .file();
   }
 };
+
+/// A file as a model is read.
+inline std::span<const std::uint8_t> bytes_of(const std::string& file) {
+  return {reinterpret_cast<const std::uint8_t*>(file.data()), file.size()};
+}
 
 }  // namespace aucast::test

@@ -42,8 +42,7 @@ struct OneStep {
                                  .tables(2, std::vector<FlatTable>(graphs, graph))
                                  .tables(4, buffers)
                                  .file();
-    return read_model({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()},
-                      "a.tflite");
+    return read_model(test::bytes_of(file), "a.tflite");
   }
   /// What is wrong with it; empty: nothing.
   [[nodiscard]] std::string wrong() const {

@@ -13,12 +13,8 @@
 namespace aucast::mesh {
 namespace {
 
-std::span<const std::uint8_t> bytes_of(const std::string& text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 Result<Net> net_of(const std::string& file) {
-  return Net::make(bytes_of(file), "small.tflite");
+  return Net::make(test::bytes_of(file), "small.tflite");
 }
 
 TEST(Net, RunsWhatAFileDescribes) {
