@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
+#include "tests/support/allocations.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/face/small_face.h"
 
@@ -145,6 +149,65 @@ TEST(Mixer, StaysBetweenSmallestAndLargestDemand) {
     EXPECT_LE(average, 2.0F);
     EXPECT_EQ(average == 0, maximum == 0);
   }
+}
+
+/// Some AUs of the face at some intensities, other ones on each side.
+AuFrame some_aus(const Face& face, aucast::test::Seeded& seeded) {
+  AuFrame frame;
+  for (const auto& [number, recording] : face.recordings) {
+    const auto at = static_cast<std::size_t>(number);
+    if (seeded.chance(0.5)) frame.left[at] = static_cast<float>(seeded.real(0, 1));
+    if (seeded.chance(0.5)) frame.right[at] = static_cast<float>(seeded.real(0, 1));
+  }
+  return frame;
+}
+
+TEST(Mixer, ExchangedSidesMoveTheMusclesOfTheOtherSide) {
+  aucast::test::Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 100; ++run) {
+    Face face =
+        face_with({{"left_a", Side::Left}, {"right_a", Side::Right}, {"middle", Side::Both}});
+    for (int number = 1; number <= 6; ++number) {
+      const auto pair = static_cast<float>(seeded.real(0, 2));
+      record(face, number, {pair, pair, static_cast<float>(seeded.real(0, 2))});
+    }
+    const AuFrame frame = some_aus(face, seeded);
+    AuFrame exchanged = frame;
+    std::swap(exchanged.left, exchanged.right);
+    for (const Mixer mixer : {Mixer::Maximum, Mixer::Average}) {
+      const auto here = mixed(face, frame, mixer);
+      const auto there = mixed(face, exchanged, mixer);
+      EXPECT_EQ(there, (std::vector<float>{here[1], here[0], here[2]}));
+    }
+  }
+}
+
+TEST(Mixer, AtMaximumOneMoreAuTakesNothingAway) {
+  const Face face = test::small_face();
+  aucast::test::Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  for (int run = 0; run < 100; ++run) {
+    const AuFrame frame = some_aus(face, seeded);
+    const auto before = mixed(face, frame, Mixer::Maximum);
+    for (const auto& [number, recording] : face.recordings) {
+      AuFrame more = frame;
+      more.left[static_cast<std::size_t>(number)] = 1;
+      const auto after = mixed(face, more, Mixer::Maximum);
+      for (std::size_t i = 0; i < before.size(); ++i) ASSERT_GE(after[i], before[i]) << number;
+    }
+  }
+}
+
+TEST(Mixer, AllocatesNothing) {
+  const Face face = test::small_face();
+  aucast::test::Seeded seeded;
+  const AuFrame frame = some_aus(face, seeded);
+  std::vector<float> activations(face.channels.size());
+  const std::size_t before = aucast::test::allocations();
+  mix(face, frame, Mixer::Maximum, activations);
+  mix(face, frame, Mixer::Average, activations);
+  EXPECT_EQ(aucast::test::allocations(), before);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/mesh/flat_buffer.h"
+#include "tests/support/allocations.h"
 #include "tests/support/small_model.h"
 
 namespace aucast::mesh {
@@ -38,6 +39,14 @@ TEST(Net, GivesTheSameNumbersAgain) {
   const std::vector<float> first(net->output(0).begin(), net->output(0).end());
   net->run();
   EXPECT_TRUE(std::equal(first.begin(), first.end(), net->output(0).begin()));
+}
+
+TEST(Net, AllocatesNothingWhileItRuns) {
+  auto net = net_of(test::SmallModel().file());
+  ASSERT_TRUE(net.has_value());
+  const std::size_t before = aucast::test::allocations();
+  net->run();
+  EXPECT_EQ(aucast::test::allocations(), before);
 }
 
 void expect_bad(const std::string& file, const std::string& why) {
