@@ -29,57 +29,27 @@ class GlObject {
   GLuint id_;
 };
 
-// glGen* and glDelete* are macros over function pointers in libepoxy, hence the small structs.
-struct BufferTraits {
+/// A kind of object whose names `kGenerate` hands out and `kDelete` takes back: functions, or
+/// libepoxy's pointers to them.
+template <auto& kGenerate, auto& kDelete>
+struct NamedTraits {
   static GLuint create() {
     GLuint id = 0;
-    glGenBuffers(1, &id);
+    kGenerate(1, &id);
     return id;
   }
-  static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
-};
-struct VertexArrayTraits {
-  static GLuint create() {
-    GLuint id = 0;
-    glGenVertexArrays(1, &id);
-    return id;
-  }
-  static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
-};
-struct TextureTraits {
-  static GLuint create() {
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    return id;
-  }
-  static void destroy(GLuint id) { glDeleteTextures(1, &id); }
-};
-struct RenderbufferTraits {
-  static GLuint create() {
-    GLuint id = 0;
-    glGenRenderbuffers(1, &id);
-    return id;
-  }
-  static void destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
-};
-struct FramebufferTraits {
-  static GLuint create() {
-    GLuint id = 0;
-    glGenFramebuffers(1, &id);
-    return id;
-  }
-  static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
+  static void destroy(GLuint id) { kDelete(1, &id); }
 };
 struct ProgramTraits {
   static GLuint create() { return glCreateProgram(); }
   static void destroy(GLuint id) { glDeleteProgram(id); }
 };
 
-using Buffer = GlObject<BufferTraits>;
-using VertexArray = GlObject<VertexArrayTraits>;
-using Texture = GlObject<TextureTraits>;
-using Renderbuffer = GlObject<RenderbufferTraits>;
-using Framebuffer = GlObject<FramebufferTraits>;
+using Buffer = GlObject<NamedTraits<glGenBuffers, glDeleteBuffers>>;
+using VertexArray = GlObject<NamedTraits<glGenVertexArrays, glDeleteVertexArrays>>;
+using Texture = GlObject<NamedTraits<glGenTextures, glDeleteTextures>>;
+using Renderbuffer = GlObject<NamedTraits<glGenRenderbuffers, glDeleteRenderbuffers>>;
+using Framebuffer = GlObject<NamedTraits<glGenFramebuffers, glDeleteFramebuffers>>;
 using Program = GlObject<ProgramTraits>;
 
 /// Compiles and links. Failed, naming the program and with the compiler's words, when it does not.
