@@ -21,7 +21,7 @@ namespace aucast::server {
 /// Thread: that of the io_context, which must outlive it together with what the hooks refer to.
 class Pushers {
  public:
-  /// `name`: of a stream, as its address has it; empty: the first.
+  /// Those of each Pusher; `name`: of its stream, as its address has it; empty: the first.
   struct Hooks {
     std::function<const protocol::ServedStream*(const std::string& name)> stream;
     std::function<void(const std::string& name, std::string peer, std::shared_ptr<link::Link>,
