@@ -123,10 +123,8 @@ std::string unknown_reason(std::string_view text) {
   return reason +
          "; known are OpenFace (AU01_r, ... with timestamp or confidence), FACSvatar, Py-Feat "
          "(AU01, ... with FaceScore), LibreFace (au_1_intensity, ...), FaceReader (Action Unit 01 "
-         "- "
-         "..., ...), iMotions (AU1 Evidence, ... or Brow Furrow, ...), Live Link Face and curves "
-         "of "
-         "ARKit or MediaPipe (jawOpen, ...)";
+         "- ..., ...), iMotions (AU1 Evidence, ... or Brow Furrow, ...), Live Link Face and curves "
+         "of ARKit or MediaPipe (jawOpen, ...)";
 }
 
 }  // namespace aucast::sources

@@ -46,8 +46,7 @@ NatsServers servers_of(const NatsOptions& options) {
 void warn_of_full() {
   spdlog::warn(
       "NATS brings more than this computer works on: what does not fit into {} MiB is left out, "
-      "and "
-      "counted in the status (messages_left_out)",
+      "and counted in the status (messages_left_out)",
       link::LoopGate::kBytesMax >> 20U);
 }
 

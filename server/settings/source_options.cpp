@@ -87,8 +87,7 @@ std::vector<OptionRow> recording_rows(SourceOptions& options) {
       {"face-id", "N", "", "one face, or all",
        "Which of several faces. Without it: the most frequent one of a recording, the first "
        "one of a live source, the clearest of a film or camera, whose faces count from 0 as they "
-       "are "
-       "first seen. With all, each face is a stream of its own, STEM-FACE such as "
+       "are first seen. With all, each face is a stream of its own, STEM-FACE such as "
        "webcam-0. A recording gives at most 64, the most frequent first. A live source "
        "gives at most 16, each from the moment it is first seen, after a stream without a "
        "number, which exists from the start and follows one of them.",

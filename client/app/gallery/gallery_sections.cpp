@@ -238,8 +238,7 @@ void GalleryPlanner::add_appendix_b() {
       "Appendix B",
       "The thesis' six expressions (table 3.2) with both mixers, with and without co-occurrence "
       "rules, beside Waters' own six, muscle by muscle (values above what a muscle of this face "
-      "can "
-      "do are cut). Under each picture: the Action Units that the rules left.",
+      "can do are cut). Under each picture: the Action Units that the rules left.",
       {}};
   for (const face::Mixer mixer : {face::Mixer::Average, face::Mixer::Maximum}) {
     GalleryBlock block{"Mixer: " + std::string(face::name(mixer)),
