@@ -460,8 +460,8 @@ TEST_F(Panels, TheFileDialogChoosesAFile) {
   model_.browser.folder = "/streams";
   model_.browser.entries = {{"more", true}, {"talk.txt", false}};
   static_cast<void>(picture());
-  EXPECT_TRUE(find_by_clicking<EnterFolder>(200, 180, 230).has_value());
-  for (float y = 190; y < 270; y += 10) static_cast<void>(click(200, y));
+  EXPECT_TRUE(find_by_clicking<EnterFolder>(200, 206, 254).has_value());
+  for (float y = 206; y < 290; y += 10) static_cast<void>(click(200, y));
   const auto chosen = find_by_clicking<ChooseFile>(550, 560, 640);
   ASSERT_TRUE(chosen.has_value());
   EXPECT_EQ(chosen->file, "talk.txt");

@@ -212,8 +212,7 @@ TEST_F(StreamSessionTest, ATableOfARecogniserPlaysAsItIsSetToBeRead) {
   ask(gui::OpenStream{table.string()});
   ask(LocalCommand(gui::Seek{Duration::max()}));
   EXPECT_EQ(model().remote.aus.at(0).shown_percent, 75);
-  EXPECT_EQ(model().recent_files,
-            (std::vector<std::string>{table.string(), another.string()}));
+  EXPECT_EQ(model().recent_files, (std::vector<std::string>{table.string(), another.string()}));
 }
 
 TEST_F(StreamSessionTest, TheDialogOpensAFileAndKeepsOpenForOneThatIsWrong) {
