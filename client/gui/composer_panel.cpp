@@ -132,8 +132,7 @@ void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommand
   ImGui::SetNextItemWidth(-1);
   int ms = std::max(composer.ms, 0);
   ImGui::BeginDisabled(composer.ms < 0);
-  if (number_field("##ms", ms, {.near = 50, .far = 500}))
-    ask(commands, ComposeTime{ms, false});
+  if (number_field("##ms", ms, {.near = 50, .far = 500})) ask(commands, ComposeTime{ms, false});
   ImGui::EndDisabled();
 }
 
@@ -156,8 +155,8 @@ void step_on_pad(const ComposerView& composer, const ArrowSteps& arrows, GuiComm
     return std::clamp(from + kPadStep * static_cast<float>(steps), -1.0F, 1.0F);
   };
   constexpr float kNear = kPadStep / 2;
-  const auto [x, y] = snapped(composer, stepped(at[0], arrows.right), stepped(at[1], arrows.up),
-                              kNear, kNear);
+  const auto [x, y] =
+      snapped(composer, stepped(at[0], arrows.right), stepped(at[1], arrows.up), kNear, kNear);
   ask(commands, ComposeMood{x, y, arrows.continued});
 }
 
@@ -211,10 +210,9 @@ void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) 
   if (!active) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const float near = kSnap * look.scale;
-  const std::array<float, 2> wanted =
-      snapped(composer, std::clamp((mouse.x - middle.x) / reach.x, -1.0F, 1.0F),
-              std::clamp((middle.y - mouse.y) / reach.y, -1.0F, 1.0F), near / reach.x,
-              near / reach.y);
+  const std::array<float, 2> wanted = snapped(
+      composer, std::clamp((mouse.x - middle.x) / reach.x, -1.0F, 1.0F),
+      std::clamp((middle.y - mouse.y) / reach.y, -1.0F, 1.0F), near / reach.x, near / reach.y);
   if (composer.pad_at == wanted) return;
   ask(commands, ComposeMood{wanted[0], wanted[1], continued});
 }

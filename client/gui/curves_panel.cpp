@@ -103,8 +103,8 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
   };
   if (arrows.held) {
     if (arrows.up != 0) ImGui::SetScrollFromPosY(row_top - ImGui::GetWindowPos().y, 0.5F);
-    list.AddRect(ImVec2(left, row_top), ImVec2(right, row_top + height),
-                 colour_of(Tone::Waiting), 0, 0, look.scale);
+    list.AddRect(ImVec2(left, row_top), ImVec2(right, row_top + height), colour_of(Tone::Waiting),
+                 0, 0, look.scale);
     const int number = (*local.curves)[static_cast<std::size_t>(form.row)].number;
     return tell(number, local.position, left, row_top);
   }

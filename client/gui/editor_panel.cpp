@@ -145,8 +145,7 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   const float word = ImGui::CalcTextSize(tr("button.save")).x + ImGui::GetStyle().FramePadding.x;
   const float button = std::max((width - gap) / 2, word);
   ImGui::SetNextItemWidth(width - gap - button);
-  if (number_field("##as", target, {.least = 1, .most = kAuNumberMax}))
-    form.save_as = target;
+  if (number_field("##as", target, {.least = 1, .most = kAuNumberMax})) form.save_as = target;
   target = form.save_as >= 0 ? form.save_as : editor.au;
   const bool unnamed = target > 0 && !facs_name(target);
   ImGui::SameLine();

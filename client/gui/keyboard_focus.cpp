@@ -231,8 +231,8 @@ void stay_in_field() {
   ImGui::SetActiveID(field, ImGui::GetCurrentWindow());
   context.ActiveIdUsingNavDirMask = ~0U;
   context.ActiveIdUsingNavInputMask = 1U << static_cast<unsigned>(ImGuiNavInput_Cancel);
-  context.ActiveIdUsingKeyInputMask =
-      (ImU64{1} << static_cast<unsigned>(ImGuiKey_Home)) | (ImU64{1} << static_cast<unsigned>(ImGuiKey_End));
+  context.ActiveIdUsingKeyInputMask = (ImU64{1} << static_cast<unsigned>(ImGuiKey_Home)) |
+                                      (ImU64{1} << static_cast<unsigned>(ImGuiKey_End));
   if (ImGuiInputTextState* const text = ImGui::GetInputTextState(field)) text->SelectAll();
 }
 

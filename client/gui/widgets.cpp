@@ -305,8 +305,7 @@ void say_if_outside(double typed, const std::array<Number, 2>& limits) {
 /// is typed.
 template <typename Number>
 bool slider_of(ImGuiDataType type, const char* id, float width, Number& value,
-               const std::array<Number, 2>& limits, const char* format,
-               const char* widest = "") {
+               const std::array<Number, 2>& limits, const char* format, const char* widest = "") {
   std::array<char, 32> text{};
   float column = ImGui::CalcTextSize(widest).x;
   const auto width_of = [&](Number number) {
