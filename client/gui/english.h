@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "client/gui/english_errors.h"
 #include "client/gui/english_tips.h"
 
 namespace aucast::gui {
 
-/// The texts of the window but those of english_tips.h. {name} is a place that is filled in.
+/// The texts of the window but those of english_tips.h and english_errors.h. {name} is a place that
+/// is filled in.
 inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
     {"button.new", "New"},
     {"button.open", "Open"},
@@ -291,7 +293,8 @@ inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
     {"camera.not_installed",
      "au-transmitter, which opens the camera, is not installed: it belongs beside face-player or "
      "in a folder of PATH"},
-    {"camera.no_more", "No more pictures came: the film is over, or the camera was pulled out."},
+    {"camera.no_more", "No more pictures came: was the camera pulled out?"},
+    {"camera.film_over", "The film is over. Start plays it again."},
     {"camera.has_ended", "au-transmitter has ended"},
     {"camera.signalled", "au-transmitter was ended by signal {signal}"},
     {"camera.silent", "au-transmitter does not answer"},
@@ -564,9 +567,11 @@ inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
 
 /// All texts of the window, in English.
 inline constexpr auto kEnglish = [] {
-  std::array<EnglishText, kEnglishLabels.size() + kEnglishTips.size()> all{};
-  std::copy(kEnglishTips.begin(), kEnglishTips.end(),
-            std::copy(kEnglishLabels.begin(), kEnglishLabels.end(), all.begin()));
+  std::array<EnglishText, kEnglishLabels.size() + kEnglishTips.size() + kEnglishErrors.size()>
+      all{};
+  auto* end = std::copy(kEnglishLabels.begin(), kEnglishLabels.end(), all.begin());
+  end = std::copy(kEnglishTips.begin(), kEnglishTips.end(), end);
+  std::copy(kEnglishErrors.begin(), kEnglishErrors.end(), end);
   return all;
 }();
 

@@ -77,6 +77,7 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
      "camera is the first one; camera: and a device is another one; camera: and a film plays that "
      "in its place"},
     {"tip.film", "a film in place of a camera"},
+    {"tip.film_live", "starts the film, and others can watch it from its beginning"},
     {"tip.live", "who watches sees your face of this moment"},
     {"tip.admission", "--token-file, --tls-cert and --tls-key on the command line decide"},
     {"tip.level_meter", "of the sound, from 48 dB below the most there can be"},

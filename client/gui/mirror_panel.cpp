@@ -155,18 +155,19 @@ void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& fo
 void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiCommands& commands) {
   heading(look, tr("camera.others"));
   const bool live = mirror.phase == Phase::Live;
-  const bool can = mirror.phase == Phase::Private;
+  const bool film = mirror.phase == Phase::Off && is_film_source(form.source.data());
+  const bool can = film || mirror.phase == Phase::Private;
   ImGui::BeginDisabled(live);
   address_and_port(look, mirror, form);
   ImGui::EndDisabled();
-  if (wide_button(tr("camera.go_live"), 0, 2, can, can)) {
-    commands.push_back(MirrorCommand(GoLive{form.bind, form.port}));
+  if (wide_button(tr("camera.go_live"), 0, 2, can, can && !film)) {
+    commands.push_back(MirrorCommand(GoLive{form.bind, form.port, form.source.data()}));
   }
-  tip(tr("tip.live"));
+  tip(film ? tr("tip.film_live") : tr("tip.live"));
   if (wide_button(tr("camera.end"), 1, 2, live, live))
     commands.push_back(MirrorCommand(GoPrivate{}));
   if (mirror.seen != nullptr && !mirror.trouble.empty()) {
-    toned_text(Tone::Bad, mirror.trouble);
+    toned_text(mirror.expected ? Tone::Quiet : Tone::Bad, mirror.trouble);
   } else if (live) {
     toned_text(Tone::Good, audience_text(mirror));
   } else {

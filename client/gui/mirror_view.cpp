@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "client/gui/texts.h"
+#include "common/film_name.h"
 
 namespace aucast::gui {
 namespace {
@@ -34,6 +36,11 @@ std::string label_of(int number, const Pair* pair) {
 }
 
 }  // namespace
+
+bool is_film_source(const std::string& source) {
+  constexpr std::string_view kCamera = "camera:";
+  return is_film(source.starts_with(kCamera) ? source.substr(kCamera.size()) : source);
+}
 
 std::vector<AuBar> au_bars(const std::vector<AuTerm>& aus) {
   std::vector<AuTerm> ordered = aus;

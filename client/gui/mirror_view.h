@@ -25,7 +25,7 @@ struct MirrorView {
   bool wanted = false;       ///< the window was asked to begin with it
   std::string source;        ///< camera, camera:DEVICE or what stands in for it
   std::string trouble;       ///< why it is off or was not let live, a sentence; empty: all is well
-  bool expected = false;     ///< and that is how films end
+  bool expected = false;     ///< and that is how films end: nothing is wrong
   std::string live;          ///< ADDR:PORT for others; empty: they are not let in
   std::size_t watching = 0;  ///< how many of them do
   std::shared_ptr<const preview::Seen> seen;  ///< the newest picture; null: none
@@ -40,14 +40,19 @@ struct StartMirror {
   std::string source;
 };
 struct StopMirror {};
-/// Others may connect at this address of this host.
+/// Others may connect at this address of this host. With the camera off it opens it first.
 struct GoLive {
   std::string bind;
   int port = protocol::kDefaultPort;
+  std::string source{};  ///< what is opened where nothing is
 };
 /// They may not any more.
 struct GoPrivate {};
 using MirrorCommand = std::variant<StartMirror, StopMirror, GoLive, GoPrivate>;
+
+/// Whether a film stands in for a camera: "talk.mp4", "camera:talk.mp4". Nobody needs to see it in
+/// private first.
+[[nodiscard]] bool is_film_source(const std::string& source);
 
 /// One AU of a face, or two that exclude each other, as a bar from the middle to both sides.
 struct AuBar {

@@ -14,7 +14,7 @@ using Phase = gui::MirrorView::Phase;
 
 namespace {
 
-std::string in_words(const mirror::Trouble& trouble) {
+std::string in_words(const mirror::Trouble& trouble, bool film) {
   using Kind = mirror::Trouble::Kind;
   switch (trouble.kind) {
     case Kind::None:
@@ -22,7 +22,7 @@ std::string in_words(const mirror::Trouble& trouble) {
     case Kind::Said:
       return trouble.said;
     case Kind::NoPictures:
-      return gui::tr("camera.no_more");
+      return film ? gui::tr("camera.film_over") : gui::tr("camera.no_more");
     case Kind::Ended:
       return gui::tr("camera.has_ended");
     case Kind::Signalled:
@@ -72,6 +72,7 @@ void MirrorSession::apply(const gui::MirrorCommand& command) {
         mirror_->end();
       },
       [this](const gui::GoLive& one) {
+        if (mirror_ == nullptr && !one.source.empty()) start(one.source);
         if (mirror_ == nullptr) return;
         mirror_->order(preview::GoLive{one.bind, static_cast<std::uint16_t>(one.port)});
       },
@@ -99,8 +100,9 @@ std::optional<protocol::Endpoint> MirrorSession::advance() {
   mirror::MirrorState state = mirror_->state();
   view_.phase = phase(state);
   const mirror::Trouble& trouble = state.over ? state.ended : state.refused;
-  view_.trouble = in_words(trouble);
-  view_.expected = trouble.kind == mirror::Trouble::Kind::NoPictures;
+  const bool film = gui::is_film_source(options_.source);
+  view_.trouble = in_words(trouble, film);
+  view_.expected = film && trouble.kind == mirror::Trouble::Kind::NoPictures;
   view_.live = std::move(state.live);
   view_.watching = state.watching;
   view_.seen = std::move(state.seen);

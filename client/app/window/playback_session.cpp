@@ -9,6 +9,7 @@
 #include "client/app/steady.h"
 #include "client/app/window/session_video.h"
 #include "client/gui/kept_settings.h"
+#include "client/gui/said_text.h"
 #include "client/gui/texts.h"
 #include "client/gui/view_text.h"
 #include "client/net/remote_source.h"
@@ -326,7 +327,7 @@ std::string PlaybackSession::title() const {
   const playback::SourceStatus status = playback_->status();
   title += " - " + gui::state_name(playback_->state());
   // What plays on from the buffers has not ended, whatever the server said.
-  if (over() && !status.detail.empty()) title += ": " + status.detail;
+  if (over() && !status.detail.empty()) title += ": " + gui::in_used_language(status.detail);
   return title;
 }
 
@@ -375,9 +376,9 @@ gui::RemoteView PlaybackSession::remote_view() const {
   // Without an end a detail says why it is tried again.
   const bool tries_again =
       status.end == playback::EndReason::NotEnded && !status.connected && status.reconnects > 0;
-  if (gui::went_wrong(status.end)) view.detail = status.detail;
+  if (gui::went_wrong(status.end)) view.detail = gui::in_used_language(status.detail);
   if (tries_again) {
-    view.detail = status.reason;
+    view.detail = gui::in_used_language(status.reason);
     view.again_s = static_cast<int>(std::max<std::int64_t>(
         0, std::chrono::ceil<std::chrono::seconds>(again_at_ - now_).count()));
     view.tries_again = true;

@@ -11,6 +11,7 @@
 #include "client/app/stream_files.h"
 #include "client/app/window/language_choice.h"
 #include "client/app/window/window_style.h"
+#include "client/gui/said_text.h"
 #include "client/gui/texts.h"
 #include "client/gui/user_face.h"
 #include "client/gui/view_text.h"
@@ -137,7 +138,7 @@ void WindowSession::advance(Instant now) {
   lister_.advance();
   gallery_.advance();
   if (const auto exported = export_.advance()) {
-    say(*exported ? **exported : exported->error().message, !*exported, now);
+    say(gui::in_used_language(*exported ? **exported : exported->error().message), !*exported, now);
   }
 }
 
@@ -427,7 +428,8 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
   if (!opened->found.empty()) {
     gui::remember_table(tables_, table);
     const std::string changed = gui::table_in_words(table.settings);
-    say(opened->found + (changed.empty() ? "" : "\n" + gui::tr("file.tables_applied", changed)),
+    say(gui::in_used_language(opened->found) +
+            (changed.empty() ? "" : "\n" + gui::tr("file.tables_applied", changed)),
         false, now);
   }
   files_.opened(file);

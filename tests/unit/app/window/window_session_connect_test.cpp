@@ -1,6 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <string>
+#include <thread>
+#include <utility>
+
 #include "client/app/window/window_settings.h"
+#include "client/gui/texts.h"
 #include "tests/unit/app/window/window_session_fixture.h"
 
 namespace aucast::app {
@@ -34,6 +40,26 @@ TEST_F(ConnectTest, AnAddressThatDidNotAnswerIsNotKept) {
   EXPECT_EQ(model().remote_settings, mistyped) << "it can be corrected";
   settings.remote.buffer = 50;
   EXPECT_EQ(session_->kept().remote, settings.remote);
+}
+
+TEST_F(ConnectTest, WhyThereIsNoConnectionIsSaidInTheLanguageInUse) {
+  auto french = gui::load_language(assets_->data_folder / "languages" / "fr.toml");
+  ASSERT_TRUE(french) << french.error().message;
+  gui::use_language(*std::move(french));
+  gui::RemoteSettings nobody;
+  nobody.address = "127.0.0.1";
+  nobody.port = 1;
+  ask(gui::Connect{nobody});
+  std::string detail;
+  for (int i = 0; i < 4000 && detail.empty(); ++i) {
+    session_->advance(clock_.now());
+    detail = model().remote.detail;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  gui::use_english();
+  EXPECT_NE(detail.find("127.0.0.1:1"), std::string::npos) << detail;
+  EXPECT_NE(detail.find("connexion refusée"), std::string::npos) << detail;
+  EXPECT_EQ(detail.find("running"), std::string::npos) << detail;
 }
 
 TEST_F(ConnectTest, TheOtherHostsOfAnAddressAreTriedTooWhoeverNamedThem) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "client/gui/texts.h"
 #include "common/files.h"
 #include "common/preview/preview_writer.h"
 #include "tests/support/temp_folder.h"
@@ -87,7 +88,24 @@ TEST_F(WindowMirror, PlaysAFilmThatWasChosenAndTakesItsEndForNoFailure) {
   ASSERT_TRUE(asked.has_value());
   EXPECT_NE(asked->find("camera:" + film), std::string::npos);
   EXPECT_TRUE(model().mirror.expected);
-  EXPECT_NE(model().mirror.trouble, "");
+  EXPECT_EQ(model().mirror.trouble, gui::tr("camera.film_over"));
+}
+
+TEST_F(WindowMirror, ACameraThatGivesNoMoreIsAFailure) {
+  begin("echo 'listening on 127.0.0.1:1'; cat record");
+  ASSERT_TRUE(becomes([](const gui::MirrorView& view) { return !view.trouble.empty(); }));
+  EXPECT_EQ(model().mirror.trouble, gui::tr("camera.no_more"));
+  EXPECT_FALSE(model().mirror.expected);
+}
+
+TEST_F(WindowMirror, AFilmGoesLiveAtOnce) {
+  begin(
+      "if [ -e second ]; then echo 'listening on 127.0.0.1:1'; read order port bind\n"
+      "echo live $bind:$port; cat record; read order; fi; touch second; exit 1");
+  ASSERT_TRUE(reaches(Phase::Off));
+  ask(gui::GoLive{"127.0.0.1", 4650, "camera:" + folder_.write("me.mp4", "").string()});
+  ASSERT_TRUE(reaches(Phase::Live));
+  EXPECT_EQ(model().mirror.live, "127.0.0.1:4650");
 }
 
 TEST_F(WindowMirror, AnAddressThatIsNoneIsASentenceThatStays) {

@@ -1,0 +1,67 @@
+#include "client/gui/said_text.h"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "client/gui/texts.h"
+
+namespace aucast::gui {
+namespace {
+
+using Values = std::vector<std::string>;
+
+/// What stands in `text` at the places of a pattern, each as short as it can be; nothing when the
+/// text is not of that pattern. Between two places there is always something.
+std::optional<Values> places_in(std::string_view text, std::string_view pattern) {
+  Values values;
+  while (!pattern.empty()) {
+    const std::size_t open = pattern.find('{');
+    const std::string_view before = pattern.substr(0, open);
+    if (!text.starts_with(before)) return std::nullopt;
+    text.remove_prefix(before.size());
+    if (open == std::string_view::npos) break;
+    pattern.remove_prefix(pattern.find('}', open) + 1);
+    const std::string_view behind = pattern.substr(0, pattern.find('{'));
+    // The last part ends the text, so that "; " within a reason does not end the pattern.
+    const bool last = behind.size() == pattern.size();
+    if (last && !text.ends_with(behind)) return std::nullopt;
+    const std::size_t end = last ? text.size() - behind.size() : text.find(behind);
+    if (end == std::string_view::npos || end == 0 || end > text.size()) return std::nullopt;
+    values.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  if (!text.empty()) return std::nullopt;
+  return values;
+}
+
+bool is_said(std::string_view key) {
+  return key.starts_with("net.") || key.starts_with("made.");
+}
+
+std::optional<std::string> translated(std::string_view english) {
+  for (std::size_t row = 0; row < kEnglish.size(); ++row) {
+    if (!is_said(kEnglish[row].key)) continue;
+    auto values = places_in(english, kEnglish[row].text);
+    if (!values) continue;
+    bool any = false;
+    for (std::string& value : *values) {
+      auto better = translated(value);
+      any |= better.has_value();
+      if (better) value = *std::move(better);
+    }
+    // Of "host: words" nothing is known but the colon.
+    if (std::string_view(kEnglish[row].key) == "net.at" && !any) continue;
+    return filled(row, *values);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string in_used_language(const std::string& english) {
+  return translated(english).value_or(english);
+}
+
+}  // namespace aucast::gui
