@@ -426,9 +426,7 @@ inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
     {"view.grey", "Grey"},
     {"view.white", "White"},
     {"view.none", "None"},
-    {"view.none_help",
-     "In pictures: what is behind the face is transparent there. The window goes on with the "
-     "studio."},
+    {"view.none_help", "Pictures are transparent behind the face; the window has squares there."},
     {"view.light_aside", "Light, aside"},
     {"view.light_up", "Light, up"},
     {"view.strength", "Strength"},

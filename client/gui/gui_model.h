@@ -168,7 +168,7 @@ struct TransitionSettings {
   friend bool operator==(const TransitionSettings&, const TransitionSettings&) = default;
 };
 
-/// None: pictures are transparent there; the window shows the studio.
+/// None: pictures are transparent there; the window shows a chequer.
 enum class Ground : std::uint8_t { Studio, Black, Grey, White, None };
 enum class Facing : std::uint8_t { Front, ThreeQuarter, Profile };
 

@@ -93,6 +93,7 @@ void FaceRenderer::State::draw_backdrop(const view::Style& style) {
   glUseProgram(programs.backdrop.id());
   set(programs.backdrop, "u_centre", style.background.centre);
   set(programs.backdrop, "u_edge", style.background.edge);
+  set(programs.backdrop, "u_square", style.background.squares_px);
   glBindVertexArray(no_vertices.id());
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);

@@ -42,7 +42,7 @@ constexpr std::array<Recipe, 8> kRecipes{{
      "",
      "backdrop_vertex.glsl",
      "backdrop_fragment.glsl",
-     {"u_centre", "u_edge"}},
+     {"u_centre", "u_edge", "u_square"}},
     {"lines",
      &Programs::lines,
      "",

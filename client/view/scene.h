@@ -84,6 +84,7 @@ struct Background {
   glm::vec3 centre{0.28F, 0.30F, 0.33F};  ///< linear
   glm::vec3 edge{0.055F, 0.062F, 0.075F};
   bool transparent = false;  ///< pictures have none; where there must be one it has these colours
+  float squares_px = 0;      ///< a chequer of both colours, its squares so large; 0: no chequer
 };
 
 }  // namespace aucast::view

@@ -213,11 +213,13 @@ TEST(FaceRenderer, ShadersInTheFolderOfTheEnvironmentMayChangeWhileItRuns) {
   const auto write_backdrop = [&](const std::string& main) {
     const auto file =
         folder.write("backdrop_fragment.glsl",
-                     "uniform vec3 u_centre;\nuniform vec3 u_edge;\nout vec4 o_colour;\n" + main);
+                     "uniform vec3 u_centre;\nuniform vec3 u_edge;\nuniform float u_square;\n"
+                     "out vec4 o_colour;\n" +
+                         main);
     std::filesystem::last_write_time(file, written += std::chrono::seconds(1));
   };
   write_backdrop(
-      "void main() { o_colour = vec4(step(u_centre, u_edge + 1.0).r, 0.0, 0.0, 1.0); }\n");
+      "void main() { o_colour = vec4(step(u_centre, u_edge + u_square + 1.0).r, 0, 0, 1); }\n");
   ::setenv("AUCAST_SHADERS", folder.path().c_str(), 1);
   auto renderer = render::FaceRenderer::create();
   ASSERT_TRUE(renderer.has_value()) << renderer.error().message;
@@ -231,7 +233,7 @@ TEST(FaceRenderer, ShadersInTheFolderOfTheEnvironmentMayChangeWhileItRuns) {
   };
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{255, 0, 0, 255}));
   write_backdrop(
-      "void main() { o_colour = vec4(0.0, step(u_centre, u_edge + 1.0).g, 0.0, 1.0); }\n");
+      "void main() { o_colour = vec4(0, step(u_centre, u_edge + u_square + 1.0).g, 0, 1); }\n");
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
   write_backdrop("void main() { nonsense; }\n");
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
@@ -289,6 +291,21 @@ TEST_F(RenderGolden, TheWindowsPlainGroundsAreThatColourOnTheScreen) {
   EXPECT_EQ(corner(gui::Ground::White), 3 * 255);
   EXPECT_EQ(corner(gui::Ground::Black), 0);
   EXPECT_NEAR(corner(gui::Ground::Grey), 3 * 0x73, 3);
+}
+
+TEST_F(RenderGolden, TheWindowShowsSquaresWherePicturesAreTransparent) {
+  const test::SphereHead head;
+  renderer().load(head.static_mesh());
+  gui::RenderingSettings settings;
+  settings.ground = gui::Ground::None;
+  const view::Background ground = app::window_style(settings, std::nullopt, 1).background;
+  EXPECT_TRUE(ground.transparent);
+  const view::Image image = drawn(head.moving_mesh(), {}, kSide, kSide, ground);
+  const int side = static_cast<int>(ground.squares_px);
+  const int first = brightness(image, 1, 1);
+  EXPECT_NE(brightness(image, 1 + side, 1), first);
+  EXPECT_NE(brightness(image, 1, 1 + side), first);
+  EXPECT_EQ(brightness(image, 1 + side, 1 + side), first);
 }
 
 TEST_F(RenderGolden, DrawsAnEmptyMeshAsBackground) {
