@@ -23,6 +23,11 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
      "name, "
      "and for an AU that this face does not have. Mixer, blinks and idle movements come after "
      "this."},
+    {"tip.rule",
+     "The AUs before and after a rule. Opposition: of two that undo each other what one has more "
+     "is left. Alternative: the largest stays. Exclusion: one keeps another away. Cap: of another "
+     "no more than a share is left. Substitution: several give way to one. Dominance: the stronger "
+     "one is, the less of another is left."},
     {"tip.au_asked", "as it was typed, or as the expression has it"},
     {"tip.au_blended",
      "what the face shows in the end: a rule that changed an AU is said below its name. The mixer "

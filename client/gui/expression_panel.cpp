@@ -21,16 +21,30 @@ std::string in_words(const ExpressionButton& button) {
   return aus + "\n" + button.source;
 }
 
+/// So many stand side by side, as equal columns, with room for the longest.
+int columns_of(const ExpressionsView& expressions) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float longest = 0;
+  for (const ExpressionButton& button : expressions.buttons) {
+    if (button.kind == ExpressionKind::Other) continue;
+    longest = std::max(longest, ImGui::CalcTextSize(data_word(button.label).c_str()).x);
+  }
+  const float each = longest + style.FramePadding.x + style.ItemSpacing.x;
+  const float width = ImGui::GetContentRegionAvail().x + style.ItemSpacing.x;
+  return std::clamp(static_cast<int>(width / each), 1, kColumns);
+}
+
 /// Returns how many there were.
 int expression_buttons(const ExpressionsView& expressions, ExpressionKind kind,
                        GuiCommands& commands) {
   int place = 0;
+  const int columns = columns_of(expressions);
   for (std::size_t i = 0; i < expressions.buttons.size(); ++i) {
     const ExpressionButton& button = expressions.buttons[i];
     if (button.kind != kind) continue;
     const bool chosen = static_cast<int>(i) == expressions.chosen;
     ImGui::PushID(static_cast<int>(i));
-    if (wide_button(data_word(button.label).c_str(), place++ % kColumns, kColumns, true, chosen)) {
+    if (wide_button(data_word(button.label).c_str(), place++ % columns, columns, true, chosen)) {
       commands.push_back(ShowExpression{i});
     }
     tip(in_words(button));
@@ -68,7 +82,7 @@ void more_expressions(const Look& look, const ExpressionsView& expressions, int 
   const auto chosen = static_cast<std::size_t>(expressions.chosen);
   const bool is_other = chosen < expressions.buttons.size() &&
                         expressions.buttons[chosen].kind == ExpressionKind::Other;
-  if (buttons % kColumns != 0 && has_room_beside(70 * look.scale)) ImGui::SameLine();
+  if (buttons % columns_of(expressions) != 0 && has_room_beside(70 * look.scale)) ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
   const std::string shown =
       is_other ? data_word(expressions.buttons[chosen].label) : tr("expression.more");

@@ -185,10 +185,10 @@ void bar(const Look& look, const AuBar& one, float width, bool as_mirror) {
   const float text_height = ImGui::GetTextLineHeight();
   const float height = kBarHeight * look.scale;
   const bool absent = one.left_percent + one.right_percent == 0;
-  ImGui::PushClipRect(at, ImVec2(at.x + width, at.y + text_height), true);
-  list.AddText(at, absent ? colour_of(Tone::Quiet) : ImGui::GetColorU32(ImGuiCol_Text),
-               one.label.c_str());
-  ImGui::PopClipRect();
+  const ImVec2 cursor = ImGui::GetCursorPos();
+  fitted_text(one.label, at.x + width,
+              absent ? colour_of(Tone::Quiet) : ImGui::GetColorU32(ImGuiCol_Text));
+  ImGui::SetCursorPos(cursor);
   ImGui::Dummy(ImVec2(width, text_height + height + 2 * look.scale));
   tip(tr("camera.sides", one.label, one.left_percent, one.right_percent));
   const float top = at.y + text_height + look.scale;

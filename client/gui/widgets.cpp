@@ -481,11 +481,15 @@ void au_table(const Look& look, const AuTableWords& words, const std::vector<AuR
     ImGui::TextUnformatted(row.label.c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.name.c_str());
-    if (!row.why.empty()) quiet_text(row.why);
+    if (!row.why.empty()) {
+      quiet_text(row.why);
+      tip(tr("tip.rule"));
+    }
     ImGui::TableNextColumn();
     percent(row.received_percent, false);
     ImGui::TableNextColumn();
     percent(row.shown_percent, !row.why.empty());
+    if (row.received_percent != row.shown_percent) tip(words.shown_tip);
   }
   ImGui::EndTable();
 }

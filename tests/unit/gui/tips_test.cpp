@@ -92,21 +92,37 @@ TEST_F(Tips, ATimeStandsOverTheBarOnlyWhereThePointerIs) {
   EXPECT_EQ(tooltip(), nullptr);
 }
 
-TEST_F(Tips, ADifferenceOfReceivedAndShownAusIsExplainedAtTheirHeadings) {
-  model_.remote.aus = {{"12", "Lip Corner Puller", 100, 60, ""}};
-  model_.remote.keyframe = "keyframe 3";
-  frames(3);
-  ASSERT_NE(contents(), nullptr);
-  const ImRect seen = contents()->InnerRect;
-  ImGui::SetScrollY(contents(), contents()->ScrollMax.y);
-  frames(3);
-  bool explained = false;
-  for (float y = seen.Min.y; y < seen.Max.y && !explained; y += 6) {
-    point_at(seen.Max.x - 30, y);
-    const ImVec2 size = ImGui::CalcTextSize(tr("tip.au_shown"), nullptr, false, 26 * 15.0F);
-    explained = tooltip() != nullptr && std::abs(tooltip()->ContentSize.y - size.y) < 1;
+class AuTips : public Tips {
+ protected:
+  /// Whether it is said of something in the table of AUs, so far from the right.
+  bool is_said(const char* text, float from_right) {
+    model_.remote.keyframe = "keyframe 3";
+    frames(3);
+    if (contents() == nullptr) return false;
+    const ImRect seen = contents()->InnerRect;
+    ImGui::SetScrollY(contents(), contents()->ScrollMax.y);
+    frames(3);
+    const float height = ImGui::CalcTextSize(text, nullptr, false, 26 * 15.0F).y;
+    for (float y = seen.Min.y; y < seen.Max.y; y += 6) {
+      point_at(seen.Max.x - from_right, y);
+      const ImGuiWindow* const said = tooltip();
+      if (said != nullptr && std::abs(said->ContentSize.y - height) < 1) return true;
+    }
+    return false;
   }
-  EXPECT_TRUE(explained);
+};
+
+TEST_F(AuTips, ADifferenceOfReceivedAndShownIsExplainedAtTheirHeadings) {
+  model_.remote.aus = {{"12", "Lip Corner Puller", 100, 60, ""}};
+  EXPECT_TRUE(is_said(tr("tip.au_shown"), 30));
+}
+
+TEST_F(AuTips, TheWordOfARuleIsExplainedWhereItStands) {
+  constexpr float kInNames = 280;
+  model_.remote.aus = {{"51", "Head Left", 100, 100, ""}};
+  EXPECT_FALSE(is_said(tr("tip.rule"), kInNames));
+  model_.remote.aus = {{"51", "Head Left", 100, 60, "opposition: 51 100 % and 52 40 %: 51 60 %"}};
+  EXPECT_TRUE(is_said(tr("tip.rule"), kInNames));
 }
 
 }  // namespace

@@ -39,6 +39,9 @@ TEST(ViewText, TheStateIsSaidInWords) {
             "buffering 100 %");
   EXPECT_EQ(state_in_words(PlaybackState::Playing, connected(), buffers), "playing");
   EXPECT_EQ(state_in_words(PlaybackState::Lost, {}, buffers), "lost");
+  playback::SourceStatus never;
+  never.end = playback::EndReason::Unreachable;
+  EXPECT_EQ(state_in_words(PlaybackState::Lost, never, buffers), "no connection");
   EXPECT_FALSE(plays_the_rest(PlaybackState::Playing, connected()));
   playback::SourceStatus gone;
   gone.reconnects = 1;
