@@ -13,6 +13,7 @@
 #include "common/camera/face_table.h"
 #include "common/mesh/quiet_face.h"
 #include "common/mesh/read_aus.h"
+#include "common/mesh/steady_gaze.h"
 #include "common/text.h"
 #include "common/thread.h"
 
@@ -121,7 +122,9 @@ void CameraFeed::read_faces() {
   block_pipe_signal();
   const FaceTable table(models_.weights, faces_.several);
   const bool typical = faces_.quiet_seconds && *faces_.quiet_seconds == 0;
-  std::vector<mesh::RunningQuietFace> running;  // of each face, by its number
+  // Of each face, by its number.
+  std::vector<mesh::RunningQuietFace> running;
+  std::vector<mesh::RunningSteadyGaze> gazes;
   bool going = write(table.header());
   const std::size_t width = pictures_.format().width();
   const std::size_t height = pictures_.format().height();
@@ -136,7 +139,9 @@ void CameraFeed::read_faces() {
     if (seen.empty()) going = write(table.row(picture.seconds, 0, std::nullopt));
     for (const auto& [number, landmarks] : seen) {
       while (running.size() <= number) running.emplace_back(models_.weights);
-      const auto measures = mesh::measure(mesh::fit_head(landmarks, mesh::kTypicalStillPoints));
+      if (gazes.size() <= number) gazes.resize(number + 1);
+      const auto measures =
+          gazes[number].watch(mesh::measure(mesh::fit_head(landmarks, mesh::kTypicalStillPoints)));
       const AuFrame face = mesh::read_aus(
           models_.weights, measures,
           typical ? models_.weights.typical : running[number].watch(picture.seconds, measures));

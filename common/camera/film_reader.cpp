@@ -11,6 +11,7 @@
 #include "common/camera/picture_source.h"
 #include "common/mesh/quiet_face.h"
 #include "common/mesh/read_aus.h"
+#include "common/mesh/steady_gaze.h"
 #include "common/text.h"
 
 namespace aucast::camera {
@@ -101,7 +102,7 @@ Result<FilmTable> read_film(const std::filesystem::path& path, const FaceOptions
 Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& models,
                             const FaceOptions& options,
                             const std::function<void(const FilmProgress&)>& on_progress) {
-  const auto film = measure_film(path, models.tracker, options.several, on_progress);
+  auto film = measure_film(path, models.tracker, options.several, on_progress);
   if (!film) return film.error();
   if (film->faces.empty()) {
     return Error{ErrorKind::BadData,
@@ -109,7 +110,8 @@ Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& model
                           "no face is seen in its " + counted(film->pictures.size(), "picture"))};
   }
   std::vector<mesh::Measures> rest;
-  for (const auto& face : film->faces) {
+  for (auto& face : film->faces) {
+    mesh::steady_gaze(face);
     rest.push_back(quiet_of(face, film->fps, models.weights, options));
   }
   const FaceTable table(models.weights, options.several);
