@@ -11,7 +11,9 @@ namespace aucast::mesh {
 namespace {
 
 constexpr std::size_t kQuietPart = 5;  ///< one in so many counts as quiet
-constexpr double kLoweredPart = 0.6;   ///< of the usual aperture: eyes that are less open look down
+/// The same for brows: who keeps them raised for seconds while nothing else shows is not at rest.
+constexpr std::size_t kQuietBrowPart = 2;
+constexpr double kLoweredPart = 0.6;  ///< of the usual aperture: eyes that are less open look down
 constexpr std::size_t kMostSeen = 3000;  ///< no statistics gets better by more than this
 constexpr double kKeptEach = 0.2;
 constexpr double kEaseSeconds = 1;  ///< in which the quiet face follows what was found
@@ -52,6 +54,15 @@ bool is_direction(std::size_t number) {
          (number < 2 * kSideMeasures && of_side >= gaze);
 }
 
+/// Of the brows.
+bool is_brow(std::size_t number) {
+  const std::size_t middle = 2 * kSideMeasures;
+  if (number < middle) {
+    return number % kSideMeasures <= static_cast<std::size_t>(SideMeasure::BrowInnerOut);
+  }
+  return number == middle + static_cast<std::size_t>(MiddleMeasure::BrowGap);
+}
+
 double median_of(std::vector<double>& values) {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -69,18 +80,18 @@ double expression_of(const AuWeights& weights, const Measures& seen, const Measu
   return sum;
 }
 
-Measures medians(const std::vector<const Measures*>& quietest,
-                 const std::vector<const Measures*>& all) {
-  std::vector<Numbers> of_quietest;
-  std::vector<Numbers> of_all;
-  for (const Measures* one : quietest) of_quietest.push_back(numbers_of(*one));
-  for (const Measures* one : all) of_all.push_back(numbers_of(*one));
+/// The median of each number; the quietest come first in `seen`.
+Measures medians(std::span<const Measures* const> seen, std::size_t quiet_part,
+                 std::size_t brow_part) {
+  std::vector<Numbers> all;
+  for (const Measures* one : seen) all.push_back(numbers_of(*one));
   Numbers found{};
   std::vector<double> values;
   for (std::size_t number = 0; number < kQuietNumbers; ++number) {
+    const std::size_t part = is_direction(number) ? 1 : is_brow(number) ? brow_part : quiet_part;
     values.clear();
-    for (const Numbers& one : is_direction(number) ? of_all : of_quietest) {
-      values.push_back(one[number]);
+    for (std::size_t index = 0; index < (all.size() + part - 1) / part; ++index) {
+      values.push_back(all[index][number]);
     }
     found[number] = median_of(values);
   }
@@ -138,7 +149,7 @@ Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weight
   for (std::size_t index = 0; index < seen.size(); index += step) all.push_back(&seen[index]);
   // The head is where it mostly is; the typical face knows nothing of that.
   Measures quiet = weights.typical;
-  const Measures usual = medians(all, all);
+  const Measures usual = medians(all, 1, 1);
   quiet.turn = usual.turn;
   // Twice: first against the typical face, then against the one that was found.
   for (int turn = 0; turn < 2; ++turn) {
@@ -156,10 +167,8 @@ Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weight
       return std::pair(a.lowered, a.expression) < std::pair(b.lowered, b.expression);
     });
     std::vector<const Measures*> quietest;
-    for (std::size_t index = 0; index < (ranked.size() + kQuietPart - 1) / kQuietPart; ++index) {
-      quietest.push_back(ranked[index].seen);
-    }
-    quiet = medians(quietest, all);
+    for (const Ranked& one : ranked) quietest.push_back(one.seen);
+    quiet = medians(quietest, kQuietPart, kQuietBrowPart);
     shut_lips(quiet, weights.typical);
     raise_lids(quiet, weights.typical);
   }
@@ -170,7 +179,7 @@ Measures median_face(std::span<const Measures> seen, const AuWeights& weights) {
   if (seen.empty()) return weights.typical;
   std::vector<const Measures*> all;
   for (const Measures& one : seen) all.push_back(&one);
-  return medians(all, all);
+  return medians(all, 1, 1);
 }
 
 const Measures& RunningQuietFace::watch(double seconds, const Measures& seen) {

@@ -11,8 +11,9 @@
 namespace aucast::mesh {
 
 /// The face at rest of somebody who was seen for a while: of the measures of the face the medians
-/// of the quietest fifth of what was seen, those in which the fewest AUs show; of head and gaze the
-/// medians of all, so that who mostly looks past the camera looks straight. Its lips are shut and
+/// of the quietest fifth of what was seen, those in which the fewest AUs show; of brows, which may
+/// stay raised for seconds, of the quieter half; of head and gaze the medians of all, so that who
+/// mostly looks past the camera looks straight. Its lips are shut and
 /// its eyes open to 60 % of what is usual or more, whatever was seen. The typical face when nothing
 /// was seen.
 [[nodiscard]] Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weights);

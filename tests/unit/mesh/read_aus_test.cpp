@@ -176,6 +176,23 @@ TEST(QuietFace, IsThatOfTheQuietestMomentsWithTheHeadWhereItMostlyIs) {
   EXPECT_NEAR(left_of(median_face(film, weights()), SideMeasure::CornerUp), 0.04, kTolerance);
 }
 
+TEST(QuietFace, HasTheBrowsOfTheQuieterHalf) {
+  std::vector<Measures> film(100);
+  for (std::size_t picture = 0; picture < film.size(); ++picture) {
+    // For a fifth of the time brows are raised and nothing else shows; then somebody smiles.
+    const bool raised = picture < film.size() / 5;
+    left_of(film[picture], SideMeasure::BrowInnerUp) = raised ? 0.3 : 0.2;
+    right_of(film[picture], SideMeasure::BrowInnerOut) = raised ? 0.1 : 0.08;
+    middle_of(film[picture], MiddleMeasure::BrowGap) = raised ? 0.4 : 0.35;
+    left_of(film[picture], SideMeasure::CornerUp) = raised ? 0.01 : 0.05;
+  }
+  Measures quiet = find_quiet_face(film, weights());
+  EXPECT_NEAR(left_of(quiet, SideMeasure::CornerUp), 0.01, kTolerance);
+  EXPECT_NEAR(left_of(quiet, SideMeasure::BrowInnerUp), 0.2, kTolerance);
+  EXPECT_NEAR(right_of(quiet, SideMeasure::BrowInnerOut), 0.08, kTolerance);
+  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::BrowGap), 0.35, kTolerance);
+}
+
 TEST(QuietFace, HasShutLipsAlsoOfSomebodyWhoKeepsThemParted) {
   std::vector<Measures> film(20);
   for (Measures& seen : film) {
