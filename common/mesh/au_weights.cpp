@@ -17,6 +17,8 @@ constexpr int kUnitMax = 99;
 /// Of an eye at rest, as in scripts/train_camera/fit.py; one that was shut all the while is no
 /// measure.
 constexpr double kLeastAperture = 0.15;
+constexpr const char* kSideNumbers = "18 numbers are expected";
+constexpr const char* kMiddleNumbers = "13 numbers are expected";
 constexpr std::array<std::string_view, 3> kTurnNames{"turn-left", "turn-up", "tilt-left"};
 
 using Words = std::vector<std::string_view>;
@@ -41,17 +43,22 @@ bool read_numbers(std::span<const std::string_view> words, std::span<double> num
   return true;
 }
 
-/// Reads the file line by line: "quiet-side", "quiet-middle", "feature" and "au" and their words.
+/// Reads the file line by line: "quiet-side", "raised-side", the same of the middle, "feature" and
+/// "au", and their words.
 class WeightsReader {
  public:
   /// What is wrong with the line; nothing if it is right.
   std::optional<std::string> read(const Words& words) {
     const std::span<const std::string_view> rest = std::span(words).subspan(1);
     if (words[0] == "quiet-side") {
-      if (!read_numbers(rest, weights_.typical.left)) return "18 numbers are expected";
+      if (!read_numbers(rest, weights_.typical.left)) return kSideNumbers;
       weights_.typical.right = weights_.typical.left;
     } else if (words[0] == "quiet-middle") {
-      if (!read_numbers(rest, weights_.typical.middle)) return "13 numbers are expected";
+      if (!read_numbers(rest, weights_.typical.middle)) return kMiddleNumbers;
+    } else if (words[0] == "raised-side") {
+      if (!read_numbers(rest, weights_.raised_side)) return kSideNumbers;
+    } else if (words[0] == "raised-middle") {
+      if (!read_numbers(rest, weights_.raised_middle)) return kMiddleNumbers;
     } else if (words[0] == "feature") {
       return read_feature(rest);
     } else if (words[0] == "au") {
@@ -141,6 +148,19 @@ Inputs inputs_of(const Measures& seen, const Measures& quiet, bool left) {
   inputs[at++] = seen.turn.up_rad - quiet.turn.up_rad;
   inputs[at++] = own * (seen.turn.tilt_left_rad - quiet.turn.tilt_left_rad);
   return inputs;
+}
+
+Measures levelled(const AuWeights& weights, const Measures& seen, const Measures& quiet) {
+  const double raised = seen.turn.up_rad - quiet.turn.up_rad;
+  Measures level = seen;
+  for (std::size_t index = 0; index < kSideMeasures; ++index) {
+    level.left[index] -= weights.raised_side[index] * raised;
+    level.right[index] -= weights.raised_side[index] * raised;
+  }
+  for (std::size_t index = 0; index < kMiddleMeasures; ++index) {
+    level.middle[index] -= weights.raised_middle[index] * raised;
+  }
+  return level;
 }
 
 Result<AuWeights> parse_au_weights(std::string_view text, std::string_view file) {

@@ -44,9 +44,17 @@ struct AuWeights {
   };
 
   Measures typical;  ///< a quiet face of nobody in particular
+  /// What only seems to move with each radian by which the head is raised: landmarks are flatter
+  /// than a face, so that what lies before or behind the eyes does not turn back quite.
+  std::array<double, kSideMeasures> raised_side{};
+  std::array<double, kMiddleMeasures> raised_middle{};
   std::vector<Feature> features;
   std::vector<Unit> units;
 };
+
+/// What is seen, without what only seems to move since the head is raised or lowered.
+[[nodiscard]] Measures levelled(const AuWeights& weights, const Measures& seen,
+                                const Measures& quiet);
 
 /// BadData with file:line when the text is no file of weights.
 [[nodiscard]] Result<AuWeights> parse_au_weights(std::string_view text, std::string_view file);

@@ -35,8 +35,9 @@ float above_noise(double value, double threshold) {
 
 AuFrame read_aus(const AuWeights& weights, const Measures& seen, const Measures& quiet) {
   using Kind = AuWeights::Kind;
-  const auto left_features = features_of(weights, inputs_of(seen, quiet, true));
-  const auto right_features = features_of(weights, inputs_of(seen, quiet, false));
+  const Measures level = levelled(weights, seen, quiet);
+  const auto left_features = features_of(weights, inputs_of(level, quiet, true));
+  const auto right_features = features_of(weights, inputs_of(level, quiet, false));
   AuFrame frame;
   for (const AuWeights::Unit& unit : weights.units) {
     const double left = weighed(unit, left_features);

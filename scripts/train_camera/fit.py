@@ -29,6 +29,11 @@ TIMES = [("lip-gap", "mouth-width"), ("lip-gap", "lower-lip-up"), ("lip-gap", "u
 FEATURES = ([(name,) for name in INPUTS] + [(name, "above") for name in ABOVE]
             + [(a, "times", b) for a, b in TIMES])
 
+# What lies before or behind the eyes seems to move up or down when the head is raised or lowered, for
+# landmarks are flatter than a face.
+HEIGHTS = """brow-inner-up brow-middle-up brow-outer-up corner-up nose-wing-up cheek-up nasolabial-up
+upper-lip-up lower-lip-up chin-up chin-boss-up nose-tip-up""".split()
+
 # How far a measure is off on a face that nobody has trained for: what it may not be trusted with.
 DOUBT = {"aperture": 0.08, "gaze-left": 0.06, "gaze-up": 0.06, "turn-left": 0.05, "turn-up": 0.08,
          "tilt-left": 0.05, "corner-front": 0.06, "cheek-front": 0.06, "lips-front": 0.06}
@@ -73,7 +78,7 @@ TOLD_BY = {
     # Not the gap of the lips, which is wide in every smile that bares the teeth: a jaw that drops
     # takes chin and lower lip along.
     26: CHIN + ["lower-lip-up"],
-    61: EYES,
+    61: ["gaze-left"],
     63: EYES + BROWS,
 }
 
@@ -81,6 +86,43 @@ TOLD_BY = {
 def quiet_of(rows):
     """The median face of the given rows; `rows`: measures by name."""
     return {name: float(numpy.median([row[name] for row in rows])) for name in rows[0]}
+
+
+def seeming_of(people):
+    """{height: by how much it seems to move for each radian that the head is raised}."""
+    numbers = sorted({int(au.strip("LR")) for examples in people for _, face, _ in examples
+                      for au in face if int(au.strip("LR")) < 51})
+    causes, heights = [], {name: [] for name in HEIGHTS}
+    for examples in people:
+        for row, face, quiet in examples:
+            for left in (True, False):
+                side, sign = ("left-", 1) if left else ("right-", -1)
+                turned = sign * (row["turn-left"] - quiet["turn-left"])
+                causes.append([row["turn-up"] - quiet["turn-up"], turned, turned ** 2, 1,
+                               shown(face, 63, left) - shown(face, 64, left)]
+                              + [shown(face, number, left) for number in numbers])
+                for name in HEIGHTS:
+                    measure = side + name if name in SIDE else name
+                    heights[name].append(row[measure] - quiet[measure])
+    causes = numpy.array(causes)
+    squares = causes.T @ causes + 1e-3 * numpy.eye(causes.shape[1])
+    return {name: float(numpy.linalg.solve(squares, causes.T @ numpy.array(values))[0])
+            for name, values in heights.items()}
+
+
+def levelled(row, quiet, seeming):
+    """The measures without what only seems to move."""
+    raised = row["turn-up"] - quiet["turn-up"]
+    level = dict(row)
+    for name, slope in seeming.items():
+        for measure in ("left-" + name, "right-" + name) if name in SIDE else (name,):
+            level[measure] -= slope * raised
+    return level
+
+
+def levelled_people(people, seeming):
+    return [[(levelled(row, quiet, seeming), face, quiet) for row, face, quiet in examples]
+            for examples in people]
 
 
 def inputs_of(row, quiet, left):
@@ -200,26 +242,7 @@ def rise(raw, threshold):
     return numpy.clip((raw - threshold) / (1 - threshold), 0, 1)
 
 
-def read(weights, thresholds, row, quiet):
-    """{'12': (left, right), ...} of one face, as read_aus.cpp does it."""
-    sides = [features_of(numpy.array([inputs_of(row, quiet, left)]))[0] for left in (True, False)]
-    left, right = (weights[:, 1:] @ side + weights[:, 0] for side in sides)
-    found = {}
-    for k, number in enumerate(OUTPUTS):
-        a, b = left[k], right[k]
-        if number in TURNING:
-            a = b = (a - b) / 2
-        elif number in SIGNED:
-            a = b = (a + b) / 2
-        else:
-            if number in WHOLE:
-                a = b = (a + b) / 2
-            a, b = rise(a, thresholds[k]), rise(b, thresholds[k])
-        found[number] = (float(a), float(b))
-    return found
-
-
-def write(path, weights, thresholds, quiet):
+def write(path, weights, thresholds, seeming, quiet):
     kinds = {**{n: "sided" for n in SIDED}, **{n: "whole" for n in WHOLE},
              **{n: "turning" for n in TURNING}, **{n: "signed" for n in SIGNED}}
     with open(path, "w", encoding="utf-8") as out:
@@ -230,6 +253,8 @@ def write(path, weights, thresholds, quiet):
             for n in SIDE) + "\n")
         out.write("quiet-middle " + " ".join(
             f"{quiet[n] * (n not in TOWARDS_LEFT):.4f}" for n in MIDDLE) + "\n")
+        for line, names in (("raised-side", SIDE), ("raised-middle", MIDDLE)):
+            out.write(" ".join([line, *(f"{seeming.get(name, 0):.4f}" for name in names)]) + "\n")
         for feature in FEATURES:
             out.write("feature " + " ".join(feature) + "\n")
         for k, number in enumerate(OUTPUTS):

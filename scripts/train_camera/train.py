@@ -36,9 +36,9 @@ def typical(people):
     return fit.quiet_of([examples[0][2] for examples in people])
 
 
-def agreement(weights, thresholds, people):
+def agreement(weights, thresholds, seeming, people):
     """{output: (r, mean error in percent)}"""
-    features, targets = fit.table_of(people)
+    features, targets = fit.table_of(fit.levelled_people(people, seeming))
     # Who smiles more broadly than the shipped heads can is as they are at their most.
     targets = numpy.clip(targets, -1, 1)
     raw = features @ weights[:, 1:].T + weights[:, :1].T
@@ -53,8 +53,10 @@ def agreement(weights, thresholds, people):
 
 
 def weights_of(people):
-    weights = fit.fit(people)
-    return weights, fit.thresholds_of(weights, people)
+    seeming = fit.seeming_of(people)
+    level = fit.levelled_people(people, seeming)
+    weights = fit.fit(level)
+    return weights, fit.thresholds_of(weights, level), seeming
 
 
 def main():
@@ -70,9 +72,8 @@ def main():
     os.makedirs(options.work, exist_ok=True)
     people = {head: people_of(options, head) for head in HEADS}
     chosen = sum((people[head] for head in HEADS if head != options.without), [])
-    weights, thresholds = weights_of(chosen)
     if options.out:
-        fit.write(options.out, weights, thresholds, typical(chosen))
+        fit.write(options.out, *weights_of(chosen), typical(chosen))
     table = {}
     for head in HEADS:
         others = sum((people[other] for other in HEADS if other != head), [])

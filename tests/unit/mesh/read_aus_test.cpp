@@ -117,6 +117,27 @@ TEST(AuReader, WeighsPartsAboveAndProducts) {
   EXPECT_NEAR(double{frame.right[15]}, 0.37, kTolerance);
 }
 
+TEST(AuReader, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
+  auto read = parse_au_weights(
+      "raised-side 0 0 0 0 0 0 0 0.1 0 0 0 0 0 0 0 0 0 0\n"
+      "raised-middle 0 0 0 0 0 0 0 0 -0.3 0 0 0 0\n" +
+          kWeights,
+      "weights.txt");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  Measures quiet;
+  quiet.turn.up_rad = -0.1;
+  Measures seen;
+  seen.turn.up_rad = 0.1;
+  left_of(seen, SideMeasure::CornerUp) = 0.02;
+  right_of(seen, SideMeasure::CornerUp) = 0.05;
+  middle_of(seen, MiddleMeasure::ChinUp) = -0.06;
+  const AuFrame frame = read_aus(*read, seen, quiet);
+  EXPECT_NEAR(double{frame.left[12]}, 0, kTolerance);
+  EXPECT_NEAR(double{frame.right[12]}, 0.3, kTolerance);
+  EXPECT_NEAR(double{frame.left[26]}, 0, kTolerance);
+  EXPECT_NEAR(double{frame.left[53]}, 0.8, kTolerance);
+}
+
 TEST(AuWeights, MirroredFacesGiveMirroredInputs) {
   Measures seen;
   left_of(seen, SideMeasure::GazeLeft) = 0.3;
@@ -145,6 +166,8 @@ TEST(AuWeights, SaysWhereAFileIsWrong) {
   EXPECT_NE(message("# x\nwhat 1 2\n").find("w.txt:2:1"), std::string::npos);
   EXPECT_NE(message("quiet-side 1 2\n").find("18 numbers"), std::string::npos);
   EXPECT_NE(message("quiet-middle nan\n").find("13 numbers"), std::string::npos);
+  EXPECT_NE(message("raised-side 1 2\n").find("18 numbers"), std::string::npos);
+  EXPECT_NE(message("raised-middle 1 2\n").find("13 numbers"), std::string::npos);
   EXPECT_NE(message("feature nose\n").find("measure"), std::string::npos);
   EXPECT_NE(message("feature lip-gap times nose\n").find("measure"), std::string::npos);
   EXPECT_NE(message("feature lip-gap\nau 0 whole 0 0 1\n").find("AU from 1"), std::string::npos);
