@@ -65,6 +65,10 @@ class CameraEventsTest(unittest.TestCase):
         self.assertEqual(self.row("blink", [mark("blink", 0.8, 1.0), mark("blink", 1.1, 1.2)])[0],
                          "1 of 2")
 
+    def test_no_peak_is_lost_between_two_looks(self):
+        self.write("0;1003", "45:26;7", "0;7", "0;1000")
+        self.assertEqual(self.row("blink", [mark("blink", 1, 1.02)])[0], "1 of 1")
+
     def test_what_shows_when_the_film_begins_is_an_event_and_what_stays_is_one(self):
         self.write("12:60;10", "12:65;1000", "12:50;1000", "12:70;1000")
         self.assertEqual(self.row("smile", [mark("smile", 0, 3)]), ["1 of 1", "0 of 0", "0.0 (0)"])
