@@ -12,8 +12,9 @@ const glm::vec3 kX(1, 0, 0);
 const glm::vec3 kY(0, 1, 0);
 const glm::vec3 kZ(0, 0, 1);
 
-/// How much of the head's turn the neck has.
-constexpr float kNeckShare = 0.5F;
+/// How much of the head's turn the neck has. Between joints vertices go straight: with this share
+/// shoulders, which hardly turn, and the neck are both close to where they really go.
+constexpr float kNeckShare = 0.35F;
 
 /// Less would be nothing in 16 bits.
 constexpr float kLeastShare = 1e-4F;
