@@ -1,5 +1,6 @@
 // The camera of the window, with a script in the place of au-transmitter.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <functional>
@@ -9,6 +10,7 @@
 #include "client/gui/texts.h"
 #include "common/files.h"
 #include "common/preview/preview_writer.h"
+#include "tests/support/loopback.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"
 
@@ -44,9 +46,11 @@ class WindowMirror : public SessionOnDefaultFace {
 };
 
 TEST_F(WindowMirror, IsPrivateUntilItIsToldToGoLiveAndEnds) {
-  begin(
-      "echo 'listening on 127.0.0.1:1'; cat record\n"
-      "read order port bind; echo live $bind:$port; read order; echo private; read order");
+  // Somebody listens there: a refused connection could be "no connection" again already.
+  const test::LoopbackSocket child = test::listen_on_loopback();
+  begin("echo 'listening on " + child.address() +
+        "'; cat record\n"
+        "read order port bind; echo live $bind:$port; read order; echo private; read order");
   EXPECT_TRUE(model().mirror.wanted);
   ASSERT_TRUE(reaches(Phase::Private));
   EXPECT_NE(model().mirror.seen, nullptr);
@@ -61,6 +65,7 @@ TEST_F(WindowMirror, IsPrivateUntilItIsToldToGoLiveAndEnds) {
   ASSERT_TRUE(reaches(Phase::Off));
   EXPECT_EQ(model().mirror.trouble, "");
   EXPECT_EQ(model().mirror.seen, nullptr);
+  ::close(child.descriptor);
 }
 
 TEST_F(WindowMirror, SaysWhatItsChildDiedOfAndStartsAgain) {
