@@ -25,7 +25,7 @@ view::Material look_of(face::Material material) {
       return {.shader = Shader::Eye, .two_sided = false, .wrap = 0.25F, .power = 60};
     case face::Material::Teeth:
       // Teeth behind a lip are lit through and from all sides; in true shadow they look grey.
-      return {.wrap = 0.8F, .specular = 0.5F, .power = 40, .shadow_kept = 0.4F, .enclosed = 0.35F};
+      return {.wrap = 0.8F, .specular = 0.5F, .power = 40, .shadow_kept = 0.56F, .enclosed = 0.22F};
     case face::Material::Mouth:
       return {.wrap = 0.7F, .specular = 0.4F, .power = 24};
     case face::Material::Hair:
