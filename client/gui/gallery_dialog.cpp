@@ -102,10 +102,13 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
                     GuiCommands& commands) {
   const GalleryView& view = model.gallery;
   if (!view.open) return;
-  const float height = ImGui::GetIO().DisplaySize.y;
-  ImGui::SetNextWindowPos(ImVec2(width / 2, height / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
-  ImGui::SetNextWindowSize(
-      ImVec2(std::min(kDialogWidth * look.scale, ImGui::GetIO().DisplaySize.x - 20), 0));
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float own = std::min(kDialogWidth * look.scale, screen.x - 20);
+  // Beside the panel if there is room; what is higher than the window is scrolled to.
+  const float middle = (own <= width ? width : screen.x) / 2;
+  ImGui::SetNextWindowSizeConstraints(ImVec2(own, 0), ImVec2(own, screen.y - 20));
+  ImGui::SetNextWindowPos(ImVec2(middle, screen.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(ImVec2(own, 0));
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
   const FloatingStyle floating(look);

@@ -226,9 +226,12 @@ void key_list(const Look& look, float width, bool& shown) {
   if (!high || columns[0].width() + columns[1].width() + gap + padding > most.x) {
     columns = {column_of(all), {}};
   }
-  const float wide = columns[0].width() + columns[1].width() + gap + padding;
-  const bool beside = wide <= width;
+  const float content =
+      columns[0].width() + (columns[1].lines.empty() ? 0 : gap + columns[1].width());
+  const bool beside = content + padding <= width;
   ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), most);
+  // By itself it is as wide as what was drawn a frame before, in another language perhaps.
+  ImGui::SetNextWindowContentSize(ImVec2(content, 0));
   ImGui::SetNextWindowPos(ImVec2((beside ? width : screen.x) / 2, ImGui::GetIO().DisplaySize.y / 2),
                           ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |

@@ -222,6 +222,34 @@ TEST_F(Keyboard, TheListOfKeysFitsIntoASmallWindow) {
   EXPECT_EQ(ImGui::FindWindowByID(ImHashStr("###keys"))->ScrollMax.y, 0) << "all is seen";
 }
 
+TEST_F(Keyboard, TheListOfKeysGrowsWithItsText) {
+  ImGui::GetIO().DisplaySize = ImVec2(1280, 800);
+  gui_->toggle_keys();
+  frames(4);
+  const float before = rect_of("###keys").GetWidth();
+  gui_->toggle_keys();
+  frames(4);
+  model_.display.settings.text_percent = 150;
+  ASSERT_TRUE(gui_->prepare(model_.display));
+  gui_->toggle_keys();
+  frames(4);
+  EXPECT_GT(rect_of("###keys").GetWidth(), 1.4F * before);
+  EXPECT_EQ(ImGui::FindWindowByID(ImHashStr("###keys"))->ScrollMax.x, 0) << "no line is cut";
+}
+
+TEST_F(Keyboard, TheGalleryIsInsideTheWindow) {
+  model_.gallery.open = true;
+  for (const float height : {600.0F, 800.0F}) {
+    ImGui::GetIO().DisplaySize = ImVec2(800, height);
+    for (const int percent : {100, 200}) {
+      model_.display.settings.text_percent = percent;
+      static_cast<void>(gui_->prepare(model_.display));
+      frames(4);
+      EXPECT_TRUE(ImRect(0, 0, 800, height).Contains(rect_of("###gallery"))) << percent << " %";
+    }
+  }
+}
+
 TEST_F(Keyboard, NothingMovesWhenAConnectionComes) {
   frames(4);
   ASSERT_NE(contents(), nullptr);
