@@ -32,10 +32,11 @@ std::size_t InputPacer::next(const std::deque<render::InputEvent>& waiting) {
         scrolled = true;
         break;
       case Kind::Key:
-        if (keys_wait || focus_may_move_) return count;
+        // Letting go goes to nobody, and a key that waits for it would repeat.
+        if ((keys_wait || focus_may_move_) && event.action != 0) return count;
         if (event.text) break;
         if (!keys.insert(event.code).second) return count;
-        focus_may_move_ = event.action != 0;
+        focus_may_move_ |= event.action != 0;
         break;
       case Kind::Character:
         if (keys_wait || focus_may_move_) return count;
