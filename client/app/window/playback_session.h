@@ -8,21 +8,20 @@
 #include "client/app/playback_meter.h"
 #include "client/app/player_options.h"
 #include "client/app/window/notices.h"
-#include "client/app/window/playback_history.h"
 #include "client/app/window/played.h"
+#include "client/app/window/playing_stream.h"
+#include "client/app/window/remote_stream.h"
+#include "client/app/window/server_choice.h"
 #include "client/app/window/sound_session.h"
 #include "client/gui/gui_commands.h"
 #include "client/net/remote_source.h"
-#include "client/playback/seekable_playback.h"
 #include "client/sound/heard_player.h"
 
 namespace aucast::app {
 
-/// The window waits no longer than this while something moves.
-inline constexpr Milliseconds kFrameMax{20};
-
-/// What plays in the window, a server's stream or one loaded in full, and what the panels show of
-/// it. What the constructor takes must outlive it. Thread: the player's.
+/// What plays in the window, the face that it moves and the sound beside it, and what the panels
+/// show of them. PlayingStream has what differs between a server's stream and one loaded in full.
+/// What the constructor takes must outlive it. Thread: the player's.
 class PlaybackSession {
  public:
   /// `shown`: the activations of the face in the window, whichever session they are from; another
@@ -55,16 +54,13 @@ class PlaybackSession {
   /// they are not too many to be kept.
   [[nodiscard]] Played played() const;
 
-  void set_remote(const gui::RemoteSettings& settings, std::vector<std::string> recent);
-  /// The server that a form names and how to reach it. Error when a file of certificate or token
-  /// cannot be used.
-  [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings) const;
-  [[nodiscard]] const gui::RemoteSettings& remote_settings() const { return remote_settings_; }
-  /// The same, with the last server that answered: one that was mistyped is not worth keeping.
-  [[nodiscard]] gui::RemoteSettings remote_to_keep() const {
-    return gui::with_server_of(remote_settings_, worked_);
+  /// Which servers are asked for.
+  [[nodiscard]] ServerChoice& servers() { return servers_; }
+  [[nodiscard]] const ServerChoice& servers() const { return servers_; }
+  /// ServerChoice's, for the sound device that there is: one may have been plugged in since.
+  [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings) const {
+    return servers_.server_of(settings, sound_.has_device());
   }
-  [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
 
   /// With sound, the face that belongs to what is heard.
   [[nodiscard]] const std::vector<float>& activations() { return player_.activations(); }
@@ -72,33 +68,33 @@ class PlaybackSession {
   void face_shown() { player_.sound().face_shown(); }
   /// The keyframe under way, from 1; 0: none has begun.
   [[nodiscard]] std::uint64_t keyframe() const {
-    return playback_ == nullptr ? 0 : playback_->progress().keyframe;
+    return stream_ == nullptr ? 0 : stream_->playback().progress().keyframe;
   }
   /// The AUs of that face, rules applied.
   [[nodiscard]] const AuFrame& aus() const { return player_.face().face().aus; }
   /// Playing has come to its end; false while nothing was ever opened.
   [[nodiscard]] bool over() const { return player_.over(); }
   /// The face stands, and Resume would move it.
-  [[nodiscard]] bool stands() const;
+  [[nodiscard]] bool stands() const { return stream_ != nullptr && stream_->stands(); }
   /// How long the window may wait before it should look again.
   [[nodiscard]] Duration idle_time(Instant now) const;
   [[nodiscard]] std::string title() const;
   /// `stale` and `eased` hold for the face of this session: another face in the window is neither.
   [[nodiscard]] gui::RemoteView remote_view() const;
-  [[nodiscard]] gui::LocalView local_view() const;
+  [[nodiscard]] gui::LocalView local_view() const {
+    return stream_ == nullptr ? gui::LocalView() : stream_->local_view();
+  }
 
  private:
-  [[nodiscard]] bool running() const { return playback_ != nullptr && !playback_->over(); }
-  [[nodiscard]] playback::SeekablePlayback* seekable() const;
+  [[nodiscard]] bool running() const { return stream_ != nullptr && stream_->running(); }
+  [[nodiscard]] std::unique_ptr<PlayingStream> stream_of(
+      std::unique_ptr<playback::Playback> playback, std::string name);
+  void begin(std::unique_ptr<PlayingStream> stream, Instant now);
+  void open_remote(net::RemoteOptions options, RemoteStream::Server server, Instant now);
   bool connect(const gui::RemoteSettings& settings, Instant now);
-  bool resume(Instant now);
-  [[nodiscard]] int step_fps() const;
-  bool apply_local(const gui::LocalCommand& command, Instant now);
-  void toggle_repeat(playback::LocalPlayback& playhead, Instant now);
+  void object(Instant now);
   void begun(const playback::KeyframeBegun& keyframe, Instant at);
   void explain();
-  void remember(Instant now);
-  void describe_traffic(const playback::SourceStatus& status, gui::RemoteView& view) const;
   [[nodiscard]] std::vector<gui::AuRow> au_rows() const;
 
   const pipeline::AuMapping& mapping_;
@@ -106,27 +102,15 @@ class PlaybackSession {
   PlayerStats& stats_;
   Notices& notices_;
   const std::vector<float>& shown_;
-  gui::RemoteSettings remote_settings_;
-  gui::RemoteSettings worked_;       ///< its server is the last that answered, or was kept
-  std::vector<std::string> recent_;  ///< addresses that answered, the latest first
-  playback::BufferOptions buffers_;
+  ServerChoice servers_;
+  playback::BufferOptions buffers_;  ///< of the last server, or as the command line has them
 
   sound::HeardPlayer player_;
   PlaybackMeter meter_;
-  std::unique_ptr<playback::Playback> playback_;
+  std::unique_ptr<PlayingStream> stream_;  ///< null: nothing was opened
   SoundSession sound_;
-  std::unique_ptr<playback::Playback> retired_;  ///< saying its last words
-  std::string name_;                             ///< of a stream loaded in full
-  std::shared_ptr<const gui::AuCurves> curves_;  ///< of the same
-  std::vector<face::RuleExplained> explained_;   ///< the rules that fired in this keyframe
-  Played received_;                              ///< of a server's stream
-  PlaybackHistory history_;
-  std::uint64_t tried_ = 0;  ///< attempts after a loss, as of the last frame
-  Instant again_at_{};       ///< when the one under way began or begins
-  Instant now_{};            ///< of the last frame
-  bool answered_ = false;    ///< the server has sent something
-  bool own_ = false;         ///< one's own face, which nobody else ends
-  bool timed_ = false;       ///< the keyframe under way came with a time of its own
+  std::unique_ptr<PlayingStream> retired_;      ///< saying its last words
+  std::vector<face::RuleExplained> explained_;  ///< the rules that fired in this keyframe
 };
 
 }  // namespace aucast::app

@@ -87,7 +87,7 @@ WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
 void WindowSession::begin_with(const gui::KeptSettings& settings, const std::string& complaint,
                                Instant now) {
   if (!complaint.empty()) say(complaint, true, now);
-  playback_.set_remote(settings.remote, settings.recent);
+  playback_.servers().set(settings.remote, settings.recent);
   editor_.set_transition(settings.transition);
   faces_.remember(settings.face);
   files_.set_recent(settings.recent_files);
@@ -104,8 +104,8 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
 
 gui::KeptSettings WindowSession::kept() const {
   gui::KeptSettings kept;
-  kept.remote = playback_.remote_to_keep();
-  kept.recent = playback_.recent();
+  kept.remote = playback_.servers().to_keep();
+  kept.recent = playback_.servers().recent();
   kept.face = faces_.next();
   kept.recent_files = files_.recent();
   if (tables_.known != nullptr) kept.tables = *tables_.known;
@@ -443,7 +443,7 @@ Result<void> WindowSession::play(const std::filesystem::path& file, Instant now)
 std::string WindowSession::name_of_stream() const {
   const gui::LocalView local = playback_.local_view();
   if (local.open) return std::filesystem::path(local.name).stem().string();
-  return keyframe_shown() > 0 ? playback_.remote_settings().stream : std::string();
+  return keyframe_shown() > 0 ? playback_.servers().settings().stream : std::string();
 }
 
 void WindowSession::browse(gui::Purpose purpose) {
@@ -546,8 +546,8 @@ Result<std::filesystem::path> WindowSession::picture_file(const std::string& end
 
 gui::GuiModel WindowSession::model() const {
   gui::GuiModel model;
-  model.remote_settings = playback_.remote_settings();
-  model.recent = playback_.recent();
+  model.remote_settings = playback_.servers().settings();
+  model.recent = playback_.servers().recent();
   model.streams = lister_.view();
   model.remote = playback_.remote_view();
   model.remote.stale = model.remote.stale && shown_ == Shown::Playback;

@@ -94,7 +94,9 @@ class WindowSession {
   /// "AUcast - playing", for the title of the window.
   [[nodiscard]] std::string title() const { return playback_.title(); }
   /// Addresses that answered, the latest first.
-  [[nodiscard]] const std::vector<std::string>& recent() const { return playback_.recent(); }
+  [[nodiscard]] const std::vector<std::string>& recent() const {
+    return playback_.servers().recent();
+  }
   [[nodiscard]] const std::vector<std::string>& recent_files() const { return files_.recent(); }
   /// How long the window may wait before it should look again.
   [[nodiscard]] Duration idle_time(Instant now) const;

@@ -5,7 +5,6 @@
 #include <thread>
 #include <utility>
 
-#include "client/app/window/window_settings.h"
 #include "client/gui/texts.h"
 #include "tests/unit/app/window/window_session_fixture.h"
 
@@ -60,30 +59,6 @@ TEST_F(ConnectTest, WhyThereIsNoConnectionIsSaidInTheLanguageInUse) {
   EXPECT_NE(detail.find("127.0.0.1:1"), std::string::npos) << detail;
   EXPECT_NE(detail.find("connexion refusée"), std::string::npos) << detail;
   EXPECT_EQ(detail.find("running"), std::string::npos) << detail;
-}
-
-TEST_F(ConnectTest, TheOtherHostsOfAnAddressAreTriedTooWhoeverNamedThem) {
-  options_.playback.endpoint = "one.example";
-  options_.playback.others = {{"other.example", 4650}};
-  Notices notices;
-  const std::vector<float> shown(assets_->face.channels.size());
-  const pipeline::AuMapping mapping = au_mapping(*assets_, options_.face.mixer);
-  const PlaybackSession playback(mapping, options_, stats_, notices, shown);
-  gui::RemoteSettings form = WindowSettings(options_, {}).in_force().remote;
-  const auto same = playback.server_of(form);
-  ASSERT_TRUE(same) << same.error().message;
-  EXPECT_EQ(same->others, options_.playback.others);
-  EXPECT_TRUE(same->reconnect) << "else the other is never tried";
-  ASSERT_EQ(gui::take_address("aucast://third.example,fourth.example:7/talk", form), std::nullopt);
-  const auto named = playback.server_of(form);
-  ASSERT_TRUE(named) << named.error().message;
-  EXPECT_EQ(named->others, (std::vector<protocol::Endpoint>{{"fourth.example", 7}}));
-  EXPECT_TRUE(named->reconnect);
-  ASSERT_EQ(gui::take_address("third.example", form), std::nullopt);
-  const auto third = playback.server_of(form);
-  ASSERT_TRUE(third) << third.error().message;
-  EXPECT_TRUE(third->others.empty());
-  EXPECT_FALSE(third->reconnect);
 }
 
 TEST_F(ConnectTest, ATokenFileThatIsNotThereIsSaid) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "client/app/stream_files.h"
+#include "client/playback/seekable_playback.h"
 #include "common/files.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"
