@@ -58,7 +58,7 @@ Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& optio
                                                       const SourcePlayback::Options& how) {
   auto opened = open_stream(options.playback.file, {});
   if (!opened) return opened.error();
-  std::vector<playback::TimedAus>& keyframes = opened->keyframes;
+  std::vector<playback::Keyframe>& keyframes = opened->keyframes;
   if (!opened->found.empty()) spdlog::info("{}", opened->found);
   if (!options.headless) {
     return std::unique_ptr<playback::Playback>(std::make_unique<playback::SeekablePlayback>(

@@ -8,11 +8,11 @@
 namespace aucast::app {
 namespace {
 
-std::vector<playback::TimedAus> keyframes_of(const protocol::StreamFile& stream) {
-  std::vector<playback::TimedAus> keyframes;
+std::vector<playback::Keyframe> keyframes_of(const protocol::StreamFile& stream) {
+  std::vector<playback::Keyframe> keyframes;
   keyframes.reserve(stream.keyframes.size());
   for (const protocol::Keyframe& keyframe : stream.keyframes) {
-    playback::TimedAus timed{frame_from_terms(keyframe.terms), std::nullopt};
+    playback::Keyframe timed{frame_from_terms(keyframe.terms), std::nullopt};
     if (keyframe.duration_ms) timed.duration = Milliseconds(*keyframe.duration_ms);
     keyframes.push_back(timed);
   }
@@ -42,7 +42,7 @@ std::string sentence(const sources::Found& found) {
 
 }  // namespace
 
-Result<std::vector<playback::TimedAus>> read_stream(const std::filesystem::path& file) {
+Result<std::vector<playback::Keyframe>> read_stream(const std::filesystem::path& file) {
   auto text = read_file(file);
   if (!text) return text.error();
   auto stream = protocol::parse_stream_file(*text, file.string());

@@ -11,12 +11,12 @@
 namespace aucast::app {
 
 /// The keyframes of a stream file. Unreadable, or BadData with a line for each error.
-[[nodiscard]] Result<std::vector<playback::TimedAus>> read_stream(
+[[nodiscard]] Result<std::vector<playback::Keyframe>> read_stream(
     const std::filesystem::path& file);
 
 /// What was opened to be played.
 struct OpenedStream {
-  std::vector<playback::TimedAus> keyframes;  ///< at least one
+  std::vector<playback::Keyframe> keyframes;  ///< at least one
   std::string found;  ///< a sentence about a recogniser's table; empty for a stream file
 };
 

@@ -5,20 +5,20 @@
 namespace aucast::glb {
 namespace {
 
-std::int64_t duration_ms(const playback::TimedAus& keyframe, const Sampling& sampling) {
+std::int64_t duration_ms(const playback::Keyframe& keyframe, const Sampling& sampling) {
   return keyframe.duration.value_or(sampling.untimed).count();
 }
 
 }  // namespace
 
-std::size_t sample_count(std::span<const playback::TimedAus> keyframes, const Sampling& sampling) {
+std::size_t sample_count(std::span<const playback::Keyframe> keyframes, const Sampling& sampling) {
   std::int64_t all_ms = 0;
-  for (const playback::TimedAus& keyframe : keyframes) all_ms += duration_ms(keyframe, sampling);
+  for (const playback::Keyframe& keyframe : keyframes) all_ms += duration_ms(keyframe, sampling);
   return static_cast<std::size_t>(all_ms * sampling.fps / 1000) + 1;
 }
 
 void for_each_sample(const pipeline::AuMapping& mapping,
-                     std::span<const playback::TimedAus> keyframes, const Sampling& sampling,
+                     std::span<const playback::Keyframe> keyframes, const Sampling& sampling,
                      const AtSample& at_sample) {
   pipeline::FacePipeline pipeline(mapping, sampling.interpolation);
   const pipeline::IdleFace idle(mapping.face);
@@ -26,7 +26,7 @@ void for_each_sample(const pipeline::AuMapping& mapping,
   pipeline::FaceState shown = reached;
   std::int64_t begin_ms = 0;
   std::int64_t next = 0;
-  for (const playback::TimedAus& keyframe : keyframes) {
+  for (const playback::Keyframe& keyframe : keyframes) {
     pipeline.begin_keyframe(keyframe.aus, reached);
     const std::int64_t takes_ms = duration_ms(keyframe, sampling);
     for (; next * 1000 <= (begin_ms + takes_ms) * sampling.fps; ++next) {

@@ -25,7 +25,7 @@ struct Sampling {
 };
 
 /// How many samples for_each_sample() has.
-[[nodiscard]] std::size_t sample_count(std::span<const playback::TimedAus> keyframes,
+[[nodiscard]] std::size_t sample_count(std::span<const playback::Keyframe> keyframes,
                                        const Sampling& sampling);
 
 /// Says whether to go on.
@@ -34,7 +34,7 @@ using AtSample = std::function<bool(double seconds, const pipeline::FaceState& f
 /// The face at n / fps seconds from the neutral face on, to the end of the last keyframe: the same
 /// faces as on the pictures of a film.
 void for_each_sample(const pipeline::AuMapping& mapping,
-                     std::span<const playback::TimedAus> keyframes, const Sampling& sampling,
+                     std::span<const playback::Keyframe> keyframes, const Sampling& sampling,
                      const AtSample& at_sample);
 
 /// An animation: what weights and joints are at each sample.

@@ -4,13 +4,13 @@
 
 namespace aucast::gui {
 
-AuCurves curves_of(std::span<const playback::TimedAus> keyframes) {
+AuCurves curves_of(std::span<const playback::Keyframe> keyframes) {
   AuCurves curves;
   for (std::size_t number = 0; number < AuFrame{}.left.size(); ++number) {
     AuCurve curve{static_cast<int>(number), {}};
     curve.values.reserve(keyframes.size());
     bool occurs = false;
-    for (const playback::TimedAus& keyframe : keyframes) {
+    for (const playback::Keyframe& keyframe : keyframes) {
       const float value = std::max(keyframe.aus.left[number], keyframe.aus.right[number]);
       occurs |= value > 0;
       curve.values.push_back(value);

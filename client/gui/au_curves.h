@@ -22,7 +22,7 @@ struct AuCurve {
 using AuCurves = std::vector<AuCurve>;
 
 /// Those of a stream, by number.
-[[nodiscard]] AuCurves curves_of(std::span<const playback::TimedAus> keyframes);
+[[nodiscard]] AuCurves curves_of(std::span<const playback::Keyframe> keyframes);
 
 /// The value at a place of the stream; `ends`: where each keyframe is reached, ascending.
 [[nodiscard]] float value_at(const AuCurve& curve, const std::vector<Duration>& ends,

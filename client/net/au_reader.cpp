@@ -10,8 +10,8 @@ namespace aucast::net {
 namespace {
 
 using playback::EndReason;
+using playback::Keyframe;
 using playback::KeyframeBuffers;
-using playback::TimedAus;
 using protocol::SessionFailed;
 
 constexpr std::size_t kWindowAsked = 64;
@@ -219,7 +219,7 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   reaction.changed = true;
   back_off_.reset();
   busy_in_a_row_ = 0;
-  TimedAus keyframe{event.aus, std::nullopt};
+  Keyframe keyframe{event.aus, std::nullopt};
   if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
   const Milliseconds time = keyframe.duration.value_or(status_.keyframe_time);
   keyframe.spoken = status_.live && spoken_.voice_end() > clock_;
@@ -309,7 +309,7 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
   end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));
 }
 
-void AuReader::note_live(const protocol::DeliverKeyframe& event, TimedAus& keyframe) {
+void AuReader::note_live(const protocol::DeliverKeyframe& event, Keyframe& keyframe) {
   keyframe.arrived = now_;
   if (user_paused_) return;
   std::optional<Milliseconds> place;
@@ -318,7 +318,7 @@ void AuReader::note_live(const protocol::DeliverKeyframe& event, TimedAus& keyfr
   if (const auto delay = timing_.arrived(keyframe, untimed, place)) buffers_.set_delay(*delay);
 }
 
-void AuReader::take_in(const TimedAus& keyframe) {
+void AuReader::take_in(const Keyframe& keyframe) {
   store_kept();
   const bool stored = kept_.empty() && buffers_.store(keyframe) == KeyframeBuffers::Stored::Yes;
   if (!stored) kept_.push_back(keyframe);
@@ -357,7 +357,7 @@ void AuReader::end(EndReason reason, std::string detail) {
   buffers_.end_of_stream();
 }
 
-std::optional<TimedAus> AuReader::take() {
+std::optional<Keyframe> AuReader::take() {
   if (stopped_) return std::nullopt;
   auto keyframe = buffers_.take();
   store_kept();

@@ -92,7 +92,7 @@ class AuReader {
 
   // === The player's side.
 
-  [[nodiscard]] std::optional<playback::TimedAus> take();
+  [[nodiscard]] std::optional<playback::Keyframe> take();
   /// KeyframeSource's.
   [[nodiscard]] std::optional<playback::Voice> take_voice();
   [[nodiscard]] std::optional<playback::Caption> take_caption();
@@ -120,8 +120,8 @@ class AuReader {
   void connect_anew(Reaction& reaction);
   void begin_session();
 
-  void note_live(const protocol::DeliverKeyframe& event, playback::TimedAus& keyframe);
-  void take_in(const playback::TimedAus& keyframe);
+  void note_live(const protocol::DeliverKeyframe& event, playback::Keyframe& keyframe);
+  void take_in(const playback::Keyframe& keyframe);
   void store_kept();
   void answer(std::string& send);
   [[nodiscard]] AnswerLedger::Wishes wishes() const;
@@ -135,9 +135,9 @@ class AuReader {
   bool answered_;  ///< the next hello asks for a window
   protocol::ClientSession session_;
   playback::KeyframeBuffers buffers_;
-  std::optional<playback::TimedAus> first_;  ///< kept aside until the server is known to go on
+  std::optional<playback::Keyframe> first_;  ///< kept aside until the server is known to go on
   bool settled_ = false;                     ///< the server is known to go on
-  std::deque<playback::TimedAus> kept_;      ///< case A: came when both buffers were full
+  std::deque<playback::Keyframe> kept_;      ///< case A: came when both buffers were full
   std::string waiting_;                      ///< received bytes that wait for room in kept_
   AnswerLedger ledger_;
   bool user_paused_ = false;

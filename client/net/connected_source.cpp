@@ -2,7 +2,7 @@
 
 namespace aucast::net {
 
-std::optional<playback::TimedAus> ConnectedSource::take() {
+std::optional<playback::Keyframe> ConnectedSource::take() {
   bool has_words = false;
   auto keyframe = reader_.with([&has_words](AuReader& reader) {
     auto taken = reader.take();

@@ -12,7 +12,7 @@ namespace aucast::net {
 /// runs that connection derives from this one.
 class ConnectedSource : public playback::KeyframeSource {
  public:
-  [[nodiscard]] std::optional<playback::TimedAus> take() final;
+  [[nodiscard]] std::optional<playback::Keyframe> take() final;
   [[nodiscard]] std::optional<playback::Voice> take_voice() final;
   [[nodiscard]] std::optional<playback::Caption> take_caption() final;
   [[nodiscard]] bool ready() const final;

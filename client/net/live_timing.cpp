@@ -28,7 +28,7 @@ void LiveTiming::begin_again() {
   playout_.begin_again();
 }
 
-std::optional<Milliseconds> LiveTiming::arrived(playback::TimedAus& keyframe, Milliseconds untimed,
+std::optional<Milliseconds> LiveTiming::arrived(playback::Keyframe& keyframe, Milliseconds untimed,
                                                 std::optional<Milliseconds> place) {
   const Milliseconds time = keyframe.duration.value_or(untimed);
   if (options_.low_delay) {

@@ -25,7 +25,7 @@ class LiveTiming {
   /// A keyframe has come, at `keyframe.arrived`. Sets when it is due, or returns how much is to be
   /// buffered from now on. `untimed`: the time of a keyframe that has none of its own; `place`: in
   /// the stream, if known.
-  [[nodiscard]] std::optional<Milliseconds> arrived(playback::TimedAus& keyframe,
+  [[nodiscard]] std::optional<Milliseconds> arrived(playback::Keyframe& keyframe,
                                                     Milliseconds untimed,
                                                     std::optional<Milliseconds> place);
 

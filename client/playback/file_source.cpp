@@ -4,18 +4,18 @@
 
 namespace aucast::playback {
 
-void set_places(std::vector<TimedAus>& keyframes, Milliseconds untimed) {
+void set_places(std::vector<Keyframe>& keyframes, Milliseconds untimed) {
   Milliseconds place{0};
-  for (TimedAus& keyframe : keyframes) {
+  for (Keyframe& keyframe : keyframes) {
     keyframe.span = keyframe.duration.value_or(untimed);
     place += keyframe.span;
     keyframe.place = place;
   }
 }
 
-FileSource::FileSource(std::vector<TimedAus> keyframes) : keyframes_(std::move(keyframes)) {}
+FileSource::FileSource(std::vector<Keyframe> keyframes) : keyframes_(std::move(keyframes)) {}
 
-std::optional<TimedAus> FileSource::take() {
+std::optional<Keyframe> FileSource::take() {
   if (stopped_ || next_ == keyframes_.size()) return std::nullopt;
   return keyframes_[next_++];
 }

@@ -8,7 +8,7 @@
 namespace aucast::playback {
 
 /// Gives each keyframe its place; those without a time of their own take `untimed`.
-void set_places(std::vector<TimedAus>& keyframes, Milliseconds untimed);
+void set_places(std::vector<Keyframe>& keyframes, Milliseconds untimed);
 
 /// Keyframes that are all available: a stream file, played without a server. Always ready, so
 /// nothing ever stalls; its status tells the end of the stream from the start, because nothing more
@@ -16,16 +16,16 @@ void set_places(std::vector<TimedAus>& keyframes, Milliseconds untimed);
 /// Thread: the player's.
 class FileSource final : public KeyframeSource {
  public:
-  explicit FileSource(std::vector<TimedAus> keyframes);
+  explicit FileSource(std::vector<Keyframe> keyframes);
 
-  [[nodiscard]] std::optional<TimedAus> take() override;
+  [[nodiscard]] std::optional<Keyframe> take() override;
   [[nodiscard]] bool ready() const override;
   bool wait_until(Instant until) override;
   [[nodiscard]] SourceStatus status() const override;
   void stop() override;
 
  private:
-  std::vector<TimedAus> keyframes_;
+  std::vector<Keyframe> keyframes_;
   std::size_t next_ = 0;
   bool stopped_ = false;
 };

@@ -32,7 +32,7 @@ void KeyframeBuffers::set_live(std::optional<Milliseconds> untimed) {
   live_ = untimed;
 }
 
-KeyframeBuffers::Stored KeyframeBuffers::store(const TimedAus& keyframe) {
+KeyframeBuffers::Stored KeyframeBuffers::store(const Keyframe& keyframe) {
   if (live_) {
     store_live(keyframe);
     return Stored::Yes;
@@ -60,7 +60,7 @@ bool KeyframeBuffers::enough() const {
   return keyframes_.size() >= kLiveKeyframesMin && buffered() >= options_.live_delay;
 }
 
-void KeyframeBuffers::store_live(const TimedAus& keyframe) {
+void KeyframeBuffers::store_live(const Keyframe& keyframe) {
   keyframes_.push_back(keyframe);
   drop_oldest();
   // A full receiver takes nothing more, so that waiting on would never end.
@@ -84,18 +84,18 @@ void KeyframeBuffers::drop_oldest() {
 
 Milliseconds KeyframeBuffers::wanted() const {
   if (!options_.low_delay) return options_.live_delay;
-  const TimedAus& newest = keyframes_.back();
+  const Keyframe& newest = keyframes_.back();
   if (!newest.due || !newest.arrived) return time_of(newest);
   return std::chrono::ceil<Milliseconds>(*newest.due - *newest.arrived);
 }
 
-Milliseconds KeyframeBuffers::time_of(const TimedAus& keyframe) const {
+Milliseconds KeyframeBuffers::time_of(const Keyframe& keyframe) const {
   return keyframe.duration.value_or(live_.value_or(untimed_));
 }
 
 Milliseconds KeyframeBuffers::buffered() const {
   Milliseconds sum{0};
-  for (const TimedAus& keyframe : keyframes_) sum += time_of(keyframe);
+  for (const Keyframe& keyframe : keyframes_) sum += time_of(keyframe);
   return sum;
 }
 
@@ -112,7 +112,7 @@ void KeyframeBuffers::end_of_stream() {
   release();
 }
 
-std::optional<TimedAus> KeyframeBuffers::take() {
+std::optional<Keyframe> KeyframeBuffers::take() {
   if (!has_next()) {
     const bool stall = begun_ && !starved_ && !ended_;
     if (stall && options_.adapt && options_.by_time && !live_) {
@@ -123,7 +123,7 @@ std::optional<TimedAus> KeyframeBuffers::take() {
   }
   starved_ = false;
   begun_ = true;
-  std::optional<TimedAus> keyframe(keyframes_.front());
+  std::optional<Keyframe> keyframe(keyframes_.front());
   pop_front();
   if (!has_next()) fill_playout();
   const Milliseconds time = time_of(*keyframe);

@@ -19,7 +19,7 @@ struct BufferOptions {
                                         ///< `live_delay` too, and not for the threshold
   bool adapt = false;                   ///< `live_delay` is only the initial value
   bool low_delay = false;               ///< --live: a live keyframe begins as soon as it is there
-                                        ///< and is reached at its own TimedAus::due
+                                        ///< and is reached at its own Keyframe::due
 };
 
 /// The Receiver buffer of --buffer auto and --buffer Nms, in sets: for the 60 s of the longest
@@ -66,7 +66,7 @@ class KeyframeBuffers {
   ///   D  room, playout empty: stores, and fills the Playout buffer if the receiver had reached the
   ///      threshold before (with `by_time`: once enough time is buffered)
   /// Playing means that the Playout buffer is not empty.
-  [[nodiscard]] Stored store(const TimedAus& keyframe);
+  [[nodiscard]] Stored store(const Keyframe& keyframe);
   /// From now on the stream is live and `untimed` is the time of a keyframe that has none of its
   /// own; nullopt: the stream is recorded.
   void set_live(std::optional<Milliseconds> untimed);
@@ -86,7 +86,7 @@ class KeyframeBuffers {
   // === The playback controller's side.
 
   /// The next keyframe; refills the Playout buffer from the receiver when it runs empty.
-  [[nodiscard]] std::optional<TimedAus> take();
+  [[nodiscard]] std::optional<Keyframe> take();
   /// True when take() would return a keyframe.
   [[nodiscard]] bool has_next() const;
   /// True when the stream has ended and everything has been taken.
@@ -105,18 +105,18 @@ class KeyframeBuffers {
   /// The same with `low_delay`.
   static constexpr Milliseconds kStandingLagMax{100};
 
-  void store_live(const TimedAus& keyframe);
+  void store_live(const Keyframe& keyframe);
   void drop_oldest();
   /// Live: how much should be buffered while playback is waiting.
   [[nodiscard]] Milliseconds wanted() const;
-  [[nodiscard]] Milliseconds time_of(const TimedAus& keyframe) const;
+  [[nodiscard]] Milliseconds time_of(const Keyframe& keyframe) const;
   [[nodiscard]] bool enough() const;
   void fill_playout();
   void pop_front();
 
   BufferOptions options_;
   /// Both buffers, so that a keyframe passes from one to the other where it lies.
-  std::deque<TimedAus> keyframes_;
+  std::deque<Keyframe> keyframes_;
   std::size_t playout_ = 0;  ///< of `keyframes_`, from the front; the rest is the receiver's
   bool ended_ = false;
   std::optional<Milliseconds> live_;  ///< the time of an untimed keyframe; nullopt: recorded

@@ -11,8 +11,9 @@
 
 namespace aucast::playback {
 
-/// One set of AUs with the time to reach it, on its way from the wire to the face.
-struct TimedAus {
+/// One set of AUs with the time to reach it, on its way from the wire to the face; as it is written
+/// there it is a protocol::Keyframe.
+struct Keyframe {
   AuFrame aus;
   std::optional<Milliseconds> duration;  ///< the packet's own time, if it had one
   int pace_percent = 100;                ///< live: it takes so much of its time, 95-105
@@ -25,13 +26,13 @@ struct TimedAus {
 
 /// One Opus packet of a source's voice.
 struct Voice {
-  Milliseconds place{0};  ///< where its sound begins, on the clock of TimedAus::place
+  Milliseconds place{0};  ///< where its sound begins, on the clock of Keyframe::place
   std::string opus;
 };
 
 /// The caption from a place on, until the next one; empty: none.
 struct Caption {
-  Milliseconds place{0};  ///< on the clock of TimedAus::place
+  Milliseconds place{0};  ///< on the clock of Keyframe::place
   std::string text;       ///< UTF-8
 };
 
@@ -92,7 +93,7 @@ class KeyframeSource {
   KeyframeSource& operator=(const KeyframeSource&) = delete;
 
   /// The next keyframe of the Playout buffer, if there is one now.
-  [[nodiscard]] virtual std::optional<TimedAus> take() = 0;
+  [[nodiscard]] virtual std::optional<Keyframe> take() = 0;
   /// The next voice packet, if there is one. Their places ascend, and each comes before the
   /// keyframe during which it is heard can be taken.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }

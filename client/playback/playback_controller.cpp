@@ -10,7 +10,7 @@ namespace aucast::playback {
 namespace {
 
 /// The next keyframe of the source. `ended` is set when there will never be one again.
-std::optional<TimedAus> take_next(KeyframeSource& source, bool& ended) {
+std::optional<Keyframe> take_next(KeyframeSource& source, bool& ended) {
   ended = false;
   if (auto keyframe = source.take()) return keyframe;
   if (!source.ready()) return std::nullopt;
@@ -21,7 +21,7 @@ std::optional<TimedAus> take_next(KeyframeSource& source, bool& ended) {
 }
 
 /// What a keyframe that begins at `begin` takes, of `time` that is its own.
-Duration time_taken(const TimedAus& keyframe, Milliseconds time, Instant begin) {
+Duration time_taken(const Keyframe& keyframe, Milliseconds time, Instant begin) {
   const Duration whole = time;
   // A voice that is half a per cent faster or slower sounds the same; a face may be so by five.
   const int bend = keyframe.spoken ? 5 : 50;

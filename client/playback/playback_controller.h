@@ -33,7 +33,7 @@ enum class PlaybackState : std::uint8_t {
 
 /// A keyframe that has just begun: the face goes from where it is to `target`.
 struct KeyframeBegun {
-  TimedAus target;
+  Keyframe target;
   Milliseconds duration{0};  ///< its own time: the packet's, else --speed, else the server's
                              ///< default. A live keyframe may in fact take 5 % more or less
   double cut_at = 1;  ///< how far the previous keyframe had come: 1, or less if that was an easing

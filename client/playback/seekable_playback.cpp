@@ -8,10 +8,10 @@ namespace {
 /// A hundred pictures a second are more than a display shows.
 constexpr Milliseconds kLookEvery{10};
 
-std::vector<Milliseconds> times_of(const std::vector<TimedAus>& keyframes, Milliseconds untimed) {
+std::vector<Milliseconds> times_of(const std::vector<Keyframe>& keyframes, Milliseconds untimed) {
   std::vector<Milliseconds> times;
   times.reserve(keyframes.size());
-  for (const TimedAus& keyframe : keyframes) {
+  for (const Keyframe& keyframe : keyframes) {
     times.push_back(keyframe.duration.value_or(untimed));
   }
   return times;
@@ -19,7 +19,7 @@ std::vector<Milliseconds> times_of(const std::vector<TimedAus>& keyframes, Milli
 
 }  // namespace
 
-SeekablePlayback::SeekablePlayback(std::vector<TimedAus> keyframes, Milliseconds untimed)
+SeekablePlayback::SeekablePlayback(std::vector<Keyframe> keyframes, Milliseconds untimed)
     : keyframes_(std::move(keyframes)),
       playhead_(times_of(keyframes_, untimed)),
       ends_(std::make_shared<const std::vector<Duration>>(playhead_.ends())),
@@ -40,7 +40,7 @@ std::optional<KeyframeBegun> SeekablePlayback::advance(Instant now) {
 }
 
 KeyframeBegun SeekablePlayback::under_way() const {
-  const TimedAus& target = keyframes_[place_.keyframe];
+  const Keyframe& target = keyframes_[place_.keyframe];
   KeyframeBegun begun{target, target.duration.value_or(untimed_)};
   begun.from = place_.keyframe == 0 ? AuFrame{} : keyframes_[place_.keyframe - 1].aus;
   return begun;

@@ -15,7 +15,7 @@ class SeekablePlayback final : public Playback {
  public:
   /// `keyframes`: at least one; those without a time of their own take `untimed`. It plays from the
   /// first advance() on, unless it was paused or sought before.
-  SeekablePlayback(std::vector<TimedAus> keyframes, Milliseconds untimed);
+  SeekablePlayback(std::vector<Keyframe> keyframes, Milliseconds untimed);
 
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now) override;
   void pause(Instant now) override;
@@ -36,14 +36,14 @@ class SeekablePlayback final : public Playback {
   [[nodiscard]] const LocalPlayback& playhead() const { return playhead_; }
   /// Of the last advance().
   [[nodiscard]] Duration position() const { return position_; }
-  [[nodiscard]] const std::vector<TimedAus>& keyframes() const { return keyframes_; }
+  [[nodiscard]] const std::vector<Keyframe>& keyframes() const { return keyframes_; }
   /// When each keyframe is reached, ascending.
   [[nodiscard]] const std::shared_ptr<const std::vector<Duration>>& ends() const { return ends_; }
   /// The keyframe under way begins once more, from the face before it: something else has changed.
   [[nodiscard]] KeyframeBegun under_way() const;
 
  private:
-  std::vector<TimedAus> keyframes_;
+  std::vector<Keyframe> keyframes_;
   LocalPlayback playhead_;
   std::shared_ptr<const std::vector<Duration>> ends_;
   Milliseconds untimed_;

@@ -33,9 +33,9 @@ glb::Sampling sampling_of(const PlayerOptions& options) {
 }
 
 /// What the stream asks for and the face cannot show, once.
-void warn_of_missing(const face::Face& face, const std::vector<playback::TimedAus>& keyframes) {
+void warn_of_missing(const face::Face& face, const std::vector<playback::Keyframe>& keyframes) {
   AuFrame all;
-  for (const playback::TimedAus& keyframe : keyframes) {
+  for (const playback::Keyframe& keyframe : keyframes) {
     for (std::size_t i = 0; i < all.left.size(); ++i) {
       all.left[i] = std::max(all.left[i], keyframe.aus.left[i]);
       all.right[i] = std::max(all.right[i], keyframe.aus.right[i]);
@@ -75,7 +75,7 @@ std::string glb_summary(const ExportOptions& given, std::size_t bytes,
 
 /// The stream as an animation; what it looks at is measured too. Nothing when it was stopped.
 std::optional<glb::Motion> motion_of(const pipeline::AuMapping& mapping,
-                                     const std::vector<playback::TimedAus>& keyframes,
+                                     const std::vector<playback::Keyframe>& keyframes,
                                      const glb::Sampling& sampling,
                                      const glb::MorphTargets& targets, const glb::FaceRig& rig,
                                      glb::Drift& drift, const OnSample& on_sample) {
@@ -106,7 +106,7 @@ Result<sources::ArkitTable> read_curves(const std::filesystem::path& file) {
 
 }  // namespace
 
-Result<void> check_length(const std::vector<playback::TimedAus>& keyframes,
+Result<void> check_length(const std::vector<playback::Keyframe>& keyframes,
                           const PlayerOptions& options, const std::string& place) {
   const std::size_t samples = glb::sample_count(keyframes, sampling_of(options));
   if (samples <= kSamplesMax) return {};

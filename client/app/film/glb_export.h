@@ -14,13 +14,13 @@ namespace aucast::app {
 
 /// An animation to be exported with a face.
 struct ExportedStream {
-  std::vector<playback::TimedAus> keyframes;  ///< none: the face alone
+  std::vector<playback::Keyframe> keyframes;  ///< none: the face alone
   std::string name;
   std::string sound;  ///< the file that belongs to it; empty: none
 };
 
 /// BadData when a stream has more samples than are exported; `place` is what it was read from.
-[[nodiscard]] Result<void> check_length(const std::vector<playback::TimedAus>& keyframes,
+[[nodiscard]] Result<void> check_length(const std::vector<playback::Keyframe>& keyframes,
                                         const PlayerOptions& options, const std::string& place);
 
 /// Called for each finished sample of the animation, with the number of all; returns whether to go

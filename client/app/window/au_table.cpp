@@ -14,12 +14,12 @@ struct Column {
   Side side;  ///< Both: they are the same throughout
 };
 
-std::vector<Column> columns_of(std::span<const playback::TimedAus> keyframes) {
+std::vector<Column> columns_of(std::span<const playback::Keyframe> keyframes) {
   std::vector<Column> columns;
   for (std::size_t number = 0; number < AuFrame{}.left.size(); ++number) {
     bool occurs = false;
     bool sided = false;
-    for (const playback::TimedAus& keyframe : keyframes) {
+    for (const playback::Keyframe& keyframe : keyframes) {
       const float left = keyframe.aus.left[number];
       const float right = keyframe.aus.right[number];
       occurs |= left > 0 || right > 0;
@@ -45,7 +45,7 @@ std::string in_seconds(Milliseconds time) {
 
 }  // namespace
 
-std::string format_au_table(std::span<const playback::TimedAus> keyframes, Milliseconds untimed) {
+std::string format_au_table(std::span<const playback::Keyframe> keyframes, Milliseconds untimed) {
   const std::vector<Column> columns = columns_of(keyframes);
   std::string text = "time_s,duration_s";
   for (const Column& column : columns) {
@@ -54,7 +54,7 @@ std::string format_au_table(std::span<const playback::TimedAus> keyframes, Milli
   }
   text += '\n';
   Milliseconds time{0};
-  for (const playback::TimedAus& keyframe : keyframes) {
+  for (const playback::Keyframe& keyframe : keyframes) {
     const Milliseconds duration = keyframe.duration.value_or(untimed);
     time += duration;
     text += in_seconds(time) + "," + in_seconds(duration);

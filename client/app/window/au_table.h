@@ -12,7 +12,7 @@ namespace aucast::app {
 /// beginning; duration_s; then a column for each AU that occurs, AU12, or AU12_left and AU12_right
 /// where its sides differ somewhere, in percent. `untimed`: of keyframes without a time of their
 /// own.
-[[nodiscard]] std::string format_au_table(std::span<const playback::TimedAus> keyframes,
+[[nodiscard]] std::string format_au_table(std::span<const playback::Keyframe> keyframes,
                                           Milliseconds untimed);
 
 }  // namespace aucast::app

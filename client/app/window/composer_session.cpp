@@ -114,7 +114,7 @@ Result<void> ComposerSession::load(const std::filesystem::path& file) {
   auto read = read_stream(file);
   if (!read) return read.error();
   std::vector<gui::ComposedKeyframe> keyframes;
-  for (const playback::TimedAus& timed : *read) keyframes.push_back(composed(timed));
+  for (const playback::Keyframe& timed : *read) keyframes.push_back(composed(timed));
   composer_.load(keyframes, file.string());
   pad_at_.reset();
   remake();
@@ -130,10 +130,10 @@ Result<std::string> ComposerSession::save(const std::filesystem::path& file) {
   return saved;
 }
 
-std::vector<playback::TimedAus> ComposerSession::keyframes() const {
-  std::vector<playback::TimedAus> keyframes;
+std::vector<playback::Keyframe> ComposerSession::keyframes() const {
+  std::vector<playback::Keyframe> keyframes;
   for (const auto& keyframe : composer_.keyframes()) {
-    playback::TimedAus timed{keyframe->aus, std::nullopt};
+    playback::Keyframe timed{keyframe->aus, std::nullopt};
     if (keyframe->ms) timed.duration = Milliseconds(*keyframe->ms);
     keyframes.push_back(timed);
   }

@@ -45,7 +45,7 @@ class ComposerSession {
   [[nodiscard]] bool unsaved() const { return composer_.unsaved(); }
   /// Where it came from or went to; empty: nowhere yet.
   [[nodiscard]] std::filesystem::path file() const { return composer_.file(); }
-  [[nodiscard]] std::vector<playback::TimedAus> keyframes() const;
+  [[nodiscard]] std::vector<playback::Keyframe> keyframes() const;
   /// `active` is the caller's to set.
   [[nodiscard]] gui::ComposerView view() const;
 

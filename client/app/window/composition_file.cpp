@@ -14,7 +14,7 @@ namespace aucast::app {
 
 static_assert(gui::Composer::kMsMax == protocol::kDurationMsMax);
 
-gui::ComposedKeyframe composed(const playback::TimedAus& keyframe) {
+gui::ComposedKeyframe composed(const playback::Keyframe& keyframe) {
   gui::ComposedKeyframe composed{keyframe.aus, std::nullopt};
   if (keyframe.duration) composed.ms = static_cast<std::uint32_t>(keyframe.duration->count());
   return composed;

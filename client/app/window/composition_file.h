@@ -10,7 +10,7 @@
 namespace aucast::app {
 
 /// A keyframe that was read or received, as the composer has them.
-[[nodiscard]] gui::ComposedKeyframe composed(const playback::TimedAus& keyframe);
+[[nodiscard]] gui::ComposedKeyframe composed(const playback::Keyframe& keyframe);
 
 /// The text of a stream file with these keyframes, read back by the same reader before it is handed
 /// out. Failed when there is none.

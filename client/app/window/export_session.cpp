@@ -28,7 +28,7 @@ Error nothing_played() {
 Result<std::string> ExportSession::stream(const Played& played, const std::filesystem::path& file) {
   if (played.keyframes.empty()) return nothing_played();
   gui::Composer::Keyframes keyframes;
-  for (const playback::TimedAus& one : played.keyframes) {
+  for (const playback::Keyframe& one : played.keyframes) {
     keyframes.push_back(std::make_shared<const gui::ComposedKeyframe>(composed(one)));
   }
   const auto saved = save_stream(keyframes, file);

@@ -24,7 +24,7 @@ class ExportSession {
  public:
   /// Writes a GLB file (film/glb_export.h), on another thread.
   using MakeGlb = std::function<Result<std::string>(
-      const PlayerOptions& options, const std::vector<playback::TimedAus>& keyframes,
+      const PlayerOptions& options, const std::vector<playback::Keyframe>& keyframes,
       const std::string& name, BackgroundWork::Course& course)>;
   explicit ExportSession(MakeGlb make) : make_(std::move(make)) {}
 

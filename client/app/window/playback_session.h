@@ -31,7 +31,7 @@ class PlaybackSession {
 
   /// Plays this from now on; null: nothing. `name`: of a stream loaded in full.
   void open(std::unique_ptr<playback::Playback> playback, std::string name, Instant now);
-  void open(std::vector<playback::TimedAus> keyframes, std::string name, Instant now);
+  void open(std::vector<playback::Keyframe> keyframes, std::string name, Instant now);
   /// Plays the stream of one's own camera, with the lowest delay and without its voice. Its address
   /// is not remembered.
   void watch_own(const net::Endpoint& endpoint, Instant now);

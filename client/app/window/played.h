@@ -14,11 +14,11 @@ struct Played {
   /// An hour of a live stream at 25 a second.
   static constexpr std::size_t kKept = 90'000;
 
-  std::vector<playback::TimedAus> keyframes;
+  std::vector<playback::Keyframe> keyframes;
   std::uint64_t begun = 0;  ///< so many there were: more than `keyframes` if not all were kept
 
   /// Of a stream that may never end.
-  void add(playback::TimedAus keyframe) {
+  void add(playback::Keyframe keyframe) {
     ++begun;
     if (keyframes.size() < kKept) keyframes.push_back(std::move(keyframe));
   }

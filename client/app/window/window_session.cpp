@@ -38,7 +38,7 @@ Result<std::string> gallery_of(const PlayerOptions& options, BackgroundWork::Cou
 
 /// With a face of its own, because the window's may become another one meanwhile.
 Result<std::string> glb_of(const PlayerOptions& options,
-                           const std::vector<playback::TimedAus>& keyframes,
+                           const std::vector<playback::Keyframe>& keyframes,
                            const std::string& name, BackgroundWork::Course& course) {
   const auto assets = load_assets(options.face);
   if (!assets) return assets.error();

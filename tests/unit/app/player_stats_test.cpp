@@ -62,8 +62,8 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
 /// Gives one live keyframe.
 class OneKeyframe final : public playback::KeyframeSource {
  public:
-  explicit OneKeyframe(playback::TimedAus keyframe) : keyframe_(std::move(keyframe)) {}
-  [[nodiscard]] std::optional<playback::TimedAus> take() override {
+  explicit OneKeyframe(playback::Keyframe keyframe) : keyframe_(std::move(keyframe)) {}
+  [[nodiscard]] std::optional<playback::Keyframe> take() override {
     return std::exchange(keyframe_, std::nullopt);
   }
   [[nodiscard]] bool ready() const override { return keyframe_.has_value(); }
@@ -72,12 +72,12 @@ class OneKeyframe final : public playback::KeyframeSource {
   void stop() override {}
 
  private:
-  std::optional<playback::TimedAus> keyframe_;
+  std::optional<playback::Keyframe> keyframe_;
 };
 
 TEST(PlayerStats, HasTheDelayOfALiveStream) {
   const auto json_of = [](std::optional<Duration> due) {
-    playback::TimedAus keyframe{{}, Milliseconds(40)};
+    playback::Keyframe keyframe{{}, Milliseconds(40)};
     keyframe.arrived = Instant{};
     if (due) keyframe.due = Instant{} + *due;
     playback::SourcePlayback playback(std::make_unique<OneKeyframe>(keyframe), {});

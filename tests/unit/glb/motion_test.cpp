@@ -9,9 +9,9 @@ namespace {
 
 using face::test::small_face;
 
-playback::TimedAus keyframe(std::uint8_t au, float intensity,
+playback::Keyframe keyframe(std::uint8_t au, float intensity,
                             std::optional<Milliseconds> duration) {
-  playback::TimedAus keyframe;
+  playback::Keyframe keyframe;
   set_intensity(keyframe.aus, au, Side::Both, intensity);
   keyframe.duration = duration;
   return keyframe;
@@ -22,7 +22,7 @@ struct Sample {
   float intensity = 0;
 };
 
-std::vector<Sample> samples(const std::vector<playback::TimedAus>& keyframes, int fps) {
+std::vector<Sample> samples(const std::vector<playback::Keyframe>& keyframes, int fps) {
   const face::Face face = small_face();
   const pipeline::AuMapping mapping{face, face.recordings, {}, face::Mixer::Maximum};
   std::vector<Sample> all;

@@ -5,8 +5,8 @@
 namespace aucast::gui {
 namespace {
 
-std::vector<playback::TimedAus> keyframes(std::initializer_list<std::vector<AuTerm>> sets) {
-  std::vector<playback::TimedAus> made;
+std::vector<playback::Keyframe> keyframes(std::initializer_list<std::vector<AuTerm>> sets) {
+  std::vector<playback::Keyframe> made;
   for (const std::vector<AuTerm>& terms : sets) made.push_back({frame_from_terms(terms), {}});
   return made;
 }

@@ -124,7 +124,7 @@ TEST_F(LowDelay, SkipsToThePresentWhileTheFaceStands) {
   std::string burst;
   for (int i = 0; i < 50; ++i) burst += i == 49 ? "{9;40}" : "{2;40}";
   EXPECT_EQ(feed(burst), "") << "with window=0 nothing is answered";
-  std::optional<playback::TimedAus> last;
+  std::optional<playback::Keyframe> last;
   int left = 0;
   while (const auto next = reader_->take()) {
     last = next;

@@ -93,7 +93,7 @@ class Loop {
   [[nodiscard]] playback::SourceStatus status() const { return reader_.status(); }
 
  private:
-  static int mark_of(const playback::TimedAus& keyframe) {
+  static int mark_of(const playback::Keyframe& keyframe) {
     const auto& right = keyframe.aus.right;  // AUs without a side may be the right one's alone
     return static_cast<int>(std::find(right.begin(), right.end(), 1.0F) - right.begin());
   }

@@ -40,7 +40,7 @@ class Timing : public ::testing::Test {
   }
 
   ManualClock clock_;
-  playback::TimedAus last_;
+  playback::Keyframe last_;
 };
 
 TEST_F(Timing, TheFirstDelayCoversAPacketThatIsSentAgain) {

@@ -14,11 +14,11 @@
 namespace aucast::pipeline {
 namespace {
 
+using playback::Keyframe;
 using playback::KeyframeBegun;
 using playback::PlaybackState;
 using playback::SeekablePlayback;
 using playback::SourcePlayback;
-using playback::TimedAus;
 using playback::test::ScriptedSource;
 
 /// AU 26 opens the jaw by 4, AU 27 by 2; nothing else moves.
@@ -35,13 +35,13 @@ AuFrame aus(int number) {
   return frame_from_terms({&term, 1});
 }
 
-TimedAus keyframe(int number, int ms) {
+Keyframe keyframe(int number, int ms) {
   return {aus(number), Milliseconds(ms)};
 }
 
 class PlayerTest : public ::testing::Test {
  protected:
-  ScriptedSource& play_source(std::vector<TimedAus> keyframes,
+  ScriptedSource& play_source(std::vector<Keyframe> keyframes,
                               const SourcePlayback::Options& options = {}) {
     auto source = std::make_unique<ScriptedSource>();
     ScriptedSource& scripted = *source;
@@ -50,7 +50,7 @@ class PlayerTest : public ::testing::Test {
     player_.open(playback_.get());
     return scripted;
   }
-  SeekablePlayback& play_whole(std::vector<TimedAus> keyframes) {
+  SeekablePlayback& play_whole(std::vector<Keyframe> keyframes) {
     auto whole = std::make_unique<SeekablePlayback>(std::move(keyframes), Milliseconds(250));
     SeekablePlayback& seekable = *whole;
     playback_ = std::move(whole);
@@ -58,7 +58,7 @@ class PlayerTest : public ::testing::Test {
     return seekable;
   }
   /// `whole`: as a file that is all there, otherwise as what a source brings.
-  void play(bool whole, std::vector<TimedAus> keyframes) {
+  void play(bool whole, std::vector<Keyframe> keyframes) {
     if (whole) {
       play_whole(std::move(keyframes));
     } else {
@@ -86,7 +86,7 @@ TEST_F(PlayerTest, WithNothingOpenTheFaceIsNeutral) {
 }
 
 TEST_F(PlayerTest, BothKindsShowTheSameFace) {
-  const std::vector<TimedAus> keyframes = {keyframe(26, 100), keyframe(27, 200), keyframe(0, 100)};
+  const std::vector<Keyframe> keyframes = {keyframe(26, 100), keyframe(27, 200), keyframe(0, 100)};
   const auto faces = [&] {
     std::vector<float> shown;
     for (int i = 0; i <= 40; ++i) shown.push_back(jaw_after(i == 0 ? 0 : 10));
@@ -200,7 +200,7 @@ TEST_F(PlayerTest, AnotherFaceStandsWhereTheOneBeforeDid) {
 
 TEST_F(PlayerTest, AdvancingAllocatesNothing) {
   for (const bool whole : {false, true}) {
-    std::vector<TimedAus> keyframes;
+    std::vector<Keyframe> keyframes;
     for (int i = 0; i < 20; ++i) keyframes.push_back(keyframe(26 + i % 2, 20));
     play(whole, keyframes);
     jaw_after(0);

@@ -17,8 +17,8 @@ using test::mark_of;
 using test::marked;
 
 /// Keyframe `mark` of a live stream, untimed unless `time` is given.
-TimedAus keyframe_of(int mark, std::optional<Milliseconds> time = std::nullopt) {
-  TimedAus made = marked(mark);
+Keyframe keyframe_of(int mark, std::optional<Milliseconds> time = std::nullopt) {
+  Keyframe made = marked(mark);
   made.duration = time;
   return made;
 }

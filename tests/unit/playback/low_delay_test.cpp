@@ -34,13 +34,13 @@ class LinkSource final : public KeyframeSource {
   explicit LinkSource(Milliseconds time) : time_(time) { buffers_.set_live(time); }
 
   void arrive(Instant now) {
-    TimedAus keyframe = marked(++sent_, time_);
+    Keyframe keyframe = marked(++sent_, time_);
     keyframe.arrived = now;
     keyframe.due = playout_.arrived(now, time_);
     EXPECT_EQ(buffers_.store(keyframe), KeyframeBuffers::Stored::Yes);
   }
 
-  [[nodiscard]] std::optional<TimedAus> take() override { return buffers_.take(); }
+  [[nodiscard]] std::optional<Keyframe> take() override { return buffers_.take(); }
   [[nodiscard]] bool ready() const override { return buffers_.has_next(); }
   bool wait_until(Instant /*until*/) override { return ready(); }
   [[nodiscard]] SourceStatus status() const override { return {}; }

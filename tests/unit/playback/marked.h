@@ -7,14 +7,14 @@
 namespace aucast::playback::test {
 
 /// A keyframe that can be told from others: `mark` stands in AU 1 of the left side.
-inline TimedAus marked(int mark, std::optional<Milliseconds> duration = std::nullopt) {
-  TimedAus keyframe;
+inline Keyframe marked(int mark, std::optional<Milliseconds> duration = std::nullopt) {
+  Keyframe keyframe;
   keyframe.aus.left[1] = static_cast<float>(mark);
   keyframe.duration = duration;
   return keyframe;
 }
 
-[[nodiscard]] inline int mark_of(const TimedAus& keyframe) {
+[[nodiscard]] inline int mark_of(const Keyframe& keyframe) {
   return static_cast<int>(keyframe.aus.left[1]);
 }
 

@@ -27,7 +27,7 @@ class PassingTest : public ::testing::Test {
   }
 
   void keyframe(Milliseconds place, Milliseconds time = 100ms, int pace = 100) {
-    TimedAus keyframe = marked(1, time);
+    Keyframe keyframe = marked(1, time);
     keyframe.place = place;
     keyframe.span = time;
     keyframe.pace_percent = pace;

@@ -208,7 +208,7 @@ TEST(PlaybackController, AnEmptyStreamEndsWithoutPlaying) {
 /// Looks empty at the first take; the keyframe comes just before ready() is asked.
 class LastMomentSource final : public KeyframeSource {
  public:
-  [[nodiscard]] std::optional<TimedAus> take() override {
+  [[nodiscard]] std::optional<Keyframe> take() override {
     return ++asked_ == 2 ? std::optional(marked(7)) : std::nullopt;
   }
   [[nodiscard]] bool ready() const override { return true; }

@@ -26,7 +26,7 @@ TEST(PlaybackTiming, AnHourOfKeyframesTakesAnHour) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());
   constexpr int kCount = 14'400;
-  FileSource source(std::vector<TimedAus>(kCount, marked(1)));
+  FileSource source(std::vector<Keyframe>(kCount, marked(1)));
   PlaybackController controller(250ms);
   ManualClock clock;
   const Instant begin = clock.now();
@@ -46,7 +46,7 @@ TEST(PlaybackTiming, AnHourOfKeyframesTakesAnHour) {
 TEST(PlaybackTiming, FollowingNextPositionMeetsEveryPositionOnce) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());
-  std::vector<TimedAus> keyframes;
+  std::vector<Keyframe> keyframes;
   Milliseconds total{0};
   for (int i = 0; i < 200; ++i) {
     const Milliseconds duration(seeded.integer(1, 1000));

@@ -10,12 +10,12 @@ namespace aucast::playback::test {
 /// A source whose keyframes and end the test puts in by hand.
 class ScriptedSource final : public KeyframeSource {
  public:
-  std::deque<TimedAus> keyframes;
+  std::deque<Keyframe> keyframes;
   SourceStatus now;
 
-  [[nodiscard]] std::optional<TimedAus> take() override {
+  [[nodiscard]] std::optional<Keyframe> take() override {
     if (keyframes.empty()) return std::nullopt;
-    const TimedAus next = keyframes.front();
+    const Keyframe next = keyframes.front();
     keyframes.pop_front();
     return next;
   }

@@ -15,7 +15,7 @@ class SeekablePlaybackTest : public ::testing::Test {
     return playback_.advance(clock_.now());
   }
 
-  static std::vector<TimedAus> two() {
+  static std::vector<Keyframe> two() {
     const AuTerm term{12};
     return {{frame_from_terms({&term, 1}), Milliseconds(100)}, {AuFrame{}, std::nullopt}};
   }

@@ -16,8 +16,8 @@
 namespace aucast::sound {
 namespace {
 
+using playback::Keyframe;
 using playback::SourcePlayback;
-using playback::TimedAus;
 
 constexpr Milliseconds kFrameTime{10};
 
@@ -43,7 +43,7 @@ class HeardPlayerTest : public ::testing::Test {
   HeardPlayerTest() {
     auto source = std::make_unique<playback::test::ScriptedSource>();
     source_ = source.get();
-    TimedAus open_jaw;
+    Keyframe open_jaw;
     set_intensity(open_jaw.aus, 26, Side::Both, 1);
     open_jaw.duration = open_jaw.place = open_jaw.span = Milliseconds(1'000);
     source->keyframes.push_back(open_jaw);

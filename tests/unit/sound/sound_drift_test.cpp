@@ -14,8 +14,8 @@ namespace aucast::sound {
 namespace {
 
 using namespace std::chrono_literals;
+using playback::Keyframe;
 using playback::KeyframeBuffers;
-using playback::TimedAus;
 
 constexpr Milliseconds kDriftTick{10};
 constexpr Milliseconds kKeyframe{40};
@@ -27,7 +27,7 @@ class BufferedSource final : public playback::KeyframeSource {
  public:
   explicit BufferedSource(KeyframeBuffers& buffers) : buffers_(buffers) {}
 
-  [[nodiscard]] std::optional<TimedAus> take() override { return buffers_.take(); }
+  [[nodiscard]] std::optional<Keyframe> take() override { return buffers_.take(); }
   [[nodiscard]] bool ready() const override { return buffers_.has_next(); }
   bool wait_until(Instant /*until*/) override { return ready(); }
   [[nodiscard]] playback::SourceStatus status() const override {
@@ -102,7 +102,7 @@ TEST_P(SoundDrift, OfAnHourIsTakenOutOfPausesAndTheFaceStaysWithTheSound) {
   for (int tick = 0; tick < 3600 * 100; ++tick) {
     steady += kDriftTick;
     if (tick % (kKeyframe / kDriftTick) == 0) {
-      TimedAus keyframe;
+      Keyframe keyframe;
       keyframe.duration = kKeyframe;
       keyframe.span = kKeyframe;
       keyframe.place = place += kKeyframe;

@@ -15,9 +15,9 @@ namespace aucast::sound {
 namespace {
 
 using playback::EndReason;
+using playback::Keyframe;
 using playback::PlaybackState;
 using playback::SourcePlayback;
-using playback::TimedAus;
 using test::CountingTrack;
 using test::Crank;
 using test::CrankedOut;
@@ -37,7 +37,7 @@ class SoundPlayerTest : public ::testing::Test {
 
   void keyframes(int count) {
     for (int i = 0; i < count; ++i) {
-      TimedAus keyframe;
+      Keyframe keyframe;
       keyframe.duration = Milliseconds(40);
       keyframe.place = place_ += Milliseconds(40);
       keyframe.span = Milliseconds(40);
@@ -294,7 +294,7 @@ TEST_F(SoundPlayerTest, LiveKeyframesAreDueByTheClockOfTheSound) {
   ticks(100);
   // The device has been given 100 ms ahead, so that what arrives now is shown 100 ms later.
   for (int i = 0; i < 20; ++i) {
-    TimedAus keyframe;
+    Keyframe keyframe;
     keyframe.duration = Milliseconds(40);
     keyframe.place = place_ += Milliseconds(40);
     keyframe.span = Milliseconds(40);

@@ -14,8 +14,8 @@
 namespace aucast::app {
 namespace {
 
-playback::TimedAus keyframe(std::initializer_list<AuTerm> terms, int ms) {
-  playback::TimedAus timed{frame_from_terms({terms.begin(), terms.size()}), std::nullopt};
+playback::Keyframe keyframe(std::initializer_list<AuTerm> terms, int ms) {
+  playback::Keyframe timed{frame_from_terms({terms.begin(), terms.size()}), std::nullopt};
   if (ms >= 0) timed.duration = Milliseconds(ms);
   return timed;
 }
@@ -28,7 +28,7 @@ Result<std::string> outcome_of(ExportSession& session) {
 }
 
 TEST(AuTable, HasARowForEachKeyframeAndAColumnForEachAuThatOccurs) {
-  const std::vector<playback::TimedAus> keyframes = {
+  const std::vector<playback::Keyframe> keyframes = {
       keyframe({{12, Side::Both, 80}}, 500),
       keyframe({{12, Side::Both, 5}, {14, Side::Left, 100}}, -1), keyframe({}, 40)};
   EXPECT_EQ(format_au_table(keyframes, Milliseconds(250)),

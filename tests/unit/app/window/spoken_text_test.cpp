@@ -17,7 +17,7 @@ class CaptionedSource final : public playback::KeyframeSource {
  public:
   std::deque<playback::Caption> captions;
 
-  [[nodiscard]] std::optional<playback::TimedAus> take() override { return std::nullopt; }
+  [[nodiscard]] std::optional<playback::Keyframe> take() override { return std::nullopt; }
   [[nodiscard]] std::optional<playback::Caption> take_caption() override {
     if (captions.empty()) return std::nullopt;
     playback::Caption caption = captions.front();
