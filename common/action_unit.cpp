@@ -158,6 +158,15 @@ AuFrame between(const AuFrame& from, const AuFrame& to, double share) {
   return frame;
 }
 
+AuFrame stronger(const AuFrame& a, const AuFrame& b) {
+  AuFrame frame;
+  for (std::size_t number = 0; number < kAuCount; ++number) {
+    frame.left[number] = std::max(a.left[number], b.left[number]);
+    frame.right[number] = std::max(a.right[number], b.right[number]);
+  }
+  return frame;
+}
+
 AuFrame frame_from_terms(std::span<const AuTerm> terms) {
   AuFrame frame;
   apply_terms(frame, terms);

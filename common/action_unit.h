@@ -61,6 +61,9 @@ struct SidedName {
 /// The frame between two, at `share` of the way, 0 to 1.
 [[nodiscard]] AuFrame between(const AuFrame& from, const AuFrame& to, double share);
 
+/// Each AU as the stronger of the two frames has it, side by side.
+[[nodiscard]] AuFrame stronger(const AuFrame& a, const AuFrame& b);
+
 /// The frame that the terms describe. If the same side of an AU comes twice, the last wins; AU 0
 /// adds nothing; 0 percent is absent.
 [[nodiscard]] AuFrame frame_from_terms(std::span<const AuTerm> terms);

@@ -1,6 +1,5 @@
 #include "client/app/film/glb_export.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -35,12 +34,7 @@ glb::Sampling sampling_of(const PlayerOptions& options) {
 /// What the stream asks for and the face cannot show, once.
 void warn_of_missing(const face::Face& face, const std::vector<playback::Keyframe>& keyframes) {
   AuFrame all;
-  for (const playback::Keyframe& keyframe : keyframes) {
-    for (std::size_t i = 0; i < all.left.size(); ++i) {
-      all.left[i] = std::max(all.left[i], keyframe.aus.left[i]);
-      all.right[i] = std::max(all.right[i], keyframe.aus.right[i]);
-    }
-  }
+  for (const playback::Keyframe& keyframe : keyframes) all = stronger(all, keyframe.aus);
   if (const std::string missing = face::not_shown(face, all); !missing.empty()) {
     spdlog::warn("the face '{}' cannot show AU {}", face.name, missing);
   }

@@ -47,15 +47,6 @@ std::vector<Side> sides_of(const face::Face& face, int number) {
   return {Side::Both, Side::Left, Side::Right};
 }
 
-AuFrame joined(const AuFrame& a, const AuFrame& b) {
-  AuFrame both = a;
-  for (std::size_t i = 0; i < both.left.size(); ++i) {
-    both.left[i] = std::max(both.left[i], b.left[i]);
-    both.right[i] = std::max(both.right[i], b.right[i]);
-  }
-  return both;
-}
-
 }  // namespace
 
 bool GalleryPlanner::wanted(const std::string& section) const {
@@ -175,7 +166,7 @@ GalleryBlock GalleryPlanner::combination_block(const std::string& heading,
       const Expression* a = expression(prefix + kEmotions[i]);
       const Expression* b = expression(prefix + kEmotions[j]);
       if (a == nullptr || b == nullptr) continue;
-      const Subject both{{a->name, b->name}, joined(a->aus, b->aus), {}};
+      const Subject both{{a->name, b->name}, stronger(a->aus, b->aus), {}};
       const std::size_t index = picture("combinations/" + a->name + "_" + b->name + ".png", both);
       block.rows.front().figures.push_back(
           {index, a->label + " and " + b->label, spaced(both.aus), 0});

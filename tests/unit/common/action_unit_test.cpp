@@ -93,6 +93,15 @@ TEST(Between, EndsAtBothFramesAndKeepsSidesApart) {
             (Terms{{4, Side::Right, 15}, {12, Side::Left, 50}, {12, Side::Right, 40}}));
 }
 
+TEST(Stronger, TakesEachSideOfEachAuFromTheFrameThatHasMoreOfIt) {
+  const AuFrame a = frame_from_terms(Terms{{12, Side::Left, 20}, {12, Side::Right, 90}});
+  const AuFrame b = frame_from_terms(Terms{{12, Side::Both, 80}, {4, Side::Right, 30}});
+  const AuFrame both =
+      frame_from_terms(Terms{{4, Side::Right, 30}, {12, Side::Left, 80}, {12, Side::Right, 90}});
+  EXPECT_EQ(stronger(a, b), both);
+  EXPECT_EQ(stronger(b, a), both);
+}
+
 TEST(PercentOf, RoundsAndCuts) {
   EXPECT_EQ(percent_of(0.004F), 0);
   EXPECT_EQ(percent_of(0.005F), 1);
