@@ -71,11 +71,12 @@ Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& optio
 }
 
 Result<std::unique_ptr<playback::Playback>> open_remote(const PlaybackOptions& options,
+                                                        const net::Security& security,
                                                         const SourcePlayback::Options& how,
                                                         bool captions) {
   const auto endpoint = net::parse_endpoint(options.endpoint);
   if (!endpoint) return endpoint.error();
-  net::RemoteOptions remote = remote_options(options, *endpoint);
+  net::RemoteOptions remote = remote_options(options, *endpoint, security);
   remote.captions = captions;
   return std::unique_ptr<playback::Playback>(std::make_unique<SourcePlayback>(
       std::make_unique<net::RemoteSource>(std::move(remote)), how));
@@ -88,10 +89,10 @@ Result<std::unique_ptr<sound::SoundTrack>> open_track(const PlayerOptions& optio
   return open_sound_beside(options.playback.file);
 }
 
-Result<void> print_list(const PlaybackOptions& options) {
+Result<void> print_list(const PlaybackOptions& options, const net::Security& security) {
   const auto endpoint = net::parse_endpoint(options.endpoint);
   if (!endpoint) return endpoint.error();
-  const auto names = net::list_streams(remote_options(options, *endpoint));
+  const auto names = net::list_streams(remote_options(options, *endpoint, security));
   if (!names) return names.error();
   for (const std::string& name : *names) std::fputs((name + "\n").c_str(), stdout);
   return {};
@@ -113,7 +114,7 @@ Result<void> outcome(const playback::SourceStatus& status) {
   return Error{ErrorKind::Network, status.detail};
 }
 
-Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
+Result<void> play(const PlayerOptions& given, const net::Security& security, PlayerStats& stats) {
   WindowSettings settings = WindowSettings::load(given);
   PlayerOptions options = settings.applied(given);
   SourcePlayback::Options how{options.playback.speed, options.playback.hold, false};
@@ -137,7 +138,7 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
   auto track = open_track(options);
   if (!track) return track.error();
   if (!options.playback.endpoint.empty()) {
-    auto opened = open_remote(options.playback, how, !options.headless);
+    auto opened = open_remote(options.playback, security, how, !options.headless);
     if (!opened) return opened.error();
     playback = std::move(*opened);
   }
@@ -162,31 +163,30 @@ Result<void> play(const PlayerOptions& given, PlayerStats& stats) {
 }
 
 /// Certificates and token, before anything is connected to or drawn.
-Result<void> make_secure(PlaybackOptions& options) {
+Result<net::Security> load_security(const PlaybackOptions& options) {
   std::string host;
   if (!options.endpoint.empty()) {
     const auto endpoint = net::parse_endpoint(options.endpoint);
     if (!endpoint) return endpoint.error();
     host = endpoint->host;
   }
-  auto security = net::load_security(options.security_options, host);
+  auto security = net::load_security(options.security, host);
   if (!security) return security.error();
   if (!security->warning.empty()) spdlog::warn("{}", security->warning);
-  options.security = std::move(*security);
-  return {};
+  return security;
 }
 
 /// Plays and writes --stats whatever came of it.
-Result<void> play_and_count(const PlayerOptions& options) {
+Result<void> play_and_count(const PlayerOptions& options, const net::Security& security) {
   PlayerStats stats;
-  Result<void> played = play(options, stats);
+  Result<void> played = play(options, security, stats);
   if (!played && stats.detail.empty()) stats.detail = played.error().message;
   if (options.output.stats.empty()) return played;
   auto written = write_file_atomically(options.output.stats, to_json(stats));
   return played ? written : played;
 }
 
-Result<void> run(PlayerOptions options) {
+Result<void> run(const PlayerOptions& options) {
   if (auto log = set_up_log("face-player", options.log_level); !log) return log;
   switch (options.command) {
     case Command::Help:
@@ -206,9 +206,10 @@ Result<void> run(PlayerOptions options) {
       break;
   }
   set_up_signals();
-  if (auto secure = make_secure(options.playback); !secure) return secure;
-  if (options.list) return print_list(options.playback);
-  return play_and_count(options);
+  const auto security = load_security(options.playback);
+  if (!security) return security.error();
+  if (options.list) return print_list(options.playback, *security);
+  return play_and_count(options, *security);
 }
 
 int report(const Error& error) {
@@ -227,8 +228,8 @@ int run_player(std::vector<std::string> arguments) {
     if (const auto printed = print_now(*script); !printed) return report(printed.error());
     return 0;
   }
-  auto options = parse_player_options(std::move(arguments));
-  Result<void> done = options ? run(std::move(*options)) : Result<void>(options.error());
+  const auto options = parse_player_options(std::move(arguments));
+  Result<void> done = options ? run(*options) : Result<void>(options.error());
   if (done) done = print_now();
   return done ? 0 : report(done.error());
 }

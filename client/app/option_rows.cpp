@@ -129,7 +129,7 @@ Complaint read_live_delay(const std::string& word, playback::BufferOptions& buff
 
 std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   playback::BufferOptions& buffers = playback.buffers;
-  net::SecurityOptions& security = playback.security_options;
+  net::SecurityOptions& security = playback.security;
   return {
       {"buffer", "N", "100", "Receiver buffer: sets, a time as 300ms, or auto (100)",
        "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "

@@ -47,7 +47,7 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
   playback.endpoint = link::host_and_port(first.host, first.port);
   playback.others.assign(address->hosts.begin() + 1, address->hosts.end());
   playback.reconnect = playback.reconnect || !playback.others.empty();
-  playback.security_options.tls = playback.security_options.tls || address->tls;
+  playback.security.tls = playback.security.tls || address->tls;
   return {};
 }
 
@@ -67,7 +67,7 @@ Result<void> settle_mirror(const TypedWords& typed, PlayerOptions& options) {
         "--mirror shows your own camera in the window: leave out what does without one");
   }
   // What would be shown to a server is what guests are asked for.
-  net::SecurityOptions& security = options.playback.security_options;
+  net::SecurityOptions& security = options.playback.security;
   options.mirror.token = std::exchange(security.token, {});
   options.mirror.certificate = std::exchange(security.files.certificate, {});
   options.mirror.key = std::exchange(security.files.key, {});
@@ -129,7 +129,7 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
 }
 
 Result<void> check_security(const PlaybackOptions& options) {
-  const net::SecurityOptions& security = options.security_options;
+  const net::SecurityOptions& security = options.security;
   if (security.files.certificate.empty() != security.files.key.empty()) {
     return usage_error("--tls-cert and --tls-key go together");
   }

@@ -1,8 +1,11 @@
 #include "client/app/remote_options.h"
 
+#include <utility>
+
 namespace aucast::app {
 
-net::RemoteOptions remote_options(const PlaybackOptions& options, const net::Endpoint& endpoint) {
+net::RemoteOptions remote_options(const PlaybackOptions& options, const net::Endpoint& endpoint,
+                                  net::Security security) {
   net::RemoteOptions remote;
   remote.host = endpoint.host;
   remote.port = endpoint.port;
@@ -13,7 +16,7 @@ net::RemoteOptions remote_options(const PlaybackOptions& options, const net::End
   remote.buffers = options.buffers;
   remote.speed = options.speed;
   remote.reconnect = options.reconnect;
-  remote.security = options.security;
+  remote.security = std::move(security);
   remote.voice = options.voice;
   return remote;
 }

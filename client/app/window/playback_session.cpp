@@ -83,10 +83,9 @@ void PlaybackSession::open_remote(net::RemoteOptions options, RemoteStream::Serv
 }
 
 void PlaybackSession::watch_own(const net::Endpoint& endpoint, Instant now) {
-  net::RemoteOptions remote = remote_options(options_.playback, endpoint);
+  net::RemoteOptions remote = remote_options(options_.playback, endpoint, {});
   remote.others.clear();
   remote.stream.clear();
-  remote.security = {};
   remote.reconnect = remote.voice = false;
   remote.buffers.low_delay = true;
   open_remote(std::move(remote), RemoteStream::Server::OwnCamera, now);

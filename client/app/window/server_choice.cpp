@@ -21,13 +21,13 @@ void ServerChoice::answered() {
 
 Result<net::RemoteOptions> ServerChoice::server_of(const gui::RemoteSettings& settings,
                                                    bool voice) const {
-  net::SecurityOptions protection = options_.security_options;
+  net::SecurityOptions protection = options_.security;
   protection.tls |= settings.tls;
   if (!settings.token_file.empty()) protection.token = settings.token_file;
   auto security = net::load_security(protection, settings.address);
   if (!security) return security.error();
   const net::Endpoint asked{settings.address, static_cast<std::uint16_t>(settings.port)};
-  net::RemoteOptions remote = remote_options(options_, asked);
+  net::RemoteOptions remote = remote_options(options_, asked, *std::move(security));
   remote.others = settings.others;
   remote.speed.reset();
   if (settings.speed_ms > 0) remote.speed = Milliseconds(settings.speed_ms);
@@ -35,7 +35,6 @@ Result<net::RemoteOptions> ServerChoice::server_of(const gui::RemoteSettings& se
   remote.stream = settings.stream;
   remote.voice = options_.voice || voice;
   remote.captions = true;
-  remote.security = *std::move(security);
   remote.buffers.receiver_capacity = static_cast<std::size_t>(settings.buffer);
   remote.buffers.playout_capacity = static_cast<std::size_t>(settings.playout);
   remote.buffers.threshold_percent = settings.threshold_percent;

@@ -67,7 +67,7 @@ KeptSettings settings_of(const PlayerOptions& options) {
   if (playback.speed) settings.remote.speed_ms = static_cast<int>(playback.speed->count());
   settings.remote.reconnect = playback.reconnect;
   settings.remote.stream = playback.stream;
-  settings.remote.tls = playback.security_options.tls;
+  settings.remote.tls = playback.security.tls;
   settings.animation = {options.face.mixer, options.face.rules, playback.interpolation};
   settings.display = options.display;
   settings.rendering.layers = options.output.layers;
@@ -108,7 +108,7 @@ WindowSettings::WindowSettings(const PlayerOptions& options, std::filesystem::pa
     in_force_.remote.others = options.playback.others;
     // The last ones were another server's.
     in_force_.remote.stream = options.playback.stream;
-    in_force_.remote.tls = options.playback.security_options.tls;
+    in_force_.remote.tls = options.playback.security.tls;
     in_force_.remote.token_file.clear();
   }
 }

@@ -280,7 +280,7 @@ TEST(PlayerOptions, WithTheMirrorTokenAndCertificateAreForItsGuests) {
   EXPECT_EQ(options->mirror.token, "t");
   EXPECT_EQ(options->mirror.certificate, "c.pem");
   EXPECT_EQ(options->mirror.key, "k.pem");
-  const net::SecurityOptions& shown = options->playback.security_options;
+  const net::SecurityOptions& shown = options->playback.security;
   EXPECT_TRUE(shown.token.empty()) << "no server is shown it";
   EXPECT_TRUE(shown.files.certificate.empty());
   EXPECT_FALSE(shown.tls);
@@ -331,12 +331,12 @@ TEST(PlayerOptions, AStreamsAddressSaysWhatOtherOptionsSayToo) {
   EXPECT_EQ(one.playback.endpoint, "a:7");
   EXPECT_EQ(one.playback.stream, "talk");
   EXPECT_FALSE(one.playback.reconnect);
-  EXPECT_FALSE(one.playback.security_options.tls);
+  EXPECT_FALSE(one.playback.security.tls);
   const PlayerOptions more = accepted({"aucasts://a,[::1]:7/talk"});
   EXPECT_EQ(more.playback.endpoint, "a:4650");
   EXPECT_EQ(more.playback.others, (std::vector<protocol::Endpoint>{{"::1", 7}}));
   EXPECT_TRUE(more.playback.reconnect) << "else the second would never be asked";
-  EXPECT_TRUE(more.playback.security_options.tls);
+  EXPECT_TRUE(more.playback.security.tls);
   EXPECT_FALSE(parse_player_options({"aucast://a/talk", "--stream", "six"}));
   EXPECT_FALSE(parse_player_options({"aucast:///talk"}));
 }
