@@ -1,10 +1,9 @@
 #include "client/app/window/face_session.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <system_error>
 #include <utility>
 
+#include "client/app/window/own_faces.h"
 #include "client/face/face.h"
 #include "client/gui/user_face.h"
 #include "common/files.h"
@@ -23,7 +22,7 @@ fs::path plain(const fs::path& folder) {
 }
 
 fs::path own_faces() {
-  const auto folder = gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"));
+  const auto folder = folder_of_own_faces();
   return folder ? plain(*folder) : fs::path();
 }
 

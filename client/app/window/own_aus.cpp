@@ -1,22 +1,13 @@
 #include "client/app/window/own_aus.h"
 
-#include <cstdlib>
-#include <system_error>
 #include <utility>
 
+#include "client/app/window/own_faces.h"
 #include "client/gui/texts.h"
 #include "client/gui/user_face.h"
 #include "common/files.h"
-#include "common/text.h"
 
 namespace aucast::app {
-namespace {
-
-Result<std::filesystem::path> folder_of_own_faces() {
-  return gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"));
-}
-
-}  // namespace
 
 OwnAus::OwnAus(const Assets& assets, pipeline::AuMapping& mapping)
     : assets_(assets), mapping_(mapping) {
