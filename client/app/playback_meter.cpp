@@ -19,19 +19,19 @@ void trace_reached(const AuFrame& aus, Instant now) {
 
 }  // namespace
 
-void PlaybackMeter::begun(const playback::Playback& playback,
-                          const playback::KeyframeBegun& keyframe, Instant now) {
-  count(playback, now);
+void PlaybackMeter::keyframe_begun(const playback::Playback& playback,
+                                   const playback::KeyframeBegun& keyframe, Instant now) {
+  count_played(playback, now);
   under_way_ = keyframe.target.aus;
   if (!first_begin_) first_begin_ = now;
 }
 
-bool PlaybackMeter::advanced(const playback::Playback& playback, Instant now) {
-  count(playback, now);
+bool PlaybackMeter::count(const playback::Playback& playback, Instant now) {
+  count_played(playback, now);
   return first_begin_ && !std::exchange(told_, true);
 }
 
-void PlaybackMeter::count(const playback::Playback& playback, Instant now) {
+void PlaybackMeter::count_played(const playback::Playback& playback, Instant now) {
   const std::uint64_t played = playback.keyframes_played();
   if (std::exchange(played_, played) == played) return;
   trace_reached(under_way_, now);

@@ -12,16 +12,17 @@ class PlaybackMeter {
  public:
   explicit PlaybackMeter(PlayerStats& stats) : stats_(stats) {}
 
-  /// This keyframe begins as playback is advanced to `now`.
-  void begun(const playback::Playback& playback, const playback::KeyframeBegun& keyframe,
-             Instant now);
-  /// Playback has been advanced to `now`; true when its first keyframe has begun by that.
-  bool advanced(const playback::Playback& playback, Instant now);
+  /// To be called for each keyframe that advancing `playback` to `now` begins.
+  void keyframe_begun(const playback::Playback& playback, const playback::KeyframeBegun& keyframe,
+                      Instant now);
+  /// To be called whenever `playback` was advanced to `now`: counts what has been played until
+  /// then. True once, when the first keyframe has begun.
+  [[nodiscard]] bool count(const playback::Playback& playback, Instant now);
   /// Something else is played from now on.
   void begin_again();
 
  private:
-  void count(const playback::Playback& playback, Instant now);
+  void count_played(const playback::Playback& playback, Instant now);
 
   PlayerStats& stats_;
   std::optional<Instant> first_begin_;

@@ -50,9 +50,11 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
       playback.stop(now);
       break;
     }
-    const auto begun = [&](const playback::KeyframeBegun& one) { meter.begun(playback, one, now); };
+    const auto begun = [&](const playback::KeyframeBegun& one) {
+      meter.keyframe_begun(playback, one, now);
+    };
     player.advance(now, std::ref(begun));
-    if (meter.advanced(playback, now)) {
+    if (meter.count(playback, now)) {
       stats.first_frame_ms = since_start_ms();
       const LiveObjection objection = live_objection(options.playback, playback.status());
       if (objection != LiveObjection::None) spdlog::warn("{}", terminal_text(objection));

@@ -252,7 +252,7 @@ Result<std::string> EditorSession::import_aus(const std::filesystem::path& file)
 }
 
 bool EditorSession::remove_au(int number, Instant now) {
-  if (!own_.has(number)) return false;
+  if (!own_.differs_from_shipped(number)) return false;
   const bool shipped = own_.shipped(number);
   const std::string name = mapping_.recordings.at(number).note;
   if (const auto removed = own_.remove(number); !removed) {
@@ -286,7 +286,7 @@ void EditorSession::list_aus() {
     entry.muscles = gui::drive_in_words(gui::drive_of(mapping_.face, recording.activation));
     const auto looks = assets_.au_looks.find(number);
     if (looks != assets_.au_looks.end()) entry.looks = looks->second;
-    entry.own = own_.has(number);
+    entry.own = own_.differs_from_shipped(number);
     entry.shipped = own_.shipped(number);
     entries.push_back(std::move(entry));
   }

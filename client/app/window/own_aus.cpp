@@ -29,7 +29,7 @@ void OwnAus::change_face() {
   if (const auto face = face::load_face(origin, assets_.data_folder)) take(*face);
 }
 
-bool OwnAus::has(int number) const {
+bool OwnAus::differs_from_shipped(int number) const {
   const auto recording = mapping_.recordings.find(number);
   if (!own_ || recording == mapping_.recordings.end()) return false;
   const auto shipped = shipped_.find(number);

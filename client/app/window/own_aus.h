@@ -20,8 +20,9 @@ class OwnAus {
 
   /// The face of the assets has become another one.
   void change_face();
-  /// It is one's own: the face that came with the player has it otherwise, or not at all.
-  [[nodiscard]] bool has(int number) const;
+  /// The user's copy of a face has this AU, and the face that came with the player has it otherwise
+  /// or not at all.
+  [[nodiscard]] bool differs_from_shipped(int number) const;
   /// The face that came with the player has this AU.
   [[nodiscard]] bool shipped(int number) const { return shipped_.contains(number); }
 
@@ -32,7 +33,8 @@ class OwnAus {
                                                    const std::string& name);
   /// The same with several AUs, all of them or none.
   [[nodiscard]] Result<std::filesystem::path> take(const face::AuRecordings& recordings);
-  /// One's own AU goes; one that came with the player is as it came again. Only where has().
+  /// One's own AU goes; one that came with the player is as it came again. Only where it
+  /// differs_from_shipped().
   [[nodiscard]] Result<void> remove(int number);
   /// Writes a file of AUs with this one alone. Returns a sentence about where it went.
   [[nodiscard]] Result<std::string> export_to(int number, const std::filesystem::path& file) const;

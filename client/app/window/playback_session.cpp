@@ -108,7 +108,7 @@ void PlaybackSession::advance(Instant now) {
   const Instant at = player_.advance(
       now, [this](const playback::KeyframeBegun& one, Instant begin) { begun(one, begin); });
   sound_.advanced(now);
-  if (meter_.advanced(stream_->playback(), at)) object(now);
+  if (meter_.count(stream_->playback(), at)) object(now);
   stream_->advanced(now, player_.face().face().aus);
   if (stream_->take_answer()) servers_.answered();
 }
@@ -125,7 +125,7 @@ void PlaybackSession::play_beside(const std::filesystem::path& file, Instant now
 }
 
 void PlaybackSession::begun(const playback::KeyframeBegun& keyframe, Instant at) {
-  meter_.begun(stream_->playback(), keyframe, at);
+  meter_.keyframe_begun(stream_->playback(), keyframe, at);
   explain();
   stream_->begun(keyframe);
 }
