@@ -144,12 +144,17 @@ using EditorCommand =
     std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
                  SaveAu, NameAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
+/// About the file dialog, and what is opened.
+using FileCommand =
+    std::variant<Browse, EnterFolder, ChooseFile, CloseBrowser, OpenStream, ChangeTable>;
+/// About what the window keeps of how things look.
+using SettingsCommand =
+    std::variant<ChangePictures, ChangeAnimation, ChangeRendering, ChangeDisplay>;
+
 using GuiCommand =
     std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand, MirrorCommand,
-                 GalleryCommand, ChangePictures, ChangeAnimation, ChangeRendering, ChangeDisplay,
-                 AskStreams, LookFrom, Leave, Browse, EnterFolder, ChooseFile, ChangeTable,
-                 ShowFace, CloseBrowser, OpenStream, CloseNotice, CancelExport, EndOnsets,
-                 TakePicture, ToggleVideo>;
+                 GalleryCommand, FileCommand, SettingsCommand, AskStreams, LookFrom, Leave,
+                 ShowFace, CloseNotice, CancelExport, EndOnsets, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command when it is a `Wanted`, in whichever group that stands; else null.

@@ -15,13 +15,15 @@
 #include "client/app/window/export_session.h"
 #include "client/app/window/face_session.h"
 #include "client/app/window/file_names.h"
-#include "client/app/window/file_session.h"
 #include "client/app/window/gallery_session.h"
 #include "client/app/window/mirror_session.h"
 #include "client/app/window/notices.h"
 #include "client/app/window/onset_session.h"
 #include "client/app/window/playback_session.h"
+#include "client/app/window/settings_session.h"
+#include "client/app/window/shown.h"
 #include "client/app/window/stream_lister.h"
+#include "client/app/window/window_files.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
 #include "client/gui/kept_settings.h"
@@ -30,10 +32,9 @@
 namespace aucast::app {
 
 /// What happens in the window, without the window. Hands each command to the session that it is
-/// about, decides whose face is shown, and owns what the sessions have in common: how AUs become a
-/// face, notices, settings, leaving. Time is handed in.
-/// Assets, options and stats must outlive it; the user may have another face take the place of
-/// the one in `assets`. Thread: the player's.
+/// about, decides whose face is shown, and owns what the sessions have in common: the mapping of
+/// AUs to a face, notices, leaving. Time is handed in. Assets, options and stats must outlive it;
+/// the user may have another face take the place of the one in `assets`. Thread: the player's.
 class WindowSession {
  public:
   /// `playback` may be null: the neutral face.
@@ -107,9 +108,9 @@ class WindowSession {
   /// ask first; a second call leaves all the same.
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
-  [[nodiscard]] const gui::RenderingSettings& rendering() const { return rendering_; }
-  [[nodiscard]] const gui::DisplaySettings& display() const { return display_.settings; }
-  [[nodiscard]] const gui::PictureSettings& pictures() const { return pictures_; }
+  [[nodiscard]] const gui::RenderingSettings& rendering() const { return settings_.rendering(); }
+  [[nodiscard]] const gui::DisplaySettings& display() const { return settings_.display().settings; }
+  [[nodiscard]] const gui::PictureSettings& pictures() const { return settings_.pictures(); }
   /// A new file for a picture or a video of what is shown.
   [[nodiscard]] Result<std::filesystem::path> picture_file(const std::string& ending) const;
   /// A sentence for the user, for a while.
@@ -123,36 +124,22 @@ class WindowSession {
   [[nodiscard]] std::unique_ptr<playback::Playback> finish(Instant now);
 
  private:
-  /// Whose face is shown.
-  enum class Shown : std::uint8_t { Playback, Editor, Composer };
-
   void look(Instant now);
   void show(Shown shown);
   void show_edited(Shown shown, Instant now);
   [[nodiscard]] PlayerOptions options_as_shown() const;
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
-  [[nodiscard]] Result<std::string> save_composition(const std::filesystem::path& file);
-  void change_animation(const gui::AnimationSettings& settings, Instant now);
-  void change_pictures(const gui::PictureSettings& settings);
-  void change_display(const gui::DisplaySettings& settings, Instant now);
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
-  [[nodiscard]] std::string name_of_stream() const;
   [[nodiscard]] Named named() const;
-  void browse(gui::Purpose purpose);
-  [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
-                                                   Instant now);
-  [[nodiscard]] Result<void> open(const std::filesystem::path& file, Instant now);
-  [[nodiscard]] Result<void> play(const std::filesystem::path& file, Instant now);
-  [[nodiscard]] Result<std::string> use_file(gui::Purpose purpose,
-                                             const std::filesystem::path& file, Instant now);
+  [[nodiscard]] SettingsSession::Events settings_events();
+  [[nodiscard]] WindowFiles::Hooks file_hooks();
 
   Assets& assets_;
   FaceSession faces_;
   const PlayerOptions& options_;
   pipeline::AuMapping mapping_;
-  gui::AnimationSettings animation_;
   Notices notices_;
   std::vector<float> face_;         ///< as shown, idle life left out
   std::vector<float> activations_;  ///< as shown
@@ -166,13 +153,9 @@ class WindowSession {
   GallerySession gallery_;
   ExportSession export_;
   OnsetSession onsets_;
-  gui::RenderingSettings rendering_;
-  gui::PictureSettings pictures_;
-  gui::DisplayView display_{{}, "en", {}};
-  FileSession files_;
+  SettingsSession settings_;
+  WindowFiles files_;
   gui::VideoView video_;
-  gui::TablesView tables_;
-  std::string sample_;
   std::vector<gui::PaceRow> pace_;
   bool asks_to_leave_ = false;
   bool leaving_ = false;
