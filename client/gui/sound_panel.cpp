@@ -5,6 +5,7 @@
 
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
+#include "client/gui/tips.h"
 
 namespace aucast::gui {
 namespace {

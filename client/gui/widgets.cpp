@@ -14,17 +14,13 @@
 
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/texts.h"
+#include "client/gui/tips.h"
 #include "common/text.h"
 
 namespace aucast::gui {
 namespace {
 
 constexpr float kLabelWidth = 112;
-/// In letters.
-constexpr float kTipWidth = 26;
-constexpr float kTipWidthLeast = 8;
-/// A window of fewer rows is a bar.
-constexpr float kBarRows = 4;
 
 ImVec4 accent() {
   return ImGui::GetStyleColorVec4(ImGuiCol_PlotLines);
@@ -57,65 +53,6 @@ std::string in_lines(const std::string& text, float width) {
     word_begin = word_end + 1;
   }
   return lines;
-}
-
-struct TipPlace {
-  ImVec2 at;
-  float width = 0;  ///< of its lines
-};
-
-/// Beside the window that the item is in, so that the rows above and below can be seen; without
-/// room there, above the row above. A bar has nothing above it.
-TipPlace place_of_tip(const std::string& text, const ImRect& item) {
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImRect window = ImGui::GetCurrentWindow()->RootWindow->Rect();
-  const float gap = style.ItemSpacing.x;
-  const float wanted = kTipWidth * ImGui::GetFontSize();
-  const auto size_at = [&](float width) {
-    const ImVec2 lines = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
-    return ImVec2(lines.x + 2 * style.WindowPadding.x, lines.y + 2 * style.WindowPadding.y);
-  };
-  const float left = window.Min.x;
-  const float right = screen.x - window.Max.x;
-  const float room = std::max(left, right) - 2 * gap - 2 * style.WindowPadding.x;
-  const bool bar = window.GetHeight() < kBarRows * ImGui::GetFrameHeightWithSpacing();
-  TipPlace place{item.Min, std::min(wanted, screen.x - 2 * (gap + style.WindowPadding.x))};
-  if (!bar && room >= kTipWidthLeast * ImGui::GetFontSize()) {
-    place.width = std::min(wanted, room);
-    // Where there is enough at both sides it stands at the left, over the face.
-    const bool at_left = left >= right || left - 2 * gap >= size_at(place.width).x;
-    place.at.x = at_left ? left - gap - size_at(place.width).x : window.Max.x + gap;
-  } else {
-    const float above = bar ? window.Min.y : item.Min.y - ImGui::GetFrameHeightWithSpacing();
-    const float below = item.Max.y + ImGui::GetFrameHeightWithSpacing();
-    const float height = size_at(place.width).y + gap;
-    place.at.y = above >= height ? above - height : below + gap;
-  }
-  const ImVec2 size = size_at(place.width);
-  place.at.x = std::max(gap, std::min(place.at.x, screen.x - gap - size.x));
-  place.at.y = std::max(gap, std::min(place.at.y, screen.y - gap - size.y));
-  return place;
-}
-
-void tip_beside(const std::string& text, const ImRect& item) {
-  const TipPlace place = place_of_tip(text, item);
-  ImGui::SetNextWindowPos(place.at);
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + place.width);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-}
-
-/// Whether the last item was used since the pointer or the focus came to it: it is known then, and
-/// what it opened should not be hidden by its tip.
-bool used_since_pointed_at(bool pointed) {
-  const ImGuiID item = ImGui::GetItemID();
-  if (item == 0) return false;
-  bool& used = *ImGui::GetStateStorage()->GetBoolRef(ImHashStr("used", 0, item));
-  used = pointed && (used || ImGui::IsItemActivated());
-  return used;
 }
 
 }  // namespace
@@ -198,18 +135,6 @@ void label(const Look& look, const char* text, const char* help) {
   tip(help);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelWidth * look.scale);
   ImGui::SetNextItemWidth(-1);
-}
-
-void tip(const std::string& text, bool also_disabled) {
-  const ImGuiHoveredFlags flags =
-      also_disabled ? ImGuiHoveredFlags_AllowWhenDisabled : ImGuiHoveredFlags_None;
-  const bool pointed = ImGui::IsItemHovered(flags);
-  if (text.empty() || used_since_pointed_at(pointed) || !pointed) return;
-  tip_beside(text, ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
-}
-
-void tip_at(float x, float y, const std::string& text) {
-  tip_beside(text, ImRect(x, y, x, y));
 }
 
 bool pointed_at() {
@@ -296,9 +221,8 @@ void say_if_outside(double typed, const std::array<Number, 2>& limits) {
   const auto least = static_cast<double>(limits[0]);
   const auto most = static_cast<double>(limits[1]);
   if (typed >= least && typed <= most) return;
-  tip_beside(tr("panel.outside", number_text(least), number_text(most),
-                number_text(std::clamp(typed, least, most))),
-             ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
+  tip_of_last(tr("panel.outside", number_text(least), number_text(most),
+                 number_text(std::clamp(typed, least, most))));
 }
 
 /// ImGui writes the number under the grip: here it stands beside, and in the slider only while it

@@ -53,11 +53,6 @@ void fitted_text(const std::string& text, float right, unsigned colour = 0);
 /// A label at the left; what comes next stands at the panel's column for values and fills the rest.
 void label(const Look& look, const char* text, const char* help = "");
 void quiet_text(const std::string& text);
-/// Says more about the item before, while the pointer or the focus is on it and until it is used,
-/// beside the window or dialog that it is in.
-void tip(const std::string& text, bool also_disabled = false);
-/// The same about what is drawn at a place of the screen.
-void tip_at(float x, float y, const std::string& text);
 /// The pointer is on the item before; unlike ImGui's hovering not the focus of the keyboard.
 [[nodiscard]] bool pointed_at();
 /// A text for a widget that is known by `id` in every language.
