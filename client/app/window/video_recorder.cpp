@@ -11,14 +11,14 @@ namespace aucast::app {
 Result<void> VideoRecorder::begin(int width, int height, Instant now) {
   // It has no name yet, which this one would get too.
   if (completing()) return Error{ErrorKind::Failed, gui::tr("said.video_before")};
-  const auto file = session_.picture_file(".mp4");
+  const auto file = hooks_.new_file();
   if (!file) return file.error();
   auto video = SessionVideo::open(*file, width, height, now);
   if (!video) return video.error();
   video_ = std::move(*video);
   file_ = whole_path(*file);
-  tell_session();
-  session_.set_sound_tap([this](Instant heard_at, std::span<const float> samples) {
+  show();
+  hooks_.hear([this](Instant heard_at, std::span<const float> samples) {
     video_->hear(heard_at, samples);
   });
   return {};
@@ -41,14 +41,14 @@ Result<std::string> VideoRecorder::end() {
   if (!work_.begin([complete](BackgroundWork::Course&) { return complete(); })) {
     return sentence(complete());
   }
-  tell_session();
+  show();
   return gui::tr("said.writing", file_.string());
 }
 
 std::optional<Result<std::string>> VideoRecorder::ended() {
   const auto outcome = work_.take_outcome();
   if (!outcome) return std::nullopt;
-  tell_session();
+  show();
   return sentence(*outcome);
 }
 
@@ -57,15 +57,15 @@ Result<std::string> VideoRecorder::sentence(const Result<std::string>& outcome) 
 }
 
 std::unique_ptr<SessionVideo> VideoRecorder::let_go() {
-  session_.set_sound_tap({});
+  hooks_.hear({});
   auto video = std::move(video_);
-  tell_session();
+  show();
   return video;
 }
 
-void VideoRecorder::tell_session() {
+void VideoRecorder::show() {
   const std::string name = file_.filename().string();
-  session_.set_video({running() ? name : "", completing() ? name : ""});
+  hooks_.show({running() ? name : "", completing() ? name : ""});
 }
 
 }  // namespace aucast::app

@@ -5,25 +5,34 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "client/app/window/background_work.h"
 #include "client/app/window/session_video.h"
-#include "client/app/window/window_session.h"
+#include "client/gui/gui_model.h"
+#include "client/sound/sound_player.h"
 #include "client/view/image.h"
 #include "common/result.h"
 #include "common/time.h"
 
 namespace aucast::app {
 
-/// The video of what the window shows, from the key that begins it to the one that ends it: asks
-/// the session for a file and for what is heard, and lets its panel know. The session must outlive
-/// it. Thread: the player's.
+/// The video of what the window shows, from the key that begins it to the one that ends it.
+/// Thread: the player's.
 class VideoRecorder {
  public:
   /// The face as it is shown now, in pixels of the picture wanted.
   using Picture = std::function<Result<view::Image>(int width, int height)>;
 
-  explicit VideoRecorder(WindowSession& session) : session_(session) {}
+  struct Hooks {
+    /// A file that is not there yet, for a video of what is shown.
+    std::function<Result<std::filesystem::path>()> new_file;
+    /// What is heard goes there from now on; empty: nowhere.
+    std::function<void(sound::SoundPlayer::Tap)> hear;
+    /// How it stands, for the panel.
+    std::function<void(gui::VideoView)> show;
+  };
+  explicit VideoRecorder(Hooks hooks) : hooks_(std::move(hooks)) {}
   VideoRecorder(const VideoRecorder&) = delete;
   VideoRecorder& operator=(const VideoRecorder&) = delete;
 
@@ -44,9 +53,9 @@ class VideoRecorder {
  private:
   [[nodiscard]] Result<std::string> sentence(const Result<std::string>& outcome) const;
   std::unique_ptr<SessionVideo> let_go();
-  void tell_session();
+  void show();
 
-  WindowSession& session_;
+  Hooks hooks_;
   std::filesystem::path file_;  ///< of the video that runs or ran last
   std::unique_ptr<SessionVideo> video_;
   BackgroundWork work_;

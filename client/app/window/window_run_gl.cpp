@@ -437,7 +437,10 @@ class WindowRun {
   std::vector<std::string> kept_files_;
   std::uint64_t kept_face_changes_ = 0;
   int frames_due_ = gui::kFramesAfterChange;
-  VideoRecorder video_{session_};
+  VideoRecorder video_{
+      {.new_file = [this] { return session_.picture_file(".mp4"); },
+       .hear = [this](sound::SoundPlayer::Tap tap) { session_.set_sound_tap(std::move(tap)); },
+       .show = [this](gui::VideoView view) { session_.set_video(std::move(view)); }}};
   bool leaving_ = false;
   std::optional<Error> failed_;  ///< it cannot go on
   PaceMeter pace_{steady_now()};
