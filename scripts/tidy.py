@@ -23,7 +23,7 @@ SERVER = {"common", "common/camera", "common/mesh", "common/preview", "common/so
           "common/link",
           "protocol"}
 APP = SERVER | {"common/expressions"} | {"client/" + room for room in
-                ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "gui", "glb")}
+                ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "gui", "glb", "gallery")}
 
 # What the files of a folder may include of the project, besides their own folder. A file belongs to
 # the longest folder named here that it lies in; what lies in none of them may not be included.
@@ -59,11 +59,12 @@ MAY_INCLUDE = {
                         "server/web"},
     "client/playback": {"common"},
     "client/face": {"common"},
-    "client/pipeline": {"common", "client/playback", "client/face"},
+    "client/pipeline": {"common", "common/expressions", "client/playback", "client/face"},
     "client/net": {"common", "common/tls", "common/link", "protocol", "client/playback"},
     "client/sound": {"common", "common/voice", "protocol", "client/playback", "client/pipeline"},
     "client/view": {"common"},
     "client/glb": {"common", "common/sources", "client/playback", "client/face", "client/pipeline", "client/view"},
+    "client/gallery": {"common", "common/expressions", "protocol", "client/face", "client/pipeline"},
     "client/render": {"common", "client/view"},
     "client/mirror": {"common", "common/preview"},
     "client/gui": {"common", "common/preview", "protocol", "client/playback", "client/face", "client/view"},
@@ -72,7 +73,7 @@ MAY_INCLUDE = {
     "client/app/gallery": APP | {"client/app", "client/app/film"},
     "client/app/window": APP | {"client/app", "client/app/film", "client/app/gallery"},
     "client/app/commands": APP | {"client/app", "client/app/film"},
-    "client/web": APP - {"client/gui", "client/glb", "client/mirror"} | {"client/app/film"},
+    "client/web": APP - {"client/gui", "client/glb", "client/gallery", "client/mirror"} | {"client/app/film"},
     "client": APP | {"client/app", "client/app/film", "client/app/gallery", "client/app/window",
                      "client/app/commands"},
     "speaker": {"common", "common/expressions", "common/voice", "protocol"},
@@ -82,7 +83,8 @@ MAY_INCLUDE = {
 
 # Folders whose code knows no socket, clock, OpenGL or log.
 PURE = {"protocol", "common/mesh", "common/preview", "common/tls", "common/sources", "common/voice", "common/web",
-        "client/playback", "client/face", "client/pipeline", "client/sound", "client/glb"}
+        "client/playback", "client/face", "client/pipeline", "client/sound", "client/glb",
+        "client/gallery"}
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|\bf?printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL"
     r"|<thread>|<arpa/|<netinet/|<sys/|<unistd|<fcntl|<poll\.h|<dlfcn|\b(un)?setenv\(|\bgetenv\("

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -37,11 +36,6 @@ struct Assets {
 
 /// The same with all intensities and activations times `strength`, in [0,1].
 [[nodiscard]] Expression at_strength(Expression expression, float strength);
-
-/// Sets an expression's muscles on top of `activations` (one per channel of the face): the larger
-/// value counts, limited to the channel's maximum. BadData when the face has no such muscle.
-[[nodiscard]] Result<void> apply_muscles(const face::Face& face, const Expression& expression,
-                                         std::span<float> activations);
 
 /// How the face of `assets` is driven.
 [[nodiscard]] inline pipeline::AuMapping au_mapping(const Assets& assets, face::Mixer mixer) {

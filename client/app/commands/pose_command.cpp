@@ -12,6 +12,7 @@
 #include "client/face/face_deformer.h"
 #include "client/face/side_word.h"
 #include "client/gui/view_text.h"
+#include "client/pipeline/expression_muscles.h"
 #include "common/files.h"
 #include "common/text.h"
 #include "protocol/codec.h"
@@ -125,7 +126,7 @@ Result<void> run_pose(const PlayerOptions& options) {
   std::vector<float> activations((*assets)->face.channels.size());
   const AuFrame blended = face::blend((*assets)->rules, *aus);
   face::mix((*assets)->face, blended, options.face.mixer, activations);
-  auto applied = apply_muscles((*assets)->face, expression, activations);
+  auto applied = pipeline::apply_muscles((*assets)->face, expression, activations);
   if (!applied) return applied;
   for (const auto& [name, value] : options.pose.muscles) {
     if (auto set = set_channel((*assets)->face, name, value, activations); !set) return set;

@@ -14,19 +14,20 @@
 #include "client/app/film/picture_maker.h"
 #include "client/app/film/picture_notes.h"
 #include "client/app/film/picture_sinks.h"
-#include "client/app/gallery/gallery_manifest.h"
-#include "client/app/gallery/gallery_page.h"
-#include "client/app/gallery/gallery_plan.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
+#include "client/gallery/gallery_manifest.h"
+#include "client/gallery/gallery_page.h"
+#include "client/gallery/gallery_plan.h"
+#include "client/pipeline/expression_muscles.h"
 #include "client/view/video_encoder.h"
 #include "common/files.h"
 
 namespace aucast::app {
 namespace {
 
-Result<GalleryRules> load_rules(const Assets& assets) {
-  GalleryRules rules;
+Result<gallery::GalleryRules> load_rules(const Assets& assets) {
+  gallery::GalleryRules rules;
   rules.chosen = assets.rules;
   const std::array<std::pair<const char*, face::RuleSet*>, 3> wanted{
       {{"kumar2010", &rules.kumar2010}, {"facs", &rules.facs}, {"none", &rules.none}}};
@@ -38,10 +39,10 @@ Result<GalleryRules> load_rules(const Assets& assets) {
   return rules;
 }
 
-Result<void> make_folders(const std::filesystem::path& root, const GalleryPlan& plan) {
+Result<void> make_folders(const std::filesystem::path& root, const gallery::GalleryPlan& plan) {
   if (auto made = make_output_folder("gallery", root); !made) return made;
   std::filesystem::path last;
-  for (const GalleryPicture& picture : plan.pictures) {
+  for (const gallery::GalleryPicture& picture : plan.pictures) {
     const std::filesystem::path folder = (root / picture.file).parent_path();
     if (folder == last) continue;
     if (auto made = make_output_folder("gallery", folder); !made) return made;
@@ -66,8 +67,8 @@ constexpr const char* kVideosMissing = "no videos of the sweeps: install ffmpeg 
 /// Draws a plan into its folder, one picture at a time.
 class GalleryWriter {
  public:
-  GalleryWriter(const Assets& assets, const PlayerOptions& options, const GalleryPlan& plan,
-                const std::function<bool()>& stop,
+  GalleryWriter(const Assets& assets, const PlayerOptions& options,
+                const gallery::GalleryPlan& plan, const std::function<bool()>& stop,
                 const std::function<void(std::size_t, std::size_t)>& on_drawn)
       : assets_(assets),
         options_(options),
@@ -117,13 +118,14 @@ class GalleryWriter {
 
   Result<void> draw(std::size_t index, view::VideoEncoder* video) {
     if (stop_()) return Error{ErrorKind::Failed, "stopped"};
-    const GalleryPicture& picture = plan_.pictures[index];
+    const gallery::GalleryPicture& picture = plan_.pictures[index];
     face::mix(assets_.face, picture.shown, picture.mixer, activations_);
     Expression muscles;
     muscles.muscles = picture.muscles;
-    if (auto applied = apply_muscles(assets_.face, muscles, activations_); !applied) return applied;
+    if (auto applied = pipeline::apply_muscles(assets_.face, muscles, activations_); !applied)
+      return applied;
     if (picture.sweep_frame) {
-      const float strength = sweep_strength(picture.sweep_frame->time_ms);
+      const float strength = gallery::sweep_strength(picture.sweep_frame->time_ms);
       for (float& activation : activations_) activation *= strength;
     }
     const view::Image image = maker_->picture(activations_);
@@ -154,12 +156,12 @@ class GalleryWriter {
   }
 
   Result<void> sweep(std::size_t number, bool with_video) {
-    const GallerySweep& sweep = plan_.sweeps[number];
+    const gallery::GallerySweep& sweep = plan_.sweeps[number];
     std::unique_ptr<view::VideoEncoder> video;
     if (with_video) {
-      auto opened =
-          view::VideoEncoder::open(options_.gallery.folder / "sweeps" / (sweep.name + ".mp4"),
-                                   options_.output.width, options_.output.height, kSweepFps);
+      auto opened = view::VideoEncoder::open(
+          options_.gallery.folder / "sweeps" / (sweep.name + ".mp4"), options_.output.width,
+          options_.output.height, gallery::kSweepFps);
       if (!opened) return opened.error();
       video = std::move(*opened);
     }
@@ -172,7 +174,7 @@ class GalleryWriter {
   }
 
   Result<void> write_texts() {
-    GallerySetting setting;
+    gallery::GallerySetting setting;
     setting.face = assets_.face.name;
     setting.camera = options_.pose.camera;
     setting.background = options_.output.transparent ? "none" : "default";
@@ -186,15 +188,16 @@ class GalleryWriter {
     setting.width = options_.output.width;
     setting.height = options_.output.height;
     const auto& folder = options_.gallery.folder;
-    auto manifest =
-        write_file_atomically(folder / "manifest.csv", format_manifest(plan_, setting, videos_));
+    auto manifest = write_file_atomically(folder / "manifest.csv",
+                                          gallery::format_manifest(plan_, setting, videos_));
     if (!manifest) return manifest;
-    return write_file_atomically(folder / "index.html", format_page(plan_, setting, videos_));
+    return write_file_atomically(folder / "index.html",
+                                 gallery::format_page(plan_, setting, videos_));
   }
 
   const Assets& assets_;
   const PlayerOptions& options_;
-  const GalleryPlan& plan_;
+  const gallery::GalleryPlan& plan_;
   const std::function<bool()>& stop_;
   const std::function<void(std::size_t, std::size_t)>& on_drawn_;
   ProgressLine progress_;
@@ -206,30 +209,30 @@ class GalleryWriter {
   bool videos_missing_ = false;
 };
 
-Result<GalleryPlan> plan_of(const Assets& assets, const PlayerOptions& options) {
+Result<gallery::GalleryPlan> plan_of(const Assets& assets, const PlayerOptions& options) {
   const auto rules = load_rules(assets);
   if (!rules) return rules.error();
-  const GalleryInput input{assets.face,
-                           assets.expressions,
-                           *rules,
-                           options.face.mixer,
-                           {options.gallery.only.begin(), options.gallery.only.end()},
-                           options.gallery.sweeps};
-  return plan_gallery(input);
+  const gallery::GalleryInput input{assets.face,
+                                    assets.expressions,
+                                    *rules,
+                                    options.face.mixer,
+                                    {options.gallery.only.begin(), options.gallery.only.end()},
+                                    options.gallery.sweeps};
+  return gallery::plan_gallery(input);
 }
 
 /// What there is now, and which AUs the face lacks or cannot show well.
-std::string summary(const std::filesystem::path& folder, const GalleryPlan& plan) {
+std::string summary(const std::filesystem::path& folder, const gallery::GalleryPlan& plan) {
   std::size_t recorded = 0;
   std::string missing;
   std::string limited;
   const auto list = [](std::string& numbers, int number) {
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
   };
-  for (const Coverage& row : plan.coverage) {
+  for (const gallery::Coverage& row : plan.coverage) {
     if (row.recorded) ++recorded;
     if (!row.recorded) list(missing, row.number);
-    if (is_limited(row)) list(limited, row.number);
+    if (gallery::is_limited(row)) list(limited, row.number);
   }
   std::string text = (folder / "index.html").string() + ": " +
                      std::to_string(plan.pictures.size()) + " pictures; " +

@@ -9,6 +9,7 @@
 #include "client/gui/channel_groups.h"
 #include "client/gui/texts.h"
 #include "client/gui/view_text.h"
+#include "client/pipeline/expression_muscles.h"
 #include "common/files.h"
 #include "common/overloaded.h"
 #include "common/text_file.h"
@@ -103,7 +104,7 @@ bool EditorSession::show_expression(std::size_t index, bool continued, Instant n
   const Expression expression =
       at_strength(assets_.expressions[index], static_cast<float>(expressions_.percent) / 100.0F);
   std::vector<float> target = put_together(expression.aus);
-  if (const auto set = apply_muscles(mapping_.face, expression, target); !set) {
+  if (const auto set = pipeline::apply_muscles(mapping_.face, expression, target); !set) {
     notices_.say(set.error().message, true, now);
     return false;
   }

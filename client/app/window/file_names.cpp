@@ -3,7 +3,7 @@
 #include <array>
 #include <ctime>
 
-#include "client/app/gallery/gallery_plan.h"
+#include "client/gallery/gallery_plan.h"
 
 namespace aucast::app {
 namespace {
@@ -50,7 +50,7 @@ Result<std::filesystem::path> new_picture_file(const gui::PictureSettings& setti
   words.date = today();
   words.stream = shown.stream;
   if (shown.keyframe > 0) words.keyframe = std::to_string(shown.keyframe);
-  words.aus = shown.aus ? file_stem(*shown.aus) : shown.edited;
+  words.aus = shown.aus ? gallery::file_stem(*shown.aus) : shown.edited;
   return gui::picture_file(settings, words, ending);
 }
 

@@ -1,11 +1,11 @@
-#include "client/app/gallery/gallery_page.h"
+#include "client/gallery/gallery_page.h"
 
 #include <algorithm>
 
 #include "common/text.h"
 #include "protocol/codec.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 namespace {
 
 constexpr std::string_view kStyle = R"(
@@ -270,4 +270,4 @@ std::string format_page(const GalleryPlan& plan, const GallerySetting& setting,
   return Page(plan, setting, videos).text();
 }
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

@@ -1,4 +1,4 @@
-#include "client/app/gallery/gallery_manifest.h"
+#include "client/gallery/gallery_manifest.h"
 
 #include <array>
 #include <cstdio>
@@ -6,7 +6,7 @@
 #include "client/face/side_word.h"
 #include "protocol/codec.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 namespace {
 
 constexpr std::string_view kNames =
@@ -115,4 +115,4 @@ std::string format_manifest(const GalleryPlan& plan, const GallerySetting& setti
   return text;
 }
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

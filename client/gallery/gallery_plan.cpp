@@ -1,4 +1,4 @@
-#include "client/app/gallery/gallery_plan.h"
+#include "client/gallery/gallery_plan.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,9 @@
 #include <cstdio>
 #include <numbers>
 
-#include "client/app/gallery/gallery_sections.h"
-#include "common/action_unit.h"
+#include "client/gallery/gallery_sections.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 namespace {
 
 /// AUs whose asymmetry FACS scores with L and R. Lids as a pair, the jaw, lips as a ring, head and
@@ -98,4 +97,4 @@ Result<GalleryPlan> plan_gallery(const GalleryInput& input) {
   return planner.take();
 }
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

@@ -1,14 +1,15 @@
-#include "client/app/gallery/gallery_plan.h"
+#include "client/gallery/gallery_plan.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/process.h"
-#include "tests/unit/app/gallery/gallery_fixture.h"
+#include "tests/unit/gallery/gallery_fixture.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 namespace {
 
 std::set<std::string> files_of(const GalleryPlan& plan) {
@@ -148,20 +149,20 @@ TEST(GalleryFileStem, IsMadeOfNumbersSidesAndPercents) {
 }
 
 TEST(ShippedGallery, PlansEveryRecordedAuAndEveryExpression) {
-  FaceOptions options;
-  options.data = test::program("data");
-  const auto assets = load_assets(options);
-  ASSERT_TRUE(assets.has_value()) << assets.error().message;
+  const std::filesystem::path data = test::program("data");
+  const auto face = face::load_face(data / "faces" / "default", data);
+  ASSERT_TRUE(face.has_value()) << face.error().message;
+  const auto expressions = load_expressions(data / "expressions.toml");
+  ASSERT_TRUE(expressions.has_value()) << expressions.error().message;
   const GalleryRules rules = empty_rules();
-  const auto plan =
-      plan_gallery({(*assets)->face, (*assets)->expressions, rules, face::Mixer::Maximum, {}, {}});
+  const auto plan = plan_gallery({*face, *expressions, rules, face::Mixer::Maximum, {}, {}});
   ASSERT_TRUE(plan.has_value()) << plan.error().message;
   const auto files = files_of(*plan);
-  for (const Expression& expression : (*assets)->expressions) {
+  for (const Expression& expression : *expressions) {
     EXPECT_TRUE(files.contains("prototypes/" + expression.name + ".png")) << expression.name;
   }
-  EXPECT_EQ(plan->sections[0].blocks.size(), (*assets)->face.recordings.size());
+  EXPECT_EQ(plan->sections[0].blocks.size(), face->recordings.size());
 }
 
 }  // namespace
-}  // namespace aucast::app
+}  // namespace aucast::gallery

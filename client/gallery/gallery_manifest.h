@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "client/app/gallery/gallery_plan.h"
+#include "client/gallery/gallery_plan.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 
 /// What is the same for all pictures of one gallery.
 struct GallerySetting {
@@ -30,4 +30,4 @@ struct GallerySetting {
 [[nodiscard]] std::string format_manifest(const GalleryPlan& plan, const GallerySetting& setting,
                                           const std::vector<std::size_t>& videos);
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

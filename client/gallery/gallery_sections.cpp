@@ -1,4 +1,4 @@
-#include "client/app/gallery/gallery_sections.h"
+#include "client/gallery/gallery_sections.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,11 @@
 
 #include "client/face/au_blender.h"
 #include "client/face/side_word.h"
+#include "client/pipeline/expression_muscles.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 namespace {
 
 constexpr std::array kEmotions{"surprise", "fear", "disgust", "anger", "happiness", "sadness"};
@@ -61,7 +62,7 @@ const Expression* GalleryPlanner::expression(const std::string& name) const {
 
 bool GalleryPlanner::can_show(const Expression& expression) const {
   std::vector<float> unused(input_.face.channels.size());
-  return apply_muscles(input_.face, expression, unused).has_value();
+  return pipeline::apply_muscles(input_.face, expression, unused).has_value();
 }
 
 GalleryPlanner::Subject GalleryPlanner::subject(const Expression& expression) {
@@ -274,7 +275,7 @@ void GalleryPlanner::add_sweep_frames(const std::string& name, const std::string
 Result<void> GalleryPlanner::add_sweep(const std::string& word, GalleryBlock& block) {
   if (const Expression* named = expression(word)) {
     std::vector<float> unused(input_.face.channels.size());
-    if (auto can = apply_muscles(input_.face, *named, unused); !can) return can;
+    if (auto can = pipeline::apply_muscles(input_.face, *named, unused); !can) return can;
     add_sweep_frames(named->name, named->label, subject(*named), block);
     return {};
   }
@@ -321,4 +322,4 @@ GalleryPlan GalleryPlanner::take() {
   return std::move(plan_);
 }
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

@@ -1,12 +1,12 @@
-#include "client/app/gallery/gallery_page.h"
+#include "client/gallery/gallery_page.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/app/gallery/gallery_fixture.h"
+#include "tests/unit/gallery/gallery_fixture.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 namespace {
 
 const GallerySetting kPageSetting{"small", "front", "default", "creases", "1.2.3", 300, 375};
@@ -107,4 +107,4 @@ TEST(GalleryPage, LinksTheVideosThatThereAre) {
 }
 
 }  // namespace
-}  // namespace aucast::app
+}  // namespace aucast::gallery

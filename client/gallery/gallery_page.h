@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "client/app/gallery/gallery_manifest.h"
-#include "client/app/gallery/gallery_plan.h"
+#include "client/gallery/gallery_manifest.h"
+#include "client/gallery/gallery_plan.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 
 /// Text made safe inside HTML, also between quotes.
 [[nodiscard]] std::string html_escaped(std::string_view text);
@@ -17,4 +17,4 @@ namespace aucast::app {
 [[nodiscard]] std::string format_page(const GalleryPlan& plan, const GallerySetting& setting,
                                       const std::vector<std::size_t>& videos);
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

@@ -8,13 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "client/app/assets.h"
 #include "client/face/co_occurrence_rules.h"
 #include "client/face/face.h"
 #include "client/face/muscle_mixer.h"
+#include "common/action_unit.h"
+#include "common/expressions/expressions.h"
 #include "common/result.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 
 /// How a sweep goes from the neutral face to the apex and back. A phase begins at its time and ends
 /// where the next one begins.
@@ -130,4 +131,4 @@ struct GalleryInput {
 /// Letters, digits, '.', '-' and '_' of an AU set as part of a file's name: au06_au12-80_auR14.
 [[nodiscard]] std::string file_stem(const AuFrame& aus);
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

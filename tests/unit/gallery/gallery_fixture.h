@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "client/app/gallery/gallery_plan.h"
+#include "client/gallery/gallery_plan.h"
 #include "protocol/codec.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 
 /// A face of five channels: AU 12 on both sides, 26 by the jaw, 46 as a wink, 51 by the head.
 inline face::Face small_gallery_face() {
@@ -73,4 +73,4 @@ struct PlannedGallery {
   }
 };
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

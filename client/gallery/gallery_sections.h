@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "client/app/gallery/gallery_plan.h"
+#include "client/gallery/gallery_plan.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 
 /// Builds a plan section by section; a picture that two sections show is planned once.
 class GalleryPlanner {
@@ -55,4 +55,4 @@ class GalleryPlanner {
   std::map<std::string, std::size_t> files_;
 };
 
-}  // namespace aucast::app
+}  // namespace aucast::gallery

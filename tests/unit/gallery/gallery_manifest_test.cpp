@@ -1,13 +1,13 @@
-#include "client/app/gallery/gallery_manifest.h"
+#include "client/gallery/gallery_manifest.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/seeded.h"
-#include "tests/unit/app/gallery/gallery_fixture.h"
+#include "tests/unit/gallery/gallery_fixture.h"
 
-namespace aucast::app {
+namespace aucast::gallery {
 namespace {
 
 const GallerySetting kSetting{"small", "front", "808080", "creases", "1.2.3", 300, 375};
@@ -105,4 +105,4 @@ TEST(Manifest, SaysWhatAPictureShows) {
 }
 
 }  // namespace
-}  // namespace aucast::app
+}  // namespace aucast::gallery
