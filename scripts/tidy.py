@@ -25,6 +25,10 @@ SERVER = {"common", "common/camera", "common/mesh", "common/preview", "common/so
 APP = SERVER | {"common/expressions"} | {"client/" + room for room in
                 ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "gui", "glb", "gallery")}
 
+# The rooms of the window; the files directly in it are on top of them.
+WINDOW = {"client/app/window/" + room for room in
+          ("recording", "playing", "making", "files", "settings", "thumbnails")}
+
 # What the files of a folder may include of the project, besides their own folder. A file belongs to
 # the longest folder named here that it lies in; what lies in none of them may not be included.
 MAY_INCLUDE = {
@@ -71,11 +75,18 @@ MAY_INCLUDE = {
     "client/app": APP,
     "client/app/film": APP | {"client/app"},
     "client/app/gallery": APP | {"client/app", "client/app/film"},
-    "client/app/window": APP | {"client/app", "client/app/film", "client/app/gallery"},
+    "client/app/window/recording": APP | {"client/app"},
+    "client/app/window/playing": APP | {"client/app", "client/app/window/recording"},
+    "client/app/window/making": APP | {"client/app"},
+    "client/app/window/files": APP | {"client/app", "client/app/film", "client/app/window/making",
+                                      "client/app/window/playing", "client/app/window/recording"},
+    "client/app/window/settings": APP | {"client/app", "client/app/film"},
+    "client/app/window/thumbnails": APP | {"client/app/film"},
+    "client/app/window": APP | {"client/app", "client/app/film", "client/app/gallery"} | WINDOW,
     "client/app/commands": APP | {"client/app", "client/app/film"},
     "client/web": APP - {"client/gui", "client/glb", "client/gallery", "client/mirror"} | {"client/app/film"},
     "client": APP | {"client/app", "client/app/film", "client/app/gallery", "client/app/window",
-                     "client/app/commands"},
+                     "client/app/window/settings", "client/app/commands"},
     "speaker": {"common", "common/expressions", "common/voice", "protocol"},
     "scripts/facegen": {"common", "client/face", "client/view"},
     "scripts/train_camera": {"common", "common/mesh"},

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "client/app/window/window_style.h"
+#include "client/app/window/settings/window_style.h"
 #include "client/render/face_renderer.h"
 #include "client/render/gl_objects.h"
 #include "client/render/offscreen_context.h"

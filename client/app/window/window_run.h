@@ -6,7 +6,7 @@
 #include "client/app/assets.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
-#include "client/app/window/window_settings.h"
+#include "client/app/window/settings/window_settings.h"
 #include "client/playback/playback.h"
 #include "client/sound/sound_out.h"
 

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/app/window/composition_file.h"
+#include "client/app/window/making/composition_file.h"
 #include "client/gui/composer.h"
 #include "client/gui/kept_settings.h"
 #include "client/gui/user_face.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/app/window/window_settings.h"
+#include "client/app/window/settings/window_settings.h"
 #include "common/files.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"

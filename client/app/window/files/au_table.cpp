@@ -1,0 +1,70 @@
+#include "client/app/window/files/au_table.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <vector>
+
+namespace aucast::app {
+namespace {
+
+struct Column {
+  std::size_t number;
+  Side side;  ///< Both: they are the same throughout
+};
+
+std::vector<Column> columns_of(std::span<const playback::Keyframe> keyframes) {
+  std::vector<Column> columns;
+  for (std::size_t number = 0; number < AuFrame{}.left.size(); ++number) {
+    bool occurs = false;
+    bool sided = false;
+    for (const playback::Keyframe& keyframe : keyframes) {
+      const float left = keyframe.aus.left[number];
+      const float right = keyframe.aus.right[number];
+      occurs |= left > 0 || right > 0;
+      sided |= left != right;
+    }
+    if (!occurs) continue;
+    if (!sided) {
+      columns.push_back({number, Side::Both});
+    } else {
+      columns.push_back({number, Side::Left});
+      columns.push_back({number, Side::Right});
+    }
+  }
+  return columns;
+}
+
+/// Whole milliseconds.
+std::string in_seconds(Milliseconds time) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3f", static_cast<double>(time.count()) / 1000);
+  return text.data();
+}
+
+}  // namespace
+
+std::string format_au_table(std::span<const playback::Keyframe> keyframes, Milliseconds untimed) {
+  const std::vector<Column> columns = columns_of(keyframes);
+  std::string text = "time_s,duration_s";
+  for (const Column& column : columns) {
+    text += ",AU" + std::to_string(column.number);
+    if (column.side != Side::Both) text += column.side == Side::Left ? "_left" : "_right";
+  }
+  text += '\n';
+  Milliseconds time{0};
+  for (const playback::Keyframe& keyframe : keyframes) {
+    const Milliseconds duration = keyframe.duration.value_or(untimed);
+    time += duration;
+    text += in_seconds(time) + "," + in_seconds(duration);
+    for (const Column& column : columns) {
+      const auto& side = column.side == Side::Right ? keyframe.aus.right : keyframe.aus.left;
+      text += "," + std::to_string(std::lround(100 * side[column.number]));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace aucast::app

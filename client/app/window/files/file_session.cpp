@@ -1,0 +1,58 @@
+#include "client/app/window/files/file_session.h"
+
+#include <utility>
+
+#include "client/gui/kept_settings.h"
+#include "common/files.h"
+
+namespace aucast::app {
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+void FileSession::opened(const std::filesystem::path& file) {
+  last_folder_ = folder_of(file);
+  gui::remember_file(recent_, whole_path(file).string());
+}
+
+/// The folder that such a file was in last.
+std::filesystem::path& FileSession::folder_for(gui::Purpose purpose) {
+  const bool stream = purpose == gui::Purpose::PlayStream || purpose == gui::Purpose::ComposeStream;
+  return stream ? last_folder_ : own_folder_;
+}
+
+void FileSession::browse(gui::Purpose purpose, std::string name) {
+  browser_.open(purpose, folder_for(purpose),
+                gui::is_saving(purpose) ? std::move(name) : std::string());
+}
+
+std::string FileSession::choose(const std::string& name, const Use& use) {
+  std::filesystem::path file;
+  if (!browser_.view().open || !browser_.choose(name, file)) return {};
+  const gui::Purpose purpose = browser_.view().purpose;
+  const Result<std::string> used = use(purpose, file);
+  if (!used) {
+    browser_.refuse(used.error().message);
+    return {};
+  }
+  browser_.close();
+  if (purpose != gui::Purpose::LookForFaces) {
+    folder_for(purpose) = gui::is_folder(purpose) ? file : folder_of(file);
+  }
+  return *used;
+}
+
+void FileSession::close() {
+  const gui::BrowserView& view = browser_.view();
+  if (view.open) folder_for(view.purpose) = view.folder;
+  browser_.close();
+}
+
+bool FileSession::refuse(std::string problem) {
+  if (!browser_.view().open) return false;
+  browser_.refuse(std::move(problem));
+  return true;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,75 @@
+#include "client/app/window/files/gallery_session.h"
+
+#include <utility>
+#include <variant>
+
+#include "common/overloaded.h"
+
+namespace aucast::app {
+
+void GallerySession::apply(const gui::GalleryCommand& command, const PlayerOptions& shown) {
+  const Overloaded carry_out{[&](const gui::OpenGallery&) {
+                               view_.open = true;
+                               plan(shown);
+                             },
+                             [&](const gui::CloseGallery&) { view_.open = false; },
+                             [&](const gui::ChangeGallery& one) {
+                               view_.settings = one.settings;
+                               view_.outcome.clear();
+                               plan(shown);
+                             },
+                             [&](const gui::BeginGallery&) {
+                               if (!work_.running() && problem(view_.settings).empty())
+                                 begin(shown);
+                             },
+                             [&](const gui::CancelGallery&) {
+                               work_.cancel();
+                               view_.ending = work_.running();
+                             }};
+  std::visit(carry_out, command);
+}
+
+/// What the command line would say for this gallery.
+PlayerOptions GallerySession::options_under(PlayerOptions options) const {
+  const gui::GallerySettings& settings = view_.settings;
+  options.command = Command::Gallery;
+  options.quiet = true;
+  options.gallery = {settings.folder, gui::wanted_sections(settings), gui::wanted_sweeps(settings)};
+  options.output.width = settings.width;
+  options.output.height = settings.height;
+  return options;
+}
+
+void GallerySession::plan(const PlayerOptions& shown) {
+  view_.planned = 0;
+  view_.complaint.clear();
+  if (gui::wanted_sections(view_.settings).empty()) return;  // which would mean all of them
+  const auto pictures = count_(options_under(shown));
+  if (!pictures) view_.complaint = pictures.error().message;
+  if (pictures) view_.planned = *pictures;
+}
+
+void GallerySession::begin(const PlayerOptions& shown) {
+  view_.outcome.clear();
+  view_.drawn = view_.total = 0;
+  const auto begun =
+      work_.begin([make = make_, options = options_under(shown)](BackgroundWork::Course& course) {
+        return make(options, course);
+      });
+  view_.running = static_cast<bool>(begun);
+  view_.failed = !begun;
+  if (!begun) view_.outcome = begun.error().message;
+}
+
+void GallerySession::advance() {
+  if (!work_.running()) return;
+  view_.drawn = work_.done();
+  view_.total = work_.total();
+  const auto outcome = work_.take_outcome();
+  if (!outcome) return;
+  view_.running = view_.ending = false;
+  view_.failed = !*outcome && !work_.cancelled();
+  view_.outcome = *outcome ? **outcome : outcome->error().message;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+
+#include "client/app/background_work.h"
+#include "client/app/player_options.h"
+#include "client/gui/gallery_view.h"
+
+namespace aucast::app {
+
+/// The gallery that the window makes in the background. Thread: the player's.
+class GallerySession {
+ public:
+  /// Makes a gallery as the command does (make_gallery()), on another thread.
+  using Make =
+      std::function<Result<std::string>(const PlayerOptions& options, BackgroundWork::Course&)>;
+  /// How many pictures a gallery has (gallery_size()).
+  using Count = std::function<Result<std::size_t>(const PlayerOptions& options)>;
+  GallerySession(Make make, Count count) : make_(std::move(make)), count_(std::move(count)) {}
+
+  /// `shown`: options under which the command would draw the face as the window does.
+  void apply(const gui::GalleryCommand& command, const PlayerOptions& shown);
+  /// The pictures go to this folder.
+  void set_folder(const std::filesystem::path& folder) { view_.settings.folder = folder.string(); }
+  /// Takes over how far it is.
+  void advance();
+  [[nodiscard]] const gui::GalleryView& view() const { return view_; }
+
+ private:
+  [[nodiscard]] PlayerOptions options_under(PlayerOptions shown) const;
+  void plan(const PlayerOptions& shown);
+  void begin(const PlayerOptions& shown);
+
+  Make make_;
+  Count count_;
+  gui::GalleryView view_;
+  BackgroundWork work_;
+};
+
+}  // namespace aucast::app

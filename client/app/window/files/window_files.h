@@ -1,0 +1,100 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "client/app/assets.h"
+#include "client/app/notices.h"
+#include "client/app/player_options.h"
+#include "client/app/window/files/export_session.h"
+#include "client/app/window/files/file_names.h"
+#include "client/app/window/files/file_session.h"
+#include "client/app/window/files/gallery_session.h"
+#include "client/app/window/files/shown.h"
+#include "client/app/window/making/composer_session.h"
+#include "client/app/window/making/editor_session.h"
+#include "client/app/window/making/face_session.h"
+#include "client/app/window/playing/mirror_session.h"
+#include "client/app/window/playing/playback_session.h"
+#include "client/app/window/recording/onset_session.h"
+#include "client/gui/gui_commands.h"
+#include "client/gui/gui_model.h"
+#include "client/gui/kept_settings.h"
+
+namespace aucast::app {
+
+/// Files in the window: what the file that was chosen is used for, streams and how tables are read.
+/// What the constructor takes must outlive it. Thread: the player's.
+class WindowFiles {
+ public:
+  /// Who uses the files.
+  struct Users {
+    PlaybackSession& playback;
+    EditorSession& editor;
+    ComposerSession& composer;
+    FaceSession& faces;
+    GallerySession& gallery;
+    ExportSession& exports;
+    OnsetSession& onsets;
+    MirrorSession& mirror;
+    Notices& notices;
+  };
+  struct Hooks {
+    /// The face of this folder takes the place of the one that is shown.
+    std::function<Result<void>(const std::filesystem::path& folder, Instant now)> show_face;
+    /// This session's face is shown; what is made takes it from what plays.
+    std::function<void(Shown shown, Instant now)> show;
+    /// AUs were saved: the face that has them is shown.
+    std::function<void(Instant now)> show_saved_face;
+    /// Pictures go to this folder from now on.
+    std::function<void(const std::filesystem::path& folder)> put_pictures_in;
+    /// What the window shows: for names, as options of the command line, and as it stands.
+    std::function<Named()> named;
+    std::function<PlayerOptions()> options_as_shown;
+    std::function<const std::vector<float>&()> activations;
+  };
+  /// `played`: the file that the command line names; empty: none.
+  WindowFiles(const Assets& assets, const std::filesystem::path& played, const Users& users,
+              Hooks hooks);
+
+  /// Begins with what the window remembered.
+  void begin_with(const gui::KeptSettings& kept);
+  /// Adds what it should remember.
+  void keep(gui::KeptSettings& kept) const;
+
+  void apply(const gui::FileCommand& command, Instant now);
+  /// Saves what is composed where it came from, or asks where to.
+  void save_composition(Instant now);
+
+  /// What plays, without an ending; empty: it has no name. `shows`: its face is shown.
+  [[nodiscard]] std::string name_of_stream(bool shows) const;
+  /// Streams that were opened, the latest first.
+  [[nodiscard]] const std::vector<std::string>& recent() const { return files_.recent(); }
+  [[nodiscard]] const gui::BrowserView& browser() const { return files_.view(); }
+  [[nodiscard]] const gui::TablesView& tables() const { return tables_; }
+  /// A stream that came with the player; empty: none did.
+  [[nodiscard]] const std::string& sample() const { return sample_; }
+
+ private:
+  void browse(gui::Purpose purpose);
+  void open_recent(const std::filesystem::path& file, Instant now);
+  [[nodiscard]] Result<void> open(const std::filesystem::path& file, Instant now);
+  [[nodiscard]] Result<void> play(const std::filesystem::path& file, Instant now);
+  [[nodiscard]] Result<std::string> save_composition(const std::filesystem::path& file);
+  [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
+                                                   Instant now);
+  [[nodiscard]] Result<std::string> import_aus(const std::filesystem::path& file, Instant now);
+  [[nodiscard]] Result<std::string> use(gui::Purpose purpose, const std::filesystem::path& file,
+                                        Instant now);
+
+  const Assets& assets_;
+  std::filesystem::path played_;
+  Users users_;
+  Hooks hooks_;
+  FileSession files_;
+  gui::TablesView tables_;
+  std::string sample_;
+};
+
+}  // namespace aucast::app

@@ -1,0 +1,166 @@
+#include "client/app/window/making/composer_session.h"
+
+#include <cstdio>
+#include <variant>
+
+#include "client/app/stream_files.h"
+#include "client/app/window/making/composition_file.h"
+#include "client/gui/texts.h"
+#include "common/overloaded.h"
+#include "protocol/codec.h"
+#include "protocol/limits.h"
+
+namespace aucast::app {
+namespace {
+
+std::string time_of(const gui::ComposedKeyframe& keyframe) {
+  return keyframe.ms ? std::to_string(*keyframe.ms) + " ms" : gui::tr("said.no_time");
+}
+
+std::string total_of(const gui::Composer::Keyframes& keyframes) {
+  if (keyframes.empty()) return gui::tr("said.no_keyframes");
+  const auto untimed = static_cast<std::uint32_t>(protocol::kDefaultKeyframeTime.count());
+  std::uint64_t ms = 0;
+  for (const auto& keyframe : keyframes) ms += keyframe->ms.value_or(untimed);
+  std::array<char, 32> time{};
+  std::snprintf(time.data(), time.size(), "%.2f", static_cast<double>(ms) / 1000);
+  return gui::tr("said.total", gui::keyframes_text(keyframes.size()), time.data());
+}
+
+std::vector<gui::PadPoint> pad_of(const std::vector<Expression>& expressions) {
+  std::vector<gui::PadPoint> points;
+  for (const Expression& expression : expressions) {
+    if (!expression.pad) continue;
+    points.push_back(
+        {expression.label, (*expression.pad)[0], (*expression.pad)[1], expression.aus});
+  }
+  return points;
+}
+
+}  // namespace
+
+ComposerSession::ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping)
+    : mapping_(mapping),
+      activations_(mapping.face.channels.size()),
+      pad_(std::make_shared<const std::vector<gui::PadPoint>>(pad_of(assets.expressions))) {
+  list_keyframes();
+}
+
+bool ComposerSession::apply(const gui::ComposerCommand& command) {
+  if (std::holds_alternative<gui::ComposeShown>(command) ||
+      std::holds_alternative<gui::PlayComposition>(command) ||
+      std::holds_alternative<gui::SaveComposition>(command)) {
+    return false;
+  }
+  const bool shows = !std::holds_alternative<gui::ComposeTime>(command);
+  if (shows) pad_at_.reset();
+  const Overloaded carry_out{
+      [&](const gui::ComposeAu& au) {
+        composer_.set_au(au.number, au.left_percent, au.right_percent, au.continued);
+      },
+      [&](const gui::ComposeMood& mood) {
+        pad_at_ = {mood.x, mood.y};
+        composer_.set_aus(gui::pad_face(*pad_, mood.x, mood.y), mood.continued);
+      },
+      [&](const gui::ComposeNeutral&) { composer_.set_aus({}, false); },
+      [&](const gui::ComposeTime& time) {
+        std::optional<std::uint32_t> ms;
+        if (time.ms >= 0) ms = static_cast<std::uint32_t>(time.ms);
+        composer_.set_time(ms, time.continued);
+      },
+      [&](const gui::AddKeyframe&) { composer_.add(); },
+      [&](const gui::ChooseKeyframe& choice) {
+        std::optional<std::size_t> keyframe;
+        if (choice.keyframe >= 0) keyframe = static_cast<std::size_t>(choice.keyframe);
+        composer_.choose(keyframe);
+      },
+      [&](const gui::RemoveKeyframe&) { composer_.remove(); },
+      [&](const gui::MoveKeyframe& move) { composer_.move(move.direction); },
+      [&](const gui::UndoComposing&) { composer_.undo(); },
+      [&](const gui::RedoComposing&) { composer_.redo(); },
+      [&](const gui::NewComposition&) { composer_.begin_anew(); },
+      [](const gui::ComposeShown&) {},
+      [](const gui::PlayComposition&) {},
+      [](const gui::SaveComposition&) {}};
+  std::visit(carry_out, command);
+  remake();
+  list_keyframes();
+  return shows;
+}
+
+void ComposerSession::take(const AuFrame& aus) {
+  pad_at_.reset();
+  composer_.set_aus(aus, false);
+  remake();
+}
+
+void ComposerSession::remake() {
+  activations_.resize(mapping_.face.channels.size());
+  mapping_.apply(composer_.current().aus, activations_);
+}
+
+void ComposerSession::list_keyframes() {
+  if (rows_ != nullptr && listed_revision_ == composer_.revision()) return;
+  listed_revision_ = composer_.revision();
+  std::vector<gui::TimelineRow> rows;
+  for (const auto& keyframe : composer_.keyframes()) {
+    rows.push_back({protocol::format_au_set(keyframe->aus), time_of(*keyframe)});
+  }
+  rows_ = std::make_shared<const std::vector<gui::TimelineRow>>(std::move(rows));
+  total_ = total_of(composer_.keyframes());
+}
+
+Result<void> ComposerSession::load(const std::filesystem::path& file) {
+  auto read = read_stream(file);
+  if (!read) return read.error();
+  std::vector<gui::ComposedKeyframe> keyframes;
+  for (const playback::Keyframe& timed : *read) keyframes.push_back(composed(timed));
+  composer_.load(keyframes, file.string());
+  pad_at_.reset();
+  remake();
+  list_keyframes();
+  return {};
+}
+
+Result<std::string> ComposerSession::save(const std::filesystem::path& file) {
+  auto saved = save_stream(composer_.keyframes(), file);
+  if (!saved) return saved;
+  composer_.saved(file.string());
+  list_keyframes();
+  return saved;
+}
+
+std::vector<playback::Keyframe> ComposerSession::keyframes() const {
+  std::vector<playback::Keyframe> keyframes;
+  for (const auto& keyframe : composer_.keyframes()) {
+    playback::Keyframe timed{keyframe->aus, std::nullopt};
+    if (keyframe->ms) timed.duration = Milliseconds(*keyframe->ms);
+    keyframes.push_back(timed);
+  }
+  return keyframes;
+}
+
+gui::ComposerView ComposerSession::view() const {
+  gui::ComposerView view;
+  const gui::ComposedKeyframe& current = composer_.current();
+  view.rows = rows_;
+  view.total = total_;
+  if (composer_.chosen()) view.chosen = static_cast<int>(*composer_.chosen());
+  for (int number = 1; number <= kAuNumberMax; ++number) {
+    const auto index = static_cast<std::size_t>(number);
+    const int left = percent_of(current.aus.left[index]);
+    const int right = percent_of(current.aus.right[index]);
+    if (left == 0 && right == 0) continue;
+    view.aus.push_back({number, std::string(facs_name(number).value_or("")), left, right});
+  }
+  if (current.ms) view.ms = static_cast<int>(*current.ms);
+  view.file = composer_.file();
+  view.unsaved = composer_.unsaved();
+  view.can_undo = composer_.can_undo();
+  view.can_redo = composer_.can_redo();
+  view.pad = pad_;
+  view.pad_at = pad_at_;
+  return view;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,332 @@
+#include "client/app/window/making/editor_session.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <variant>
+
+#include "client/face/face_folder.h"
+#include "client/gui/channel_groups.h"
+#include "client/gui/texts.h"
+#include "client/gui/view_text.h"
+#include "client/pipeline/expression_muscles.h"
+#include "common/files.h"
+#include "common/overloaded.h"
+#include "common/text_file.h"
+#include "protocol/codec.h"
+
+namespace aucast::app {
+namespace {
+
+std::vector<gui::ExpressionButton> buttons_of(const std::vector<Expression>& expressions) {
+  using gui::ExpressionKind;
+  std::vector<gui::ExpressionButton> buttons;
+  for (const Expression& expression : expressions) {
+    const auto same = [&](const gui::ExpressionButton& one) {
+      return one.kind == ExpressionKind::Main && one.label == expression.label;
+    };
+    gui::ExpressionButton button{expression.label, protocol::format_au_set(expression.aus),
+                                 ExpressionKind::Main, expression.source};
+    if (!expression.muscles.empty()) {
+      button.kind = ExpressionKind::Macro;
+    } else if (std::any_of(buttons.begin(), buttons.end(), same)) {
+      button.kind = ExpressionKind::Other;
+      button.label = expression.name;
+    }
+    buttons.push_back(std::move(button));
+  }
+  return buttons;
+}
+
+}  // namespace
+
+EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
+                             const std::vector<float>& shown)
+    : assets_(assets),
+      mapping_(mapping),
+      notices_(notices),
+      shown_(shown),
+      own_(assets, mapping),
+      editor_(mapping.face, mapping.recordings) {
+  expressions_.buttons = buttons_of(assets.expressions);
+  list_aus();
+}
+
+bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
+  // What is edited is shown at once, and is no longer what was put together.
+  const auto edit = [&](auto change) {
+    transition_.reset();
+    show_none_of_them();
+    change();
+    return true;
+  };
+  const Overloaded carry_out{
+      [&](const gui::ShowExpression& one) { return show_expression(one.index, false, now); },
+      [&](const gui::ChangeStrength& one) { return change_strength(one, now); },
+      [&](const gui::ShowAus& one) { return show_aus(one.aus, now); },
+      [&](const gui::ChangeTransition& one) {
+        transition_settings_ = one.settings;
+        return false;
+      },
+      [&](const gui::SetChannel& one) {
+        const bool known =
+            one.channel >= 0 && static_cast<std::size_t>(one.channel) < shown_.size();
+        return known && edit([&] {
+                 editor_.set(static_cast<std::size_t>(one.channel), one.value, one.continued);
+               });
+      },
+      [&](const gui::SetLinked& one) {
+        editor_.set_linked(one.linked);
+        return false;
+      },
+      [&](const gui::LoadAu& one) { return edit([&] { editor_.load(one.number); }); },
+      [&](const gui::SaveAu& one) {
+        save_au(one, now);
+        return false;
+      },
+      [&](const gui::NameAu& one) {
+        name_au(one);
+        return false;
+      },
+      [&](const gui::RemoveAu& one) { return remove_au(one.number, now); },
+      [&](const gui::RevertAu&) {
+        names_.clear();
+        return edit([&] { editor_.revert(); });
+      },
+      [&](const gui::NeutralFace&) { return edit([&] { editor_.neutral(); }); },
+      [&](const gui::Undo&) { return edit([&] { editor_.undo(); }); },
+      [&](const gui::Redo&) { return edit([&] { editor_.redo(); }); }};
+  return std::visit(carry_out, command);
+}
+
+bool EditorSession::show_expression(std::size_t index, bool continued, Instant now) {
+  if (index >= assets_.expressions.size()) return false;
+  const Expression expression =
+      at_strength(assets_.expressions[index], static_cast<float>(expressions_.percent) / 100.0F);
+  std::vector<float> target = put_together(expression.aus);
+  if (const auto set = pipeline::apply_muscles(mapping_.face, expression, target); !set) {
+    notices_.say(set.error().message, true, now);
+    return false;
+  }
+  go_to(std::move(target), continued, now);
+  expressions_.chosen = static_cast<int>(index);
+  if (expression.muscles.empty()) {
+    expressions_.aus = protocol::format_au_set(expression.aus);
+  } else {
+    aus_.reset();
+  }
+  return true;
+}
+
+bool EditorSession::change_strength(const gui::ChangeStrength& change, Instant now) {
+  expressions_.percent = std::clamp(change.percent, 0, 100);
+  const int chosen = expressions_.chosen;
+  return chosen >= 0 && show_expression(static_cast<std::size_t>(chosen), change.continued, now);
+}
+
+bool EditorSession::show_aus(const std::string& text, Instant now) {
+  const auto aus = protocol::parse_au_set(text);
+  if (!aus) {
+    complaint_ = aus.error().message;
+    notices_.say(complaint_, true, now);
+    return false;
+  }
+  if (notices_.view().text == complaint_) notices_.clear();
+  go_to(put_together(*aus), false, now);
+  return true;
+}
+
+std::vector<float> EditorSession::put_together(const AuFrame& aus) {
+  show_none_of_them();
+  std::vector<float> target(shown_.size());
+  asked_ = aus;
+  aus_ = explained(target);
+  return target;
+}
+
+/// Puts what was asked together, and says what became of it.
+AuFrame EditorSession::explained(std::span<float> target) {
+  std::vector<face::RuleFired> fired;
+  const AuFrame blended = mapping_.apply(asked_, target, &fired);
+  compound_ = gui::au_rows(asked_, blended, face::explain(fired), mapping_.recordings);
+  return blended;
+}
+
+void EditorSession::change_language() {
+  if (compound_.empty()) return;
+  std::vector<float> unused(shown_.size());
+  static_cast<void>(explained(unused));
+}
+
+/// The face is no longer an expression or AUs that were put together.
+void EditorSession::show_none_of_them() {
+  aus_.reset();
+  compound_.clear();
+  expressions_.chosen = -1;
+  expressions_.aus.clear();
+}
+
+/// The editor takes a face, on the way from the one that is shown.
+void EditorSession::go_to(std::vector<float> target, bool continued, Instant now) {
+  editor_.take(target, continued);
+  transition_.emplace(shown_, std::move(target), transition_settings_, now);
+}
+
+void EditorSession::change_face(const std::vector<std::string>& before) {
+  transition_.reset();
+  own_.change_face();
+  deleted_names_.clear();
+  editor_.change_face(before);
+  list_aus();
+  if (!aus_) return;
+  // What is made of AUs is made of the same ones.
+  std::vector<float> target(mapping_.face.channels.size());
+  face::mix(mapping_.face.channels, mapping_.recordings, *aus_, mapping_.mixer, target);
+  editor_.take(target, true);
+}
+
+void EditorSession::save_au(const gui::SaveAu& wanted, Instant now) {
+  const Result<std::string> saved = save_recording(wanted);
+  save_failed_ = !saved;
+  notices_.say(saved ? *saved : saved.error().message, !saved, now);
+}
+
+void EditorSession::name_au(const gui::NameAu& typed) {
+  const auto saved = mapping_.recordings.find(typed.number);
+  const std::string before = saved == mapping_.recordings.end() ? "" : saved->second.note;
+  names_.erase(typed.number);
+  deleted_names_.erase(typed.number);
+  if (typed.name != before) names_[typed.number] = typed.name;
+}
+
+bool EditorSession::has_name(int number, const std::string& given) const {
+  const auto before = mapping_.recordings.find(number);
+  return !given.empty() || facs_name(number) ||
+         (before != mapping_.recordings.end() && !before->second.note.empty());
+}
+
+/// Returns a sentence about where it went.
+Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
+  // Saved by a key there is no name but the one that was typed.
+  const auto typed = names_.find(wanted.number);
+  std::string name = wanted.name;
+  if (name.empty() && typed != names_.end()) {
+    name = std::string(trimmed(typed->second, " "));
+  }
+  const auto deleted = deleted_names_.find(wanted.number);
+  if (name.empty() && deleted != deleted_names_.end()) name = deleted->second;
+  if (!has_name(wanted.number, name)) {
+    return Error{ErrorKind::Usage, gui::tr("said.au_unnamed", wanted.number)};
+  }
+  const auto file = own_.save(wanted.number, editor_.activations(), name);
+  if (!file) return file.error();
+  names_.erase(wanted.number);
+  deleted_names_.erase(wanted.number);
+  editor_.saved(wanted.number);
+  saved_in(*file);
+  return gui::tr("said.au_saved", wanted.number, file->string());
+}
+
+void EditorSession::saved_in(const std::filesystem::path& file) {
+  list_aus();
+  saved_face_ = whole_path(file.parent_path()).string();
+}
+
+Result<std::string> EditorSession::import_aus(const std::filesystem::path& file) {
+  auto recordings = face::load_aus(file, mapping_.face);
+  if (!recordings) return recordings.error();
+  recordings->erase(0);  // the face at rest, which is no AU
+  if (recordings->empty()) {
+    return Error{ErrorKind::BadData, file.string() + ": " + gui::tr("said.no_aus")};
+  }
+  const auto saved = own_.take(*recordings);
+  if (!saved) return saved.error();
+  transition_.reset();
+  show_none_of_them();
+  editor_.recorded_anew(recordings->begin()->first);
+  saved_in(*saved);
+  std::string numbers;
+  for (const auto& [number, recording] : *recordings) {
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+  }
+  return gui::tr("said.aus_imported", numbers, saved->string());
+}
+
+bool EditorSession::remove_au(int number, Instant now) {
+  if (!own_.differs_from_shipped(number)) return false;
+  const bool shipped = own_.shipped(number);
+  const std::string name = mapping_.recordings.at(number).note;
+  if (const auto removed = own_.remove(number); !removed) {
+    notices_.say(removed.error().message, true, now);
+    return false;
+  }
+  names_.erase(number);
+  if (!shipped) deleted_names_[number] = name;
+  transition_.reset();
+  show_none_of_them();
+  editor_.recorded_anew(number);
+  list_aus();
+  notices_.say(shipped ? gui::tr("said.au_shipped", number) : gui::tr("said.au_deleted", number),
+               false, now);
+  return true;
+}
+
+Result<std::string> EditorSession::export_au(const std::filesystem::path& file) const {
+  if (!editor_.au()) return Error{ErrorKind::Usage, gui::tr("said.no_au")};
+  return own_.export_to(*editor_.au(), file);
+}
+
+void EditorSession::list_aus() {
+  std::vector<gui::AuEntry> entries;
+  for (const auto& [number, recording] : mapping_.recordings) {
+    if (number == 0) continue;
+    gui::AuEntry entry;
+    entry.number = number;
+    const auto name = facs_name(number);
+    entry.name = name ? std::string(*name) : recording.note;
+    entry.muscles = gui::drive_in_words(gui::drive_of(mapping_.face, recording.activation));
+    const auto looks = assets_.au_looks.find(number);
+    if (looks != assets_.au_looks.end()) entry.looks = looks->second;
+    entry.own = own_.differs_from_shipped(number);
+    entry.shipped = own_.shipped(number);
+    entries.push_back(std::move(entry));
+  }
+  known_aus_ = std::make_shared<const std::vector<gui::AuEntry>>(std::move(entries));
+}
+
+std::vector<float> EditorSession::activations(Instant now) const {
+  return transition_ && !transition_->over(now) ? transition_->at(now) : editor_.activations();
+}
+
+std::optional<Instant> EditorSession::next_frame_at(Instant now) const {
+  return transition_ ? transition_->next_frame_at(now) : std::nullopt;
+}
+
+std::optional<AuFrame> EditorSession::aus() const {
+  if (aus_ || !editor_.au() || editor_.unsaved()) return aus_;
+  const std::array terms = {AuTerm{static_cast<std::uint8_t>(*editor_.au()), Side::Both, 100}};
+  return frame_from_terms(terms);
+}
+
+std::string EditorSession::made_of() const {
+  if (expressions_.chosen >= 0) {
+    return assets_.expressions[static_cast<std::size_t>(expressions_.chosen)].name;
+  }
+  return editor_.au() ? "au" + std::to_string(*editor_.au()) + "_edited" : "edited";
+}
+
+gui::EditorView EditorSession::view() const {
+  gui::EditorView view;
+  view.groups = gui::channel_groups(mapping_.face, editor_.activations());
+  view.linked = editor_.linked();
+  view.au = editor_.au().value_or(-1);
+  view.unsaved = unsaved();
+  view.names = names_;
+  view.names.insert(deleted_names_.begin(), deleted_names_.end());
+  view.can_undo = editor_.can_undo();
+  view.can_redo = editor_.can_redo();
+  view.compound = compound_;
+  return view;
+}
+
+}  // namespace aucast::app

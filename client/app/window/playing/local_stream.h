@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "client/app/notices.h"
+#include "client/app/window/playing/playing_stream.h"
+#include "client/gui/au_curves.h"
+#include "client/playback/seekable_playback.h"
+
+namespace aucast::app {
+
+/// A stream that is there whole, such as a file: it can be sought, and played anew after its end.
+class LocalStream final : public PlayingStream {
+ public:
+  /// `step_fps`: a step by frame is 1 / step_fps s. `notices` must outlive it.
+  LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, std::string name, int step_fps,
+              Notices& notices);
+
+  [[nodiscard]] playback::SeekablePlayback& playback() override { return *playback_; }
+  [[nodiscard]] const playback::SeekablePlayback& playback() const override { return *playback_; }
+  [[nodiscard]] std::unique_ptr<playback::Playback> hand_out() override {
+    return std::move(playback_);
+  }
+  /// It can go on from there.
+  void stop(Instant now) override { playback_->pause(now); }
+  bool resume(Instant now) override;
+  bool apply(const gui::LocalCommand& command, Instant now) override;
+  [[nodiscard]] bool stands() const override;
+  [[nodiscard]] std::string title(const std::string& program, bool /*over*/) const override {
+    return name_ + " - " + program;
+  }
+  /// All of it.
+  [[nodiscard]] Played played() const override;
+  void describe(gui::RemoteView& view) const override;
+  [[nodiscard]] gui::LocalView local_view() const override;
+
+ private:
+  void toggle_repeat(playback::LocalPlayback& playhead, Instant now);
+
+  std::unique_ptr<playback::SeekablePlayback> playback_;
+  std::string name_;
+  int step_fps_;
+  Notices& notices_;
+  std::shared_ptr<const gui::AuCurves> curves_;
+};
+
+}  // namespace aucast::app

@@ -1,0 +1,123 @@
+#include "client/app/window/playing/mirror_session.h"
+
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include "client/gui/texts.h"
+#include "client/mirror/host_addresses.h"
+#include "common/overloaded.h"
+
+namespace aucast::app {
+
+using Phase = gui::MirrorView::Phase;
+
+namespace {
+
+std::string in_words(const mirror::Trouble& trouble, bool film) {
+  using Kind = mirror::Trouble::Kind;
+  switch (trouble.kind) {
+    case Kind::None:
+      break;
+    case Kind::Said:
+      return trouble.said;
+    case Kind::NoPictures:
+      return film ? gui::tr("camera.film_over") : gui::tr("camera.no_more");
+    case Kind::Ended:
+      return gui::tr("camera.has_ended");
+    case Kind::Signalled:
+      return gui::tr("camera.signalled", trouble.signal);
+    case Kind::Silent:
+      return gui::tr("camera.silent");
+  }
+  return {};
+}
+
+}  // namespace
+
+MirrorSession::MirrorSession(mirror::MirrorOptions options) : options_(std::move(options)) {
+  view_ = view_of_options();
+}
+
+gui::MirrorView MirrorSession::view_of_options() const {
+  gui::MirrorView view;
+  view.source = options_.source;
+  view.addresses = mirror::host_addresses();
+  view.asks_token = !options_.token.empty();
+  view.asks_tls = !options_.certificate.empty();
+  return view;
+}
+
+void MirrorSession::start(const std::string& source) {
+  if (mirror_ != nullptr) return;
+  options_.source = source;
+  view_ = view_of_options();
+  played_ = ending_ = false;
+  auto started = mirror::Mirror::start(options_);
+  if (!started) {
+    const bool missing = started.error().kind == ErrorKind::Unreadable;
+    view_.trouble = missing ? gui::tr("camera.not_installed") : started.error().message;
+    return;
+  }
+  mirror_ = *std::move(started);
+  view_.phase = Phase::Starting;
+}
+
+void MirrorSession::apply(const gui::MirrorCommand& command) {
+  const Overloaded carry_out{
+      [this](const gui::StartMirror& one) { start(one.source); },
+      [this](const gui::StopMirror&) {
+        if (mirror_ == nullptr) return;
+        ending_ = true;
+        mirror_->end();
+      },
+      [this](const gui::GoLive& one) {
+        if (mirror_ == nullptr && !one.source.empty()) start(one.source);
+        if (mirror_ == nullptr) return;
+        mirror_->order(preview::GoLive{one.bind, static_cast<std::uint16_t>(one.port)});
+      },
+      [this](const gui::GoPrivate&) {
+        if (mirror_ != nullptr) mirror_->order(preview::GoPrivate{});
+      }};
+  std::visit(carry_out, command);
+}
+
+Phase MirrorSession::phase(const mirror::MirrorState& state) const {
+  if (state.over) return Phase::Off;
+  if (ending_) return Phase::Ending;
+  if (!state.live.empty()) return Phase::Live;
+  return state.seen == nullptr ? Phase::Starting : Phase::Private;
+}
+
+void MirrorSession::finish() {
+  mirror_.reset();
+  view_.seen.reset();
+  view_.phase = Phase::Off;
+}
+
+std::optional<protocol::Endpoint> MirrorSession::advance() {
+  if (mirror_ == nullptr) return std::nullopt;
+  mirror::MirrorState state = mirror_->state();
+  view_.phase = phase(state);
+  const mirror::Trouble& trouble = state.over ? state.ended : state.refused;
+  const bool film = gui::is_film_source(options_.source);
+  view_.trouble = in_words(trouble, film);
+  view_.expected = film && trouble.kind == mirror::Trouble::Kind::NoPictures;
+  view_.live = std::move(state.live);
+  view_.watching = state.watching;
+  view_.seen = std::move(state.seen);
+  if (state.over) {
+    finish();
+    return std::nullopt;
+  }
+  if (state.address.empty() || std::exchange(played_, true)) return std::nullopt;
+  auto endpoint = protocol::parse_endpoint(state.address);
+  if (!endpoint) {
+    view_.trouble = endpoint.error().message;
+    finish();
+    return std::nullopt;
+  }
+  return *std::move(endpoint);
+}
+
+}  // namespace aucast::app

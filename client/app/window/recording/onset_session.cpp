@@ -1,0 +1,28 @@
+#include "client/app/window/recording/onset_session.h"
+
+#include <utility>
+
+namespace aucast::app {
+
+Result<void> OnsetSession::begin(const std::filesystem::path& file) {
+  if (auto ended = end(); !ended) return ended;
+  auto log = OnsetLog::create(file);
+  if (!log) return log.error();
+  log_ = *std::move(log);
+  file_ = file.string();
+  return {};
+}
+
+void OnsetSession::add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus) {
+  if (log_ != nullptr) log_->add(shown, keyframe, aus);
+}
+
+Result<void> OnsetSession::end() {
+  if (log_ == nullptr) return {};
+  auto finished = log_->finish();
+  log_.reset();
+  file_.clear();
+  return finished;
+}
+
+}  // namespace aucast::app

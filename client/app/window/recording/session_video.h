@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "client/app/window/recording/video_sound.h"
+#include "client/view/image.h"
+#include "client/view/video_encoder.h"
+#include "common/result.h"
+#include "common/time.h"
+
+namespace aucast::app {
+
+/// How many pictures are missing in a video that began `elapsed` ago and has `written` pictures. A
+/// window is drawn irregularly; the pictures of a video are equally spaced in time.
+[[nodiscard]] std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written);
+
+/// A video of what the window shows, as it happens, with what is heard.
+class SessionVideo {
+ public:
+  static constexpr int kFps = 25;
+
+  [[nodiscard]] static Result<std::unique_ptr<SessionVideo>> open(const std::filesystem::path& file,
+                                                                  int width, int height,
+                                                                  Instant begin);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  /// True when the video lacks a picture at `now`.
+  [[nodiscard]] bool due(Instant now) const;
+  /// Adds the picture as many times as pictures are missing at `now`; not at all unless due().
+  [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
+  /// VideoSound's.
+  void hear(Instant heard_at, std::span<const float> samples) { sound_->add(heard_at, samples); }
+  /// Completes the file, which takes a while, on whichever thread.
+  [[nodiscard]] Result<void> finish();
+
+ private:
+  SessionVideo() = default;
+
+  int width_ = 0;
+  int height_ = 0;
+  Instant begin_{};
+  std::uint64_t written_ = 0;
+  std::unique_ptr<view::VideoEncoder> encoder_;
+  std::unique_ptr<VideoSound> sound_;
+};
+
+}  // namespace aucast::app

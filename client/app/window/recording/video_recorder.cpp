@@ -1,0 +1,71 @@
+#include "client/app/window/recording/video_recorder.h"
+
+#include <span>
+#include <utility>
+
+#include "client/gui/texts.h"
+#include "common/files.h"
+
+namespace aucast::app {
+
+Result<void> VideoRecorder::begin(int width, int height, Instant now) {
+  // It has no name yet, which this one would get too.
+  if (completing()) return Error{ErrorKind::Failed, gui::tr("said.video_before")};
+  const auto file = hooks_.new_file();
+  if (!file) return file.error();
+  auto video = SessionVideo::open(*file, width, height, now);
+  if (!video) return video.error();
+  video_ = std::move(*video);
+  file_ = whole_path(*file);
+  show();
+  hooks_.hear([this](Instant heard_at, std::span<const float> samples) {
+    video_->hear(heard_at, samples);
+  });
+  return {};
+}
+
+Result<void> VideoRecorder::record(const Picture& picture, Instant now) {
+  if (!running() || !video_->due(now)) return {};
+  const auto image = picture(video_->width(), video_->height());
+  const auto shown = image ? video_->show(*image, now) : Result<void>(image.error());
+  if (!shown) let_go();
+  return shown;
+}
+
+Result<std::string> VideoRecorder::end() {
+  const std::shared_ptr<SessionVideo> video = let_go();
+  const auto complete = [video]() -> Result<std::string> {
+    if (auto finished = video->finish(); !finished) return finished.error();
+    return std::string();
+  };
+  if (!work_.begin([complete](BackgroundWork::Course&) { return complete(); })) {
+    return sentence(complete());
+  }
+  show();
+  return gui::tr("said.writing", file_.string());
+}
+
+std::optional<Result<std::string>> VideoRecorder::ended() {
+  const auto outcome = work_.take_outcome();
+  if (!outcome) return std::nullopt;
+  show();
+  return sentence(*outcome);
+}
+
+Result<std::string> VideoRecorder::sentence(const Result<std::string>& outcome) const {
+  return outcome ? gui::tr("said.video", file_.string()) : outcome;
+}
+
+std::unique_ptr<SessionVideo> VideoRecorder::let_go() {
+  hooks_.hear({});
+  auto video = std::move(video_);
+  show();
+  return video;
+}
+
+void VideoRecorder::show() {
+  const std::string name = file_.filename().string();
+  hooks_.show({running() ? name : "", completing() ? name : ""});
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,51 @@
+#include "client/app/window/recording/video_sound.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "client/sound/sound_track.h"
+
+namespace aucast::app {
+namespace {
+
+constexpr Duration kSecond = std::chrono::seconds(1);
+/// Of silence, written at once.
+constexpr std::int64_t kSilentPortion = sound::kRate;
+
+std::int64_t samples_in(Duration time) {
+  return time / kSecond * sound::kRate + time % kSecond * sound::kRate / kSecond;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<VideoSound>> VideoSound::open(const std::filesystem::path& video,
+                                                     Instant begin) {
+  auto wav = sound::WavFile::open(video);
+  if (!wav) return wav.error();
+  return std::unique_ptr<VideoSound>(new VideoSound(std::move(*wav), begin));
+}
+
+void VideoSound::add(Instant heard_at, std::span<const float> samples) {
+  constexpr std::int64_t kSlackSamples = kSlack.count() * sound::kSamplesPerMs;
+  const auto written = static_cast<std::int64_t>(wav_->samples());
+  std::int64_t missing = samples_in(heard_at - begin_) - written;
+  if (written > 0 && missing > -kSlackSamples && missing < kSlackSamples) missing = 0;
+  const std::vector<float> silence(
+      static_cast<std::size_t>(std::clamp<std::int64_t>(missing, 0, kSilentPortion)));
+  for (std::int64_t left = missing; left > 0; left -= kSilentPortion) {
+    wav_->add(std::span(silence).first(static_cast<std::size_t>(std::min(left, kSilentPortion))));
+  }
+  // What was heard before the video began, or twice.
+  const auto past = static_cast<std::size_t>(std::max<std::int64_t>(-missing, 0));
+  wav_->add(samples.subspan(std::min(past, samples.size())));
+}
+
+Result<std::filesystem::path> VideoSound::file() {
+  if (wav_->samples() == 0) return std::filesystem::path();
+  if (auto flushed = wav_->flush(); !flushed) return flushed.error();
+  return wav_->temporary();
+}
+
+}  // namespace aucast::app

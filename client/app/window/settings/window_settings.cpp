@@ -1,0 +1,149 @@
+#include "client/app/window/settings/window_settings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "client/net/remote_source.h"
+#include "common/log.h"
+
+namespace aucast::app {
+namespace {
+
+using gui::KeptSettings;
+
+/// What of `from` the named options of the command line stand for goes into `to`, where `wanted`
+/// says so.
+template <typename Wanted>
+void copy_given(const std::set<std::string>& given, const KeptSettings& from, KeptSettings& to,
+                Wanted wanted) {
+  const auto copy = [&](const char* option, auto member_of) {
+    if (given.contains(option) && wanted(member_of)) member_of(to) = member_of(from);
+  };
+  copy(
+      "--buffer", [](auto& s) -> auto& { return s.remote.buffer; });
+  copy(
+      "--playout", [](auto& s) -> auto& { return s.remote.playout; });
+  copy(
+      "--threshold", [](auto& s) -> auto& { return s.remote.threshold_percent; });
+  copy(
+      "--speed", [](auto& s) -> auto& { return s.remote.speed_ms; });
+  copy(
+      "--reconnect", [](auto& s) -> auto& { return s.remote.reconnect; });
+  copy(
+      "--stream", [](auto& s) -> auto& { return s.remote.stream; });
+  copy(
+      "--tls", [](auto& s) -> auto& { return s.remote.tls; });
+  copy(
+      "--mixer", [](auto& s) -> auto& { return s.animation.mixer; });
+  copy(
+      "--rules", [](auto& s) -> auto& { return s.animation.rules; });
+  copy(
+      "--interpolation", [](auto& s) -> auto& { return s.animation.interpolation; });
+  copy(
+      "--show", [](auto& s) -> auto& { return s.rendering.layers; });
+  copy(
+      "--language", [](auto& s) -> auto& { return s.display.language; });
+  copy(
+      "--text-size", [](auto& s) -> auto& { return s.display.text_percent; });
+  for (const char* option : {"--idle", "--blink"}) {
+    copy(
+        option, [](auto& s) -> auto& { return s.rendering.blinking; });
+    copy(
+        option, [](auto& s) -> auto& { return s.rendering.blink.seed; });
+  }
+  copy(
+      "--blink", [](auto& s) -> auto& { return s.rendering.blink.interval_ms; });
+  copy(
+      "--blink", [](auto& s) -> auto& { return s.rendering.blink.closing_ms; });
+}
+
+KeptSettings settings_of(const PlayerOptions& options) {
+  KeptSettings settings;
+  const PlaybackOptions& playback = options.playback;
+  settings.remote.buffer = static_cast<int>(playback.buffers.receiver_capacity);
+  settings.remote.playout = static_cast<int>(playback.buffers.playout_capacity);
+  settings.remote.threshold_percent = playback.buffers.threshold_percent;
+  if (playback.speed) settings.remote.speed_ms = static_cast<int>(playback.speed->count());
+  settings.remote.reconnect = playback.reconnect;
+  settings.remote.stream = playback.stream;
+  settings.remote.tls = playback.security.tls;
+  settings.animation = {options.face.mixer, options.face.rules, playback.interpolation};
+  settings.display = options.display;
+  settings.rendering.layers = options.output.layers;
+  settings.rendering.blinking = playback.blink.has_value();
+  settings.rendering.blink = playback.blink.value_or(settings.rendering.blink);
+  return settings;
+}
+
+std::filesystem::path usual_file(const PlayerOptions& options) {
+  if (options.headless || !options.config) return {};
+  auto file = gui::settings_file(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
+  return file ? *file : std::filesystem::path();
+}
+
+}  // namespace
+
+WindowSettings WindowSettings::load(const PlayerOptions& options) {
+  WindowSettings settings(options, usual_file(options));
+  if (!settings.complaint_.empty()) spdlog::warn("{}", settings.complaint_);
+  return settings;
+}
+
+WindowSettings::WindowSettings(const PlayerOptions& options, std::filesystem::path file)
+    : file_(std::move(file)), given_(options.given) {
+  if (!file_.empty()) {
+    gui::LoadedSettings loaded = gui::load_settings(file_);
+    kept_ = std::move(loaded.settings);
+    complaint_ = std::move(loaded.complaint);
+    if (!loaded.may_write) file_.clear();
+  }
+  in_force_ = kept_;
+  copy_given(given_, settings_of(options), in_force_, [](auto) { return true; });
+  // One of the two was given and the other is the file's.
+  in_force_.remote.playout = std::min(in_force_.remote.playout, in_force_.remote.buffer);
+  if (const auto endpoint = net::parse_endpoint(options.playback.endpoint)) {
+    in_force_.remote.address = endpoint->host;
+    in_force_.remote.port = endpoint->port;
+    in_force_.remote.others = options.playback.others;
+    // The last ones were another server's.
+    in_force_.remote.stream = options.playback.stream;
+    in_force_.remote.tls = options.playback.security.tls;
+    in_force_.remote.token_file.clear();
+  }
+}
+
+PlayerOptions WindowSettings::applied(PlayerOptions options) const {
+  if (options.headless) return options;
+  PlaybackOptions& playback = options.playback;
+  const gui::RemoteSettings& remote = in_force_.remote;
+  playback.buffers.receiver_capacity = static_cast<std::size_t>(remote.buffer);
+  playback.buffers.playout_capacity = static_cast<std::size_t>(remote.playout);
+  playback.buffers.threshold_percent = remote.threshold_percent;
+  playback.speed.reset();
+  if (remote.speed_ms > 0) playback.speed = Milliseconds(remote.speed_ms);
+  playback.reconnect = remote.reconnect || !playback.others.empty();
+  playback.interpolation = in_force_.animation.interpolation;
+  options.face.mixer = in_force_.animation.mixer;
+  options.face.rules = in_force_.animation.rules;
+  if (!given_.contains("--face") && !in_force_.face.empty()) options.face.face = in_force_.face;
+  return options;
+}
+
+Result<void> WindowSettings::keep(KeptSettings now) {
+  if (file_.empty()) return {};
+  // The server of the command line is kept once it has answered, as any other.
+  const std::string server = gui::address_text(now.remote);
+  const bool unheard = now.recent.empty() || now.recent.front() != server;
+  if (unheard && server == gui::address_text(in_force_.remote)) {
+    now.remote = gui::with_server_of(now.remote, kept_.remote);
+  }
+  copy_given(given_, kept_, now,
+             [&](auto member_of) { return member_of(now) == member_of(in_force_); });
+  if (now == kept_) return {};
+  auto saved = gui::save_settings(now, file_);
+  if (saved) kept_ = std::move(now);
+  return saved;
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,47 @@
+#include "client/app/window/thumbnails/face_thumbnails.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "client/app/film/face_view.h"
+#include "client/app/film/shot.h"
+
+namespace aucast::app {
+
+FaceThumbnails::FaceThumbnails(std::filesystem::path data_folder, int width, int height)
+    : data_folder_(std::move(data_folder)), width_(width), height_(height) {}
+
+FaceThumbnails::~FaceThumbnails() = default;
+
+bool FaceThumbnails::advance(gui::Thumbnails& pictures) {
+  if (!reading_.running()) {
+    const auto next = std::find_if(pictures.seen.begin(), pictures.seen.end(),
+                                   [this](const auto& one) { return !textures_.contains(one); });
+    if (next == pictures.seen.end()) return false;
+    folder_ = *next;
+    const auto begun = reading_.start(
+        [folder = folder_, data = data_folder_] { return face::load_face(folder, data); });
+    if (!begun) textures_[folder_] = nullptr;
+    return false;
+  }
+  const std::optional<Result<face::Face>> face = reading_.take();
+  if (!face) return false;
+  auto& texture = textures_[folder_] = *face ? draw(**face) : nullptr;
+  if (texture == nullptr) return false;
+  pictures.textures[folder_] = texture->id();
+  return true;
+}
+
+std::unique_ptr<render::PictureTexture> FaceThumbnails::draw(const face::Face& face) const {
+  auto view = FaceView::create_at_rest(face);
+  if (!view || !(*view)->prepare(width_, height_, Sharpness::Still)) return nullptr;
+  view::Style style;
+  style.scale = 0.5F;
+  const view::Image image = (*view)->picture(viewpoint_preset("front", face), style);
+  auto texture = std::make_unique<render::PictureTexture>();
+  texture->show(image);
+  return texture;
+}
+
+}  // namespace aucast::app

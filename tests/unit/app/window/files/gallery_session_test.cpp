@@ -1,0 +1,161 @@
+#include "client/app/window/files/gallery_session.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace aucast::app {
+namespace {
+
+/// A gallery of three pictures, of which the next one is drawn when the test says so.
+class GallerySessionTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    gui::GallerySettings settings;
+    settings.folder = "/pictures";
+    ask(gui::ChangeGallery{settings});
+  }
+  void ask(const gui::GalleryCommand& command) { session_.apply(command, shown_); }
+  Result<std::string> make(const PlayerOptions& options, BackgroundWork::Course& course) {
+    made_with_ = options;
+    for (std::size_t drawn = 0; drawn < 3; ++drawn) {
+      std::unique_lock lock(mutex_);
+      news_.wait(lock, [&] { return may_draw_ > drawn || course.cancelled(); });
+      if (course.cancelled()) return Error{ErrorKind::Failed, "stopped"};
+      course.reached(drawn + 1, 3);
+    }
+    return std::string("three pictures");
+  }
+  void draw(std::size_t pictures) {
+    {
+      const std::lock_guard lock(mutex_);
+      may_draw_ = pictures;
+    }
+    news_.notify_all();
+  }
+  /// The test's own time limit ends it if that never comes.
+  template <typename Until>
+  void go_on_until(const Until& until) {
+    while (!until()) {
+      session_.advance();
+      news_.notify_all();
+      std::this_thread::yield();
+    }
+  }
+
+  PlayerOptions shown_;
+  PlayerOptions made_with_;
+  std::mutex mutex_;
+  std::condition_variable news_;
+  std::size_t may_draw_ = 0;
+  /// As many as there are sections, and no sweep but that of AU 12.
+  static Result<std::size_t> count(const PlayerOptions& options) {
+    const auto& sweeps = options.gallery.sweeps;
+    if (!sweeps.empty() && sweeps != std::vector<std::string>{"12"}) {
+      return Error{ErrorKind::Usage, "no such sweep"};
+    }
+    return options.gallery.only.size();
+  }
+  GallerySession session_{[this](const PlayerOptions& options, BackgroundWork::Course& course) {
+                            return make(options, course);
+                          },
+                          count};
+  const gui::GalleryView& view_ = session_.view();
+};
+
+TEST_F(GallerySessionTest, SaysHowFarItIsAndWhatCameOfIt) {
+  shown_.face.face = "marek";
+  ask(gui::OpenGallery{});
+  EXPECT_TRUE(view_.open);
+  ask(gui::BeginGallery{});
+  EXPECT_TRUE(view_.running);
+  draw(2);
+  go_on_until([this] { return view_.drawn == 2; });
+  EXPECT_EQ(view_.total, 3U);
+  EXPECT_TRUE(view_.running);
+  ask(gui::CloseGallery{});
+  EXPECT_TRUE(view_.running) << "it goes on without its dialog";
+  draw(3);
+  go_on_until([this] { return !view_.running; });
+  EXPECT_EQ(view_.outcome, "three pictures");
+  EXPECT_FALSE(view_.failed);
+  EXPECT_EQ(made_with_.face.face, "marek");
+  EXPECT_EQ(made_with_.gallery.folder, "/pictures");
+  EXPECT_EQ(made_with_.gallery.only, (std::vector<std::string>{"aus", "prototypes"}));
+  EXPECT_TRUE(made_with_.gallery.sweeps.empty()) << "that section is not wanted";
+  EXPECT_EQ(made_with_.output.width, 600);
+}
+
+TEST_F(GallerySessionTest, IsCancelledAndCanBeginAgain) {
+  ask(gui::BeginGallery{});
+  ask(gui::CancelGallery{});
+  EXPECT_TRUE(view_.ending);
+  go_on_until([this] { return !view_.running; });
+  EXPECT_FALSE(view_.failed) << "it was wanted so";
+  EXPECT_EQ(view_.outcome, "stopped");
+  EXPECT_FALSE(view_.ending);
+  draw(3);
+  ask(gui::BeginGallery{});
+  go_on_until([this] { return !view_.running; });
+  EXPECT_EQ(view_.outcome, "three pictures");
+}
+
+TEST_F(GallerySessionTest, WhoLeavesNeedNotWaitForAllPictures) {
+  // make() waits for pictures that never may be drawn.
+  std::jthread waker([this](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      news_.notify_all();
+      std::this_thread::yield();
+    }
+  });
+  {
+    GallerySession another([this](const PlayerOptions& options,
+                                  BackgroundWork::Course& course) { return make(options, course); },
+                           count);
+    another.apply(gui::ChangeGallery{view_.settings}, shown_);
+    another.apply(gui::BeginGallery{}, shown_);
+  }
+  EXPECT_EQ(may_draw_, 0U);
+}
+
+TEST_F(GallerySessionTest, SaysBeforeItBeginsHowManyPicturesItWouldBe) {
+  ask(gui::OpenGallery{});
+  EXPECT_EQ(view_.planned, 2U);
+  gui::GallerySettings settings = view_.settings;
+  settings.sections.back() = true;
+  ask(gui::ChangeGallery{settings});
+  EXPECT_EQ(view_.planned, 3U);
+  settings.sweeps = "twelve";
+  ask(gui::ChangeGallery{settings});
+  EXPECT_EQ(view_.planned, 0U);
+  EXPECT_EQ(view_.complaint, "no such sweep");
+  settings.sections = {};
+  ask(gui::ChangeGallery{settings});
+  EXPECT_EQ(view_.planned, 0U);
+  EXPECT_EQ(view_.complaint, "") << "that nothing is chosen is said by problem()";
+}
+
+TEST_F(GallerySessionTest, WithoutAFolderNothingBegins) {
+  gui::GallerySettings settings;
+  ask(gui::ChangeGallery{settings});
+  ask(gui::BeginGallery{});
+  EXPECT_FALSE(view_.running);
+  EXPECT_EQ(gui::problem(settings), "Choose a folder for the pictures.");
+  settings.folder = "x";
+  EXPECT_EQ(gui::problem(settings), "");
+  settings.width = 12;
+  EXPECT_EQ(gui::problem(settings), "width and height must be 16 to 4096 pixels");
+  settings.width = 512;
+  settings.sections.back() = true;
+  settings.sweeps = "12 6,12  happiness";
+  EXPECT_EQ(gui::wanted_sweeps(settings), (std::vector<std::string>{"12", "6,12", "happiness"}));
+  settings.sweeps = " ";
+  EXPECT_EQ(gui::problem(settings), "Name the AUs or expressions to sweep.");
+  settings.sections = {};
+  EXPECT_EQ(gui::problem(settings), "Choose what is to be drawn.");
+}
+
+}  // namespace
+}  // namespace aucast::app

@@ -1,0 +1,71 @@
+#include "client/app/window/recording/onset_log.h"
+
+#include <chrono>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "client/app/window/recording/onset_session.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::app {
+namespace {
+
+TEST(OnsetLog, HasARowForEachPictureOnceItIsFinished) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "onsets.csv";
+  auto log = OnsetLog::create(file);
+  ASSERT_TRUE(log) << log.error().message;
+  AuFrame smile;
+  set_intensity(smile, 6, Side::Both, 0.4F);
+  set_intensity(smile, 12, Side::Left, 1);
+  (*log)->add(Instant(std::chrono::microseconds(1'500'000)), 1, smile);
+  (*log)->add(Instant(std::chrono::microseconds(1'516'667)), 2, AuFrame{});
+  (*log)->add(Instant(std::chrono::microseconds(20'000'000)), 0, std::nullopt);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  ASSERT_TRUE((*log)->finish());
+  EXPECT_EQ(folder.read("onsets.csv"),
+            "monotonic_s,keyframe,aus\n"
+            "1.500000,1,\"6:40,L12\"\n"
+            "1.516667,2,\"0\"\n"
+            "20.000000,0,\"\"\n");
+}
+
+TEST(OnsetLog, OfARunThatFailsIsKeptAsFarAsItCame) {
+  const test::TempFolder folder;
+  {
+    auto log = OnsetLog::create(folder.path() / "onsets.csv");
+    ASSERT_TRUE(log) << log.error().message;
+    (*log)->add(Instant(std::chrono::microseconds(1'500'000)), 1, AuFrame{});
+  }
+  EXPECT_EQ(folder.read("onsets.csv"), "monotonic_s,keyframe,aus\n1.500000,1,\"0\"\n");
+  const std::filesystem::directory_iterator files(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "and nothing lies beside it";
+}
+
+TEST(OnsetLog, SaysAtTheStartThatItsPlaceCannotBeWritten) {
+  const auto log = OnsetLog::create("/nowhere/at/all.csv");
+  ASSERT_FALSE(log);
+  EXPECT_EQ(log.error().kind, ErrorKind::Failed);
+}
+
+TEST(OnsetSession, WritesOneTableAfterTheOther) {
+  const test::TempFolder folder;
+  OnsetSession onsets;
+  EXPECT_TRUE(onsets.end()) << "there is none";
+  onsets.add(Instant(std::chrono::seconds(1)), 1, AuFrame{});
+  ASSERT_TRUE(onsets.begin(folder.path() / "one.csv"));
+  EXPECT_EQ(onsets.file(), (folder.path() / "one.csv").string());
+  onsets.add(Instant(std::chrono::seconds(2)), 1, AuFrame{});
+  EXPECT_FALSE(onsets.begin("/nowhere/at/all.csv"));
+  EXPECT_EQ(onsets.file(), "") << "the one before is finished";
+  EXPECT_EQ(folder.read("one.csv"), "monotonic_s,keyframe,aus\n2.000000,1,\"0\"\n");
+  ASSERT_TRUE(onsets.begin(folder.path() / "two.csv"));
+  ASSERT_TRUE(onsets.end());
+  EXPECT_EQ(folder.read("two.csv"), "monotonic_s,keyframe,aus\n");
+}
+
+}  // namespace
+}  // namespace aucast::app

@@ -1,0 +1,122 @@
+#include "client/app/window/recording/video_recorder.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/fake_ffmpeg.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::app {
+namespace {
+
+class VideoRecorderTest : public testing::Test {
+ protected:
+  VideoRecorder::Hooks hooks() {
+    return {.new_file = [this] { return file_; },
+            .hear = [this](const sound::SoundPlayer::Tap& tap) { heard_ = tap != nullptr; },
+            .show = [this](const gui::VideoView& view) { view_ = view; }};
+  }
+  Result<void> record(VideoRecorder& recorder) {
+    const auto grey = [this](int width, int height) -> Result<view::Image> {
+      ++pictures_;
+      if (pictures_ > last_picture_) return Error{ErrorKind::Failed, "no picture"};
+      return view::make_image(width, height);
+    };
+    return recorder.record(grey, clock_.now());
+  }
+
+  test::TempFolder folder_;
+  test::ManualClock clock_;
+  Result<std::filesystem::path> file_ = folder_.path() / "video.mp4";
+  bool heard_ = false;
+  gui::VideoView view_;
+  int pictures_ = 0;
+  int last_picture_ = 1000;
+};
+
+TEST_F(VideoRecorderTest, TheFileIsThereWhenTheVideoHasEnded) {
+  VideoRecorder recorder(hooks());
+  ASSERT_TRUE(record(recorder)) << "nothing runs";
+  EXPECT_EQ(pictures_, 0);
+  const auto begun = recorder.begin(64, 64, clock_.now());
+  ASSERT_TRUE(begun) << begun.error().message;
+  EXPECT_TRUE(recorder.running());
+  const std::string name = view_.recording;
+  EXPECT_EQ(name, "video.mp4");
+  EXPECT_TRUE(heard_);
+  for (int frame = 0; frame < 10; ++frame) {
+    ASSERT_TRUE(record(recorder));
+    clock_.advance(Milliseconds(20));
+  }
+  EXPECT_EQ(pictures_, 5) << "one for each 40 ms";
+  ASSERT_TRUE(recorder.end());
+  EXPECT_FALSE(heard_);
+  recorder.wait();
+  const auto ended = *recorder.ended();
+  ASSERT_TRUE(ended) << ended.error().message;
+  EXPECT_NE(ended->find(name), std::string::npos) << *ended;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / name));
+  EXPECT_FALSE(recorder.running());
+  EXPECT_EQ(view_, gui::VideoView{});
+  EXPECT_FALSE(recorder.ended()) << "said once";
+}
+
+TEST_F(VideoRecorderTest, AVideoIsCompletedWhileTheWindowGoesOn) {
+  const std::string may_end = (folder_.path() / "may_end").string();
+  const test::FakeFfmpeg slow("cat > /dev/null; until [ -e '" + may_end +
+                              "' ]; do sleep 0.01; done");
+  VideoRecorder recorder(hooks());
+  ASSERT_TRUE(recorder.begin(64, 64, clock_.now()));
+  ASSERT_TRUE(record(recorder));
+  const std::string name = view_.recording;
+  ASSERT_TRUE(recorder.end());
+  EXPECT_FALSE(recorder.ended());
+  EXPECT_EQ(view_.recording, "");
+  EXPECT_EQ(view_.completing, name);
+  EXPECT_FALSE(recorder.begin(64, 64, clock_.now())) << "it would have the same name";
+  folder_.write("may_end", "");
+  recorder.wait();
+  const auto ended = recorder.ended();
+  ASSERT_TRUE(ended);
+  ASSERT_TRUE(*ended) << ended->error().message;
+  EXPECT_EQ(view_, gui::VideoView{});
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / name));
+  EXPECT_TRUE(recorder.begin(64, 64, clock_.now()));
+}
+
+TEST_F(VideoRecorderTest, AVideoThatCannotBeCompletedIsSaid) {
+  const test::FakeFfmpeg failing("cat > /dev/null; echo 'no room' >&2; exit 9");
+  VideoRecorder recorder(hooks());
+  ASSERT_TRUE(recorder.begin(64, 64, clock_.now()));
+  ASSERT_TRUE(record(recorder));
+  ASSERT_TRUE(recorder.end());
+  recorder.wait();
+  const auto ended = *recorder.ended();
+  ASSERT_FALSE(ended);
+  EXPECT_NE(ended.error().message.find("no room"), std::string::npos) << ended.error().message;
+}
+
+TEST_F(VideoRecorderTest, AVideoThatFailsIsOver) {
+  VideoRecorder recorder(hooks());
+  ASSERT_TRUE(recorder.begin(64, 64, clock_.now()));
+  last_picture_ = 1;
+  ASSERT_TRUE(record(recorder));
+  clock_.advance(Milliseconds(40));
+  EXPECT_EQ(record(recorder).error().message, "no picture");
+  EXPECT_FALSE(recorder.running());
+  EXPECT_EQ(view_.recording, "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing is left behind";
+}
+
+TEST_F(VideoRecorderTest, WhereNoFileCanBeNoneBegins) {
+  file_ = Error{ErrorKind::Failed, "no folder"};
+  VideoRecorder recorder(hooks());
+  EXPECT_FALSE(recorder.begin(64, 64, clock_.now()).has_value());
+  EXPECT_FALSE(recorder.running());
+  EXPECT_FALSE(heard_);
+}
+
+}  // namespace
+}  // namespace aucast::app
