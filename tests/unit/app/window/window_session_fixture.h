@@ -1,12 +1,17 @@
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "client/app/window/window_session.h"
 #include "tests/support/manual_clock.h"
+#include "tests/unit/playback/scripted_source.h"
 
 namespace aucast::app {
 
@@ -34,6 +39,43 @@ class SessionOnDefaultFace : public testing::Test {
   PlayerStats stats_;
   test::ManualClock clock_;
   std::optional<WindowSession> session_;
+};
+
+inline AuFrame frame(std::initializer_list<AuTerm> terms) {
+  return frame_from_terms({terms.begin(), terms.size()});
+}
+
+/// The default face, driven by a source that the test fills by hand.
+class PlayedSession : public SessionOnDefaultFace {
+ protected:
+  void SetUp() override { options_.playback.endpoint = "127.0.0.1:4650"; }
+
+  /// Opens a source that has these keyframes of 100 ms.
+  void open(const std::vector<AuFrame>& keyframes) {
+    auto source = std::make_unique<playback::test::ScriptedSource>();
+    source_ = source.get();
+    source_->now.connected = true;
+    for (const AuFrame& aus : keyframes) source_->keyframes.push_back({aus, Milliseconds(100)});
+    const playback::SourcePlayback::Options how{options_.playback.speed, options_.playback.hold};
+    auto playback = std::make_unique<playback::SourcePlayback>(std::move(source), how);
+    playback_ = playback.get();
+    session_.emplace(*assets_, options_, std::move(playback), stats_);
+  }
+  void open_nothing() { session_.emplace(*assets_, options_, nullptr, stats_); }
+
+  void ask(const gui::GuiCommand& command) { session_->apply(command, clock_.now()); }
+  [[nodiscard]] static int channel(const char* name) {
+    return static_cast<int>(*assets_->face.channel_index(name));
+  }
+  [[nodiscard]] static std::size_t expression(const char* name) {
+    const auto& all = assets_->expressions;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [name](const auto& one) { return one.name == name; });
+    return static_cast<std::size_t>(found - all.begin());
+  }
+
+  playback::test::ScriptedSource* source_ = nullptr;
+  playback::Playback* playback_ = nullptr;  ///< of source_
 };
 
 }  // namespace aucast::app
