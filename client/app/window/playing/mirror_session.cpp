@@ -6,6 +6,7 @@
 
 #include "client/gui/texts.h"
 #include "client/mirror/host_addresses.h"
+#include "client/mirror/mirror.h"
 #include "common/overloaded.h"
 
 namespace aucast::app {
@@ -35,8 +36,16 @@ std::string in_words(const mirror::Trouble& trouble, bool film) {
 
 }  // namespace
 
-MirrorSession::MirrorSession(mirror::MirrorOptions options) : options_(std::move(options)) {
+MirrorSession::MirrorSession(mirror::MirrorOptions options, Start start)
+    : options_(std::move(options)), start_(std::move(start)) {
   view_ = view_of_options();
+}
+
+Result<std::unique_ptr<mirror::OwnCamera>> MirrorSession::start_mirror(
+    const mirror::MirrorOptions& options) {
+  auto started = mirror::Mirror::start(options);
+  if (!started) return started.error();
+  return std::unique_ptr<mirror::OwnCamera>(*std::move(started));
 }
 
 gui::MirrorView MirrorSession::view_of_options() const {
@@ -53,7 +62,7 @@ void MirrorSession::start(const std::string& source) {
   options_.source = source;
   view_ = view_of_options();
   played_ = ending_ = false;
-  auto started = mirror::Mirror::start(options_);
+  auto started = start_(options_);
   if (!started) {
     const bool missing = started.error().kind == ErrorKind::Unreadable;
     view_.trouble = missing ? gui::tr("camera.not_installed") : started.error().message;

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "client/gui/mirror_view.h"
-#include "client/mirror/mirror.h"
+#include "client/mirror/mirror_options.h"
+#include "client/mirror/own_camera.h"
+#include "common/result.h"
 #include "protocol/endpoint.h"
 
 namespace aucast::app {
@@ -14,8 +17,11 @@ namespace aucast::app {
 /// The camera of the window, and what the panels show of it. Thread: the player's.
 class MirrorSession {
  public:
+  /// Opens a camera; Unreadable when au-transmitter is not there.
+  using Start = std::function<Result<std::unique_ptr<mirror::OwnCamera>>(
+      const mirror::MirrorOptions& options)>;
   /// `options`: what the window begins with; it opens no camera yet.
-  explicit MirrorSession(mirror::MirrorOptions options);
+  explicit MirrorSession(mirror::MirrorOptions options, Start start = start_mirror);
 
   void apply(const gui::MirrorCommand& command);
   /// What Start opens next time.
@@ -26,6 +32,8 @@ class MirrorSession {
   [[nodiscard]] bool running() const { return mirror_ != nullptr; }
 
  private:
+  [[nodiscard]] static Result<std::unique_ptr<mirror::OwnCamera>> start_mirror(
+      const mirror::MirrorOptions& options);
   /// Before anything was seen.
   [[nodiscard]] gui::MirrorView view_of_options() const;
   void start(const std::string& source);
@@ -34,7 +42,8 @@ class MirrorSession {
   [[nodiscard]] gui::MirrorView::Phase phase(const mirror::MirrorState& state) const;
 
   mirror::MirrorOptions options_;
-  std::unique_ptr<mirror::Mirror> mirror_;
+  Start start_;
+  std::unique_ptr<mirror::OwnCamera> mirror_;
   gui::MirrorView view_;
   bool played_ = false;  ///< advance() has said where
   bool ending_ = false;

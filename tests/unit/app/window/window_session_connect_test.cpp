@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <memory>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "client/gui/texts.h"
@@ -45,16 +44,18 @@ TEST_F(ConnectTest, WhyThereIsNoConnectionIsSaidInTheLanguageInUse) {
   auto french = gui::load_language(assets_->data_folder / "languages" / "fr.toml");
   ASSERT_TRUE(french) << french.error().message;
   gui::use_language(*std::move(french));
-  gui::RemoteSettings nobody;
-  nobody.address = "127.0.0.1";
-  nobody.port = 1;
-  ask(gui::Connect{nobody});
-  std::string detail;
-  for (int i = 0; i < 4000 && detail.empty(); ++i) {
-    session_->advance(clock_.now());
-    detail = model().remote.detail;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  auto source = std::make_unique<playback::test::ScriptedSource>();
+  source->now.end = playback::EndReason::Unreachable;
+  // As net/server_connection and link/dialler say it.
+  source->now.detail =
+      "cannot reach 127.0.0.1:1: Connection refused; is au-transmitter running there, on an "
+      "address (--bind) that can be reached from here?";
+  session_.emplace(*assets_, options_,
+                   std::make_unique<playback::SourcePlayback>(std::move(source),
+                                                              playback::SourcePlayback::Options{}),
+                   stats_);
+  go_on(Milliseconds(0));
+  const std::string detail = model().remote.detail;
   gui::use_english();
   EXPECT_NE(detail.find("127.0.0.1:1"), std::string::npos) << detail;
   EXPECT_NE(detail.find("connexion refusée"), std::string::npos) << detail;
