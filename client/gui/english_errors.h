@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "client/gui/english_tips.h"
+#include "client/gui/english_text.h"
 
 namespace aucast::gui {
 

@@ -2,13 +2,9 @@
 
 #include <array>
 
-namespace aucast::gui {
+#include "client/gui/english_text.h"
 
-/// A text of the window and the key by which tr() and the files of data/languages know it.
-struct EnglishText {
-  const char* key;
-  const char* text;
-};
+namespace aucast::gui {
 
 /// What is said of words and controls while they are pointed at.
 inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
@@ -18,10 +14,9 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
     {"tip.au_received", "what the keyframe under way has"},
     {"tip.au_shown",
      "what the face shows at this moment. It differs from what came while the face is on its way "
-     "to "
-     "the keyframe (interpolation), where a rule changed the AU, which is then said below its "
-     "name, "
-     "and for an AU that this face does not have. Mixer, blinks and idle movements come after "
+     "to the keyframe (interpolation), where a rule changed the AU, which is then said below its "
+     "name, and for an AU that this face does not have. Mixer, blinks and idle movements come "
+     "after "
      "this."},
     {"tip.rule",
      "The AUs before and after a rule. Opposition: of two that undo each other what one has more "
