@@ -169,7 +169,7 @@ float stepped(float value, float step) {
   return std::round((value + step) * 100) / 100;
 }
 
-/// A value with its steps: dragged, typed (control and click) or stepped.
+/// A value with its steps: dragged, typed (Ctrl+click) or stepped.
 void channel_slider(const Look& look, const char* id, int channel, float value, float maximum,
                     float width, GuiCommands& commands) {
   ImGui::PushID(id);

@@ -13,7 +13,7 @@ struct TableSettings {
   int fps = 0;           ///< pictures a second, 1-1000; 0: by the table's own clock
   int rate = 0;          ///< keyframes a second, 1-100; 0: one for each row
   int gain_percent = 0;  ///< of all AUs, up to 1000; 0: as they are
-  int quiet_s = 0;       ///< so long the face is quiet at first, which is taken off; 0: it is not
+  int quiet_s = 0;       ///< how long the face rests at first, which is subtracted; 0: it does not
   friend bool operator==(const TableSettings&, const TableSettings&) = default;
 };
 

@@ -13,8 +13,8 @@ namespace aucast::camera {
 
 /// How faces are read.
 struct FaceOptions {
-  /// What is taken off a face as its rest: the median of so many first seconds; 0: the typical
-  /// face. Nothing: what its own film says (mesh::find_quiet_face).
+  /// What is subtracted from a face as its rest: the median of so many first seconds; 0: the
+  /// typical face. Nothing: what its own film says (mesh::find_quiet_face).
   std::optional<double> quiet_seconds{};
   bool several = false;  ///< all faces are read and numbered, at most mesh::FaceRoll::kFacesMax
 };

@@ -176,7 +176,7 @@ void RecordingReader::prepare(std::int64_t face) {
   measure(face, track);
 }
 
-/// What is taken off, if it is to be measured: from the first seconds of each chosen face.
+/// What is subtracted, if it is to be measured: from the first seconds of each chosen face.
 void RecordingReader::measure(std::int64_t face, Track& track) {
   const auto seconds = seconds_to_measure(conditioning_);
   if (!seconds) return;

@@ -24,9 +24,9 @@ TEST(RemoteSettings, SayWhatIsWrongAndWhatIsRight) {
   EXPECT_EQ(problem_of([](RemoteSettings& s) { s.address.clear(); }),
             "enter the address of an au-transmitter");
   EXPECT_EQ(problem_of([](RemoteSettings& s) { s.address = "a b"; }),
-            "an address has no blanks and only plain letters");
+            "an address has no blanks and only ASCII characters");
   EXPECT_EQ(problem_of([](RemoteSettings& s) { s.address = "h\xc3\xb6rst"; }),
-            "an address has no blanks and only plain letters");
+            "an address has no blanks and only ASCII characters");
   EXPECT_EQ(problem_of([](RemoteSettings& s) { s.address.assign(254, 'a'); }),
             "this address is too long");
   EXPECT_EQ(problem_of([](RemoteSettings& s) { s.port = 0; }), "the port must be 1 to 65535");
