@@ -59,7 +59,7 @@ class HelpLines {
   void end_line() {
     if (before_ == nullptr) return;
     std::string line = "  " + tag_of(*before_);
-    line.resize(std::max(line.size() + 1, kTextColumn), ' ');
+    line.resize(std::max(line.size() + 2, kTextColumn), ' ');
     text_ += line + std::string(before_->text) + "\n";
     before_ = nullptr;
   }

@@ -138,7 +138,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"playout", "N", "30", "Playout buffer (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, 10'000)},
-      {"threshold", "PERCENT", "40", "fill first (40 %)",
+      {"threshold", "PERCENT", "40", "full to start (40)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
       {"live", "", "", "lowest delay for live",
@@ -206,7 +206,7 @@ std::vector<OptionRow> rules_rows(FaceOptions& face) {
 std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
   using playback::Interpolation;
   return {
-      {"speed", "MS", "", "per untimed keyframe (250)",
+      {"speed", "MS", "", "for untimed keyframes (250)",
        "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
        "the server says, or 250 ms.",
        whole(playback.speed, 1, 1000), "Animation"},
@@ -248,7 +248,7 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
       {"sound", "FILE.wav", "", "keep the sound",
        "Writes the sound to a WAV file, as long as the stream, and does not wait for the clock.",
        word(sound.file)},
-      {"no-sound", "", "", "play none",
+      {"no-sound", "", "", "ask for none",
        "Plays no sound, and asks the server for none. Videos of --record are silent.",
        flag(sound.none)},
       {"sound-device", "NAME", "", "device to play on",
@@ -278,7 +278,7 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        "Writes a video, .mp4, .webm or .gif: 30 pictures a second, or --fps N. It has the sound, "
        "if there is any; a .gif has none.",
        word(output.record)},
-      {"sheet", "FILE.png", "", "up to 60 poses on one page",
+      {"sheet", "FILE.png", "", "keyframes on one page, at most 60",
        "Writes the poses of the keyframes to one page; if there are more than 60, only every "
        "second, fourth, ...",
        word(output.sheet)},
@@ -387,7 +387,7 @@ std::vector<OptionRow> export_rows(PlayerOptions& options) {
        "A stream file or the table of a recogniser, which becomes the animation, and the file to "
        "write; or the file alone, for the face without an animation.",
        words(options.exported.files), "", Where::Positional},
-      {"basis", "BASIS", "muscles", "muscles, or aus (muscles)",
+      {"basis", "BASIS", "muscles", "morph targets: muscles or aus (muscles)",
        "What there is a morph target for: muscles, one for each muscle and lid, true to the face; "
        "or aus, one for each Action Unit and side, to be driven by hand.",
        one_of<glb::Basis>(options.exported.basis,
@@ -413,7 +413,9 @@ coverage.
 void describe_rules(CommandPage& page) {
   page.command = "rules";
   page.usage = {"face-player rules AUS [OPTIONS]"};
-  page.about = "Prints what the co-occurrence rules make of a set of AUs.\n";
+  page.about =
+      "Prints what the co-occurrence rules make of a set of AUs.\n"
+      "In parentheses: defaults.\n";
   page.examples = {"face-player rules 51,52:40",
                    "face-player rules 1,2,5,15,16,20,26 --rules kumar2010 --explain"};
 }
@@ -426,7 +428,7 @@ void describe_export(CommandPage& page) {
       "Writes the face as glTF 2.0 for other programs, with morph targets, and prints\n"
       "how far that face is from the one drawn here. The same stream and options give\n"
       "the same bytes. The file has no sound: play STREAM --sound FILE.wav writes it,\n"
-      "beginning when the animation does.\n";
+      "beginning when the animation does. In parentheses: defaults.\n";
   page.examples = {"face-player export talk.txt talk.glb",
                    "face-player export talk.txt talk.glb --fps 60 --idle 1",
                    "face-player export --face marek --basis aus marek.glb"};
@@ -500,9 +502,9 @@ CommandPage command_page(Command command) {
                     "face-player --headless [OPTIONS] HOST[:PORT]   without a display",
                     "face-player --list HOST[:PORT]                 names of the streams",
                     "face-player --mirror [camera:DEVICE|FILM]      your own face, to go live",
-                    "face-player play FILE                          a stream file or a table",
+                    "face-player play FILE                          stream file or AU table",
                     "face-player pose|rules|gallery|export --help   pictures, rules, GLB"};
-      page.about = "Receives a face as FACS Action Units and draws it.\n";
+      page.about = "Receives a face as FACS Action Units and draws it. In parentheses: defaults.\n";
       page.notes =
           R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
 eye-tags. In the window: ? lists keys and mouse, f is full screen, q leaves.
@@ -514,7 +516,9 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
       page.command = "play";
       page.usage = {"face-player play FILE [OPTIONS]",
                     "face-player play FILE --headless [OPTIONS]"};
-      page.about = "Plays a stream file, or the table of a recogniser, without a server.\n";
+      page.about =
+          "Plays a stream file, or the table of a recogniser, without a server.\n"
+          "In parentheses: defaults.\n";
       // Receiving options are accepted so that both commands take the same.
       const std::vector<OptionRow> receiving = receiving_rows(described.playback);
       for (OptionRow& row : page.rows) {
@@ -531,7 +535,7 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
       page.usage = {"face-player pose [AUS] [OPTIONS]"};
       page.about =
           "Writes one still of a face. Without --png and --obj, prints the activations of\n"
-          "its channels.\n";
+          "its channels. In parentheses: defaults.\n";
       page.notes = kLayers;
       page.examples = {"face-player pose 6,12 --png smile.png",
                        "face-player pose --expression sadness --camera three-quarter --png sad.png",
@@ -546,8 +550,9 @@ Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
       page.usage = {"face-player gallery DIR [OPTIONS]"};
       page.about =
           "Writes pictures of every AU and expression, with a page (DIR/index.html) and a\n"
-          "list (DIR/manifest.csv), which come last. The same face and options give the\n"
-          "same bytes. Ctrl-C ends it with code 1 and leaves no incomplete picture.\n";
+          "list (DIR/manifest.csv), which are written last. The same face and options give\n"
+          "the same bytes. Ctrl-C ends it with code 1 and leaves no incomplete picture.\n"
+          "In parentheses: defaults.\n";
       page.notes = kLayersAndSections;
       page.examples = {"face-player gallery pictures",
                        "face-player gallery stimuli --only aus --size 800x1000 --background 808080",

@@ -38,7 +38,7 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
-      {"source", "SOURCE", "", "files, films; -, FIFOs, camera (live); aucast://HOST",
+      {"source", "SOURCE", "", "files, films; live: -, FIFOs, camera; aucast://HOST",
        "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
        "folder, whose .txt and .csv files become sources, in order of their names. A stream has "
        "the name of its file without the extension; a client that asks for no name, and every "
@@ -88,11 +88,11 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
   return {
-      {"upstream-token-file", "FILE", "", "its token",
+      {"upstream-token-file", "FILE", "", "token for aucast://HOST",
        "The token that the server of an aucast:// source wants, one word in a file. It is sent "
        "only over TLS or to this host.",
        word(upstream.token)},
-      {"upstream-wait", "S", "10", "keep clients (10)",
+      {"upstream-wait", "S", "10", "hold clients (10)",
        "Seconds, up to 86400. How long clients hold while nobody sends the stream of an aucast:// "
        "source or of --accept-push. Then those of a live stream get {-2}, and those of a recorded "
        "one that is incomplete are cut off; the servers are still tried. A client that comes "
@@ -107,7 +107,7 @@ std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
 
 std::vector<OptionRow> engine_rows(EngineSettings& engine) {
   return {
-      {"publish", "URL", "", "over NATS, live",
+      {"publish", "URL", "", "send over NATS, live",
        "Publishes the first source over NATS under NAME, beside serving it, for au-transmitters "
        "whose SOURCE is this address (protocol/ENGINE.md). nats://HOST[:PORT][,HOST...]/NAME names "
        "several servers, which are tried in their order; natss:// is over TLS. Implies --live. "
@@ -159,7 +159,7 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        "The certificates of the authorities that the servers of --push aucasts:// must have "
        "their certificates from (PEM); without it those of the system.",
        word(push.tls.authorities)},
-      {"accept-push", "FILE", "", "let others push",
+      {"accept-push", "FILE", "", "who may push: their tokens",
        "Streams that others bring by --push are served here too; a SOURCE is not needed then. "
        "FILE has one publisher a line: a token of at most 256 bytes and, after it, the names of "
        "the streams that it may bring; without names, any. These tokens are not those of viewers. "
@@ -175,7 +175,7 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "for a program that runs it",
+      "show it to a parent program",
       "For a program that starts this one: standard output tells what the camera sees, as small "
       "pictures with landmarks and AUs, and standard input takes orders to let others in or send "
       "them away. The end of standard input ends the program. Both must be pipes or sockets. The "
@@ -233,7 +233,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "processor core, or the next version beside this one. What they serve should be the same: "
        "recordings, or streams that each relays. Each counts its own clients and limits.",
        flag(options.reuse_port)},
-      {"drain-time", "S", "0", "move clients away",
+      {"drain-time", "S", "0", "pass clients on at exit",
        "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, clients of "
        "level 2 are cut off one by one, without {-2}, so that those with --reconnect, relays and "
        "web pages go on with another au-transmitter at this address, such as the next version "
@@ -241,10 +241,13 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "{-2}. A second signal, or S = 0, sends {-2} to all at once.",
        seconds(options.drain_time, 0, kDrainSecondsMax,
                "is not a number of seconds from 0 to 3600")},
-      {"client-timeout", "S", "0", "close clients that are silent for S seconds (0: no)",
-       "Seconds, up to 86400. Every byte from the client restarts the time; with a live stream, "
-       "so does every byte that can be sent to it. A paused client owes no answer. TCP detects a "
-       "vanished host, and a client that stops reading, within a minute anyway.",
+      {"client-timeout", "S", "0", "end if silent (0: no)",
+       "Closes clients that are silent for so many seconds, up to 86400. Every byte from the "
+       "client "
+       "restarts the time; with a live stream, so does every byte that can be sent to it. A paused "
+       "client owes no answer. TCP detects a vanished host, and a client that stops reading, "
+       "within a "
+       "minute anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
       {"max-clients", "N", "0", "(0: all)",
        "The number of clients at a time. One client too many is closed, with {error 503 "
@@ -260,7 +263,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> credential_rows(CredentialFiles& files) {
   return {
-      {"tls-cert", "FILE", "", "certificate; turns TLS on",
+      {"tls-cert", "FILE", "", "certificate, for TLS",
        "The certificate, followed in the same file by those of the intermediate "
        "authorities (PEM). SIGHUP reads it again, as it does --tls-key, --tls-client-ca, "
        "--web-cert, --web-key, --token-file and --accept-push; connected clients stay.",
@@ -298,7 +301,7 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
        "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "
        "label. May be repeated.",
        words(web.hosts)},
-      {"web-trusted-proxy", "ADDR", "", "a reverse proxy",
+      {"web-trusted-proxy", "ADDR", "", "its proxy",
        "The IP address of a reverse proxy. For its requests, the last address in X-Forwarded-For "
        "is taken as the client's, in --max-clients-per-address and in the log. May be repeated.",
        parsed(Kind::Words, read_proxy, web.trusted_proxies)},
@@ -383,7 +386,7 @@ CommandPage transmitter_page() {
       .notes =
           R"(Settings file, then AUCAST_TRANSMITTER_<OPTION>, then command line: last wins.
 Prints "listening on ADDR:PORT" when ready; logs to stderr; Ctrl-C ends it.
-SIGHUP reloads the sources, SIGUSR1 logs the status.
+SIGHUP reloads the sources, SIGUSR1 logs the status. In parentheses: defaults.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 )",
       .examples = {"au-transmitter --bind 0.0.0.0 --live --loop talk.txt",

@@ -91,12 +91,12 @@ Complaint read_filter(const std::string& word, std::optional<sources::OneEuroSet
 
 std::vector<OptionRow> signal_rows(SignalOptions& options) {
   return {
-      {"distance", "", "", "send distance as AUs 57, 58",
+      {"distance", "", "", "of the head as AUs 57, 58",
        "OpenFace's distance between head and camera becomes AUs 57 (forward) and 58 "
        "(back), 100 % for 14 mm, relative to the neutral face or, without one, to the first "
        "second. Heads move further than that: --gain 57=0.1,58=0.1 makes it 14 cm.",
        flag(options.distance)},
-      {"neutral", "SECONDS", "", "at rest, or auto",
+      {"neutral", "SECONDS", "", "of rest, or auto",
        "Up to 60 seconds, starting at the first row with a face. The median of each AU and of the "
        "rotations of head and eyes is the neutral face, which is subtracted from every row. While "
        "it measures, a live source subtracts the median so far. 0: no neutral face, whatever the "
@@ -115,7 +115,7 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "
        "Roussel and Vogel 2012. 0: no filter, whatever the profile has.",
        parsed(OptionValue::Kind::Number, read_filter, options.filter)},
-      {"dead-band", "LIST", "", "changes to leave out: 2,45=0 (2)",
+      {"dead-band", "LIST", "", "percent that a change must reach: 2,45=0 (2)",
        "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
        "AU that is not named. Jitter costs half of the bytes. An intensity is sent when it "
        "has changed by this much since it was last sent, so its error stays below that; a "

@@ -77,7 +77,7 @@ std::vector<OptionRow> recording_rows(SourceOptions& options) {
       {"fps", "N", "", "pictures a second",
        "Pictures a second, for recordings without times (Py-Feat) or with wrong ones.",
        parsed(Kind::Number, read_fps, recording.fps)},
-      {"au-scale", "S", "auto", "1, 5, 100 (auto)",
+      {"au-scale", "S", "auto", "full: 1, 5, 100 (auto)",
        "The number that stands for full intensity in recordings: 1, 5, 100 or auto.",
        parsed(Kind::Number, read_au_scale, recording.au_scale)},
       {"min-confidence", "C", "0.5", "0 to 1 (0.5)",

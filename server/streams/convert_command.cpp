@@ -53,7 +53,7 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
       {"mend", "", "", "IN is a stream file that a power cut has truncated",
        "IN is a stream file that a power cut has truncated: converts what is intact.",
        flag(options.mend)},
-      {"keyframe", "MS", "250", "duration of untimed keyframes, for --rate (250)", "",
+      {"keyframe", "MS", "250", "time of untimed keyframes, when --rate resamples (250)", "",
        whole(options.keyframe_ms, 1, protocol::kDurationMsMax)}};
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
@@ -226,7 +226,8 @@ CommandPage convert_page() {
                     "au-transmitter convert [OPTIONS] --to DIR IN..."},
           .about =
               "Converts a recording, a film or a stream file to a stream file or an OpenFace\n"
-              "table. No change is too small to be kept: there is no dead band here.\n",
+              "table. No change is too small to be kept: there is no dead band here.\n"
+              "In parentheses: defaults.\n",
           .rows = unbound(rows_of(described)),
           .examples = {"au-transmitter convert webcam.csv talk.txt",
                        "au-transmitter convert --rate 10 --fps 30 pyfeat.csv thin.txt",
