@@ -6,7 +6,7 @@
 
 namespace aucast {
 
-/// A byte of a picture, for a share from 0 to 1, to which it is clamped.
+/// The byte of a picture for a share, which is clamped to 0 to 1.
 [[nodiscard]] inline std::uint8_t byte_of_share(float share) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
 }

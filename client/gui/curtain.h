@@ -10,7 +10,7 @@ namespace aucast::gui {
 /// a while and come back with it; in a window they stay. Pure: times are handed in.
 class Curtain {
  public:
-  /// So long the mouse is still before the panels go.
+  /// How long the mouse must be still before the panels go.
   static constexpr Milliseconds kTime{3'000};
 
   void set_full_screen(bool full_screen, Instant now) {
@@ -21,7 +21,7 @@ class Curtain {
   /// The mouse was moved or pressed, or something is open or being typed.
   void touched(Instant now) { touched_at_ = now; }
   [[nodiscard]] bool hides(Instant now) const { return full_screen_ && now - touched_at_ >= kTime; }
-  /// When hides() becomes true unless something is touched; nothing: it does not, or it is.
+  /// When hides() becomes true unless something is touched; nullopt: never, or it is true already.
   [[nodiscard]] std::optional<Instant> falls_at(Instant now) const {
     if (!full_screen_ || hides(now)) return std::nullopt;
     return touched_at_ + kTime;

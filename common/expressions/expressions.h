@@ -14,7 +14,7 @@ namespace aucast {
 /// A muscle that an expression sets by itself, without an AU: activations of the subject's sides.
 struct ExpressionMuscle {
   std::string name;                    ///< without left_ or right_
-  std::vector<std::string> spellings;  ///< of the same muscle in classic folders
+  std::vector<std::string> spellings;  ///< as Waters' face folders spell it
   float left = 0;
   float right = 0;
 };
@@ -29,8 +29,8 @@ struct Expression {
   std::optional<std::array<float, 2>> pad;  ///< place on the axes sad-happy and calm-excited
 };
 
-/// The expressions of a file in the form of data/expressions.toml, at least one. Unreadable, or
-/// BadData with file:line:column.
+/// The expressions of a file in the form of data/expressions.toml, at least one. Fails as
+/// Unreadable, or as BadData with file:line:column.
 [[nodiscard]] Result<std::vector<Expression>> load_expressions(const std::filesystem::path& file);
 
 }  // namespace aucast

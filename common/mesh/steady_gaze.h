@@ -8,12 +8,12 @@
 
 namespace aucast::mesh {
 
-/// Where eyes look to the side, without the trembling of single pictures: of every three pictures
-/// of a film the median. What comes first and last stays.
+/// Steadies the sideways gaze: each picture gets the median of itself and its two neighbours. The
+/// first and last stay.
 void steady_gaze(std::span<Measures> film);
 
-/// The same of somebody who is still being watched: the median of the last three pictures, so a
-/// glance is told one picture late.
+/// The same for somebody being watched live: the median of the last three pictures, so a glance is
+/// told one picture late.
 class RunningSteadyGaze {
  public:
   [[nodiscard]] Measures watch(const Measures& seen);

@@ -27,8 +27,8 @@ struct Accompaniment {
   std::vector<protocol::CaptionData> captions;
 };
 
-/// Looks for the companions of a source and reads the captions. `first`: the source is the one that
-/// --voice is for. Errors of find_voice_file() and parse_webvtt().
+/// Looks for the companions of a source and reads the captions. `first`: --voice applies. Errors
+/// of find_voice_file(), read_file() and parse_webvtt().
 [[nodiscard]] Result<Accompaniment> accompaniment_of(const std::filesystem::path& source,
                                                      const VoiceOptions& options, bool first);
 

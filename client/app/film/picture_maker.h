@@ -17,7 +17,7 @@ namespace aucast::app {
 /// The face must outlive it. Thread: the one that made it.
 class PictureMaker {
  public:
-  /// Size, ground and layers are those of `output`; `camera`: a preset of viewpoints.
+  /// Size, background and layers are those of `output`; `camera`: a preset of viewpoints.
   [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(const face::Face& face,
                                                                     const OutputOptions& output,
                                                                     std::string_view camera,

@@ -12,7 +12,7 @@ namespace aucast::app {
 /// What a key does to the window itself.
 enum class WindowAct : std::uint8_t {
   Leave,
-  CloseNearest,
+  CloseNearest,  ///< what is open on top, or full screen
   ToggleFullScreen,
   ToggleBare,
   TogglePanel,
@@ -25,7 +25,7 @@ struct ChangeVolume {
 };
 using KeyMeaning = std::variant<gui::GuiCommand, WindowAct, SessionAct, ChangeVolume>;
 
-/// What a key is for, as mpv has it; null for Key::None.
+/// What a key is for, where possible as in mpv; null for Key::None.
 [[nodiscard]] const KeyMeaning* meaning_of(render::Key key);
 
 }  // namespace aucast::app

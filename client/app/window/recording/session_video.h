@@ -32,9 +32,9 @@ class SessionVideo {
   [[nodiscard]] bool due(Instant now) const;
   /// Adds the picture as many times as pictures are missing at `now`; not at all unless due().
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
-  /// VideoSound's.
+  /// See VideoSound::add().
   void hear(Instant heard_at, std::span<const float> samples) { sound_->add(heard_at, samples); }
-  /// Completes the file, which takes a while, on whichever thread.
+  /// Completes the file, which takes a while; on any thread.
   [[nodiscard]] Result<void> finish();
 
  private:
