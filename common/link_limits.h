@@ -21,16 +21,15 @@ struct Limits {
 
   // When a silent peer has vanished. A system that refuses any of it still has a connection.
 
-  /// While nothing is under way to the peer: probes begin after so long a silence (whole seconds),
-  /// ...
+  /// While nothing is under way to the peer: probes begin after this silence (whole seconds) ...
   Milliseconds keep_alive_idle{0};
-  Milliseconds keep_alive_interval{0};  ///< ... so far apart (whole seconds), ...
-  int keep_alive_probes = 0;            ///< ... and so many unanswered ones end the connection.
+  Milliseconds keep_alive_interval{0};  ///< ... this far apart (whole seconds) ...
+  int keep_alive_probes = 0;            ///< ... and this many unanswered ones end the connection.
   /// The longest time that bytes under way to it may stay unacknowledged, or not be taken.
   Milliseconds unanswered_time{0};
 
   std::size_t frame_bytes = 0;  ///< of one frame of a WebSocket; longer ones are refused
-  /// A WebSocket whose peer has said nothing for so long is sent a Ping; 0: never.
+  /// The silence after which a WebSocket's peer is sent a Ping; 0: never.
   Milliseconds ping_idle{0};
   Milliseconds pong_time{0};  ///< in which the peer must say something then
 };

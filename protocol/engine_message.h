@@ -44,8 +44,8 @@ struct EngineJoin {
 [[nodiscard]] std::string encode(const EngineMessage& message);
 [[nodiscard]] std::string encode(const EngineJoin& join);
 
-/// Bad data, with a clause that says what is wrong, otherwise. Of the packets only the first and
-/// the last byte are looked at.
+/// BadData, with a clause that says what is wrong, for anything else. Of the packets only the first
+/// and the last byte are looked at.
 [[nodiscard]] Result<EngineMessage> parse_engine_message(std::string_view bytes);
 [[nodiscard]] Result<EngineJoin> parse_engine_join(std::string_view bytes);
 

@@ -64,7 +64,7 @@ inline constexpr std::chrono::milliseconds kUnansweredTimeMax{60'000};
 inline constexpr std::size_t kReadBytesMax = 1024;  ///< read from a client in its turn
 /// What waits for a client's socket before nothing more is read from it.
 inline constexpr std::size_t kOutputBytesMax = 65536;
-/// Wrong tokens that an address may show within so long; then it must wait.
+/// Wrong tokens that an address may show within kWrongTokensTime; then it must wait.
 inline constexpr std::size_t kWrongTokensMax = 8;
 inline constexpr std::chrono::milliseconds kWrongTokensTime{1000};
 /// Longest wait of a client for a stream that a relay does not have yet: it would give up itself

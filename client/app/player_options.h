@@ -54,7 +54,7 @@ struct PlaybackOptions {
   bool voice = false;  ///< ask for the stream's: it is heard or written
   Duration connect_timeout = std::chrono::seconds(10);
   bool reconnect = false;
-  Milliseconds hold{5'000};       ///< --hold: after a stall of so long the face eases to neutral
+  Milliseconds hold{5'000};       ///< --hold: the stall after which the face eases to neutral
   net::SecurityOptions security;  ///< which files of certificates and token
   std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nothing: no blinking
   std::optional<std::uint64_t> idle_seed;       ///< --idle; nothing: no saccades and no breath

@@ -13,7 +13,7 @@ namespace aucast::face {
 [[nodiscard]] std::vector<Muscle> read_muscles(TableReader& document, const FaceMesh& mesh,
                                                Problems& problems);
 
-/// The x by which a muscle belongs to a side: of the insertion, or of the centre.
+/// The x that tells a muscle's side: of the insertion, or of the centre.
 [[nodiscard]] float x_of(const MuscleShape& shape);
 
 /// The same muscle on the other side of the face.

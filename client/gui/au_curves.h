@@ -28,7 +28,7 @@ using AuCurves = std::vector<AuCurve>;
 [[nodiscard]] float value_at(const AuCurve& curve, const std::vector<Duration>& ends,
                              Duration place);
 
-/// As it is drawn with so many columns of the same width, at least 2: the largest value in each, so
+/// As it is drawn in that many columns of equal width, at least 2: the largest value in each, so
 /// that no peak is lost.
 [[nodiscard]] std::vector<float> outline_of(const AuCurve& curve, const std::vector<Duration>& ends,
                                             std::size_t columns);

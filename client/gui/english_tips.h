@@ -32,7 +32,7 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
      "late or in bursts); the mark is the threshold"},
     {"tip.playout", "the Playout buffer: the sets that are about to be played"},
     {"tip.buffer", "how many sets the Receiver buffer holds"},
-    {"tip.threshold", "so full the buffer must be before playing begins, and again after a stall"},
+    {"tip.threshold", "how full the buffer must be before playing begins, and again after a stall"},
     {"tip.last_30",
      "how full the Receiver buffer was; at the bottom nothing is left to play and the face stalls: "
      "an underrun"},

@@ -39,8 +39,8 @@ struct GallerySettings {
 struct GalleryView {
   bool open = false;  ///< the dialog
   GallerySettings settings;
-  std::size_t planned = 0;  ///< so many pictures it would be
-  std::string complaint;    ///< why there would be none, a sentence; empty: there would
+  std::size_t planned = 0;  ///< how many pictures there would be
+  std::string complaint;    ///< why none can be made, a sentence; empty: they can
   bool running = false;
   bool ending = false;  ///< it was cancelled and is not over yet
   std::size_t drawn = 0;

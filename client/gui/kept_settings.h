@@ -25,7 +25,7 @@ struct KeptSettings {
   friend bool operator==(const KeptSettings&, const KeptSettings&) = default;
 };
 
-/// So many addresses are remembered.
+/// How many addresses are remembered.
 inline constexpr std::size_t kRecentMax = 8;
 
 /// $XDG_CONFIG_HOME/aucast/face-player.toml, or the same in ~/.config; the arguments are the values

@@ -9,7 +9,7 @@ inline constexpr int kFramesAfterChange = 3;
 
 /// How many frames to draw because the panels, drawn from `shown`, should show `now`: none, a
 /// single one when only time went on (a stream's place, the plots), kFramesAfterChange otherwise.
-/// Where it stands is shown in tenths of a second, unless the face moves as well.
+/// The place of a stream alone is shown anew only every tenth of a second.
 [[nodiscard]] int frames_due(const GuiModel& shown, GuiModel now);
 
 }  // namespace aucast::gui

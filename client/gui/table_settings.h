@@ -24,7 +24,7 @@ struct KnownTable {
   friend bool operator==(const KnownTable&, const KnownTable&) = default;
 };
 
-/// So many are remembered.
+/// How many are remembered.
 inline constexpr std::size_t kKnownTablesMax = 100;
 
 struct TablesView {

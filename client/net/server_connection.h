@@ -25,7 +25,7 @@ class ServerConnection final : public link::LinkUser {
  public:
   /// What the connection asks of its owner.
   struct Owner {
-    std::function<void(Milliseconds wait)> dial;  ///< a link, after so long: begin() or fail()
+    std::function<void(Milliseconds wait)> dial;  ///< a link, after `wait`: begin() or fail()
     std::function<void()> over;                   ///< nothing more will be wanted
     std::function<void()> changed;                ///< there is something new for the player
   };

@@ -26,7 +26,7 @@ class DelayMeter {
   [[nodiscard]] DelaySummary lately() const;
 
  private:
-  std::vector<std::uint64_t> by_ms_;  ///< how many took so many milliseconds, rounded
+  std::vector<std::uint64_t> by_ms_;  ///< how many took each number of milliseconds, rounded
   std::uint64_t keyframes_ = 0;
   Duration longest_{};
   std::vector<Duration> last_;

@@ -14,6 +14,7 @@ struct GLFWwindow;
 
 namespace aucast::render {
 
+/// What a key is for; None: nothing. Slower and Faster, Quieter and Louder are pairs of keys.
 enum class Key : int {
   None,
   Quit,

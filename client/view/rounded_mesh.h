@@ -19,8 +19,8 @@ class RoundedMesh {
   using Triangle = std::array<std::uint32_t, 3>;
 
   RoundedMesh() = default;
-  /// Which edges bend is seen on the mesh at rest, all of whose vertices are given, but perhaps not
-  /// all triangles: those whose middle moves by `least_bend` or more.
+  /// Edges bend whose middle would move by `least_bend` or more on the mesh at rest. All of its
+  /// vertices are given, but perhaps not all triangles.
   RoundedMesh(std::span<const glm::vec3> rest, std::span<const Triangle> triangles,
               float least_bend);
 

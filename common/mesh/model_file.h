@@ -71,7 +71,7 @@ struct Model {
   std::vector<std::size_t> outputs;
 };
 
-/// Tensors may have so many numbers, all of them together so many.
+/// How many numbers a tensor may have, and all tensors together.
 inline constexpr std::size_t kTensorNumbersMax = std::size_t{1} << 24U;
 inline constexpr std::size_t kModelNumbersMax = std::size_t{1} << 25U;
 

@@ -35,7 +35,7 @@ void activate(std::span<float> numbers, Activation activation);
 /// input channel.
 [[nodiscard]] std::vector<float> arranged_weights(std::span<const float> weights,
                                                   const Shape& shape);
-/// Output channels are computed by so many at a time.
+/// How many output channels are computed at a time.
 inline constexpr std::size_t kChannelsAtOnce = 8;
 [[nodiscard]] constexpr std::size_t padded_channels(std::size_t channels) {
   return (channels + kChannelsAtOnce - 1) / kChannelsAtOnce * kChannelsAtOnce;
@@ -76,7 +76,7 @@ struct RegionOptions {
   std::size_t right = 0;
   double target_angle_rad = 0;
   std::vector<std::size_t> landmarks;  ///< what the region is around; not empty
-  double scale_x = 1;                  ///< so many times as wide
+  double scale_x = 1;                  ///< how many times as wide as the landmarks
   double scale_y = 1;
   double width = 16;  ///< of the small map
   double height = 16;

@@ -2,9 +2,9 @@
 
 namespace aucast::sources {
 
-/// A channel without data keeps its last value for so long,
+/// How long a channel without data keeps its last value, ...
 inline constexpr double kHoldSeconds = 0.5;
-/// and is then led to neutral in so long.
+/// ... and how long it then takes to neutral.
 inline constexpr double kEaseSeconds = 1.0;
 
 }  // namespace aucast::sources

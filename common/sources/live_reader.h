@@ -21,7 +21,7 @@ namespace aucast::sources {
 
 struct LiveOptions {
   RecordingOptions recording;
-  std::optional<double> rate;  ///< at most so many keyframes a second
+  std::optional<double> rate;  ///< keyframes a second, at most
   ConditioningSettings conditioning;
   std::uint32_t keyframe_ms = 250;  ///< the longest time of a line that names none
 };

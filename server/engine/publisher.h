@@ -30,7 +30,7 @@ class Publisher {
   };
   using Catalogue = std::function<std::shared_ptr<const protocol::ServerCatalogue>()>;
 
-  /// Without anything new it says so often that it lives.
+  /// How often it says that it lives when there is nothing new.
   static constexpr Milliseconds kBeat{500};
   /// More questions are left out, and counted.
   static constexpr std::size_t kAnswersPerSecond = 1'000;

@@ -28,7 +28,7 @@ struct LiveStreamOptions {
   std::filesystem::path path;  ///< of the source; "-" is stdin
   sources::LiveOptions reader;
   int classic_min = 20;
-  /// After so long a silence the clients get {-2}; 0: never.
+  /// The silence after which clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
   LinkLimits link;     ///< what each client's face and voice may take
   bool voice = false;  ///< raw sound comes with the first stream

@@ -51,7 +51,7 @@ struct TransmitterOptions {
   std::size_t max_clients_per_address = 0;      ///< the same from one address
   CredentialFiles credentials;                  ///< certificates and token
   std::uint32_t max_kbits = 0;                  ///< a second and client; 0: no limit
-  Milliseconds batch{0};                        ///< small writes wait so long for each other
+  Milliseconds batch{0};                        ///< how long small writes wait for each other
   bool estimate = false;                        ///< say what the sources need and serve nothing
   std::filesystem::path stats;                  ///< empty: none
   bool check = false;                           ///< check the sources and serve nothing

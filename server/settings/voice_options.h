@@ -14,7 +14,7 @@ struct VoiceOptions {
   bool none = false;           ///< no stream has a voice
   std::filesystem::path file;  ///< of the first source; empty: the file beside it, if there is one
   voice::VoiceSettings encoder;
-  Milliseconds delay{0};  ///< the sound is moved so far back on the stream's clock
+  Milliseconds delay{0};  ///< how far the sound is moved back on the stream's clock
   friend bool operator==(const VoiceOptions&, const VoiceOptions&) = default;
 };
 

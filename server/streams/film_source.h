@@ -11,7 +11,7 @@
 
 namespace aucast::server {
 
-/// A film as a source: the table of what is seen in it, which is read as any recogniser's.
+/// A film as a source: the table of what is seen in it, which is read like any recogniser's.
 [[nodiscard]] Result<std::string> film_text(
     const std::filesystem::path& path, const SourceOptions& options,
     const std::function<void(const camera::FilmProgress&)>& on_progress = {});

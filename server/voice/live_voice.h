@@ -45,7 +45,7 @@ class LiveVoice {
   std::uint64_t samples_ = 0;  ///< that came, since sound_ began
   std::string half_;           ///< of a sample: its first byte
   bool placed_ = false;        ///< the encoder's place is that of the sound
-  Milliseconds silent_{0};     ///< for so long no packet was made
+  Milliseconds silent_{0};     ///< how long no packet has been made
 };
 
 }  // namespace aucast::server

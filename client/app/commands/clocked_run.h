@@ -13,8 +13,8 @@
 namespace aucast::app {
 
 /// Plays to the end in real time without drawing: a timer drives the 50 positions of every
-/// keyframe, activations are computed at each. `stop` is asked at least every 50 ms. `out` plays
-/// the sound, which is `track`, or, if that is null, the voice of what is played; it may be null.
+/// keyframe, activations are computed at each. `stop` is asked at least every 50 ms. `out`, which
+/// may be null, plays `track` or, if that is null, the voice of what is played.
 void run_clocked(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
                  std::unique_ptr<sound::SoundOut> out, sound::SoundTrack* track,
                  const std::function<bool()>& stop, PlayerStats& stats);
