@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "client/app/steady.h"
-
 namespace aucast::app {
 namespace {
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "client/app/steady.h"
+
 namespace aucast::app {
 namespace {
 

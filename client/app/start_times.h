@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "client/app/steady.h"
+#include "common/time.h"
 
 namespace aucast::app {
 

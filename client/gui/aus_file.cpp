@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "client/face/au_recordings.h"
 #include "common/text.h"
 #include "common/toml_document.h"
 #include "common/toml_writer.h"

@@ -4,8 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "protocol/limits.h"
-
 namespace aucast::net {
 namespace {
 

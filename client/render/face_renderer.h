@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "client/view/image.h"
 #include "client/view/scene.h"
 #include "client/view/style.h"
 #include "common/result.h"

@@ -14,7 +14,6 @@
 #include "client/app/steady.h"
 #include "client/pipeline/idle_face.h"
 #include "client/pipeline/player.h"
-#include "common/log.h"
 
 namespace aucast::app {
 namespace {

@@ -24,7 +24,6 @@
 #include "client/app/window/window_keys.h"
 #include "client/app/window/window_overlay.h"
 #include "client/app/window/window_session.h"
-#include "client/gui/panels.h"
 #include "client/gui/redraw.h"
 #include "client/gui/texts.h"
 #include "client/render/window.h"

@@ -10,7 +10,6 @@
 #include "client/gui/texts.h"
 #include "client/net/stream_list.h"
 #include "common/files.h"
-#include "common/log.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
 
