@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/stopped.h"
 #include "common/text.h"
 
 namespace aucast {
@@ -81,12 +82,14 @@ ssize_t read_some(int descriptor, std::string& bytes) {
 }
 
 Result<std::string> read_open(const Descriptor& file, const struct stat& status,
-                              const fs::path& path, std::size_t bytes_max) {
+                              const fs::path& path, std::size_t bytes_max,
+                              const std::stop_token& stop = {}) {
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size > bytes_max) return unreadable(path, longer_than(bytes_max));
   std::string bytes;
   bytes.reserve(size);
   for (;;) {
+    if (stop.stop_requested()) return stopped_early();
     const ssize_t got = read_some(file.get(), bytes);
     if (got < 0) return unreadable(path, system_reason(errno));
     if (got == 0) return bytes;
@@ -170,10 +173,11 @@ bool keep_mode(int file, const fs::file_status& before) {
 
 }  // namespace
 
-Result<std::string> read_file(const fs::path& path, std::size_t bytes_max) {
+Result<std::string> read_file(const fs::path& path, std::size_t bytes_max,
+                              const std::stop_token& stop) {
   const auto opened = open_to_read(path);
   if (!opened) return opened.error();
-  return read_open(opened->first, opened->second, path, bytes_max);
+  return read_open(opened->first, opened->second, path, bytes_max, stop);
 }
 
 Result<int> open_file(const fs::path& path) {

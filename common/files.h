@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -10,15 +11,19 @@
 
 namespace aucast {
 
+/// What read_file() reads at most where nobody says less.
+inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
+
 /// Reads a whole regular file, and never blocks: a FIFO, a socket, a device (except /dev/null,
 /// which is empty) or a folder is Unreadable. So is a file of more than `bytes_max` bytes, before
-/// any is read, and one that keeps growing. The message has the path and the cause.
+/// any is read, and one that keeps growing. The message has the path and the cause. Asked to stop,
+/// it reads no further and returns stopped_early().
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path,
-                                            std::size_t bytes_max = std::size_t{256} << 20U);
+                                            std::size_t bytes_max = kWholeFileBytesMax,
+                                            const std::stop_token& stop = {});
 
 /// Reads standard input to its end, whatever it is; waits for the writer.
-[[nodiscard]] Result<std::string> read_standard_input(std::size_t bytes_max = std::size_t{256}
-                                                                              << 20U);
+[[nodiscard]] Result<std::string> read_standard_input(std::size_t bytes_max = kWholeFileBytesMax);
 
 /// Opens a regular file for a library that reads by itself; the caller closes the descriptor.
 /// Refuses the kinds that read_file() refuses.

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <sstream>
+#include <stop_token>
 #include <utility>
 
 #include <asio/io_context.hpp>
@@ -57,10 +57,11 @@ EncodingOptions encoding_of(const TransmitterOptions& options) {
 }
 
 /// The sources; what --skip-bad leaves out is said.
-Result<std::vector<Source>> load(const TransmitterOptions& options) {
+Result<std::vector<Source>> load(const TransmitterOptions& options,
+                                 const std::stop_token& stop = {}) {
   std::vector<Error> skipped;
   auto sources = load_sources(options.sources, options.source, encoding_of(options),
-                              options.skip_bad ? &skipped : nullptr, live_sources(options));
+                              options.skip_bad ? &skipped : nullptr, live_sources(options), stop);
   for (const Error& error : skipped) {
     std::istringstream lines(error.message);
     for (std::string line; std::getline(lines, line);) spdlog::warn("left out: {}", line);
@@ -137,8 +138,9 @@ void say_what_was_found(const std::vector<Source>& sources) {
 }
 
 /// What the options ask to be served, read and encoded now.
-Result<Repertoire> load_repertoire(const TransmitterOptions& options) {
-  const auto sources = load(options);
+Result<Repertoire> load_repertoire(const TransmitterOptions& options,
+                                   const std::stop_token& stop = {}) {
+  const auto sources = load(options, stop);
   if (!sources) return sources.error();
   auto repertoire = make_repertoire(*sources, options.keyframe_ms, options.loop);
   if (options.live) {
@@ -175,12 +177,6 @@ void keep_signals() {
   static_cast<void>(kept);
 }
 
-/// Ends the process now, for a thread still reads what it would free.
-[[noreturn]] void end_at_once(int exit_code) {
-  std::fflush(stdout);
-  std::_Exit(exit_code);
-}
-
 int serve_until_signal(const TransmitterOptions& options, Repertoire repertoire) {
   keep_signals();
   Stats stats;
@@ -194,14 +190,13 @@ int serve_until_signal(const TransmitterOptions& options, Repertoire repertoire)
         return print_now("listening on " + where.address + "\n" +
                          (where.web.empty() ? "" : "web on " + where.web + "\n"));
       },
-      [&options] { return load_repertoire(options); });
+      [&options](const std::stop_token& stop) { return load_repertoire(options, stop); });
   if (!served) return report(served.error());
   int exit_code = served->error ? report(*served->error) : 0;
   if (!options.stats.empty()) {
     const auto written = write_file_atomically(options.stats, stats.to_json());
     if (!written) exit_code = report(written.error());
   }
-  if (served->reading) end_at_once(exit_code);
   return exit_code;
 }
 

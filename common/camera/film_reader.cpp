@@ -12,6 +12,7 @@
 #include "common/mesh/quiet_face.h"
 #include "common/mesh/read_aus.h"
 #include "common/mesh/steady_gaze.h"
+#include "common/stopped.h"
 #include "common/text.h"
 
 namespace aucast::camera {
@@ -42,8 +43,8 @@ struct Film {
 };
 
 Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& tracker,
-                          bool several,
-                          const std::function<void(const FilmProgress&)>& on_progress) {
+                          bool several, const std::function<void(const FilmProgress&)>& on_progress,
+                          const std::stop_token& stop) {
   auto source = PictureSource::open_film(path);
   if (!source) return source.error();
   Film film;
@@ -52,6 +53,7 @@ Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& 
   const auto whole = on_progress ? film_seconds(path) : std::nullopt;
   std::vector<std::uint8_t> rgb;
   while (source->next(rgb)) {
+    if (stop.stop_requested()) return stopped_early();
     if (film.pictures.size() == kPicturesMax) {
       return Error{ErrorKind::BadData,
                    at_place(path.string(), "it has more than " + std::to_string(kPicturesMax) +
@@ -91,18 +93,20 @@ mesh::Measures quiet_of(std::span<const mesh::Measures> face, double fps,
 }  // namespace
 
 Result<FilmTable> read_film(const std::filesystem::path& path, const FaceOptions& options,
-                            const std::function<void(const FilmProgress&)>& on_progress) {
+                            const std::function<void(const FilmProgress&)>& on_progress,
+                            const std::stop_token& stop) {
   auto models = load_face_models();
   if (!models) {
     return Error{models.error().kind, at_place(path.string(), models.error().message)};
   }
-  return read_film(path, *models, options, on_progress);
+  return read_film(path, *models, options, on_progress, stop);
 }
 
 Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& models,
                             const FaceOptions& options,
-                            const std::function<void(const FilmProgress&)>& on_progress) {
-  auto film = measure_film(path, models.tracker, options.several, on_progress);
+                            const std::function<void(const FilmProgress&)>& on_progress,
+                            const std::stop_token& stop) {
+  auto film = measure_film(path, models.tracker, options.several, on_progress, stop);
   if (!film) return film.error();
   if (film->faces.empty()) {
     return Error{ErrorKind::BadData,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "common/camera/face_models.h"
@@ -34,14 +35,17 @@ struct FilmTable {
 };
 
 /// Reads the face of a film, of several the clearest unless all are asked for. Errors are those of
-/// PictureSource and load_face_models(); BadData when no face is seen in it.
+/// PictureSource and load_face_models(); BadData when no face is seen in it. Asked to stop, it
+/// returns stopped_early() at the next picture.
 [[nodiscard]] Result<FilmTable> read_film(
     const std::filesystem::path& path, const FaceOptions& options,
-    const std::function<void(const FilmProgress&)>& on_progress = {});
+    const std::function<void(const FilmProgress&)>& on_progress = {},
+    const std::stop_token& stop = {});
 
 /// The same with models that are loaded already.
 [[nodiscard]] Result<FilmTable> read_film(
     const std::filesystem::path& path, FaceModels& models, const FaceOptions& options,
-    const std::function<void(const FilmProgress&)>& on_progress = {});
+    const std::function<void(const FilmProgress&)>& on_progress = {},
+    const std::stop_token& stop = {});
 
 }  // namespace aucast::camera

@@ -81,8 +81,9 @@ std::optional<double> parse_number(std::string_view text, bool commas) {
   return value;
 }
 
-Result<CsvReader> CsvReader::open(std::string_view text, std::string_view file) {
-  CsvReader reader(text, file);
+Result<CsvReader> CsvReader::open(std::string_view text, std::string_view file,
+                                  std::stop_token stop) {
+  CsvReader reader(text, file, std::move(stop));
   if (text.starts_with(kByteOrderMark)) reader.position_ = kByteOrderMark.size();
   // A line that ends in CR alone: all of them do.
   const std::size_t end = text.find_first_of("\r\n");
@@ -136,7 +137,7 @@ bool CsvReader::take_line() {
 
 CsvReader::Next CsvReader::next() {
   do {
-    if (!take_line()) return Next::End;
+    if (stopped() || !take_line()) return Next::End;
   } while (trimmed(content_, kCsvBlanks).empty());
   return read_row();
 }

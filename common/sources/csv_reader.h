@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/error_list.h"
@@ -33,8 +35,10 @@ class CsvReader {
   };
 
   /// Reads the line with the names of the columns, the first that is not blank and no preamble.
-  /// BadData when there is none, it is too long or names too many columns.
-  [[nodiscard]] static Result<CsvReader> open(std::string_view text, std::string_view file);
+  /// BadData when there is none, it is too long or names too many columns. Asked to stop, next()
+  /// comes to the end at once.
+  [[nodiscard]] static Result<CsvReader> open(std::string_view text, std::string_view file,
+                                              std::stop_token stop = {});
 
   /// The names of the columns, trimmed.
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
@@ -43,6 +47,8 @@ class CsvReader {
 
   /// Goes on to the next line that is not blank.
   [[nodiscard]] Next next();
+  /// What next() gave may not be all.
+  [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
   /// Takes a line that is not in the text, such as one that has just been written, as the present
   /// one; it must outlive the use of its cells. `line`: its number, for messages. Not for a blank
   /// line.
@@ -69,7 +75,8 @@ class CsvReader {
   [[nodiscard]] std::vector<std::string> take_errors() { return errors_.take(); }
 
  private:
-  CsvReader(std::string_view text, std::string_view file) : text_(text), errors_(file) {}
+  CsvReader(std::string_view text, std::string_view file, std::stop_token stop)
+      : text_(text), stop_(std::move(stop)), errors_(file) {}
 
   [[nodiscard]] Result<void> read_header();
   [[nodiscard]] bool take_line();
@@ -78,6 +85,7 @@ class CsvReader {
   void refuse_at(std::size_t byte, const std::string& reason);
 
   std::string_view text_;
+  std::stop_token stop_;
   char line_end_ = '\n';
   std::size_t position_ = 0;    ///< of the next line
   std::size_t rows_begin_ = 0;  ///< of the line after the header

@@ -10,6 +10,7 @@
 #include "common/sources/format.h"
 #include "common/sources/row_reading.h"
 #include "common/sources/timeline.h"
+#include "common/stopped.h"
 #include "common/text.h"
 
 namespace aucast::sources {
@@ -91,10 +92,12 @@ class RecordingReader {
 
 Result<std::vector<Recording>> RecordingReader::read() {
   survey();
+  if (table_.stopped()) return stopped_early();
   if (auto error = settle()) return *error;
   for (const std::int64_t face : chosen_) prepare(face);
   table_.rewind();
   play();
+  if (table_.stopped()) return stopped_early();
   if (table_.has_errors()) return table_.error();
   return finish();
 }
@@ -291,8 +294,9 @@ Result<Recording> read_recording(std::string_view text, std::string_view file,
 Result<std::vector<Recording>> read_faces(std::string_view text, std::string_view file,
                                           const RecordingOptions& options,
                                           const ConditioningSettings& conditioning,
-                                          const LoadCurves& load_curves) {
-  auto table = CsvReader::open(text, file);
+                                          const LoadCurves& load_curves,
+                                          const std::stop_token& stop) {
+  auto table = CsvReader::open(text, file, stop);
   if (!table) return table.error();
   const auto format = open_format(*table, load_curves);
   if (!format) return format.error();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,10 +77,11 @@ inline constexpr std::size_t kFacesMax = 64;
 /// The same for several faces. With options.all_faces: one recording for each face that has data,
 /// the most frequent first, kFacesMax at most; without: one recording. Their times are those of the
 /// file, so that faces seen together play together: a face that comes late is neutral until then.
+/// Asked to stop, it returns stopped_early() at the next row.
 [[nodiscard]] Result<std::vector<Recording>> read_faces(
     std::string_view text, std::string_view file, const RecordingOptions& options,
-    const ConditioningSettings& conditioning = {},
-    const LoadCurves& load_curves = load_arkit_table);
+    const ConditioningSettings& conditioning = {}, const LoadCurves& load_curves = load_arkit_table,
+    const std::stop_token& stop = {});
 
 /// What was found, one line each: "  format      OpenFace 2".
 [[nodiscard]] std::string found_lines(const Found& found);

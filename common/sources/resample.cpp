@@ -48,14 +48,14 @@ class Curve {
 }  // namespace
 
 protocol::StreamFile resample(const protocol::StreamFile& stream, double rate,
-                              std::uint32_t keyframe_ms) {
+                              std::uint32_t keyframe_ms, const std::stop_token& stop) {
   AUCAST_CHECK(rate > 0 && rate <= kRateMax);
   AUCAST_CHECK(!stream.keyframes.empty());
   const std::uint64_t whole_ms = protocol::media_ms(stream, keyframe_ms);
   Curve curve(stream, keyframe_ms);
   protocol::StreamFile resampled;
   std::uint64_t place = 0;
-  for (std::uint64_t step = 1; place < whole_ms; ++step) {
+  for (std::uint64_t step = 1; place < whole_ms && !stop.stop_requested(); ++step) {
     const double wanted = std::round(static_cast<double>(step) * 1000 / rate);
     const std::uint64_t next =
         wanted < static_cast<double>(whole_ms) ? static_cast<std::uint64_t>(wanted) : whole_ms;

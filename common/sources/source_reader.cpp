@@ -5,6 +5,7 @@
 #include "common/files.h"
 #include "common/sources/content.h"
 #include "common/sources/resample.h"
+#include "common/stopped.h"
 
 namespace aucast::sources {
 
@@ -20,8 +21,8 @@ Result<SourceContent> read_source(const std::filesystem::path& path, const ReadO
   return std::move(content);
 }
 
-Result<std::string> read_text(const std::filesystem::path& path) {
-  return path == "-" ? read_standard_input() : read_file(path);
+Result<std::string> read_text(const std::filesystem::path& path, const std::stop_token& stop) {
+  return path == "-" ? read_standard_input() : read_file(path, kWholeFileBytesMax, stop);
 }
 
 std::string name_of(const std::filesystem::path& path) {
@@ -30,15 +31,21 @@ std::string name_of(const std::filesystem::path& path) {
 
 Result<std::vector<SourceContent>> parse_streams(std::string_view text, const std::string& file,
                                                  const RecordingOptions& recording,
-                                                 const ConditioningSettings& conditioning) {
+                                                 const ConditioningSettings& conditioning,
+                                                 const std::stop_token& stop) {
   std::vector<SourceContent> contents;
   if (content_kind(text) == ContentKind::StreamFile) {
-    auto stream = protocol::parse_stream_file(text, file);
-    if (!stream) return stream.error();
-    contents.push_back({std::move(*stream), std::nullopt});
+    protocol::StreamFile stream;
+    const auto keep = [&](protocol::Keyframe&& keyframe) -> Result<void> {
+      if (stop.stop_requested()) return stopped_early();
+      stream.keyframes.push_back(std::move(keyframe));
+      return {};
+    };
+    if (auto read = protocol::read_stream_file(text, file, keep); !read) return read.error();
+    contents.push_back({std::move(stream), std::nullopt});
     return contents;
   }
-  auto faces = read_faces(text, file, recording, conditioning);
+  auto faces = read_faces(text, file, recording, conditioning, load_arkit_table, stop);
   if (!faces) return faces.error();
   for (Recording& one : *faces) {
     contents.push_back({std::move(one.stream), std::move(one.found)});

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,14 +34,17 @@ struct SourceContent {
 [[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
                                                 const ReadOptions& options = {});
 
-/// The text of the source at `path`, and what messages call it.
-[[nodiscard]] Result<std::string> read_text(const std::filesystem::path& path);
+/// The text of the source at `path`, and what messages call it. Asked to stop, a file is read no
+/// further: stopped_early().
+[[nodiscard]] Result<std::string> read_text(const std::filesystem::path& path,
+                                            const std::stop_token& stop = {});
 [[nodiscard]] std::string name_of(const std::filesystem::path& path);
 
 /// Reads a text that messages call `file`, and keeps its keyframes as they are: one stream for each
-/// face when recording.all_faces, the most frequent first.
+/// face when recording.all_faces, the most frequent first. Asked to stop, it returns
+/// stopped_early() at the next line.
 [[nodiscard]] Result<std::vector<SourceContent>> parse_streams(
     std::string_view text, const std::string& file, const RecordingOptions& recording,
-    const ConditioningSettings& conditioning);
+    const ConditioningSettings& conditioning, const std::stop_token& stop = {});
 
 }  // namespace aucast::sources

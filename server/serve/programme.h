@@ -78,8 +78,6 @@ class Programme {
   /// What went wrong with live sources without stopping anything. Waits until the records are
   /// written.
   [[nodiscard]] Result<void> finish() { return sources_.finish(); }
-  /// A thread reads a sound file: a disk that hangs would hold up the destructor.
-  [[nodiscard]] bool encoding() const { return voices_.running(); }
 
  private:
   [[nodiscard]] bool any_live() const { return options_.live || sources_.any() || takes_streams(); }

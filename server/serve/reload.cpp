@@ -21,6 +21,7 @@ Reload::Reload(asio::io_context& io, const CredentialFiles& files, Certificates&
       on_done_(std::move(on_done)) {}
 
 Reload::~Reload() {
+  stop();
   if (thread_.joinable()) thread_.join();
   // What the thread has posted may not have been carried out yet.
   gate_->close();
@@ -66,7 +67,7 @@ void Reload::load() {
   // A failure to load is a Result; what else can be thrown is the lack of memory.
   Result<Repertoire> loaded = Error{ErrorKind::Failed, "not enough memory"};
   try {
-    loaded = load_();
+    loaded = load_(stop_.get_token());
   } catch (const std::bad_alloc&) {
   }
   const auto result = std::make_shared<Result<Repertoire>>(std::move(loaded));

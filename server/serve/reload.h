@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <thread>
 
 #include <asio/io_context.hpp>
@@ -19,16 +20,15 @@ namespace aucast::server {
 /// What SIGHUP reads again: certificates, token and profile at once, the sources on a thread of
 /// their own, so that nobody who is being served waits for a disk. What cannot be read changes
 /// nothing. Thread: that of the io_context, where `on_done` is called too; the load function runs
-/// on the other one and must not touch what the first one uses.
+/// on the other one, must not touch what the first one uses, and returns soon when asked to stop.
 class Reload {
  public:
-  using Load = std::function<Result<Repertoire>()>;
+  using Load = std::function<Result<Repertoire>(const std::stop_token& stop)>;
   /// `changed`: clients that connect from now on get other streams.
   using OnDone = std::function<void(bool changed)>;
 
-  /// Replaces `certificates` and what `programme` has. All references must outlive it. Waits in its
-  /// destructor for a load that is under way: an owner that must not wait keeps it, and all that
-  /// the load uses, until the process ends.
+  /// Replaces `certificates` and what `programme` has. All references must outlive it. The
+  /// destructor stops a load that is under way, and waits for it.
   Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
          Programme& programme, Load load, OnDone on_done);
   ~Reload();
@@ -39,6 +39,8 @@ class Reload {
   [[nodiscard]] Result<void> read_credentials();
   /// All, now; the sources once more afterwards if they are being read already.
   void start();
+  /// Nothing is read any more, and what is being read is given up.
+  void stop() { stop_.request_stop(); }
 
   /// Sources are being read.
   [[nodiscard]] bool running() const { return running_; }
@@ -63,6 +65,7 @@ class Reload {
   bool failed_ = false;  ///< the certificates and token of the order that is carried out
   bool running_ = false;
   std::optional<bool> next_failed_;  ///< the same of the latest order that came meanwhile
+  std::stop_source stop_;
   std::jthread thread_;
 };
 

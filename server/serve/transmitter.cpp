@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -231,6 +230,7 @@ class Transmitter {
     close_doors({});
     if (preview_) preview_->stop();
     if (publisher_) publisher_->stop();
+    reload_.stop();
     programme_.stop();
   }
 
@@ -240,7 +240,6 @@ class Transmitter {
 
   [[nodiscard]] RunResult result() {
     RunResult result;
-    result.reading = reload_.running() || programme_.encoding();
     if (auto finished = programme_.finish(); !finished) result.error = finished.error();
     return result;
   }
@@ -269,12 +268,7 @@ Result<RunResult> serve(const TransmitterOptions& options, Repertoire repertoire
                         const OnReady& on_ready, Reload::Load load) {
   std::signal(SIGPIPE, SIG_IGN);
   link::raise_descriptor_limit();
-  auto transmitter =
-      std::make_unique<Transmitter>(options, std::move(repertoire), stats, std::move(load));
-  auto result = transmitter->run(on_ready);
-  // A disk may take long, and whoever sent SIGTERM does not wait for it.
-  if (result && result->reading) static_cast<void>(transmitter.release());
-  return result;
+  return Transmitter(options, std::move(repertoire), stats, std::move(load)).run(on_ready);
 }
 
 }  // namespace aucast::server

@@ -24,9 +24,6 @@ using OnReady = std::function<Result<void>(const ReadyAt& where)>;
 /// How serving came to its end.
 struct RunResult {
   std::optional<Error> error;  ///< what went wrong without ending it, as a --record that failed
-  /// A thread still reads files, and may use `options` and `load`: the process must end without
-  /// destroying them.
-  bool reading = false;
 };
 
 /// Serves the repertoire, recorded or live, to any number of clients until SIGTERM or SIGINT: then
@@ -34,8 +31,8 @@ struct RunResult {
 /// kStopTimeMax is over (Shutdown). The same when all streams are live and nothing can come of them
 /// any more, as after the end of stdin. One more signal ends it at once. SIGHUP calls `load` on
 /// another thread and serves what it returns to clients that connect from then on; the others keep
-/// what they have. SIGUSR1 logs the status. SIGPIPE is ignored from here on. Thread: one, the
-/// caller's.
+/// what they have. A load that is under way at the end is asked to stop. SIGUSR1 logs the status.
+/// SIGPIPE is ignored from here on. Thread: one, the caller's.
 [[nodiscard]] Result<RunResult> serve(const TransmitterOptions& options, Repertoire repertoire,
                                       Stats& stats, const OnReady& on_ready, Reload::Load load);
 

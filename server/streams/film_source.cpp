@@ -9,8 +9,9 @@
 namespace aucast::server {
 
 Result<std::string> film_text(const std::filesystem::path& path, const SourceOptions& options,
-                              const std::function<void(const camera::FilmProgress&)>& on_progress) {
-  auto table = camera::read_film(path, faces_of(options), on_progress);
+                              const std::function<void(const camera::FilmProgress&)>& on_progress,
+                              const std::stop_token& stop) {
+  auto table = camera::read_film(path, faces_of(options), on_progress, stop);
   if (!table) return table.error();
   if (!table->note.empty()) spdlog::warn("{}", table->note);
   return std::move(table->text);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <string>
 
 #include "common/camera/film_reader.h"
@@ -14,7 +15,8 @@ namespace aucast::server {
 /// A film as a source: the table of what is seen in it, which is read like any recogniser's.
 [[nodiscard]] Result<std::string> film_text(
     const std::filesystem::path& path, const SourceOptions& options,
-    const std::function<void(const camera::FilmProgress&)>& on_progress = {});
+    const std::function<void(const camera::FilmProgress&)>& on_progress = {},
+    const std::stop_token& stop = {});
 
 /// How we read faces in pictures: with --neutral, which is auto by default and applies to the
 /// measures of the face; and all faces when --face-id is given.

@@ -9,6 +9,7 @@
 #include "common/sources/dead_band.h"
 #include "common/sources/resample.h"
 #include "common/sources/source_reader.h"
+#include "common/stopped.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
@@ -47,12 +48,15 @@ struct Reading {
   const EncodingOptions& encoding;
   LiveSources live = LiveSources::None;
   bool first = false;  ///< of all sources: the one that --voice is for
+  const std::stop_token& stop;
 };
 
 /// A stream file as it is: keyframe by keyframe, so that only its packets are held.
-Result<void> encode_file(std::string_view text, const EncodingOptions& options, Source& source) {
+Result<void> encode_file(std::string_view text, const Reading& reading, Source& source) {
+  const EncodingOptions& options = reading.encoding;
   protocol::StreamEncoder encoder(options.keyframe_ms, options.classic_min);
   const auto encode = [&](const protocol::Keyframe& keyframe) -> Result<void> {
+    if (reading.stop.stop_requested()) return stopped_early();
     if (options.summarise) source.summary.add(keyframe, options.keyframe_ms);
     encoder.add(keyframe);
     // As much again is taken for a moment when the buffers grow.
@@ -82,7 +86,7 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
     const auto ms = static_cast<double>(protocol::media_ms(stream, options.keyframe_ms));
     const auto keyframes = static_cast<std::uint64_t>(ms * *rate / 1000);
     if (auto can = check_memory(source.path, keyframes * kWholeBytes); !can) return can;
-    stream = sources::resample(stream, *rate, options.keyframe_ms);
+    stream = sources::resample(stream, *rate, options.keyframe_ms, reading.stop);
   }
   if (content.found) {
     sources::apply_dead_band(stream, reading.conditioning.profile.dead_band);
@@ -100,10 +104,16 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
       kbits = *left;
     }
     const bool when_sent = source.voice && options.live;
-    if (!when_sent) stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, kbits);
+    if (!when_sent) {
+      stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, kbits, reading.stop);
+    }
   }
-  source.stream = std::make_shared<const protocol::EncodedStream>(
-      protocol::encode_stream(stream.keyframes, options.keyframe_ms, options.classic_min));
+  protocol::StreamEncoder encoder(options.keyframe_ms, options.classic_min);
+  for (const protocol::Keyframe& keyframe : stream.keyframes) {
+    if (reading.stop.stop_requested()) return stopped_early();
+    encoder.add(keyframe);
+  }
+  source.stream = std::make_shared<const protocol::EncodedStream>(encoder.finish());
   source.found = std::move(content.found);
   return {};
 }
@@ -143,7 +153,8 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     return Error{ErrorKind::Usage, "a camera is live: it can be served, not described"};
   }
   const bool film = is_film(path);
-  const auto text = film ? film_text(path, reading.source) : sources::read_text(path);
+  const auto text = film ? film_text(path, reading.source, {}, reading.stop)
+                         : sources::read_text(path, reading.stop);
   if (!text) return text.error();
   const auto beside = accompaniment_of(path, reading.encoding.voice, reading.first);
   if (!beside) return beside.error();
@@ -157,15 +168,16 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
   };
   if (is_stream_file && !reading.source.rate && reading.encoding.max_kbits == 0) {
     streams.push_back(source_named(stem));
-    auto read = encode_file(*text, reading.encoding, streams.front());
+    auto read = encode_file(*text, reading, streams.front());
     if (!read) return read.error();
     add_spoken(reading.encoding, streams.front());
     return streams;
   }
   const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
   if (auto can = check_memory(path, lines * kWholeBytes); !can) return can.error();
-  auto contents = sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
-                                         conditioning_for(path, reading.conditioning));
+  auto contents =
+      sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
+                             conditioning_for(path, reading.conditioning), reading.stop);
   if (!contents) return contents.error();
   for (sources::SourceContent& content : *contents) {
     const bool one_of_several = content.found && content.found->all_taken;
@@ -239,7 +251,8 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
                                          const SourceOptions& options,
                                          const EncodingOptions& encoding,
-                                         std::vector<Error>* skipped, LiveSources live) {
+                                         std::vector<Error>* skipped, LiveSources live,
+                                         const std::stop_token& stop) {
   const auto conditioning = conditioning_of(options.signal);
   if (!conditioning) return conditioning.error();
   std::vector<Source> sources;
@@ -252,8 +265,9 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
     }
     for (const std::filesystem::path& file : *files) {
       const bool first = &path == &paths.front() && &file == &files->front();
-      auto streams = load_source(
-          file, {options, *conditioning, encoding, file == path ? live : LiveSources::None, first});
+      auto streams = load_source(file, {options, *conditioning, encoding,
+                                        file == path ? live : LiveSources::None, first, stop});
+      if (stop.stop_requested()) return stopped_early();
       if (!streams) {
         errors.push_back(streams.error());
         continue;

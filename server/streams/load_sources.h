@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -56,10 +57,10 @@ struct EncodingOptions {
 /// the order of the command line, as an error of the first one's kind. Names that are no stream
 /// names or come twice are usage errors; a file that is too large for the free memory is
 /// unreadable. With `skipped`, wrong files are left out and their errors go there, unless no file
-/// is left.
+/// is left. Asked to stop, it returns stopped_early() without reading any further.
 [[nodiscard]] Result<std::vector<Source>> load_sources(
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
     const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,
-    LiveSources live = LiveSources::None);
+    LiveSources live = LiveSources::None, const std::stop_token& stop = {});
 
 }  // namespace aucast::server

@@ -22,14 +22,15 @@ void give_time(protocol::Keyframe& keyframe, std::uint64_t time_ms) {
 }
 
 std::vector<protocol::Keyframe> thinned(std::span<const protocol::Keyframe> keyframes,
-                                        std::uint32_t keyframe_ms, std::uint32_t kbits_per_second) {
+                                        std::uint32_t keyframe_ms, std::uint32_t kbits_per_second,
+                                        const std::stop_token& stop) {
   // Bits a millisecond are kilobits a second.
   const auto rate = static_cast<double>(kbits_per_second);
   const double most = rate * 1000;
   double there = most;
   std::uint64_t time_ms = 0;
   std::vector<protocol::Keyframe> kept;
-  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+  for (std::size_t i = 0; i < keyframes.size() && !stop.stop_requested(); ++i) {
     protocol::Keyframe keyframe = keyframes[i];
     const std::uint64_t own_ms = keyframe.duration_ms.value_or(keyframe_ms);
     time_ms += own_ms;

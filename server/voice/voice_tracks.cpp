@@ -53,10 +53,6 @@ std::shared_ptr<const protocol::EncodedTrack> VoiceTracks::track_of(const VoiceF
   return track;
 }
 
-bool VoiceTracks::running() const {
-  return jobs_.with([](const Jobs& jobs) { return jobs.encoding; });
-}
-
 bool VoiceTracks::stopped() const {
   return jobs_.with([](const Jobs& jobs) { return jobs.stopped; });
 }
@@ -72,16 +68,13 @@ void VoiceTracks::encode_until_stopped() {
     if (jobs.stopped) return std::nullopt;
     Job job = std::move(jobs.waiting.front());
     jobs.waiting.pop_front();
-    jobs.encoding = true;
     return job;
   };
   while (auto job = jobs_.wait(something, take)) {
     bool more = true;
     for (int i = 0; more && i < kReadsInTurn && !stopped(); ++i) more = encode_some(*job);
-    jobs_.change([&](Jobs& jobs) {
-      jobs.encoding = false;
-      if (more) jobs.waiting.push_back(std::move(*job));
-    });
+    if (!more) continue;
+    jobs_.change([&](Jobs& jobs) { jobs.waiting.push_back(std::move(*job)); });
   }
 }
 

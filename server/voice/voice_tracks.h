@@ -26,7 +26,7 @@ class VoiceTracks {
   /// `on_grown`: a track has grown.
   VoiceTracks(asio::io_context& io, const voice::VoiceSettings& settings,
               std::function<void()> on_grown);
-  /// Waits for what is being read from the disk just now, see running().
+  /// Waits for the piece that is being read from the disk just now.
   ~VoiceTracks();
   VoiceTracks(const VoiceTracks&) = delete;
   VoiceTracks& operator=(const VoiceTracks&) = delete;
@@ -34,9 +34,7 @@ class VoiceTracks {
   /// The voice of a file, which grows from now on. As long as anybody holds it, an equal file gets
   /// the same voice.
   [[nodiscard]] std::shared_ptr<const protocol::EncodedTrack> track_of(const VoiceFile& file);
-  /// Something is being encoded: a disk that hangs would hold up the destructor.
-  [[nodiscard]] bool running() const;
-  /// Nothing more is encoded.
+  /// Nothing more is encoded but the piece of two seconds that is being read.
   void stop();
 
  private:
@@ -48,7 +46,6 @@ class VoiceTracks {
 
   struct Jobs {
     std::deque<Job> waiting;
-    bool encoding = false;  ///< a job is taken out
     bool stopped = false;
   };
 

@@ -23,6 +23,7 @@ constexpr Milliseconds kSoundEvery{10};
 void wait(playback::Playback& playback, std::optional<Instant> next, Instant now, bool sounds) {
   const Duration most = sounds ? kSoundEvery : kSleepMax;
   if (next || playback.over()) {
+    // Not on the source: one that has the next keyframe already would end the wait at once.
     const Duration time = next ? *next - now : most;
     std::this_thread::sleep_for(std::clamp(time, Duration::zero(), most));
   } else {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -324,6 +325,9 @@ TEST(Films, EachFaceOfAPictureHasItsNumberAndTheClearestIsOneOfThem) {
   const auto one = read_film(picture, {});
   ASSERT_TRUE(one.has_value()) << one.error().message;
   EXPECT_EQ(std::count(one->text.begin(), one->text.end(), '\n'), 1 + 1);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(read_film(picture, {}, {}, stop.get_token()));
 }
 
 TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {

@@ -7,6 +7,8 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <stop_token>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/temp_folder.h"
@@ -30,6 +32,15 @@ TEST(ReadFile, NamesFileAndReason) {
   const auto directory = read_file(folder.path());
   ASSERT_FALSE(directory.has_value());
   EXPECT_NE(directory.error().message.find("it is a folder"), std::string::npos);
+}
+
+TEST(ReadFile, AskedToStopItReadsNoFurther) {
+  const test::TempFolder folder;
+  const auto file = folder.write("x", "bytes");
+  std::stop_source stop;
+  EXPECT_TRUE(read_file(file, 100, stop.get_token()));
+  stop.request_stop();
+  EXPECT_FALSE(read_file(file, 100, stop.get_token()));
 }
 
 TEST(ReadFile, RefusesWhatIsTooLong) {

@@ -1,5 +1,7 @@
 #include "server/streams/load_sources.h"
 
+#include <stop_token>
+
 #include <gtest/gtest.h>
 
 #include "server/streams/memory.h"
@@ -118,6 +120,25 @@ TEST(LoadSources, ClassicMinimumDecidesWhatClassicClientsGet) {
   const auto path = folder.write("talk.txt", kTwo);
   EXPECT_EQ(load_sources({path}, {}, {250, 10})->front().stream->classic[0], "{1,12}");
   EXPECT_EQ(load_sources({path}, {}, {250, 81})->front().stream->classic[0], "{0}");
+}
+
+/// Whichever way a source takes; --skip-bad makes no list of what is left.
+TEST(LoadSources, AskedToStopItReadsNothingMore) {
+  const TempFolder folder;
+  const auto talk = folder.write("talk.txt", kTwo);
+  const auto table = folder.write("b.csv", "timestamp,success,AU12_r\n0,1,1\n0.1,1,2\n");
+  SourceOptions resampled;
+  resampled.rate = 10;
+  std::stop_source stop;
+  std::vector<Error> skipped;
+  const auto load = [&](const SourceOptions& options) {
+    return load_sources({talk, table}, options, {}, &skipped, LiveSources::None, stop.get_token());
+  };
+  EXPECT_TRUE(load({}));
+  EXPECT_TRUE(load(resampled));
+  stop.request_stop();
+  EXPECT_FALSE(load({}));
+  EXPECT_FALSE(load(resampled));
 }
 
 TEST(LoadSources, ARateThatMemoryCannotHoldIsRefused) {

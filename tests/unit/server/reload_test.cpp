@@ -1,8 +1,10 @@
 // SIGHUP without a signal or a socket: the test is whoever reads the sources.
 #include "server/serve/reload.h"
 
+#include <future>
 #include <new>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -65,7 +67,7 @@ class ReloadTest : public ::testing::Test {
 };
 
 TEST_F(ReloadTest, WhatWasReadIsServedFromThenOn) {
-  const Reload& reload = make([] { return only("b"); });
+  const Reload& reload = make([](const std::stop_token&) { return only("b"); });
   EXPECT_TRUE(reloaded());
   EXPECT_EQ(served(), "b");
   EXPECT_FALSE(reloaded()) << "the same again";
@@ -74,7 +76,7 @@ TEST_F(ReloadTest, WhatWasReadIsServedFromThenOn) {
 }
 
 TEST_F(ReloadTest, WhatCannotBeReadChangesNothing) {
-  const Reload& reload = make([]() -> Result<Repertoire> {
+  const Reload& reload = make([](const std::stop_token&) -> Result<Repertoire> {
     return Error{ErrorKind::BadData, "b.txt:1:1: broken"};
   });
   EXPECT_FALSE(reloaded());
@@ -83,7 +85,8 @@ TEST_F(ReloadTest, WhatCannotBeReadChangesNothing) {
 }
 
 TEST_F(ReloadTest, TooLittleMemoryChangesNothing) {
-  const Reload& reload = make([]() -> Result<Repertoire> { throw std::bad_alloc(); });
+  const Reload& reload =
+      make([](const std::stop_token&) -> Result<Repertoire> { throw std::bad_alloc(); });
   EXPECT_FALSE(reloaded());
   EXPECT_EQ(served(), "a");
   EXPECT_EQ(reload.failures(), 1U);
@@ -91,7 +94,7 @@ TEST_F(ReloadTest, TooLittleMemoryChangesNothing) {
 
 TEST_F(ReloadTest, WithoutItsFileTheTokenStaysAndTheSourcesAreReadNevertheless) {
   files_.token = folder_.write("token", "0123456789abcdef\n");
-  Reload& reload = make([] { return only("b"); });
+  Reload& reload = make([](const std::stop_token&) { return only("b"); });
   ASSERT_TRUE(reload.read_credentials());
   EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
   std::filesystem::remove(files_.token);
@@ -102,7 +105,7 @@ TEST_F(ReloadTest, WithoutItsFileTheTokenStaysAndTheSourcesAreReadNevertheless) 
 }
 
 TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {
-  Reload& reload = make([] { return only("b"); });
+  Reload& reload = make([](const std::stop_token&) { return only("b"); });
   for (int n = 0; n < 5; ++n) reload.start();
   run();
   EXPECT_EQ(times_done_, 2);
@@ -111,7 +114,7 @@ TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {
 
 TEST_F(ReloadTest, EachOfTwoOrdersCountsWithItsOwnToken) {
   files_.token = folder_.write("token", "0123456789abcdef\n");
-  Reload& reload = make([] { return only("b"); });
+  Reload& reload = make([](const std::stop_token&) { return only("b"); });
   reload.start();
   std::filesystem::remove(files_.token);
   reload.start();
@@ -121,7 +124,7 @@ TEST_F(ReloadTest, EachOfTwoOrdersCountsWithItsOwnToken) {
 }
 
 TEST_F(ReloadTest, WhatIsReadAfterTheEndIsNotTakenOver) {
-  Reload& reload = make([] { return only("b"); });
+  Reload& reload = make([](const std::stop_token&) { return only("b"); });
   reload.start();
   programme_.stop();
   run();
@@ -129,8 +132,25 @@ TEST_F(ReloadTest, WhatIsReadAfterTheEndIsNotTakenOver) {
   EXPECT_EQ(times_done_, 0);
 }
 
+/// Else the test would never end.
+TEST_F(ReloadTest, WhatIsBeingReadAtTheEndIsGivenUp) {
+  std::promise<void> reading;
+  std::future<void> begun = reading.get_future();
+  make([&reading](const std::stop_token& stop) -> Result<Repertoire> {
+    std::promise<void> asked;
+    const std::stop_callback on_stop(stop, [&asked] { asked.set_value(); });
+    reading.set_value();
+    asked.get_future().wait();
+    return Error{ErrorKind::Failed, "given up"};
+  }).start();
+  begun.wait();
+  reload_.reset();
+  io_.poll();
+  EXPECT_EQ(times_done_, 0);
+}
+
 TEST_F(ReloadTest, WhatWasReadOnlyAtItsEndReachesNobody) {
-  make([] { return only("b"); }).start();
+  make([](const std::stop_token&) { return only("b"); }).start();
   reload_.reset();
   EXPECT_GT(io_.poll(), 0U) << "it had been posted";
   EXPECT_EQ(times_done_, 0);

@@ -1,7 +1,10 @@
 #include "common/sources/recording.h"
 
+#include <stop_token>
+
 #include <gtest/gtest.h>
 
+#include "common/sources/source_reader.h"
 #include "protocol/codec.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/sources/tables.h"
@@ -50,6 +53,16 @@ TEST(Recording, TheSourcesClockIsTheClock) {
   const auto recording = read_rows(rows);
   EXPECT_EQ(recording.stream.keyframes.size(), 301U);
   EXPECT_EQ(protocol::media_ms(recording.stream, 250), 10'033U) << "10 s and the first keyframe";
+}
+
+TEST(Recording, AskedToStopItIsNoShorterRecordingButAnError) {
+  std::stop_source stop;
+  const std::string table = kOpenFace2Header + row(1, "0.0") + row(2, "0.1");
+  for (const std::string& text : {table, std::string("Beg_Stream\n1\n6,12\nEnd_Stream\n")}) {
+    EXPECT_TRUE(parse_streams(text, "f", {}, {}));
+    stop.request_stop();
+    EXPECT_FALSE(parse_streams(text, "f", {}, {}, stop.get_token()));
+  }
 }
 
 TEST(Recording, ScaleCanBeAsked) {
