@@ -4,10 +4,11 @@
 #include <utility>
 
 #include "common/check.h"
+#include "common/overloaded.h"
 #include "protocol/codec.h"
 #include "protocol/decoder.h"
+#include "protocol/joining.h"
 #include "protocol/limits.h"
-#include "protocol/secret.h"
 #include "protocol/spare_codes.h"
 #include "protocol/stream_choice.h"
 
@@ -17,15 +18,6 @@ namespace {
 constexpr char kTlsFirstByte = '\x16';  ///< of a client that speaks TLS
 
 using Why = CloseConnection::Why;
-
-/// What is said for want of a token.
-struct TokenWords {
-  const char* none = "a token is needed here (--token-file)";
-  const char* wrong = "this token does not open this server (--token-file)";
-};
-constexpr TokenWords kViewers;
-constexpr TokenWords kPublishers{"a publisher's token is needed here (--accept-push)",
-                                 "this token lets nobody publish here (--accept-push)"};
 
 ServedStream first_of(const ServerCatalogue& catalogue) {
   return catalogue.streams.empty() ? ServedStream{} : catalogue.streams.front();
@@ -59,14 +51,13 @@ struct ServerSession::State {
     Hello,           ///< a '{' came first
     AwaitingStream,  ///< of another server, which has not said yet what it is
     Streaming,
-    WrongToken,  ///< it was shown; the refusal is held back until the deadline
-    Draining,    ///< the last byte is said; reading the peer's last words
+    HeldBack,  ///< the refusal, until the deadline
+    Draining,  ///< the last byte is said; reading the peer's last words
     Closed,
   };
 
   const ServerCatalogue* catalogue = nullptr;
-  TokenCount token_count;
-  Silence silence = Silence::Classic;
+  Joining joining;
   Delivery delivery;
   std::optional<HelloAsked> asked;  ///< nothing: classic
   ClientPacketDecoder decoder;
@@ -75,8 +66,7 @@ struct ServerSession::State {
   Instant now;  ///< of the call that is being worked on
 
   bool peer_ended = false;
-  const char* no_room = nullptr;  ///< why there is none for this client
-  const TokenWords* refused_token = &kViewers;
+  ErrorReply held_back;
   char first_byte = '\0';  ///< that came at all
   SpareCodes spare_codes;
 
@@ -84,9 +74,9 @@ struct ServerSession::State {
   std::size_t early_left = 0;
   std::size_t due = 0;  ///< packets in flight since before the running call
 
-  State(const ServerCatalogue& from, TokenCount count, Instant at)
+  State(const ServerCatalogue& from, const Joining& how, Instant at)
       : catalogue(&from),
-        token_count(count),
+        joining(how),
         delivery(first_of(from), from.loop),
         now(at),
         spare_codes(at) {}
@@ -101,23 +91,17 @@ struct ServerSession::State {
   void close(Why why, std::string reason);
   void say_last(std::string_view bytes, Why why, std::string reason);
   void refuse(int code, const std::string& text);
-  void start_streaming();
-  void take_hello(const HelloAsked& hello);
-  void join();
-  [[nodiscard]] bool choose();
-  void take_publisher(const HelloAsked& hello);
+  void carry_out(Joining::Answer answer);
+  void take_stream(StreamChoice choice);
+  void turn_away(const Joining::Refusal& refusal);
   void await_stream(Milliseconds patience);
   void give_up_stream();
-  void list_streams();
   void read(std::string_view bytes);
   void note_first_byte(std::string_view bytes);
   void handle(const ClientPacket& packet);
   void handle_code(Code code);
   void take_answer();
   [[nodiscard]] bool spend_spare_code();
-  [[nodiscard]] bool permitted(std::string_view token);
-  [[nodiscard]] bool may_show(std::string_view token, const TokenWords& words);
-  void deny(const TokenWords& words);
   void handle_fault(const DecodeError& fault);
   void send_due(void (Delivery::*pump)(std::string&));
   void settle_peer_end();
@@ -158,64 +142,29 @@ void ServerSession::State::refuse(int code, const std::string& text) {
   say_last(encode(ErrorReply{code, text}), Why::Refused, std::to_string(code) + ' ' + text);
 }
 
-void ServerSession::State::start_streaming() {
-  if (delivery.level() == Level::Classic && !permitted({})) return;
-  if (delivery.level() == Level::Classic && silence == Silence::Refused) {
-    refuse(400, "a hello is needed here, as the very first bytes");
-    return;
-  }
-  if (no_room != nullptr) {
-    close(Why::Refused, no_room);
-    return;
-  }
-  if (!asked && !choose()) return;
-  phase = Phase::Streaming;
-  deadline.reset();
-  send_due(&Delivery::pump);
+/// What was decided about a client that wants to be let in, or still wants its stream.
+void ServerSession::State::carry_out(Joining::Answer answer) {
+  std::visit(Overloaded{[this](StreamChoice& choice) { take_stream(std::move(choice)); },
+                        [this](const Joining::Refusal& refusal) { turn_away(refusal); },
+                        [this](HandOver& publisher) {
+                          phase = Phase::Closed;
+                          deadline.reset();
+                          events.emplace_back(std::move(publisher));
+                        },
+                        [this](const StreamList& list) {
+                          say_last(encode(list), Why::Finished,
+                                   "the list of streams was asked for");
+                        }},
+             answer);
 }
 
-void ServerSession::State::take_hello(const HelloAsked& hello) {
-  if (hello.version != kProtocolVersion) {
-    refuse(505, "version " + std::to_string(hello.version) + " is not spoken here, only " +
-                    std::to_string(kProtocolVersion));
+void ServerSession::State::take_stream(StreamChoice choice) {
+  delivery.choose(std::move(choice.stream));
+  if (choice.state == StreamChoice::State::NotYet) {
+    await_stream(choice.patience);
     return;
   }
-  // Before anything else is told: what is served here is no stranger's business.
-  if (hello.publish.empty() && !permitted(hello.token)) return;
-  asked = hello;
-  if (hello.publish.empty()) {
-    join();
-  } else {
-    take_publisher(hello);
-  }
-}
-
-/// A page has no stream to bring; what comes from there is another site's.
-void ServerSession::State::take_publisher(const HelloAsked& hello) {
-  using Verdict = Publishers::Verdict;
-  if (!catalogue->publishers || silence == Silence::Refused) {
-    refuse(403, "streams are not taken here (--accept-push)");
-    return;
-  }
-  if (!may_show(hello.token, kPublishers)) return;
-  const Verdict verdict = catalogue->publishers->verdict(hello.token, hello.publish);
-  if (verdict == Verdict::Unknown) {
-    deny(kPublishers);
-  } else if (verdict == Verdict::OtherNames) {
-    refuse(403, "this token is not for the stream '" + hello.publish + "'");
-  } else if (const auto refusal = catalogue->publish_refused(hello)) {
-    refuse(refusal->code, refusal->text);
-  } else {
-    phase = Phase::Closed;
-    deadline.reset();
-    events.emplace_back(HandOver{hello});
-  }
-}
-
-/// What can be done now for who is let in.
-void ServerSession::State::join() {
   if (asked) {
-    if (!choose()) return;
     const ServedStream& stream = delivery.stream();
     const std::uint32_t keyframe_ms =
         stream.upstream() != nullptr ? stream.upstream()->keyframe_ms : catalogue->keyframe_ms;
@@ -223,23 +172,21 @@ void ServerSession::State::join() {
     granted.servers = servers_told(*catalogue, stream, *asked);
     send(encode(granted));
   }
-  start_streaming();
+  phase = Phase::Streaming;
+  deadline.reset();
+  send_due(&Delivery::pump);
 }
 
-/// Takes the stream that is asked for, if it is here now; else refuses, or waits.
-bool ServerSession::State::choose() {
-  StreamChoice choice = choose_stream(*catalogue, asked);
-  if (choice.state == StreamChoice::State::Refused) {
-    refuse(choice.refusal.code, choice.refusal.text);
-    return false;
+void ServerSession::State::turn_away(const Joining::Refusal& refusal) {
+  if (refusal.silent) {
+    close(Why::Refused, refusal.reply.text);
+  } else if (refusal.after > Duration::zero()) {
+    held_back = refusal.reply;
+    phase = Phase::HeldBack;
+    deadline = now + refusal.after;
+  } else {
+    refuse(refusal.reply.code, refusal.reply.text);
   }
-  if (no_room != nullptr) {
-    refuse(503, no_room);
-    return false;
-  }
-  delivery.choose(std::move(choice.stream));
-  if (choice.state == StreamChoice::State::NotYet) await_stream(choice.patience);
-  return choice.state == StreamChoice::State::Ready;
 }
 
 void ServerSession::State::await_stream(Milliseconds patience) {
@@ -257,45 +204,10 @@ void ServerSession::State::give_up_stream() {
   }
 }
 
-/// Whether the token opens this server; refuses if not, and makes who guesses wait.
-bool ServerSession::State::permitted(std::string_view token) {
-  if (catalogue->token.empty()) return true;
-  if (!may_show(token, kViewers)) return false;
-  if (same_secret(token, catalogue->token)) return true;
-  deny(kViewers);
-  return false;
-}
-
-/// Whether it is to be compared at all; refuses if not.
-bool ServerSession::State::may_show(std::string_view token, const TokenWords& words) {
-  if (token.empty()) {
-    refuse(401, words.none);
-  } else if (!token_count.may_try(now)) {
-    // Whether this one is right must not show.
-    refuse(503, "too many wrong tokens from this address");
-  } else {
-    return true;
-  }
-  return false;
-}
-
-void ServerSession::State::deny(const TokenWords& words) {
-  refused_token = &words;
-  phase = Phase::WrongToken;
-  deadline = now + kWrongTokenWait;
-  token_count.add_wrong(now);
-}
-
-void ServerSession::State::list_streams() {
-  StreamList list;
-  for (const ServedStream& served : catalogue->streams) list.names.push_back(served.known_name());
-  say_last(encode(list), Why::Finished, "the list of streams was asked for");
-}
-
 void ServerSession::State::read(std::string_view bytes) {
   if (!bytes.empty() && first_byte == '\0') first_byte = bytes.front();
   const auto listens = [this] {
-    return phase != Phase::WrongToken && phase != Phase::Draining && phase != Phase::Closed;
+    return phase != Phase::HeldBack && phase != Phase::Draining && phase != Phase::Closed;
   };
   while (!bytes.empty() && listens()) {
     note_first_byte(bytes);
@@ -321,7 +233,7 @@ void ServerSession::State::note_first_byte(std::string_view bytes) {
 
 void ServerSession::State::handle(const ClientPacket& packet) {
   if (const auto* code = std::get_if<Code>(&packet)) {
-    if (phase == Phase::Grace && *code != Code::Stop) start_streaming();
+    if (phase == Phase::Grace && *code != Code::Stop) carry_out(joining.classic(now));
     const bool heard =
         phase == Phase::Grace || phase == Phase::Streaming || phase == Phase::AwaitingStream;
     if (heard) handle_code(*code);
@@ -330,9 +242,10 @@ void ServerSession::State::handle(const ClientPacket& packet) {
   // After the grace the connection is classic already and stays so.
   if (phase != Phase::Hello) return;
   if (const auto* hello = std::get_if<HelloAsked>(&packet)) {
-    take_hello(*hello);
-  } else if (permitted(std::get<StreamsAsked>(packet).token)) {
-    list_streams();
+    asked = *hello;
+    carry_out(joining.hello(*hello, now));
+  } else {
+    carry_out(joining.list(std::get<StreamsAsked>(packet), now));
   }
 }
 
@@ -412,7 +325,7 @@ void ServerSession::State::settle_peer_end() {
   if (!peer_ended) return;
   switch (phase) {
     case Phase::Grace:
-      start_streaming();
+      carry_out(joining.classic(now));
       break;
     case Phase::Hello:
       close(Why::PeerGone, "the client ended within its hello");
@@ -433,10 +346,8 @@ void ServerSession::State::settle_peer_end() {
 ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
                              Admission admission, TokenCount token_count, Silence silence)
     : state_((AUCAST_CHECK(!catalogue.streams.empty() || catalogue.patience),
-              std::make_unique<State>(catalogue, token_count, now))) {
-  state_->silence = silence;
-  if (admission == Admission::Full) state_->no_room = "the server is full";
-  if (admission == Admission::FullAddress) state_->no_room = "too many clients from this address";
+              std::make_unique<State>(catalogue,
+                                      Joining(catalogue, admission, token_count, silence), now))) {
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
   // Where nobody is served without a hello it may take its time.
   const bool hello_needed = silence == Silence::Refused || !catalogue.token.empty();
@@ -476,7 +387,7 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
   if (!state_->deadline || now < *state_->deadline) return {};
   switch (state_->phase) {
     case State::Phase::Grace:
-      state_->start_streaming();
+      state_->carry_out(state_->joining.classic(now));
       break;
     case State::Phase::Hello:
       state_->refuse(400, "the hello was not complete within " +
@@ -485,8 +396,8 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
     case State::Phase::AwaitingStream:
       state_->give_up_stream();
       break;
-    case State::Phase::WrongToken:
-      state_->refuse(401, state_->refused_token->wrong);
+    case State::Phase::HeldBack:
+      state_->refuse(state_->held_back.code, state_->held_back.text);
       break;
     case State::Phase::Draining:
       state_->close(state_->farewell.why, state_->farewell.reason);
@@ -504,7 +415,7 @@ std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   if (!live() && !awaits && !grows) return {};
   state_->begin_call(now);
   if (awaits) {
-    state_->join();
+    state_->carry_out(state_->joining.stream_of(state_->asked));
   } else {
     state_->send_due(live() ? &Delivery::pump_latest : &Delivery::pump);
   }
