@@ -1,0 +1,167 @@
+#include "server/live/file_reader.h"
+
+#include <fcntl.h>
+#include <sys/inotify.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <utility>
+
+#include <asio/post.hpp>
+
+namespace aucast::server {
+namespace {
+
+constexpr std::size_t kFileChunkBytes = 16384;
+/// A file is looked at so often even if nobody says that it changed: not every file system does.
+constexpr std::chrono::milliseconds kLookEvery{100};
+/// So many bytes before the present place are compared to see whether a file was rewritten.
+constexpr std::size_t kTailBytes = 256;
+
+}  // namespace
+
+FileReader::FileReader(asio::io_context& io, std::filesystem::path path, int descriptor,
+                       bool follow, const Events& events)
+    : io_(io),
+      path_(std::move(path)),
+      file_(descriptor),
+      follow_(follow),
+      events_(events),
+      notify_(io),
+      timer_(io),
+      chunk_(kFileChunkBytes) {}
+
+FileReader::~FileReader() {
+  *alive_ = false;
+  ::close(file_);
+}
+
+void FileReader::start() {
+  watch();
+  await();
+}
+
+void FileReader::watch() {
+  if (!follow_ || is_stdin()) return;
+  const int descriptor = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  if (descriptor < 0) return;
+  std::error_code error;
+  notify_.assign(descriptor, error);
+  if (error) {
+    ::close(descriptor);
+  } else {
+    ::inotify_add_watch(descriptor, path_.c_str(), IN_MODIFY);
+  }
+}
+
+void FileReader::hold(bool held) {
+  if (std::exchange(held_, held) && !held) await();
+}
+
+void FileReader::stop() {
+  stopped_ = true;
+  std::error_code ignored;
+  notify_.close(ignored);
+  timer_.cancel();
+}
+
+/// Goes on reading when there may be something.
+void FileReader::await() {
+  if (held_ || stopped_ || waiting_) return;
+  waiting_ = true;
+  asio::post(io_, [this, alive = alive_] {
+    if (!*alive) return;
+    waiting_ = false;
+    if (!stopped_) read();
+  });
+}
+
+void FileReader::pass_on(std::string_view bytes) {
+  position_ += static_cast<std::int64_t>(bytes.size());
+  tail_ += bytes.substr(bytes.size() - std::min(bytes.size(), kTailBytes));
+  if (tail_.size() > kTailBytes) tail_.erase(0, tail_.size() - kTailBytes);
+  events_.on_bytes(bytes);
+}
+
+void FileReader::read() {
+  if (held_) return;
+  // What changes from here on is noticed again.
+  while (notify_.is_open() && ::read(notify_.native_handle(), chunk_.data(), chunk_.size()) > 0) {
+  }
+  if (const std::string why = follow_ ? changed() : ""; !why.empty()) begin_anew(why);
+  // stdin has its own place, which whoever gave it to us may have chosen.
+  const ssize_t got = is_stdin() ? ::read(file_, chunk_.data(), chunk_.size())
+                                 : ::pread(file_, chunk_.data(), chunk_.size(), position_);
+  if (got < 0) events_.on_failure(unreadable_now(path_));
+  if (got > 0) {
+    pass_on({chunk_.data(), static_cast<std::size_t>(got)});
+    await();
+  } else if (!follow_) {
+    stopped_ = true;
+    events_.on_end();
+  } else {
+    events_.on_caught_up();
+    look_again();
+  }
+}
+
+/// Waits until the file is changed, or for a moment.
+void FileReader::look_again() {
+  if (stopped_ || waiting_) return;
+  waiting_ = true;
+  const auto look = [this, alive = alive_](const std::error_code& error) {
+    if (*alive) on_look(error);
+  };
+  timer_.expires_after(kLookEvery);
+  timer_.async_wait(look);
+  if (!notify_.is_open()) return;
+  notify_.async_wait(asio::posix::stream_descriptor::wait_read, look);
+}
+
+void FileReader::on_look(const std::error_code& error) {
+  if (error == asio::error::operation_aborted || stopped_ || !waiting_) return;
+  waiting_ = false;
+  timer_.cancel();
+  std::error_code ignored;
+  if (notify_.is_open()) notify_.cancel(ignored);
+  read();
+}
+
+bool FileReader::replaced() const {
+  struct stat ours {};
+  struct stat there {};
+  if (is_stdin() || ::stat(path_.c_str(), &there) != 0 || ::fstat(file_, &ours) != 0) {
+    return false;
+  }
+  return ours.st_ino != there.st_ino || ours.st_dev != there.st_dev;
+}
+
+/// Why the file must be read anew; empty: it only grew.
+std::string FileReader::changed() const {
+  if (replaced()) return "it was replaced";
+  std::string now(tail_.size(), '\0');
+  const auto begin = position_ - static_cast<std::int64_t>(tail_.size());
+  const ssize_t got = ::pread(file_, now.data(), now.size(), begin);
+  if (got < 0) return "";  // to read on will not do either, and that is said
+  if (got < static_cast<ssize_t>(tail_.size())) return "it got shorter";
+  return now == tail_ ? "" : "it was rewritten";
+}
+
+void FileReader::begin_anew(const std::string& why) {
+  if (replaced()) {
+    const int descriptor = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return;
+    ::close(std::exchange(file_, descriptor));
+    if (notify_.is_open()) {
+      ::inotify_add_watch(notify_.native_handle(), path_.c_str(), IN_MODIFY);
+    }
+  }
+  position_ = 0;
+  tail_.clear();
+  events_.on_anew(why);
+}
+
+}  // namespace aucast::server

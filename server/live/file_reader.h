@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/posix/stream_descriptor.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "server/live/input_reader.h"
+
+namespace aucast::server {
+
+/// Reads a regular file, or whatever else the kernel says nothing of, to its end, or beyond: then
+/// it is read on as it grows, and anew when it got shorter, was replaced or was changed where it
+/// had been read.
+class FileReader final : public InputReader {
+ public:
+  /// `path`: by which the file is found again; "-" for stdin, which is read from its own place and
+  /// never found again. `follow`: it may grow. `events` must outlive it.
+  FileReader(asio::io_context& io, std::filesystem::path path, int descriptor, bool follow,
+             const Events& events);
+  ~FileReader() override;
+
+  /// Has the kernel tell of changes, as far as it can.
+  void start() override;
+  void hold(bool held) override;
+  void stop() override;
+  [[nodiscard]] bool has_past() const override { return true; }
+
+ private:
+  [[nodiscard]] bool is_stdin() const { return path_ == "-"; }
+  void watch();
+  void await();
+  void read();
+  void look_again();
+  void on_look(const std::error_code& error);
+  [[nodiscard]] bool replaced() const;
+  [[nodiscard]] std::string changed() const;
+  void begin_anew(const std::string& why);
+  void pass_on(std::string_view bytes);
+
+  asio::io_context& io_;
+  std::filesystem::path path_;
+  int file_;
+  bool follow_;
+  const Events& events_;
+  asio::posix::stream_descriptor notify_;  ///< inotify
+  asio::steady_timer timer_;
+  std::int64_t position_ = 0;
+  std::string tail_;  ///< the last bytes that were read, to see whether they changed
+  std::vector<char> chunk_;
+  bool held_ = false;
+  bool stopped_ = false;  ///< or ended
+  bool waiting_ = false;
+  /// Cleared on destruction; handlers that still come see it.
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cerrno>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "common/result.h"
+#include "common/text.h"
+
+namespace aucast::server {
+
+/// The error of the system call on the input at `path` that has just failed.
+[[nodiscard]] inline Error unreadable_now(const std::filesystem::path& path) {
+  return {ErrorKind::Unreadable,
+          at_place(path.string(), "cannot be read: " + system_reason(errno))};
+}
+
+/// What reads an open descriptor on the event loop and owns it: a PipeReader or a FileReader.
+/// Thread: that of the loop.
+class InputReader {
+ public:
+  /// What the owner is told. They may stop or hold the reader; on_end may destroy it.
+  struct Events {
+    std::function<void(std::string_view)> on_bytes;
+    std::function<void(Error)> on_failure;  ///< a read failed
+    std::function<void()> on_end;           ///< nothing more comes from this descriptor
+    std::function<void()> on_caught_up;     ///< a growing file was read to its present end
+    std::function<void(const std::string& why)> on_anew;  ///< what follows begins at the beginning
+  };
+
+  InputReader() = default;
+  virtual ~InputReader() = default;
+  InputReader(const InputReader&) = delete;
+  InputReader& operator=(const InputReader&) = delete;
+
+  /// Begins to read.
+  virtual void start() = 0;
+  /// Nothing is read for now, or again.
+  virtual void hold(bool held) = 0;
+  /// Nothing is read any more, and no event comes.
+  virtual void stop() = 0;
+  /// What is read may have been written before it was opened.
+  [[nodiscard]] virtual bool has_past() const = 0;
+};
+
+}  // namespace aucast::server

@@ -1,0 +1,74 @@
+#include "server/live/pipe_reader.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace aucast::server {
+namespace {
+
+constexpr std::size_t kPipeChunkBytes = 16384;
+
+}  // namespace
+
+std::optional<asio::posix::stream_descriptor> PipeReader::take(asio::io_context& io,
+                                                               int descriptor) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) return std::nullopt;
+  const bool tells =
+      S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || ::isatty(descriptor) != 0;
+  if (!tells) return std::nullopt;
+  asio::posix::stream_descriptor pipe(io);
+  std::error_code error;
+  pipe.assign(descriptor, error);
+  if (error) return std::nullopt;
+  return pipe;
+}
+
+PipeReader::PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::path path,
+                       const Events& events)
+    : pipe_(std::move(pipe)), path_(std::move(path)), events_(events), chunk_(kPipeChunkBytes) {}
+
+PipeReader::~PipeReader() {
+  *alive_ = false;
+}
+
+void PipeReader::hold(bool held) {
+  if (std::exchange(held_, held) && !held) await();
+}
+
+void PipeReader::stop() {
+  stopped_ = true;
+  std::error_code ignored;
+  pipe_.close(ignored);
+}
+
+void PipeReader::await() {
+  if (held_ || stopped_ || waiting_) return;
+  waiting_ = true;
+  pipe_.async_wait(asio::posix::stream_descriptor::wait_read,
+                   [this, alive = alive_](const std::error_code& error) {
+                     if (!*alive || stopped_) return;
+                     waiting_ = false;
+                     if (!error) read();
+                   });
+}
+
+void PipeReader::read() {
+  const ssize_t got = ::read(pipe_.native_handle(), chunk_.data(), chunk_.size());
+  if (got > 0) {
+    events_.on_bytes({chunk_.data(), static_cast<std::size_t>(got)});
+  } else if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
+    if (got < 0) events_.on_failure(unreadable_now(path_));
+    events_.on_end();
+    return;
+  }
+  await();
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/posix/stream_descriptor.hpp>
+
+#include "server/live/input_reader.h"
+
+namespace aucast::server {
+
+/// Reads what the kernel tells of when there is more: a pipe, a FIFO, a socket or a terminal, until
+/// its writer has gone.
+class PipeReader final : public InputReader {
+ public:
+  /// Takes the descriptor if the kernel tells when there is more to read; nothing otherwise: files
+  /// and some devices have to be looked at by the clock.
+  [[nodiscard]] static std::optional<asio::posix::stream_descriptor> take(asio::io_context& io,
+                                                                          int descriptor);
+
+  /// `path`: for messages. `events` must outlive it.
+  PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::path path, const Events& events);
+  ~PipeReader() override;
+
+  void start() override { await(); }
+  void hold(bool held) override;
+  void stop() override;
+  [[nodiscard]] bool has_past() const override { return false; }
+
+ private:
+  void await();
+  void read();
+
+  asio::posix::stream_descriptor pipe_;
+  std::filesystem::path path_;
+  const Events& events_;
+  std::vector<char> chunk_;
+  bool held_ = false;
+  bool stopped_ = false;
+  bool waiting_ = false;
+  /// Cleared on destruction; handlers that still come see it.
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+};
+
+}  // namespace aucast::server

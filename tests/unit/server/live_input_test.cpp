@@ -1,0 +1,213 @@
+// Real pipes and files, read by themselves.
+#include "server/live/live_input.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <asio/executor_work_guard.hpp>
+
+#include "common/log.h"
+#include "tests/support/run_until.h"
+#include "tests/support/temp_folder.h"
+
+namespace aucast::server {
+namespace {
+
+class LiveInputTest : public ::testing::Test {
+ protected:
+  LiveInputTest() { spdlog::set_level(spdlog::level::off); }
+  ~LiveInputTest() override { spdlog::set_level(level_before_); }
+
+  LiveInput& make(const std::filesystem::path& path, bool follow, LiveInput::Opener open = {}) {
+    return input_.emplace(
+        io_, path, follow,
+        LiveInput::Events{[this](std::string_view bytes) { came_ += bytes; },
+                          [this] { ++times_caught_up_; }, [this] { ++times_ended_; },
+                          [this](const std::string& why) {
+                            anew_.push_back(why);
+                            came_.clear();
+                          }},
+        std::move(open));
+  }
+  std::filesystem::path fifo() {
+    const auto path = folder_.path() / "fifo";
+    EXPECT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    return path;
+  }
+  /// Runs until exactly these bytes have come, since the input last began anew.
+  [[nodiscard]] bool comes(std::string_view bytes) {
+    return test::run_until(io_, [&] { return came_ == bytes; });
+  }
+  /// Until a growing file was read to its end once more.
+  [[nodiscard]] bool catches_up() {
+    const int before = times_caught_up_;
+    return test::run_until(io_, [&] { return times_caught_up_ > before; });
+  }
+
+  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  test::TempFolder folder_;
+  asio::io_context io_;
+  /// While nothing is read the loop would have nothing to do, and stop.
+  const asio::executor_work_guard<asio::io_context::executor_type> work_ =
+      asio::make_work_guard(io_);
+  std::string came_;
+  std::vector<std::string> anew_;
+  int times_caught_up_ = 0;
+  int times_ended_ = 0;
+  std::optional<LiveInput> input_;
+};
+
+class Writer {
+ public:
+  explicit Writer(const std::filesystem::path& fifo)
+      : descriptor_(::open(fifo.c_str(), O_WRONLY | O_NONBLOCK)) {
+    EXPECT_GE(descriptor_, 0);
+  }
+  ~Writer() { ::close(descriptor_); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  void say(std::string_view bytes) const {
+    EXPECT_EQ(::write(descriptor_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+  }
+
+ private:
+  int descriptor_;
+};
+
+TEST_F(LiveInputTest, AFifoWaitsForItsNextWriter) {
+  const auto path = fifo();
+  LiveInput& input = make(path, false);
+  ASSERT_TRUE(input.start());
+  EXPECT_FALSE(input.has_past());
+  for (const int number : {1, 2, 3}) {
+    Writer(path).say("x");
+    EXPECT_TRUE(test::run_until(io_, [&] { return times_ended_ == number; }));
+    EXPECT_FALSE(input.ended());
+  }
+  EXPECT_EQ(came_, "xxx");
+}
+
+TEST_F(LiveInputTest, AFifoThatIsGoneHasEndedWhenItsWriterHas) {
+  const auto path = fifo();
+  LiveInput& input = make(path, false);
+  ASSERT_TRUE(input.start());
+  {
+    const Writer writer(path);
+    std::filesystem::remove(path);
+    writer.say("last");
+  }
+  EXPECT_TRUE(test::run_until(io_, [&] { return input.ended(); }));
+  EXPECT_EQ(came_, "last");
+  EXPECT_TRUE(input.failure());
+  EXPECT_EQ(times_ended_, 1);
+}
+
+TEST_F(LiveInputTest, WhatWasOpenedForItEndsOnce) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+  LiveInput& input = make("camera", true, [&ends]() -> Result<int> { return ends[0]; });
+  ASSERT_TRUE(input.start());
+  ASSERT_EQ(::write(ends[1], "row", 3), 3);
+  ::close(ends[1]);
+  EXPECT_TRUE(test::run_until(io_, [&] { return input.ended(); }));
+  EXPECT_EQ(came_, "row");
+  EXPECT_EQ(times_ended_, 1);
+  EXPECT_FALSE(input.failure());
+}
+
+TEST_F(LiveInputTest, WhileItIsHeldNothingIsRead) {
+  const auto path = fifo();
+  LiveInput& input = make(path, false);
+  input.hold(true);
+  ASSERT_TRUE(input.start());
+  const Writer writer(path);
+  writer.say("a");
+  io_.poll();
+  EXPECT_EQ(came_, "");
+  input.hold(false);
+  EXPECT_TRUE(comes("a"));
+}
+
+TEST_F(LiveInputTest, WhatStoppedReadsNothingMore) {
+  const auto path = fifo();
+  LiveInput& input = make(path, false);
+  ASSERT_TRUE(input.start());
+  Writer(path).say("a");
+  input.stop();
+  io_.poll();
+  EXPECT_EQ(came_, "");
+  EXPECT_EQ(times_ended_, 0);
+}
+
+TEST_F(LiveInputTest, AFileThatIsNotFollowedEnds) {
+  LiveInput& input = make(folder_.write("a.txt", "all"), false);
+  ASSERT_TRUE(input.start());
+  EXPECT_TRUE(input.has_past());
+  EXPECT_TRUE(test::run_until(io_, [&] { return input.ended(); }));
+  EXPECT_EQ(came_, "all");
+  EXPECT_EQ(times_ended_, 1);
+  EXPECT_EQ(times_caught_up_, 0);
+}
+
+TEST_F(LiveInputTest, AFollowedFileIsReadOnAsItGrows) {
+  const auto path = folder_.write("a.txt", "one ");
+  LiveInput& input = make(path, true);
+  ASSERT_TRUE(input.start());
+  EXPECT_TRUE(comes("one "));
+  EXPECT_TRUE(catches_up());
+  std::ofstream(path, std::ios::app) << "two";
+  EXPECT_TRUE(comes("one two"));
+  EXPECT_TRUE(anew_.empty());
+  EXPECT_FALSE(input.ended());
+}
+
+TEST_F(LiveInputTest, AFollowedFileThatDidNotJustGrowIsReadAnew) {
+  const auto path = folder_.write("a.txt", "first");
+  ASSERT_TRUE(make(path, true).start());
+  EXPECT_TRUE(comes("first"));
+  folder_.write("a.txt", "2nd");
+  EXPECT_TRUE(comes("2nd"));
+  folder_.write("a.txt", "3rd");
+  EXPECT_TRUE(comes("3rd"));
+  std::filesystem::rename(folder_.write("b.txt", "3rd and on"), path);
+  EXPECT_TRUE(comes("3rd and on"));
+  EXPECT_EQ(anew_,
+            (std::vector<std::string>{"it got shorter", "it was rewritten", "it was replaced"}));
+  std::ofstream(path, std::ios::app) << ", grown";
+  EXPECT_TRUE(comes("3rd and on, grown")) << "the new one is followed";
+}
+
+TEST_F(LiveInputTest, AFollowedFileMayBeHeldWhileItGrows) {
+  const auto path = folder_.write("a.txt", "one ");
+  LiveInput& input = make(path, true);
+  ASSERT_TRUE(input.start());
+  EXPECT_TRUE(comes("one "));
+  EXPECT_TRUE(catches_up());
+  input.hold(true);
+  std::ofstream(path, std::ios::app) << "two";
+  io_.run_for(std::chrono::milliseconds(1));
+  input.hold(false);
+  EXPECT_TRUE(comes("one two"));
+}
+
+TEST_F(LiveInputTest, WhatIsGoneWithHandlersOnTheirWayHearsNothing) {
+  ASSERT_TRUE(make(folder_.write("a.txt", "one"), true).start());
+  input_.reset();
+  io_.poll();
+  EXPECT_EQ(came_, "");
+}
+
+}  // namespace
+}  // namespace aucast::server
