@@ -2,12 +2,10 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <stop_token>
 #include <utility>
 
@@ -19,19 +17,18 @@
 #include "common/result.h"
 #include "common/standard_output.h"
 #include "common/text.h"
-#include "protocol/codec.h"
-#include "protocol/limits.h"
 #include "server/manual_page.h"
-#include "server/serve/credentials.h"
+#include "server/serve/push_checks.h"
 #include "server/serve/transmitter.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/stats.h"
 #include "server/streams/check_report.h"
 #include "server/streams/convert_command.h"
 #include "server/streams/estimate.h"
+#include "server/streams/load_repertoire.h"
+#include "server/streams/measured_profile.h"
 #include "server/streams/repertoire.h"
 #include "server/streams/source_checks.h"
-#include "server/upstream/dialled_address.h"
 
 namespace aucast::server {
 namespace {
@@ -44,72 +41,13 @@ int report(const Error& error) {
   return exit_code(error);
 }
 
-/// Those that are live when they are served; --check reads all of them whole.
-LiveSources live_sources(const TransmitterOptions& options) {
-  if (options.check || options.estimate) return LiveSources::None;
-  return options.live_source.follow ? LiveSources::Files : LiveSources::Streams;
-}
-
-EncodingOptions encoding_of(const TransmitterOptions& options) {
-  return {options.keyframe_ms, options.classic_min,
-          options.max_kbits,   options.check && !options.estimate,
-          options.voice,       options.live && !options.check && !options.estimate};
-}
-
-/// The sources; what --skip-bad leaves out is said.
-Result<std::vector<Source>> load(const TransmitterOptions& options,
-                                 const std::stop_token& stop = {}) {
-  std::vector<Error> skipped;
-  auto sources = load_sources(options.sources, options.source, encoding_of(options),
-                              options.skip_bad ? &skipped : nullptr, live_sources(options), stop);
-  for (const Error& error : skipped) {
-    std::istringstream lines(error.message);
-    for (std::string line; std::getline(lines, line);) spdlog::warn("left out: {}", line);
-  }
-  return sources;
-}
-
-/// Writes the profile that was asked for, unless it waits for a live source's neutral face.
-Result<void> save_profile_of(const SignalOptions& options, const std::vector<Source>& sources) {
-  if (options.save_profile.empty()) return {};
-  if (!measures_neutral(options)) return save_profile(options, std::nullopt);
-  const auto is_measured = [](const Source& source) { return source.found || source.live; };
-  const auto measured = std::find_if(sources.begin(), sources.end(), is_measured);
-  const auto count = std::count_if(sources.begin(), sources.end(), is_measured);
-  if (count != 1) {
-    return usage_error(
-        "--save-profile with --neutral takes one source of a recogniser, and there are " +
-        std::to_string(count));
-  }
-  if (measured->live) return {};
-  return save_profile(options, measured->found->neutral);
-}
-
-/// What is said of the streams that are brought, from here or to here.
-Result<std::string> check_pushes(const TransmitterOptions& options) {
-  const PushSettings& push = options.push;
-  for (const std::string& address : push.addresses) {
-    const auto to = dialled_address(address, {push.token, push.tls, "--push-tls"});
-    if (!to) return to.error();
-  }
-  if (options.credentials.publishers.empty()) return std::string();
-  const auto credentials = load_credentials(options.credentials);
-  if (!credentials) return credentials.error();
-  const auto& all = credentials->publishers->all();
-  const auto any = std::count_if(all.begin(), all.end(),
-                                 [](const auto& publisher) { return publisher.names.empty(); });
-  return at_place(
-      options.credentials.publishers.string(),
-      counted(all.size(), "publisher") + ", " + std::to_string(any) + " of them for any stream\n");
-}
-
 int check(const TransmitterOptions& options) {
   const auto pushes = check_pushes(options);
   if (!pushes) return report(pushes.error());
   if (const auto printed = print_now(*pushes); !printed) return report(printed.error());
-  const auto sources = load(options);
+  const auto sources = load_asked(options);
   if (!sources) return report(sources.error());
-  if (const auto saved = save_profile_of(options.source.signal, *sources); !saved) {
+  if (const auto saved = save_measured_profile(options.source.signal, *sources); !saved) {
     return report(saved.error());
   }
   for (const Source& source : *sources) {
@@ -126,42 +64,6 @@ int check(const TransmitterOptions& options) {
     if (!printed) return report(printed.error());
   }
   return 0;
-}
-
-/// What was decided about a recording is said aloud: a wrong scale looks like a weak face.
-void say_what_was_found(const std::vector<Source>& sources) {
-  for (const Source& source : sources) {
-    if (source.found) {
-      spdlog::info("{}: {}", source.path.string(), sources::found_sentence(*source.found));
-    }
-  }
-}
-
-/// What the options ask to be served, read and encoded now.
-Result<Repertoire> load_repertoire(const TransmitterOptions& options,
-                                   const std::stop_token& stop = {}) {
-  const auto sources = load(options, stop);
-  if (!sources) return sources.error();
-  auto repertoire = make_repertoire(*sources, options.keyframe_ms, options.loop);
-  if (options.live) {
-    if (auto can = check_live(repertoire.catalogue); !can) return can.error();
-  }
-  say_what_was_found(*sources);
-  if (auto saved = save_profile_of(options.source.signal, *sources); !saved) return saved.error();
-  protocol::StreamList list;
-  for (const Source& source : *sources) {
-    if (!source.name.empty()) list.names.push_back(source.name);
-  }
-  // Each name that there is room for comes after a blank.
-  const std::string packet = protocol::encode(list);
-  const auto listed = static_cast<std::size_t>(std::count(packet.begin(), packet.end(), ' '));
-  if (listed < list.names.size()) {
-    spdlog::warn(
-        "the list of {} streams is cut after '{}', for it is one packet: --list shows {}, "
-        "--stream plays the others too",
-        list.names.size(), list.names[listed - 1], listed);
-  }
-  return repertoire;
 }
 
 /// Until the process is gone no signal that it knows does what the system would do, which is to end

@@ -1,0 +1,88 @@
+#include "server/streams/load_repertoire.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "common/log.h"
+#include "protocol/codec.h"
+#include "server/streams/measured_profile.h"
+
+namespace aucast::server {
+namespace {
+
+/// Those that are live when they are served; --check reads all of them whole.
+LiveSources live_sources(const TransmitterOptions& options) {
+  if (options.check || options.estimate) return LiveSources::None;
+  return options.live_source.follow ? LiveSources::Files : LiveSources::Streams;
+}
+
+EncodingOptions encoding_of(const TransmitterOptions& options) {
+  return {options.keyframe_ms, options.classic_min,
+          options.max_kbits,   options.check && !options.estimate,
+          options.voice,       options.live && !options.check && !options.estimate};
+}
+
+protocol::StreamList names_of(const std::vector<Source>& sources) {
+  protocol::StreamList list;
+  for (const Source& source : sources) {
+    if (!source.name.empty()) list.names.push_back(source.name);
+  }
+  return list;
+}
+
+void say_what_was_found(const std::vector<Source>& sources) {
+  for (const Source& source : sources) {
+    if (source.found) {
+      spdlog::info("{}: {}", source.path.string(), sources::found_sentence(*source.found));
+    }
+  }
+}
+
+void warn_of_cut_list(const std::vector<Source>& sources) {
+  const protocol::StreamList list = names_of(sources);
+  const std::size_t shown = listed(sources);
+  if (shown == list.names.size()) return;
+  spdlog::warn(
+      "the list of {} streams is cut after '{}', for it is one packet: --list shows {}, "
+      "--stream plays the others too",
+      list.names.size(), list.names[shown - 1], shown);
+}
+
+}  // namespace
+
+Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
+                                       const std::stop_token& stop) {
+  std::vector<Error> skipped;
+  auto sources = load_sources(options.sources, options.source, encoding_of(options),
+                              options.skip_bad ? &skipped : nullptr, live_sources(options), stop);
+  for (const Error& error : skipped) {
+    std::istringstream lines(error.message);
+    for (std::string line; std::getline(lines, line);) spdlog::warn("left out: {}", line);
+  }
+  return sources;
+}
+
+Result<Repertoire> load_repertoire(const TransmitterOptions& options, const std::stop_token& stop) {
+  const auto sources = load_asked(options, stop);
+  if (!sources) return sources.error();
+  auto repertoire = make_repertoire(*sources, options.keyframe_ms, options.loop);
+  if (options.live) {
+    if (auto can = check_live(repertoire.catalogue); !can) return can.error();
+  }
+  say_what_was_found(*sources);
+  if (auto saved = save_measured_profile(options.source.signal, *sources); !saved) {
+    return saved.error();
+  }
+  warn_of_cut_list(*sources);
+  return repertoire;
+}
+
+std::size_t listed(const std::vector<Source>& sources) {
+  // Each name that there is room for comes after a blank.
+  const std::string packet = protocol::encode(names_of(sources));
+  return static_cast<std::size_t>(std::count(packet.begin(), packet.end(), ' '));
+}
+
+}  // namespace aucast::server

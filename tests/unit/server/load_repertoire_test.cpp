@@ -1,0 +1,92 @@
+#include "server/streams/load_repertoire.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/log.h"
+#include "tests/support/temp_folder.h"
+#include "tests/unit/sources/tables.h"
+
+namespace aucast::server {
+namespace {
+
+constexpr const char* kOne = "Beg_Stream\n6,12;100\nEnd_Stream\n";
+
+class LoadRepertoireTest : public ::testing::Test {
+ protected:
+  LoadRepertoireTest() { spdlog::set_level(spdlog::level::off); }
+  ~LoadRepertoireTest() override { spdlog::set_level(level_before_); }
+
+  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::TempFolder folder_;
+  TransmitterOptions options_;
+};
+
+TEST_F(LoadRepertoireTest, ServesTheSourcesInTheirOrder) {
+  options_.sources = {folder_.write("b.txt", kOne), folder_.write("a.txt", kOne)};
+  options_.loop = true;
+  options_.keyframe_ms = 40;
+  const auto repertoire = load_repertoire(options_);
+  ASSERT_TRUE(repertoire) << repertoire.error().message;
+  const protocol::ServerCatalogue& catalogue = repertoire->catalogue;
+  ASSERT_EQ(catalogue.streams.size(), 2U);
+  EXPECT_EQ(catalogue.streams[0].name, "b");
+  EXPECT_EQ(catalogue.streams[1].name, "a");
+  EXPECT_TRUE(catalogue.loop);
+  EXPECT_EQ(catalogue.keyframe_ms, 40U);
+}
+
+TEST_F(LoadRepertoireTest, WhatIsBadIsLeftOutOnlyIfThatIsAsked) {
+  options_.sources = {folder_.write("a.txt", "6,12"), folder_.write("b.txt", kOne)};
+  EXPECT_FALSE(load_repertoire(options_));
+  options_.skip_bad = true;
+  const auto repertoire = load_repertoire(options_);
+  ASSERT_TRUE(repertoire);
+  ASSERT_EQ(repertoire->catalogue.streams.size(), 1U);
+  EXPECT_EQ(repertoire->catalogue.streams[0].name, "b");
+}
+
+TEST_F(LoadRepertoireTest, WhatCannotBeSentLiveIsAnErrorWhereItIsLive) {
+  options_.sources = {folder_.write("a.txt", "Beg_Stream\n6;0\nEnd_Stream\n")};
+  options_.loop = true;
+  EXPECT_TRUE(load_repertoire(options_));
+  options_.live = true;
+  EXPECT_FALSE(load_repertoire(options_));
+}
+
+TEST_F(LoadRepertoireTest, SavesTheProfileThatIsAskedFor) {
+  options_.sources = {folder_.write("a.csv", sources::tables::kOpenFace1)};
+  options_.source.signal.save_profile = folder_.path() / "p.toml";
+  ASSERT_TRUE(load_repertoire(options_));
+  EXPECT_TRUE(std::filesystem::exists(options_.source.signal.save_profile));
+}
+
+TEST_F(LoadRepertoireTest, ToBeCheckedAFileIsReadAlsoWhereItWouldBeFollowed) {
+  options_.sources = {folder_.write("a.txt", kOne)};
+  options_.live_source.follow = true;
+  const auto served = load_asked(options_);
+  ASSERT_TRUE(served);
+  EXPECT_TRUE(served->front().live);
+  options_.check = true;
+  const auto checked = load_asked(options_);
+  ASSERT_TRUE(checked);
+  EXPECT_FALSE(checked->front().live);
+  EXPECT_TRUE(checked->front().stream);
+}
+
+TEST_F(LoadRepertoireTest, TheListOfStreamsIsOnePacket) {
+  std::vector<Source> few(3);
+  for (Source& source : few) source.name = "a-stream";
+  few.emplace_back();  // another server will tell its name
+  EXPECT_EQ(listed(few), 3U);
+  std::vector<Source> many(1000);
+  for (Source& source : many) source.name = std::string(64, 'a');
+  EXPECT_GT(listed(many), 0U);
+  EXPECT_LT(listed(many), many.size());
+}
+
+}  // namespace
+}  // namespace aucast::server
