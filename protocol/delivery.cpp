@@ -130,7 +130,7 @@ bool Delivery::complete() const {
 
 void Delivery::send_keyframe(std::string_view packet, std::string& out) {
   out += packet;
-  ++sent_.packets;
+  ++sent_.keyframes;
   sent_.payload_bytes += packet.size();
   if (window_ == 0) return;
   ++in_flight_;
@@ -169,7 +169,7 @@ void Delivery::send_recorded(std::string& out) {
       sent_to_ = end;
     }
     // The first one names the whole face, wherever the stream begins.
-    const bool full = delta_ && sent_.packets == 0;
+    const bool full = delta_ && sent_.keyframes == 0;
     const PacketList& encoded = full ? recorded().negotiated : packets();
     send_keyframe(encoded[next_packet_++], out);
   }
@@ -217,7 +217,7 @@ void Delivery::send_moment(const LiveMoment& moment, std::string& out) {
   const std::uint64_t merged = last_moment_ ? moment.number - *last_moment_ - 1 : 0;
   const bool full = std::exchange(full_next_, false) || merged > 0;
   const bool cut = !last_moment_ || merged > 0;
-  sent_.packets_merged += merged;
+  sent_.keyframes_merged += merged;
   last_moment_ = moment.number;
   shift_ = sent_to_ - moment.begin;
   if (cut) skip_sound_before(moment.begin);

@@ -18,9 +18,9 @@ namespace aucast::protocol {
 
 /// Counts of what one client was sent.
 struct SentCounts {
-  std::uint64_t packets = 0;         ///< keyframes
-  std::uint64_t payload_bytes = 0;   ///< of those, without hello and {-2}
-  std::uint64_t packets_merged = 0;  ///< live keyframes left out: it could not take them in time
+  std::uint64_t keyframes = 0;
+  std::uint64_t payload_bytes = 0;     ///< of those, without hello and {-2}
+  std::uint64_t keyframes_merged = 0;  ///< live ones left out: it could not take them in time
   std::uint64_t voice_packets = 0;
   std::uint64_t sound_bytes = 0;  ///< of voice packets and captions
 };

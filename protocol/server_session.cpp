@@ -311,9 +311,9 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
 /// Sends what may be sent now, and the end when everything has been answered.
 void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
   std::string bytes;
-  const std::uint64_t before = delivery.sent().packets;
+  const std::uint64_t before = delivery.sent().keyframes;
   (delivery.*pump)(bytes);
-  spare_codes.earn(delivery.sent().packets - before);
+  spare_codes.earn(delivery.sent().keyframes - before);
   if (!bytes.empty()) send(bytes);
   if (delivery.complete()) say_last(encode(End{}), Why::Finished, "the stream was sent whole");
   if (delivery.broken_off())

@@ -23,10 +23,10 @@ namespace aucast::face {
 namespace {
 
 /// Radians about the x axis and about the y axis.
-struct Turn {
+struct Rotation {
   float pitch = 0;
   float yaw = 0;
-  bool operator==(const Turn&) const = default;
+  bool operator==(const Rotation&) const = default;
 };
 
 /// A part that turns about a point by the share that each vertex has in it: a lid, the jaw, an eye.
@@ -35,8 +35,8 @@ struct Mover {
   WeightedBlocks part;
   glm::vec3 hinge{0};
   float forward_per_rad = 0;  ///< it slides forward as it turns down
-  std::function<Turn()> wanted;
-  Turn turn;
+  std::function<Rotation()> wanted;
+  Rotation turn;
 };
 
 struct EyeLook {
@@ -182,7 +182,7 @@ void FaceDeformer::State::add_lids(const Eye& eye) {
     return mine ? map_at(map, i, 0) : 0.0F;
   };
   const auto wanted = [this, close, raise] {
-    return Turn{-(value(close) - face.lids->raised(value(raise))), 0};
+    return Rotation{-(value(close) - face.lids->raised(value(raise))), 0};
   };
   movers.push_back({gather(face.mesh.positions.size(), angle_here), eye.centre, 0, wanted, {}});
 }
@@ -191,7 +191,7 @@ void FaceDeformer::State::add_jaw() {
   const auto* const map = find_map(face.mesh, "jaw");
   const auto weight = [map](std::size_t i) { return map_at(map, i, 0); };
   const auto wanted = [this, jaw = face.channel_index("jaw")] {
-    return Turn{-(value(jaw) * kRadPerDeg * face.jaw->degrees_per_unit), 0};
+    return Rotation{-(value(jaw) * kRadPerDeg * face.jaw->degrees_per_unit), 0};
   };
   movers.push_back({gather(face.mesh.positions.size(), weight),
                     face.jaw->hinge,
@@ -213,7 +213,7 @@ void FaceDeformer::State::add_eye(const Eye& eye) {
   };
   const auto wanted = [this, yaw, pitch, yaw_rad = kRadPerDeg * eye.yaw_deg,
                        pitch_rad = kRadPerDeg * eye.pitch_deg] {
-    return Turn{pitch_rad * pitch.of(activations), yaw_rad * yaw.of(activations)};
+    return Rotation{pitch_rad * pitch.of(activations), yaw_rad * yaw.of(activations)};
   };
   const float head_share =
       found ? map_at(find_map(face.mesh, "head"), part->vertex_begin, 0) : 0.0F;
@@ -232,7 +232,7 @@ void FaceDeformer::State::take(std::span<const float> given) {
   relax_yielding();
   muscles.take(activations, moved);
   for (Mover& mover : movers) {
-    const Turn wanted = mover.wanted();
+    const Rotation wanted = mover.wanted();
     if (wanted == mover.turn) continue;
     mover.turn = wanted;
     moved |= mover.part.all;
@@ -286,7 +286,7 @@ void FaceDeformer::State::rest_vanished() {
 void FaceDeformer::State::apply(const Mover& mover) {
   const glm::vec3& hinge = mover.hinge;
   const float forward = mover.forward_per_rad * -mover.turn.pitch;
-  for (std::size_t k = 0; mover.turn != Turn{} && k < mover.part.blocks.size(); ++k) {
+  for (std::size_t k = 0; mover.turn != Rotation{} && k < mover.part.blocks.size(); ++k) {
     if (!moved.contains(mover.part.blocks[k])) continue;
     VertexBlock& block = now[mover.part.blocks[k]];
     const Lanes& weights = mover.part.weights[k];
@@ -309,7 +309,7 @@ void FaceDeformer::State::look() {
   result.eye_open.resize(eyes.size());
   for (std::size_t e = 0; e < eyes.size(); ++e) {
     const EyeLook& eye = eyes[e];
-    const Turn& gaze = movers[eye.mover].turn;
+    const Rotation& gaze = movers[eye.mover].turn;
     VertexBlock ahead;
     set_lane(ahead, 0, {0, 0, 1});
     Lanes wholly{};

@@ -285,7 +285,7 @@ bool LiveReader::take_row(const std::string& line, SteadySeconds now) {
 
 /// After as many as can be followed, the others are no news.
 void LiveReader::note_face(std::int64_t id, const std::string& line) {
-  if (!options_.recording.all_faces || faces_seen_.size() > kFacesMax) return;
+  if (!options_.recording.all_faces || faces_seen_.size() >= kFacesReadMax) return;
   if (!faces_seen_.insert(id).second) return;
   new_faces_.push_back({id, table_->header + '\n' + line + '\n'});
 }

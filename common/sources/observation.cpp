@@ -31,18 +31,18 @@ void Observation::name_face(std::optional<double> identifier) {
   face = static_cast<std::int64_t>(*identifier);
 }
 
-void Observation::add_head(const Turn& turn) {
+void Observation::add_head(const Rotation& turn) {
   add_pair(aus, 51, 52, turn.left_rad, kYawDegrees);
   add_pair(aus, 53, 54, turn.up_rad, kPitchDegrees);
   add_pair(aus, 55, 56, turn.tilt_left_rad, kTiltDegrees);
 }
 
-void Observation::add_gaze(const Turn& turn) {
+void Observation::add_gaze(const Rotation& turn) {
   add_pair(aus, 61, 62, turn.left_rad, kGazeYawDegrees);
   add_pair(aus, 63, 64, turn.up_rad, kGazePitchDegrees);
 }
 
-Turn gaze_in_head(const CameraVector& sight, double pitch, double yaw, double roll) {
+Rotation gaze_in_head(const CameraVector& sight, double pitch, double yaw, double roll) {
   // The inverse of Rx Ry Rz: back about x, then y, then z.
   const double y1 = std::cos(pitch) * sight.y + std::sin(pitch) * sight.z;
   const double z1 = -std::sin(pitch) * sight.y + std::cos(pitch) * sight.z;
@@ -53,7 +53,7 @@ Turn gaze_in_head(const CameraVector& sight, double pitch, double yaw, double ro
   return {std::atan2(x3, -z2), -std::atan2(y3, -z2), 0};
 }
 
-CameraVector sight_in_room(const Turn& eyes, double pitch, double yaw, double roll) {
+CameraVector sight_in_room(const Rotation& eyes, double pitch, double yaw, double roll) {
   // gaze_in_head() backwards: by z, then y, then x.
   const double x3 = std::tan(eyes.left_rad);
   const double y3 = -std::tan(eyes.up_rad);

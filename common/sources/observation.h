@@ -32,7 +32,7 @@ struct AuValue {
 };
 
 /// Where a head or a pair of eyes turns, in radians, by the subject's own left.
-struct Turn {
+struct Rotation {
   double left_rad = 0;
   double up_rad = 0;
   double tilt_left_rad = 0;  ///< the top of the head towards the left shoulder; heads only
@@ -53,9 +53,9 @@ struct Observation {
   /// What a column of the format says; numbers beyond 1e9 are no identifiers.
   void name_face(std::optional<double> identifier);
   /// Adds 51-56: the direction with its intensity, the opposite with 0.
-  void add_head(const Turn& turn);
+  void add_head(const Rotation& turn);
   /// Adds 61-64. The eyes in the head, as FACS scores them, not the line of sight in the room.
-  void add_gaze(const Turn& turn);
+  void add_gaze(const Rotation& turn);
 };
 
 /// A direction in camera space: x right in the image, y down, z away from the camera.
@@ -67,8 +67,10 @@ struct CameraVector {
 
 /// The eyes' turn in the head from the line of sight in camera space: the head's rotation is
 /// undone. `pitch`, `yaw`, `roll` in radians as OpenFace has them, R = Rx Ry Rz.
-[[nodiscard]] Turn gaze_in_head(const CameraVector& sight, double pitch, double yaw, double roll);
+[[nodiscard]] Rotation gaze_in_head(const CameraVector& sight, double pitch, double yaw,
+                                    double roll);
 /// The reverse: the line of sight from the turns of eyes and head.
-[[nodiscard]] CameraVector sight_in_room(const Turn& eyes, double pitch, double yaw, double roll);
+[[nodiscard]] CameraVector sight_in_room(const Rotation& eyes, double pitch, double yaw,
+                                         double roll);
 
 }  // namespace aucast::sources

@@ -77,8 +77,8 @@ class Writer {
     const double left = (face[51] - face[52]) * kYawDegrees * kRadPerDegree;
     const double up = (face[53] - face[54]) * kPitchDegrees * kRadPerDegree;
     const double tilt = (face[55] - face[56]) * kTiltDegrees * kRadPerDegree;
-    const Turn eyes{(face[61] - face[62]) * kGazeYawDegrees * kRadPerDegree,
-                    (face[63] - face[64]) * kGazePitchDegrees * kRadPerDegree, 0};
+    const Rotation eyes{(face[61] - face[62]) * kGazeYawDegrees * kRadPerDegree,
+                        (face[63] - face[64]) * kGazePitchDegrees * kRadPerDegree, 0};
     const CameraVector sight = sight_in_room(eyes, -up, -left, tilt);
     // + 0.0 makes 0 of -0.
     append(table_.text, ",%.6f,%.6f", std::atan2(sight.x, -sight.z) + 0.0,

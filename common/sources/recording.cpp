@@ -152,7 +152,7 @@ std::optional<Error> RecordingReader::choose() {
   std::stable_sort(faces.begin(), faces.end(),
                    [](const Found::Face& a, const Found::Face& b) { return a.rows > b.rows; });
   if (options_.all_faces) {
-    faces.resize(std::min(faces.size(), kFacesMax));
+    faces.resize(std::min(faces.size(), kFacesReadMax));
     for (const Found::Face& face : faces) chosen_.push_back(face.id);
     return std::nullopt;
   }

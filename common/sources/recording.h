@@ -72,12 +72,12 @@ struct Recording {
                                                const LoadCurves& load_curves = load_arkit_table);
 
 /// How many faces read_faces() returns at most; further ones are counted in Found::faces only.
-inline constexpr std::size_t kFacesMax = 64;
+inline constexpr std::size_t kFacesReadMax = 64;
 
 /// The same for several faces. With options.all_faces: one recording for each face that has data,
-/// the most frequent first, kFacesMax at most; without: one recording. Their times are those of the
-/// file, so that faces seen together play together: a face that comes late is neutral until then.
-/// Asked to stop, it returns stopped_early() at the next row.
+/// the most frequent first, kFacesReadMax at most; without: one recording. Their times are those of
+/// the file, so that faces seen together play together: a face that comes late is neutral until
+/// then. Asked to stop, it returns stopped_early() at the next row.
 [[nodiscard]] Result<std::vector<Recording>> read_faces(
     std::string_view text, std::string_view file, const RecordingOptions& options,
     const ConditioningSettings& conditioning = {}, const LoadCurves& load_curves = load_arkit_table,

@@ -82,10 +82,10 @@ void LiveStreams::read_line_by_line(std::string_view bytes, SteadySeconds now) {
 void LiveStreams::add_faces(SteadySeconds now) {
   const std::filesystem::path& path = options_.each.path;
   for (const auto& [face, beginning] : first().reader().take_new_faces()) {
-    if (streams_.size() > kFacesMax) {
+    if (streams_.size() > kFaceStreamsMax) {
       if (std::exchange(more_faces_said_, true)) return;
       spdlog::warn("{}: face {} and what others come get no stream: there are {}",
-                   sources::name_of(path), face, kFacesMax);
+                   sources::name_of(path), face, kFaceStreamsMax);
       return;
     }
     sources::LiveOptions reading = options_.each.reader;

@@ -35,7 +35,7 @@ struct LiveStreamsOptions {
 class LiveStreams {
  public:
   /// More faces than this get no stream.
-  static constexpr std::size_t kFacesMax = 16;
+  static constexpr std::size_t kFaceStreamsMax = 16;
 
   struct Events {
     std::function<void()> on_moment;  ///< a stream has something new

@@ -68,12 +68,12 @@ void Pusher::on_answer(const PublishSession::Answer& answer) {
 
 void Pusher::on_served(const ClientRecord& record, const std::string& why) {
   serving_ = false;
-  if (record.packets > 0) {
+  if (record.keyframes > 0) {
     redialler_.worked();
     said_ = false;
   }
   if (record.end_reason == ClientEnd(protocol::CloseConnection::Why::Finished)) {
-    if (record.packets > 0) spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
+    if (record.keyframes > 0) spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
     redialler_.again_in(kOfferAgain);
   } else {
     ++losses_;

@@ -174,7 +174,7 @@ void ClientConnection::note_pace() {
 }
 
 void ClientConnection::send(std::string_view bytes) {
-  if (!sending_since_ && session_->sent().packets > 0) {
+  if (!sending_since_ && session_->sent().keyframes > 0) {
     sending_since_ = link_->now();
     note_pace();
   }
@@ -194,7 +194,8 @@ void ClientConnection::flush() {
 /// Whether what there is to write waits for more. The first packet, which a player is waiting for,
 /// and the last words do not.
 bool ClientConnection::gathers() {
-  const bool may = !finishing_ && session_->sent().packets > 1 && gathered_.size() < kBatchBytesMax;
+  const bool may =
+      !finishing_ && session_->sent().keyframes > 1 && gathered_.size() < kBatchBytesMax;
   if (!may) {
     gathered_until_.reset();
     return false;
@@ -222,7 +223,7 @@ void ClientConnection::note_end(ClientEnd end_reason, std::string_view reason, b
   why_ = reason.empty() ? ended : reason;
   say(in_order ? spdlog::level::info : spdlog::level::warn,
       "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)", record_.number,
-      record_.peer, ended, reason.empty() ? "" : ": ", reason, record_.packets, record_.bytes,
+      record_.peer, ended, reason.empty() ? "" : ": ", reason, record_.keyframes, record_.bytes,
       seconds(record_.send_time));
 }
 
@@ -248,9 +249,9 @@ ClientRecord ClientConnection::so_far() const {
   record.level = static_cast<int>(session_->level());
   record.stream = std::string(session_->stream_name());
   const protocol::SentCounts& sent = session_->sent();
-  record.packets = sent.packets;
+  record.keyframes = sent.keyframes;
   record.bytes = sent.payload_bytes;
-  record.packets_merged = sent.packets_merged;
+  record.keyframes_merged = sent.keyframes_merged;
   record.voice_packets = sent.voice_packets;
   record.sound_bytes = sent.sound_bytes;
   return record;

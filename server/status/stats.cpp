@@ -14,8 +14,8 @@ Json json_of(const ClientRecord& record) {
           {"peer", record.peer},
           {"level", record.level},
           {"stream", record.stream},
-          {"packets", record.packets},
-          {"packets_merged", record.packets_merged},
+          {"packets", record.keyframes},
+          {"packets_merged", record.keyframes_merged},
           {"bytes", record.bytes},
           {"bytes_total", record.bytes_total},
           {"voice_packets", record.voice_packets},
@@ -45,8 +45,8 @@ std::string_view name(ClientEnd reason) {
 
 void Totals::add(const ClientRecord& record) {
   ++clients;
-  packets += record.packets;
-  packets_merged += record.packets_merged;
+  keyframes += record.keyframes;
+  keyframes_merged += record.keyframes_merged;
   bytes += record.bytes;
   bytes_total += record.bytes_total;
   voice_packets += record.voice_packets;
@@ -66,8 +66,8 @@ std::string Stats::to_json() const {
   for (const ClientRecord& record : records_) clients.push_back(json_of(record));
   const Json all = {{"program", "au-transmitter"},
                     {"clients_total", totals_.clients},
-                    {"packets", totals_.packets},
-                    {"packets_merged", totals_.packets_merged},
+                    {"packets", totals_.keyframes},
+                    {"packets_merged", totals_.keyframes_merged},
                     {"bytes", totals_.bytes},
                     {"bytes_total", totals_.bytes_total},
                     {"voice_packets", totals_.voice_packets},

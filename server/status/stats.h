@@ -30,24 +30,24 @@ struct ClientRecord {
   std::string peer;               ///< ADDR:PORT
   int level = 1;                  ///< 1 classic, 2 negotiated
   std::string stream;             ///< empty when it ended before one was chosen
-  std::uint64_t packets = 0;      ///< keyframes handed out
+  std::uint64_t keyframes = 0;    ///< handed out
   std::uint64_t bytes = 0;        ///< their bytes alone, as table 5.5 of the thesis counts them
   std::uint64_t bytes_total = 0;  ///< all bytes the socket took: with hello, error and {-2}
   /// From the first keyframe's handing to the socket until the last answer was in and {-2} was
   /// due, or until the connection ended without that. Zero when no keyframe went out.
   Duration send_time{0};
-  ClientEnd end_reason{};            ///< when it has ended
-  std::uint64_t packets_merged = 0;  ///< live keyframes left out because the client was slow
-  std::uint64_t voice_packets = 0;   ///< handed out
-  std::uint64_t sound_bytes = 0;     ///< of voice packets and captions
+  ClientEnd end_reason{};              ///< when it has ended
+  std::uint64_t keyframes_merged = 0;  ///< live ones left out because the client was slow
+  std::uint64_t voice_packets = 0;     ///< handed out
+  std::uint64_t sound_bytes = 0;       ///< of voice packets and captions
   friend bool operator==(const ClientRecord&, const ClientRecord&) = default;
 };
 
 /// Sums over clients; the fields are those of ClientRecord.
 struct Totals {
   std::uint64_t clients = 0;
-  std::uint64_t packets = 0;
-  std::uint64_t packets_merged = 0;
+  std::uint64_t keyframes = 0;
+  std::uint64_t keyframes_merged = 0;
   std::uint64_t bytes = 0;
   std::uint64_t bytes_total = 0;
   std::uint64_t voice_packets = 0;

@@ -79,7 +79,7 @@ void add_upstreams(std::string& text, const std::vector<UpstreamStatus>& upstrea
   add("aucast_upstream_losses_total", "counter", "Parents that were lost while they sent.",
       [](const UpstreamStatus& upstream) { return upstream.losses; });
   add("aucast_upstream_packets_total", "counter", "Keyframes received.",
-      [](const UpstreamStatus& upstream) { return upstream.packets; });
+      [](const UpstreamStatus& upstream) { return upstream.keyframes; });
   add("aucast_upstream_bytes_total", "counter", "Bytes of those.",
       [](const UpstreamStatus& upstream) { return upstream.bytes; });
 }
@@ -121,8 +121,8 @@ std::vector<std::string> status_lines(const Status& status) {
       "status: came " + text(status.connects) + ", left " + text(sum_of(status.disconnects)) +
           reasons + ", closed unheard " + text(status.connects_unheard) + ", accept failures " +
           text(status.accept_failures),
-      "status: sent " + text(status.sent.packets) + " packets, " + text(status.sent.bytes_total) +
-          " bytes; merged " + text(status.sent.packets_merged) + "; waiting " +
+      "status: sent " + text(status.sent.keyframes) + " packets, " + text(status.sent.bytes_total) +
+          " bytes; merged " + text(status.sent.keyframes_merged) + "; waiting " +
           text(status.queue_bytes) + " bytes, the longest " + number(status.queue_seconds) +
           " s; lag " + number(status.lag_seconds) + " s",
       "status: " + std::string(status.live ? "live" : "recorded") + " streams:" + names,
@@ -135,7 +135,7 @@ std::vector<std::string> status_lines(const Status& status) {
     lines.push_back("status: upstream " + upstream.stream + " " +
                     (upstream.receiving ? "from " + upstream.parent : "from nobody") +
                     ": connections " + text(upstream.connects) + ", lost " + text(upstream.losses) +
-                    ", received " + text(upstream.packets) + " packets, " + text(upstream.bytes) +
+                    ", received " + text(upstream.keyframes) + " packets, " + text(upstream.bytes) +
                     " bytes");
   }
   for (const PushStatus& push : status.pushes) {
@@ -175,10 +175,10 @@ std::string metrics_text(const Status& status) {
           status.connects_unheard);
   counter(text, "aucast_accept_failures_total", "Times that accepting had to pause.",
           status.accept_failures);
-  counter(text, "aucast_packets_total", "Keyframes handed out.", status.sent.packets);
+  counter(text, "aucast_packets_total", "Keyframes handed out.", status.sent.keyframes);
   counter(text, "aucast_packets_merged_total",
           "Live keyframes dropped for a newer one because a client was slow.",
-          status.sent.packets_merged);
+          status.sent.keyframes_merged);
   counter(text, "aucast_packet_bytes_total", "Bytes of keyframes.", status.sent.bytes);
   counter(text, "aucast_bytes_total", "All bytes that the sockets took.", status.sent.bytes_total);
   counter(text, "aucast_voice_packets_total", "Packets of voice handed out.",
@@ -216,7 +216,7 @@ std::string status_json(const Status& status) {
                          {"receiving", upstream.receiving},
                          {"connects", upstream.connects},
                          {"losses", upstream.losses},
-                         {"packets", upstream.packets},
+                         {"packets", upstream.keyframes},
                          {"bytes", upstream.bytes}});
   }
   Json pushes = Json::array();
@@ -242,8 +242,8 @@ std::string status_json(const Status& status) {
               {"connects_unheard", status.connects_unheard},
               {"accept_failures", status.accept_failures},
               {"disconnects", std::move(disconnects)},
-              {"packets", status.sent.packets},
-              {"packets_merged", status.sent.packets_merged},
+              {"packets", status.sent.keyframes},
+              {"packets_merged", status.sent.keyframes_merged},
               {"bytes", status.sent.bytes},
               {"bytes_total", status.sent.bytes_total},
               {"voice_packets", status.sent.voice_packets},

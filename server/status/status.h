@@ -17,9 +17,9 @@ struct UpstreamStatus {
   std::string parent;      ///< HOST:PORT; empty: none is connected
   bool receiving = false;  ///< keyframes have come from it
   std::uint64_t connects = 0;
-  std::uint64_t losses = 0;   ///< of a parent that sent
-  std::uint64_t packets = 0;  ///< keyframes received
-  std::uint64_t bytes = 0;    ///< of those
+  std::uint64_t losses = 0;     ///< of a parent that sent
+  std::uint64_t keyframes = 0;  ///< received
+  std::uint64_t bytes = 0;      ///< of those
 };
 
 /// A stream that is brought to another server.

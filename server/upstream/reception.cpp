@@ -159,7 +159,7 @@ UpstreamStatus Reception::status() const {
   status.receiving = receiving_;
   status.connects = connects_;
   status.losses = losses_;
-  status.packets = packets_before_ + (parent_ ? parent_->packets() : 0);
+  status.keyframes = packets_before_ + (parent_ ? parent_->packets() : 0);
   status.bytes = bytes_before_ + (parent_ ? parent_->bytes() : 0);
   return status;
 }

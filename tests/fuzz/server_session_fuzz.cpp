@@ -89,7 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Watch watch;
   while (!script.empty()) {
     const std::string_view line = script.line();
-    const std::uint64_t sent_before = session.sent().packets;
+    const std::uint64_t sent_before = session.sent().keyframes;
     switch (line.empty() ? '\n' : line.front()) {
       case 't':
         now += Milliseconds(10 * line.size());
@@ -115,7 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         watch.take(session.on_bytes(line, now));
         break;
     }
-    AUCAST_CHECK(session.sent().packets - sent_before <= kEarlyAnswersMax + kWindowMax);
+    AUCAST_CHECK(session.sent().keyframes - sent_before <= kEarlyAnswersMax + kWindowMax);
     if (watch.closed()) AUCAST_CHECK(!session.deadline());
     if (watch.shut()) AUCAST_CHECK(!session.awaiting_answer());
   }

@@ -54,8 +54,8 @@ class LivePair {
 
   std::vector<int> seen;  ///< numbers of the states
   bool ended = false;
-  [[nodiscard]] std::uint64_t merged() const { return server_->sent().packets_merged; }
-  [[nodiscard]] std::uint64_t sent() const { return server_->sent().packets; }
+  [[nodiscard]] std::uint64_t merged() const { return server_->sent().keyframes_merged; }
+  [[nodiscard]] std::uint64_t sent() const { return server_->sent().keyframes; }
 
  private:
   void move() {

@@ -63,7 +63,7 @@ TEST_F(LiveServer, SaysSoInItsHelloAndBeginsWithNow) {
   EXPECT_EQ(get("{hello v=2 window=4}"), "send " + kHello + "{2:30}");
   EXPECT_TRUE(session_->live());
   EXPECT_EQ(beat(), "send {3:30}");
-  EXPECT_EQ(session_->sent().packets_merged, 0U) << "what was before is nobody's loss";
+  EXPECT_EQ(session_->sent().keyframes_merged, 0U) << "what was before is nobody's loss";
 }
 
 TEST_F(LiveServer, GivesAClassicClientTheNewestAtEachAnswer) {
@@ -71,7 +71,7 @@ TEST_F(LiveServer, GivesAClassicClientTheNewestAtEachAnswer) {
   EXPECT_EQ(beat(), "");
   EXPECT_EQ(beat(), "");
   EXPECT_EQ(get("1"), "send {3}");
-  EXPECT_EQ(session_->sent().packets_merged, 1U);
+  EXPECT_EQ(session_->sent().keyframes_merged, 1U);
   EXPECT_EQ(get("1"), "") << "there is nothing newer yet";
   EXPECT_EQ(beat(), "send {4}");
 }
@@ -88,7 +88,7 @@ TEST_F(LiveServer, SendsSeveralMomentsInOnePiece) {
   hold(true);
   EXPECT_EQ(late(), "");
   EXPECT_EQ(hold(false), "send {5:30}") << "who was behind gets the newest only";
-  EXPECT_EQ(session_->sent().packets_merged, 1U);
+  EXPECT_EQ(session_->sent().keyframes_merged, 1U);
 }
 
 TEST_F(LiveServer, SendsOfSeveralMomentsWhatTheWindowTakes) {
@@ -97,7 +97,7 @@ TEST_F(LiveServer, SendsOfSeveralMomentsWhatTheWindowTakes) {
   EXPECT_TRUE(live_->advance(now_));
   EXPECT_EQ(text_of(session_->on_moment(now_)), "send {2:30}");
   EXPECT_EQ(get("1"), "send {5:30}");
-  EXPECT_EQ(session_->sent().packets_merged, 2U);
+  EXPECT_EQ(session_->sent().keyframes_merged, 2U);
 }
 
 TEST_F(LiveServer, EndsWhenTheTimeOfTheLastIsOver) {
@@ -141,7 +141,7 @@ TEST_F(LiveServer, SendsTheNewestWhenTheWindowOpensAgain) {
   EXPECT_EQ(beat(), "");
   EXPECT_EQ(beat(), "");
   EXPECT_EQ(get("11"), "send {4:30}");
-  EXPECT_EQ(session_->sent().packets_merged, 1U);
+  EXPECT_EQ(session_->sent().keyframes_merged, 1U);
 }
 
 TEST_F(LiveServer, GrantsNoLongerWindowThanABearableDelay) {
@@ -208,7 +208,7 @@ TEST_F(LiveServer, HandsNothingOutWhileTheSocketIsFull) {
   EXPECT_EQ(beat(), "");
   EXPECT_EQ(hold(true), "");
   EXPECT_EQ(hold(false), "send {3:30}");
-  EXPECT_EQ(session_->sent().packets_merged, 1U);
+  EXPECT_EQ(session_->sent().keyframes_merged, 1U);
   EXPECT_EQ(hold(false), "");
   EXPECT_EQ(hold(true), "");
   beat();

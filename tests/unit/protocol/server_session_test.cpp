@@ -72,7 +72,7 @@ TEST_F(Server, SendsOnePacketPerAnswerAndDrainsToThePeersEnd) {
   EXPECT_EQ(pass(100ms), "send {1}");
   EXPECT_EQ(get("1"), "send {2}");
   EXPECT_EQ(get("\r\n1\n"), "send {3}");
-  EXPECT_EQ(session_->sent().packets, 3U);
+  EXPECT_EQ(session_->sent().keyframes, 3U);
   EXPECT_EQ(session_->sent().payload_bytes, 9U);
   EXPECT_EQ(get("1"), kBye);
   EXPECT_FALSE(session_->awaiting_answer());
@@ -234,7 +234,7 @@ TEST_F(Server, LoopsWithoutAnEnd) {
   catalogue_.loop = true;
   start();
   EXPECT_EQ(get("1111"), "send {1}{2}{3}{1}{2}");
-  EXPECT_EQ(session_->sent().packets, 5U);
+  EXPECT_EQ(session_->sent().keyframes, 5U);
 }
 
 TEST_F(Server, GrantsAHelloAndFillsTheWindow) {

@@ -159,13 +159,13 @@ class Model {
   void check_complete() const {
     EXPECT_EQ(client_end, "ended");
     EXPECT_EQ(server_end, "finished: the stream was sent whole");
-    EXPECT_EQ(client_->packets_received(), server_->sent().packets);
+    EXPECT_EQ(client_->packets_received(), server_->sent().keyframes);
     EXPECT_EQ(client_->payload_bytes(), server_->sent().payload_bytes);
     if (!setting_.live) {
       EXPECT_EQ(stored_.size(), static_cast<std::size_t>(setting_.length));
     } else if (!stored_.empty()) {
       EXPECT_EQ(stored_.back(), setting_.length) << "who was there at the end has the last state";
-      EXPECT_EQ(stored_.size() + server_->sent().packets_merged,
+      EXPECT_EQ(stored_.size() + server_->sent().keyframes_merged,
                 static_cast<std::size_t>(setting_.length - stored_.front() + 1));
     }
   }

@@ -222,7 +222,7 @@ TEST(Sessions, LoseDoubleAndReorderNothingAndBothEnd) {
     EXPECT_EQ(level, pair.server().level());
     EXPECT_EQ(sets_of(pair.stored),
               sent_by(stream, level, stream.recorded()->encoded->classic.size()));
-    EXPECT_EQ(pair.client().packets_received(), pair.server().sent().packets);
+    EXPECT_EQ(pair.client().packets_received(), pair.server().sent().keyframes);
     EXPECT_EQ(pair.client().payload_bytes(), pair.server().sent().payload_bytes);
   }
   EXPECT_GT(negotiated, 500) << "both levels must have been met";
@@ -246,7 +246,7 @@ TEST(Sessions, EndProperlyWhenEitherSideStops) {
     EXPECT_EQ(sets_of(pair.stored),
               sent_by(catalogue.streams.front(), pair.client().level(), pair.stored.size()));
     if (!pair.client_stopped) {
-      EXPECT_EQ(pair.stored.size(), pair.server().sent().packets) << "last words are never lost";
+      EXPECT_EQ(pair.stored.size(), pair.server().sent().keyframes) << "last words are never lost";
     }
   }
 }

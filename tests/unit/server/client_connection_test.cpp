@@ -71,7 +71,7 @@ TEST_F(ConnectionTest, ServesAStreamAndDrains) {
   EXPECT_EQ(end_reason(), "(open)");
   link_->end({});
   EXPECT_EQ(end_reason(), "finished");
-  EXPECT_EQ(record_->packets, 3U);
+  EXPECT_EQ(record_->keyframes, 3U);
   EXPECT_EQ(record_->bytes, 9U);
   EXPECT_EQ(record_->bytes_total, 13U);
   EXPECT_EQ(record_->send_time, 1s);
@@ -165,7 +165,7 @@ TEST_F(ConnectionTest, OfALiveStreamWhatIsNotTakenIsReplacedByTheNewest) {
   EXPECT_EQ(link_->heard(), "");
   link_->take(1000);
   EXPECT_EQ(link_->heard(), "2}{1}") << "the third was left out";
-  EXPECT_EQ(connection_->so_far().packets_merged, 1U);
+  EXPECT_EQ(connection_->so_far().keyframes_merged, 1U);
 }
 
 TEST_F(ConnectionTest, ALiveClientThatTakesNothingHasItsTime) {

@@ -207,7 +207,7 @@ TEST_F(ClientRegistryTest, AServerThatWasDialledIsServedLikeAClientAndCountsAsNo
   registry().serve("campus:4650", catalogue_, link, "{hello v=2 window=2 stream=talk takes=1}",
                    [&](const ClientRecord& record, const std::string& reason) {
                      why = reason;
-                     packets = record.packets;
+                     packets = record.keyframes;
                    });
   EXPECT_EQ(link->heard(), "{hello v=2 window=2 stream=talk keyframe=250}{1}{2}");
   EXPECT_EQ(status().clients, 0U);

@@ -225,7 +225,7 @@ TEST_F(LiveStreamsTest, ManyFacesGetNoMoreStreamsThanAreToldApart) {
   options_.each.reader.recording.all_faces = true;
   fed(kOpenFace2Header);
   for (int face = 0; face < 40; ++face) fed(smile(1, "0.00", 1, std::to_string(face)));
-  EXPECT_EQ(streams().served().size(), 1 + LiveStreams::kFacesMax);
+  EXPECT_EQ(streams().served().size(), 1 + LiveStreams::kFaceStreamsMax);
 }
 
 TEST_F(LiveStreamsTest, WhatIsServedIsRecorded) {

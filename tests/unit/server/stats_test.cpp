@@ -25,12 +25,12 @@ TEST(Stats, CountsEveryClientAndAll) {
   stats.add(record(1));
   ClientRecord second = record(2);
   second.level = 2;
-  second.packets = 3;
+  second.keyframes = 3;
   second.bytes = 40;
   second.bytes_total = 100;
   second.send_time = 1500ms;
   second.end_reason = protocol::CloseConnection::Why::Stopped;
-  second.packets_merged = 5;
+  second.keyframes_merged = 5;
   stats.add(second);
 
   const auto json = nlohmann::json::parse(stats.to_json());

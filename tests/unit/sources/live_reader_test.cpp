@@ -297,6 +297,17 @@ TEST_F(LiveReaderTest, EveryFaceIsSaidOnceWhenAllAreAskedFor) {
   EXPECT_TRUE(reader_->take_new_faces().empty());
 }
 
+TEST_F(LiveReaderTest, OfTooManyFacesTheLastAreNoNews) {
+  LiveOptions options;
+  options.recording.all_faces = true;
+  start(options);
+  static_cast<void>(fed(kOpenFace2Header));
+  for (std::size_t face = 0; face < kFacesReadMax + 5; ++face) {
+    static_cast<void>(fed(openface2_row(1, "0.000", "0,1,0,0,0,0,0", std::to_string(face))));
+  }
+  EXPECT_EQ(reader_->take_new_faces().size(), kFacesReadMax);
+}
+
 TEST_F(LiveReaderTest, RowsWithoutAClockTakeTheTimeOfTheirArrival) {
   start();
   EXPECT_EQ(fed("frame,FaceScore,AU12\n0,1,0.5\n", 10), Texts{"{12:50;40}"});

@@ -30,9 +30,9 @@ TEST(Observation, GazeHasItsOwnDegrees) {
 }
 
 TEST(GazeInHead, AStraightHeadLeavesTheSightAlone) {
-  const Turn right_in_image = gaze_in_head({std::tan(0.2), 0, -1}, 0, 0, 0);
+  const Rotation right_in_image = gaze_in_head({std::tan(0.2), 0, -1}, 0, 0, 0);
   EXPECT_NEAR(right_in_image.left_rad, 0.2, 1e-9) << "the image's right is the subject's left";
-  const Turn down = gaze_in_head({0, std::tan(0.1), -1}, 0, 0, 0);
+  const Rotation down = gaze_in_head({0, std::tan(0.1), -1}, 0, 0, 0);
   EXPECT_NEAR(down.up_rad, -0.1, 1e-9);
 }
 
@@ -55,7 +55,7 @@ TEST(GazeInHead, EyesThatGoWithTheHeadAreStraight) {
     // Rx Ry Rz of straight ahead, (0, 0, -1).
     const CameraVector ahead{-std::sin(yaw), std::sin(pitch) * std::cos(yaw),
                              -std::cos(pitch) * std::cos(yaw)};
-    const Turn turn = gaze_in_head(ahead, pitch, yaw, roll);
+    const Rotation turn = gaze_in_head(ahead, pitch, yaw, roll);
     EXPECT_NEAR(turn.left_rad, 0, 1e-9);
     EXPECT_NEAR(turn.up_rad, 0, 1e-9);
   }

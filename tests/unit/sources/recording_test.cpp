@@ -210,7 +210,7 @@ TEST(Recording, AManyFacedRecordingIsLimited) {
   options.all_faces = true;
   const auto faces = read_faces(text, "f", options);
   ASSERT_TRUE(faces);
-  EXPECT_EQ(faces->size(), kFacesMax);
+  EXPECT_EQ(faces->size(), kFacesReadMax);
 }
 
 TEST(Recording, FacesWithoutNamesAreCountedWithinThePicture) {
