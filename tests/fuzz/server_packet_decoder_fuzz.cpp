@@ -1,38 +1,20 @@
 // What a server may send: never a crash, the same whatever the portions, and what is accepted is
 // read again from its canonical form.
 
-#include <vector>
+#include <string>
+#include <string_view>
+#include <variant>
 
 #include "common/check.h"
 #include "protocol/codec.h"
 #include "protocol/decoder.h"
 #include "protocol/limits.h"
 #include "tests/fuzz/fuzz_input.h"
+#include "tests/fuzz/packet_decoder.h"
 
 using namespace aucast::protocol;
 
 namespace {
-
-struct Outcome {
-  std::vector<ServerPacket> packets;
-  std::optional<DecodeError> error;
-  friend bool operator==(const Outcome&, const Outcome&) = default;
-};
-
-Outcome decode(std::string_view bytes, std::size_t portion) {
-  ServerPacketDecoder decoder;
-  Outcome outcome;
-  while (!bytes.empty()) {
-    std::string_view some = bytes.substr(0, portion);
-    bytes.remove_prefix(some.size());
-    while (auto packet = decoder.next(some)) {
-      AUCAST_CHECK(decoder.taken_bytes() <= kPacketBytesMax);
-      outcome.packets.push_back(std::move(*packet));
-    }
-  }
-  outcome.error = decoder.error();
-  return outcome;
-}
 
 std::string text_of(const ServerPacket& packet) {
   return std::visit([](const auto& kind) { return encode(kind); }, packet);
@@ -41,19 +23,16 @@ std::string text_of(const ServerPacket& packet) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto bounded = [](const ServerPacketDecoder& decoder) {
+    AUCAST_CHECK(decoder.taken_bytes() <= kPacketBytesMax);
+  };
   const std::string_view bytes = aucast::fuzz::text_of(data, size);
-  const Outcome whole = decode(bytes, std::max<std::size_t>(size, 1));
-  AUCAST_CHECK(whole == decode(bytes, 1));
-  if (whole.error) {
-    AUCAST_CHECK(whole.error->position < size);
-    AUCAST_CHECK(!whole.error->reason.empty());
-  }
+  const auto whole = aucast::fuzz::decode_any<ServerPacket, ServerPacketDecoder>(bytes, bounded);
   for (const ServerPacket& packet : whole.packets) {
     const std::string canonical = text_of(packet);
-    const Outcome again = decode(canonical, canonical.size());
-    AUCAST_CHECK(!again.error);
-    AUCAST_CHECK(again.packets.size() == 1);
-    AUCAST_CHECK(text_of(again.packets.front()) == canonical);
+    const ServerPacket again =
+        aucast::fuzz::decode_one<ServerPacket, ServerPacketDecoder>(canonical, bounded);
+    AUCAST_CHECK(text_of(again) == canonical);
   }
   return 0;
 }
