@@ -37,6 +37,22 @@ Error unwritable(const fs::path& path, std::string_view why) {
   return {ErrorKind::Failed, at_place(path.string(), "cannot be written: " + std::string(why))};
 }
 
+/// The same of a file that cannot be opened, with what can be done about it.
+Error unreadable(const fs::path& path, int error_number) {
+  std::string why = system_reason(error_number);
+  if (error_number == ENOENT || error_number == ENOTDIR) why += "; check the name";
+  if (error_number == EACCES) why += "; check its permissions";
+  return unreadable(path, why);
+}
+
+Error unwritable(const fs::path& path, int error_number) {
+  std::string why = system_reason(error_number);
+  const bool no_place = error_number == ENOENT || error_number == ENOTDIR ||
+                        error_number == EACCES || error_number == EROFS;
+  if (no_place) why += "; choose another folder";
+  return unwritable(path, why);
+}
+
 std::string longer_than(std::size_t bytes_max) {
   return "it is longer than " + std::to_string(bytes_max) + " bytes";
 }
@@ -102,9 +118,7 @@ Result<std::pair<Descriptor, struct stat>> open_to_read(const fs::path& path) {
   // Not blocking: a FIFO would be waited for.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) {
-    return unreadable(path, system_reason(errno));
-  }
+  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) return unreadable(path, errno);
   if (const auto why = objection(status); !why.empty()) return unreadable(path, why);
   return std::pair{std::move(file), status};
 }
@@ -162,7 +176,7 @@ Result<Temporary> open_temporary_beside(const fs::path& path) {
     if (file.get() >= 0) return Temporary{std::move(temporary), std::move(file)};
     if (errno != EEXIST) break;
   }
-  return unwritable(path, system_reason(errno));
+  return unwritable(path, errno);
 }
 
 /// The new file gets the mode of the one whose place it takes; where there was none, its own stays.

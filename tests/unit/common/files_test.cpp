@@ -27,7 +27,8 @@ TEST(ReadFile, NamesFileAndReason) {
   const auto missing = read_file(folder.path() / "none");
   ASSERT_FALSE(missing.has_value());
   EXPECT_EQ(missing.error().kind, ErrorKind::Unreadable);
-  EXPECT_NE(missing.error().message.find("none: cannot be read: No such file"), std::string::npos);
+  EXPECT_TRUE(missing.error().message.ends_with(
+      "none: cannot be read: No such file or directory; check the name"));
 
   const auto directory = read_file(folder.path());
   ASSERT_FALSE(directory.has_value());
@@ -111,6 +112,8 @@ TEST(WriteFileAtomically, KeepsTheOldFileWhenItFails) {
   const auto result = write_file_atomically(folder.path() / "missing" / "x", "new");
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().kind, ErrorKind::Failed);
+  EXPECT_TRUE(result.error().message.ends_with(
+      "cannot be written: No such file or directory; choose another folder"));
   EXPECT_FALSE(write_file_atomically(folder.path(), "new").has_value());
 }
 

@@ -37,7 +37,8 @@ TEST(TlsContext, NamesTheFileThatIsWrong) {
   expect_error(Context::for_server({"/nowhere/a.pem", own.key, {}}, "--web"), ErrorKind::Unreadable,
                "(--web-cert)");
   expect_error(Context::for_server({"/nowhere/a.pem", own.key, {}}), ErrorKind::Unreadable,
-               "/nowhere/a.pem: cannot be read: No such file or directory (--tls-cert)");
+               "/nowhere/a.pem: cannot be read: No such file or directory; check the name "
+               "(--tls-cert)");
   expect_error(Context::for_server({own.file, "/nowhere/a.key", {}}), ErrorKind::Unreadable,
                "/nowhere/a.key: cannot be read");
   expect_error(Context::for_server({junk, own.key, {}}), ErrorKind::BadData,
