@@ -33,7 +33,7 @@ std::from_chars_result from_chars(const char* begin, const char* end, T& value) 
 
 /// The whole word as a number, or nothing.
 template <typename T>
-std::optional<T> number_of(std::string_view word) {
+[[nodiscard]] std::optional<T> number_of(std::string_view word) {
   T value{};
   const char* end = word.data() + word.size();
   const auto [stopped, error] = detail::from_chars(word.data(), end, value);

@@ -10,13 +10,15 @@
 namespace aucast::face {
 
 /// A required array of three numbers.
-inline glm::vec3 read_point(TableReader& reader, std::string_view key, const Bounds& bounds = {}) {
+[[nodiscard]] inline glm::vec3 read_point(TableReader& reader, std::string_view key,
+                                          const Bounds& bounds = {}) {
   const auto [x, y, z] = reader.numbers<3>(key, bounds);
   return {x, y, z};
 }
 
 /// A required array of two numbers.
-inline glm::vec2 read_pair(TableReader& reader, std::string_view key, const Bounds& bounds = {}) {
+[[nodiscard]] inline glm::vec2 read_pair(TableReader& reader, std::string_view key,
+                                         const Bounds& bounds = {}) {
   const auto [x, y] = reader.numbers<2>(key, bounds);
   return {x, y};
 }

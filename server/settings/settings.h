@@ -54,10 +54,10 @@ class Settings {
   };
 
   /// What is said about a wrong word, by where it was said.
-  static Error wrong(const OptionRow& row, const Setting& setting, const std::string& word,
-                     const std::string& complaint);
-  static std::string value_text(const OptionRow& row, const Setting& setting);
-  static std::string origin(const OptionRow& row, const Setting& setting);
+  [[nodiscard]] static Error wrong(const OptionRow& row, const Setting& setting,
+                                   const std::string& word, const std::string& complaint);
+  [[nodiscard]] static std::string value_text(const OptionRow& row, const Setting& setting);
+  [[nodiscard]] static std::string origin(const OptionRow& row, const Setting& setting);
 
   const std::vector<OptionRow>& rows_;
   std::map<std::string, Setting, std::less<>> settings_;  ///< by name; only those that are set
