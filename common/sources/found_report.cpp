@@ -1,8 +1,9 @@
+#include "common/sources/found_report.h"
+
 #include <array>
 #include <charconv>
 
 #include "common/sources/profile.h"
-#include "common/sources/recording.h"
 
 namespace aucast::sources {
 namespace {

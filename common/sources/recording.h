@@ -83,9 +83,4 @@ inline constexpr std::size_t kFacesReadMax = 64;
     const ConditioningSettings& conditioning = {}, const LoadCurves& load_curves = load_arkit_table,
     const std::stop_token& stop = {});
 
-/// What was found, one line each: "  format      OpenFace 2".
-[[nodiscard]] std::string found_lines(const Found& found);
-/// The same in a sentence, for the log.
-[[nodiscard]] std::string found_sentence(const Found& found);
-
 }  // namespace aucast::sources

@@ -8,6 +8,7 @@
 
 #include "common/action_unit.h"
 #include "common/check.h"
+#include "common/sources/found_report.h"
 #include "common/text.h"
 #include "protocol/caption.h"
 

@@ -7,6 +7,7 @@
 
 #include "common/files.h"
 #include "common/film_name.h"
+#include "common/sources/found_report.h"
 #include "common/sources/openface_table.h"
 #include "common/sources/resample.h"
 #include "common/sources/source_reader.h"

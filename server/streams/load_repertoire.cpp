@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/log.h"
+#include "common/sources/found_report.h"
 #include "protocol/codec.h"
 #include "server/streams/measured_profile.h"
 

@@ -2,6 +2,7 @@
 
 #include "common/check.h"
 #include "common/sources/content.h"
+#include "common/sources/found_report.h"
 #include "common/sources/recording.h"
 #include "protocol/limits.h"
 #include "tests/fuzz/fuzz_input.h"

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "common/sources/content.h"
+#include "common/sources/found_report.h"
 #include "common/sources/recording.h"
 #include "protocol/codec.h"
 #include "tests/unit/sources/tables.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/sources/found_report.h"
 #include "common/sources/source_reader.h"
 #include "protocol/codec.h"
 #include "tests/support/seeded.h"
