@@ -60,9 +60,7 @@ void ClientRegistry::serve(std::string peer,
 
 protocol::Admission ClientRegistry::admission_of(AddressKey address) const {
   const std::size_t inside = clients_.size() - refused_ - dialled_;
-  if (options_.max_clients != 0 && inside >= options_.max_clients) {
-    return protocol::Admission::Full;
-  }
+  if (inside >= clients_max_) return protocol::Admission::Full;
   const std::size_t most = options_.max_clients_per_address;
   if (most != 0 && of_address_.count(address) >= most) return protocol::Admission::FullAddress;
   return protocol::Admission::Welcome;

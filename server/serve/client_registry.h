@@ -17,6 +17,7 @@
 #include "protocol/wrong_tokens.h"
 #include "server/serve/address_counts.h"
 #include "server/serve/client_connection.h"
+#include "server/serve/client_room.h"
 #include "server/settings/transmitter_options.h"
 #include "server/status/client_log.h"
 #include "server/status/stats.h"
@@ -34,10 +35,13 @@ class ClientRegistry {
   /// Of `options` only the limits and times of clients are used. They and `stats`, which gets the
   /// record of each client that leaves, outlive it. `on_empty`: no client is left except servers
   /// that were dialled from here; called again when these leave. `on_publisher`: a client turned
-  /// out to be a publisher, and counts as a client no more.
+  /// out to be a publisher, and counts as a client no more. `room`: the bound where the options
+  /// have none.
   ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty,
-                 ClientConnection::OnPublisher on_publisher = {})
+                 ClientConnection::OnPublisher on_publisher = {},
+                 const ClientRoom& room = room_now())
       : options_(options),
+        clients_max_(options.max_clients != 0 ? options.max_clients : clients_with_room(room)),
         stats_(stats),
         on_empty_(std::move(on_empty)),
         on_publisher_(std::move(on_publisher)) {}
@@ -103,6 +107,7 @@ class ClientRegistry {
   void for_each(const std::function<void(ClientConnection&)>& visit, std::optional<Way> way = {});
 
   const TransmitterOptions& options_;
+  const std::size_t clients_max_;
   Stats& stats_;
   OnEmpty on_empty_;
   ClientConnection::OnPublisher on_publisher_;

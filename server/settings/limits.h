@@ -21,6 +21,8 @@ inline constexpr std::chrono::milliseconds kAcceptPause{200};
 inline constexpr link::AcceptLimits kAcceptLimits{kAcceptsInARow, kAcceptPause};
 /// Clients that are told that there is no room for them, at a time; what is more is just closed.
 inline constexpr std::size_t kRefusalsMax = 64;
+/// Descriptors that are left for those and for all that is no client, where --max-clients is 0.
+inline constexpr std::size_t kDescriptorsKept = 128;
 /// Of a recorded stream that a relay holds.
 inline constexpr std::size_t kRelayedBytesMax = std::size_t{1} << 30U;
 /// Keyframes, voice packets and captions of a live stream within a second, beyond which its sender

@@ -249,10 +249,11 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "within a "
        "minute anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"max-clients", "N", "0", "(0: all)",
+      {"max-clients", "N", "0", "(0: as many as there is room for)",
        "The number of clients at a time. One client too many is closed, with {error 503 "
-       "...} if it sent a hello. Each client takes a file descriptor; the soft limit of "
-       "these (ulimit -n) is raised to the hard limit at the start.",
+       "...} if it sent a hello. 0 is as many as there are file descriptors, less 128, and as "
+       "free memory at the start is enough for, at 64 KiB each. The soft limit of descriptors "
+       "(ulimit -n) is raised to the hard limit at the start.",
        whole(options.max_clients, 0, kClientsMax)},
       {"max-clients-per-address", "N", "0", "(0: all)",
        "The number of clients at a time from one address; of an IPv6 address the first 64 "

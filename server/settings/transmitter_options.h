@@ -47,7 +47,7 @@ struct TransmitterOptions {
   bool live = false;                            ///< one clock for all clients
   int classic_min = 20;                         ///< percent 0-100; classic clients get no less
   Milliseconds client_timeout{0};               ///< longest wait for an answer; 0: for ever
-  std::size_t max_clients = 0;                  ///< at a time; 0: as many as come
+  std::size_t max_clients = 0;                  ///< at a time; 0: clients_with_room()
   std::size_t max_clients_per_address = 0;      ///< the same from one address
   CredentialFiles credentials;                  ///< certificates and token
   std::uint32_t max_kbits = 0;                  ///< a second and client; 0: no limit

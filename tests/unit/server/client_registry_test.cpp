@@ -76,6 +76,16 @@ TEST_F(ClientRegistryTest, WhoIsOneTooManyIsToldSoAndTakesNoPlace) {
   EXPECT_TRUE(ask(*next, "{hello v=2}").starts_with("{hello ")) << "the refused one takes no place";
 }
 
+TEST_F(ClientRegistryTest, WithoutANumberThereAreAsManyAsThereIsRoomFor) {
+  registry_.emplace(
+      options_, stats_, [] {}, ClientConnection::OnPublisher(),
+      ClientRoom{2 * protocol::kOutputBytesMax, std::nullopt});
+  const auto first = knock();
+  const auto second = knock();
+  EXPECT_TRUE(ask(*second, "{hello v=2}").starts_with("{hello "));
+  EXPECT_TRUE(ask(*knock(), "{hello v=2}").starts_with("{error 503 the server is full"));
+}
+
 TEST_F(ClientRegistryTest, AnAddressHasItsPlacesBackWhenItsClientsLeave) {
   options_.max_clients_per_address = 1;
   const auto first = knock("10.0.0.1");
