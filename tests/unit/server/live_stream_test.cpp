@@ -1,0 +1,123 @@
+// One live stream, without its source and a clock: the test is what is read, and the time.
+#include "server/live/live_stream.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/log.h"
+#include "common/sources/hold.h"
+
+namespace aucast::server {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+class LiveStreamTest : public ::testing::Test {
+ protected:
+  LiveStreamTest() {
+    spdlog::set_level(spdlog::level::off);
+    options_.path = "face.txt";
+    stream_.emplace("face", options_, options_.reader, false, [this] {
+      const auto& feed = stream_->served().live();
+      sent_.push_back(feed->ended() ? "end" : feed->newest()->full);
+    });
+  }
+  ~LiveStreamTest() override { spdlog::set_level(level_before_); }
+
+  /// What is sent of these lines, now.
+  Texts fed(std::string_view lines, bool only_last = false) {
+    stream_->reader().feed(lines, now_);
+    stream_->take(now_, only_last);
+    stream_->go_on(now_);
+    return std::exchange(sent_, {});
+  }
+  /// What is sent of itself within so long.
+  Texts after(double seconds) {
+    const double until = now_ + seconds;
+    for (auto next = stream_->next(); next && *next <= until; next = stream_->next()) {
+      now_ = std::max(now_, *next) + 1e-6;
+      stream_->go_on(now_);
+    }
+    now_ = until;
+    return std::exchange(sent_, {});
+  }
+
+  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  LiveStreamOptions options_;
+  std::optional<LiveStream> stream_;
+  double now_ = 1000;
+  Texts sent_;
+};
+
+TEST_F(LiveStreamTest, EachKeyframeIsSentAsItComes) {
+  EXPECT_FALSE(stream_->begun());
+  EXPECT_EQ(fed("12:10;100\n12:20;100\n"), (Texts{"{12:10;100}", "{12:20;100}"}));
+  EXPECT_EQ(fed("12:30"), Texts());
+  EXPECT_EQ(fed(";100\n"), Texts{"{12:30;100}"});
+  EXPECT_TRUE(stream_->begun());
+  EXPECT_EQ(stream_->served().name, "face");
+}
+
+TEST_F(LiveStreamTest, OfWhatIsPastOnlyTheLastIsSent) {
+  EXPECT_EQ(fed("12:10;100\n12:20;100\n", true), Texts{"{12:20;100}"});
+}
+
+TEST_F(LiveStreamTest, IsFullUntilItWasSent) {
+  std::string lines;
+  for (int i = 0; i < 255; ++i) lines += "12;100\n";
+  stream_->reader().feed(lines, now_);
+  stream_->take(now_, false);
+  EXPECT_FALSE(stream_->full());
+  stream_->reader().feed("12;100\n", now_);
+  stream_->take(now_, false);
+  EXPECT_TRUE(stream_->full());
+  stream_->go_on(now_);
+  EXPECT_FALSE(stream_->full());
+}
+
+TEST_F(LiveStreamTest, EndsWhenItsWriterStaysAwayAndGoesOnWhenItComesBack) {
+  EXPECT_EQ(fed("12:50;100\n"), Texts{"{12:50;100}"});
+  stream_->end_input(now_, false);
+  const double patience = seconds(options_.timeout);
+  Texts meanwhile = after(patience - 0.1);
+  ASSERT_FALSE(meanwhile.empty());
+  EXPECT_EQ(meanwhile.back().substr(0, 2), "{0") << "the face is neutral";
+  EXPECT_FALSE(stream_->ended());
+  EXPECT_EQ(after(0.2), Texts{"end"});
+  EXPECT_TRUE(stream_->ended());
+  EXPECT_EQ(fed("12:60;100\n"), Texts{"{12:60;100}"});
+  EXPECT_FALSE(stream_->ended());
+}
+
+TEST_F(LiveStreamTest, EndsWithTheFaceWhenNobodyCanWriteAnyMore) {
+  EXPECT_EQ(fed("12:50;100\n").size(), 1U);
+  stream_->end_input(now_, true);
+  const Texts rest = after(sources::kHoldSeconds + sources::kEaseSeconds + 0.1);
+  ASSERT_FALSE(rest.empty());
+  EXPECT_EQ(rest.back(), "end");
+  EXPECT_EQ(after(100), Texts()) << "once";
+}
+
+TEST_F(LiveStreamTest, WithoutAnyKeyframeItEndsWithItsInput) {
+  stream_->end_input(now_, true);
+  EXPECT_EQ(fed(""), Texts{"end"});
+  EXPECT_FALSE(stream_->begun());
+  EXPECT_TRUE(stream_->ended());
+}
+
+TEST_F(LiveStreamTest, WithoutATimeoutItNeverEnds) {
+  options_.timeout = Milliseconds(0);
+  EXPECT_EQ(fed("12:50;100\n").size(), 1U);
+  stream_->end_input(now_, true);
+  after(1000);
+  EXPECT_FALSE(stream_->ended());
+}
+
+}  // namespace
+}  // namespace aucast::server
