@@ -36,9 +36,10 @@ float noise(int x, int y, int cell, std::uint32_t seed) {
   return std::lerp(low, high, eased(y));
 }
 
-using Texels = std::vector<std::array<std::uint8_t, 2>>;
+using Texels = std::vector<std::array<std::uint8_t, 4>>;
 
-/// Colour in the first channel, shine in the second; 128 is no change.
+/// Colour in the first channel, shine in the second, the slope of the relief across and up in the
+/// others; 128 is no change.
 Texels texels() {
   std::vector<float> pores(std::size_t{kGrainSide} * kGrainSide, 0.0F);
   for (std::uint32_t n = 0; n < kPores; ++n) {
@@ -56,6 +57,17 @@ Texels texels() {
       }
     }
   }
+  std::vector<float> relief(pores.size());
+  for (int y = 0; y < kGrainSide; ++y) {
+    for (int x = 0; x < kGrainSide; ++x) {
+      const auto at = static_cast<std::size_t>(y * kGrainSide + x);
+      relief[at] = 0.5F * noise(x, y, 8, 31) + 0.4F * noise(x, y, 4, 407) - 0.5F * pores[at];
+    }
+  }
+  const auto height = [&relief](int x, int y) {
+    return relief[static_cast<std::size_t>((y & (kGrainSide - 1)) * kGrainSide +
+                                           (x & (kGrainSide - 1)))];
+  };
   Texels all(pores.size());
   for (int y = 0; y < kGrainSide; ++y) {
     for (int x = 0; x < kGrainSide; ++x) {
@@ -67,7 +79,9 @@ Texels texels() {
         return static_cast<std::uint8_t>(std::lround(255 * std::clamp(0.5F + v, 0.0F, 1.0F)));
       };
       all[at] = {byte(blotch + fine - 0.35F * pores[at] + 0.05F),
-                 byte(0.5F * blotch + 2 * fine - 0.8F * pores[at] + 0.12F)};
+                 byte(0.5F * blotch + 2 * fine - 0.8F * pores[at] + 0.12F),
+                 byte(height(x - 1, y) - height(x + 1, y)),
+                 byte(height(x, y - 1) - height(x, y + 1))};
     }
   }
   return all;
@@ -79,7 +93,7 @@ SkinGrain::SkinGrain() {
   glBindTexture(GL_TEXTURE_2D, texture_.id());
   const Texels all = texels();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kGrainSide, kGrainSide, 0, GL_RG, GL_UNSIGNED_BYTE,
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kGrainSide, kGrainSide, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                all.data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);

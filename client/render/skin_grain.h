@@ -11,8 +11,9 @@
 
 namespace aucast::render {
 
-/// What is too fine for a skin's vertices: blotches of its colour and pores that break up its
-/// highlights. A small texture that is wrapped round the head at rest. Needs a current context.
+/// What is too fine for a skin's vertices: blotches of its colour, and pores that tilt it and break
+/// up its highlights; cloth has it too. A small texture that is wrapped round the head at rest.
+/// Needs a current context.
 class SkinGrain {
  public:
   SkinGrain();

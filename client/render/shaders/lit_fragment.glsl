@@ -128,6 +128,10 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   return lit * through * kKeyColour * (u_key_strength * (0.55 + 0.45 * occlusion));
 }
 
+#ifdef SURFACE
+const float kRelief = 0.42;  // how far pores tilt what has grain
+#endif
+
 #ifdef EYE
 const float kCatchlight = 0.056;  // half its side, of the ball's radius
 
@@ -172,7 +176,11 @@ void main() {
   vec3 along = strand_direction(normal);
 #else
   normal = gl_FrontFacing ? normal : -normal;
-  vec2 grain = u_grain * (texture(u_grain_map, v_grain).rg - 128.0 / 255.0);
+  vec4 grain = u_grain * (texture(u_grain_map, v_grain) - 128.0 / 255.0);
+  // Its relief breaks up the shine: smooth skin is wax. The map lies across and up the front, and
+  // the right half is the mirror of the left one.
+  float across = dFdx(v_grain.x) < 0.0 ? -grain.b : grain.b;
+  normal = normalize(normal + kRelief * vec3(across, grain.a, 0.0));
   colour *= 1.0 + grain.r * vec3(0.11, 0.17, 0.19);  // more blood or less: red changes least
 #endif
 #endif
