@@ -7,7 +7,7 @@ namespace aucast::facegen {
 namespace {
 
 constexpr int kEyeSectors = 60;
-constexpr double kPupilRadius = 0.185;
+constexpr double kPupilRadius = 0.205;
 
 /// Colour at `radius` from the eye's axis and `angle` about it; the nose lies at `nasal` 1.
 Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, double nasal) {

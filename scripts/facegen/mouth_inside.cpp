@@ -226,10 +226,10 @@ void shade_teeth(Part& teeth, const Arch& arch) {
 void shade_tongue(Part& tongue) {
   for (Vertex& vertex : tongue.vertices) {
     const Vec3& p = vertex.position;
-    vertex.occlusion = mix(0.05, 0.45, smooth_step(4.9, 7.1, p.z));
+    vertex.occlusion = mix(0.05, 0.62, smooth_step(4.9, 7.1, p.z));
     vertex.gloss = mix(0.1, 0.8, smooth_step(6.0, 7.3, p.z));
-    vertex.colour *= mix(0.16, 1.30, smooth_step(3.6, 6.8, p.z)) *
-                     mix(0.35, 1.0, smooth_step(1.30, 0.45, std::abs(p.x))) *
+    vertex.colour *= mix(0.14, 1.45, smooth_step(4.0, 7.0, p.z)) *
+                     mix(0.45, 1.0, smooth_step(1.30, 0.65, std::abs(p.x))) *
                      (1 - 0.22 * bell(p.x, 0.13));
   }
 }

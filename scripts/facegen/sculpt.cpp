@@ -123,9 +123,9 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   double bridge = round_cone(p, {0, 3.05, 7.46}, Vec3{0, 1.6, 8.18} + hump, 0.36, 0.44 + wide);
   bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.44 + wide, 0.46), 0.9);
   bridge = melt(bridge,
-                round_cone(p, {0.18 + wide, 2.2, 7.05}, {0.53 + 0.5 * wide, 0.2, 8.00}, 0.42, 0.58),
+                round_cone(p, {0.12 + wide, 2.3, 7.00}, {0.62 + 0.5 * wide, 0.1, 7.90}, 0.38, 0.60),
                 0.8);
-  d = melt(d, bridge, 1.0);
+  d = melt(d, bridge, 1.2);
   const Vec3 q{p.x / form.nose_width, p.y, p.z};
   const Vec3 at{0, form.nose_up, form.nose_forward};
   double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), Vec3{0.57, 0.48, 0.63} + form.nose_tip);
@@ -251,7 +251,7 @@ double head_distance(const Identity& who, const Vec3& p) {
 
 double torso_distance(const Form& form, const Vec3& p) {
   const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
-  const double collar = neck_column(form, q) - 0.26;
+  const double collar = neck_column(form, q) - 0.21;
   double body = round_cone(q, {2.4, -12.5, -1.5}, {8.5, -13.9, -1.7}, 2.5, 2.2);
   body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {7.5, 5.2, 4.4}), 2.0);
   return melt(collar, body, 2.2);

@@ -13,24 +13,24 @@ struct ShirtRing {
   double off;
 };
 
-constexpr std::array<ShirtRing, 16> kRings{{// the collar, from inside over its roll
-                                            {0.02, -0.10},
-                                            {0, 0.05},
-                                            {-0.012, 0.16},
-                                            {-0.012, 0.25},
-                                            {0.01, 0.33},
-                                            {0.06, 0.35},
-                                            {0.12, 0.34},
-                                            {0.17, 0.29},
-                                            {0.20, 0.22},
+constexpr std::array<ShirtRing, 16> kRings{{// the collar, from inside over its edge
+                                            {0.03, -0.12},
+                                            {0.005, 0.00},
+                                            {-0.006, 0.06},
+                                            {-0.004, 0.11},
+                                            {0.008, 0.15},
+                                            {0.04, 0.17},
+                                            {0.08, 0.17},
+                                            {0.105, 0.155},
+                                            {0.12, 0.11},
                                             // the body
-                                            {0.24, 0.20},
-                                            {0.32, 0.20},
-                                            {0.44, 0.20},
-                                            {0.58, 0.20},
-                                            {0.72, 0.20},
-                                            {0.86, 0.20},
-                                            {1.0, 0.20}}};
+                                            {0.14, 0.14},
+                                            {0.24, 0.16},
+                                            {0.38, 0.17},
+                                            {0.54, 0.18},
+                                            {0.70, 0.18},
+                                            {0.86, 0.18},
+                                            {1.0, 0.18}}};
 constexpr std::size_t kCollarRings = 9;
 constexpr int kSectors = 96;
 
@@ -68,7 +68,7 @@ Part make_shirt(const Identity& who) {
       const double angle = 2 * kPi * i / kSectors;
       const double front = std::cos(angle);
       // The collar stands lower under the chin.
-      const Vec3 origin{0, -8.0 - 0.315 * (front * 0.5 + 0.5), -0.8};
+      const Vec3 origin{0, -8.3 - 0.45 * (front * 0.5 + 0.5), -0.8};
       const Vec3 direction{std::sin(angle) * std::cos(elevation),
                            std::sin(elevation) - 0.22 * front * (1 - kRings[k].down),
                            front * std::cos(elevation)};
