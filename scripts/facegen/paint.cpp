@@ -141,7 +141,7 @@ void paint_skin(const Identity& who, Skin& skin) {
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
     c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
-    c *= Vec3{1} - Vec3{0.26, 0.34, 0.36} * below_jaw(p);
+    c *= Vec3{1} - Vec3{0.36, 0.44, 0.46} * below_jaw(p);
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
     c *= Vec3{1} - Vec3{1.0, 1.5, 1.5} * std::max(0.0, fold_depth(who, p));
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));

@@ -68,7 +68,7 @@ Part make_shirt(const Identity& who) {
       const double angle = 2 * kPi * i / kSectors;
       const double front = std::cos(angle);
       // The collar stands lower under the chin.
-      const Vec3 origin{0, -8.3 - 0.45 * (front * 0.5 + 0.5), -0.8};
+      const Vec3 origin{0, -7.95 - 0.80 * (front * 0.5 + 0.5), -0.8};
       const Vec3 direction{std::sin(angle) * std::cos(elevation),
                            std::sin(elevation) - 0.22 * front * (1 - kRings[k].down),
                            front * std::cos(elevation)};
