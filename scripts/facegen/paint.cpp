@@ -121,11 +121,13 @@ double below_jaw(const Vec3& p) {
          smooth_step(0.0, 2.2, p.z) * bell(p.x, 2.6);
 }
 
-/// Nose and forehead shine a little more than the rest, neck and back of the head less.
+/// The nose shines a little more than the rest, forehead and chin, which face the lamp, less, neck
+/// and back of the head least.
 double shine(const Vec3& p) {
   double s = 0.85;
   if (p.z > 8) s += 0.5 * bell(Vec3{p.x / 1.1, (p.y - 0.4) / 0.9, 0});
-  if (p.z > 5) s += 0.10 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
+  if (p.z > 5) s -= 0.16 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
+  if (p.z > 5) s -= 0.22 * bell(Vec3{p.x / 1.2, (p.y + 4.5) / 1.0, 0});
   return p.y < -5 || p.z < 0 ? 0.6 * s : s;
 }
 
