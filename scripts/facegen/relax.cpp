@@ -104,13 +104,11 @@ void lift_lids(const Form& form, HalfHead& half) {
   }
 }
 
-/// The last rows go inwards, so that nothing pokes through the collar.
+/// The last row goes inwards, so that it does not poke through the collar.
 void tuck_neck(HalfHead& half) {
-  constexpr int kFirstRow = 46;
   for (HalfVertex& v : half.vertices) {
-    if (v.patch != Patch::Grid || v.row <= kFirstRow) continue;
-    const double k = static_cast<double>(v.row - kFirstRow) / (kRows - kFirstRow);
-    v.position = mix(v.position, Vec3{0, v.position.y, -1.0}, 0.16 * k * k);
+    if (v.patch != Patch::Grid || v.row < kRows) continue;
+    v.position = mix(v.position, Vec3{0, v.position.y, -1.0}, 0.10);
   }
 }
 

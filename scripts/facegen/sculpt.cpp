@@ -251,7 +251,7 @@ double head_distance(const Identity& who, const Vec3& p) {
 
 double torso_distance(const Form& form, const Vec3& p) {
   const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
-  const double collar = neck_column(form, q) - 0.27;
+  const double collar = neck_column(form, q) - 0.22;
   double body = round_cone(q, {2.4, -12.5, -1.5}, {8.5, -13.9, -1.7}, 2.5, 2.2);
   body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {7.5, 5.2, 4.4}), 2.0);
   return melt(collar, body, 2.2);
