@@ -125,9 +125,10 @@ class Top {
     const double light = 0.06 + 0.08 * front + 0.10 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     // Here and there it begins a little further back.
-    const double begin = way + 0.12 - 0.45 * value_noise({u * 34, 0.5, 4.5});
+    const double begin = way + 0.18 - 0.45 * value_noise({u * 34, 0.5, 4.5}) -
+                         0.40 * value_noise({u * 11, 0.5, 8.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({begin / 0.6, ends / 3, u / 0.12, (1 - u) / 0.38}));
+    point.alpha = thinned(std::min({begin / 0.85, ends / 3, u / 0.12, (1 - u) / 0.38}));
     point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.03 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
