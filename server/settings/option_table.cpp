@@ -249,7 +249,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "within a "
        "minute anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"max-clients", "N", "0", "(0: as many as there is room for)",
+      {"max-clients", "N", "0", "(0: all that fit)",
        "The number of clients at a time. One client too many is closed, with {error 503 "
        "...} if it sent a hello. 0 is as many as there are file descriptors, less 128, and as "
        "free memory at the start is enough for, at 64 KiB each. The soft limit of descriptors "

@@ -83,12 +83,6 @@ TEST_F(RunningSourcesTest, FilesRunWhenTheyAreFollowedAndPipesAlways) {
   sources().stop();
 }
 
-TEST_F(RunningSourcesTest, ASourceThatCannotBeOpenedIsAnError) {
-  options_.sources = {folder_.path() / "none.txt"};
-  options_.live_source.follow = true;
-  EXPECT_EQ(refused(), ErrorKind::Unreadable);
-}
-
 TEST_F(RunningSourcesTest, AProfileThatCannotBeReadIsAnErrorAtTheStartOnly) {
   options_.sources = {fifo("pipe")};
   options_.source.signal.profile = folder_.path() / "p.toml";
