@@ -45,6 +45,20 @@ class DefaultFace : public ::testing::Test {
   }
   [[nodiscard]] static std::vector<glm::vec3> driven(const std::map<std::string, float>& channels);
 
+  // Places of the mouth, on the border of the lips; side 1 is the subject's left.
+  [[nodiscard]] static std::uint32_t mouth_corner(int side = 1) {
+    return skin_vertex(facegen::Patch::Mouth, facegen::kLipBorderRing, facegen::kMouthCornerSpoke,
+                       side);
+  }
+  [[nodiscard]] static std::uint32_t upper_lip() {
+    return skin_vertex(facegen::Patch::Mouth, facegen::kLipBorderRing, 3);
+  }
+  [[nodiscard]] static std::uint32_t lower_lip() {
+    return skin_vertex(facegen::Patch::Mouth, facegen::kLipBorderRing, 21);
+  }
+  /// An AU of the head, which takes the face along.
+  [[nodiscard]] static bool turns_head(int number) { return number >= 51 && number <= 58; }
+
  private:
   static std::unique_ptr<face::Face> face_;
   static std::unique_ptr<face::FaceDeformer> deformer_;
