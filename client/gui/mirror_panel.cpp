@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 #include "client/gui/tips.h"
