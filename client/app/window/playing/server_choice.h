@@ -10,7 +10,7 @@
 
 namespace aucast::app {
 
-/// Which server the user wants: the form that he fills in, how that one is reached, and which ones
+/// Which server the user wants: the form to fill in, how that one is reached, and which ones
 /// have answered. `options` must outlive it. Thread: the player's.
 class ServerChoice {
  public:
