@@ -4,8 +4,8 @@
     scripts/tidy.py [ROOT]        one line per finding, exit 1 when there is one
 
 It checks which folder includes what, what pure folders touch, that a file's own header comes first,
-the lengths of lines, functions and files, leftovers, and names that only a unity build would find
-twice. It reads what git tracks; outside a git repository, everything below ROOT but build/.
+the lengths of lines, functions and files, leftovers, names that only a unity build would find
+twice, and that READMEs name every file. It reads what git tracks; outside a git repository, everything below ROOT but build/.
 """
 
 import pathlib
@@ -13,6 +13,7 @@ import re
 import subprocess
 import sys
 
+import readmes
 import unity_names
 
 LINE_MAX = 100
@@ -240,7 +241,7 @@ def check_functions(lines):
                 head = ""
 
 
-def tracked_files(root: pathlib.Path):
+def tracked_files(root: pathlib.Path, endings=(".h", ".cpp")):
     """What git tracks below root, or has found and not been told to ignore; sorted."""
     git = subprocess.run(
         ["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
@@ -252,7 +253,7 @@ def tracked_files(root: pathlib.Path):
         paths = {file.relative_to(root).as_posix() for file in root.rglob("*")}
     return sorted(
         path for path in paths
-        if path.endswith((".h", ".cpp")) and not path.startswith("build/")
+        if path.endswith(endings) and not path.startswith("build/")
         and (root / path).is_file()
     )
 
@@ -264,6 +265,7 @@ def findings(root: pathlib.Path):
     if not all_paths:
         yield ".", 1, "no source here"
     yield from unity_names.collisions(root, all_paths)
+    yield from readmes.findings(root, all_paths, tracked_files(root, ("README.md",)))
     for path in all_paths:
         lines = (root / path).read_text(encoding="utf-8").splitlines()
         if len(lines) > FILE_MAX:

@@ -190,6 +190,30 @@ class TidyTest(unittest.TestCase):
             {"server/a.h": "#pragma once\nusing namespace std;\n"}, "using namespace"
         )
 
+    def test_a_source_that_its_readme_does_not_name(self):
+        header = {"server/live/a.h": "#pragma once\n", "server/live/a.cpp": '#include "server/live/a.h"\n'}
+        project = header | {"README.md": "`a`", "tests/unit/b.cpp": "", "server/live/README.md": "| `a` | x |\n"}
+        self.assert_clean(project)
+        for text in ("a", "`b`, a, `ab`"):
+            self.assert_found(project | {"server/live/README.md": text},
+                              "server/live/a.cpp:1: server/live/README.md does not name `a`")
+        for text in ("`live/a.h`", "```\nb -> a\n```\n"):
+            self.assert_clean(project | {"server/live/README.md": text})
+        below = {path: text for path, text in project.items() if path != "server/live/README.md"}
+        self.assert_clean(below | {"server/README.md": "`live/a`"})
+        self.assert_found(below, "server/live/a.cpp:1: no README.md of its folder")
+        self.assert_clean(header)
+
+    def test_a_readme_whose_lines_are_too_long(self):
+        project = {"a/b.cpp": "", "a/README.md": "`b`\n"}
+        for line, found in (("x" * 140, False), ("x" * 141, True), ("- " + "x" * 139, True),
+                            ("| " + "x" * 139, False), ("[x](" + "y" * 139 + ")", False)):
+            tree = project | {"README.md": "# x\n" + line + "\n"}
+            if found:
+                self.assert_found(tree, "README.md:2: 141 columns, at most 140")
+            else:
+                self.assert_clean(tree)
+
     def test_names_that_collide_where_a_unity_build_joins_two_sources(self):
         def two(first, second, form="namespace {{\n\n{}\n\n}}  // namespace\n"):
             return {"server/live/a.cpp": form.format(first), "server/b.cpp": form.format(second),

@@ -1,0 +1,51 @@
+"""What tidy.py asks of READMEs: that they name every file of their folders, in lines one can read."""
+
+import pathlib
+import re
+
+LINE_MAX = 140
+CODE = re.compile(r"```.*?```|`[^`]+`", re.S)
+
+
+def nearest(path: str, readmes) -> str:
+    """The README.md of the file's folder or of the closest one above it, but the root's; or ''."""
+    for folder in pathlib.PurePosixPath(path).parents:
+        readme = f"{folder}/README.md"
+        if readme in readmes:
+            return readme
+    return ""
+
+
+def unnamed(root: pathlib.Path, sources, readmes):
+    """Sources that their README does not name as code (`stem`); once for header and source."""
+    named = {
+        readme: set(re.findall(r"\w+", " ".join(CODE.findall((root / readme).read_text(encoding="utf-8")))))
+        for readme in readmes
+    }
+    seen = set()
+    for path in sources:
+        file = pathlib.PurePosixPath(path)
+        stem = (file.parent, file.stem)
+        if path.startswith("tests/") or stem in seen:
+            continue
+        seen.add(stem)
+        readme = nearest(path, readmes)
+        if not readme:
+            yield path, 1, "no README.md of its folder or of one above"
+        elif file.stem not in named[readme]:
+            yield path, 1, f"{readme} does not name `{file.stem}`"
+
+
+def too_wide(root: pathlib.Path, readmes):
+    """Lines that are too long and neither of a table nor of a link."""
+    for readme in readmes:
+        for number, line in enumerate((root / readme).read_text(encoding="utf-8").splitlines(), 1):
+            if len(line) > LINE_MAX and not line.startswith("|") and "](" not in line and "http" not in line:
+                yield readme, number, f"{len(line)} columns, at most {LINE_MAX}"
+
+
+def findings(root: pathlib.Path, sources, readmes):
+    """Nothing for a tree without a README at its root: it is no project."""
+    if "README.md" in readmes:
+        yield from unnamed(root, sources, readmes)
+        yield from too_wide(root, readmes)
