@@ -2,8 +2,10 @@
 
 #include <array>
 #include <charconv>
+#include <utility>
 
 #include "common/sources/profile.h"
+#include "common/text.h"
 
 namespace aucast::sources {
 namespace {
@@ -47,20 +49,49 @@ std::string faces_of(const Found& found) {
   return text + (found.faces.size() > kShown ? ", ..." : "");
 }
 
-/// What was left out, and what reads it, if that is more than a hitch.
+/// What reads the rows that were left out, if they are more than a hitch; else nothing.
+std::string still_clock(const Found& found, const SettingNames& names) {
+  if (found.left_out * 50 < found.rows || found.steps_a_second == 0) return {};
+  return std::string(names.fps) + " " + fixed(found.steps_a_second, 0) + " reads them all";
+}
+
 std::string left_out_of(const Found& found) {
   const std::string text = std::to_string(found.left_out) + " left out (no later time)";
-  if (found.left_out * 50 < found.rows || found.steps_a_second == 0) return text;
-  return text + "; --fps " + fixed(found.steps_a_second, 0) + " reads them all";
+  const std::string remedy = still_clock(found, {});
+  return remedy.empty() ? text : text + "; " + remedy;
 }
 
 /// Nothing for a clock that a camera can have.
-std::string hasty_clock(const Found& found) {
+std::string hasty_clock(const Found& found, const SettingNames& names) {
   if (found.rows_a_second <= kRowsASecondMax) return {};
-  return fixed(found.rows_a_second, 0) + " rows a second are no camera's: --fps says how many";
+  return fixed(found.rows_a_second, 0) +
+         " rows a second are no camera's: " + std::string(names.fps) + " says how many";
+}
+
+/// Nothing for a face at rest.
+std::string unquiet_face(const Found& found, const SettingNames& names) {
+  if (found.unquiet.empty()) return {};
+  return loud_text(found.unquiet) + ": no face at rest was taken off; " +
+         (found.quiet_seconds
+              ? std::string(names.neutral) + " " + fixed(*found.quiet_seconds, 0) + " takes off one"
+              : "leave out " + std::string(names.neutral) +
+                    ", or cut what is before the face is quiet");
 }
 
 }  // namespace
+
+std::vector<std::string> warnings(const Found& found, const SettingNames& names) {
+  std::vector<std::string> all;
+  const auto add = [&](std::string text) {
+    if (!text.empty()) all.push_back(std::move(text));
+  };
+  add(hasty_clock(found, names));
+  if (const std::string remedy = still_clock(found, names); !remedy.empty()) {
+    add(counted(found.left_out, "row") + " without a later time: " + remedy);
+  }
+  add(unquiet_face(found, names));
+  return all;
+}
 
 std::string found_lines(const Found& found) {
   std::string text = line("format", format_of(found));
@@ -71,8 +102,13 @@ std::string found_lines(const Found& found) {
   text += line("gaps", found.gaps == 0 ? "none over 0.5 s"
                                        : std::to_string(found.gaps) + " over 0.5 s, the longest " +
                                              fixed(found.gap_seconds_max, 2) + " s");
-  if (const std::string clock = hasty_clock(found); !clock.empty()) text += line("clock", clock);
+  if (const std::string clock = hasty_clock(found, {}); !clock.empty()) {
+    text += line("clock", clock);
+  }
   if (found.neutral) text += line("neutral", measured_text(*found.neutral));
+  if (const std::string loud = unquiet_face(found, {}); !loud.empty()) {
+    text += line("not quiet", loud);
+  }
   if (found.headers > 0) {
     text += line("appended", std::to_string(found.headers) + " header lines in the middle");
   }
@@ -90,8 +126,9 @@ std::string found_sentence(const Found& found) {
             " rows without data";
   }
   if (found.truncated) text += ", the truncated last line left out";
-  if (const std::string clock = hasty_clock(found); !clock.empty()) text += ", " + clock;
+  if (const std::string clock = hasty_clock(found, {}); !clock.empty()) text += ", " + clock;
   if (found.neutral) text += ", neutral face " + measured_text(*found.neutral);
+  if (const std::string loud = unquiet_face(found, {}); !loud.empty()) text += ", " + loud;
   return text;
 }
 

@@ -72,10 +72,13 @@ class RecordingReader {
     return is_sure(row, options_.confidence_min);
   }
   void prepare(std::int64_t face);
+  [[nodiscard]] NeutralMeter measured_in(std::int64_t face, double seconds);
   void measure(std::int64_t face, Track& track);
+  void judge_quiet(std::int64_t face, Found& found);
   void play();
   void take(const Observation& row, Track& track);
   [[nodiscard]] Result<std::vector<Recording>> finish();
+  [[nodiscard]] std::string needs_fps() const;
   [[nodiscard]] Error need(const std::string& reason) const;
 
   CsvReader& table_;
@@ -138,8 +141,7 @@ std::optional<Error> RecordingReader::settle() {
                  at_place(file_, table_.line(), 1, "the recording has no rows")};
   }
   if (!timed_ && !options_.fps) {
-    return need(found.format +
-                " wrote no times here; say how many pictures a second there are, such as --fps 30");
+    return need(found.format + " wrote no times here; " + needs_fps());
   }
   found.scale_asked = options_.au_scale.has_value();
   found.scale = options_.au_scale.value_or(scale_for(format_.native_scale(), found.largest));
@@ -166,6 +168,11 @@ std::optional<Error> RecordingReader::choose() {
               std::to_string(faces.front().id));
 }
 
+std::string RecordingReader::needs_fps() const {
+  return "say how many pictures a second there are, such as " + std::string(options_.names.fps) +
+         " 30";
+}
+
 Error RecordingReader::need(const std::string& reason) const {
   return {ErrorKind::Usage, at_place(file_, reason)};
 }
@@ -179,11 +186,9 @@ void RecordingReader::prepare(std::int64_t face) {
   measure(face, track);
 }
 
-/// What is subtracted, if it is to be measured: from the first seconds of each chosen face.
-void RecordingReader::measure(std::int64_t face, Track& track) {
-  const auto seconds = seconds_to_measure(conditioning_);
-  if (!seconds) return;
-  NeutralMeter meter(*seconds);
+/// The first seconds of a face.
+NeutralMeter RecordingReader::measured_in(std::int64_t face, double seconds) {
+  NeutralMeter meter(seconds);
   FaceNames names;
   SourceClock clock(options_.fps);
   FaceTimes times;
@@ -201,12 +206,36 @@ void RecordingReader::measure(std::int64_t face, Track& track) {
     const AuFrame update = update_of(row, found_.scale, sure(row));
     meter.add(*time, raw_signals(update, conditioning_));
   }
-  const MeasuredNeutral measured = meter.measured();
-  if (conditioning_.neutral_seconds) track.found.neutral = measured;
+  return meter;
+}
+
+/// What is taken off, if it is to be measured: from the first seconds of each chosen face.
+void RecordingReader::measure(std::int64_t face, Track& track) {
+  const auto seconds = seconds_to_measure(conditioning_);
+  if (!seconds) return;
+  const MeasuredNeutral measured = measured_in(face, *seconds).measured();
+  if (conditioning_.neutral_seconds) {
+    track.found.neutral = measured;
+    judge_quiet(face, track.found);
+  }
   ConditioningSettings settled = conditioning_;
   settled.profile.neutral = neutral_with(conditioning_, measured);
   settled.neutral_seconds.reset();
   track.timeline = Timeline(settled);
+}
+
+/// Whether what is taken off is a face at rest; if not, whether other first seconds have one.
+void RecordingReader::judge_quiet(std::int64_t face, Found& found) {
+  if (conditioning_.neutral_turns_only) return;
+  found.unquiet = loud_aus(found.neutral->signals);
+  if (found.unquiet.empty()) return;
+  for (const double seconds : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0}) {
+    const NeutralMeter meter = measured_in(face, seconds);
+    if (!meter.done()) return;  // there are no more
+    if (!loud_aus(meter.measured().signals).empty()) continue;
+    found.quiet_seconds = seconds;
+    return;
+  }
 }
 
 /// Second pass: the keyframes of the chosen faces.
@@ -269,13 +298,11 @@ Result<std::vector<Recording>> RecordingReader::finish() {
     if (keyframes > 0 && !nobody) recordings.push_back(std::move(recording));
   }
   if (one_time && recordings.size() == 1) {
-    return need(
-        "all rows have the same time; say how many pictures a second there are, such as "
-        "--fps 30");
+    return need("all rows have the same time; " + needs_fps());
   }
   if (!recordings.empty()) return recordings;
   if (timed_ || options_.fps) return need("no face is seen in any row");
-  return need("no row has a time; say how many pictures a second there are, such as --fps 30");
+  return need("no row has a time; " + needs_fps());
 }
 
 }  // namespace

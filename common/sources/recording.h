@@ -10,9 +10,17 @@
 #include "common/result.h"
 #include "common/sources/arkit_table.h"
 #include "common/sources/conditioning.h"
+#include "common/sources/quiet_face.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::sources {
+
+/// What the user knows some settings by, for messages.
+struct SettingNames {
+  std::string_view fps = "--fps";
+  std::string_view neutral = "--neutral";
+  friend bool operator==(const SettingNames&, const SettingNames&) = default;
+};
 
 /// What the user decides about recordings; the rest is detected.
 struct RecordingOptions {
@@ -21,6 +29,7 @@ struct RecordingOptions {
   std::optional<std::int64_t> face;  ///< which of several; else the most frequent
   bool all_faces = false;            ///< each as a stream of its own
   double confidence_min = 0.5;       ///< [0,1]; a row with less confidence has no data
+  SettingNames names;
   friend bool operator==(const RecordingOptions&, const RecordingOptions&) = default;
 };
 
@@ -52,6 +61,9 @@ struct Found {
   double steps_a_second = 0;               ///< usual steps of the clock; 0 of a single row
   double rows_a_second = 0;                ///< on the recording's clock; 0 of a single row
   std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
+  std::vector<LoudAu> unquiet;             ///< AUs of `neutral` that were taken off, and are too
+                                           ///< strong for a face at rest
+  std::optional<double> quiet_seconds;     ///< then: a span that has no such AUs, if there is one
 };
 
 /// A recording as keyframes.

@@ -355,6 +355,10 @@ TEST(Recording, AClockThatNoCameraHasIsSaid) {
   const std::string said = "1000 rows a second are no camera's: --fps says how many";
   EXPECT_NE(found_sentence(hasty.found).find(said), std::string::npos);
   EXPECT_NE(found_lines(hasty.found).find("clock       " + said), std::string::npos);
+  EXPECT_EQ(warnings(hasty.found), std::vector<std::string>{said});
+  EXPECT_EQ(
+      warnings(hasty.found, {"Pictures/s", "Quiet"}),
+      std::vector<std::string>{"1000 rows a second are no camera's: Pictures/s says how many"});
   RecordingOptions thirty;
   thirty.fps = 30;
   EXPECT_EQ(found_sentence(read_rows(rows, thirty).found).find("no camera"), std::string::npos);
@@ -369,6 +373,8 @@ TEST(Recording, AClockThatStoodStillIsToldWithTheRateThatReadsEveryRow) {
   }
   const auto recording = read_rows(rows);
   EXPECT_EQ(recording.found.left_out, 100U);
+  EXPECT_EQ(warnings(recording.found),
+            std::vector<std::string>{"100 rows without a later time: --fps 60 reads them all"});
   EXPECT_NE(found_lines(recording.found)
                 .find("610, 0 of them no data, 100 left out (no later time); --fps 60 reads them "
                       "all\n"),

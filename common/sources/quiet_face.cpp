@@ -1,0 +1,41 @@
+#include "common/sources/quiet_face.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace aucast::sources {
+
+std::vector<LoudAu> loud_aus(const Signals& neutral) {
+  PerAu percents(0);
+  for (const bool right : {false, true}) {
+    for (std::size_t number = 1; number < kAuCount; ++number) {
+      const float signal = neutral[channel_of(number, right)];
+      if (!is_signal(signal) || opposite_of(number) != 0) continue;
+      const double percent = std::round(signal * 100);
+      if (percent <= kRestPercentMax) continue;
+      percents.set({static_cast<std::uint8_t>(number), right ? Side::Right : Side::Left}, percent);
+    }
+  }
+  std::vector<LoudAu> loud;
+  for (const auto& [au, percent] : percents.exceptions()) {
+    loud.push_back({au, static_cast<int>(percent)});
+  }
+  std::stable_sort(loud.begin(), loud.end(),
+                   [](const LoudAu& a, const LoudAu& b) { return a.percent > b.percent; });
+  return loud;
+}
+
+std::string loud_text(const std::vector<LoudAu>& loud) {
+  constexpr std::size_t kShownMax = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(loud.size(), kShownMax); ++i) {
+    text += (i == 0 ? "AU" : ", AU") + au_name_text(loud[i].au) + " " +
+            std::to_string(loud[i].percent) + " %";
+  }
+  if (loud.size() > kShownMax) text += " and " + std::to_string(loud.size() - kShownMax) + " more";
+  return text;
+}
+
+}  // namespace aucast::sources
