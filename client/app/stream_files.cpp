@@ -19,8 +19,12 @@ std::vector<playback::Keyframe> keyframes_of(const protocol::StreamFile& stream)
   return keyframes;
 }
 
+/// As the file dialog has them (file.fps and file.quiet of the table of texts).
+constexpr sources::SettingNames kNames{"Pictures/s", "'Quiet, s'"};
+
 sources::ReadOptions read_options(const gui::TableSettings& settings) {
   sources::ReadOptions options;
+  options.recording.names = kNames;
   if (settings.fps > 0) options.recording.fps = settings.fps;
   if (settings.rate > 0) options.rate = settings.rate;
   if (settings.gain_percent > 0) {
@@ -54,8 +58,12 @@ Result<OpenedStream> open_stream(const std::filesystem::path& file,
                                  const gui::TableSettings& settings) {
   auto content = sources::read_source(file, read_options(settings));
   if (!content) return content.error();
-  return OpenedStream{keyframes_of(content->stream),
-                      content->found ? sentence(*content->found) : std::string()};
+  OpenedStream opened{keyframes_of(content->stream), {}, {}};
+  if (content->found) {
+    opened.found = sentence(*content->found);
+    opened.warnings = sources::warnings(*content->found, kNames);
+  }
+  return opened;
 }
 
 }  // namespace aucast::app

@@ -18,6 +18,7 @@ namespace aucast::app {
 struct OpenedStream {
   std::vector<playback::Keyframe> keyframes;  ///< at least one
   std::string found;  ///< a sentence about a recogniser's table; empty for a stream file
+  std::vector<std::string> warnings;  ///< what the reader finds odd in it, a sentence each
 };
 
 /// Reads a stream file or the table of a recogniser, told apart by their content; `settings` are

@@ -72,6 +72,21 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"made.faceless", "{found}, {rows} without a face"},
     {"made.left_out", "{found}, {rows} left out (no later time)"},
     {"made.one_face", "{found}; one of {faces} faces"},
+    {"made.needs_fps",
+     "{why}; say how many pictures a second there are, such as Pictures/s {number}"},
+    {"made.no_times", "{format} wrote no times here"},
+    {"made.no_row_times", "no row has a time"},
+    {"made.one_time", "all rows have the same time"},
+    {"made.hasty_clock", "{rate} rows a second are no camera's: Pictures/s says how many"},
+    {"made.still_clock", "{rows} without a later time: Pictures/s {rate} reads them all"},
+    {"made.count_row", "1 row"},
+    {"made.count_rows", "{count} rows"},
+    {"made.unquiet",
+     "{aus}: no face at rest was taken off; leave out 'Quiet, s', or cut what is before the face "
+     "is quiet"},
+    {"made.unquiet_span",
+     "{aus}: no face at rest was taken off; 'Quiet, s' {seconds} takes off one"},
+    {"made.and_more", "{aus} and {count} more"},
     // Last: all of the above may have a colon.
     {"net.at", "{server}: {why}"},
 });

@@ -29,6 +29,23 @@ TEST(StreamFiles, ATableIsReadAsItIsSet) {
   EXPECT_NEAR(half->keyframes.front().aus.left[1], plain->keyframes.front().aus.left[1] / 2, 0.01);
 }
 
+TEST(StreamFiles, WhatIsOddInATableIsSaidByTheNamesOfTheDialog) {
+  const test::TempFolder folder;
+  std::string hasty = "frame, face_id, timestamp, confidence, success, AU12_r, AU12_c\n";
+  for (int i = 0; i < 10; ++i) {
+    hasty += std::to_string(i + 1) + ", 0, 0.00" + std::to_string(i) + ", 0.98, 1, 5.0, 1\n";
+  }
+  const auto opened = open_stream(folder.write("hasty.csv", hasty), {.quiet_s = 1});
+  ASSERT_TRUE(opened) << opened.error().message;
+  ASSERT_EQ(opened->warnings.size(), 2U);
+  EXPECT_EQ(opened->warnings[0], "1000 rows a second are no camera's: Pictures/s says how many");
+  EXPECT_TRUE(opened->warnings[1].starts_with("AU12 100 %: ")) << opened->warnings[1];
+  EXPECT_NE(opened->warnings[1].find("'Quiet, s'"), std::string::npos) << opened->warnings[1];
+  const auto timeless = open_stream(folder.write("timeless.csv", sources::tables::kPyFeat1), {});
+  EXPECT_TRUE(timeless.error().message.ends_with("such as Pictures/s 30"))
+      << timeless.error().message;
+}
+
 TEST(StreamFiles, WhatCannotBeReadSaysWhere) {
   const test::TempFolder folder;
   EXPECT_EQ(read_stream(folder.path() / "none.txt").error().kind, ErrorKind::Unreadable);

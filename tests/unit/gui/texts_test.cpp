@@ -139,6 +139,19 @@ TEST_F(Texts, OtherPlacesToFillInAreSaid) {
   complaint_about("{drawn} images sur", "{drawn images sur");
 }
 
+TEST_F(Texts, WarningsAboutATableNameTheFieldsThatTheDialogHas) {
+  for (const bool in_french : {false, true}) {
+    if (in_french) use_french();
+    const std::string fps = tr("file.fps");
+    EXPECT_NE(tr("made.needs_fps", "x", "30").find(fps), std::string::npos);
+    EXPECT_NE(tr("made.hasty_clock", "1000").find(fps), std::string::npos);
+    EXPECT_NE(tr("made.still_clock", "2 rows", "30").find(fps), std::string::npos);
+    const std::string quiet = tr("file.quiet");
+    EXPECT_NE(tr("made.unquiet", "AU7 100 %").find(quiet), std::string::npos);
+    EXPECT_NE(tr("made.unquiet_span", "AU7 100 %", "2").find(quiet), std::string::npos);
+  }
+}
+
 TEST_F(Texts, AFileThatIsNoTomlIsSaid) {
   complaint_about("[tab]", "[tab");
 }

@@ -161,10 +161,11 @@ Result<void> WindowFiles::play(const fs::path& file, Instant now) {
   users_.notices.clear();
   if (!opened->found.empty()) {
     gui::remember_table(tables_, table);
+    std::string text = gui::in_used_language(opened->found);
     const std::string changed = gui::table_in_words(table.settings);
-    users_.notices.say(gui::in_used_language(opened->found) +
-                           (changed.empty() ? "" : "\n" + gui::tr("file.tables_applied", changed)),
-                       false, now);
+    if (!changed.empty()) text += "\n" + gui::tr("file.tables_applied", changed);
+    for (const std::string& one : opened->warnings) text += "\n" + gui::in_used_language(one);
+    users_.notices.say(std::move(text), !opened->warnings.empty(), now);
   }
   files_.opened(file);
   users_.playback.open(std::move(opened->keyframes), file.filename().string(), now);

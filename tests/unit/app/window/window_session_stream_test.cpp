@@ -216,6 +216,22 @@ TEST_F(StreamSessionTest, ATableOfARecogniserPlaysAsItIsSetToBeRead) {
   EXPECT_EQ(model().recent_files, (std::vector<std::string>{table.string(), another.string()}));
 }
 
+TEST_F(StreamSessionTest, WhatIsOddInATableIsAWarning) {
+  std::string text = "frame, face_id, timestamp, confidence, success, AU12_r, AU12_c\n";
+  for (int i = 0; i < 20; ++i) {
+    text += std::to_string(i + 1) + ", 0, " + std::to_string(0.1 * i) + ", 0.98, 1, 5.0, 1\n";
+  }
+  folder_.write("loud.csv", text);
+  ask(gui::Browse{gui::Purpose::PlayStream});
+  ask(gui::EnterFolder{folder_.path().string()});
+  ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 0, .quiet_s = 1}});
+  ask(gui::ChooseFile{"loud.csv"});
+  ASSERT_TRUE(model().local.open);
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_NE(model().notice.text.find("AU12 100 %: no face at rest"), std::string::npos)
+      << model().notice.text;
+}
+
 TEST_F(StreamSessionTest, TheDialogOpensAFileAndKeepsOpenForOneThatIsWrong) {
   folder_.write("wrong.txt", "");
   ask(gui::Browse{gui::Purpose::PlayStream});
