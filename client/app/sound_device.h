@@ -14,6 +14,10 @@ namespace aucast::app {
 /// is then logged. If nothing would play the voice, `options` no longer asks for it.
 [[nodiscard]] std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options);
 
+/// A sound file. Its failures are those of a file.
+[[nodiscard]] Result<std::unique_ptr<sound::SoundTrack>> open_sound_file(
+    const std::filesystem::path& sound_file);
+
 /// The sound file beside a stream file; null: there is none. Its failures are those of a file.
 [[nodiscard]] Result<std::unique_ptr<sound::SoundTrack>> open_sound_beside(
     const std::filesystem::path& stream_file);

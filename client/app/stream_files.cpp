@@ -1,6 +1,7 @@
 #include "client/app/stream_files.h"
 
 #include "common/files.h"
+#include "common/sources/found_report.h"
 #include "common/sources/source_reader.h"
 #include "common/text.h"
 #include "protocol/stream_file.h"

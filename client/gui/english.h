@@ -554,6 +554,10 @@ inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
     {"said.live_file", "--live changes nothing: a file is not live"},
     {"said.live_classic",
      "--live changes nothing: a classic server cannot say that its stream is live"},
+    {"said.sound_plays", "{file} is heard with {stream}"},
+    {"said.sound_alone",
+     "{file} is a sound: open the stream or table that it belongs to first, then the sound"},
+    {"said.no_device", "there is no sound device"},
     {"said.live_recorded", "--live changes nothing: this stream is recorded, not live"},
 });
 

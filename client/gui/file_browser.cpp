@@ -6,6 +6,7 @@
 
 #include "client/face/face_folder.h"
 #include "common/film_name.h"
+#include "common/sound_name.h"
 #include "common/text.h"
 
 namespace aucast::gui {
@@ -19,7 +20,8 @@ bool may_open(Purpose purpose, const fs::path& file) {
   const std::string ending = lowered(file.extension().string());
   switch (purpose) {
     case Purpose::PlayStream:
-      return ending == ".txt" || ending == ".csv" || ending == ".tsv" || is_face_file(file);
+      return ending == ".txt" || ending == ".csv" || ending == ".tsv" || is_face_file(file) ||
+             is_sound(file);
     case Purpose::ComposeStream:
       return ending == ".txt";
     case Purpose::ImportAus:

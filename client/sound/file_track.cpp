@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string_view>
 #include <system_error>
 
+#include "common/sound_name.h"
 #include "common/voice/sound_file.h"
 #include "common/voice/voice_encoder.h"
 
@@ -35,7 +37,6 @@ Filter make_filter() {
   return filter;
 }
 
-constexpr std::array<const char*, 5> kEndings{".wav", ".flac", ".opus", ".ogg", ".mp3"};
 constexpr float kWhole = 32767;
 
 }  // namespace
@@ -87,7 +88,7 @@ std::int64_t FileTrack::end() const {
 }
 
 std::optional<std::filesystem::path> sound_beside(const std::filesystem::path& stream_file) {
-  for (const char* ending : kEndings) {
+  for (const std::string_view ending : kSoundEndings) {
     std::filesystem::path sound = stream_file;
     sound.replace_extension(ending);
     std::error_code ignored;

@@ -33,18 +33,19 @@ TEST_F(FileBrowserTest, ListsFoldersFirstAndLeavesHiddenOnesOut) {
 }
 
 TEST_F(FileBrowserTest, OffersWhatCanBeOpened) {
-  for (const char* other : {"README.md", "a.opus", "a.vtt", "Take.CSV", "aus.toml"}) {
+  for (const char* other : {"README.md", "a.jpg", "a.vtt", "Take.CSV", "aus.toml", "b.opus"}) {
     folder_.write(other, "");
   }
   browser_.open(Purpose::PlayStream, folder_.path());
-  const std::vector<FileEntry> played = {{"zoo", true}, {"Take.CSV"}, {"a.txt"}, {"b.txt"}};
+  const std::vector<FileEntry> played = {
+      {"zoo", true}, {"Take.CSV"}, {"a.txt"}, {"b.opus"}, {"b.txt"}};
   EXPECT_EQ(browser_.view().entries, played);
-  ASSERT_TRUE(browser_.choose("a.opus", chosen_)) << "what is typed is meant";
+  ASSERT_TRUE(browser_.choose("a.jpg", chosen_)) << "what is typed is meant";
   browser_.open(Purpose::ImportAus, folder_.path());
   const std::vector<FileEntry> imported = {{"zoo", true}, {"aus.toml"}};
   EXPECT_EQ(browser_.view().entries, imported);
   browser_.open(Purpose::SaveStream, folder_.path());
-  EXPECT_EQ(browser_.view().entries.size(), 8U) << "what is there would be replaced";
+  EXPECT_EQ(browser_.view().entries.size(), 9U) << "what is there would be replaced";
 }
 
 TEST_F(FileBrowserTest, OpensTheNearestFolderThatIsThere) {

@@ -13,6 +13,7 @@
 #include "common/files.h"
 #include "common/film_name.h"
 #include "common/overloaded.h"
+#include "common/sound_name.h"
 
 namespace aucast::app {
 
@@ -149,10 +150,18 @@ Result<void> WindowFiles::open(const fs::path& file, Instant now) {
   return gui::is_face_file(file) ? hooks_.show_face(folder_of(file), now) : play(file, now);
 }
 
+/// A sound is heard with what plays, as if it had the name of its file.
+Result<void> WindowFiles::play_sound(const fs::path& file, Instant now) {
+  const gui::LocalView local = users_.playback.local_view();
+  if (local.open) return users_.playback.sound().play_file(file, local.name, now);
+  return Error{ErrorKind::Usage, gui::tr("said.sound_alone", file.filename().string())};
+}
+
 Result<void> WindowFiles::play(const fs::path& file, Instant now) {
   if (is_film(file)) {
     return Error{ErrorKind::Usage, gui::tr("said.is_film", file.filename().string())};
   }
+  if (is_sound(file)) return play_sound(file, now);
   if (!files_.view().open) tables_.asked.reset();
   const std::string name = whole_path(file).string();
   const gui::KnownTable table{name, gui::settings_for(tables_, name)};

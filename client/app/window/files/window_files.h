@@ -81,6 +81,7 @@ class WindowFiles {
   void open_recent(const std::filesystem::path& file, Instant now);
   [[nodiscard]] Result<void> open(const std::filesystem::path& file, Instant now);
   [[nodiscard]] Result<void> play(const std::filesystem::path& file, Instant now);
+  [[nodiscard]] Result<void> play_sound(const std::filesystem::path& file, Instant now);
   [[nodiscard]] Result<std::string> save_composition(const std::filesystem::path& file);
   [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
                                                    Instant now);

@@ -50,6 +50,17 @@ void SoundSession::play_sound_file(Instant now) {
   track_ = std::move(*track);
 }
 
+Result<void> SoundSession::play_file(const std::filesystem::path& sound, const std::string& stream,
+                                     Instant now) {
+  if (!has_device_) return Error{ErrorKind::Failed, gui::tr("said.no_device")};
+  auto track = open_sound_file(sound);
+  if (!track) return track.error();
+  player_.sound().open(player_.playback(), track->get());
+  track_ = std::move(*track);
+  notices_.say(gui::tr("said.sound_plays", sound.filename().string(), stream), false, now);
+  return {};
+}
+
 void SoundSession::advanced(Instant now) {
   if (const auto place = player_.heard_place()) spoken_.move_to(*player_.playback(), *place);
   if (player_.sound().take_loss()) {

@@ -14,6 +14,7 @@
 #include "client/sound/sound_out.h"
 #include "client/sound/sound_player.h"
 #include "client/sound/sound_track.h"
+#include "common/result.h"
 #include "common/time.h"
 
 namespace aucast::app {
@@ -30,6 +31,10 @@ class SoundSession {
   /// What plays was read from this file: the sound file and the captions beside it, if there are
   /// any, belong to it.
   void play_beside(const std::filesystem::path& file, Instant now);
+  /// This sound file is heard with what plays, called `stream`, in place of what else was; that is
+  /// said. Its failures are those of a file; Failed without a device.
+  [[nodiscard]] Result<void> play_file(const std::filesystem::path& sound,
+                                       const std::string& stream, Instant now);
   /// The player has been advanced to `now`.
   void advanced(Instant now);
 

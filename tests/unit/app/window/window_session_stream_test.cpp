@@ -1,10 +1,16 @@
+#include <algorithm>
+#include <memory>
+
 #include <gtest/gtest.h>
 
 #include "client/app/stream_files.h"
+#include "client/gui/texts.h"
 #include "client/playback/seekable_playback.h"
+#include "client/sound/wav_file.h"
 #include "common/files.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"
+#include "tests/unit/sound/cranked_out.h"
 
 namespace aucast::app {
 namespace {
@@ -126,6 +132,34 @@ TEST_F(StreamSessionTest, SpaceHoldsAndPlaysAgainFromTheEnd) {
   session_->toggle_pause(clock_.now());
   go_on(Milliseconds(10));
   EXPECT_EQ(model().local.position, Milliseconds(10));
+}
+
+TEST_F(StreamSessionTest, ASoundIsHeardWithWhatPlays) {
+  const auto sound = folder_.write("voice.wav", "");
+  ask(gui::OpenStream{sound.string()});
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_EQ(model().notice.text, gui::tr("said.sound_alone", "voice.wav"));
+  open();
+  ask(gui::OpenStream{sound.string()});
+  EXPECT_EQ(model().notice.text, gui::tr("said.no_device"));
+  sound::test::Crank crank;
+  session_->set_sound(std::make_unique<sound::test::CrankedOut>(crank), clock_.now());
+  ask(gui::OpenStream{sound.string()});
+  EXPECT_NE(model().notice.text.find("voice.wav"), std::string::npos) << "it is empty";
+  EXPECT_TRUE(model().notice.bad);
+  auto wav = sound::WavFile::open(sound);
+  ASSERT_TRUE(wav) << wav.error().message;
+  (*wav)->add(std::vector<float>(48'000, 0.5F));
+  ASSERT_TRUE((*wav)->finish());
+  ask(gui::OpenStream{sound.string()});
+  EXPECT_EQ(model().notice.text, gui::tr("said.sound_plays", "voice.wav", "three.txt"));
+  ask(gui::Resume{});
+  for (int i = 0; i < 10; ++i) {
+    go_on(Milliseconds(20));
+    crank.turn(Milliseconds(20));
+  }
+  EXPECT_TRUE(std::any_of(crank.written.begin(), crank.written.end(),
+                          [](float sample) { return sample > 0.25F; }));
 }
 
 TEST_F(StreamSessionTest, AStepTakesTheFaceBackFromTheEditor) {
