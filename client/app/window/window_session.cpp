@@ -229,6 +229,9 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       },
       [&](const gui::SoundCommand& one) { playback_.sound().apply(one, now); },
       [&](const gui::EditorCommand& one) {
+        if (shown_ != Shown::Editor && gui::command_if<gui::SetChannel>(one)) {
+          editor_.begin_with_shown();
+        }
         if (editor_.apply(one, now)) show_edited(Shown::Editor, now);
         if (gui::command_if<gui::SaveAu>(one) && !editor_.save_failed()) {
           show_saved_face(now);
@@ -387,8 +390,7 @@ gui::GuiModel WindowSession::model() const {
   model.browser = files_.browser();
   model.notice = notices_.view();
   model.animation = settings_.animation();
-  model.editor = editor_.view();
-  model.editor.active = shown_ == Shown::Editor;
+  model.editor = editor_.view(shown_ == Shown::Editor);
   model.composer = composer_.view();
   model.composer.active = shown_ == Shown::Composer;
   model.composer.can_take = shown_ != Shown::Composer && aus_shown().has_value();

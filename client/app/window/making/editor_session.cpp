@@ -52,6 +52,13 @@ EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping,
   list_aus();
 }
 
+void EditorSession::begin_with_shown() {
+  if (editor_.unsaved() || editor_.activations() == shown_) return;
+  transition_.reset();
+  show_none_of_them();
+  editor_.take(shown_, false);
+}
+
 bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
   // What is edited is shown at once, and is no longer what was put together.
   const auto edit = [&](auto change) {
@@ -315,9 +322,12 @@ std::string EditorSession::made_of() const {
   return editor_.au() ? "au" + std::to_string(*editor_.au()) + "_edited" : "edited";
 }
 
-gui::EditorView EditorSession::view() const {
+gui::EditorView EditorSession::view(bool active) const {
   gui::EditorView view;
-  view.groups = gui::channel_groups(mapping_.face, editor_.activations());
+  view.active = active;
+  // What a muscle would be moved from.
+  const bool begun = active || editor_.unsaved();
+  view.groups = gui::channel_groups(mapping_.face, begun ? editor_.activations() : shown_);
   view.linked = editor_.linked();
   view.au = editor_.au().value_or(-1);
   view.unsaved = unsaved();

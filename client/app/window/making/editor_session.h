@@ -27,6 +27,9 @@ class EditorSession {
   EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
                 const std::vector<float>& shown);
 
+  /// Begins with the face that is shown, which is not the editor's, as a free expression; changes
+  /// that are not saved go on instead.
+  void begin_with_shown();
   /// True when the editor's face is to be shown.
   bool apply(const gui::EditorCommand& command, Instant now);
   void set_transition(const gui::TransitionSettings& settings) { transition_settings_ = settings; }
@@ -65,8 +68,8 @@ class EditorSession {
   [[nodiscard]] bool save_failed() const { return save_failed_; }
   /// The folder of the face that was saved to; empty: nothing was saved.
   [[nodiscard]] const std::string& saved_face() const { return saved_face_; }
-  /// All but `active`, which the caller sets.
-  [[nodiscard]] gui::EditorView view() const;
+  /// `active`: the editor's face is shown.
+  [[nodiscard]] gui::EditorView view(bool active) const;
   /// The buttons are one for each expression, in their order.
   [[nodiscard]] const gui::ExpressionsView& expressions() const { return expressions_; }
   /// The AUs of the face with what they drive.

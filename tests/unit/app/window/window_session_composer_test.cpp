@@ -27,6 +27,16 @@ class ComposerSessionTest : public SessionOnDefaultFace {
   }
 };
 
+TEST_F(ComposerSessionTest, TheEditorBeginsWithTheFaceThatIsComposed) {
+  compose(gui::ComposeAu{26, 100, 100, false});
+  const float jaw = shown("jaw");
+  ASSERT_GT(jaw, 0);
+  ask(gui::SetChannel{static_cast<int>(*assets_->face.channel_index("head_turn_left")), 0.5F,
+                      false});
+  EXPECT_TRUE(model().editor.active);
+  EXPECT_FLOAT_EQ(shown("jaw"), jaw);
+}
+
 TEST_F(ComposerSessionTest, TheFaceShowsWhatIsComposedWithTheRules) {
   compose(gui::ComposeAu{51, 100, 100, false});
   compose(gui::ComposeAu{52, 40, 40, false});

@@ -134,6 +134,38 @@ TEST_F(StreamSessionTest, SpaceHoldsAndPlaysAgainFromTheEnd) {
   EXPECT_EQ(model().local.position, Milliseconds(10));
 }
 
+TEST_F(StreamSessionTest, TheEditorBeginsWithTheFaceThatIsPlayed) {
+  open();
+  go_on(Milliseconds(50));
+  ask(gui::Pause{});
+  const float open_jaw = shown("jaw");
+  ASSERT_GT(open_jaw, 0);
+  const auto channel = static_cast<int>(*assets_->face.channel_index("left_zygomaticus_major"));
+  const auto jaw_of_panel = [this, jaw = static_cast<int>(*assets_->face.channel_index("jaw"))] {
+    const gui::EditorView view = model().editor;
+    for (const auto& group : view.groups) {
+      for (const auto& row : group.rows) {
+        if (row.left == jaw) return row.left_value;
+      }
+    }
+    return 0.0F;
+  };
+  EXPECT_FLOAT_EQ(jaw_of_panel(), open_jaw) << "what is moved is what is seen";
+  ask(gui::SetChannel{channel, 0.5F, false});
+  EXPECT_TRUE(model().editor.active);
+  EXPECT_FLOAT_EQ(shown("jaw"), open_jaw);
+  EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), 0.5F);
+  ask(gui::Undo{});
+  EXPECT_FLOAT_EQ(shown("jaw"), open_jaw);
+  EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), 0);
+  // What is not saved is not thrown away for the face that plays.
+  ask(gui::SetChannel{channel, 0.25F, false});
+  ask(LocalCommand(gui::Seek{Milliseconds(300)}));
+  EXPECT_FALSE(model().editor.active);
+  ask(gui::SetChannel{channel, 0.75F, false});
+  EXPECT_FLOAT_EQ(shown("jaw"), open_jaw);
+}
+
 TEST_F(StreamSessionTest, ASoundIsHeardWithWhatPlays) {
   const auto sound = folder_.write("voice.wav", "");
   ask(gui::OpenStream{sound.string()});
