@@ -274,6 +274,7 @@ struct Stepped {
 };
 
 int step_on(const Steps& steps, int value, int direction) {
+  if (value == 0 && direction > 0 && steps.first > 0) return steps.first;
   const int by = ImGui::GetIO().KeyCtrl ? steps.far : steps.near;
   return std::clamp(value + direction * by, steps.least, steps.most);
 }
@@ -431,12 +432,18 @@ bool choice_of(const char* id, const char* const* words, int count, int& chosen)
   for (int i = 0; i < count; ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     const bool on = i == chosen;
-    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+    // What is chosen looks so under the pointer too.
+    if (on) {
+      ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+      ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
+                            ImGui::GetStyleColorVec4(ImGuiCol_HeaderHovered));
+      ImGui::PushStyleColor(ImGuiCol_ButtonActive, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+    }
     if (ImGui::Button(words[i], ImVec2(ImGui::CalcTextSize(words[i]).x + around, 0)) && !on) {
       chosen = i;
       changed = true;
     }
-    if (on) ImGui::PopStyleColor();
+    if (on) ImGui::PopStyleColor(3);
   }
   ImGui::PopStyleVar();
   ImGui::PopID();

@@ -87,6 +87,7 @@ struct Steps {
   int least = 0;
   int most = 1'000'000;
   const char* zero = nullptr;  ///< what 0 means, in its place; null: it is a number like others
+  int first = 0;               ///< the first step up from such a 0; 0: as every other
   bool buttons = true;         ///< left out also where there is no room beside the number
 };
 /// A whole number that is typed or stepped, by its buttons or by Up and Down; true when it changed

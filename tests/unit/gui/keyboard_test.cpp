@@ -457,6 +457,34 @@ TEST_F(Keyboard, NoFileMovesWhenOneIsChosenThatIsReadInAWayOfItsOwn) {
   EXPECT_EQ(height_of_list(), usual);
 }
 
+TEST_F(Keyboard, TheGainIsSteppedFromAHundredPercent) {
+  model_.browser.open = true;
+  model_.browser.folder = "/streams";
+  frames(4);
+  const auto go_on_to = [this](const char* label) {
+    for (int i = 0; i < 30; ++i) {
+      ImGuiWindow* const window = ImGui::GetCurrentContext()->NavWindow;
+      if (window != nullptr && focus() == window->GetID(label)) return true;
+      press(ImGuiKey_Tab);
+    }
+    return false;
+  };
+  ASSERT_TRUE(go_on_to(tr("file.tables")));
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(go_on_to("##gain"));
+  press(ImGuiKey_UpArrow);
+  auto changed = asked<ChangeTable>();
+  ASSERT_TRUE(changed);
+  EXPECT_EQ(changed->settings.gain_percent, 100);
+  model_.tables.asked = changed->settings;
+  commands_.clear();
+  frames(2);
+  press(ImGuiKey_UpArrow);
+  changed = asked<ChangeTable>();
+  ASSERT_TRUE(changed);
+  EXPECT_EQ(changed->settings.gain_percent, 110);
+}
+
 TEST_F(Keyboard, TheFocusGoesOnToWhatLiesOverTheFace) {
   const ImGuiWindow* const welcome = ImGui::FindWindowByName("welcome");
   ASSERT_NE(welcome, nullptr);

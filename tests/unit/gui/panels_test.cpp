@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <set>
+#include <utility>
 #include <variant>
 
 #include "client/gui/gui.h"
@@ -332,6 +333,40 @@ TEST_F(Panels, TheMixerIsChanged) {
   const auto change = find_by_clicking<ChangeAnimation>(720, 530, kHeight);
   ASSERT_TRUE(change.has_value());
   EXPECT_EQ(change->settings.mixer, face::Mixer::Average);
+}
+
+TEST_F(Panels, WhatIsChosenLooksSoUnderThePointerToo) {
+  // The row of the mixer, whose first button is chosen, is where the second one is found.
+  float y = 530;
+  const auto is_row = [&] {
+    for (const GuiCommand& command : click(720, y)) {
+      if (command_if<ChangeAnimation>(command) != nullptr) return true;
+    }
+    return false;
+  };
+  while (y < kHeight && !is_row()) y += 4;
+  ASSERT_LT(y, kHeight);
+  y += 4;
+  // Where the row has the colour of what is chosen, with the pointer at x: how much, and the
+  // middle.
+  const auto marked = [&](float x) {
+    ImGui::GetIO().MousePos = ImVec2(x, y);
+    const view::Image drawn = picture();
+    int count = 0;
+    int sum = 0;
+    for (int at = 440; at < kWidth; ++at) {
+      const auto pixel = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(kWidth) +
+                              static_cast<std::size_t>(at));
+      if (drawn.rgba[pixel + 2] < drawn.rgba[pixel] + 35) continue;
+      ++count;
+      sum += at;
+    }
+    return std::pair(count,
+                     count == 0 ? 0.0F : static_cast<float>(sum) / static_cast<float>(count));
+  };
+  const auto [away, middle] = marked(1);
+  ASSERT_GT(away, 30);
+  EXPECT_GE(marked(middle).first, away) << "marked under the pointer too";
 }
 
 TEST_F(Panels, NothingIsAskedForByLooking) {
