@@ -3,15 +3,17 @@
 #include <string>
 
 #include "client/gui/gui_model.h"
+#include "client/gui/said_text.h"
 #include "common/time.h"
 
 namespace aucast::app {
 
-/// One sentence for the user, which goes away by itself: the last one that was said.
+/// One sentence for the user, which goes away by itself: the last one that was said, in the
+/// language in use where it is one of those that come up in English.
 class Notices {
  public:
-  void say(std::string text, bool bad, Instant now) {
-    notice_ = {std::move(text), bad};
+  void say(const std::string& text, bool bad, Instant now) {
+    notice_ = {gui::in_used_language(text), bad};
     until_ = now + (bad ? kBadTime : kTime);
   }
   void clear() { notice_ = {}; }

@@ -283,7 +283,7 @@ Result<void> GalleryPlanner::add_sweep(const std::string& word, GalleryBlock& bl
   if (!aus) {
     std::vector<std::string> names{"all"};
     for (const Expression& one : input_.expressions) names.push_back(one.name);
-    return Error{ErrorKind::Usage, "--sweep '" + escaped(word) +
+    return Error{ErrorKind::Usage, "the sweep '" + escaped(word) +
                                        "' is neither a set of AUs nor an expression" +
                                        did_you_mean(word, names)};
   }

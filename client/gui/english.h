@@ -558,6 +558,8 @@ inline constexpr std::array kEnglishLabels = std::to_array<EnglishText>({
     {"said.sound_alone",
      "{file} is a sound: open the stream or table that it belongs to first, then the sound"},
     {"said.no_device", "there is no sound device"},
+    {"said.bad_data", "This file is not as it must be:"},
+    {"said.unreadable", "This file cannot be read:"},
     {"said.live_recorded", "--live changes nothing: this stream is recorded, not live"},
 });
 

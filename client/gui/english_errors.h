@@ -12,8 +12,7 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"net.cannot_reach", "cannot reach {server}: {why}"},
     {"net.unreachable", "cannot be reached: {why}"},
     {"net.is_it_there",
-     "{why}; is au-transmitter running there, on an address (--bind) that can be reached from "
-     "here?"},
+     "{why}; is au-transmitter running there, on an address that can be reached from here?"},
     {"net.is_it_one_wait",
      "{why}; is it an au-transmitter? --connect-timeout sets how long to wait"},
     {"net.is_it_one", "{why}; is it an au-transmitter?"},
@@ -67,6 +66,8 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
      "farthest vertex from the face itself: median {median} mm, nine of ten below {most} mm, worst "
      "{worst} mm ({count} samples)"},
     {"made.no_glb", "stopped; no GLB file was written"},
+    // Before the number of rows, which it ends like.
+    {"bad.no_rows", "{place}: the recording has no rows"},
     {"made.row", "{format}: {rows} row"},
     {"made.rows", "{format}: {rows} rows"},
     {"made.faceless", "{found}, {rows} without a face"},
@@ -87,6 +88,33 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"made.unquiet_span",
      "{aus}: no face at rest was taken off; 'Quiet, s' {seconds} takes off one"},
     {"made.and_more", "{aus} and {count} more"},
+    {"bad.read", "cannot be read: {why}"},
+    {"bad.written", "cannot be written: {why}"},
+    {"bad.no_file", "No such file or directory"},
+    {"bad.not_allowed", "Permission denied"},
+    {"bad.is_folder", "Is a directory"},
+    {"bad.no_folder", "Not a directory"},
+    {"bad.disk_full", "No space left on device"},
+    {"bad.read_only", "Read-only file system"},
+    {"bad.no_stream", "there is no stream: Beg_Stream, packets and End_Stream are missing"},
+    {"bad.no_text",
+     "this is not text: found the byte '{byte}'; a stream file is ASCII or UTF-8 text"},
+    {"bad.no_face", "no face is seen in any row"},
+    {"bad.no_camera", "there is no such camera; plug it in, or name another one or a film"},
+    {"bad.cannot_listen", "cannot listen on {address}: {why}"},
+    {"bad.port_taken",
+     "{why}; another program has this port: stop it, or choose one with the number beside Address "
+     "(0 takes any free one)"},
+    {"bad.port_of_root",
+     "{why}; ports below 1024 are for root: choose another with the number beside Address"},
+    {"bad.address_elsewhere",
+     "{why}; that is not an address of this host: choose one with Address (127.0.0.1 for this host "
+     "only, 0.0.0.0 for all addresses)"},
+    {"bad.address_in_use", "Address already in use"},
+    {"bad.address_not_here", "Cannot assign requested address"},
+    {"bad.sweep", "the sweep '{word}' is neither a set of AUs nor an expression"},
+    {"bad.sweep_like",
+     "the sweep '{word}' is neither a set of AUs nor an expression; did you mean {other}?"},
     // Last: all of the above may have a colon.
     {"net.at", "{server}: {why}"},
 });

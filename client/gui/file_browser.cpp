@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "client/face/face_folder.h"
+#include "client/gui/said_text.h"
 #include "common/film_name.h"
 #include "common/sound_name.h"
 #include "common/text.h"
@@ -88,7 +89,7 @@ void FileBrowser::enter(const fs::path& folder) {
   std::vector<FileEntry> entries = entries_of(wanted, view_.purpose, error);
   view_.replaces.clear();
   if (error) {
-    view_.problem = wanted.string() + ": " + error.message();
+    view_.problem = in_used_language(wanted.string() + ": " + error.message());
     return;
   }
   view_.problem.clear();

@@ -124,7 +124,8 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
     ImGui::EndDisabled();
     if (changed) commands.push_back(GalleryCommand(ChangeGallery{settings}));
     quiet_text(tr("gallery.help"));
-    const std::string wrong = problem(settings).empty() ? view.complaint : problem(settings);
+    const std::string missing = problem(settings);
+    const std::string& wrong = missing.empty() ? view.complaint : missing;
     // Always a line, so that no button moves when it begins.
     if (view.running) {
       progress(view);
@@ -133,7 +134,11 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
     } else {
       const float top = ImGui::GetCursorPosY();
       ImGui::AlignTextToFramePadding();
-      quiet_text(wrong.empty() ? tr("gallery.planned", view.planned) : wrong);
+      if (missing.empty() && !wrong.empty()) {
+        toned_text(Tone::Bad, wrong);
+      } else {
+        quiet_text(wrong.empty() ? tr("gallery.planned", view.planned) : wrong);
+      }
       ImGui::SetCursorPosY(top + ImGui::GetFrameHeightWithSpacing());
     }
     if (wide_button(tr("button.cancel"), 0, 2, !view.ending)) {

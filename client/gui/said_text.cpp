@@ -37,7 +37,7 @@ std::optional<Values> places_in(std::string_view text, std::string_view pattern)
 }
 
 bool is_said(std::string_view key) {
-  return key.starts_with("net.") || key.starts_with("made.");
+  return key.starts_with("net.") || key.starts_with("made.") || key.starts_with("bad.");
 }
 
 std::optional<std::string> translated(std::string_view english) {
@@ -62,6 +62,22 @@ std::optional<std::string> translated(std::string_view english) {
 
 std::string in_used_language(const std::string& english) {
   return translated(english).value_or(english);
+}
+
+std::string error_in_used_language(const Error& error) {
+  const auto known = translated(error.message);
+  if (known || !other_language()) return known.value_or(error.message);
+  switch (error.kind) {
+    case ErrorKind::BadData:
+      return std::string(tr("said.bad_data")) + "\n" + error.message;
+    case ErrorKind::Unreadable:
+      return std::string(tr("said.unreadable")) + "\n" + error.message;
+    case ErrorKind::Failed:
+    case ErrorKind::Usage:
+    case ErrorKind::Network:
+      break;
+  }
+  return error.message;
 }
 
 }  // namespace aucast::gui

@@ -135,6 +135,10 @@ void use_english() {
   used() = nullptr;
 }
 
+bool other_language() {
+  return used() != nullptr;
+}
+
 const char* tr(TextKey key) {
   return text_of(key.row()).data();
 }

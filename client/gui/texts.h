@@ -73,6 +73,8 @@ struct Language {
 /// player's.
 void use_language(Language language);
 void use_english();
+/// A language other than English is used.
+[[nodiscard]] bool other_language();
 
 /// The text in the language that is used.
 [[nodiscard]] const char* tr(TextKey key);

@@ -14,7 +14,7 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr const char* kIsItThere =
-    "is au-transmitter running there, on an address (--bind) that can be reached from here?";
+    "is au-transmitter running there, on an address that can be reached from here?";
 
 }  // namespace
 

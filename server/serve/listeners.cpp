@@ -64,6 +64,9 @@ void Listeners::start() {
   if (web_) web_->start();
 }
 
+/// The window's, which are what its user can set.
+constexpr link::ListenOptions kGuestFields{"Address", "the number beside Address", false};
+
 Result<std::string> Listeners::open_to_guests(const std::string& bind, std::uint16_t port) {
   guests_.stop();
   // A name would be looked up here, while others are served.
@@ -72,7 +75,7 @@ Result<std::string> Listeners::open_to_guests(const std::string& bind, std::uint
   if (not_numbers) {
     return Error{ErrorKind::Usage, "'" + escaped(bind) + "' is no address in numbers"};
   }
-  if (auto opened = guests_.open(bind, port); !opened) return opened.error();
+  if (auto opened = guests_.open(bind, port, kGuestFields); !opened) return opened.error();
   accept_from(guests_, ClientRegistry::Way::Guest);
   return link::endpoint_text(guests_.endpoint());
 }

@@ -23,17 +23,45 @@ class SaidText : public testing::Test {
 
 const std::vector<std::string> kSaid = {
     "cannot reach 127.0.0.1:4650: Connection refused; is au-transmitter running there, on an "
-    "address (--bind) that can be reached from here?",
+    "address that can be reached from here?",
     "venus:4650: the connection ended before the end of the stream, {-2}; the server's log may say "
     "why",
     "[::1]:4650: the server refused: 404 there is no stream 'x' here",
     "venus:4650: cannot be reached: no answer within 500 ms; is au-transmitter running there, on "
-    "an address (--bind) that can be reached from here?",
+    "an address that can be reached from here?",
     "/tmp/a.glb: 3.49 MB, 133 targets\nfarthest vertex from the face itself: median 0.10 mm, nine "
     "of ten below 0.50 mm, worst 1.00 mm (200 random faces)",
     "/tmp/a.glb: 3.49 MB, 133 targets, 30 samples in 1.0 s\nfarthest vertex from the face itself: "
     "median 0.10 mm, nine of ten below 0.50 mm, worst 1.00 mm (30 samples)",
-    "OpenFace 2: 10 rows, 2 without a face, 1 left out (no later time); one of 3 faces"};
+    "OpenFace 2: 10 rows, 2 without a face, 1 left out (no later time); one of 3 faces",
+    "/tmp/p.csv: Py-Feat wrote no times here; say how many pictures a second there are, such as "
+    "Pictures/s 30",
+    "/tmp/p.csv: all rows have the same time; say how many pictures a second there are, such as "
+    "Pictures/s 30",
+    "1000 rows a second are no camera's: Pictures/s says how many",
+    "100 rows without a later time: Pictures/s 60 reads them all",
+    "AU7 100 %, AU20 100 %, AU10 77 % and 12 more: no face at rest was taken off; leave out "
+    "'Quiet, "
+    "s', or cut what is before the face is quiet",
+    "AU7 100 %: no face at rest was taken off; 'Quiet, s' 10 takes off one",
+    "/tmp/a.txt: cannot be read: No such file or directory",
+    "/tmp/a.txt: cannot be read: Permission denied",
+    "/tmp/a.png: cannot be written: No space left on device",
+    "/tmp: Is a directory",
+    "/tmp/a.txt:1:1: there is no stream: Beg_Stream, packets and End_Stream are missing",
+    "/tmp/a.png:1:1: this is not text: found the byte '\\x89'; a stream file is ASCII or UTF-8 "
+    "text",
+    "/tmp/a.csv:1:1: the recording has no rows",
+    "/dev/video7: there is no such camera; plug it in, or name another one or a film",
+    "cannot listen on 0.0.0.0:4650: Address already in use; another program has this port: stop "
+    "it, "
+    "or choose one with the number beside Address (0 takes any free one)",
+    "cannot listen on 10.9.9.9:4650: Cannot assign requested address; that is not an address of "
+    "this host: choose one with Address (127.0.0.1 for this host only, 0.0.0.0 for all addresses)",
+    "cannot listen on 0.0.0.0:80: Permission denied; ports below 1024 are for root: choose another "
+    "with the number beside Address",
+    "the sweep '100' is neither a set of AUs nor an expression",
+    "the sweep 'hapiness' is neither a set of AUs nor an expression; did you mean happiness?"};
 
 TEST_F(SaidText, IsAsItCameInEnglish) {
   for (const std::string& text : kSaid) EXPECT_EQ(in_used_language(text), text);
@@ -43,11 +71,28 @@ TEST_F(SaidText, HasNoEnglishLeftInFrench) {
   use_french();
   for (const std::string& text : kSaid) {
     const std::string french = in_used_language(text);
+    EXPECT_NE(french, text);
     for (const char* english :
-         {" the ", "refused", "cannot", "within", "worst", "rows", "faces", "targets", "answer"}) {
+         {" is ", "found", "address", "set of", "the ", "a second", " more", "Pictures", "Quiet",
+          "refused", "cannot", "within", "worst", "rows", "faces", "targets", "answer"}) {
       EXPECT_EQ(french.find(english), std::string::npos) << french;
     }
   }
+}
+
+TEST_F(SaidText, ASentenceComesBeforeWhatIsKnownInEnglishOnly) {
+  const Error strange{ErrorKind::BadData, "/tmp/a.txt:2:3: a strange packet"};
+  const Error absent{ErrorKind::Unreadable,
+                     "/tmp/a.txt: cannot be read: No such file or directory"};
+  EXPECT_EQ(error_in_used_language(strange), strange.message);
+  EXPECT_EQ(error_in_used_language(absent), absent.message);
+  use_french();
+  const std::string said = error_in_used_language(strange);
+  EXPECT_EQ(said, std::string(tr("said.bad_data")) + "\n" + strange.message);
+  EXPECT_EQ(error_in_used_language(absent), in_used_language(absent.message));
+  EXPECT_NE(in_used_language(absent.message), absent.message);
+  const Error usage{ErrorKind::Usage, "as it was asked for"};
+  EXPECT_EQ(error_in_used_language(usage), usage.message);
 }
 
 TEST_F(SaidText, KeepsNamesAndNumbersAndWhatItDoesNotKnow) {

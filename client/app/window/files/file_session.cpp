@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "client/gui/kept_settings.h"
+#include "client/gui/said_text.h"
 #include "common/files.h"
 
 namespace aucast::app {
@@ -33,7 +34,7 @@ std::string FileSession::choose(const std::string& name, const Use& use) {
   const gui::Purpose purpose = browser_.view().purpose;
   const Result<std::string> used = use(purpose, file);
   if (!used) {
-    browser_.refuse(used.error().message);
+    browser_.refuse(gui::error_in_used_language(used.error()));
     return {};
   }
   browser_.close();

@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "client/gui/said_text.h"
 #include "common/overloaded.h"
 
 namespace aucast::app {
@@ -45,7 +46,7 @@ void GallerySession::plan(const PlayerOptions& shown) {
   view_.complaint.clear();
   if (gui::wanted_sections(view_.settings).empty()) return;  // which would mean all of them
   const auto pictures = count_(options_under(shown));
-  if (!pictures) view_.complaint = pictures.error().message;
+  if (!pictures) view_.complaint = gui::in_used_language(pictures.error().message);
   if (pictures) view_.planned = *pictures;
 }
 

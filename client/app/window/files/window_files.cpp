@@ -141,7 +141,7 @@ Result<std::string> WindowFiles::look_for_faces(const fs::path& folder, Instant 
 void WindowFiles::open_recent(const fs::path& file, Instant now) {
   const auto opened = open(file, now);
   if (opened) return files_.close();
-  const std::string& why = opened.error().message;
+  const std::string why = gui::error_in_used_language(opened.error());
   if (!files_.refuse(why)) users_.notices.say(why, true, now);
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "client/gui/said_text.h"
 #include "client/gui/texts.h"
 #include "client/mirror/host_addresses.h"
 #include "client/mirror/mirror.h"
@@ -21,7 +22,7 @@ std::string in_words(const mirror::Trouble& trouble, bool film) {
     case Kind::None:
       break;
     case Kind::Said:
-      return trouble.said;
+      return gui::in_used_language(trouble.said);
     case Kind::NoPictures:
       return film ? gui::tr("camera.film_over") : gui::tr("camera.no_more");
     case Kind::Ended:
@@ -65,7 +66,8 @@ void MirrorSession::start(const std::string& source) {
   auto started = start_(options_);
   if (!started) {
     const bool missing = started.error().kind == ErrorKind::Unreadable;
-    view_.trouble = missing ? gui::tr("camera.not_installed") : started.error().message;
+    view_.trouble =
+        missing ? gui::tr("camera.not_installed") : gui::in_used_language(started.error().message);
     return;
   }
   mirror_ = *std::move(started);

@@ -49,7 +49,7 @@ TEST_F(ConnectTest, WhyThereIsNoConnectionIsSaidInTheLanguageInUse) {
   // As net/server_connection and link/dialler say it.
   source->now.detail =
       "cannot reach 127.0.0.1:1: Connection refused; is au-transmitter running there, on an "
-      "address (--bind) that can be reached from here?";
+      "address that can be reached from here?";
   session_.emplace(*assets_, options_,
                    std::make_unique<playback::SourcePlayback>(std::move(source),
                                                               playback::SourcePlayback::Options{}),
