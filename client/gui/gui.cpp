@@ -312,6 +312,10 @@ bool Gui::end_bare() {
   return std::exchange(state_->bare, false);
 }
 
+bool Gui::show_panel() {
+  return !std::exchange(state_->panel, true);
+}
+
 void Gui::set_full_screen(bool full_screen) {
   state_->full_screen = full_screen;
 }

@@ -44,6 +44,8 @@ class Gui {
   void toggle_bare();
   /// Shows panel and bar again; true when they were not shown.
   bool end_bare();
+  /// Shows the panel again; true when it was not shown.
+  bool show_panel();
   /// In full screen panel and bar lie over the face instead of beside it.
   void set_full_screen(bool full_screen);
   /// Panel, bar and pointer are out of the way for now.

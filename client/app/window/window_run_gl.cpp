@@ -16,6 +16,7 @@
 #include "client/app/film/shot.h"
 #include "client/app/start_times.h"
 #include "client/app/steady.h"
+#include "client/app/window/close_nearest.h"
 #include "client/app/window/pace_meter.h"
 #include "client/app/window/recording/video_recorder.h"
 #include "client/app/window/settings/window_style.h"
@@ -176,13 +177,9 @@ class WindowRun {
 
   /// One thing at a time, the nearest to the user first; only q and the window's cross leave.
   void close_what_is_open() {
-    if (overlay_->gui().close_keys()) return;
-    if (!shown_model_.notice.text.empty()) return carry_out(gui::CloseNotice{});
-    if (overlay_->gui().close_notice()) return;
-    if (shown_model_.gallery.open) return carry_out(gui::GalleryCommand(gui::CloseGallery{}));
-    if (overlay_->gui().end_bare()) return;
-    if (overlay_->gui().hide_focus()) return;
-    if (window_->full_screen()) toggle_full_screen();
+    const Escaped escaped = close_nearest(overlay_->gui(), shown_model_, window_->full_screen());
+    for (const gui::GuiCommand& command : escaped.commands) carry_out(command);
+    if (escaped.ends_full_screen) toggle_full_screen();
   }
 
   void toggle_full_screen() {
