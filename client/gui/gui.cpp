@@ -61,6 +61,18 @@ void state_line(const Look& look, const GuiModel& model) {
   }
 }
 
+/// A video is being recorded, whatever tab is shown.
+void recording_mark(const Look& look, const std::string& file, GuiCommands& commands) {
+  const float side = ImGui::GetTextLineHeight();
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 30 * look.scale - side);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("##recording", ImVec2(side, side))) commands.push_back(ToggleVideo{});
+  mark_focus();
+  ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(at.x + side / 2, at.y + side / 2), side / 3,
+                                              colour_of(Tone::Bad), 24);
+  tip(tr("play.recording_tip", file));
+}
+
 void leave_question(const Look& look, GuiCommands& commands) {
   const std::string whole_title = with_id(tr("leave.title"), "leave");
   const char* const title = whole_title.c_str();
@@ -189,6 +201,7 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
       ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
   if (ImGui::Begin("panel", nullptr, kFlags)) {
     state_line(look, model);
+    if (!model.video.recording.empty()) recording_mark(look, model.video.recording, commands);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 22 * look.scale);
     if (ImGui::SmallButton("?")) keys = !keys;
     tip(tr("panel.keys_tip"));

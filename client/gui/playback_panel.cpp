@@ -442,6 +442,7 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
   }
   tip(tr("play.gallery_tip"));
   if (wide_button(tr("button.export"), 3, 4, true)) ImGui::OpenPopup("export");
+  tip(tr("play.export_tip"));
   export_menu(model, commands);
   if (recording) quiet_text(tr("play.recording", model.video.recording));
   if (!model.video.completing.empty()) quiet_text(tr("play.completing", model.video.completing));

@@ -90,7 +90,10 @@ bool light(const Look& look, RenderingSettings& settings) {
     settings.ground = static_cast<Ground>(ground);
     changed = true;
   }
-  if (settings.ground == Ground::None) quiet_text(tr("view.none_help"));
+  if (settings.ground == Ground::None) {
+    quiet_text(tr("view.none_help"));
+    toned_text(Tone::Waiting, tr("view.none_video"));
+  }
   changed |=
       named_slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg, -180, 180, "%d°");
   changed |=

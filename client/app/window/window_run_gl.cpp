@@ -175,7 +175,6 @@ class WindowRun {
     }
   }
 
-  /// One thing at a time, the nearest to the user first; only q and the window's cross leave.
   void close_what_is_open() {
     const Escaped escaped = close_nearest(overlay_->gui(), shown_model_, window_->full_screen());
     for (const gui::GuiCommand& command : escaped.commands) carry_out(command);
@@ -321,8 +320,9 @@ class WindowRun {
     int height = 0;
     picture_size(width, height);
     if (const auto begun = video_.begin(width, height, steady_now()); !begun) {
-      complain(begun.error());
+      return complain(begun.error());
     }
+    if (session_.rendering().ground == gui::Ground::None) tell(gui::tr("said.video_black"));
   }
 
   void end_video() {

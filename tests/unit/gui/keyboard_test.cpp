@@ -485,6 +485,17 @@ TEST_F(Keyboard, TheGainIsSteppedFromAHundredPercent) {
   EXPECT_EQ(changed->settings.gain_percent, 110);
 }
 
+TEST_F(Keyboard, AVideoIsEndedFromEveryTab) {
+  model_.video.recording = "/tmp/a.mp4";
+  ASSERT_TRUE(go_to_tab(tr("tab.view")));
+  ImGuiWindow* const panel = ImGui::FindWindowByName("panel");
+  ASSERT_NE(panel, nullptr);
+  for (int i = 0; i < 60 && focus() != panel->GetID("##recording"); ++i) press(ImGuiKey_Tab);
+  ASSERT_EQ(focus(), panel->GetID("##recording"));
+  press(ImGuiKey_Enter);
+  EXPECT_TRUE(asked<ToggleVideo>());
+}
+
 TEST_F(Keyboard, TheFocusGoesOnToWhatLiesOverTheFace) {
   const ImGuiWindow* const welcome = ImGui::FindWindowByName("welcome");
   ASSERT_NE(welcome, nullptr);
