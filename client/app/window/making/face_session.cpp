@@ -26,6 +26,12 @@ fs::path own_faces() {
   return folder ? plain(*folder) : fs::path();
 }
 
+/// However the two are reached.
+bool same_folder(const fs::path& a, const fs::path& b) {
+  std::error_code gone;
+  return a == b || fs::equivalent(a, b, gone);
+}
+
 }  // namespace
 
 FaceSession::FaceSession(Assets& assets) : assets_(assets) {
@@ -41,7 +47,7 @@ Result<std::vector<std::string>> FaceSession::show(const fs::path& folder) {
   assets_.face = std::move(*face);
   ++changes_;
   const fs::path whole = plain(folder);
-  const bool shipped = whole.parent_path() == plain(assets_.data_folder / "faces");
+  const bool shipped = same_folder(whole.parent_path(), plain(assets_.data_folder / "faces"));
   next_ = shipped ? whole.filename().string() : whole.string();
   assets_.face_folder = whole;
   shown_from(whole);
@@ -58,7 +64,13 @@ void FaceSession::shown_from(const fs::path& folder) {
   const fs::path whole = plain(folder);
   view_.shown = whole.string();
   const fs::path among = whole.parent_path();
-  if (among != plain(assets_.data_folder / "faces") && among != own_faces()) looked_in_ = among;
+  for (const fs::path& known : {plain(assets_.data_folder / "faces"), own_faces()}) {
+    if (!same_folder(among, known)) continue;
+    // The same face by the name that the list has for it.
+    view_.shown = (known / whole.filename()).string();
+    return list();
+  }
+  looked_in_ = among;
   list();
 }
 
@@ -73,7 +85,9 @@ void FaceSession::list() {
   };
   add(plain(assets_.data_folder / "faces"), gui::FaceKind::Shipped);
   add(own_faces(), gui::FaceKind::Own);
-  add(looked_in_, gui::FaceKind::Elsewhere);
+  const bool listed = same_folder(looked_in_, plain(assets_.data_folder / "faces")) ||
+                      same_folder(looked_in_, own_faces());
+  if (!listed) add(looked_in_, gui::FaceKind::Elsewhere);
   view_.elsewhere = looked_in_.string();
   view_.entries = std::make_shared<const std::vector<gui::FaceEntry>>(std::move(entries));
 }

@@ -77,6 +77,20 @@ TEST_F(FaceSessionTest, TheNextStartShowsTheFaceThatWasChosen) {
   EXPECT_EQ(session_->kept().face, "marek") << "shipped faces may lie elsewhere next time";
 }
 
+TEST_F(FaceSessionTest, AShippedFaceIsListedOnceHoweverItsFolderIsReached) {
+  const std::size_t listed = model().faces.entries->size();
+  const test::TempFolder folder;
+  const fs::path way = folder.path() / "way";
+  fs::create_directory_symlink(fs::absolute(assets_->data_folder / "faces"), way);
+  ask(gui::OpenStream{(way / "marek" / "face.toml").string()});
+  EXPECT_EQ(assets_->face.name, "marek");
+  EXPECT_EQ(model().faces.entries->size(), listed);
+  EXPECT_EQ(std::count_if(model().faces.entries->begin(), model().faces.entries->end(),
+                          [&](const auto& one) { return one.folder == model().faces.shown; }),
+            1);
+  EXPECT_EQ(session_->kept().face, "marek");
+}
+
 TEST_F(FaceSessionTest, WhatIsEditedOrComposedStays) {
   ask(gui::ComposeAu{26, 50, 50, false});
   ask(gui::LoadAu{26});
