@@ -21,4 +21,13 @@ net::RemoteOptions remote_options(const PlaybackOptions& options, const net::End
   return remote;
 }
 
+void set_behind(const gui::RemoteSettings& settings, playback::BufferOptions& buffers) {
+  buffers.low_delay = settings.behind == gui::Behind::Live;
+  buffers.by_time = settings.behind == gui::Behind::Auto || settings.behind == gui::Behind::Time;
+  if (!buffers.by_time) return;
+  buffers.receiver_capacity = playback::kReceiverSetsByTime;
+  buffers.adapt = settings.behind == gui::Behind::Auto;
+  if (!buffers.adapt) buffers.live_delay = Milliseconds(settings.behind_ms);
+}
+
 }  // namespace aucast::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "client/app/player_options.h"
+#include "client/gui/remote_settings.h"
 #include "client/net/remote_source.h"
 
 namespace aucast::app {
@@ -10,5 +11,8 @@ namespace aucast::app {
 [[nodiscard]] net::RemoteOptions remote_options(const PlaybackOptions& options,
                                                 const net::Endpoint& endpoint,
                                                 net::Security security);
+
+/// How far behind the window wants to be, as the buffers have it.
+void set_behind(const gui::RemoteSettings& settings, playback::BufferOptions& buffers);
 
 }  // namespace aucast::app

@@ -80,6 +80,10 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
     {"tip.film_live", "starts the film, and others can watch it from its beginning"},
     {"tip.live", "who watches sees your face of this moment"},
     {"tip.admission", "--token-file, --tls-cert and --tls-key on the command line decide"},
+    {"tip.behind",
+     "how far the face is behind the server. Live: as little as the network allows, at the risk of "
+     "stalls. Auto: as much as it needs. Time: so many ms. Sets: until the buffers are as full as "
+     "is set below, as in the thesis"},
     {"tip.level_meter", "of the sound, from 48 dB below the most there can be"},
 });
 

@@ -74,6 +74,7 @@ struct RemoteView {
   bool eased = false;        ///< nothing came for long: the face has gone to neutral
   bool timed = false;        ///< keyframes come with times of their own: the speed does nothing
   bool local = false;        ///< a stream file: no buffers, no bytes
+  std::optional<bool> live{};  ///< the stream of a server, as far as it has said so
   BufferBar receiver;
   BufferBar playout;
   std::vector<float> receiver_history;  ///< fill in [0,1] over the last half minute, oldest first

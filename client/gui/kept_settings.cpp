@@ -36,6 +36,9 @@ class Fields : public TableReader {
   }
 };
 
+/// Of gui::Behind, in its order.
+constexpr std::array<std::string_view, 4> kBehind{"sets", "live", "auto", "time"};
+
 void read_remote(Fields fields, KeptSettings& settings) {
   RemoteSettings& remote = settings.remote;
   fields.take("address", remote.address);
@@ -43,6 +46,8 @@ void read_remote(Fields fields, KeptSettings& settings) {
   fields.take("buffer", remote.buffer, 1, 10'000);
   fields.take("playout", remote.playout, 1, 10'000);
   fields.take("threshold_percent", remote.threshold_percent, 1, 100);
+  fields.take("behind", remote.behind, kBehind);
+  fields.take("behind_ms", remote.behind_ms, 0, 60'000);
   fields.take("speed_ms", remote.speed_ms, 0, 1000);
   fields.take("reconnect", remote.reconnect);
   fields.take("stream", remote.stream);
@@ -206,9 +211,10 @@ std::string format_settings(const KeptSettings& settings) {
           toml_line("others", toml_texts(others)) +
           toml_line("recent", toml_texts(settings.recent)) + line("buffer", remote.buffer) +
           line("playout", remote.playout) + line("threshold_percent", remote.threshold_percent) +
-          line("speed_ms", remote.speed_ms) + line("reconnect", remote.reconnect) +
-          line("stream", remote.stream) + line("tls", remote.tls) +
-          line("token_file", remote.token_file);
+          line("behind", std::string(kBehind[static_cast<std::size_t>(remote.behind)])) +
+          line("behind_ms", remote.behind_ms) + line("speed_ms", remote.speed_ms) +
+          line("reconnect", remote.reconnect) + line("stream", remote.stream) +
+          line("tls", remote.tls) + line("token_file", remote.token_file);
   text += "\n[files]\n" + toml_line("recent", toml_texts(settings.recent_files));
   for (const KnownTable& known : settings.tables) {
     const TableSettings& table = known.settings;

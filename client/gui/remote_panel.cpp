@@ -80,7 +80,13 @@ void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   if (streams.asking) ImGui::TextDisabled("%s", tr("play.asking"));
   if (!streams.problem.empty()) quiet_text(streams.problem);
   for (const std::string& name : streams.names) {
-    if (!list_item(name, name == chosen)) continue;
+    const bool taken = list_item(name, name == chosen);
+    // The list of a server has names alone: of the one that plays it is known.
+    if (model.remote.live && name == model.remote.stream) {
+      ImGui::SameLine();
+      ImGui::TextDisabled("%s", *model.remote.live ? tr("play.is_live") : tr("play.is_recorded"));
+    }
+    if (!taken) continue;
     RemoteSettings settings = form.settings;
     settings.stream = name;
     fill_form(settings, form);
@@ -115,6 +121,24 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
   if (wide_button(tr("play.stop"), 2, 3, running)) commands.push_back(Stop{});
 }
 
+/// Live, as far behind as the link needs, so many ms, or as full as the buffers are to be.
+void behind_server(const Look& look, RemoteSettings& settings) {
+  label(look, tr("play.behind"), tr("tip.behind"));
+  const std::array<const char*, 4> ways = {tr("play.behind_sets"), tr("play.behind_live"),
+                                           tr("play.behind_auto"), tr("play.behind_time")};
+  int way = static_cast<int>(settings.behind);
+  if (choice("behind", ways, way)) settings.behind = static_cast<Behind>(way);
+  if (settings.behind == Behind::Time) {
+    label(look, tr("play.behind_ms"));
+    static_cast<void>(number_field("##behindms", settings.behind_ms, {.near = 50, .far = 500}));
+  }
+  if (settings.behind != Behind::Sets) return;
+  number(look, tr("play.buffer"), "##buffer", settings.buffer, tr("tip.buffer"));
+  number(look, tr("play.playout"), "##playout", settings.playout, tr("tip.playout"));
+  number(look, tr("play.threshold"), "##threshold", settings.threshold_percent,
+         tr("tip.threshold"));
+}
+
 /// How the server is connected to; closed until somebody looks for it. It holds from the next
 /// Connect on.
 void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) {
@@ -135,10 +159,7 @@ void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) 
   label(look, tr("play.when_lost"), tr("tip.again"));
   ImGui::Checkbox(tr("play.again"), &settings.reconnect);
   tip(tr("tip.again"));
-  number(look, tr("play.buffer"), "##buffer", settings.buffer, tr("tip.buffer"));
-  number(look, tr("play.playout"), "##playout", settings.playout, tr("tip.playout"));
-  number(look, tr("play.threshold"), "##threshold", settings.threshold_percent,
-         tr("tip.threshold"));
+  behind_server(look, settings);
   number(look, tr("play.speed_ms"), "##speed", settings.speed_ms, tr("play.speed_help"));
   if (model.remote.timed && settings.speed_ms > 0) toned_text(Tone::Waiting, tr("play.timed"));
   quiet_text(tr("play.next_help"));

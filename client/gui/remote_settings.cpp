@@ -10,6 +10,7 @@ namespace {
 constexpr int kPortMax = 65535;
 constexpr int kSetsMax = 10'000;
 constexpr int kSpeedMax = 1000;
+constexpr int kBehindMax = 60'000;
 constexpr std::size_t kAddressMax = 253;
 
 std::optional<std::string> outside(TextKey what, int value, int low, int high) {
@@ -45,6 +46,7 @@ std::optional<std::string> problem(const RemoteSettings& settings) {
     return tr("address.playout_larger");
   }
   if (auto wrong = outside("address.threshold", settings.threshold_percent, 1, 100)) return wrong;
+  if (auto wrong = outside("address.behind", settings.behind_ms, 0, kBehindMax)) return wrong;
   return outside("address.speed", settings.speed_ms, 0, kSpeedMax);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,14 @@
 #include "protocol/limits.h"
 
 namespace aucast::gui {
+
+/// How far behind the server the face is.
+enum class Behind : std::uint8_t {
+  Sets,  ///< so that the buffers hold as many sets as the form says
+  Live,  ///< as little as the link allows
+  Auto,  ///< as much as the link needs
+  Time,  ///< as many ms as the form says
+};
 
 /// The form of the remote player, as people fill it in.
 struct RemoteSettings {
@@ -24,6 +33,8 @@ struct RemoteSettings {
   bool tls = false;
   std::string token_file{};                  ///< empty: as the command line says
   std::vector<protocol::Endpoint> others{};  ///< where the stream is too, tried in turn
+  Behind behind = Behind::Sets;
+  int behind_ms = 300;  ///< 0-60,000, of Behind::Time
   friend bool operator==(const RemoteSettings&, const RemoteSettings&) = default;
 };
 

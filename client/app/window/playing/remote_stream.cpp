@@ -124,6 +124,7 @@ void RemoteStream::describe_traffic(const playback::SourceStatus& status,
   view.protocol =
       gui::tr(status.negotiated ? gui::TextKey("state.level") : gui::TextKey("state.classic"));
   if (status.live) view.protocol = gui::tr("state.live", view.protocol);
+  if (status.negotiated && status.packets_received > 0) view.live = status.live;
 }
 
 }  // namespace aucast::app

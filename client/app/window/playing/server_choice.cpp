@@ -38,6 +38,7 @@ Result<net::RemoteOptions> ServerChoice::server_of(const gui::RemoteSettings& se
   remote.buffers.receiver_capacity = static_cast<std::size_t>(settings.buffer);
   remote.buffers.playout_capacity = static_cast<std::size_t>(settings.playout);
   remote.buffers.threshold_percent = settings.threshold_percent;
+  set_behind(settings, remote.buffers);
   return remote;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "client/app/remote_options.h"
 #include "client/net/remote_source.h"
 #include "common/log.h"
 
@@ -22,6 +23,12 @@ void copy_given(const std::set<std::string>& given, const KeptSettings& from, Ke
   };
   copy(
       "--buffer", [](auto& s) -> auto& { return s.remote.buffer; });
+  for (const char* option : {"--buffer", "--live", "--live-delay"}) {
+    copy(
+        option, [](auto& s) -> auto& { return s.remote.behind; });
+    copy(
+        option, [](auto& s) -> auto& { return s.remote.behind_ms; });
+  }
   copy(
       "--playout", [](auto& s) -> auto& { return s.remote.playout; });
   copy(
@@ -64,6 +71,11 @@ KeptSettings settings_of(const PlayerOptions& options) {
   settings.remote.buffer = static_cast<int>(playback.buffers.receiver_capacity);
   settings.remote.playout = static_cast<int>(playback.buffers.playout_capacity);
   settings.remote.threshold_percent = playback.buffers.threshold_percent;
+  if (playback.buffers.low_delay) settings.remote.behind = gui::Behind::Live;
+  if (playback.buffers.by_time) {
+    settings.remote.behind = playback.buffers.adapt ? gui::Behind::Auto : gui::Behind::Time;
+    settings.remote.behind_ms = static_cast<int>(playback.buffers.live_delay.count());
+  }
   if (playback.speed) settings.remote.speed_ms = static_cast<int>(playback.speed->count());
   settings.remote.reconnect = playback.reconnect;
   settings.remote.stream = playback.stream;
@@ -120,6 +132,7 @@ PlayerOptions WindowSettings::applied(PlayerOptions options) const {
   playback.buffers.receiver_capacity = static_cast<std::size_t>(remote.buffer);
   playback.buffers.playout_capacity = static_cast<std::size_t>(remote.playout);
   playback.buffers.threshold_percent = remote.threshold_percent;
+  set_behind(remote, playback.buffers);
   playback.speed.reset();
   if (remote.speed_ms > 0) playback.speed = Milliseconds(remote.speed_ms);
   playback.reconnect = remote.reconnect || !playback.others.empty();

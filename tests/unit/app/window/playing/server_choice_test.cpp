@@ -46,7 +46,7 @@ TEST(ServerChoice, TheFormComesBeforeTheCommandLine) {
   EXPECT_EQ(server->stream, "talk");
   EXPECT_EQ(server->buffers.receiver_capacity, 50U);
   EXPECT_EQ(server->speed, std::nullopt) << "the form says: the server's own";
-  EXPECT_TRUE(server->buffers.low_delay) << "which the form does not have";
+  EXPECT_FALSE(server->buffers.low_delay) << "nor is it to be live";
 }
 
 TEST(ServerChoice, AVoiceIsAskedForWhereItCanBeHeardOrWritten) {

@@ -75,6 +75,37 @@ TEST_F(WindowSettingsTest, TheSecondOfSeveralHostsIsTriedWithoutBeingKept) {
   EXPECT_FALSE(on_disk().remote.reconnect);
 }
 
+TEST_F(WindowSettingsTest, HowFarBehindIsKeptAndSaidByTheCommandLine) {
+  write("[remote]\nbehind = \"time\"\nbehind_ms = 150\n");
+  const auto buffers = [](const WindowSettings& settings, const PlayerOptions& given) {
+    return settings.applied(given).playback.buffers;
+  };
+  const PlayerOptions plain = parsed({"host.example"});
+  WindowSettings settings(plain, file_);
+  EXPECT_TRUE(buffers(settings, plain).by_time);
+  EXPECT_FALSE(buffers(settings, plain).adapt);
+  EXPECT_EQ(buffers(settings, plain).live_delay, Milliseconds(150));
+  const PlayerOptions live = parsed({"--live", "host.example"});
+  WindowSettings low(live, file_);
+  EXPECT_EQ(low.in_force().remote.behind, gui::Behind::Live);
+  EXPECT_TRUE(buffers(low, live).low_delay);
+  EXPECT_FALSE(buffers(low, live).by_time);
+  gui::KeptSettings now = low.in_force();
+  now.transition.frames = 60;
+  ASSERT_TRUE(low.keep(now));
+  EXPECT_EQ(on_disk().remote.behind, gui::Behind::Time);
+  const PlayerOptions automatic = parsed({"--buffer", "auto", "host.example"});
+  WindowSettings needed(automatic, file_);
+  EXPECT_EQ(needed.in_force().remote.behind, gui::Behind::Auto);
+  EXPECT_TRUE(buffers(needed, automatic).by_time);
+  EXPECT_TRUE(buffers(needed, automatic).adapt);
+  const PlayerOptions fixed = parsed({"--live-delay", "80", "host.example"});
+  EXPECT_FALSE(buffers(WindowSettings(fixed, file_), fixed).by_time) << "the option comes first";
+  EXPECT_EQ(buffers(WindowSettings(fixed, file_), fixed).live_delay, Milliseconds(80));
+  const PlayerOptions sets = parsed({"--buffer", "80", "host.example"});
+  EXPECT_FALSE(buffers(WindowSettings(sets, file_), sets).by_time);
+}
+
 TEST_F(WindowSettingsTest, HeadlessKnowsNothingOfThem) {
   write("[remote]\nbuffer = 200\n");
   const PlayerOptions given = parsed({"--headless", "host.example"});
