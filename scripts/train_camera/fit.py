@@ -42,8 +42,9 @@ DOUBT_OTHERWISE = 0.008
 LEAST_APERTURE = 0.15
 ACTIVE_COUNTS = 3.0
 # How many times more than that they are trusted, most for the head's turn, which is seen alike on
-# everybody.
-TRUST = {51: 8.0, 53: 8.0, 55: 8.0}
+# everybody; less where heads that nobody has trained for are read worse.
+TRUST = {51: 8.0, 53: 8.0, 55: 8.0, 2: 1.0, 4: 1.0, 5: 4.0, 7: 1.0, 10: 0.25, 15: 1.0, 17: 0.5,
+         23: 4.0, 26: 0.25, 45: 1.0}
 TRUST_OTHERWISE = 2.0
 
 # Not 14 and 24: on a head that nobody has trained for they are not seen.
@@ -58,9 +59,11 @@ BROWS = "brow-inner-up brow-middle-up brow-outer-up brow-inner-out brow-gap".spl
 EYES = "aperture upper-lid-up lower-lid-up gaze-left gaze-up".split()
 CHEEKS = """cheek-up cheek-out cheek-front nasolabial-up nose-wing-up nose-wing-out
 nose-tip-up""".split()
-CORNERS = "corner-up corner-out corner-front mouth-width mouth-left".split()
-LIPS = """lip-gap upper-lip-height lower-lip-height lips-height upper-lip-up lower-lip-up
-lips-front""".split()
+# A mouth's outline and the heights of its lips are seen from the front too.
+OUTLINE = "corner-up corner-out mouth-width".split()
+CORNERS = OUTLINE + ["corner-front", "mouth-left"]
+HEIGHTS_OF_LIPS = "lip-gap upper-lip-height lower-lip-height lips-height".split()
+LIPS = HEIGHTS_OF_LIPS + ["upper-lip-up", "lower-lip-up", "lips-front"]
 CHIN = ["chin-up", "chin-boss-up"]
 MOUTH = CHEEKS + CORNERS + LIPS + CHIN
 TOLD_BY = {
@@ -70,8 +73,11 @@ TOLD_BY = {
     **{number: BROWS + EYES + CHEEKS for number in (5, 45)},
     6: EYES + CHEEKS + CORNERS,
     7: EYES + ["brow-inner-up", "brow-outer-up", "cheek-up"],
-    9: BROWS + EYES + CHEEKS + LIPS,
-    **{number: MOUTH for number in (10, 15, 17, 18, 20, 22, 23, 28)},
+    9: BROWS + CHEEKS + LIPS,
+    **{number: MOUTH for number in (10, 15, 20, 28)},
+    17: OUTLINE + LIPS + CHIN,
+    **{number: OUTLINE + LIPS for number in (18, 22)},
+    23: OUTLINE + HEIGHTS_OF_LIPS,
     12: CHEEKS + CORNERS + LIPS,
     # Where the chin is says nothing of lips that are shut.
     25: LIPS + ["corner-out", "mouth-width"] + [("lip-gap", "times", name) for name in CHIN],
