@@ -24,7 +24,7 @@ class LiveStreamTest : public ::testing::Test {
     spdlog::set_level(spdlog::level::off);
     options_.path = "face.txt";
     stream_.emplace("face", options_, options_.reader, false, [this] {
-      const auto& feed = stream_->served().live();
+      const auto feed = stream_->served().live();
       sent_.push_back(feed->ended() ? "end" : feed->newest()->full);
     });
   }
