@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/stopped.h"
 #include "common/text.h"
 
 namespace aucast {
@@ -99,7 +98,7 @@ ssize_t read_some(int descriptor, std::string& bytes) {
 
 Result<std::string> read_open(const Descriptor& file, const struct stat& status,
                               const fs::path& path, std::size_t bytes_max,
-                              const std::stop_token& stop = {}) {
+                              const StopToken& stop = {}) {
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size > bytes_max) return unreadable(path, longer_than(bytes_max));
   std::string bytes;
@@ -187,8 +186,7 @@ bool keep_mode(int file, const fs::file_status& before) {
 
 }  // namespace
 
-Result<std::string> read_file(const fs::path& path, std::size_t bytes_max,
-                              const std::stop_token& stop) {
+Result<std::string> read_file(const fs::path& path, std::size_t bytes_max, const StopToken& stop) {
   const auto opened = open_to_read(path);
   if (!opened) return opened.error();
   return read_open(opened->first, opened->second, path, bytes_max, stop);

@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 
 #include "common/result.h"
+#include "common/stopped.h"
 
 namespace aucast {
 
@@ -20,7 +20,7 @@ inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
 /// it reads no further and returns stopped_early().
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path,
                                             std::size_t bytes_max = kWholeFileBytesMax,
-                                            const std::stop_token& stop = {});
+                                            const StopToken& stop = {});
 
 /// Reads standard input to its end, whatever it is; waits for the writer.
 [[nodiscard]] Result<std::string> read_standard_input(std::size_t bytes_max = kWholeFileBytesMax);
