@@ -114,7 +114,7 @@ class WindowSession {
   /// A new file for a picture or a video of what is shown.
   [[nodiscard]] Result<std::filesystem::path> picture_file(const std::string& ending) const;
   /// A sentence for the user, for a while.
-  void say(std::string text, bool bad, Instant now) { notices_.say(std::move(text), bad, now); }
+  void say(const std::string& text, bool bad, Instant now) { notices_.say(text, bad, now); }
   /// For the panel.
   void set_video(gui::VideoView video) { video_ = std::move(video); }
   /// The pace of drawing, for the panel.

@@ -174,7 +174,7 @@ Result<void> WindowFiles::play(const fs::path& file, Instant now) {
     const std::string changed = gui::table_in_words(table.settings);
     if (!changed.empty()) text += "\n" + gui::tr("file.tables_applied", changed);
     for (const std::string& one : opened->warnings) text += "\n" + gui::in_used_language(one);
-    users_.notices.say(std::move(text), !opened->warnings.empty(), now);
+    users_.notices.say(text, !opened->warnings.empty(), now);
   }
   files_.opened(file);
   users_.playback.open(std::move(opened->keyframes), file.filename().string(), now);
