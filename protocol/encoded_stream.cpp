@@ -61,9 +61,12 @@ EncodedStream StreamEncoder::finish() {
 }
 
 EncodedStream encode_stream(std::span<const Keyframe> keyframes, std::uint32_t keyframe_ms,
-                            int classic_min) {
+                            int classic_min, const StopToken& stop) {
   StreamEncoder encoder(keyframe_ms, classic_min);
-  for (const Keyframe& keyframe : keyframes) encoder.add(keyframe);
+  for (const Keyframe& keyframe : keyframes) {
+    if (stop.stop_requested()) break;
+    encoder.add(keyframe);
+  }
   return encoder.finish();
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/stopped.h"
 #include "common/time.h"
 #include "protocol/codec.h"
 #include "protocol/packet.h"
@@ -80,9 +81,10 @@ class StreamEncoder {
   bool plain_ = true;
 };
 
-/// The same for a stream that is held as keyframes.
+/// The same for a stream that is held as keyframes. Asked to stop, the result breaks off.
 [[nodiscard]] EncodedStream encode_stream(std::span<const Keyframe> keyframes,
-                                          std::uint32_t keyframe_ms, int classic_min);
+                                          std::uint32_t keyframe_ms, int classic_min,
+                                          const StopToken& stop = {});
 
 /// How long a classic client takes to play the stream: its packets carry no times, so it gives
 /// every keyframe the default time. nullopt when that is the stream's own length, or not known yet.

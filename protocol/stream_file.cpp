@@ -203,11 +203,13 @@ std::string stream_title(std::string_view text) {
   return {};
 }
 
-Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file) {
+Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file,
+                                     const StopToken& stop) {
   StreamFile stream;
   // A keyframe a line: room for all of them at once, where growing takes three times as much.
   stream.keyframes.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
-  const auto read = read_stream_file(text, file, [&stream](Keyframe&& keyframe) -> Result<void> {
+  const auto read = read_stream_file(text, file, [&](Keyframe&& keyframe) -> Result<void> {
+    if (stop.stop_requested()) return stopped_early();
     stream.keyframes.push_back(std::move(keyframe));
     return {};
   });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/result.h"
+#include "common/stopped.h"
 #include "protocol/codec.h"
 #include "protocol/packet.h"
 
@@ -36,8 +37,9 @@ using KeyframeSink = std::function<Result<void>(Keyframe&& keyframe)>;
 
 /// Reads the text of a stream file whole. `file` is what messages call it. BadData with one line
 /// "file:line:column: reason" per error, the first kReportedErrorsMax of them, and a last line that
-/// counts the rest.
-[[nodiscard]] Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file);
+/// counts the rest. Asked to stop, it returns stopped_early() at the next keyframe.
+[[nodiscard]] Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file,
+                                                   const StopToken& stop = {});
 
 /// Reads one line between the tags, without blanks around it and without a comment: a keyframe with
 /// or without braces. On success it is in `out` and nothing is returned.

@@ -5,7 +5,6 @@
 #include "common/files.h"
 #include "common/sources/content.h"
 #include "common/sources/resample.h"
-#include "common/stopped.h"
 
 namespace aucast::sources {
 
@@ -35,14 +34,9 @@ Result<std::vector<SourceContent>> parse_streams(std::string_view text, const st
                                                  const std::stop_token& stop) {
   std::vector<SourceContent> contents;
   if (content_kind(text) == ContentKind::StreamFile) {
-    protocol::StreamFile stream;
-    const auto keep = [&](protocol::Keyframe&& keyframe) -> Result<void> {
-      if (stop.stop_requested()) return stopped_early();
-      stream.keyframes.push_back(std::move(keyframe));
-      return {};
-    };
-    if (auto read = protocol::read_stream_file(text, file, keep); !read) return read.error();
-    contents.push_back({std::move(stream), std::nullopt});
+    auto stream = protocol::parse_stream_file(text, file, stop);
+    if (!stream) return stream.error();
+    contents.push_back({std::move(*stream), std::nullopt});
     return contents;
   }
   auto faces = read_faces(text, file, recording, conditioning, load_arkit_table, stop);

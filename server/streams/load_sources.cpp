@@ -108,12 +108,8 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
       stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, kbits, reading.stop);
     }
   }
-  protocol::StreamEncoder encoder(options.keyframe_ms, options.classic_min);
-  for (const protocol::Keyframe& keyframe : stream.keyframes) {
-    if (reading.stop.stop_requested()) return stopped_early();
-    encoder.add(keyframe);
-  }
-  source.stream = std::make_shared<const protocol::EncodedStream>(encoder.finish());
+  source.stream = std::make_shared<const protocol::EncodedStream>(protocol::encode_stream(
+      stream.keyframes, options.keyframe_ms, options.classic_min, reading.stop));
   source.found = std::move(content.found);
   return {};
 }
