@@ -21,7 +21,10 @@ net::RemoteOptions remote_options(const PlaybackOptions& options, const net::End
   return remote;
 }
 
-void set_behind(const gui::RemoteSettings& settings, playback::BufferOptions& buffers) {
+void set_buffers(const gui::RemoteSettings& settings, playback::BufferOptions& buffers) {
+  buffers.receiver_capacity = static_cast<std::size_t>(settings.buffer);
+  buffers.playout_capacity = static_cast<std::size_t>(settings.playout);
+  buffers.threshold_percent = settings.threshold_percent;
   buffers.low_delay = settings.behind == gui::Behind::Live;
   buffers.by_time = settings.behind == gui::Behind::Auto || settings.behind == gui::Behind::Time;
   if (!buffers.by_time) return;

@@ -12,7 +12,7 @@ namespace aucast::app {
                                                 const net::Endpoint& endpoint,
                                                 net::Security security);
 
-/// How far behind the window wants to be, as the buffers have it.
-void set_behind(const gui::RemoteSettings& settings, playback::BufferOptions& buffers);
+/// Has the buffers as the form of the window has them: how full, and how far behind.
+void set_buffers(const gui::RemoteSettings& settings, playback::BufferOptions& buffers);
 
 }  // namespace aucast::app

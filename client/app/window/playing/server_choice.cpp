@@ -35,10 +35,7 @@ Result<net::RemoteOptions> ServerChoice::server_of(const gui::RemoteSettings& se
   remote.stream = settings.stream;
   remote.voice = options_.voice || voice;
   remote.captions = true;
-  remote.buffers.receiver_capacity = static_cast<std::size_t>(settings.buffer);
-  remote.buffers.playout_capacity = static_cast<std::size_t>(settings.playout);
-  remote.buffers.threshold_percent = settings.threshold_percent;
-  set_behind(settings, remote.buffers);
+  set_buffers(settings, remote.buffers);
   return remote;
 }
 

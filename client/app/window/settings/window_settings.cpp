@@ -129,10 +129,7 @@ PlayerOptions WindowSettings::applied(PlayerOptions options) const {
   if (options.headless) return options;
   PlaybackOptions& playback = options.playback;
   const gui::RemoteSettings& remote = in_force_.remote;
-  playback.buffers.receiver_capacity = static_cast<std::size_t>(remote.buffer);
-  playback.buffers.playout_capacity = static_cast<std::size_t>(remote.playout);
-  playback.buffers.threshold_percent = remote.threshold_percent;
-  set_behind(remote, playback.buffers);
+  set_buffers(remote, playback.buffers);
   playback.speed.reset();
   if (remote.speed_ms > 0) playback.speed = Milliseconds(remote.speed_ms);
   playback.reconnect = remote.reconnect || !playback.others.empty();
