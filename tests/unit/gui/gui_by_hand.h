@@ -29,19 +29,24 @@ inline GuiModel small_model() {
   return model;
 }
 
-/// The panels without a display: keys and pointer are ImGui's own.
+/// Keys, fonts and a clock for a Gui that has no display; keys and pointer are ImGui's own.
+inline void use_by_hand(const ImVec2& size) {
+  ImGuiIO& io = ImGui::GetIO();
+  for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+  unsigned char* pixels = nullptr;
+  int width = 0;
+  int height = 0;
+  io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  io.DisplaySize = size;
+  io.DeltaTime = 1.0F / 60;
+}
+
+/// The panels without a display.
 class GuiByHand : public testing::Test {
  protected:
   void SetUp() override {
     gui_ = std::make_unique<Gui>(1.0F);
-    ImGuiIO& io = ImGui::GetIO();
-    for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
-    unsigned char* pixels = nullptr;
-    int width = 0;
-    int height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    io.DisplaySize = ImVec2(800, 800);
-    io.DeltaTime = 1.0F / 60;
+    use_by_hand(ImVec2(800, 800));
     frames(3);
   }
 

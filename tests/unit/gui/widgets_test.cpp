@@ -11,6 +11,7 @@
 
 #include "client/gui/gui.h"
 #include "client/gui/tips.h"
+#include "tests/unit/gui/gui_by_hand.h"
 
 namespace aucast::gui {
 namespace {
@@ -19,15 +20,8 @@ namespace {
 class Widgets : public testing::Test {
  protected:
   void SetUp() override {
-    ImGuiIO& io = ImGui::GetIO();
-    for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
-    unsigned char* pixels = nullptr;
-    int width = 0;
-    int height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    io.DisplaySize = ImVec2(1000, 600);
-    io.DeltaTime = 1.0F / 60;
-    io.MousePos = ImVec2(900, 500);
+    use_by_hand(ImVec2(1000, 600));
+    ImGui::GetIO().MousePos = ImVec2(900, 500);
   }
 
   /// From now on; `what` is called once a frame.
