@@ -18,7 +18,7 @@
 #include <gtest/gtest.h>
 #include <asio/executor_work_guard.hpp>
 
-#include "common/log.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
@@ -27,9 +27,6 @@ namespace {
 
 class LiveInputTest : public ::testing::Test {
  protected:
-  LiveInputTest() { spdlog::set_level(spdlog::level::off); }
-  ~LiveInputTest() override { spdlog::set_level(level_before_); }
-
   LiveInput& make(const std::filesystem::path& path, bool follow, LiveInput::Opener open = {}) {
     return input_.emplace(
         io_, path, follow,
@@ -56,7 +53,7 @@ class LiveInputTest : public ::testing::Test {
     return test::run_until(io_, [&] { return times_caught_up_ > before; });
   }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   test::TempFolder folder_;
   asio::io_context io_;
   /// While nothing is read the loop would have nothing to do, and stop.

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/log.h"
 #include "tests/support/manual_clock.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
@@ -19,9 +19,6 @@ namespace {
 
 class LiveSourceTest : public ::testing::Test {
  protected:
-  LiveSourceTest() { spdlog::set_level(spdlog::level::off); }
-  ~LiveSourceTest() override { spdlog::set_level(level_before_); }
-
   LiveSource& open(const std::filesystem::path& path, bool follow) {
     LiveSourceOptions options;
     options.streams.each.path = path;
@@ -36,7 +33,7 @@ class LiveSourceTest : public ::testing::Test {
     return moment == nullptr ? "" : moment->full;
   }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   test::TempFolder folder_;
   test::ManualClock clock_;
   asio::io_context io_;

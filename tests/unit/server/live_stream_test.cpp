@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/log.h"
 #include "common/sources/hold.h"
+#include "tests/support/quiet_log.h"
 
 namespace aucast::server {
 namespace {
@@ -21,14 +21,12 @@ using Texts = std::vector<std::string>;
 class LiveStreamTest : public ::testing::Test {
  protected:
   LiveStreamTest() {
-    spdlog::set_level(spdlog::level::off);
     options_.path = "face.txt";
     stream_.emplace("face", options_, options_.reader, false, [this] {
       const auto feed = stream_->served().live();
       sent_.push_back(feed->ended() ? "end" : feed->newest()->full);
     });
   }
-  ~LiveStreamTest() override { spdlog::set_level(level_before_); }
 
   /// What is sent of these lines, now.
   Texts fed(std::string_view lines, bool only_last = false) {
@@ -48,7 +46,7 @@ class LiveStreamTest : public ::testing::Test {
     return std::exchange(sent_, {});
   }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   LiveStreamOptions options_;
   std::optional<LiveStream> stream_;
   double now_ = 1000;

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "common/log.h"
 #include "common/sources/hold.h"
 #include "protocol/stream_file.h"
 #include "tests/support/manual_clock.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
 
@@ -31,11 +31,7 @@ std::string smile(int frame, const std::string& seconds, int of_five,
 
 class LiveStreamsTest : public ::testing::Test {
  protected:
-  LiveStreamsTest() {
-    options_.each.path = "face.csv";
-    spdlog::set_level(spdlog::level::off);
-  }
-  ~LiveStreamsTest() override { spdlog::set_level(level_before_); }
+  LiveStreamsTest() { options_.each.path = "face.csv"; }
 
   LiveStreams& streams() {
     if (!streams_) {
@@ -61,7 +57,7 @@ class LiveStreamsTest : public ::testing::Test {
   }
   [[nodiscard]] bool ended() { return streams().served().front().live()->ended(); }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   test::ManualClock clock_;
   LiveStreamsOptions options_;
   std::optional<LiveStreams> streams_;

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/log.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
 
@@ -17,10 +17,7 @@ constexpr const char* kOne = "Beg_Stream\n6,12;100\nEnd_Stream\n";
 
 class LoadRepertoireTest : public ::testing::Test {
  protected:
-  LoadRepertoireTest() { spdlog::set_level(spdlog::level::off); }
-  ~LoadRepertoireTest() override { spdlog::set_level(level_before_); }
-
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   const test::TempFolder folder_;
   TransmitterOptions options_;
 };

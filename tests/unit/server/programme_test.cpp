@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/log.h"
 #include "tests/support/fake_link.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
@@ -30,9 +30,6 @@ protocol::ServerCatalogue catalogue_of(const std::vector<protocol::ServedStream>
 
 class ProgrammeTest : public ::testing::Test {
  protected:
-  ProgrammeTest() { spdlog::set_level(spdlog::level::off); }
-  ~ProgrammeTest() override { spdlog::set_level(level_before_); }
-
   Programme& begin(protocol::ServerCatalogue catalogue) {
     programme_.emplace(io_, options_, std::move(catalogue), Programme::Events{[] {}, [] {}});
     EXPECT_TRUE(programme_->open_sources());
@@ -45,7 +42,7 @@ class ProgrammeTest : public ::testing::Test {
     return status.streams;
   }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   const test::TempFolder folder_;
   asio::io_context io_;
   TransmitterOptions options_;

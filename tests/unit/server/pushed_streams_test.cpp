@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "common/log.h"
 #include "server/push/introduction.h"
 #include "server/settings/limits.h"
 #include "tests/support/fake_link.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 
 namespace aucast::server {
@@ -29,9 +29,6 @@ protocol::HelloAsked brings(const std::string& name, const std::string& id = "")
 
 class PushedStreamsTest : public testing::Test {
  protected:
-  PushedStreamsTest() { spdlog::set_level(spdlog::level::off); }
-  ~PushedStreamsTest() override { spdlog::set_level(level_before_); }
-
   /// A publisher that may come; what it hears first is in heard().
   std::shared_ptr<FakeLink> bring(const std::string& name, const std::string& id = "") {
     auto link = std::make_shared<FakeLink>();
@@ -52,7 +49,7 @@ class PushedStreamsTest : public testing::Test {
     return std::get<std::shared_ptr<const protocol::UpstreamStream>>(streams_.streams().at(0).kind);
   }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   asio::io_context io_;
   int moments_ = 0;
   int changes_ = 0;

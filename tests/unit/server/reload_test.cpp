@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <asio/executor_work_guard.hpp>
 
-#include "common/log.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
@@ -29,9 +29,6 @@ Repertoire only(const std::string& name) {
 
 class ReloadTest : public ::testing::Test {
  protected:
-  ReloadTest() { spdlog::set_level(spdlog::level::off); }
-  ~ReloadTest() override { spdlog::set_level(level_before_); }
-
   Reload& make(Reload::Load load) {
     return reload_.emplace(io_, files_, certificates_, programme_, std::move(load),
                            [this](bool changed) {
@@ -52,7 +49,7 @@ class ReloadTest : public ::testing::Test {
   }
   [[nodiscard]] std::string served() const { return programme_.catalogue()->streams[0].name; }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   const test::TempFolder folder_;
   asio::io_context io_;
   const asio::executor_work_guard<asio::io_context::executor_type> work_ =

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/log.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 
@@ -20,9 +20,6 @@ namespace {
 
 class RunningSourcesTest : public ::testing::Test {
  protected:
-  RunningSourcesTest() { spdlog::set_level(spdlog::level::off); }
-  ~RunningSourcesTest() override { spdlog::set_level(level_before_); }
-
   RunningSources& sources() {
     if (!sources_) {
       sources_.emplace(io_, options_, "id",
@@ -41,7 +38,7 @@ class RunningSourcesTest : public ::testing::Test {
     return opened ? std::nullopt : std::optional(opened.error().kind);
   }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   const test::TempFolder folder_;
   asio::io_context io_;
   TransmitterOptions options_;

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/log.h"
 #include "protocol/server_session.h"
+#include "tests/support/quiet_log.h"
 
 namespace aucast::server {
 
@@ -20,11 +20,9 @@ class TalkFixture : public ::testing::Test {
     stream.times.assign(3, protocol::KeyframeTime(100));
     stream_ = std::make_shared<const protocol::EncodedStream>(std::move(stream));
     catalogue_->streams = {{"talk", stream_}};
-    spdlog::set_level(spdlog::level::off);
   }
-  ~TalkFixture() override { spdlog::set_level(level_before_); }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   std::shared_ptr<const protocol::EncodedStream> stream_;
   std::shared_ptr<protocol::ServerCatalogue> catalogue_ =
       std::make_shared<protocol::ServerCatalogue>();

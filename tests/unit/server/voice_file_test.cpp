@@ -8,13 +8,13 @@
 
 #include <asio/executor_work_guard.hpp>
 
-#include "common/log.h"
 #include "server/streams/check_report.h"
 #include "server/streams/estimate.h"
 #include "server/streams/repertoire.h"
 #include "server/voice/companions.h"
 #include "server/voice/voice_summary.h"
 #include "server/voice/voice_tracks.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/voice/speech_like.h"
 
@@ -30,9 +30,6 @@ void append(std::vector<float>& samples, const std::vector<float>& more) {
 
 class VoiceFileTest : public ::testing::Test {
  protected:
-  VoiceFileTest() { spdlog::set_level(spdlog::level::off); }
-  ~VoiceFileTest() override { spdlog::set_level(level_before_); }
-
   std::filesystem::path write_wav(const std::string& name, const std::vector<float>& samples) {
     const auto path = folder_.path() / name;
     SF_INFO info{};
@@ -56,7 +53,7 @@ class VoiceFileTest : public ::testing::Test {
     return summary->packets;
   }
 
-  const spdlog::level::level_enum level_before_ = spdlog::get_level();
+  const test::QuietLog quiet_;
   const TempFolder folder_;
 };
 
