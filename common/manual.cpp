@@ -9,11 +9,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// === --help, in columns
-constexpr std::size_t kLineMax = 80;
-constexpr std::size_t kTextColumn = 25;  ///< where explanations begin
-constexpr std::size_t kHalfLine = 39;    ///< where the second of two options does
-constexpr std::size_t kFirstMax = 44;    ///< the first is no longer
+// === --help
+constexpr std::size_t kTextColumn = 27;  ///< where explanations begin, after shorter options
 
 /// An option as it is typed, with its argument.
 std::string tag_of(const OptionRow& row) {
@@ -24,49 +21,11 @@ std::string tag_of(const OptionRow& row) {
   return tag;
 }
 
-/// The options of --help, line by line: two of a section that are short share a line.
-class HelpLines {
- public:
-  void add(const OptionRow& row) {
-    if (!row.heading.empty()) {
-      end_line();
-      text_ += std::string(row.heading) + "\n";
-    }
-    if (row.text.empty()) return;
-    if (before_ != nullptr && add_beside(row)) return;
-    end_line();
-    before_ = &row;
-  }
-
-  [[nodiscard]] std::string finish() {
-    end_line();
-    return std::move(text_);
-  }
-
- private:
-  /// False when both are too long for one line.
-  bool add_beside(const OptionRow& row) {
-    std::string line = "  " + tag_of(*before_) + "  " + std::string(before_->text);
-    if (line.size() > kFirstMax) return false;
-    line.resize(std::max(line.size() + 1, kHalfLine), ' ');
-    line += "  " + tag_of(row) + "  " + std::string(row.text);
-    if (line.size() > kLineMax) return false;
-    text_ += line + "\n";
-    before_ = nullptr;
-    return true;
-  }
-
-  void end_line() {
-    if (before_ == nullptr) return;
-    std::string line = "  " + tag_of(*before_);
-    line.resize(std::max(line.size() + 2, kTextColumn), ' ');
-    text_ += line + std::string(before_->text) + "\n";
-    before_ = nullptr;
-  }
-
-  std::string text_;
-  const OptionRow* before_ = nullptr;  ///< waits for another short one beside it
-};
+std::string help_line(const OptionRow& row) {
+  std::string line = "  " + tag_of(row);
+  line.resize(std::max(line.size() + 2, kTextColumn), ' ');
+  return line + std::string(row.text) + "\n";
+}
 
 // === The manual page
 
@@ -157,9 +116,12 @@ std::string help_text(const CommandPage& page) {
     text += (text.empty() ? "usage: " : "       ") + std::string(line) + "\n";
   }
   text += std::string(page.about);
-  HelpLines lines;
-  for (const OptionRow& row : page.rows) lines.add(row);
-  text += lines.finish();
+  std::string options;
+  for (const OptionRow& row : page.rows) {
+    if (!row.heading.empty()) options += "\n" + std::string(row.heading) + ":\n";
+    if (!row.text.empty()) options += help_line(row);
+  }
+  text += (options.starts_with('\n') ? "" : "\n") + options;
   if (!page.notes.empty()) text += "\n" + std::string(page.notes);
   if (!page.examples.empty()) text += "\n";
   for (const std::string_view line : page.examples) text += "  " + std::string(line) + "\n";

@@ -112,9 +112,9 @@ OptionValue flag() {
 
 std::vector<OptionRow> help_rows() {
   constexpr auto kTyped = OptionRow::Where::Typed;
-  return {{"help", "", "", "this page", "A page that fits one screen.", flag(), "", kTyped, 'h'},
-          {"version", "", "", "version, protocol, licence", "Prints version, protocol and licence.",
-           flag(), "", kTyped}};
+  return {{"help", "", "", "this page", "Prints the options, one a line.", flag(), "", kTyped, 'h'},
+          {"version", "", "", "print version, protocol and licence",
+           "Prints version, protocol and licence.", flag(), "", kTyped}};
 }
 
 OptionValue one_of(std::string& out, const std::vector<std::string_view>& names) {

@@ -46,7 +46,7 @@ struct OptionRow {
   std::string_view name = {};      ///< without dashes: "port"
   std::string_view argument = {};  ///< stands for its word in --help: "N"; empty for a flag
   std::string_view fallback = {};  ///< the default as a word; empty: not set, or a flag's false
-  std::string_view text = {};      ///< for --help; two short ones in a row share a line there
+  std::string_view text = {};      ///< for --help: one line; empty: only in the manual page
   std::string_view more = {};      ///< for the manual page: whole sentences; empty: as in --help
   OptionValue value = {};
   std::string_view heading = {};  ///< of the section that begins with this row; empty: goes on

@@ -83,7 +83,7 @@ CommandPage speaker_page() {
           .usage = {"au-speaker [OPTIONS] TEXT"},
           .about =
               "Makes a face speak: turns a text into speech, a stream file for the face, and "
-              "captions.\n\n",
+              "captions.\n",
           .rows = unbound(rows_of(described)),
           .notes =
               "In TEXT an empty line ends a paragraph, '# title: ...' names the lecture, other "

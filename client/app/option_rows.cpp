@@ -131,52 +131,52 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   playback::BufferOptions& buffers = playback.buffers;
   net::SecurityOptions& security = playback.security;
   return {
-      {"buffer", "N", "100", "Receiver buffer: sets, a time as 300ms, or auto (100)",
+      {"buffer", "N", "100", "Receiver buffer: N sets, a time as 300ms, auto (100)",
        "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "
        "much as the link needs; a time such as 300ms, up to 60000ms, buffers that much.",
        parsed(Kind::Word, read_buffer, buffers), "Receiving"},
-      {"playout", "N", "30", "Playout buffer (30)",
+      {"playout", "N", "30", "Playout buffer, in sets (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, 10'000)},
-      {"threshold", "PERCENT", "40", "full to start (40)",
+      {"threshold", "PERCENT", "40", "how full it must be before playback starts (40)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
-      {"live", "", "", "lowest delay for live",
+      {"live", "", "", "the lowest delay of a live stream that is possible",
        "The lowest delay of a live stream that the link allows, at the risk of stalls.",
        flag(buffers.low_delay)},
-      {"live-delay", "MS", "", "fix the delay",
+      {"live-delay", "MS", "", "a fixed delay of live streams",
        "A fixed delay of live streams, up to 60000 ms. Without it the delay adapts to the "
        "link.",
        parsed(Kind::Number, read_live_delay, buffers)},
       {"hold", "S", "5", "return to neutral after a stall of S seconds (5)", "",
        seconds(playback.hold, 0, kSecondsMax, "is not a number of seconds from 0 to 86400")},
-      {"stream", "NAME", "", "one of the server's",
+      {"stream", "NAME", "", "which of the server's streams (its first)",
        "Which of the server's streams; its first one by default.", word(playback.stream)},
-      {"protocol", "LEVEL", "auto", "auto, classic",
+      {"protocol", "LEVEL", "auto", "auto or classic (auto)",
        "classic never sends a hello: for servers that know only level 1.",
        one_of(playback.classic, {{"auto", false}, {"classic", true}})},
-      {"connect-timeout", "S", "10", "give up after S (10)",
+      {"connect-timeout", "S", "10", "give up connecting after S seconds (10)",
        "The longest wait for a connection and for its first packet, 0.01 to 86400 seconds.",
        seconds(playback.connect_timeout, 0.01, kSecondsMax,
                "is not a number of seconds from 0.01 to 86400")},
-      {"reconnect", "", "", "retry, the face held",
+      {"reconnect", "", "", "when the connection is lost, hold the face and retry",
        "When the connection is lost, hold the face and retry after 1, 2, 4, 8, 16, 30, 30 "
        "... seconds.",
        flag(playback.reconnect)},
       {"tls", "", "", "use TLS", "Encrypt the connection and verify the server's certificate.",
-       flag(security.tls)},
-      {"tls-ca", "FILE", "", "trust these CAs",
+       flag(security.tls), "TLS and tokens"},
+      {"tls-ca", "FILE", "", "CAs to trust",
        "Trust the authorities in FILE (PEM) and not the system's.",
        word(security.files.authorities)},
-      {"tls-cert", "FILE", "", "own certificate",
+      {"tls-cert", "FILE", "", "certificate to show, if the server wants one",
        "The certificate to present if the server requires one (PEM).",
        word(security.files.certificate)},
-      {"tls-key", "FILE", "", "its private key", "", word(security.files.key)},
-      {"token-file", "FILE", "", "token to present",
+      {"tls-key", "FILE", "", "the private key of --tls-cert", "", word(security.files.key)},
+      {"token-file", "FILE", "", "token to show to the server",
        "The file with the token that the server requires. It is sent over TLS, to this "
        "computer, or with --insecure-token.",
        word(security.token)},
-      {"insecure-token", "", "", "also without TLS",
+      {"insecure-token", "", "", "show it without TLS too",
        "Send the token without TLS to other computers too: anyone on the path can read it.",
        flag(security.insecure_token)},
   };
@@ -184,9 +184,9 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
 
 std::vector<OptionRow> face_rows(FaceOptions& face) {
   return {
-      {"face", "NAME", "default", "name or folder",
+      {"face", "NAME", "default", "name of a face, or its folder (default)",
        "The name of a face in data/faces, or its folder.", word(face.face), "Face"},
-      {"mixer", "MIXER", "maximum", "maximum or average",
+      {"mixer", "MIXER", "maximum", "AUs that share a muscle: maximum, average (maximum)",
        "How contractions of one muscle by several AUs are combined: maximum or average.",
        one_of<face::Mixer>(face.mixer,
                            {{"maximum", face::Mixer::Maximum}, {"average", face::Mixer::Average}})},
@@ -198,7 +198,7 @@ std::vector<OptionRow> rules_rows(FaceOptions& face) {
       {"rules", "RULES", "facs", "facs, kumar2010, none or FILE (facs)",
        "The co-occurrence rules: facs, kumar2010 (as published), none, or a file.",
        word(face.rules)},
-      {"data", "DIR", "", "faces, rules and streams",
+      {"data", "DIR", "", "folder with faces, rules and streams",
        "The folder with faces, rules and streams, if not the installed one.", word(face.data)},
   };
 }
@@ -206,18 +206,19 @@ std::vector<OptionRow> rules_rows(FaceOptions& face) {
 std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
   using playback::Interpolation;
   return {
-      {"speed", "MS", "", "for untimed keyframes (250)",
+      {"speed", "MS", "", "how long keyframes without a time last (250)",
        "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
        "the server says, or 250 ms.",
        whole(playback.speed, 1, 1000), "Animation"},
-      {"interpolation", "KIND", "linear", "linear, cosine", "Between keyframes: linear or cosine.",
+      {"interpolation", "KIND", "linear", "linear or cosine (linear)",
+       "Between keyframes: linear or cosine.",
        one_of<Interpolation>(playback.interpolation, {{"linear", Interpolation::Linear},
                                                       {"cosine", Interpolation::Cosine}})},
       {"blink", "SEED[:MS[:MS]]", "", "blinks: mean interval, closing time (4000:100)",
        "Adds blinks: a seed for their random times, the mean interval (4000) and the time "
        "that the lids take to close (100), in ms.",
        parsed(Kind::Word, read_blink, playback.blink)},
-      {"idle", "SEED", "", "blinks, glances, breathing",
+      {"idle", "SEED", "", "blinks, glances and breathing",
        "Adds blinks (--blink SEED unless given), saccades and breathing.",
        parsed(Kind::Number, read_idle, playback)},
   };
@@ -225,14 +226,14 @@ std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
 
 std::vector<OptionRow> picture_rows(OutputOptions& output) {
   return {
-      {"size", "WxH", "", "pixels",
+      {"size", "WxH", "", "size of the pictures in pixels",
        "Size of the pictures in pixels, each side up to 8192: 800x600 by default, 300x375 in "
        "a gallery.",
        parsed(Kind::Word, read_size, output), "Pictures"},
-      {"background", "RRGGBB", "", "colour, or none",
+      {"background", "RRGGBB", "", "a plain colour behind the face, or none",
        "A plain background of this colour behind the face; with none, PNGs are transparent there.",
        parsed(Kind::Word, read_background, output)},
-      {"show", "LAYER[,...]", "", "what is drawn; see below (textured)",
+      {"show", "LAYER[,...]", "", "what is drawn: layers, see below (textured)",
        "Layers: polygons, textured (the default), transparent, wireframe, vertices, muscles, "
        "jaw-tags, eye-tags.",
        parsed(Kind::Word, read_layers, output.layers)},
@@ -241,14 +242,14 @@ std::vector<OptionRow> picture_rows(OutputOptions& output) {
 
 std::vector<OptionRow> sound_rows(SoundOptions& sound) {
   return {
-      {"volume", "N", "100", "0 to 100 (100)",
+      {"volume", "N", "100", "0 to 100 percent (100)",
        "How loud the sound is, 0 to 100 percent of how it comes.", whole(sound.volume, 0, 100),
        "Sound"},
       {"mute", "", "", "play silence", "Plays silence; nothing else changes.", flag(sound.mute)},
-      {"sound", "FILE.wav", "", "keep the sound",
+      {"sound", "FILE.wav", "", "write the sound to a file",
        "Writes the sound to a WAV file, as long as the stream, and does not wait for the clock.",
        word(sound.file)},
-      {"no-sound", "", "", "ask for none",
+      {"no-sound", "", "", "no sound at all",
        "Plays no sound, and asks the server for none. Videos of --record are silent.",
        flag(sound.none)},
       {"sound-device", "NAME", "", "device to play on",
@@ -263,7 +264,7 @@ OptionRow fps_row(OutputOptions& output) {
       "fps",
       "N",
       "",
-      "frame rate, 1-240",
+      "pictures a second of a video, of frames, of a GLB",
       "Pictures a second, 1 to 240. In the window: of GLB files, and what , and . step by (25).",
       whole(output.fps, 1, 240)};
 }
@@ -271,40 +272,40 @@ OptionRow fps_row(OutputOptions& output) {
 std::vector<OptionRow> film_rows(PlayerOptions& options) {
   OutputOptions& output = options.output;
   return {
-      {"frames", "DIR", "", "frame_000001.png ...: 50 a keyframe, or --fps N",
+      {"frames", "DIR", "", "write DIR/frame_000001.png ..., 50 a keyframe",
        "Writes DIR/frame_000001.png and so on: 50 a keyframe, or --fps N a second.",
        word(output.frames)},
-      {"record", "FILE", "", ".mp4, .webm or .gif: 30 pictures a second, or --fps N",
+      {"record", "FILE", "", "write a video: .mp4, .webm or .gif",
        "Writes a video, .mp4, .webm or .gif: 30 pictures a second, or --fps N. It has the sound, "
        "if there is any; a .gif has none.",
        word(output.record)},
-      {"sheet", "FILE.png", "", "keyframes on one page, at most 60",
+      {"sheet", "FILE.png", "", "write the keyframes to one page, at most 60",
        "Writes the poses of the keyframes to one page; if there are more than 60, only every "
        "second, fourth, ...",
        word(output.sheet)},
       fps_row(output),
-      {"fast", "", "", "as fast as possible",
+      {"fast", "", "", "do not wait for the clock",
        "Does not wait for the clock: plays as fast as the computer can. Implied by --frames, "
        "--record, --sheet and --sound.",
        flag(output.fast)},
       {"stats", "FILE.json", "", "write statistics at exit",
        "Writes statistics of buffers, delays and frames at exit.", word(output.stats)},
-      {"onsets", "FILE.csv", "", "when each face was on the display",
+      {"onsets", "FILE.csv", "", "write when each face was on the display",
        "Writes when each face was on the display (CLOCK_MONOTONIC, s), its keyframe and its AUs: "
        "for the clock of an experiment. Only with the window.",
        word(output.onsets)},
       {"headless", "", "", "no window; ends with the stream", "", flag(options.headless),
        "Program"},
-      {"language", "CODE", "", "",
+      {"language", "CODE", "", "language of the window, such as fr",
        "The language of the window: en, or one of data/languages, such as fr. Otherwise the one "
        "chosen there last, or that of the locale.",
        word(options.display.language)},
-      {"text-size", "N", "", "",
+      {"text-size", "N", "", "size of its texts in percent, 75 to 200 (100)",
        "The size of all that is written in the window, in percent: 75 to 200 (100).",
        whole(options.display.text_percent, gui::kTextPercentMin, gui::kTextPercentMax)},
-      {"exit-at-end", "", "", "close at the end", "Closes the window when the stream ends.",
-       flag(options.exit_at_end)},
-      {"no-config", "", "", "ignore window settings",
+      {"exit-at-end", "", "", "close the window when the stream ends",
+       "Closes the window when the stream ends.", flag(options.exit_at_end)},
+      {"no-config", "", "", "ignore the window's kept settings",
        "The window neither reads nor writes ~/.config/aucast/face-player.toml.",
        flag(options.config, false)},
   };
@@ -314,10 +315,10 @@ std::vector<OptionRow> program_rows(PlayerOptions& options) {
   return {
       {"log-level", "LEVEL", "warning", "trace, debug, info, warning, error, off (warning)", "",
        log_level(options.log_level)},
-      {"verbose", "", "", "info; -vv: debug",
+      {"verbose", "", "", "the same as --log-level info; -vv: debug",
        "The same as --log-level info; twice, as --log-level debug.", flag(), "", Where::Anywhere,
        'v'},
-      {"quiet", "", "", "errors only, no progress",
+      {"quiet", "", "", "errors only, no progress line",
        "The same as --log-level error, and no progress line.", flag(options.quiet), "",
        Where::Anywhere, 'q'},
   };
@@ -344,14 +345,14 @@ OptionRow aus_row(PoseOptions& pose) {
 std::vector<OptionRow> pose_rows(PoseOptions& pose) {
   return {
       aus_row(pose),
-      {"expression", "NAME", "", "a prototype instead: happiness, thesis-anger, ...",
+      {"expression", "NAME", "", "a prototype in place of AUS, such as happiness",
        "A prototype instead of AUS, such as happiness, thesis-anger or waters-fear; --list "
        "names them all.",
        word(pose.expression)},
-      {"muscle", "NAME=VALUE", "", "set a muscle or another channel; repeatable",
+      {"muscle", "NAME=VALUE", "", "set a muscle or another channel; may be repeated",
        "Sets a muscle or another channel after the mixer. May be repeated.",
        parsed(Kind::Words, read_muscle, pose.muscles)},
-      {"list", "", "", "list channels with ranges, AUs and expressions", "", flag(pose.list)},
+      {"list", "", "", "list channels, AUs and expressions", "", flag(pose.list)},
       {"png", "FILE", "", "write the picture", "", word(pose.png)},
       {"obj", "FILE", "", "write the skin",
        "Writes the deformed skin as Wavefront OBJ, vertices in the order of the face.",
@@ -365,11 +366,11 @@ std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
   return {
       {"dir", "DIR", "", "folder to write to; other files in it are kept", "", word(gallery.folder),
        "", Where::Positional},
-      {"only", "SECTION[,...]", "", "some of the sections; see below",
+      {"only", "SECTION[,...]", "", "some of the sections, see below",
        "Only these sections: aus, prototypes, combinations, appendix-a, appendix-b, sweeps, "
        "coverage. May be repeated.",
        parsed(Kind::Words, read_sections, gallery.only)},
-      {"sweep", "AUS|NAME", "", "neutral to apex and back, as frames and video",
+      {"sweep", "AUS|NAME", "", "neutral to full and back, as frames and a video",
        "From neutral to the apex and back, as frames, and as a video if ffmpeg is installed: "
        "a set of AUs, an expression, or all of both. May be repeated.",
        words(gallery.sweeps)},
@@ -427,8 +428,8 @@ void describe_export(CommandPage& page) {
   page.about =
       "Writes the face as glTF 2.0 for other programs, with morph targets, and prints\n"
       "how far that face is from the one drawn here. The same stream and options give\n"
-      "the same bytes. The file has no sound: play STREAM --sound FILE.wav writes it,\n"
-      "beginning when the animation does. In parentheses: defaults.\n";
+      "the same bytes. The file has no sound; play STREAM --sound FILE.wav writes it, and\n"
+      "it begins when the animation does. In parentheses: defaults.\n";
   page.examples = {"face-player export talk.txt talk.glb",
                    "face-player export talk.txt talk.glb --fps 60 --idle 1",
                    "face-player export --face marek --basis aus marek.glb"};

@@ -54,17 +54,18 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "the camera /dev/video0 and camera:DEVICE another one, live; a film or a FIFO may stand in "
        "for DEVICE. Both need the models that scripts/install_models.sh fetches.",
        words(options.sources), "Sources", Where::Positional},
-      {"follow", "", "", "send what is appended",
+      {"follow", "", "", "serve a file live: send what is appended to it",
        "Files are live sources too. What a file already holds is past; the face starts from its "
        "last keyframe. A file that is rewritten, replaced or truncated is read from its beginning.",
        flag(options.live_source.follow)},
-      {"source-timeout", "S", "10", "end if silent (10)",
+      {"source-timeout", "S", "10", "end a live stream after S seconds of silence (10)",
        "Seconds, up to 86400; 0: never. The face holds for 0.5 s and returns to neutral within 1 "
        "s. After S seconds the connected clients get the end of the stream, {-2}; when the source "
-       "comes back, the stream goes on. With stream files on stdin or FIFOs only the end of input "
-       "counts.",
+       "comes back, the stream goes on. Stream files on stdin or FIFOs have no such limit: only "
+       "the "
+       "end of input ends them.",
        seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"record", "FILE", "", "keep a live source",
+      {"record", "FILE", "", "write what a live source gives to FILE",
        "Records what is served, with its times. The file is complete at any moment and is "
        "synced to the disk every second. Of several live sources the first is recorded; if "
        "FILE is a folder, each is, to NAME-TIME.txt. A file that is not empty is never "
@@ -75,11 +76,11 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "Without it, one broken source ends the start with code 3 or 4, and SIGHUP changes "
        "nothing. If no source is left, the start fails all the same.",
        flag(options.skip_bad)},
-      {"check", "", "", "describe the sources",
+      {"check", "", "", "describe the sources, and serve nothing",
        "Prints what the sources hold (format, scale, people, duration, AUs with their "
        "ranges, gaps) and serves nothing. Ends with 0 if all of them can be served.",
        flag(options.check), "", Where::Typed},
-      {"estimate", "", "", "print their bit rates",
+      {"estimate", "", "", "print their bit rates, and serve nothing",
        "Prints bytes and bits a second for each protocol level, on average and in the "
        "busiest second, without and with headers, and serves nothing.",
        flag(options.estimate), "", Where::Typed},
@@ -88,17 +89,17 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
   return {
-      {"upstream-token-file", "FILE", "", "token for aucast://HOST",
+      {"upstream-token-file", "FILE", "", "the token for aucast://HOST",
        "The token that the server of an aucast:// source wants, one word in a file. It is sent "
        "only over TLS or to this host.",
-       word(upstream.token)},
-      {"upstream-wait", "S", "10", "hold clients (10)",
+       word(upstream.token), "Streams of other au-transmitters"},
+      {"upstream-wait", "S", "10", "how long clients wait for a lost stream (10)",
        "Seconds, up to 86400. How long clients hold while nobody sends the stream of an aucast:// "
        "source or of --accept-push. Then those of a live stream get {-2}, and those of a recorded "
        "one that is incomplete are cut off; the servers are still tried. A client that comes "
        "before the stream waits as long, but at most 8 s, and is then refused.",
        seconds(upstream.wait, 0, kTimeoutMax, "is not a number of seconds from 0 to 86400")},
-      {"upstream-tls-ca", "FILE", "", "CAs to trust",
+      {"upstream-tls-ca", "FILE", "", "CAs to trust for aucasts://HOST",
        "The certificates of the authorities that the server of an aucasts:// source must have "
        "its certificate from (PEM); without it those of the system.",
        word(upstream.tls.authorities)},
@@ -107,43 +108,43 @@ std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
 
 std::vector<OptionRow> engine_rows(EngineSettings& engine) {
   return {
-      {"publish", "URL", "", "send over NATS, live",
+      {"publish", "URL", "", "send the first source over NATS, live",
        "Publishes the first source over NATS under NAME, beside serving it, for au-transmitters "
        "whose SOURCE is this address (protocol/ENGINE.md). nats://HOST[:PORT][,HOST...]/NAME names "
        "several servers, which are tried in their order; natss:// is over TLS. Implies --live. "
        "What comes within --batch goes together.",
-       word(engine.publish)},
-      {"nats-token-file", "FILE", "", "token to send",
+       word(engine.publish), "NATS"},
+      {"nats-token-file", "FILE", "", "the token for the NATS servers",
        "The token that the servers of NATS want, one word in a file. It is sent only over TLS or "
        "to this host.",
        word(engine.token)},
-      {"nats-login", "FILE", "", "NAME:PASSWORD",
+      {"nats-login", "FILE", "", "a file with NAME:PASSWORD",
        "A user of NATS and its password, NAME:PASSWORD, the only line of a file. It is sent only "
        "over TLS or to this host.",
        word(engine.login)},
-      {"nats-creds", "FILE", "", "credentials",
+      {"nats-creds", "FILE", "", "a .creds file",
        "The credentials of a user of NATS: a .creds file with its JWT and its seed.",
        word(engine.creds)},
-      {"nats-nkey", "KEY", "", "public NKey",
+      {"nats-nkey", "KEY", "", "a public NKey",
        "The public NKey of a user of NATS (U...), whose seed is in --nats-seed.",
        word(engine.nkey)},
-      {"nats-seed", "FILE", "", "that NKey's seed", "The seed of --nats-nkey (SU...).",
+      {"nats-seed", "FILE", "", "the seed of that NKey", "The seed of --nats-nkey (SU...).",
        word(engine.seed)},
-      {"nats-tls-ca", "FILE", "", "CAs to trust",
+      {"nats-tls-ca", "FILE", "", "CAs to trust for natss://HOST",
        "The certificates of the authorities that the servers of a natss:// address must have "
        "theirs from (PEM); without it those of the system.",
        word(engine.tls.authorities)},
-      {"nats-tls-cert", "FILE", "", "own certificate",
+      {"nats-tls-cert", "FILE", "", "the certificate to show to NATS servers",
        "A certificate to show to servers of NATS that want one (PEM).",
        word(engine.tls.certificate)},
-      {"nats-tls-key", "FILE", "", "its key", "The private key of --nats-tls-cert (PEM).",
-       word(engine.tls.key)},
+      {"nats-tls-key", "FILE", "", "the private key of --nats-tls-cert",
+       "The private key of --nats-tls-cert (PEM).", word(engine.tls.key)},
   };
 }
 
 std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credentials) {
   return {
-      {"push", "URL", "", "send a stream there",
+      {"push", "URL", "", "send a stream to the au-transmitter at URL",
        "Brings a stream to another au-transmitter, which is dialled from here, such as from "
        "behind a home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. It "
        "must run with --accept-push. NAME is the stream's name there. The stream sent is the one "
@@ -151,15 +152,15 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        "When one of several hosts is lost, the next is used, and all are tried again for ever. "
        "May be repeated, for several servers or streams.",
        words(push.addresses)},
-      {"push-token-file", "FILE", "", "token to send",
+      {"push-token-file", "FILE", "", "the token to push with",
        "The publisher's token that the servers of --push want, one word in a file. It is sent "
        "only over TLS or to this host.",
        word(push.token)},
-      {"push-tls-ca", "FILE", "", "CAs to trust",
+      {"push-tls-ca", "FILE", "", "CAs to trust for aucasts:// URLs of --push",
        "The certificates of the authorities that the servers of --push aucasts:// must have "
        "their certificates from (PEM); without it those of the system.",
        word(push.tls.authorities)},
-      {"accept-push", "FILE", "", "who may push: their tokens",
+      {"accept-push", "FILE", "", "serve what others push; FILE has their tokens",
        "Streams that others bring by --push are served here too; a SOURCE is not needed then. "
        "FILE has one publisher a line: a token of at most 256 bytes and, after it, the names of "
        "the streams that it may bring; without names, any. These tokens are not those of viewers. "
@@ -175,7 +176,7 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "show it to a parent program",
+      "report the camera's picture to a parent program",
       "For a program that starts this one: standard output tells what the camera sees, as small "
       "pictures with landmarks and AUs, and standard input takes orders to let others in or send "
       "them away. The end of standard input ends the program. Both must be pipes or sockets. The "
@@ -188,30 +189,31 @@ OptionRow preview_row(TransmitterOptions& options) {
 
 std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
   return {
-      {"keyframe", "MS", "250", "if untimed (250)",
+      {"keyframe", "MS", "250", "how long keyframes without a time last (250)",
        "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello tells "
        "it to clients, and --live uses it.",
        whole(options.keyframe_ms, 1, protocol::kDurationMsMax), "Sending"},
-      {"classic-min", "PERCENT", "20", "weakest AU (20)",
+      {"classic-min", "PERCENT", "20", "weakest AU that classic clients are sent (20)",
        "For classic clients. Level 1 has no intensities: weaker AUs are left out, the others are "
        "sent as fully active.",
        whole(options.classic_min, 0, 100)},
-      {"loop", "", "", "restart at the end", "The first keyframe follows the last, endlessly.",
+      {"loop", "", "", "start again at the end", "The first keyframe follows the last, endlessly.",
        flag(options.loop)},
-      {"live", "", "", "one clock for all clients",
+      {"live", "", "", "one clock for all: clients see the same moment",
        "All clients see the same moment. Time starts when the transmitter is ready. A slow "
        "client gets the newest keyframe and misses those in between; the statistics count "
        "them as merged.",
        flag(options.live)},
-      {"max-bitrate", "KBITS", "0", "limit (0: none)",
-       "Kilobits a second for each client, headers included, up to 1000000. A voice counts first. "
+      {"max-bitrate", "KBITS", "0", "limit of kbit/s to each client (0: none)",
+       "Kilobits a second for each client, headers included, up to 1000000. The voice is "
+       "subtracted first. "
        "Keyframes that come too soon are merged into the "
        "next one that fits: the newest wins and takes the time of all of them, so the "
        "stream keeps its length. Level 2 packets count with 52 bytes of TCP and IP headers "
        "each. --check and --estimate show the result. A keyframe of a live source waits "
        "until it fits, and a newer one replaces it.",
        whole(options.max_kbits, 0, 1'000'000)},
-      {"batch", "MS", "0", "combine writes (0: no)",
+      {"batch", "MS", "0", "send together what is due within MS (0: do not)",
        "Headers cost more than a packet, so what is written within this time goes out together. "
        "Up to 1000 milliseconds, which delay the face by as much.",
        whole(options.batch, 0, 1000)},
@@ -220,20 +222,20 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
   return {
-      {"bind", "ADDR", "127.0.0.1", "(127.0.0.1: this host only)",
+      {"bind", "ADDR", "127.0.0.1", "address to listen on (127.0.0.1: this host only)",
        "An address or a name of this host. 0.0.0.0 listens on all IPv4 addresses, :: on all "
        "IPv4 and IPv6 addresses. The default admits nobody from outside.",
        word(options.bind), "Connections"},
-      {"port", "N", "4650", "(4650; 0: any free one)",
+      {"port", "N", "4650", "port to listen on (4650; 0: any free one)",
        "The TCP port. With 0 the system chooses one; the line \"listening on\" tells which.",
        whole(options.port, 0, 65535)},
-      {"reuse-port", "", "", "share the port",
+      {"reuse-port", "", "", "share the port with other au-transmitters",
        "Several au-transmitters of one user, all with this option, listen on the same port (and "
        "that of --web and --http), and the system spreads clients over them: one for each "
        "processor core, or the next version beside this one. What they serve should be the same: "
        "recordings, or streams that each relays. Each counts its own clients and limits.",
        flag(options.reuse_port)},
-      {"drain-time", "S", "0", "pass clients on at exit",
+      {"drain-time", "S", "0", "move clients to another server at exit, within S (0)",
        "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, clients of "
        "level 2 are cut off one by one, without {-2}, so that those with --reconnect, relays and "
        "web pages go on with another au-transmitter at this address, such as the next version "
@@ -241,7 +243,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "{-2}. A second signal, or S = 0, sends {-2} to all at once.",
        seconds(options.drain_time, 0, kDrainSecondsMax,
                "is not a number of seconds from 0 to 3600")},
-      {"client-timeout", "S", "0", "end if silent (0: no)",
+      {"client-timeout", "S", "0", "close clients silent for S seconds (0: never)",
        "Closes clients that are silent for so many seconds, up to 86400. Every byte from the "
        "client "
        "restarts the time; with a live stream, so does every byte that can be sent to it. A paused "
@@ -249,13 +251,13 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "within a "
        "minute anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"max-clients", "N", "0", "(0: all that fit)",
+      {"max-clients", "N", "0", "how many clients at a time (0: all that fit)",
        "The number of clients at a time. One client too many is closed, with {error 503 "
        "...} if it sent a hello. 0 is as many as there are file descriptors, less 128, and as "
        "free memory at the start is enough for, at 64 KiB each. The soft limit of descriptors "
        "(ulimit -n) is raised to the hard limit at the start.",
        whole(options.max_clients, 0, kClientsMax)},
-      {"max-clients-per-address", "N", "0", "(0: all)",
+      {"max-clients-per-address", "N", "0", "how many from one address (0: all)",
        "The number of clients at a time from one address; of an IPv6 address the first 64 "
        "bits count. Clients behind one router share an address.",
        whole(options.max_clients_per_address, 0, kClientsMax)},
@@ -264,17 +266,17 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
 
 std::vector<OptionRow> credential_rows(CredentialFiles& files) {
   return {
-      {"tls-cert", "FILE", "", "certificate, for TLS",
+      {"tls-cert", "FILE", "", "serve over TLS with this certificate",
        "The certificate, followed in the same file by those of the intermediate "
        "authorities (PEM). SIGHUP reads it again, as it does --tls-key, --tls-client-ca, "
        "--web-cert, --web-key, --token-file and --accept-push; connected clients stay.",
-       word(files.tls.certificate)},
-      {"tls-key", "FILE", "", "its private key",
+       word(files.tls.certificate), "TLS and tokens"},
+      {"tls-key", "FILE", "", "the private key of --tls-cert",
        "PEM. Only the transmitter should be able to read it.", word(files.tls.key)},
-      {"tls-client-ca", "FILE", "", "CAs of clients",
+      {"tls-client-ca", "FILE", "", "want certificates of clients, signed by these CAs",
        "Clients must show a certificate that one of these authorities has signed (PEM).",
        word(files.tls.authorities)},
-      {"token-file", "FILE", "", "viewers' token",
+      {"token-file", "FILE", "", "the token that viewers must show",
        "One word of at most 256 bytes. A client without it is refused before it learns "
        "anything, and so is every classic client, which cannot send one. Without TLS anyone "
        "on the path can read it.",
@@ -284,25 +286,25 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
 
 std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
   return {
-      {"web", "ADDR:PORT", "", "page for browsers",
+      {"web", "ADDR:PORT", "", "serve the page for browsers at http://ADDR:PORT/",
        "The player as a web page at / and the protocol over WebSocket at /aucast "
        "(http://ADDR:PORT/). The line \"web on ADDR:PORT\" follows \"listening on\" when it is "
        "ready. --max-clients, --token-file and all other limits hold for both. Without "
        "--web-cert, viewers on other hosts should come through a proxy that speaks https.",
-       parsed(Kind::Word, read_address, web.address)},
-      {"web-cert", "FILE", "", "its certificate",
+       parsed(Kind::Word, read_address, web.address), "Page for browsers"},
+      {"web-cert", "FILE", "", "serve the page over https with this certificate",
        "The certificate for --web, followed in the same file by those of the intermediate "
        "authorities (PEM): https and wss in place of http and ws. SIGHUP reads it again.",
        word(files.certificate)},
-      {"web-key", "FILE", "", "its private key", "The private key of --web-cert (PEM).",
-       word(files.key)},
-      {"web-host", "NAME", "", "another host name",
+      {"web-key", "FILE", "", "the private key of --web-cert",
+       "The private key of --web-cert (PEM).", word(files.key)},
+      {"web-host", "NAME", "", "a further host name of the page",
        "A name that --web answers for, beside IP addresses, localhost and the names of "
        "--web-cert: its own, or that of a proxy before it. Pages of these names may watch by "
        "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "
        "label. May be repeated.",
        words(web.hosts)},
-      {"web-trusted-proxy", "ADDR", "", "its proxy",
+      {"web-trusted-proxy", "ADDR", "", "a reverse proxy before the page",
        "The IP address of a reverse proxy. For its requests, the last address in X-Forwarded-For "
        "is taken as the client's, in --max-clients-per-address and in the log. May be repeated.",
        parsed(Kind::Words, read_proxy, web.trusted_proxies)},
@@ -311,11 +313,11 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
 
 std::vector<OptionRow> status_rows(TransmitterOptions& options) {
   return {
-      {"stats", "FILE.json", "", "statistics at exit",
+      {"stats", "FILE.json", "", "write statistics at exit",
        "Statistics of every client, written completely or not at all. The totals cover every "
        "client; the latest 1000 are listed.",
        word(options.stats), "Status, settings, log"},
-      {"http", "ADDR:PORT", "", "status for monitors",
+      {"http", "ADDR:PORT", "", "serve status and metrics for monitors",
        "HTTP for monitoring: /healthz is 200 while clients are accepted and 503 while the "
        "transmitter stops, /metrics is in Prometheus' text format, /status.json has the "
        "same as one object. Only GET, one request for each connection, 32 connections at a "
@@ -329,29 +331,29 @@ std::vector<OptionRow> program_rows(TransmitterOptions& options) {
       {"config",
        "FILE",
        "",
-       "settings as TOML",
+       "read settings from FILE (TOML)",
        "These options as name = value, one per line. Read before the environment and the command "
        "line. Without it /etc/aucast/au-transmitter.toml is read if it exists; --config /dev/null "
        "reads none.",
        {},
        "",
        Where::Typed},
-      {"print-config", "", "", "print all settings",
+      {"print-config", "", "", "print all settings, and where each comes from",
        "Each with where it comes from. The output is a settings file for --config.", flag(), "",
        Where::Typed},
-      {"log-level", "LEVEL", "info", "trace ... off (info)",
+      {"log-level", "LEVEL", "info", "trace, debug, info, warning, error or off (info)",
        "trace, debug, info, warning, error or off. The log goes to stderr. It has at most "
        "300 lines a second about clients and tells how many were left out; at debug it has "
        "them all.",
        log_level(options.log_level)},
-      {"log-format", "FORMAT", "text", "text or json",
+      {"log-format", "FORMAT", "text", "text or json (text)",
        "Both have the time (UTC), the level and the message. Under systemd each line begins "
        "with its priority for the journal, and text omits what the journal adds itself.",
        one_of(options.log_format, {"text", "json"})},
-      {"verbose", "", "", "log at debug", "The same as --log-level debug.", flag(), "",
-       Where::Typed, 'v'},
-      {"quiet", "", "", "log errors only", "The same as --log-level error.", flag(), "",
-       Where::Typed, 'q'},
+      {"verbose", "", "", "the same as --log-level debug", "The same as --log-level debug.", flag(),
+       "", Where::Typed, 'v'},
+      {"quiet", "", "", "the same as --log-level error", "The same as --log-level error.", flag(),
+       "", Where::Typed, 'q'},
   };
 }
 

@@ -56,10 +56,10 @@ Complaint read_size(const std::string& word, camera::CameraOptions& camera) {
 
 std::vector<OptionRow> camera_rows(camera::CameraOptions& options) {
   return {
-      {"camera-size", "WxH", "640x480", "(640x480)",
+      {"camera-size", "WxH", "640x480", "size to ask a camera for (640x480)",
        "The size that a camera is asked for. Faces are read from 640 pixels at most.",
        parsed(Kind::Word, read_size, options)},
-      {"camera-fps", "N", "30", "(30)",
+      {"camera-fps", "N", "30", "pictures a second to ask a camera for (30)",
        "The pictures a second that a camera is asked for, 1 to 120. Those that come while "
        "the one before is read are dropped.",
        whole(options.fps, 1, 120)},
@@ -69,28 +69,28 @@ std::vector<OptionRow> camera_rows(camera::CameraOptions& options) {
 std::vector<OptionRow> recording_rows(SourceOptions& options) {
   sources::RecordingOptions& recording = options.recording;
   return {
-      {"rate", "HZ", "", "keyframes a second",
+      {"rate", "HZ", "", "resample to HZ keyframes a second",
        "Resamples to this rate, 0.1 to 1000, by linear interpolation.",
        real(options.rate, kRateMin, sources::kRateMax,
             "is not a number of keyframes a second from 0.1 to 1000"),
        "Recordings, cameras"},
-      {"fps", "N", "", "pictures a second",
+      {"fps", "N", "", "pictures a second of recordings without times",
        "Pictures a second, for recordings without times (Py-Feat) or with wrong ones.",
        parsed(Kind::Number, read_fps, recording.fps)},
-      {"au-scale", "S", "auto", "full: 1, 5, 100 (auto)",
+      {"au-scale", "S", "auto", "value of full intensity: 1, 5, 100 or auto (auto)",
        "The number that stands for full intensity in recordings: 1, 5, 100 or auto.",
        parsed(Kind::Number, read_au_scale, recording.au_scale)},
-      {"min-confidence", "C", "0.5", "0 to 1 (0.5)",
+      {"min-confidence", "C", "0.5", "skip rows with less confidence, 0 to 1 (0.5)",
        "Rows with a lower confidence, 0 to 1, count as no data: the face holds for 0.5 s "
        "and returns to neutral within 1 s.",
        real(recording.confidence_min, 0, 1, "is not a number from 0 to 1")},
-      {"face-id", "N", "", "one face, or all",
+      {"face-id", "N", "", "which of several faces, or all",
        "Which of several faces. Without it: the most frequent one of a recording, the first "
        "one of a live source, the clearest of a film or camera, whose faces count from 0 as they "
        "are first seen. With all, each face is a stream of its own, STEM-FACE such as "
        "webcam-0. A recording gives at most 64, the most frequent first. A live source "
-       "gives at most 16, each from the moment it is first seen, after a stream without a "
-       "number, which exists from the start and follows one of them.",
+       "gives at most 16, each from when it is first seen; before them comes a stream without a "
+       "number, which exists from the start and follows one of the faces.",
        parsed(Kind::Number, read_face_id, recording)},
   };
 }

@@ -27,7 +27,7 @@ Complaint read_frame(const std::string& word, Milliseconds& frame) {
 
 std::vector<OptionRow> voice_rows(VoiceOptions& options) {
   return {
-      {"voice", "FILE", "", "sound of the first source (else talk.wav for talk.txt)",
+      {"voice", "FILE", "", "sound of the first source (talk.wav for talk.txt)",
        "A sound file (WAV, FLAC, Ogg Opus, Ogg Vorbis, MP3) beside a source, with the same name "
        "but .wav, .flac, .opus, .ogg or .mp3, is its voice, which clients that ask for it get "
        "with the face; a .vtt file there has its captions. This option names another file for "
@@ -36,15 +36,15 @@ std::vector<OptionRow> voice_rows(VoiceOptions& options) {
        word(options.file), "Voice"},
       {"no-voice", "", "", "serve faces only", "Sound files beside the sources are left alone.",
        flag(options.none)},
-      {"voice-delay", "MS", "0", "sound later by MS (0)",
-       "Milliseconds, -10000 to 10000: how much later the sound is heard with the face. A "
-       "recogniser shows a picture this long after the microphone had its sound; a negative "
-       "number makes the sound come earlier, for a microphone that is later than the recogniser.",
+      {"voice-delay", "MS", "0", "hear the sound MS later (0)",
+       "Milliseconds, -10000 to 10000: how much later the sound is heard with the face, for a "
+       "recogniser whose results come later than the sound from the microphone; a negative number "
+       "makes the sound come earlier, for a microphone that is later than the recogniser.",
        whole(options.delay, -kDelayMsMax, kDelayMsMax)},
-      {"voice-rate", "KBITS", "10", "8 to 24 (10)",
+      {"voice-rate", "KBITS", "10", "kbit/s of the voice: 8, 10, 12, 16 or 24 (10)",
        "Kilobits of speech a second: 8, 10, 12, 16 or 24. On the wire it takes a third more.",
        parsed(Kind::Number, read_rate, options.encoder.bits_per_second)},
-      {"voice-frame", "MS", "60", "20, 40 or 60 (60)",
+      {"voice-frame", "MS", "60", "ms of speech in a packet: 20, 40 or 60 (60)",
        "Milliseconds of speech in one packet: 20, 40 or 60. Short ones arrive sooner and take "
        "more of the link.",
        parsed(Kind::Number, read_frame, options.encoder.frame)},

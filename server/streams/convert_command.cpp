@@ -48,20 +48,20 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
        word(options.out), "", Where::Positional},
       {"more", "IN...", "", "", "With --to, more sources.", words(options.more), "",
        Where::Positional},
-      {"to", "DIR", "", "write each source to DIR/NAME.txt instead of OUT",
+      {"to", "DIR", "", "write each IN to DIR/NAME.txt, in place of OUT",
        "Every name is a source then, and each becomes a stream file of its name in this folder.",
        word(options.to)},
       {"mend", "", "", "IN is a stream file that a power cut has truncated",
        "IN is a stream file that a power cut has truncated: converts what is intact.",
        flag(options.mend)},
-      {"keyframe", "MS", "250", "time of untimed keyframes, when --rate resamples (250)", "",
+      {"keyframe", "MS", "250", "how long keyframes without a time last (250)", "",
        whole(options.keyframe_ms, 1, protocol::kDurationMsMax)}};
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
   std::erase_if(rows, [](const OptionRow& row) { return row.name == "dead-band"; });
   for (OptionRow& row : rows) {
     if (row.name != "face-id") continue;
-    row.text = "which of several";
+    row.text = "which of several faces";
     row.more =
         "Which of several faces. Without it: the most frequent one of a recording, the clearest of "
         "a film, whose faces count from 0 as they are first seen.";
@@ -227,7 +227,7 @@ CommandPage convert_page() {
                     "au-transmitter convert [OPTIONS] --to DIR IN..."},
           .about =
               "Converts a recording, a film or a stream file to a stream file or an OpenFace\n"
-              "table. No change is too small to be kept: there is no dead band here.\n"
+              "table. All changes are kept, however small (there is no dead band).\n"
               "In parentheses: defaults.\n",
           .rows = unbound(rows_of(described)),
           .examples = {"au-transmitter convert webcam.csv talk.txt",

@@ -12,12 +12,10 @@ namespace {
 constexpr Command kCommands[] = {Command::Watch, Command::Play,    Command::Pose,
                                  Command::Rules, Command::Gallery, Command::Export};
 
-TEST(HelpText, FitsOneScreen) {
+TEST(HelpText, FitsTheWidthOfATerminal) {
   for (const Command command : kCommands) {
     std::istringstream lines(help_text(command_page(command)));
-    int count = 0;
-    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80U) << line;
-    EXPECT_LE(count, 50) << command_page(command).command;
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
   }
 }
 
@@ -45,8 +43,7 @@ TEST(OptionRows, OnlyTheManualPageNamesWhatPlayIgnoresAndWhatUsageShows) {
   EXPECT_TRUE(hidden.contains("--buffer") && hidden.contains("--token-file"));
   for (const OptionRow& row : command_page(Command::Watch).rows) {
     const bool in_usage = row.name == "host" || row.name == "list" || row.name == "mirror";
-    const bool how_it_looks = row.name == "language" || row.name == "text-size";
-    EXPECT_EQ(row.text.empty(), in_usage || how_it_looks) << row.name;
+    EXPECT_EQ(row.text.empty(), in_usage) << row.name;
   }
 }
 

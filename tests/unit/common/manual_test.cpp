@@ -33,14 +33,17 @@ CommandPage example_page(std::string_view command) {
           .examples = {"a-b x.txt"}};
 }
 
-TEST(HelpText, HasTwoShortOptionsInALineAndNoneWithoutAText) {
+TEST(HelpText, HasALineForEachOptionWithAText) {
   EXPECT_EQ(help_text(example_page("")), R"(usage: a-b [OPTIONS] FILE
        a-b play
 Does it.
-  FILE                   what to read
-Network
-  --port N  (7)                          -l, --loop  again
-  --long-one SOMETHING   an explanation of more than half a line
+
+  FILE                     what to read
+
+Network:
+  --port N                 (7)
+  -l, --loop               again
+  --long-one SOMETHING     an explanation of more than half a line
 
 Running text
 that goes on.

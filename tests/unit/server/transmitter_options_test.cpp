@@ -160,7 +160,7 @@ TEST(TransmitterOptions, ValidateWalksEveryField) {
   }
 }
 
-TEST(TransmitterOptions, HelpIsShortAndComplete) {
+TEST(TransmitterOptions, HelpIsCompleteAndFitsTheWidthOfATerminal) {
   const auto command = read_command_line({"--help"});
   ASSERT_TRUE(command);
   const CommandPage page = transmitter_page();
@@ -171,9 +171,7 @@ TEST(TransmitterOptions, HelpIsShortAndComplete) {
     EXPECT_NE(command->text.find(row.text), std::string::npos) << row.name;
   }
   std::istringstream lines(command->text);
-  int count = 0;
-  for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80U) << line;
-  EXPECT_LE(count, 58);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }
 
 TEST(TransmitterOptions, VersionNamesProtocolAndLicence) {
