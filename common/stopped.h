@@ -11,14 +11,14 @@ namespace aucast {
 #if __has_include(<stop_token>)
 using StopToken = std::stop_token;
 #else
-/// The page's standard library has none, and what the page reads is never stopped.
+/// The standard library of the page (WebAssembly) has no std::stop_token, and nothing stops what
+/// the page reads.
 struct StopToken {
   [[nodiscard]] static bool stop_requested() { return false; }
 };
 #endif
 
-/// What work returns that was asked to stop and did not come to its end. Nobody waits for its
-/// result any more.
+/// The error of work that was asked to stop before its end. Nobody waits for its result any more.
 [[nodiscard]] inline Error stopped_early() {
   return {ErrorKind::Failed, "stopped before its end"};
 }

@@ -30,7 +30,7 @@ struct DeliverKeyframe {
   AuFrame aus;
   std::optional<std::uint32_t> duration_ms;  ///< the packet's own
   std::optional<std::uint64_t> place_ms;
-  bool changes_only = false;  ///< as it came
+  bool changes_only = false;  ///< the packet was
 };
 /// Voice has come. Its place is on the client's clock: the granted `from` (0 if none) plus the
 /// times of the keyframes received. It is heard while the face goes through that place.
@@ -78,7 +78,8 @@ class ClientSession {
   /// Reads up to the end of the first packet in `bytes` and removes what it read from their front.
   /// Call it again while some are left.
   [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes, Instant now);
-  /// The server shut its side (`broke` is empty), or the connection broke: why, as a clause.
+  /// The server closed its side (`broke` is empty), or the connection broke (`broke` is the cause,
+  /// as a clause).
   [[nodiscard]] std::vector<ClientEvent> on_closed(Instant now, std::string_view broke = {});
   [[nodiscard]] std::vector<ClientEvent> on_time(Instant now);
   [[nodiscard]] std::optional<Instant> deadline() const;
@@ -89,14 +90,14 @@ class ClientSession {
   /// No room: `-1`. In classic it stands in place of the answer to the unanswered keyframe; in
   /// level 2 it is spontaneous and answers nothing.
   [[nodiscard]] std::string pause();
-  /// Room again: `-3`; in classic it stands for the answer in whose place `-1` was sent.
+  /// Room again: `-3`. It answers nothing; in classic, `-1` was the answer already.
   [[nodiscard]] std::string resume();
   /// The user leaves: `-4`, once.
   [[nodiscard]] std::string stop();
 
   [[nodiscard]] Level level() const;
-  /// How many unanswered packets may be on their way: the owner keeps room for as many. 1 in
-  /// classic. The owner holds back a server that sends more by not reading on.
+  /// How many keyframes the server may send before it waits for an answer, and for how many the
+  /// owner keeps room. 1 in classic. The owner holds back a server that sends more by not reading.
   [[nodiscard]] int window() const;
   [[nodiscard]] bool paused() const;
   [[nodiscard]] std::size_t unanswered() const;

@@ -32,10 +32,10 @@ struct ServerCatalogue {
   std::string id{};  ///< of this server, told to relays; empty: none
   /// Who may bring streams; null: nobody.
   std::shared_ptr<const Publishers> publishers{};
-  /// Called with the hello of a publisher that may bring the stream: the refusal, if the stream
-  /// cannot be taken now.
+  /// Called with the hello of a publisher that may bring the stream. Returns the refusal if the
+  /// stream cannot be taken now.
   std::function<std::optional<ErrorReply>(const HelloAsked&)> publish_refused{};
-  /// Streams may still be brought: how long a client waits for one that is not here. Nothing: none.
+  /// How long a client waits for a stream that is not here yet; nullopt: no stream can come later.
   std::optional<Milliseconds> patience{};
 };
 
@@ -47,21 +47,21 @@ struct SendBytes {
 struct ShutdownSending {};  ///< after everything sent before is out; then go on reading
 struct CloseConnection {
   enum class Why : std::uint8_t {
-    Finished,       ///< the stream, or the list asked for, was sent and the peer has ended, or
-                    ///< the drain reached a limit
+    Finished,       ///< everything was sent; then the peer closed its side, or the drain reached a
+                    ///< limit
     Stopped,        ///< the client's -4, or stop() of the server
     SentAway,       ///< send_away() of the server: the stream goes on elsewhere
     PeerGone,       ///< the peer closed or was lost before the end
     ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
     Refused,        ///< an {error ...} was sent, or there was no room for a classic client, which
                     ///< is closed without one; `reason` says why
-    BrokenOff,      ///< the rest of the stream is not here: it came from another server
+    BrokenOff,      ///< the stream came from another server, which is lost: the rest cannot be sent
   };
   Why why = Why::Finished;
   std::string reason;
 };
-/// The client brings a stream and may: the connection is for a ClientSession from now on, whose
-/// hello `takes` it.
+/// The client offers a stream, and is allowed to. From now on the connection belongs to a
+/// ClientSession, whose hello has `takes`.
 struct HandOver {
   HelloAsked hello;
 };
@@ -76,17 +76,17 @@ enum class Admission : std::uint8_t {
   FullAddress,  ///< the same, because too many clients come from its address
 };
 
-/// What a server makes of a client that sends no hello.
+/// How to treat a client that sends no hello.
 enum class Silence : std::uint8_t {
-  Classic,  ///< one of level 1
-  Refused,  ///< it gets {error 400 ...}, and all of kHelloTimeMax to begin: over a WebSocket
+  Classic,  ///< as one of level 1
+  Refused,  ///< after kHelloTimeMax it gets {error 400 ...}: over a WebSocket
 };
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
 /// windowed sending, pause, stop, end, drain. In a live stream a client that may be sent something
-/// gets the newest moment; those between it and the last one sent are merged into it or, where
-/// keyframes are full, left out. No socket and no clock: bytes and the current time go in, events
-/// come out. After CloseConnection or HandOver nothing more comes out.
+/// gets the newest moment; those between it and the last one sent are skipped. No socket and no
+/// clock: bytes and the current time go in, events come out. After CloseConnection or HandOver
+/// nothing more comes out.
 /// Output of one call: at most kEarlyAnswersMax + window packets. The owner must not read on while
 /// much of what it was told to send is still unsent, or a peer that answers without reading fills
 /// the owner's memory. PROTOCOL.md section "Server" is the table it follows.
@@ -108,8 +108,8 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> on_lost(Instant now);
   /// Call when deadline() has come.
   [[nodiscard]] std::vector<ServerEvent> on_time(Instant now);
-  /// The streams of this server have moved on: a live channel by one moment or several, or one that
-  /// comes from another server. Without effect unless this session waits for that.
+  /// Call when a stream has something new: a live one has a new moment, or one that comes from
+  /// another server has grown. Without effect unless this session waits for that.
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
   /// The voice of this session's stream has grown. Without effect where it has none.
   [[nodiscard]] std::vector<ServerEvent> on_voice(Instant now);

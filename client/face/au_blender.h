@@ -20,14 +20,18 @@ struct RuleFired {
   Intensities before{};    ///< what the rule read
 };
 
-/// Applies the rules to intensities, each side by itself.
-/// Opposition x' = max(0, x-y), y' = max(0, y-x); alternative: the larger stays, on a tie the one
-/// listed first; exclusion y' = y clamp((2e - x)/e, 0, 1) with e = 0.2; cap y' = min(y, cap);
-/// substitution s = min(sources), target' = max(target, s), sources - s; dominance y' = y (1 - x);
-/// x of several sources is the largest (or smallest, where all are needed). Where two rules of one
-/// group lower an AU, the lower value counts. Intensities are in [0,1]. Appends the rules that
-/// changed something to `fired` when it is given: the left side's, then the right side's, each
-/// group by group. The rules must outlive it. Allocates nothing but what `fired` needs to grow.
+/// Applies the rules to intensities in [0,1], each side by itself. With x the source, y the target
+/// and a prime for the result:
+///   opposition    x' = max(0, x - y), y' = max(0, y - x)
+///   alternative   the larger stays; on a tie, the one listed first
+///   exclusion     y' = y clamp((2e - x)/e, 0, 1), e = 0.2
+///   cap           y' = min(y, cap)
+///   substitution  s = min(sources), y' = max(y, s), each source' = source - s
+///   dominance     y' = y (1 - x)
+/// x of several sources is the largest (the smallest, where all are needed). Where two rules of one
+/// group lower an AU, the lower value counts. Appends the rules that changed something to `fired`
+/// when it is given: the left side's, then the right side's, each group by group. The rules must
+/// outlive it. Allocates nothing but what `fired` needs to grow.
 [[nodiscard]] AuFrame blend(const RuleSet& rules, const AuFrame& frame,
                             std::vector<RuleFired>* fired = nullptr);
 

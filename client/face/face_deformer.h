@@ -16,16 +16,16 @@ namespace aucast::face {
 /// A deformed face, ready to be drawn: positions and normals in the mesh's order, and where the
 /// eyes look.
 struct DeformedFace {
-  std::vector<glm::vec3> positions;    ///< a crease of depth 0 may be left at rest: FaceDeformer
-  std::vector<glm::vec3> normals;      ///< unit length; of creases +z, they take no light
+  std::vector<glm::vec3> positions;    ///< a crease of depth 0 may be at rest, see FaceDeformer
+  std::vector<glm::vec3> normals;      ///< unit length; +z for creases, which take no light
   std::vector<glm::vec3> eye_centres;  ///< as Face::eyes
   std::vector<glm::vec3> eye_forward;  ///< unit length
   std::vector<float> eye_open;         ///< 1: at least as wide as at rest, 0: shut
   std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
 };
 
-/// The face at rest without the time that it takes to make a deformer. It is what deform() gives
-/// for activations of 0; only the normals may differ, in their last digits.
+/// The face at rest, without the cost of making a deformer: what deform() gives for activations of
+/// 0, except that normals may differ in their last digits.
 [[nodiscard]] DeformedFace face_at_rest(const Face& face);
 
 /// Turns activations into positions. Muscles displace vertices from the rest face, and their
@@ -63,7 +63,7 @@ class FaceDeformer::Making {
   Making(const Making&) = delete;
   Making& operator=(const Making&) = delete;
 
-  /// Does the next portion. The deformer, once, after the last one.
+  /// Does the next portion. Returns the deformer once, after the last portion.
   [[nodiscard]] std::optional<FaceDeformer> step();
 
  private:

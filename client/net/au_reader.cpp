@@ -69,7 +69,7 @@ constexpr int kBusyCode = 503;
 }  // namespace
 
 void AuReader::begin_session() {
-  protocol::ClientSessionOptions again = session_options(options_, negotiate_, answered_);
+  protocol::ClientSessionOptions again = session_options(options_, negotiate_, with_answers_);
   if (!status_.live) {
     again.hello.from_ms = static_cast<std::uint64_t>((clock_ - clock_shift_).count());
   }
@@ -79,8 +79,8 @@ void AuReader::begin_session() {
 AuReader::AuReader(AuReaderOptions options)
     : options_(std::move(options)),
       negotiate_(!options_.classic),
-      answered_(!options_.buffers.low_delay),
-      session_(session_options(options_, negotiate_, answered_)),
+      with_answers_(!options_.buffers.low_delay),
+      session_(session_options(options_, negotiate_, with_answers_)),
       buffers_(options_.buffers),
       timing_(options_.buffers) {}
 
@@ -238,9 +238,9 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
-  if (!answered_ && !event.hello.live) {
+  if (!with_answers_ && !event.hello.live) {
     // Only a live stream goes without answers; a recorded one would come packet by packet.
-    answered_ = true;
+    with_answers_ = true;
     connect_anew(reaction);
     return;
   }

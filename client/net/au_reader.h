@@ -32,7 +32,7 @@ struct AuReaderOptions {
   std::string token{};                  ///< shown in the hello; empty: none
   bool voice = false;                   ///< asks for the stream's voice
   bool captions = false;                ///< asks for its captions
-  std::size_t hosts = 1;                ///< that the stream may be at, tried in turn
+  std::size_t hosts = 1;                ///< how many are tried in turn
 };
 
 /// What the connection's owner has to do: send `send`, then what `next` says.
@@ -51,17 +51,23 @@ struct Reaction {
 
 /// The AU Reader of the thesis (5.4.4.2) without its socket: what comes from the server goes into
 /// the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and the server is told
-/// to pause while they are full. No clock: the current time goes in. When a server answers our
-/// hello with a classic packet, that packet is answered, but kept aside until a second packet or
-/// {-2} comes: if the server closes before that, the stream begins again on a new connection, and
-/// nothing may be played twice. Invariant: packets answered by `1` are in the buffers or kept
-/// aside; in level 2 packets under way when the buffers are full, at most the window, are kept
-/// aside too. A server that does not wait for answers is read no faster than the player makes room.
-/// With `reconnect` a loss is not the end: the face holds, and the stream of the next connection
-/// follows what had been received: a recorded stream from where it was cut off, if the server can
-/// do that, a live one from the present. With BufferOptions::low_delay the stream is asked for
-/// without answers (window=0); if it is a recorded one, the reader connects once more with a
-/// window.
+/// to pause while they are full. No clock: the current time goes in.
+///
+/// Room: every keyframe answered by `1` is in the buffers or in one of two places beside them. One
+/// is for those that were under way when the buffers became full, at most the window. A server that
+/// does not wait for answers is read no faster than the player makes room.
+///
+/// Classic: when a server answers our hello with a keyframe, that one is answered, but waits in the
+/// other place until a second one or {-2} comes. If the server closes before, the stream begins
+/// again on a new connection, and nothing may be played twice.
+///
+/// Loss: with `reconnect` the face holds, and the stream of the next connection follows what had
+/// been received: a recorded stream from where it was cut off, if the server can do that, a live
+/// one from the present.
+///
+/// Low delay: with BufferOptions::low_delay the stream is asked for without answers (window=0). If
+/// it is a recorded one, the reader connects once more with a window.
+///
 /// Thread: none of its own; the owner guards it.
 class AuReader {
  public:
@@ -72,7 +78,8 @@ class AuReader {
   /// `round_trip`: of this connection; zero if unknown.
   [[nodiscard]] Reaction connected(Instant now, Duration round_trip = {});
   [[nodiscard]] Reaction received(std::string_view bytes, Instant now);
-  /// The server shut its side (`broke` is empty), or the connection broke: why, as a clause.
+  /// The server closed its side (`broke` is empty), or the connection broke (`broke` is the cause,
+  /// as a clause).
   [[nodiscard]] Reaction closed(Instant now, std::string_view broke = {});
   [[nodiscard]] Reaction time(Instant now);
   /// When time() wants to be called; nullopt: no timer is running.
@@ -93,7 +100,7 @@ class AuReader {
   // === The player's side.
 
   [[nodiscard]] std::optional<playback::Keyframe> take();
-  /// KeyframeSource's.
+  /// As KeyframeSource's.
   [[nodiscard]] std::optional<playback::Voice> take_voice();
   [[nodiscard]] std::optional<playback::Caption> take_caption();
   /// True when take() would return a keyframe, or no more will ever come.
@@ -132,7 +139,7 @@ class AuReader {
 
   AuReaderOptions options_;
   bool negotiate_;
-  bool answered_;  ///< the next hello asks for a window
+  bool with_answers_;  ///< the next hello asks for a window
   protocol::ClientSession session_;
   playback::KeyframeBuffers buffers_;
   std::optional<playback::Keyframe> first_;  ///< kept aside until the server is known to go on
@@ -142,13 +149,13 @@ class AuReader {
   AnswerLedger ledger_;
   bool user_paused_ = false;
   bool stopped_ = false;           ///< by leave()
-  playback::SourceStatus status_;  ///< without what status() asks the other members for
+  playback::SourceStatus status_;  ///< what status() does not get from the other members
   Instant connected_at_{};
   Instant now_{};  ///< of the call that is being worked on
   LiveTiming timing_;
   Milliseconds clock_{0};        ///< the times of all keyframes received, over all connections
-  Milliseconds clock_shift_{0};  ///< from this connection's places to it
-  SpokenQueue spoken_;           ///< its places are on that clock
+  Milliseconds clock_shift_{0};  ///< added to this connection's places, gives clock_'s
+  SpokenQueue spoken_;           ///< its places are on clock_
   BackOff back_off_;
   std::size_t busy_in_a_row_ = 0;     ///< hosts that were full, or did not have the stream yet
   std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost

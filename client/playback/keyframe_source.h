@@ -11,17 +11,17 @@
 
 namespace aucast::playback {
 
-/// One set of AUs with the time to reach it, on its way from the wire to the face; as it is written
-/// there it is a protocol::Keyframe.
+/// One set of AUs with the time to reach it, on its way from the wire to the face (its wire form is
+/// protocol::Keyframe).
 struct Keyframe {
   AuFrame aus;
   std::optional<Milliseconds> duration;  ///< the packet's own time, if it had one
-  int pace_percent = 100;                ///< live: it takes so much of its time, 95-105
+  int pace_percent = 100;                ///< live: percentage of its time that it takes, 95-105
   std::optional<Instant> arrived{};      ///< live: when it came
   std::optional<Instant> due{};          ///< --live: when the face should have reached it
   std::optional<Milliseconds> place{};   ///< where it is reached, on the source's own clock
-  Milliseconds span{0};                  ///< what it takes of that clock, whatever --speed says
-  bool spoken = false;  ///< live: somebody speaks meanwhile, so that it may take only 99.5-100.5 %
+  Milliseconds span{0};                  ///< its length on that clock, whatever --speed says
+  bool spoken = false;  ///< live: a voice is heard meanwhile, so its pace stays in 99.5-100.5 %
 };
 
 /// One Opus packet of a source's voice.
@@ -55,7 +55,7 @@ struct SourceStatus {
   bool connected = false;
   EndReason end = EndReason::NotEnded;  ///< set as soon as nothing more will arrive
   std::string detail;                   ///< a sentence about the end, for the user
-  std::string reason;                   ///< why it will be tried again, without what will be done
+  std::string reason;                   ///< why it will be tried again: the cause alone
   Milliseconds retry_after{0};          ///< from the loss to the next attempt
   std::optional<int> refusal;           ///< Refused: the server's code
   std::size_t receiver_fill = 0;
@@ -68,13 +68,13 @@ struct SourceStatus {
   std::string stream;                   ///< its name, as the server says; empty: it does not
   std::string title;                    ///< of the stream; empty: none
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
-  std::uint64_t voice_left_out = 0;     ///< packets dropped because nobody took those before them
+  std::uint64_t voice_left_out = 0;     ///< packets dropped because their queue was full
   std::uint64_t captions_left_out = 0;  ///< likewise
-  Milliseconds delay{0};                ///< buffered, by time (live, --buffer auto or Nms);
-                                        ///< --live: from arrival until the face is there
-  Milliseconds buffered{0};             ///< what is there, in the stream's own time
-  std::uint64_t reconnects = 0;         ///< attempts after a loss (--reconnect)
-  bool paused = false;                  ///< by the user, or by -1 because the buffers are full
+  Milliseconds delay{0};         ///< how much is to be buffered (live, --buffer auto or Nms);
+                                 ///< --live: from arrival until the face is there
+  Milliseconds buffered{0};      ///< how much is buffered now, in the stream's own time
+  std::uint64_t reconnects = 0;  ///< attempts after a loss (--reconnect)
+  bool paused = false;           ///< by the user, or by -1 because the buffers are full
   std::uint64_t packets_received = 0;
   std::uint64_t bytes_received = 0;
   std::uint64_t bytes_sent = 0;  ///< answers, as the protocol has them
@@ -94,10 +94,10 @@ class KeyframeSource {
 
   /// The next keyframe of the Playout buffer, if there is one now.
   [[nodiscard]] virtual std::optional<Keyframe> take() = 0;
-  /// The next voice packet, if there is one. Their places ascend, and each comes before the
-  /// keyframe during which it is heard can be taken.
+  /// The next voice packet, if there is one. Places ascend. A packet is there before take() gives
+  /// the keyframe during which it is heard.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
-  /// The same of captions.
+  /// The same for captions.
   [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
   /// True when take() would give one, or nothing will ever come again.
   [[nodiscard]] virtual bool ready() const = 0;

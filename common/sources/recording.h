@@ -15,7 +15,7 @@
 
 namespace aucast::sources {
 
-/// What the user knows some settings by, for messages.
+/// The names of settings as the user sees them, for messages.
 struct SettingNames {
   std::string_view fps = "--fps";
   std::string_view neutral = "--neutral";
@@ -58,12 +58,12 @@ struct Found {
   bool truncated = false;    ///< the last line had no end and was not counted
   std::size_t gaps = 0;      ///< stretches longer than kHoldSeconds without a sure row
   double gap_seconds_max = 0;
-  double steps_a_second = 0;               ///< usual steps of the clock; 0 of a single row
-  double rows_a_second = 0;                ///< on the recording's clock; 0 of a single row
+  double steps_a_second = 0;               ///< 1 / usual time between rows; 0 if there is one row
+  double rows_a_second = 0;                ///< mean over the recording; 0 if there is one row
   std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
-  std::vector<LoudAu> unquiet;             ///< AUs of `neutral` that were taken off, and are too
+  std::vector<LoudAu> unquiet;             ///< AUs that were subtracted as `neutral`, but are too
                                            ///< strong for a face at rest
-  std::optional<double> quiet_seconds;     ///< then: a span that has no such AUs, if there is one
+  std::optional<double> quiet_seconds;     ///< if there are any: a value of --neutral without them
 };
 
 /// A recording as keyframes.

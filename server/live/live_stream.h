@@ -23,7 +23,7 @@
 
 namespace aucast::server {
 
-/// How what is being written is served.
+/// How a source that is still being written is served.
 struct LiveStreamOptions {
   std::filesystem::path path;  ///< of the source; "-" is stdin
   sources::LiveOptions reader;
@@ -40,48 +40,51 @@ struct LiveStreamOptions {
 /// its record. When nothing comes the face holds, then goes to neutral, and after the time-out the
 /// stream ends for its clients; it goes on when something comes.
 ///
-/// While there is a voice the stream's clock goes on in pauses: the held face is sent with the time
-/// for which it was held.
+/// With a voice, the stream's clock keeps running while the source is silent: the held face is sent
+/// with the time for which it was held.
 ///
 /// Times are seconds of one clock. Thread: none of its own.
 class LiveStream {
  public:
-  /// `options` outlives it. `reading`: in place of the `reader` in `options`. `on_moment`: it has
-  /// something new.
+  /// `options` outlives it. `reading` replaces `options.reader`. `on_moment` is called when the
+  /// stream has something new.
   LiveStream(std::string name, const LiveStreamOptions& options,
              const sources::LiveOptions& reading, bool with_voice, std::function<void()> on_moment);
   LiveStream(const LiveStream&) = delete;
   LiveStream& operator=(const LiveStream&) = delete;
 
-  /// Keeps it in this file from now on. Fails as Recorder::start().
+  /// Records the stream in this file from now on. Fails as Recorder::start() does.
   [[nodiscard]] Result<void> record(const std::filesystem::path& path);
-  /// What kept the stream from being recorded whole. Waits until the record is written.
+  /// Waits until the record is written. Fails with what ended it early, if anything did.
   [[nodiscard]] Result<void> finish_record();
 
-  /// What is fed to it waits until take().
+  /// Lines fed to it wait there until take().
   [[nodiscard]] sources::LiveReader& reader() { return reader_; }
-  /// Of what the reader made, `only_last`: what comes before is past.
+  /// Takes the keyframes that the reader has made; with `only_last` the newest, for the others are
+  /// past.
   void take(SteadySeconds now, bool only_last);
   void feed_voice(std::string_view bytes, SteadySeconds now);
   void end_voice(SteadySeconds now);
   /// Whoever wrote has gone. `for_good`: nobody can write any more.
   void end_input(SteadySeconds now, bool for_good);
-  /// Sends what is due, or what silence brings.
+  /// Sends what is due; when the source has been silent, lets the face go to neutral or ends the
+  /// stream.
   void go_on(SteadySeconds now);
-  /// When go_on() has something to do; nothing: not before something is fed.
+  /// When to call go_on() next; nullopt: not before something is fed.
   [[nodiscard]] std::optional<double> next() const;
-  /// So much waits for its time that nothing should be fed for now.
+  /// The queue is full: feed nothing for now.
   [[nodiscard]] bool full() const;
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] protocol::ServedStream served() const { return {name_, feed_}; }
   [[nodiscard]] bool begun() const { return feed_->newest() != nullptr; }
-  /// Everybody was told that it has ended, and nothing waits.
+  /// All clients were told that it has ended, and nothing is queued.
   [[nodiscard]] bool ended() const { return feed_->ended() && queue_.size() == 0; }
 
  private:
   void send_voice(std::vector<protocol::VoicePacket> packets, SteadySeconds now);
   void send_due(SteadySeconds now);
+  /// `free`: see sources::RecordTimeline::add().
   void send(const sources::LiveKeyframe& keyframe, bool free, SteadySeconds now);
   void fill_pause(SteadySeconds now);
   void pass(const protocol::Keyframe& keyframe, bool free, SteadySeconds now);
@@ -107,8 +110,8 @@ class LiveStream {
 
   // With a voice only.
   std::optional<LiveVoice> voice_;
-  std::optional<double> clock_begin_;  ///< when the feed's clock was 0 last; nothing: it stands
-  double voice_at_ = 0;                ///< when there was any last
+  std::optional<double> clock_begin_;  ///< when the feed's clock was last 0; nullopt: it is stopped
+  double voice_at_ = 0;                ///< when voice last came
   std::vector<AuTerm> shown_;
 };
 

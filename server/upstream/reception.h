@@ -17,22 +17,23 @@
 
 namespace aucast::server {
 
-/// A stream that comes over one connection at a time, whoever makes it: holds for its clients while
-/// there is none, ends when none has come in time, and reports to log and status.
+/// Receives one stream from another server, over one connection at a time, whichever side made it.
+/// Without a connection the clients' faces hold; when none has come in time the stream ends for
+/// them. Reports to log and status.
 /// Thread: that of the io_context, which must outlive it.
 class Reception {
  public:
   struct Options {
     std::string name;           ///< of the stream; empty: the parent's first
-    std::string id;             ///< of this server, to find loops by
-    Milliseconds wait{10'000};  ///< how long clients hold while nobody sends
+    std::string id;             ///< of this server, by which it sees its own streams come back
+    Milliseconds wait{10'000};  ///< how long clients wait while nobody sends
     int classic_min = 20;
     const char* sender = "parent";  ///< what the log calls the sender
   };
   struct Events {
     std::function<void()> on_moment;  ///< the stream has something new
     std::function<void()> on_first;   ///< a connection has brought its first keyframe
-    /// A connection is over, and is gone; whole(), or another one is wanted.
+    /// A connection has ended and was dropped. Unless whole(), a new one is needed.
     std::function<void(const Parent::Outcome&)> on_over;
     std::function<void()> on_given_up = [] {};  ///< the clients were told that it has ended
   };
@@ -42,15 +43,15 @@ class Reception {
   Reception(const Reception&) = delete;
   Reception& operator=(const Reception&) = delete;
 
-  /// Counts from now on how long clients hold.
+  /// Begins to count how long clients wait.
   void start();
   void stop();
-  /// What `link`, which nobody has started, brings from `peer`, which is asked for it.
+  /// Starts `link`, which is not yet started, asks `peer` for the stream and receives it.
   void begin(std::shared_ptr<link::Link> link, std::string peer, const std::string& token);
-  /// The same of a link that is open, from a peer that has said that it brings it.
+  /// The same over a link that is already open, whose peer has offered the stream.
   void take_over(std::shared_ptr<link::Link> link, std::string peer);
   /// Another stream of the same name will come: this one ends for its clients, and later clients
-  /// get what the next connection brings. Not while connected().
+  /// get what the next connection brings. Only while not connected().
   void begin_anew();
 
   /// Drops the present connection, if any.
@@ -85,7 +86,7 @@ class Reception {
   Events events_;
   RelayedStream stream_;
   asio::steady_timer timer_;
-  std::unique_ptr<Parent> parent_;  ///< nothing: none is connected
+  std::unique_ptr<Parent> parent_;  ///< null: none is connected
   std::string peer_;
   bool receiving_ = false;  ///< the parent has sent a keyframe
   bool ever_received_ = false;
