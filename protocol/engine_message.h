@@ -18,7 +18,7 @@ inline constexpr std::uint16_t kEnginePort = 4222;  ///< of NATS
 inline constexpr std::size_t kEngineBytesMax = 65536;
 inline constexpr std::size_t kEngineLineBytesMax = 256;
 
-/// What the publisher sends: what is new, or an answer.
+/// What the origin sends: what is new, or an answer.
 struct EngineMessage {
   enum class Kind : std::uint8_t {
     Batch,  ///< what is new, to everybody
@@ -26,7 +26,7 @@ struct EngineMessage {
     Since,  ///< an answer: what the batches after `after` held, up to `seq`
   };
   Kind kind = Kind::Batch;
-  std::string origin;  ///< the publisher's ID
+  std::string origin;  ///< the origin's ID
   std::uint64_t seq = 0;
   std::uint64_t place_ms = 0;  ///< on the origin's clock: where the first keyframe begins
   std::uint64_t after = 0;     ///< of Since only

@@ -33,7 +33,7 @@ class Bus {
 
   virtual void subscribe(const std::string& subject) = 0;
   /// Sends a message. Without a connection it is lost: nothing is kept to be sent late.
-  virtual void publish(const Message& message) = 0;
+  virtual void send(const Message& message) = 0;
   /// A subject of our own, to which answers may go.
   [[nodiscard]] virtual std::string own_subject() const = 0;
   /// How many messages were dropped because they came faster than they were handled.

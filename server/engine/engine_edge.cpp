@@ -57,7 +57,7 @@ void EngineEdge::on_message(const Bus::Message& message) {
   const Instant now = steady_clock::now();
   const bool answer = message.subject == bus_->own_subject();
   carry_out(answer ? follower_.on_answer(message.bytes, now)
-                   : follower_.on_published(message.bytes, now));
+                   : follower_.on_broadcast(message.bytes, now));
 }
 
 void EngineEdge::on_connected(const std::string& server) {
@@ -93,7 +93,7 @@ void EngineEdge::carry_out(const std::vector<Follower::Event>& events) {
 }
 
 void EngineEdge::handle(const Follower::Ask& event) {
-  bus_->publish({join_subject(name_), bus_->own_subject(), event.request});
+  bus_->send({join_subject(name_), bus_->own_subject(), event.request});
 }
 
 void EngineEdge::handle(const Follower::Begin& event) {

@@ -16,7 +16,7 @@
 
 namespace aucast::server {
 
-/// A stream of an engine as a source: follows what is published there. Each new beginning is a
+/// A stream of an engine as a source: follows what its origin sends there. Each new beginning is a
 /// connection for its Reception.
 /// Thread: that of the io_context, which must outlive it.
 class EngineEdge final : public Upstream {

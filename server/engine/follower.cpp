@@ -22,7 +22,7 @@ std::vector<Follower::Event> Follower::on_connected(Instant now) {
   return take_events();
 }
 
-std::vector<Follower::Event> Follower::on_published(std::string_view bytes, Instant now) {
+std::vector<Follower::Event> Follower::on_broadcast(std::string_view bytes, Instant now) {
   auto message = protocol::parse_engine_message(bytes);
   if (!message) {
     complain(garbage_, "a message on the subject is no batch: " + message.error().message, now);

@@ -56,7 +56,7 @@ class Follower {
   [[nodiscard]] std::vector<Event> on_connected(Instant now);
   void on_disconnected() { connected_ = false; }
   /// Takes a message that was sent to everybody; anybody may have sent it.
-  [[nodiscard]] std::vector<Event> on_published(std::string_view bytes, Instant now);
+  [[nodiscard]] std::vector<Event> on_broadcast(std::string_view bytes, Instant now);
   /// Takes an answer to a question of ours.
   [[nodiscard]] std::vector<Event> on_answer(std::string_view bytes, Instant now);
   /// Call when the receiver has left what began: it has ended, or makes no sense.

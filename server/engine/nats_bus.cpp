@@ -109,7 +109,7 @@ class NatsBus final : public Bus {
   [[nodiscard]] Result<void> open();
 
   void subscribe(const std::string& subject) override;
-  void publish(const Message& message) override;
+  void send(const Message& message) override;
   [[nodiscard]] std::string own_subject() const override { return own_subject_; }
   [[nodiscard]] std::uint64_t left_out() const override { return gate_->left_out(); }
 
@@ -237,9 +237,9 @@ void NatsBus::add_subscription(const std::string& subject) {
   }
 }
 
-void NatsBus::publish(const Message& message) {
+void NatsBus::send(const Message& message) {
   if (!connection_) return;
-  if (auto done = connection_->publish(message); !done) {
+  if (auto done = connection_->send(message); !done) {
     spdlog::debug("{}: not published: {}", message.subject,
                   escaped(done.error().message, kSaidMax));
   }

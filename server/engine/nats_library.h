@@ -56,7 +56,7 @@ class NatsConnection {
 
   [[nodiscard]] virtual bool is_connected() const = 0;
   [[nodiscard]] virtual Result<void> subscribe(const std::string& subject) = 0;
-  [[nodiscard]] virtual Result<void> publish(const Bus::Message& message) = 0;
+  [[nodiscard]] virtual Result<void> send(const Bus::Message& message) = 0;
 };
 
 /// What the module exports, under the name kNatsModule.

@@ -113,7 +113,7 @@ class Connection final : public NatsConnection {
     return natsConnection_Status(connection_) == NATS_CONN_STATUS_CONNECTED;
   }
   [[nodiscard]] Result<void> subscribe(const std::string& subject) override;
-  [[nodiscard]] Result<void> publish(const Bus::Message& message) override;
+  [[nodiscard]] Result<void> send(const Bus::Message& message) override;
 
  private:
   natsConnection* connection_;
@@ -143,7 +143,7 @@ Result<void> Connection::subscribe(const std::string& subject) {
   return status == NATS_OK ? Result<void>() : network_error(status);
 }
 
-Result<void> Connection::publish(const Bus::Message& message) {
+Result<void> Connection::send(const Bus::Message& message) {
   const auto size = static_cast<int>(message.bytes.size());
   const natsStatus status =
       message.reply_to.empty()

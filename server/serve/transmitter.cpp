@@ -12,9 +12,9 @@
 #include "common/link/listener.h"
 #include "common/log.h"
 #include "common/text.h"
+#include "server/engine/engine_origin.h"
 #include "server/engine/nats_bus.h"
 #include "server/engine/nats_options.h"
-#include "server/engine/publisher.h"
 #include "server/preview/preview.h"
 #include "server/push/pushers.h"
 #include "server/serve/client_registry.h"
@@ -74,7 +74,7 @@ class Transmitter {
     const auto sources = programme_.open_sources();
     if (stopping()) return result();
     if (!sources) return sources.error();
-    if (auto opened = open_publisher(); !opened) return opened.error();
+    if (auto opened = open_engine_origin(); !opened) return opened.error();
     const auto pushers =
         pushers_.open(options_.push, programme_.catalogue()->id, programme_.held_back_max());
     if (!pushers) return pushers.error();
@@ -84,7 +84,7 @@ class Transmitter {
     begin_ = std::chrono::steady_clock::now();
     await_other_signal();
     programme_.begin();
-    if (publisher_) publisher_->on_moment();
+    if (engine_origin_) engine_origin_->on_moment();
     listeners_.start();
     if (http_) http_->start();
     pushers_.start();
@@ -125,19 +125,19 @@ class Transmitter {
     return http_->open(options_.http->address, options_.http->port, options_.reuse_port);
   }
 
-  Result<void> open_publisher() {
+  Result<void> open_engine_origin() {
     if (options_.engine.publish.empty()) return {};
     const auto nats = nats_options(options_.engine.publish, options_.engine);
     if (!nats) return nats.error();
-    publisher_.emplace(io_, Publisher::Options{nats->address.stream, options_.batch},
-                       [this] { return programme_.catalogue(); });
-    return publisher_->start(
+    engine_origin_.emplace(io_, EngineOrigin::Options{nats->address.stream, options_.batch},
+                           [this] { return programme_.catalogue(); });
+    return engine_origin_->start(
         [this, &nats](Bus::Events events) { return open_nats_bus(io_, *nats, std::move(events)); });
   }
 
   void on_moment() {
     clients_.on_moment();
-    if (publisher_) publisher_->on_moment();
+    if (engine_origin_) engine_origin_->on_moment();
   }
 
   void say_who_can_connect() const {
@@ -177,7 +177,7 @@ class Transmitter {
     programme_.describe(status);
     clients_.describe(status, now);
     pushers_.describe(status);
-    if (publisher_) publisher_->describe(status);
+    if (engine_origin_) engine_origin_->describe(status);
     return status;
   }
 
@@ -229,7 +229,7 @@ class Transmitter {
   void on_stop() {
     close_doors({});
     if (preview_) preview_->stop();
-    if (publisher_) publisher_->stop();
+    if (engine_origin_) engine_origin_->stop();
     reload_.stop();
     programme_.stop();
   }
@@ -257,7 +257,7 @@ class Transmitter {
   Listeners listeners_;
   Shutdown shutdown_;
   HttpRoutes routes_;
-  std::optional<Publisher> publisher_;
+  std::optional<EngineOrigin> engine_origin_;
   std::optional<HttpServer> http_;
   Instant begin_{};
 };

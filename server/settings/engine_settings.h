@@ -9,7 +9,7 @@ namespace aucast::server {
 
 /// How streams go over NATS, and how we show who we are there.
 struct EngineSettings {
-  std::string publish;          ///< nats://HOST/NAME; empty: nothing is published
+  std::string publish;          ///< nats://HOST/NAME; empty: nothing is sent there
   std::filesystem::path token;  ///< a word; empty: none
   std::filesystem::path login;  ///< USER:PASSWORD; empty: none
   std::filesystem::path creds;  ///< a user's JWT and seed; empty: none

@@ -48,7 +48,7 @@ class FollowerTest : public ::testing::Test {
  protected:
   std::string batch(std::uint64_t seq, const std::string& packets,
                     const std::string& origin = "org") {
-    return text_of(follower.on_published(
+    return text_of(follower.on_broadcast(
         encode(Message{Kind::Batch, origin, seq, seq * 40, 0, packets}), now));
   }
   std::string state(std::uint64_t seq, const std::string& packets,
@@ -231,10 +231,10 @@ TEST_F(FollowerTest, LeavesAStreamThatWouldBeItsOwn) {
 
 TEST_F(FollowerTest, LivesOnWithGarbage) {
   join();
-  const std::string said = text_of(follower.on_published("garbage \x01\n", now));
+  const std::string said = text_of(follower.on_broadcast("garbage \x01\n", now));
   EXPECT_EQ(said.substr(0, 40), "say a message on the subject is no batch");
   for (int i = 0; i < 1000; ++i) {
-    EXPECT_TRUE(follower.on_published(std::string(100'000, 'x'), now).empty());
+    EXPECT_TRUE(follower.on_broadcast(std::string(100'000, 'x'), now).empty());
     EXPECT_TRUE(follower.on_answer("{1}", now).empty());
   }
   EXPECT_EQ(batch(6, "{6}"), "on {6}\n");
@@ -243,7 +243,7 @@ TEST_F(FollowerTest, LivesOnWithGarbage) {
 TEST_F(FollowerTest, TakesNoAnswerFromTheSubject) {
   join();
   const std::string forged = encode(Message{Kind::State, "bad", 1, 0, 0, kHello});
-  EXPECT_EQ(text_of(follower.on_published(forged, now)),
+  EXPECT_EQ(text_of(follower.on_broadcast(forged, now)),
             "say a message on the subject is no batch: it is an answer\n");
 }
 

@@ -34,7 +34,7 @@ class OpenConnection final : public NatsConnection {
     subscribed.push_back(subject);
     return {};
   }
-  [[nodiscard]] Result<void> publish(const Bus::Message& /*message*/) override { return {}; }
+  [[nodiscard]] Result<void> send(const Bus::Message& /*message*/) override { return {}; }
 };
 
 /// Refuses the first time; then is connected, but takes its time to say so.

@@ -1,4 +1,4 @@
-#include "server/engine/publication.h"
+#include "server/engine/outgoing_batches.h"
 
 #include <gtest/gtest.h>
 
@@ -17,15 +17,15 @@ using protocol::LiveFeed;
 constexpr char kVoice20Ms = '\x48';  ///< the TOC byte of an Opus packet of 20 ms
 
 /// A feed of smiles that grow by a percent, 40 ms each.
-class PublicationTest : public ::testing::Test {
+class OutgoingBatchesTest : public ::testing::Test {
  protected:
   void smile(int percent) {
     feed.add(face(percent));
-    publication.collect(feed);
+    batches.collect(feed);
   }
   void speak(int place_ms) {
     feed.add_voice({Milliseconds(place_ms), std::string(1, kVoice20Ms) + "hi"});
-    publication.collect(feed);
+    batches.collect(feed);
   }
   static Keyframe face(int percent) {
     Keyframe keyframe;
@@ -35,111 +35,111 @@ class PublicationTest : public ::testing::Test {
     return keyframe;
   }
   [[nodiscard]] std::string answer(const EngineJoin& join) const {
-    return publication.answer(join, hello).value_or("nothing");
+    return batches.answer(join, hello).value_or("nothing");
   }
 
   LiveFeed feed{250, 20, true, true};
-  Publication publication{"org"};
+  OutgoingBatches batches{"org"};
   protocol::HelloGranted hello;
 };
 
-TEST_F(PublicationTest, NumbersItsBatchesAndBeginsWithTheWholeFace) {
+TEST_F(OutgoingBatchesTest, NumbersItsBatchesAndBeginsWithTheWholeFace) {
   smile(30);
-  EXPECT_EQ(publication.next_batch(), "batch origin=org seq=1 place=0\n{1,12:30;40}");
+  EXPECT_EQ(batches.next_batch(), "batch origin=org seq=1 place=0\n{1,12:30;40}");
   smile(31);
   smile(32);
-  EXPECT_EQ(publication.next_batch(), "batch origin=org seq=2 place=40\n{~12:31;40}{~12:32;40}");
-  EXPECT_EQ(publication.next_batch(), "batch origin=org seq=3 place=120\n");
+  EXPECT_EQ(batches.next_batch(), "batch origin=org seq=2 place=40\n{~12:31;40}{~12:32;40}");
+  EXPECT_EQ(batches.next_batch(), "batch origin=org seq=3 place=120\n");
 }
 
-TEST_F(PublicationTest, SendsTheWholeFaceWhereAMomentWasMissed) {
+TEST_F(OutgoingBatchesTest, SendsTheWholeFaceWhereAMomentWasMissed) {
   smile(30);
   feed.add(face(31));
   smile(32);
-  EXPECT_EQ(publication.next_batch(), "batch origin=org seq=1 place=0\n{1,12:30;40}{1,12:32;40}");
+  EXPECT_EQ(batches.next_batch(), "batch origin=org seq=1 place=0\n{1,12:30;40}{1,12:32;40}");
 }
 
-TEST_F(PublicationTest, SaysThePlaceOfEveryVoicePacket) {
+TEST_F(OutgoingBatchesTest, SaysThePlaceOfEveryVoicePacket) {
   smile(30);
   speak(0);
   speak(20);
   feed.add_caption({30, "Hi"});
-  publication.collect(feed);
-  EXPECT_EQ(publication.next_batch(),
+  batches.collect(feed);
+  EXPECT_EQ(batches.next_batch(),
             "batch origin=org seq=1 place=0\n{1,12:30;40}{a@0 SGhp}{a@20 SGhp}{t@30 SGk}");
 }
 
-TEST_F(PublicationTest, TellsWhoJoinsTheStateAsOfTheLastBatch) {
+TEST_F(OutgoingBatchesTest, TellsWhoJoinsTheStateAsOfTheLastBatch) {
   EXPECT_EQ(answer({}), "nothing");
   smile(30);
   EXPECT_EQ(answer({}), "nothing");
-  static_cast<void>(publication.next_batch());
+  static_cast<void>(batches.next_batch());
   smile(31);
   EXPECT_EQ(answer({}), "state origin=org seq=1 place=0\n" + encode(hello) + "{1,12:30;40}");
-  static_cast<void>(publication.next_batch());
+  static_cast<void>(batches.next_batch());
   EXPECT_EQ(answer({"org", {}}),
             "state origin=org seq=2 place=40\n" + encode(hello) + "{1,12:31;40}");
 }
 
-TEST_F(PublicationTest, LeavesTheQuestionsForOthersToThem) {
+TEST_F(OutgoingBatchesTest, LeavesTheQuestionsForOthersToThem) {
   smile(30);
-  static_cast<void>(publication.next_batch());
+  static_cast<void>(batches.next_batch());
   EXPECT_EQ(answer({"other", {}}), "nothing");
 }
 
-TEST_F(PublicationTest, TellsTheStandingCaptionWithTheState) {
+TEST_F(OutgoingBatchesTest, TellsTheStandingCaptionWithTheState) {
   smile(30);
   feed.add_caption({10, "Hi"});
   smile(31);
-  static_cast<void>(publication.next_batch());
+  static_cast<void>(batches.next_batch());
   EXPECT_EQ(answer({}),
             "state origin=org seq=1 place=40\n" + encode(hello) + "{t@10 SGk}{1,12:31;40}");
 }
 
-TEST_F(PublicationTest, GivesWhatWasMissedAsItWas) {
+TEST_F(OutgoingBatchesTest, GivesWhatWasMissedAsItWas) {
   for (const int percent : {30, 31, 32}) {
     smile(percent);
-    static_cast<void>(publication.next_batch());
+    static_cast<void>(batches.next_batch());
   }
   EXPECT_EQ(answer({"org", 1}), "since origin=org seq=3 place=40 after=1\n{~12:31;40}{~12:32;40}");
   EXPECT_EQ(answer({"org", 3}), "since origin=org seq=3 place=120 after=3\n");
   EXPECT_EQ(answer({"org", 9}).substr(0, 5), "state") << "numbers that were never given";
 }
 
-TEST_F(PublicationTest, GivesTheStateWhereWhatWasMissedIsPast) {
+TEST_F(OutgoingBatchesTest, GivesTheStateWhereWhatWasMissedIsPast) {
   for (int i = 0; i < 60; ++i) {
     smile(i);
-    static_cast<void>(publication.next_batch());
+    static_cast<void>(batches.next_batch());
   }
   EXPECT_EQ(answer({"org", 1}).substr(0, 5), "state");
   EXPECT_EQ(answer({"org", 12}).substr(0, 5), "since");
 }
 
-TEST_F(PublicationTest, KeepsNoMoreThanOneAnswerHolds) {
+TEST_F(OutgoingBatchesTest, KeepsNoMoreThanOneAnswerHolds) {
   smile(30);
-  for (int i = 0; i < 2000; ++i) static_cast<void>(publication.next_batch());
+  for (int i = 0; i < 2000; ++i) static_cast<void>(batches.next_batch());
   EXPECT_EQ(answer({"org", 1}).substr(0, 5), "state");
   for (int i = 0; i < 1500; ++i) {
     feed.add_caption({40, std::string(600, 'x')});
-    publication.collect(feed);
-    static_cast<void>(publication.next_batch());
+    batches.collect(feed);
+    static_cast<void>(batches.next_batch());
   }
   for (std::uint64_t after = 3401; after <= 3501; after += 10) {
     EXPECT_LE(answer({"org", after}).size(), protocol::kEngineBytesMax);
   }
 }
 
-TEST_F(PublicationTest, EndsAndGoesOn) {
+TEST_F(OutgoingBatchesTest, EndsAndGoesOn) {
   smile(30);
-  static_cast<void>(publication.next_batch());
-  publication.collect_end();
-  publication.collect_end();
-  EXPECT_FALSE(publication.running());
-  EXPECT_EQ(publication.next_batch(), "batch origin=org seq=2 place=40\n{-2}");
+  static_cast<void>(batches.next_batch());
+  batches.collect_end();
+  batches.collect_end();
+  EXPECT_FALSE(batches.running());
+  EXPECT_EQ(batches.next_batch(), "batch origin=org seq=2 place=40\n{-2}");
   EXPECT_EQ(answer({}), "nothing");
   smile(31);
-  EXPECT_TRUE(publication.running());
-  EXPECT_EQ(publication.next_batch(), "batch origin=org seq=3 place=40\n{1,12:31;40}");
+  EXPECT_TRUE(batches.running());
+  EXPECT_EQ(batches.next_batch(), "batch origin=org seq=3 place=40\n{1,12:31;40}");
 }
 
 }  // namespace

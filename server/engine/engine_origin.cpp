@@ -1,4 +1,4 @@
-#include "server/engine/publisher.h"
+#include "server/engine/engine_origin.h"
 
 #include <chrono>
 #include <system_error>
@@ -15,13 +15,13 @@ namespace aucast::server {
 
 using std::chrono::steady_clock;
 
-Publisher::Publisher(asio::io_context& io, Options options, Catalogue catalogue)
+EngineOrigin::EngineOrigin(asio::io_context& io, Options options, Catalogue catalogue)
     : options_(std::move(options)),
       catalogue_(std::move(catalogue)),
       batch_timer_(io),
       beat_timer_(io) {}
 
-Result<void> Publisher::start(const OpenBus& open) {
+Result<void> EngineOrigin::start(const OpenBus& open) {
   auto bus =
       open({[this](const Bus::Message& message) { on_message(message); },
             [this](const std::string& server) {
@@ -40,9 +40,9 @@ Result<void> Publisher::start(const OpenBus& open) {
   return {};
 }
 
-void Publisher::stop() {
-  if (publication_) {
-    publication_->collect_end();
+void EngineOrigin::stop() {
+  if (batches_) {
+    batches_->collect_end();
     flush();
   }
   stopped_ = true;
@@ -52,7 +52,7 @@ void Publisher::stop() {
 }
 
 /// What a client that asks for no name would get, if it is live.
-std::shared_ptr<const protocol::LiveChannel> Publisher::channel() {
+std::shared_ptr<const protocol::LiveChannel> EngineOrigin::channel() {
   protocol::HelloAsked asked;
   // Asked as a relay, so that the servers which it comes through are told on.
   asked.relay = "nats";
@@ -85,51 +85,51 @@ std::shared_ptr<const protocol::LiveChannel> Publisher::channel() {
 }
 
 /// Another channel has a clock of its own: who watches joins anew.
-void Publisher::begin(const std::shared_ptr<const protocol::LiveChannel>& channel) {
-  if (publication_) {
-    publication_->collect_end();
+void EngineOrigin::begin(const std::shared_ptr<const protocol::LiveChannel>& channel) {
+  if (batches_) {
+    batches_->collect_end();
     flush();
   }
   channel_ = channel;
   const std::string& id = catalogue_()->id;
-  publication_.emplace(++runs_ == 1 ? id : id + '-' + std::to_string(runs_));
+  batches_.emplace(++runs_ == 1 ? id : id + '-' + std::to_string(runs_));
 }
 
-void Publisher::on_moment() {
+void EngineOrigin::on_moment() {
   if (stopped_) return;
   const auto now_live = channel();
   if (!now_live) return;
-  publication_->collect(*now_live);
-  if (now_live->ended()) publication_->collect_end();
-  if (publication_->waiting_bytes() > 0) flush_soon();
+  batches_->collect(*now_live);
+  if (now_live->ended()) batches_->collect_end();
+  if (batches_->waiting_bytes() > 0) flush_soon();
 }
 
-void Publisher::flush_soon() {
-  if (options_.batch.count() == 0 || publication_->waiting_bytes() > kBatchBytesMax) {
+void EngineOrigin::flush_soon() {
+  if (options_.batch.count() == 0 || batches_->waiting_bytes() > kBatchBytesMax) {
     flush();
     return;
   }
   if (std::exchange(batch_waits_, true)) return;
   batch_timer_.expires_after(options_.batch);
   batch_timer_.async_wait([this](const std::error_code& error) {
-    if (!error && !stopped_ && publication_) flush();
+    if (!error && !stopped_ && batches_) flush();
   });
 }
 
 /// Without a connection too: who misses it asks for it later, and nothing old is sent by itself.
-void Publisher::flush() {
+void EngineOrigin::flush() {
   batch_waits_ = false;
   batch_timer_.cancel();
-  const std::string batch = publication_->next_batch();
-  if (connected_) bus_->publish({batch_subject(options_.stream), "", batch});
+  const std::string batch = batches_->next_batch();
+  if (connected_) bus_->send({batch_subject(options_.stream), "", batch});
   await_beat();
 }
 
-void Publisher::await_beat() {
+void EngineOrigin::await_beat() {
   beat_timer_.expires_after(kBeat);
   beat_timer_.async_wait([this](const std::error_code& error) {
     if (error || stopped_) return;
-    if (publication_ && publication_->running()) {
+    if (batches_ && batches_->running()) {
       flush();
     } else {
       await_beat();
@@ -137,18 +137,18 @@ void Publisher::await_beat() {
   });
 }
 
-void Publisher::on_message(const Bus::Message& message) {
-  if (stopped_ || !publication_ || message.reply_to.empty() || !may_answer()) return;
+void EngineOrigin::on_message(const Bus::Message& message) {
+  if (stopped_ || !batches_ || message.reply_to.empty() || !may_answer()) return;
   const auto join = protocol::parse_engine_join(message.bytes);
   if (!join) {
     spdlog::debug("{}: a question makes no sense: {}", options_.stream, join.error().message);
     return;
   }
-  const auto answer = publication_->answer(*join, hello_);
-  if (answer) bus_->publish({message.reply_to, "", *answer});
+  const auto answer = batches_->answer(*join, hello_);
+  if (answer) bus_->send({message.reply_to, "", *answer});
 }
 
-bool Publisher::may_answer() {
+bool EngineOrigin::may_answer() {
   const Instant now = steady_clock::now();
   if (now - second_begin_ >= std::chrono::seconds(1)) {
     second_begin_ = now;
@@ -159,7 +159,7 @@ bool Publisher::may_answer() {
   return false;
 }
 
-void Publisher::describe(Status& status) const {
+void EngineOrigin::describe(Status& status) const {
   if (!status.engine) status.engine.emplace();
   if (bus_) status.engine->messages_left_out += bus_->left_out();
   status.engine->questions_left_out += unanswered_;

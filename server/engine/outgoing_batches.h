@@ -16,15 +16,15 @@ namespace aucast::server {
 /// A live stream on its way to an engine: numbered batches of what its channel has, and answers to
 /// those who join late or missed some. Places are those of the channel's clock.
 /// Thread: none of its own; that of the channel.
-class Publication {
+class OutgoingBatches {
  public:
-  /// How long what was published is kept for those who missed it.
+  /// How long what was sent is kept for those who missed it.
   static constexpr Milliseconds kKept{2'000};
   /// One answer holds it with its line.
   static constexpr std::size_t kKeptBytesMax = std::size_t{48} * 1024;
   static constexpr std::size_t kKeptMax = 256;  ///< batches, of which many may be empty
 
-  explicit Publication(std::string origin) : origin_(std::move(origin)) {}
+  explicit OutgoingBatches(std::string origin) : origin_(std::move(origin)) {}
 
   /// Adds to the next batch what is new in the channel. Sound comes before the keyframe during
   /// which it is heard.
@@ -40,7 +40,7 @@ class Publication {
   /// The stream is running, so the state of the face can be told.
   [[nodiscard]] bool running() const { return !full_.empty() && !ended_; }
   /// The answer to somebody who joins, as of the last batch. `hello`: of the stream. Nothing: it
-  /// asks another origin, or nothing was published.
+  /// asks another origin, or nothing was sent.
   [[nodiscard]] std::optional<std::string> answer(const protocol::EngineJoin& join,
                                                   const protocol::HelloGranted& hello) const;
 
@@ -72,7 +72,7 @@ class Publication {
   std::string full_;  ///< of the last moment collected, ...
   Milliseconds full_begin_{0};
   std::string caption_;
-  State published_;  ///< ... and of the last one in a batch that is out
+  State sent_;  ///< ... and of the last one in a batch that is out
   std::deque<Kept> kept_;
   std::size_t kept_bytes_ = 0;
 };

@@ -15,14 +15,14 @@
 #include "protocol/packet.h"
 #include "protocol/server_session.h"
 #include "server/engine/bus.h"
-#include "server/engine/publication.h"
+#include "server/engine/outgoing_batches.h"
 #include "server/status/status.h"
 
 namespace aucast::server {
 
-/// Publishes the first stream that is served over an engine, and answers who joins there.
+/// Sends the first stream that is served over an engine, and answers who joins there.
 /// Thread: that of the io_context, which must outlive it.
-class Publisher {
+class EngineOrigin {
  public:
   struct Options {
     std::string stream;     ///< its name at the engine
@@ -35,9 +35,9 @@ class Publisher {
   /// More questions are left out, and counted.
   static constexpr std::size_t kAnswersPerSecond = 1'000;
 
-  Publisher(asio::io_context& io, Options options, Catalogue catalogue);
-  Publisher(const Publisher&) = delete;
-  Publisher& operator=(const Publisher&) = delete;
+  EngineOrigin(asio::io_context& io, Options options, Catalogue catalogue);
+  EngineOrigin(const EngineOrigin&) = delete;
+  EngineOrigin& operator=(const EngineOrigin&) = delete;
 
   /// As the bus opens.
   [[nodiscard]] Result<void> start(const OpenBus& open);
@@ -61,9 +61,9 @@ class Publisher {
   Catalogue catalogue_;
   std::unique_ptr<Bus> bus_;
   bool connected_ = false;
-  std::shared_ptr<const protocol::LiveChannel> channel_;  ///< that is published
+  std::shared_ptr<const protocol::LiveChannel> channel_;  ///< that is sent
   protocol::HelloGranted hello_;
-  std::optional<Publication> publication_;
+  std::optional<OutgoingBatches> batches_;
   std::size_t runs_ = 0;  ///< channels so far
   bool said_recorded_ = false;
   asio::steady_timer batch_timer_;

@@ -1,4 +1,4 @@
-#include "server/engine/publication.h"
+#include "server/engine/outgoing_batches.h"
 
 #include <algorithm>
 #include <string_view>
@@ -22,7 +22,7 @@ std::string placed(const protocol::EncodedVoice& voice) {
 
 }  // namespace
 
-void Publication::collect(const protocol::LiveChannel& channel) {
+void OutgoingBatches::collect(const protocol::LiveChannel& channel) {
   for (const protocol::LiveMoment& moment : channel.latest()) {
     if (last_moment_ && moment.number <= *last_moment_) continue;
     const bool follows = last_moment_ && moment.number == *last_moment_ + 1 && !ended_;
@@ -37,7 +37,7 @@ void Publication::collect(const protocol::LiveChannel& channel) {
   if (last_moment_) collect_sound(channel);
 }
 
-void Publication::collect_sound(const protocol::LiveChannel& channel) {
+void OutgoingBatches::collect_sound(const protocol::LiveChannel& channel) {
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
   while (const protocol::CaptionData* const caption = channel.captions().find(next_caption_)) {
     caption_ = encode(*caption);
@@ -51,16 +51,16 @@ void Publication::collect_sound(const protocol::LiveChannel& channel) {
   }
 }
 
-void Publication::collect_end() {
+void OutgoingBatches::collect_end() {
   if (!running()) return;
   waiting_ += encode(protocol::End{});
   ended_ = true;
 }
 
-std::string Publication::next_batch() {
+std::string OutgoingBatches::next_batch() {
   Kept batch{++seq_, waiting_place_, std::exchange(waiting_, {})};
   waiting_place_ = end_;
-  published_ = {full_, full_begin_, caption_};
+  sent_ = {full_, full_begin_, caption_};
   const auto place = static_cast<std::uint64_t>(batch.place.count());
   std::string bytes = encode(
       EngineMessage{EngineMessage::Kind::Batch, origin_, batch.seq, place, 0, batch.packets});
@@ -68,7 +68,7 @@ std::string Publication::next_batch() {
   return bytes;
 }
 
-void Publication::keep(Kept batch) {
+void OutgoingBatches::keep(Kept batch) {
   kept_bytes_ += batch.packets.size();
   kept_.push_back(std::move(batch));
   const auto past = [this] {
@@ -82,7 +82,7 @@ void Publication::keep(Kept batch) {
 }
 
 /// What the batches after that one held, if all of them are still there.
-std::optional<std::string> Publication::since(std::uint64_t after) const {
+std::optional<std::string> OutgoingBatches::since(std::uint64_t after) const {
   if (after > seq_ || (after < seq_ && (kept_.empty() || kept_.front().seq > after + 1))) {
     return std::nullopt;
   }
@@ -95,16 +95,16 @@ std::optional<std::string> Publication::since(std::uint64_t after) const {
   return encode(message);
 }
 
-std::optional<std::string> Publication::answer(const protocol::EngineJoin& join,
-                                               const protocol::HelloGranted& hello) const {
+std::optional<std::string> OutgoingBatches::answer(const protocol::EngineJoin& join,
+                                                   const protocol::HelloGranted& hello) const {
   if (!join.origin.empty() && join.origin != origin_) return std::nullopt;
   if (join.after && !join.origin.empty()) {
     if (auto missed = since(*join.after)) return missed;
   }
-  if (published_.full.empty() || ended_) return std::nullopt;
-  const auto place = static_cast<std::uint64_t>(published_.begin.count());
+  if (sent_.full.empty() || ended_) return std::nullopt;
+  const auto place = static_cast<std::uint64_t>(sent_.begin.count());
   return encode(EngineMessage{EngineMessage::Kind::State, origin_, seq_, place, 0,
-                              encode(hello) + published_.caption + published_.full});
+                              encode(hello) + sent_.caption + sent_.full});
 }
 
 }  // namespace aucast::server
